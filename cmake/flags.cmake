@@ -1,0 +1,39 @@
+# Compiler flags of the whole project (design: architecture.md, "Packages and build").
+#
+# -ffp-contract=off: a fused multiply-add rounds once instead of twice, so it would make results depend on what the
+# compiler chose to fuse. No fast-math for the same reason. With these a debug and a release build agree to the bit.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+option(THAUM_PORTABLE "Build for any x86-64, not only for x86-64-v3 (AVX2)" OFF)
+set(THAUM_SANITIZE "" CACHE STRING "Sanitizers: empty, 'address,undefined' or 'thread'")
+
+add_library(thaum_flags INTERFACE)
+target_compile_options(thaum_flags INTERFACE
+    -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Werror)
+if(NOT THAUM_PORTABLE)
+    target_compile_options(thaum_flags INTERFACE -march=x86-64-v3)
+endif()
+if(THAUM_SANITIZE)
+    target_compile_options(thaum_flags INTERFACE -fsanitize=${THAUM_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(thaum_flags INTERFACE -fsanitize=${THAUM_SANITIZE})
+    if(THAUM_SANITIZE MATCHES "undefined")
+        target_compile_options(thaum_flags INTERFACE -fno-sanitize-recover=undefined)
+    endif()
+endif()
+
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g1")
+set(CMAKE_CXX_FLAGS_DEBUG "-O0 -g1")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
+
+find_program(CCACHE ccache)
+if(CCACHE)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()

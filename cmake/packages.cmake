@@ -1,0 +1,10 @@
+# Debian packages we stand on. All are system libraries, so their headers give no warnings of ours.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(glfw3 3.3 REQUIRED)
+find_package(Freetype REQUIRED)
+find_package(nlohmann_json REQUIRED)
+pkg_check_modules(bullet REQUIRED IMPORTED_TARGET bullet-float64)
+pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)
+pkg_check_modules(zstd REQUIRED IMPORTED_TARGET libzstd)
+pkg_check_modules(lua REQUIRED IMPORTED_TARGET lua5.4)

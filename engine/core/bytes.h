@@ -1,0 +1,108 @@
+// core/bytes.h: little-endian bytes out and in. The reader never reads past its end: after a failed read
+// it returns zeros and `ok()` is false, so a parser checks once at the end of each record.
+#pragma once
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace thaum {
+
+static_assert(std::endian::native == std::endian::little, "files are little-endian, written as they lie");
+
+using Bytes = std::vector<std::byte>;
+
+class ByteWriter {
+public:
+    explicit ByteWriter(Bytes& out) : out_(out) {}
+
+    template <class T>
+        requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
+    void put(T value) {
+        put_bytes(std::as_bytes(std::span(&value, 1)));
+    }
+
+    void put_bytes(std::span<const std::byte> bytes) { out_.insert(out_.end(), bytes.begin(), bytes.end()); }
+
+    /// Length as 32 bits, then the characters.
+    void put_string(std::string_view s) {
+        put(static_cast<std::uint32_t>(s.size()));
+        put_bytes(std::as_bytes(std::span(s.data(), s.size())));
+    }
+
+    /// LEB128, 7 bits a byte.
+    void put_varint(std::uint64_t value) {
+        for (; value >= 0x80U; value >>= 7U) put(static_cast<std::uint8_t>(value | 0x80U));
+        put(static_cast<std::uint8_t>(value));
+    }
+
+    /// Zigzag, so that small negative numbers stay small.
+    void put_signed_varint(std::int64_t value) {
+        put_varint((static_cast<std::uint64_t>(value) << 1U) ^ static_cast<std::uint64_t>(value >> 63));
+    }
+
+private:
+    Bytes& out_;
+};
+
+class ByteReader {
+public:
+    explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+
+    bool ok() const { return ok_; }
+    std::size_t left() const { return bytes_.size() - at_; }
+    std::size_t position() const { return at_; }
+
+    template <class T>
+        requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
+    T get() {
+        T value{};
+        const auto from = get_bytes(sizeof(T));
+        if (ok_) std::memcpy(&value, from.data(), sizeof(T));
+        return value;
+    }
+
+    /// A view into the input, or empty and `ok()` false.
+    std::span<const std::byte> get_bytes(std::size_t n) {
+        if (!ok_ || n > left()) {
+            ok_ = false;
+            return {};
+        }
+        const auto result = bytes_.subspan(at_, n);
+        at_ += n;
+        return result;
+    }
+
+    std::string get_string() {
+        const auto chars = get_bytes(get<std::uint32_t>());
+        return {reinterpret_cast<const char*>(chars.data()), chars.size()};
+    }
+
+    std::uint64_t get_varint() {
+        std::uint64_t value = 0;
+        for (unsigned shift = 0; shift < 64; shift += 7) {
+            const auto byte = get<std::uint8_t>();
+            value |= static_cast<std::uint64_t>(byte & 0x7fU) << shift;
+            if ((byte & 0x80U) == 0) return value;
+        }
+        ok_ = false;
+        return 0;
+    }
+
+    std::int64_t get_signed_varint() {
+        const auto v = get_varint();
+        return static_cast<std::int64_t>(v >> 1U) ^ -static_cast<std::int64_t>(v & 1U);
+    }
+
+private:
+    std::span<const std::byte> bytes_;
+    std::size_t at_ = 0;
+    bool ok_ = true;
+};
+
+}  // namespace thaum

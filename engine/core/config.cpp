@@ -1,0 +1,261 @@
+#include "core/config.h"
+
+#include <cmath>
+#include <set>
+
+#define TOML_EXCEPTIONS 0
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#include <toml++/toml.h>
+#pragma GCC diagnostic pop
+
+#include "core/text.h"
+
+namespace thaum {
+
+struct Config::State {
+    toml::table root;
+    std::string name;
+    std::optional<std::string> fault;
+    std::set<const toml::node*> asked;
+
+    void report(const toml::node* where, std::string_view what) {
+        if (fault) return;
+        fault = where != nullptr && where->source().begin
+                    ? text(name, ":", where->source().begin.line, ": ", what)
+                    : text(name, ": ", what);
+    }
+};
+
+namespace {
+
+const toml::table* as_table(const void* table) { return static_cast<const toml::table*>(table); }
+
+/// The first key, depth first, that nobody asked for.
+void find_unknown(Config::State& state, const toml::table& table, const std::string& path) {
+    for (const auto& [key, node] : table) {
+        const auto full = path + std::string(key.str());
+        if (!state.asked.contains(&node)) {
+            state.report(&node, text("unknown key '", full, "'"));
+            return;
+        }
+        if (const auto* child = node.as_table()) find_unknown(state, *child, full + ".");
+        if (const auto* list = node.as_array()) {
+            for (const auto& item : *list) {
+                if (const auto* child = item.as_table()) find_unknown(state, *child, full + ".");
+            }
+        }
+        if (state.fault) return;
+    }
+}
+
+std::string range_text(Range range) { return text("from ", range.low, " to ", range.high); }
+
+bool in_range(double value, Range range) { return value >= range.low && value <= range.high; }
+
+/// The node at a key, marked as asked for; null where there is none.
+const toml::node* ask(Config::State& state, const void* table, std::string_view key) {
+    if (table == nullptr) return nullptr;
+    const auto* node = as_table(table)->get(key);
+    if (node != nullptr) state.asked.insert(node);
+    return node;
+}
+
+void report_missing(Config::State& state, const void* table, std::string_view key) {
+    state.report(as_table(table), text("key '", key, "' is missing"));
+}
+
+std::optional<double> number_in(Config::State& state, const toml::node& node, std::string_view key,
+                                Range range) {
+    const auto value = node.value<double>();
+    if (!value || !(node.is_integer() || node.is_floating_point())) {
+        state.report(&node, text("'", key, "' must be a number"));
+        return std::nullopt;
+    }
+    if (!in_range(*value, range)) {  // NaN is in no range
+        state.report(&node, text("'", key, "' is ", *value, ", must be ", range_text(range)));
+        return std::nullopt;
+    }
+    return value;
+}
+
+std::optional<std::int64_t> integer_in(Config::State& state, const toml::node& node, std::string_view key,
+                                       Range range) {
+    if (!node.is_integer()) {
+        state.report(&node, text("'", key, "' must be a whole number"));
+        return std::nullopt;
+    }
+    const auto value = node.as_integer()->get();
+    if (!in_range(static_cast<double>(value), range)) {
+        state.report(&node, text("'", key, "' is ", value, ", must be ", range_text(range)));
+        return std::nullopt;
+    }
+    return value;
+}
+
+std::optional<vec3> vector_in(Config::State& state, const toml::node& node, std::string_view key,
+                              Range range) {
+    const auto* list = node.as_array();
+    if (list == nullptr || list->size() != 3) {
+        state.report(&node, text("'", key, "' must be three numbers"));
+        return std::nullopt;
+    }
+    vec3 result{};
+    for (int i = 0; i < 3; ++i) {
+        const auto value = number_in(state, *list->get(static_cast<std::size_t>(i)), key, range);
+        if (!value) return std::nullopt;
+        result[i] = *value;
+    }
+    return result;
+}
+
+std::optional<std::size_t> choice_in(Config::State& state, const toml::node& node, std::string_view key,
+                                     const std::vector<std::string_view>& names) {
+    const auto value = node.value<std::string_view>();
+    for (std::size_t i = 0; value && i < names.size(); ++i) {
+        if (names[i] == *value) return i;
+    }
+    std::string all;
+    for (const auto name : names) all += text(all.empty() ? "" : ", ", name);
+    state.report(&node, text("'", key, "' must be one of: ", all));
+    return std::nullopt;
+}
+
+}  // namespace
+
+Expected<Config> Config::parse(std::string_view source, std::string name, std::int64_t version) {
+    auto result = toml::parse(source, name);
+    if (!result) {
+        const auto& error = result.error();
+        return fail(text(name, ":", error.source().begin.line, ": ", error.description()));
+    }
+    auto state = std::make_shared<State>();
+    state->root = std::move(result).table();
+    state->name = std::move(name);
+    Config config(state);
+    const auto found = config.root().integer("version", {0, 1e9});
+    if (!state->fault && found != version) {
+        config.root().report("version", text("version ", found, " cannot be read, only version ", version));
+    }
+    if (state->fault) return fail(*state->fault);
+    return config;
+}
+
+ConfigTable Config::root() const { return {state_, &state_->root}; }
+
+void Config::report(std::string message) const { state_->report(nullptr, message); }
+
+Expected<void> Config::check() const {
+    if (!state_->fault) find_unknown(*state_, state_->root, "");
+    if (state_->fault) return fail(*state_->fault);
+    return {};
+}
+
+bool ConfigTable::has(std::string_view key) const {
+    return table_ != nullptr && as_table(table_)->contains(key);
+}
+
+double ConfigTable::number(std::string_view key, Range range) const {
+    if (!has(key)) report_missing(*state_, table_, key);
+    return number(key, range, range.low);
+}
+
+double ConfigTable::number(std::string_view key, Range range, double fallback) const {
+    const auto* node = ask(*state_, table_, key);
+    return node == nullptr ? fallback : number_in(*state_, *node, key, range).value_or(fallback);
+}
+
+std::int64_t ConfigTable::integer(std::string_view key, Range range) const {
+    if (!has(key)) report_missing(*state_, table_, key);
+    return integer(key, range, static_cast<std::int64_t>(range.low));
+}
+
+std::int64_t ConfigTable::integer(std::string_view key, Range range, std::int64_t fallback) const {
+    const auto* node = ask(*state_, table_, key);
+    return node == nullptr ? fallback : integer_in(*state_, *node, key, range).value_or(fallback);
+}
+
+bool ConfigTable::boolean(std::string_view key, bool fallback) const {
+    const auto* node = ask(*state_, table_, key);
+    if (node == nullptr) return fallback;
+    if (!node->is_boolean()) {
+        state_->report(node, text("'", key, "' must be true or false"));
+        return fallback;
+    }
+    return node->as_boolean()->get();
+}
+
+std::string ConfigTable::string(std::string_view key) const {
+    if (!has(key)) report_missing(*state_, table_, key);
+    return string(key, "");
+}
+
+std::string ConfigTable::string(std::string_view key, std::string fallback) const {
+    const auto* node = ask(*state_, table_, key);
+    if (node == nullptr) return fallback;
+    if (!node->is_string()) {
+        state_->report(node, text("'", key, "' must be a text in quotes"));
+        return fallback;
+    }
+    return node->as_string()->get();
+}
+
+vec3 ConfigTable::vector(std::string_view key, Range range) const {
+    if (!has(key)) report_missing(*state_, table_, key);
+    return vector(key, range, vec3(range.low));
+}
+
+vec3 ConfigTable::vector(std::string_view key, Range range, vec3 fallback) const {
+    const auto* node = ask(*state_, table_, key);
+    return node == nullptr ? fallback : vector_in(*state_, *node, key, range).value_or(fallback);
+}
+
+std::size_t ConfigTable::choice(std::string_view key, const std::vector<std::string_view>& names) const {
+    if (!has(key)) report_missing(*state_, table_, key);
+    return choice(key, names, 0);
+}
+
+std::size_t ConfigTable::choice(std::string_view key, const std::vector<std::string_view>& names,
+                                std::size_t fallback) const {
+    const auto* node = ask(*state_, table_, key);
+    return node == nullptr ? fallback : choice_in(*state_, *node, key, names).value_or(fallback);
+}
+
+ConfigTable ConfigTable::table(std::string_view key) const {
+    const auto* node = ask(*state_, table_, key);
+    if (node != nullptr && !node->is_table()) state_->report(node, text("'", key, "' must be a table"));
+    return {state_, node == nullptr ? nullptr : node->as_table()};
+}
+
+std::vector<ConfigTable> ConfigTable::tables(std::string_view key) const {
+    std::vector<ConfigTable> result;
+    const auto* node = ask(*state_, table_, key);
+    if (node == nullptr) return result;
+    const auto* list = node->as_array();
+    if (list == nullptr) {
+        state_->report(node, text("'", key, "' must be a list of tables"));
+        return result;
+    }
+    for (const auto& item : *list) {
+        if (!item.is_table()) state_->report(&item, text("'", key, "' must be a list of tables"));
+        if (item.is_table()) result.push_back({state_, item.as_table()});
+    }
+    return result;
+}
+
+std::vector<std::string> ConfigTable::keys() const {
+    std::vector<std::string> result;
+    if (table_ == nullptr) return result;
+    for (const auto& [key, node] : *as_table(table_)) {
+        state_->asked.insert(&node);
+        result.emplace_back(key.str());
+    }
+    return result;
+}
+
+void ConfigTable::report(std::string_view key, std::string_view message) const {
+    const auto* node = table_ == nullptr || key.empty() ? nullptr : as_table(table_)->get(key);
+    state_->report(node != nullptr ? node : as_table(table_), message);
+}
+
+}  // namespace thaum

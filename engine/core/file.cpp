@@ -1,0 +1,94 @@
+#include "core/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "core/text.h"
+
+namespace thaum {
+namespace {
+
+struct Descriptor {
+    int fd;
+    explicit Descriptor(int f) : fd(f) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor() {
+        if (fd >= 0) ::close(fd);
+    }
+};
+
+tl::unexpected<Error> system_error(const std::filesystem::path& path, std::string_view doing) {
+    return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(errno)));
+}
+
+bool write_all(int fd, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const auto n = ::write(fd, bytes.data(), bytes.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(n));
+    }
+    return true;
+}
+
+}  // namespace
+
+Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit) {
+    // O_NONBLOCK: opening a fifo without a writer must not hang.
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    if (file.fd < 0) return system_error(path, "open");
+    struct stat info {};
+    if (::fstat(file.fd, &info) != 0) return system_error(path, "read");
+    if (!S_ISREG(info.st_mode)) return fail(text(path.string(), ": not an ordinary file"));
+    const auto size = static_cast<std::size_t>(info.st_size);
+    if (size > limit) {
+        return fail(text(path.string(), ": ", size, " bytes, more than the limit of ", limit));
+    }
+    Bytes bytes(size);
+    std::size_t at = 0;
+    while (at < size) {
+        const auto n = ::read(file.fd, bytes.data() + at, size - at);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return system_error(path, "read");
+        if (n == 0) break;
+        at += static_cast<std::size_t>(n);
+    }
+    bytes.resize(at);
+    return bytes;
+}
+
+Expected<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit) {
+    return read_file(path, limit).map([](const Bytes& bytes) {
+        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    });
+}
+
+Expected<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    const auto temporary = path.string() + text(".", ::getpid(), ".part");
+    {
+        const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+        if (file.fd < 0) return system_error(path, "create");
+        if (!write_all(file.fd, bytes)) {
+            auto error = system_error(path, "write");
+            ::unlink(temporary.c_str());
+            return error;
+        }
+    }
+    if (::rename(temporary.c_str(), path.c_str()) != 0) {
+        auto error = system_error(path, "replace");
+        ::unlink(temporary.c_str());
+        return error;
+    }
+    return {};
+}
+
+Expected<void> write_text_file(const std::filesystem::path& path, std::string_view text) {
+    return write_file(path, std::as_bytes(std::span(text.data(), text.size())));
+}
+
+}  // namespace thaum

@@ -1,0 +1,26 @@
+// core/hash.h: the one 64-bit hash of the project (XXH3), for states, files and blocks.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+namespace thaum {
+
+std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t seed = 0);
+
+/// Order-dependent combination of two hashes.
+constexpr std::uint64_t hash_combine(std::uint64_t a, std::uint64_t b) {
+    std::uint64_t z = a ^ (b + 0x9e3779b97f4a7c15ULL + (a << 6U) + (a >> 2U));
+    z = (z ^ (z >> 32U)) * 0xd6e8feb86659fd93ULL;
+    return z ^ (z >> 32U);
+}
+
+/// Hash of a value without padding.
+template <class T>
+    requires std::is_trivially_copyable_v<T>
+std::uint64_t hash_value(const T& value, std::uint64_t seed = 0) {
+    return hash_bytes(std::as_bytes(std::span(&value, 1)), seed);
+}
+
+}  // namespace thaum

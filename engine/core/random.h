@@ -1,0 +1,38 @@
+// core/random.h: the only source of randomness in a match. One generator per subsystem, its state in the World.
+//
+// SplitMix64 (Steele, Lea, Flood 2014): one 64-bit word of state, so that it is a component like any other.
+#pragma once
+#include <cstdint>
+
+namespace thaum {
+
+struct Random {
+    std::uint64_t state{};
+
+    std::uint64_t next() {
+        state += 0x9e3779b97f4a7c15ULL;
+        std::uint64_t z = state;
+        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+        return z ^ (z >> 31U);
+    }
+
+    /// Uniform in [0, 1), 53 bits.
+    double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
+
+    /// Uniform in [low, high).
+    double uniform(double low, double high) { return low + (high - low) * uniform(); }
+
+    /// Uniform in [0, n), n > 0. The bias of the multiply is below n / 2^64.
+    std::uint64_t below(std::uint64_t n) {
+        __extension__ using Wide = unsigned __int128;
+        return static_cast<std::uint64_t>((static_cast<Wide>(next()) * n) >> 64U);
+    }
+};
+
+/// A generator for one subsystem: streams of different numbers never share a start.
+constexpr Random random_stream(std::uint64_t seed, std::uint64_t stream) {
+    return Random{seed ^ (stream * 0xd1342543de82ef95ULL + 0x632be59bd9b4e019ULL)};
+}
+
+}  // namespace thaum

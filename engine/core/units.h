@@ -1,0 +1,19 @@
+// core/units.h: the clock of the simulation. One tick is one haptic sample, 1 ms (architecture.md, "One tick").
+#pragma once
+#include <cstdint>
+
+namespace thaum {
+
+using Tick = std::uint64_t;
+
+inline constexpr double tick_seconds = 0.001;
+inline constexpr Tick ticks_per_second = 1000;
+inline constexpr Tick hash_interval = 128;       ///< ticks between state hashes in the log
+inline constexpr Tick keyframe_interval = 2048;  ///< ticks between canonical rebuilds of physics
+
+constexpr double seconds(Tick ticks) { return static_cast<double>(ticks) * tick_seconds; }
+
+/// Ticks in a duration, rounded to the nearest; s must not be negative.
+constexpr Tick ticks(double s) { return static_cast<Tick>(s * static_cast<double>(ticks_per_second) + 0.5); }
+
+}  // namespace thaum
