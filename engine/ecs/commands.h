@@ -1,0 +1,64 @@
+// ecs/commands.h: structural changes asked for during iteration and made afterwards, in the order they were given.
+#pragma once
+#include <cstdint>
+
+#include "core/bytes.h"
+#include "ecs/component.h"
+#include "ecs/entity.h"
+
+namespace thaum::ecs {
+
+class World;
+
+class Commands {
+public:
+    /// An entity that will exist once the commands are applied; good for later calls on the same Commands until then.
+    struct Pending {
+        std::uint32_t number{};
+    };
+
+    template <Component... Cs>
+    Pending create(const Cs&... components) {
+        const Pending pending = create_empty();
+        (add(pending, components), ...);
+        return pending;
+    }
+    template <Component C>
+    void add(Pending pending, const C& component) {
+        put_add({pending.number, pending_generation}, detail::type_number<C>, C::name, &component,
+                Tag<C> ? 0 : sizeof(C));
+    }
+    template <Component C>
+    void add(Entity entity, const C& component = {}) {
+        put_add(entity, detail::type_number<C>, C::name, &component, Tag<C> ? 0 : sizeof(C));
+    }
+    template <Component C>
+    void remove(Entity entity) {
+        put(Kind::remove, entity, detail::type_number<C>, 0);
+    }
+    void destroy(Entity entity) { put(Kind::destroy, entity, 0, 0); }
+    bool empty() const { return bytes_.empty(); }
+
+private:
+    friend class World;
+    enum class Kind : std::uint32_t { create, add, remove, destroy };
+    static constexpr std::uint32_t pending_generation = 0xffffffffU;
+    struct Header {
+        Kind kind;
+        Entity entity;
+        std::uint32_t type;
+        std::uint32_t size;
+    };
+
+    Pending create_empty();
+    void put(Kind kind, Entity entity, std::uint32_t type, std::uint32_t size);
+    void put_add(Entity entity, std::uint32_t type, std::string_view name, const void* bytes,
+                 std::size_t size);
+    void apply(World& world);
+
+    Bytes bytes_;  // headers, each followed by `size` bytes
+    std::uint32_t pending_ = 0;
+    std::vector<Entity> made_;
+};
+
+}  // namespace thaum::ecs

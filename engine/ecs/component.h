@@ -1,0 +1,205 @@
+// ecs/component.h: what a type must be to be a component, and what the World knows about it at run time.
+//
+// A component is a trivially copyable struct without padding that names itself and its fields:
+//
+//     struct Velocity {
+//         vec3 linear{};   // m/s
+//         static constexpr std::string_view name = "Velocity";
+//         static constexpr auto fields() { return std::tuple(field("linear", &Velocity::linear)); }
+//     };
+//
+// The names make snapshots self-describing (ecs/diff.h prints them); the absence of padding, checked at compile time,
+// makes the bytes of a component a function of its value, so that they can be hashed. An empty struct with a
+// name is a tag: it costs one bit an entity, and adding or removing it moves nothing.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "core/maths.h"
+#include "core/random.h"
+#include "ecs/entity.h"
+
+namespace thaum::ecs {
+
+inline constexpr std::size_t max_components = 128;
+
+/// A set of component numbers of one World.
+struct Mask {
+    std::array<std::uint64_t, max_components / 64> words{};
+
+    void set(std::uint32_t id) { words[id / 64] |= std::uint64_t{1} << (id % 64); }
+    void clear(std::uint32_t id) { words[id / 64] &= ~(std::uint64_t{1} << (id % 64)); }
+    bool test(std::uint32_t id) const { return ((words[id / 64] >> (id % 64)) & 1U) != 0; }
+    bool contains(const Mask& o) const {
+        return (words[0] & o.words[0]) == o.words[0] && (words[1] & o.words[1]) == o.words[1];
+    }
+    bool intersects(const Mask& o) const { return ((words[0] & o.words[0]) | (words[1] & o.words[1])) != 0; }
+    bool operator==(const Mask&) const = default;
+};
+
+template <class C, class M>
+struct Field {
+    std::string_view name;
+    M C::*member;
+};
+
+template <class C, class M>
+constexpr Field<C, M> field(std::string_view name, M C::*member) {
+    return {name, member};
+}
+
+/// The scalar kinds that a snapshot can hold.
+enum class Scalar : std::uint8_t { f32, f64, i8, i16, i32, i64, u8, u16, u32, u64 };
+constexpr std::array<std::uint8_t, 10> scalar_sizes{4, 8, 1, 2, 4, 8, 1, 2, 4, 8};
+
+/// One scalar of a component: "position.x" at byte 0.
+struct FieldInfo {
+    std::string name;
+    std::uint32_t offset{};
+    Scalar scalar{};
+};
+
+template <class T>
+concept Described = requires {
+    T::fields();
+};
+
+template <class T>
+concept Tag = std::is_empty_v<T>;
+
+namespace detail {
+
+template <class T>
+inline constexpr bool is_array = false;
+template <class T, std::size_t N>
+inline constexpr bool is_array<std::array<T, N>> = true;
+
+template <class T>
+constexpr Scalar scalar_of() {
+    if constexpr (std::is_enum_v<T>) {
+        return scalar_of<std::underlying_type_t<T>>();
+    } else {
+        static_assert(std::is_arithmetic_v<T> && !std::is_same_v<T, bool>,
+                      "a field is a number, an enum, a vector, an array or a described struct");
+        constexpr int log2 = sizeof(T) == 1 ? 0 : sizeof(T) == 2 ? 1 : sizeof(T) == 4 ? 2 : 3;
+        if (std::is_floating_point_v<T>) return sizeof(T) == 4 ? Scalar::f32 : Scalar::f64;
+        const int base = static_cast<int>(std::is_signed_v<T> ? Scalar::i8 : Scalar::u8);
+        return static_cast<Scalar>(base + log2);
+    }
+}
+
+/// Calls visit(name suffix, offset, Scalar) for every scalar of T, and returns the sum of their sizes.
+template <class T, class Visit>
+constexpr std::size_t for_each_scalar(const std::string& prefix, std::size_t offset, Visit&& visit);
+
+template <class T, class Visit>
+constexpr std::size_t for_each_element(const std::string& prefix, std::size_t offset, std::size_t count,
+                                       std::string_view letters, Visit&& visit) {
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        std::string name =
+            prefix + (letters.empty() ? "[" + std::to_string(i) + "]" : std::string(".") + letters[i]);
+        sum += for_each_scalar<T>(name, offset + i * sizeof(T), visit);
+    }
+    return sum;
+}
+
+template <class C, class M>
+std::size_t offset_of(M C::*member) {
+    alignas(C) static const std::array<std::byte, sizeof(C)> storage{};
+    const auto* object = reinterpret_cast<const C*>(storage.data());
+    return static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&(object->*member)) - storage.data());
+}
+
+template <class T, class Visit>
+constexpr std::size_t for_each_scalar(const std::string& prefix, std::size_t offset, Visit&& visit) {
+    if constexpr (std::is_same_v<T, glm::dvec2>) {
+        return for_each_element<double>(prefix, offset, 2, "xy", visit);
+    } else if constexpr (std::is_same_v<T, glm::dvec3>) {
+        return for_each_element<double>(prefix, offset, 3, "xyz", visit);
+    } else if constexpr (std::is_same_v<T, glm::dquat>) {
+        return for_each_element<double>(prefix, offset, 4, "xyzw", visit);
+    } else if constexpr (std::is_same_v<T, glm::vec3>) {
+        return for_each_element<float>(prefix, offset, 3, "xyz", visit);
+    } else if constexpr (std::is_same_v<T, Entity>) {
+        return for_each_scalar<std::uint32_t>(prefix + ".index", offset, visit) +
+               for_each_scalar<std::uint32_t>(prefix + ".generation", offset + 4, visit);
+    } else if constexpr (std::is_same_v<T, Random>) {
+        return for_each_scalar<std::uint64_t>(prefix + ".state", offset, visit);
+    } else if constexpr (is_array<T>) {
+        return for_each_element<typename T::value_type>(prefix, offset, std::tuple_size_v<T>, "", visit);
+    } else if constexpr (Described<T>) {
+        std::size_t sum = 0;
+        std::apply(
+            [&](const auto&... f) {
+                ((sum += for_each_scalar<std::remove_cvref_t<decltype(std::declval<T>().*f.member)>>(
+                      prefix.empty() ? std::string(f.name) : prefix + "." + std::string(f.name),
+                      offset + offset_of(f.member), visit)),
+                 ...);
+            },
+            T::fields());
+        return sum;
+    } else {
+        visit(prefix, offset, scalar_of<T>());
+        return sizeof(T);
+    }
+}
+
+/// The sum of the sizes of all scalars: equal to sizeof(T) where there is no padding.
+template <class T>
+constexpr std::size_t packed_size() {
+    if constexpr (is_array<T>) {
+        return std::tuple_size_v<T> * packed_size<typename T::value_type>();
+    } else if constexpr (Described<T>) {
+        return std::apply(
+            [](const auto&... f) {
+                return (std::size_t{0} + ... +
+                        packed_size<std::remove_cvref_t<decltype(std::declval<T>().*f.member)>>());
+            },
+            T::fields());
+    } else {
+        return sizeof(T);
+    }
+}
+
+inline std::uint32_t next_type_number() {
+    static std::uint32_t next = 0;
+    return next++;
+}
+
+/// A number per type for this process, only ever a way to the World's own numbers.
+template <class T>
+inline const std::uint32_t type_number = next_type_number();
+
+}  // namespace detail
+
+/// What may be a component.
+template <class T>
+concept Component = std::is_trivially_copyable_v<T> && requires {
+    std::string_view(T::name);
+} &&(Tag<T> || (Described<T> && detail::packed_size<T>() == sizeof(T)));
+
+struct ComponentInfo {
+    std::string_view name;
+    std::uint32_t size{};  ///< bytes; 0 for a tag
+    std::vector<FieldInfo> fields;
+};
+
+template <Component T>
+ComponentInfo component_info() {
+    ComponentInfo info{T::name, Tag<T> ? 0U : static_cast<std::uint32_t>(sizeof(T)), {}};
+    if constexpr (!Tag<T>) {
+        detail::for_each_scalar<T>("", 0, [&](const std::string& name, std::size_t offset, Scalar scalar) {
+            info.fields.push_back({name, static_cast<std::uint32_t>(offset), scalar});
+        });
+    }
+    return info;
+}
+
+}  // namespace thaum::ecs

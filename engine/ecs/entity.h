@@ -1,0 +1,18 @@
+// ecs/entity.h: a handle of something in a World. The generation makes a stale handle recognisable.
+#pragma once
+#include <cstdint>
+
+namespace thaum::ecs {
+
+struct Entity {
+    std::uint32_t index = 0xffffffffU;
+    std::uint32_t generation = 0;
+
+    bool operator==(const Entity&) const = default;
+    /// False for the default value, which is no entity.
+    explicit operator bool() const { return index != 0xffffffffU; }
+};
+
+inline constexpr Entity nobody{};
+
+}  // namespace thaum::ecs

@@ -1,0 +1,226 @@
+#include "ecs/snapshot.h"
+
+#include <bit>
+#include <cstring>
+
+#include "core/hash.h"
+
+namespace thaum::ecs {
+namespace {
+
+constexpr std::string_view magic = "THAUMECS";
+constexpr std::uint32_t format = 1;
+constexpr std::uint32_t max_rows = 1U << 28U;
+
+std::size_t words_for(std::uint32_t rows) { return (std::size_t{rows} + 63) / 64; }
+
+template <class T>
+std::span<const std::byte> raw(const T* data, std::size_t count) {
+    return std::as_bytes(std::span(data, count));
+}
+
+std::span<const std::byte> cells(const Table& table, const Column& column) {
+    return {column.array.data(), std::size_t{table.rows} * column.size};
+}
+
+void put_components(ByteWriter& out, const World& world) {
+    out.put_bytes(raw(magic.data(), magic.size()));
+    out.put(format);
+    out.put(static_cast<std::uint32_t>(world.components().size()));
+    for (const auto& info : world.components()) {
+        out.put_string(info.name);
+        out.put(info.size);
+        out.put(static_cast<std::uint32_t>(info.fields.size()));
+        for (const auto& field : info.fields) {
+            out.put_string(field.name);
+            out.put(field.offset);
+            out.put(field.scalar);
+        }
+    }
+}
+
+}  // namespace
+
+/// The part of World that only snapshots touch.
+struct SnapshotAccess {
+    static std::size_t size_of_state(const World& world) {
+        std::size_t bytes = world.records_.size() * sizeof(World::Record) + 64;
+        for (const auto& table : world.tables_) {
+            bytes += 64 + std::size_t{table.rows} * sizeof(Entity);
+            for (const auto& column : table.columns) bytes += std::size_t{table.rows} * column.size;
+            bytes += table.tags.size() * (4 + words_for(table.rows) * 8);
+        }
+        return bytes;
+    }
+
+    static void save(const World& world, Bytes& out) {
+        Bytes head;
+        ByteWriter writer(head);
+        put_components(writer, world);
+        out.clear();
+        out.reserve(head.size() + size_of_state(world));
+        ByteWriter body(out);
+        body.put_bytes(head);
+        body.put(static_cast<std::uint32_t>(world.records_.size()));
+        body.put_bytes(raw(world.records_.data(), world.records_.size()));
+        body.put(world.free_);
+        body.put(static_cast<std::uint32_t>(world.tables_.size()));
+        for (const auto& table : world.tables_) put_table(body, table);
+    }
+
+    static void put_table(ByteWriter& out, const Table& table) {
+        for (const auto word : table.mask.words) out.put(word);
+        out.put(table.rows);
+        out.put_bytes(raw(table.entities(), table.rows));
+        for (const auto& column : table.columns) out.put_bytes(cells(table, column));
+        out.put(static_cast<std::uint32_t>(table.tags.size()));
+        for (const auto& tag : table.tags) {
+            out.put(tag.component);
+            out.put_bytes(raw(tag.words.data(), words_for(table.rows)));
+        }
+    }
+
+    static std::uint64_t hash(const World& world) {
+        auto h = hash_bytes(raw(world.records_.data(), world.records_.size()), world.free_);
+        for (const auto& table : world.tables_) {
+            h = hash_combine(h, table.mask.words[0]);
+            h = hash_combine(h, table.mask.words[1] ^ table.rows);
+            h = hash_combine(h, hash_bytes(raw(table.entities(), table.rows)));
+            for (const auto& column : table.columns) h = hash_combine(h, hash_bytes(cells(table, column)));
+            for (const auto& tag : table.tags) {
+                h = hash_combine(h, hash_bytes(raw(tag.words.data(), words_for(table.rows)), tag.component));
+            }
+        }
+        return h;
+    }
+
+    static void reset(World& world) {
+        world.records_.clear();
+        world.tables_.clear();
+        world.tables_.emplace_back();
+        world.free_ = none;
+        world.alive_ = 0;
+        world.counts_.assign(world.infos_.size(), 0);
+        world.queries_.clear();
+        world.table_of_type_.clear();
+    }
+
+    static bool same_components(ByteReader& in, const World& world) {
+        const auto name = in.get_bytes(magic.size());
+        if (!in.ok() || std::memcmp(name.data(), magic.data(), magic.size()) != 0) return false;
+        if (in.get<std::uint32_t>() != format) return false;
+        Bytes head;
+        ByteWriter writer(head);
+        put_components(writer, world);
+        const std::size_t rest = head.size() - magic.size() - 4;
+        const auto theirs = in.get_bytes(rest);
+        return in.ok() && std::memcmp(theirs.data(), head.data() + (head.size() - rest), rest) == 0;
+    }
+
+    /// False where the bytes are cut off or contradict themselves.
+    static bool get_state(ByteReader& in, World& world) {
+        const auto records = in.get<std::uint32_t>();
+        const auto bytes = in.get_bytes(std::size_t{records} * sizeof(World::Record));
+        if (!in.ok()) return false;
+        world.records_.resize(records);
+        if (records > 0) std::memcpy(world.records_.data(), bytes.data(), bytes.size());
+        world.free_ = in.get<std::uint32_t>();
+        const auto tables = in.get<std::uint32_t>();
+        for (std::uint32_t t = 0; t < tables; ++t) {
+            if (!get_table(in, world, t)) return false;
+        }
+        return in.ok() && in.left() == 0 && tables > 0 && consistent(world);
+    }
+
+    static bool get_table(ByteReader& in, World& world, std::uint32_t number) {
+        Mask mask;
+        for (auto& word : mask.words) word = in.get<std::uint64_t>();
+        const auto rows = in.get<std::uint32_t>();
+        if (!in.ok() || rows > max_rows) return false;
+        for (std::uint32_t c = 0; c < max_components; ++c) {
+            if (mask.test(c) && (c >= world.infos_.size() || world.infos_[c].size == 0)) return false;
+        }
+        if (world.table_with(mask) != number) return false;  // a duplicate, or not the empty one first
+        auto& table = world.tables_[number];
+        if (in.left() < std::size_t{rows} * sizeof(Entity)) return false;
+        table.reserve(rows);
+        table.rows = rows;
+        if (!copy(in, reinterpret_cast<std::byte*>(table.entities()), std::size_t{rows} * sizeof(Entity)))
+            return false;
+        for (auto& column : table.columns) {
+            if (!copy(in, column.array.data(), std::size_t{rows} * column.size)) return false;
+            world.counts_[column.component] += rows;
+        }
+        return get_tags(in, world, table);
+    }
+
+    static bool get_tags(ByteReader& in, World& world, Table& table) {
+        const auto tags = in.get<std::uint32_t>();
+        for (std::uint32_t i = 0; i < tags; ++i) {
+            const auto component = in.get<std::uint32_t>();
+            if (!in.ok() || component >= world.infos_.size() || world.infos_[component].size != 0)
+                return false;
+            if (table.column_of[component] != none) return false;
+            auto& tag = table.tag_column(component);
+            const auto words = words_for(table.rows);
+            if (!copy(in, reinterpret_cast<std::byte*>(tag.words.data()), words * 8)) return false;
+            if (table.rows % 64 != 0 && (tag.words[words - 1] >> (table.rows % 64)) != 0) return false;
+            for (std::size_t w = 0; w < words; ++w) {
+                tag.set_bits += static_cast<std::uint32_t>(std::popcount(tag.words[w]));
+            }
+            world.counts_[component] += tag.set_bits;
+        }
+        return in.ok();
+    }
+
+    static bool copy(ByteReader& in, std::byte* to, std::size_t n) {
+        const auto from = in.get_bytes(n);
+        if (in.ok() && n > 0) std::memcpy(to, from.data(), n);
+        return in.ok();
+    }
+
+    /// Every row's entity points back at its row, every living record is a row, the free list is a list.
+    static bool consistent(World& world) {
+        std::size_t rows = 0;
+        for (std::uint32_t t = 0; t < world.tables_.size(); ++t) {
+            const auto& table = world.tables_[t];
+            rows += table.rows;
+            for (std::uint32_t row = 0; row < table.rows; ++row) {
+                const Entity e = table.entities()[row];
+                if (!world.alive(e)) return false;
+                const auto& record = world.records_[e.index];
+                if (record.table != t || record.row != row) return false;
+            }
+        }
+        std::size_t living = 0;
+        for (const auto& record : world.records_) living += record.table != none ? 1U : 0U;
+        std::size_t free = 0;
+        for (auto i = world.free_; i != none; i = world.records_[i].row, ++free) {
+            if (i >= world.records_.size() || world.records_[i].table != none ||
+                free > world.records_.size()) {
+                return false;
+            }
+        }
+        world.alive_ = living;
+        return living == rows && living + free == world.records_.size();
+    }
+};
+
+void save(const World& world, Bytes& out) { SnapshotAccess::save(world, out); }
+
+Expected<void> restore(World& world, std::span<const std::byte> snapshot) {
+    SnapshotAccess::reset(world);
+    ByteReader in(snapshot);
+    if (!SnapshotAccess::same_components(in, world)) {
+        return fail("snapshot: not one of this program's (its components differ)");
+    }
+    if (!SnapshotAccess::get_state(in, world)) {
+        SnapshotAccess::reset(world);
+        return fail("snapshot: cut off or damaged");
+    }
+    return {};
+}
+
+std::uint64_t state_hash(const World& world) { return SnapshotAccess::hash(world); }
+
+}  // namespace thaum::ecs

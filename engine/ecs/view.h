@@ -1,0 +1,210 @@
+// ecs/view.h: iteration over the entities that have some components and lack others. Included by ecs/world.h.
+//
+//     world.view<Pose, const Velocity, Maybe<const Health>, Wizard, Without<Dead>>()
+//         .each([](Entity e, Pose& p, const Velocity& v, const Health* h) { ... });
+//
+// The entity argument may be left out. Tags (here Wizard) and Without only filter. The order is: tables in the order of their
+// creation, rows from first to last. Inside `each` nothing may be created, destroyed, added or removed: use commands().
+#pragma once
+#include <bit>
+#include <type_traits>
+
+#include "ecs/world.h"
+
+namespace thaum::ecs {
+
+/// In a view: a pointer to the component, or null.
+template <class C>
+struct Maybe {};
+
+/// In a view: only entities without this component or tag.
+template <class C>
+struct Without {};
+
+namespace detail {
+
+template <class T>
+struct Term {
+    using component = std::remove_const_t<T>;
+    static constexpr bool tag = Tag<component>;
+    static constexpr bool required = true, excluded = false, optional = false;
+    static constexpr bool writes = !std::is_const_v<T> && !tag;
+    using value = T;
+};
+template <class T>
+struct Term<Maybe<T>> {
+    using component = std::remove_const_t<T>;
+    static_assert(!Tag<component>, "ask has<Tag>() instead");
+    static constexpr bool tag = false, required = false, excluded = false, optional = true;
+    static constexpr bool writes = !std::is_const_v<T>;
+    using value = T;
+};
+template <class T>
+struct Term<Without<T>> {
+    using component = T;
+    static constexpr bool tag = Tag<T>;
+    static constexpr bool required = false, excluded = true, optional = false, writes = false;
+    using value = const T;
+};
+
+template <class T>
+inline constexpr bool passed = !Term<T>::tag && !Term<T>::excluded;
+
+/// What a term gives for one row, as a tuple of one or no element.
+template <class T>
+auto argument(typename Term<T>::value* base, std::size_t row) {
+    if constexpr (!passed<T>) {
+        return std::tuple<>();
+    } else if constexpr (Term<T>::optional) {
+        return std::tuple<typename Term<T>::value*>(base == nullptr ? nullptr : base + row);
+    } else {
+        return std::tuple<typename Term<T>::value&>(base[row]);
+    }
+}
+
+}  // namespace detail
+
+template <class... Terms>
+class View {
+public:
+    View(const World& world, World::Query& query) : world_(world), query_(query) {}
+
+    template <class F>
+    void each(F&& f) const {
+        const Lock lock(world_);
+        for (const auto t : query_.tables) {
+            const auto& table = world_.tables_[t];
+            if (table.rows > 0) each_in(table, f);
+        }
+    }
+
+    /// How many entities match.
+    std::size_t count() const {
+        std::size_t n = 0;
+        each([&](Entity, const auto&...) { ++n; });
+        return n;
+    }
+
+    /// The first match, or `nobody`.
+    Entity first() const {
+        for (const auto t : query_.tables) {
+            const auto& table = world_.tables_[t];
+            for (std::uint32_t row = 0; row < table.rows; row += 64) {
+                const auto word = matching(table, row);
+                if (word != 0)
+                    return table.entities()[row + static_cast<std::uint32_t>(std::countr_zero(word))];
+            }
+        }
+        return nobody;
+    }
+
+private:
+    struct Lock {
+        const World& world;
+        explicit Lock(const World& w) : world(w) { ++world.locks_; }
+        ~Lock() { --world.locks_; }
+        Lock(const Lock&) = delete;
+        Lock& operator=(const Lock&) = delete;
+    };
+
+    static constexpr bool filters_tags = (detail::Term<Terms>::tag || ...);
+
+    template <class T>
+    typename detail::Term<T>::value* base(const Table& table) const {
+        using Value = typename detail::Term<T>::value;
+        if constexpr (!detail::passed<T>) {
+            return nullptr;
+        } else {
+            const auto column = table.column_of[world_.id<typename detail::Term<T>::component>()];
+            return column == none ? nullptr : reinterpret_cast<Value*>(table.columns[column].array.data());
+        }
+    }
+
+    /// The matching rows of the 64 from `row` on, as bits.
+    std::uint64_t matching(const Table& table, std::uint32_t row) const {
+        const auto left = table.rows - row;
+        std::uint64_t word = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;
+        const auto apply = [&]<class T>(std::type_identity<T>) {
+            using Term = detail::Term<T>;
+            if constexpr (Term::tag) {
+                const auto column = table.column_of[world_.id<typename Term::component>()];
+                const auto bits = column == none ? 0 : table.tags[column].words[row / 64];
+                word &= Term::excluded ? ~bits : bits;
+            }
+        };
+        (apply(std::type_identity<Terms>{}), ...);
+        return word;
+    }
+
+    template <class F>
+    void each_in(const Table& table, F& f) const {
+        each_row(table, f, base<Terms>(table)...);
+    }
+
+    template <class F>
+    void each_row(const Table& table, F& f, typename detail::Term<Terms>::value*... bases) const {
+        const auto* entities = table.entities();
+        const auto call = [&](std::size_t row) {
+            auto arguments = std::tuple_cat(detail::argument<Terms>(bases, row)...);
+            if constexpr (takes_entity<F>) {
+                std::apply([&](auto&&... a) { f(entities[row], a...); }, arguments);
+            } else {
+                std::apply([&](auto&&... a) { f(a...); }, arguments);
+            }
+        };
+        if constexpr (!filters_tags) {
+            const std::size_t rows = table.rows;
+            for (std::size_t row = 0; row < rows; ++row) call(row);
+        } else {
+            for (std::uint32_t row = 0; row < table.rows; row += 64) {
+                for (auto word = matching(table, row); word != 0; word &= word - 1) {
+                    call(row + static_cast<std::size_t>(std::countr_zero(word)));
+                }
+            }
+        }
+    }
+
+    template <class F, class Tuple>
+    struct TakesEntity;
+    template <class F, class... Args>
+    struct TakesEntity<F, std::tuple<Args...>> {
+        static constexpr bool value = std::is_invocable_v<F&, Entity, Args...>;
+    };
+    template <class F>
+    static constexpr bool takes_entity =
+        TakesEntity<F, decltype(std::tuple_cat(detail::argument<Terms>(nullptr, 0)...))>::value;
+
+    const World& world_;
+    World::Query& query_;
+};
+
+template <class... Terms>
+View<Terms...> World::view() const {
+    const auto type = detail::type_number<View<Terms...>>;
+    if (type >= queries_.size()) queries_.resize(type + 1);
+    auto& query = queries_[type];
+    if (!query.prepared) [[unlikely]] {
+        const auto note = [&]<class T>(std::type_identity<T>) {
+            using Term = detail::Term<T>;
+            const auto c = id<typename Term::component>();
+            if (!Term::tag && Term::required) query.required.set(c);
+            if (!Term::tag && Term::excluded) query.excluded.set(c);
+        };
+        (note(std::type_identity<Terms>{}), ...);
+        query.prepared = true;
+    }
+    if (access_ != nullptr) [[unlikely]] {
+        (check_access(id<typename detail::Term<Terms>::component>(), detail::Term<Terms>::writes), ...);
+    }
+    if (query.tables_seen != tables_.size()) [[unlikely]] {
+        refresh(query);
+    }
+    return {*this, query};
+}
+
+template <class... Terms>
+View<Terms...> World::view() {
+    return std::as_const(*this).template view<Terms...>();
+}
+
+}  // namespace thaum::ecs

@@ -1,0 +1,44 @@
+// tests/unit/ecs_components.h: components for the tests of the ECS.
+#pragma once
+#include "ecs/world.h"
+
+namespace thaum::ecs::test {
+
+struct Position {
+    vec3 at{};
+    static constexpr std::string_view name = "Position";
+    static constexpr auto fields() { return std::tuple(field("at", &Position::at)); }
+};
+
+struct Velocity {
+    vec3 linear{};
+    static constexpr std::string_view name = "Velocity";
+    static constexpr auto fields() { return std::tuple(field("linear", &Velocity::linear)); }
+};
+
+struct Health {
+    std::int32_t points{};
+    std::uint32_t shield{};
+    static constexpr std::string_view name = "Health";
+    static constexpr auto fields() {
+        return std::tuple(field("points", &Health::points), field("shield", &Health::shield));
+    }
+};
+
+struct Frozen {
+    static constexpr std::string_view name = "Frozen";
+};
+
+struct Burning {
+    static constexpr std::string_view name = "Burning";
+};
+
+inline void declare_all(World& world) {
+    world.declare<Position>();
+    world.declare<Velocity>();
+    world.declare<Health>();
+    world.declare<Frozen>();
+    world.declare<Burning>();
+}
+
+}  // namespace thaum::ecs::test
