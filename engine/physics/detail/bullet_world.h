@@ -1,0 +1,69 @@
+// physics/detail/bullet_world.h: Bullet as we set it up, so that physics.cpp reads without it.
+#pragma once
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <vector>
+
+#include "physics/detail/cast.h"
+#include "physics/physics.h"
+
+class btBvhTriangleMeshShape;
+
+namespace thaum::physics::detail {
+
+inline btVector3 to_bullet(vec3 v) { return {v.x, v.y, v.z}; }
+inline vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// One mesh with its tree; shared by all bodies of that shape, never changed.
+class Mesh {
+public:
+    explicit Mesh(const TriangleMesh&);
+    ~Mesh();
+    Mesh(Mesh&&) noexcept;
+    Mesh& operator=(Mesh&&) noexcept;
+
+    btCollisionShape* shape() const;
+    /// Path in the mesh's frame.
+    std::optional<Touch> cast(const Path&) const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+/// A body outside any world.
+struct BulletBody {
+    std::unique_ptr<btCollisionShape> own_shape;  ///< empty for a mesh
+    std::unique_ptr<btRigidBody> body;
+};
+
+BulletBody make_body(Key, const BodyDesc&, const BodyState&, const std::vector<Mesh>&, const Settings&);
+
+/// Writes all of a state but its sleep.
+void write_motion(btRigidBody&, const BodyState&);
+/// Writes the sleep; must be the last thing done to a body, since most others wake it.
+void write_sleep(btRigidBody&, const BodyState&);
+BodyState read_state(const btRigidBody&);
+
+inline Key key_of(const btCollisionObject& object) { return static_cast<Key>(object.getUserIndex()); }
+
+/// Bullet's world and what it is made of. Bodies must outlive it.
+class BulletWorld {
+public:
+    explicit BulletWorld(const Settings&);
+    ~BulletWorld();
+
+    btDiscreteDynamicsWorld& operator*() { return world_; }
+    btDiscreteDynamicsWorld* operator->() { return &world_; }
+
+private:
+    // The order is that of use: each stands on those above it.
+    btDefaultCollisionConfiguration configuration_;
+    btCollisionDispatcher dispatcher_;
+    bt32BitAxisSweep3 broadphase_;
+    btSequentialImpulseConstraintSolver solver_;
+    btDiscreteDynamicsWorld world_;
+};
+
+}  // namespace thaum::physics::detail

@@ -1,0 +1,160 @@
+#include "physics/mover.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/assert.h"
+#include "core/text.h"
+
+namespace thaum::physics {
+namespace {
+
+constexpr vec3 up{0, 1, 0};
+constexpr double sole =
+    0.02;  // m; how much thinner than the capsule the sweep is, so that walls do not stop it
+constexpr double caught_speed = 1;  // m/s away from the ground, up to which one in the air is caught by it
+constexpr double held_speed =
+    4;  // m/s, up to which one on the ground is held: a crest of 50 degrees at a walk
+constexpr double noticed_force = 50;  // N; less does not count as resistance
+constexpr double still = 1e-6;        // m/s; less is not worth an impulse
+
+struct Ground {
+    Key key;
+    vec3 normal;
+    vec3 velocity;  ///< of the ground, where it is touched
+};
+
+vec3 level(vec3 v) { return {v.x, 0, v.z}; }
+
+vec3 along(vec3 v, vec3 normal) { return v - normal * glm::dot(v, normal); }
+
+vec3 limited(vec3 v, double most) {
+    const double length = glm::length(v);
+    return length > most ? v * (most / length) : v;
+}
+
+vec3 velocity_at(const BodyState& s, vec3 point) {
+    return s.velocity + glm::cross(s.spin, point - s.position);
+}
+
+std::optional<Ground> find_ground(const Physics& physics, Key key, const MoverSettings& settings) {
+    const BodyDesc& desc = physics.desc(key);
+    const vec3 foot = physics.state(key).position - desc.size.y * up;
+    // The thinner sphere must go further down to a slope than to a floor: by sole / cos.
+    const double down = sole / settings.steepest_cos + settings.reach;
+    const auto hit = physics.sweep_sphere(foot, foot - down * up, desc.size.x - sole, settings.ground, key);
+    if (!hit || hit->normal.y < settings.steepest_cos) return std::nullopt;
+    if (hit->fraction * down > sole / hit->normal.y + settings.reach) return std::nullopt;
+    return Ground{hit->key, hit->normal, velocity_at(physics.state(hit->key), hit->point)};
+}
+
+/// The wish in the ground's plane, as fast as it was on the level.
+vec3 wish_along(vec3 wish, vec3 normal) {
+    const double speed = glm::length(wish);
+    if (speed == 0) return {};
+    // Straight ahead as seen from above: tilt the wish about the horizontal, do not project it.
+    const vec3 tilted = wish - up * (glm::dot(wish, normal) / normal.y);
+    return tilted * (speed / glm::length(tilted));
+}
+
+/// Whether the last drive in this direction met more than air.
+bool resisted(const MoverState& state, vec3 now, vec3 direction, double mass, double dt) {
+    return state.driven && glm::dot(state.expected - now, direction) * mass > noticed_force * dt;
+}
+
+/// Velocity change in the ground's plane in this step.
+vec3 drive(const MoverSettings& settings, const MoverState& state, vec3 target, vec3 now, double mass,
+           double dt) {
+    const vec3 missing = target - now;
+    const double size = glm::length(missing);
+    if (size <= still) return {};
+    const double free = settings.ground_acceleration * dt;
+    const double pushing = settings.push_force / mass * dt;
+    return limited(missing, resisted(state, now, missing / size, mass, dt) ? std::min(free, pushing) : free);
+}
+
+void walk(Physics& physics, Key key, const Ground& ground, vec3 wish, const MoverSettings& settings,
+          MoverState& state, double dt) {
+    const double mass = physics.desc(key).mass;
+    const vec3 relative = physics.velocity(key) - ground.velocity;
+    const vec3 now = along(relative, ground.normal);
+    const vec3 change = drive(settings, state, wish_along(wish, ground.normal), now, mass, dt);
+    const double leaving = std::max(0.0, glm::dot(relative, ground.normal));
+    const vec3 down = ground.normal * -std::min(leaving, settings.adhesion * dt);
+    const vec3 uphill = -along(physics.settings().gravity, ground.normal) * dt;
+    physics.nudge(key, mass * (change + down + uphill));
+    state.expected = now + change;
+    state.driven = 1;
+}
+
+/// Speeds up towards the wish, never beyond it, and brakes only against the wish.
+void fly(Physics& physics, Key key, vec3 wish, const MoverSettings& settings, double dt) {
+    const double speed = glm::length(wish);
+    if (speed == 0) return;
+    const vec3 missing = wish - level(physics.velocity(key));
+    if (glm::dot(missing, wish) <= 0) return;
+    physics.nudge(key, physics.desc(key).mass * limited(missing, settings.air_acceleration * dt));
+}
+
+void jump(Physics& physics, Key key, const Ground& ground, const MoverSettings& settings) {
+    const double rising = physics.velocity(key).y - ground.velocity.y;
+    physics.apply_central_impulse(
+        key, up * (physics.desc(key).mass * std::max(0.0, settings.jump_speed - rising)));
+}
+
+bool leaves(const Physics& physics, Key key, const Ground& ground, const MoverState& state) {
+    const double away = glm::dot(physics.velocity(key) - ground.velocity, ground.normal);
+    return away > (state.grounded ? held_speed : caught_speed);
+}
+
+MoverResult asleep(const MoverState& state) {
+    return {.grounded = state.grounded != 0, .ground_normal = state.ground_normal};
+}
+
+/// The ground is found a little before it is touched; after a hard landing in one step the speed is already gone.
+double landing_speed(vec3 velocity, const Ground& ground, const MoverState& state) {
+    return std::max(0.0, std::max(state.falling, -velocity.y) + ground.velocity.y);
+}
+
+void take_off(MoverState& state) {
+    state.grounded = state.driven = 0;
+    state.ground_normal = up;
+}
+
+}  // namespace
+
+MoverResult move(Physics& physics, Key key, const MoverInput& input, const MoverSettings& settings,
+                 MoverState& state, double dt) {
+    THAUM_ASSERT(is_finite(input.wish_velocity), text("body ", key, ": wish is not finite"));
+    const vec3 wish = limited(level(input.wish_velocity), settings.walk_speed);
+    if (wish != vec3{} || input.jump) {
+        if (physics.state(key).asleep) physics.wake(key);
+    } else if (physics.state(key).asleep) {
+        return asleep(state);
+    }
+
+    const auto ground = find_ground(physics, key, settings);
+    if (!ground || leaves(physics, key, *ground, state)) {
+        take_off(state);
+        state.falling = std::max(0.0, -physics.velocity(key).y);
+        fly(physics, key, wish, settings, dt);
+        return {};
+    }
+
+    MoverResult result{.grounded = true, .ground_normal = ground->normal, .ground = ground->key};
+    if (!state.grounded) result.landing_speed = landing_speed(physics.velocity(key), *ground, state);
+    state.grounded = 1;
+    state.ground_normal = ground->normal;
+    state.falling = 0;
+    if (input.jump) {
+        jump(physics, key, *ground, settings);
+        take_off(state);
+        result.grounded = false;
+        result.jumped = true;
+        return result;
+    }
+    walk(physics, key, *ground, wish, settings, state, dt);
+    return result;
+}
+
+}  // namespace thaum::physics

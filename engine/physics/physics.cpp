@@ -1,0 +1,497 @@
+// The bodies stand in one array, sorted by key, each with its desc and its state. The state here is the truth; Bullet's copy
+// is written from it when a body is made and read back after each step in which the body was awake. Reading a state,
+// rays and rebuilds use ours alone. So a rebuild never rounds a state on its way, and does the same here and in a restored run.
+#include "physics/physics.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "core/assert.h"
+#include "core/text.h"
+#include "physics/detail/bullet_world.h"
+#include "physics/detail/cast.h"
+#include "physics/detail/pool.h"
+
+namespace thaum::physics {
+namespace {
+
+using detail::from_bullet;
+using detail::to_bullet;
+
+/// m; a body this near to a removed or moved one may have rested on it.
+constexpr double resting_gap = 0.02;
+/// m; after a rebuild, which forgets who touched whom, this near counts as having touched.
+constexpr double touching_gap = 0.002;
+
+struct Body {
+    Key key{};
+    bool was_asleep{};  ///< before the step
+    BodyDesc desc;
+    BodyState state;
+    double reach{};          ///< m, of its farthest point from its position
+    double kept_velocity{};  ///< share that damping leaves after a step of damping_dt
+    double kept_spin{};
+    detail::BulletBody bullet;
+
+    btRigidBody& bt() const { return *bullet.body; }
+    bool dynamic() const { return desc.mass > 0; }
+};
+
+/// Two bodies whose surfaces touch; the smaller key first.
+struct Pair {
+    Key a, b;
+    auto operator<=>(const Pair&) const = default;
+};
+
+struct Box {
+    vec3 low, high;
+};
+
+std::string about(Key key, const char* what) { return text("body ", key, ": ", what); }
+
+bool is_finite(const quat& q) {
+    return std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
+}
+
+void check_state(Key key, const BodyState& s) {
+    THAUM_ASSERT(thaum::is_finite(s.position), about(key, "position is not finite"));
+    THAUM_ASSERT(is_finite(s.orientation), about(key, "orientation is not finite"));
+    THAUM_ASSERT(std::abs(glm::dot(s.orientation, s.orientation) - 1) < 1e-6,
+                 about(key, "orientation is not unit"));
+    THAUM_ASSERT(thaum::is_finite(s.velocity), about(key, "velocity is not finite"));
+    THAUM_ASSERT(thaum::is_finite(s.spin), about(key, "spin is not finite"));
+    THAUM_ASSERT(std::isfinite(s.idle_s), about(key, "idle time is not finite"));
+}
+
+void check_material(Key key, const BodyDesc& d) {
+    for (const double value : {d.friction, d.restitution, d.rolling_friction}) {
+        THAUM_ASSERT(std::isfinite(value) && value >= 0,
+                     about(key, "friction or restitution is not a number >= 0"));
+    }
+    for (const double value : {d.linear_damping, d.angular_damping}) {
+        THAUM_ASSERT(value >= 0 && value < 1, about(key, "damping is not in [0, 1)"));
+    }
+}
+
+void check_desc(Key key, const BodyDesc& d, std::size_t meshes) {
+    THAUM_ASSERT(std::isfinite(d.mass) && d.mass >= 0, about(key, "mass is not a number >= 0"));
+    check_material(key, d);
+    if (d.shape == Shape::mesh) {
+        THAUM_ASSERT(d.mass == 0, about(key, "a mesh must be static"));
+        THAUM_ASSERT(d.mesh < meshes, about(key, "unknown mesh"));
+        return;
+    }
+    THAUM_ASSERT(thaum::is_finite(d.size) && d.size.x > 0, about(key, "size is not positive"));
+    if (d.shape == Shape::box || d.shape == Shape::cylinder) THAUM_ASSERT(d.size.y > 0, about(key, "flat"));
+    if (d.shape == Shape::box) THAUM_ASSERT(d.size.z > 0, about(key, "flat"));
+    if (d.shape == Shape::capsule) THAUM_ASSERT(d.size.y >= 0, about(key, "half length is negative"));
+}
+
+double reach_of(const BodyDesc& d) {
+    switch (d.shape) {
+        case Shape::box: return glm::length(d.size);
+        case Shape::sphere: return d.size.x;
+        case Shape::capsule: return d.size.x + d.size.y;
+        case Shape::cylinder: return std::sqrt(d.size.x * d.size.x + d.size.y * d.size.y);
+        case Shape::mesh: break;
+    }
+    return HUGE_VAL;
+}
+
+Box box_around(const Body& body) {
+    btVector3 low, high;
+    body.bt().getCollisionShape()->getAabb(body.bt().getWorldTransform(), low, high);
+    return {from_bullet(low), from_bullet(high)};
+}
+
+bool overlap(const Box& a, const Box& b, double gap) {
+    for (int i = 0; i < 3; ++i) {
+        if (a.low[i] > b.high[i] + gap || b.low[i] > a.high[i] + gap) return false;
+    }
+    return true;
+}
+
+vec3 limited(vec3 v, double most) {
+    const double length = glm::length(v);
+    return length > most ? v * (most / length) : v;
+}
+
+/// A sleeper has no motion, whatever it was given.
+BodyState settled(BodyState state) {
+    if (state.asleep) state.velocity = state.spin = vec3{};
+    return state;
+}
+
+Pair pair_of(const btPersistentManifold& manifold) {
+    const Key a = detail::key_of(*manifold.getBody0()), b = detail::key_of(*manifold.getBody1());
+    return a < b ? Pair{a, b} : Pair{b, a};
+}
+
+/// What a pair's points did in the last step. `began` is left to the caller.
+Contact sum_of(const btPersistentManifold& manifold) {
+    const Pair pair = pair_of(manifold);
+    Contact contact{pair.a, pair.b, {}, {}, 0, false};
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        const btManifoldPoint& point = manifold.getContactPoint(i);
+        const double impulse = point.m_appliedImpulse;
+        contact.impulse += impulse;
+        contact.point += impulse * from_bullet(point.getPositionWorldOnB());
+        contact.normal += impulse * from_bullet(point.m_normalWorldOnB);
+    }
+    if (contact.impulse <= 0) return contact;
+    contact.point /= contact.impulse;
+    const double length = glm::length(contact.normal);  // 0: the points press against each other
+    contact.normal = length > 0 ? contact.normal / length : vec3{0, 1, 0};
+    if (detail::key_of(*manifold.getBody0()) != pair.a) contact.normal = -contact.normal;
+    return contact;
+}
+
+double deepest_gap(const btPersistentManifold& manifold) {
+    double gap = HUGE_VAL;
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        gap = std::min(gap, static_cast<double>(manifold.getContactPoint(i).getDistance()));
+    }
+    return gap;
+}
+
+bool active(const btPersistentManifold& manifold) {
+    return manifold.getBody0()->isActive() || manifold.getBody1()->isActive();
+}
+
+std::vector<detail::Mesh> built(const std::vector<TriangleMesh>& meshes) {
+    detail::use_pool();  // before the first Bullet object
+    std::vector<detail::Mesh> out;
+    for (const TriangleMesh& mesh : meshes) out.emplace_back(mesh);
+    return out;
+}
+
+}  // namespace
+
+struct Physics::Inside {
+    Settings settings;
+    std::vector<detail::Mesh> meshes;
+    std::vector<Body> bodies;  ///< sorted by key
+    std::unique_ptr<detail::BulletWorld> world;
+    std::vector<Contact> contacts;
+    std::vector<Pair> touching;  ///< pairs that have pressed and are still near; sorted
+    std::vector<Pair> touching_next;
+    Counters counters;
+    double damping_dt{};
+    bool quiet{};  ///< the last step changed nothing, and nothing was touched since
+
+    Inside(const Settings& s, const std::vector<TriangleMesh>& m);
+    ~Inside() { world.reset(); }  // before the bodies in it
+
+    Body* find(Key);
+    Body& at(Key);
+    void enter_world(Body&);
+    void wake(Body&);
+    void wake_near(const Box&);
+    void prepare_damping(Body&) const;
+    void before_step(double dt);
+    bool after_step();
+    void collect_contacts();
+    void remember_touching();
+    std::optional<detail::Touch> cast_at(const Body&, const detail::Path&) const;
+};
+
+Physics::Inside::Inside(const Settings& s, const std::vector<TriangleMesh>& m)
+    : settings(s), meshes(built(m)) {
+    THAUM_ASSERT(s.max_bodies > 0 && s.max_bodies <= 30000, "Settings.max_bodies is not in 1..30,000");
+    THAUM_ASSERT(thaum::is_finite(s.gravity), "Settings.gravity is not finite");
+    THAUM_ASSERT(s.max_speed > 0 && s.max_spin > 0 && s.world_half_extent > 0,
+                 "a limit in Settings is not positive");
+    bodies.reserve(s.max_bodies);
+    contacts.reserve(s.max_contacts);
+    touching.reserve(s.max_contacts);
+    touching_next.reserve(s.max_contacts);
+    world = std::make_unique<detail::BulletWorld>(settings);
+}
+
+Body* Physics::Inside::find(Key key) {
+    const auto found = std::ranges::lower_bound(bodies, key, {}, &Body::key);
+    return found != bodies.end() && found->key == key ? &*found : nullptr;
+}
+
+Body& Physics::Inside::at(Key key) {
+    Body* const body = find(key);
+    THAUM_ASSERT(body, about(key, "unknown"));
+    return *body;
+}
+
+void Physics::Inside::enter_world(Body& body) {
+    body.bullet = detail::make_body(body.key, body.desc, body.state, meshes, settings);
+    (*world)->addRigidBody(&body.bt(), std::bit_cast<int>(body.desc.layer),
+                           std::bit_cast<int>(body.desc.collides_with));
+    detail::write_sleep(body.bt(), body.state);
+}
+
+void Physics::Inside::wake(Body& body) {
+    if (!body.dynamic()) return;
+    body.bt().activate(true);
+    body.state.asleep = body.state.drowsy = 0;
+    body.state.idle_s = 0;
+    quiet = false;
+}
+
+void Physics::Inside::wake_near(const Box& box) {
+    for (Body& body : bodies) {
+        if (body.state.asleep && overlap(box, box_around(body), resting_gap)) wake(body);
+    }
+}
+
+void Physics::Inside::prepare_damping(Body& body) const {
+    body.kept_velocity = det::pow(1 - body.desc.linear_damping, damping_dt);
+    body.kept_spin = det::pow(1 - body.desc.angular_damping, damping_dt);
+}
+
+void Physics::Inside::before_step(double dt) {
+    if (dt != damping_dt) {
+        damping_dt = dt;
+        for (Body& body : bodies) prepare_damping(body);
+    }
+    for (Body& body : bodies) {
+        body.was_asleep = body.state.asleep != 0;
+        if (!body.dynamic() || body.was_asleep) continue;
+        body.bt().setLinearVelocity(
+            to_bullet(limited(body.state.velocity, settings.max_speed) * body.kept_velocity));
+        body.bt().setAngularVelocity(to_bullet(limited(body.state.spin, settings.max_spin) * body.kept_spin));
+    }
+}
+
+/// Whether nothing moved.
+bool Physics::Inside::after_step() {
+    counters.awake = 0;
+    bool still = true;
+    for (Body& body : bodies) {
+        if (!body.dynamic()) continue;
+        const bool asleep = body.bt().getActivationState() == ISLAND_SLEEPING;
+        counters.awake += !asleep;
+        if (asleep && body.was_asleep) continue;
+        still = false;
+        body.state = detail::read_state(body.bt());
+        body.state.velocity = limited(body.state.velocity, settings.max_speed);
+        body.state.spin = limited(body.state.spin, settings.max_spin);
+    }
+    return still;
+}
+
+void Physics::Inside::collect_contacts() {
+    contacts.clear();
+    touching_next.clear();
+    btDispatcher& dispatcher = *(*world)->getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (manifold.getNumContacts() == 0) continue;
+        const bool before = std::ranges::binary_search(touching, pair_of(manifold));
+        Contact contact = sum_of(manifold);
+        if (!before && contact.impulse <= 0) continue;
+        THAUM_ASSERT(touching_next.size() < settings.max_contacts,
+                     "more touching pairs than Settings.max_contacts");
+        touching_next.push_back({contact.a, contact.b});
+        contact.began = !before;
+        if (contact.impulse > 0 && active(manifold)) contacts.push_back(contact);
+    }
+    std::ranges::sort(touching_next);
+    std::ranges::sort(contacts, {}, [](const Contact& c) { return Pair{c.a, c.b}; });
+    std::swap(touching, touching_next);
+}
+
+/// In a fresh world: finds who touches whom, sleepers too, which Bullet leaves out by itself.
+void Physics::Inside::remember_touching() {
+    for (Body& body : bodies) {
+        if (body.dynamic()) body.bt().forceActivationState(ACTIVE_TAG);
+    }
+    (*world)->performDiscreteCollisionDetection();
+    for (Body& body : bodies) detail::write_sleep(body.bt(), body.state);
+    touching.clear();
+    btDispatcher& dispatcher = *(*world)->getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (deepest_gap(manifold) > touching_gap) continue;
+        THAUM_ASSERT(touching.size() < settings.max_contacts,
+                     "more touching pairs than Settings.max_contacts");
+        touching.push_back(pair_of(manifold));
+    }
+    std::ranges::sort(touching);
+}
+
+std::optional<detail::Touch> Physics::Inside::cast_at(const Body& body, const detail::Path& path) const {
+    const quat to_local = glm::conjugate(body.state.orientation);
+    detail::Path local = path;
+    local.from = to_local * (path.from - body.state.position);
+    local.direction = to_local * path.direction;
+    auto touch = body.desc.shape == Shape::mesh
+                     ? meshes[body.desc.mesh].cast(local)
+                     : detail::cast(local, [&](vec3 p) { return detail::nearest_to(body.desc, p); });
+    if (touch) touch->normal = body.state.orientation * touch->normal;
+    return touch;
+}
+
+Physics::Physics(const Settings& settings, const std::vector<TriangleMesh>& meshes)
+    : inside_(std::make_unique<Inside>(settings, meshes)) {}
+
+Physics::~Physics() = default;
+Physics::Physics(Physics&&) noexcept = default;
+Physics& Physics::operator=(Physics&&) noexcept = default;
+
+void Physics::add(Key key, const BodyDesc& desc, const BodyState& state) {
+    Inside& in = *inside_;
+    THAUM_ASSERT(key != no_key, "no_key is not a key");
+    THAUM_ASSERT(in.bodies.size() < in.settings.max_bodies,
+                 about(key, "more bodies than Settings.max_bodies"));
+    check_desc(key, desc, in.meshes.size());
+    check_state(key, state);
+    const auto place = std::ranges::lower_bound(in.bodies, key, {}, &Body::key);
+    THAUM_ASSERT(place == in.bodies.end() || place->key != key, about(key, "added twice"));
+    Body& body = *in.bodies.emplace(place);
+    body.key = key;
+    body.desc = desc;
+    body.state = settled(state);
+    body.reach = reach_of(desc);
+    in.prepare_damping(body);
+    in.enter_world(body);
+    in.quiet = false;
+}
+
+void Physics::remove(Key key) {
+    Inside& in = *inside_;
+    Body& body = in.at(key);
+    const Box place = box_around(body);
+    (*in.world)->removeRigidBody(&body.bt());
+    in.bodies.erase(in.bodies.begin() + (&body - in.bodies.data()));
+    std::erase_if(in.touching, [&](const Pair& pair) { return pair.a == key || pair.b == key; });
+    in.quiet = false;
+    in.wake_near(place);
+}
+
+bool Physics::has(Key key) const { return inside_->find(key) != nullptr; }
+
+const BodyDesc& Physics::desc(Key key) const { return inside_->at(key).desc; }
+
+const BodyState& Physics::state(Key key) const { return inside_->at(key).state; }
+
+void Physics::set_state(Key key, const BodyState& state) {
+    Inside& in = *inside_;
+    Body& body = in.at(key);
+    check_state(key, state);
+    in.wake_near(box_around(body));
+    body.state = settled(state);
+    detail::write_motion(body.bt(), body.state);
+    detail::write_sleep(body.bt(), body.state);
+    in.quiet = false;
+    if (!body.dynamic()) in.wake_near(box_around(body));
+}
+
+void Physics::set_velocity(Key key, vec3 velocity) {
+    Body& body = inside_->at(key);
+    THAUM_ASSERT(is_finite(velocity), about(key, "velocity is not finite"));
+    if (!body.dynamic()) return;
+    inside_->wake(body);
+    body.state.velocity = velocity;
+}
+
+void Physics::set_spin(Key key, vec3 spin) {
+    Body& body = inside_->at(key);
+    THAUM_ASSERT(is_finite(spin), about(key, "spin is not finite"));
+    if (!body.dynamic() || body.desc.upright) return;
+    inside_->wake(body);
+    body.state.spin = spin;
+}
+
+void Physics::apply_impulse(Key key, vec3 impulse, vec3 point) {
+    Body& body = inside_->at(key);
+    THAUM_ASSERT(is_finite(impulse) && is_finite(point), about(key, "impulse is not finite"));
+    if (!body.dynamic()) return;
+    inside_->wake(body);
+    body.state.velocity += impulse / body.desc.mass;
+    THAUM_ASSERT(is_finite(body.state.velocity), about(key, "impulse overflows"));
+    if (body.desc.upright) return;
+    const vec3 twist = glm::cross(point - body.state.position, impulse);
+    body.state.spin += from_bullet(body.bt().getInvInertiaTensorWorld() * to_bullet(twist));
+    THAUM_ASSERT(is_finite(body.state.spin), about(key, "impulse overflows"));
+}
+
+void Physics::apply_central_impulse(Key key, vec3 impulse) {
+    apply_impulse(key, impulse, inside_->at(key).state.position);
+}
+
+void Physics::nudge(Key key, vec3 impulse) {
+    Body& body = inside_->at(key);
+    THAUM_ASSERT(is_finite(impulse), about(key, "impulse is not finite"));
+    if (body.dynamic() && !body.state.asleep) body.state.velocity += impulse / body.desc.mass;
+}
+
+void Physics::wake_touching(Key key) { inside_->wake_near(box_around(inside_->at(key))); }
+
+void Physics::wake(Key key) { inside_->wake(inside_->at(key)); }
+
+void Physics::step(double dt) {
+    Inside& in = *inside_;
+    THAUM_ASSERT(std::isfinite(dt) && dt > 0, "a step must take a time > 0");
+    ++in.counters.steps;
+    if (in.quiet && in.settings.skip_asleep) {
+        ++in.counters
+              .skipped;  // contacts are empty already: in the step before, too, nobody was awake to press
+        return;
+    }
+    in.before_step(dt);
+    (*in.world)->stepSimulation(dt, 0);
+    in.quiet = in.after_step();
+    in.collect_contacts();
+}
+
+std::span<const Contact> Physics::contacts() const { return inside_->contacts; }
+
+std::optional<RayHit> Physics::ray(vec3 from, vec3 to, Layers mask, Key ignore_key) const {
+    return sweep_sphere(from, to, 0, mask, ignore_key);
+}
+
+std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, Layers mask,
+                                            Key ignore_key) const {
+    THAUM_ASSERT(is_finite(from) && is_finite(to) && radius >= 0, "a ray or sweep that is not finite");
+    const double length = glm::length(to - from);
+    if (length == 0) return std::nullopt;
+    const Inside& in = *inside_;
+    detail::Path path{from, (to - from) / length, length, radius};
+    const Body* nearest = nullptr;
+    detail::Touch touch{};
+    for (const Body& body : in.bodies) {
+        if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
+        const vec3 offset = body.state.position - from;
+        const double along = std::clamp(glm::dot(offset, path.direction), 0.0, path.length);
+        const vec3 apart = offset - along * path.direction;
+        const double meeting = body.reach + radius + detail::touching;
+        if (glm::dot(apart, apart) > meeting * meeting) continue;
+        const auto here = in.cast_at(body, path);
+        if (!here || (nearest && here->travelled >= touch.travelled)) continue;
+        nearest = &body;
+        touch = *here;
+        path.length = touch.travelled;  // from here on only what is nearer counts
+    }
+    if (!nearest) return std::nullopt;
+    const vec3 centre = from + touch.travelled * path.direction;
+    return RayHit{nearest->key, centre - radius * touch.normal, touch.normal, touch.travelled / length};
+}
+
+void Physics::rebuild() {
+    Inside& in = *inside_;
+    in.world.reset();
+    for (Body& body : in.bodies) body.bullet = {};
+    in.world = std::make_unique<detail::BulletWorld>(in.settings);
+    for (Body& body : in.bodies) in.enter_world(body);
+    in.remember_touching();
+    in.contacts.clear();
+    in.quiet = false;
+}
+
+Counters Physics::counters() const {
+    Counters counters = inside_->counters;
+    counters.bodies = static_cast<std::uint32_t>(inside_->bodies.size());
+    return counters;
+}
+
+const Settings& Physics::settings() const { return inside_->settings; }
+
+}  // namespace thaum::physics

@@ -1,0 +1,96 @@
+// A warm step asks the heap for nothing, nor does a rebuild.
+#include "physics/memory.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <thread>
+
+#include "unit/physics_scenes.h"
+
+namespace {
+std::atomic<std::uint64_t> heap_calls{0};
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define THAUM_COUNTS_HEAP 1
+void* operator new(std::size_t bytes) {
+    ++heap_calls;
+    if (void* p = std::malloc(bytes)) return p;
+    throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+#else
+#define THAUM_COUNTS_HEAP 0
+#endif
+
+namespace thaum::physics {
+namespace {
+
+using namespace scenes;
+
+void kick(Physics& physics, int tick) {
+    if (tick % 300 == 0) physics.apply_central_impulse(10 + static_cast<Key>(tick / 300) % 14, {9, 12, 5});
+}
+
+TEST(PhysicsMemory, AWarmStepAsksTheHeapForNothing) {
+    if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "under a sanitizer the heap is not ours to count";
+    Physics physics;
+    add_pile(physics);
+    for (int tick = 0; tick < 6000; ++tick) {
+        kick(physics, tick);
+        physics.step(dt);
+    }
+    const std::uint64_t slabs = memory_use().slabs, calls = memory_use().calls;
+    const std::uint64_t heap = heap_calls;
+    for (int tick = 0; tick < 6000; ++tick) {
+        kick(physics, tick);
+        physics.step(dt);
+    }
+    EXPECT_EQ(memory_use().slabs, slabs);
+    EXPECT_EQ(heap_calls, heap);
+    EXPECT_GT(memory_use().calls, calls) << "Bullet does not use the pool at all";
+}
+
+TEST(PhysicsMemory, RebuildsReuseThePool) {
+    if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "under a sanitizer the heap is not ours to count";
+    Physics physics;
+    add_pile(physics);
+    const auto keyframe = [&] {
+        for (int tick = 0; tick < 256; ++tick) {
+            kick(physics, tick);
+            physics.step(dt);
+        }
+        physics.rebuild();
+    };
+    for (int i = 0; i < 4; ++i) keyframe();
+    const std::uint64_t slabs = memory_use().slabs;
+    for (int i = 0; i < 10; ++i) keyframe();
+    EXPECT_EQ(memory_use().slabs, slabs);
+}
+
+TEST(PhysicsMemory, WorldsOnSeveralThreadsAgree) {
+    std::array<std::uint64_t, 4> hashes{};
+    {
+        std::vector<std::jthread> threads;
+        for (std::uint64_t& hash : hashes) {
+            threads.emplace_back([&hash] {
+                Physics physics;
+                add_pile(physics);
+                for (int tick = 0; tick < 800; ++tick) {
+                    kick(physics, tick);
+                    physics.step(dt);
+                    if (tick == 400) physics.rebuild();
+                }
+                hash = hash_of(physics, {10, 15, 23, 30, 31});
+            });
+        }
+    }
+    for (const std::uint64_t hash : hashes) EXPECT_EQ(hash, hashes[0]);
+}
+
+}  // namespace
+}  // namespace thaum::physics
