@@ -1,0 +1,206 @@
+#include "input/bindings.h"
+
+#include <algorithm>
+#include <span>
+
+#include "core/text.h"
+
+// Defaults are written in the words of the settings file, so one reader serves both and a menu can show them.
+namespace thaum::input {
+namespace {
+
+constexpr std::array<std::string_view, actions> action_names{
+    "fire",         "jump",      "next_wand", "previous_wand", "trace",   "stir",      "throw",
+    "clutch",       "panic",     "pause",     "rejoin",        "wand_1",  "wand_2",    "wand_3",
+    "wand_4",       "wand_5",    "mark",      "confirm",       "quit",    "move_left", "move_right",
+    "move_forward", "move_back", "turn_left", "turn_right",    "turn_up", "turn_down"};
+static_assert(static_cast<std::size_t>(Action::quit) + 1 == button_actions);
+static_assert(static_cast<std::size_t>(Action::turn_down) + 1 == actions);
+
+constexpr std::array<std::string_view, 5> mouse_names{"left", "right", "middle", "fourth", "fifth"};
+constexpr std::array<std::string_view, 15> pad_button_names{
+    "a",     "b",          "x",           "y",  "left_bumper", "right_bumper", "back", "start",
+    "guide", "left_stick", "right_stick", "up", "right",       "down",         "left"};
+constexpr std::array<std::string_view, pad_axes> pad_axis_names{"left_x",  "left_y",       "right_x",
+                                                                "right_y", "left_trigger", "right_trigger"};
+
+struct Default {
+    Action action;
+    std::string_view controls;
+};
+
+constexpr Default keyboard_mouse_defaults[] = {
+    {Action::move_left, "key a"},      {Action::move_right, "key d"},
+    {Action::move_forward, "key w"},   {Action::move_back, "key s"},
+    {Action::fire, "mouse left"},      {Action::trace, "mouse right"},
+    {Action::next_wand, "wheel down"}, {Action::previous_wand, "wheel up"},
+    {Action::wand_1, "key 1"},         {Action::wand_2, "key 2"},
+    {Action::wand_3, "key 3"},         {Action::wand_4, "key 4"},
+    {Action::wand_5, "key 5"},         {Action::stir, "key e"},
+    {Action::jump, "key space"},       {Action::throw_, "key f"},
+    {Action::clutch, "key left_alt"},  {Action::panic, "key end"},
+    {Action::pause, "key escape"},     {Action::confirm, "key enter"},
+    {Action::mark, "key f10"},
+};
+
+constexpr Default keyboard_half_defaults[] = {
+    {Action::move_left, "key kp_4"},    {Action::move_right, "key kp_6"},
+    {Action::move_forward, "key kp_8"}, {Action::move_back, "key kp_5"},
+    {Action::turn_left, "key left"},    {Action::turn_right, "key right"},
+    {Action::turn_up, "key up"},        {Action::turn_down, "key down"},
+    {Action::fire, "key kp_0"},         {Action::trace, "key kp_enter"},
+    {Action::next_wand, "key kp_add"},  {Action::previous_wand, "key kp_subtract"},
+    {Action::stir, "key kp_decimal"},   {Action::jump, "key kp_7"},
+    {Action::throw_, "key kp_9"},       {Action::clutch, "key kp_1"},
+    {Action::panic, "key end"},         {Action::pause, "key kp_multiply"},
+    {Action::confirm, "key kp_0"},
+};
+
+constexpr Default pad_defaults[] = {
+    {Action::move_left, "pad left_x -"},
+    {Action::move_right, "pad left_x +"},
+    {Action::move_forward, "pad left_y +"},
+    {Action::move_back, "pad left_y -"},
+    {Action::turn_left, "pad right_x -"},
+    {Action::turn_right, "pad right_x +"},
+    {Action::turn_up, "pad right_y +"},
+    {Action::turn_down, "pad right_y -"},
+    {Action::fire, "pad right_trigger +"},
+    {Action::trace, "pad left_trigger +"},
+    {Action::next_wand, "pad right_bumper"},
+    {Action::previous_wand, "pad left_bumper"},
+    {Action::stir, "pad x"},
+    {Action::jump, "pad a"},
+    {Action::throw_, "pad right_stick"},
+    {Action::clutch, "pad left_stick"},
+    {Action::panic, "pad back, key end"},
+    {Action::pause, "pad start"},
+    {Action::confirm, "pad a"},
+};
+
+std::span<const Default> defaults_of(DeviceKind kind) {
+    switch (kind) {
+        case DeviceKind::keyboard_mouse: return keyboard_mouse_defaults;
+        case DeviceKind::keyboard_half: return keyboard_half_defaults;
+        case DeviceKind::pad: return pad_defaults;
+        default: return {};
+    }
+}
+
+std::optional<int> index_in(std::span<const std::string_view> names, std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return {};
+    return static_cast<int>(found - names.begin());
+}
+
+/// Takes the first piece before `separator` off `rest`, without spaces around it.
+std::string_view take_piece(std::string_view& rest, char separator) {
+    const auto trimmed = [](std::string_view s) {
+        while (!s.empty() && s.front() == ' ') s.remove_prefix(1);
+        while (!s.empty() && s.back() == ' ') s.remove_suffix(1);
+        return s;
+    };
+    rest = trimmed(rest);
+    const auto end = std::min(rest.find(separator), rest.size());
+    const auto piece = trimmed(rest.substr(0, end));
+    rest = trimmed(rest.substr(std::min(end + 1, rest.size())));
+    return piece;
+}
+
+/// 0 where the word is neither.
+int direction_of(std::string_view word, std::string_view plus, std::string_view minus) {
+    if (word == plus) return 1;
+    return word == minus ? -1 : 0;
+}
+
+std::optional<Control> pad_control(std::string_view name, std::string_view direction) {
+    if (const auto axis = index_in(pad_axis_names, name)) {
+        const int sign = direction_of(direction, "+", "-");
+        if (sign == 0) return {};
+        return Control{Control::Source::pad_axis, *axis, sign};
+    }
+    const auto button = index_in(pad_button_names, name);
+    if (!button || !direction.empty()) return {};
+    return Control{Control::Source::pad_button, *button, 0};
+}
+
+std::optional<Control> control_of(std::string_view source, std::string_view name, std::string_view more,
+                                  const KeyCodes& codes) {
+    if (name.empty()) return {};
+    if (source == "pad") return pad_control(name, more);
+    if (!more.empty()) return {};
+    if (source == "wheel") {
+        const int sign = direction_of(name, "up", "down");
+        if (sign == 0) return {};
+        return Control{Control::Source::wheel, 0, sign};
+    }
+    const bool key = source == "key";
+    if (!key && source != "mouse") return {};
+    const auto code = key ? codes(name) : index_in(mouse_names, name);
+    if (!code) return {};
+    return Control{key ? Control::Source::key : Control::Source::mouse_button, *code, 0};
+}
+
+}  // namespace
+
+std::string_view name_of(Action action) { return action_names[static_cast<std::size_t>(action)]; }
+
+Expected<Control> parse_control(std::string_view words, const KeyCodes& codes) {
+    auto rest = words;
+    const auto source = take_piece(rest, ' ');
+    const auto name = take_piece(rest, ' ');
+    if (const auto control = control_of(source, name, rest, codes)) return *control;
+    return fail(text("unknown control '", words,
+                     "' (such as \"key w\", \"mouse left\", \"wheel up\", \"pad a\", \"pad left_x +\")"));
+}
+
+std::vector<std::string> default_key_names() {
+    std::vector<std::string> names;
+    const KeyCodes collect = [&](std::string_view name) {
+        names.emplace_back(name);
+        return std::optional<int>(0);
+    };
+    for (std::size_t kind = 0; kind < device_kinds; ++kind) {
+        default_bindings(static_cast<DeviceKind>(kind), collect);
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+Bindings default_bindings(DeviceKind kind, const KeyCodes& codes) {
+    Bindings bindings;
+    bindings.kind = kind;
+    bindings.mouse_look = kind == DeviceKind::keyboard_mouse;
+    for (const auto& item : defaults_of(kind)) {
+        auto rest = item.controls;
+        while (!rest.empty()) {
+            const auto control = parse_control(take_piece(rest, ','), codes);
+            if (control) bindings.controls[static_cast<std::size_t>(item.action)].push_back(*control);
+        }
+    }
+    return bindings;
+}
+
+Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCodes& codes) {
+    for (std::size_t action = 0; action < actions; ++action) {
+        const auto key = action_names[action];
+        if (!table.has(key)) continue;
+        const auto words = table.string(key);
+        auto& controls = bindings.controls[action];
+        controls.clear();
+        for (std::string_view rest = words; !rest.empty();) {
+            const auto control = parse_control(take_piece(rest, ','), codes);
+            if (!control) {
+                table.report(key, text("'", key, "': ", control.error().message));
+                break;
+            }
+            controls.push_back(*control);
+        }
+    }
+    bindings.stick_dead_zone = table.number("stick_dead_zone", {0, 0.9}, bindings.stick_dead_zone);
+    bindings.trigger_press = table.number("trigger_press", {0.15, 1}, bindings.trigger_press);
+    return bindings;
+}
+
+}  // namespace thaum::input

@@ -1,0 +1,121 @@
+// input/bindings.h: which physical control does what. Knows mice and pads; keys are codes of the window layer, which
+// also knows their names.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/config.h"
+#include "core/error.h"
+#include "input/frame.h"
+
+namespace thaum::input {
+
+/// What a control can do. The first ones are Button's bits, in their order; the others are directions.
+enum class Action : std::uint8_t {
+    fire,
+    jump,
+    next_wand,
+    previous_wand,
+    trace,
+    stir,
+    throw_,
+    clutch,
+    panic,
+    pause,
+    rejoin,
+    wand_1,
+    wand_2,
+    wand_3,
+    wand_4,
+    wand_5,
+    mark,
+    confirm,
+    quit,
+    move_left,
+    move_right,
+    move_forward,
+    move_back,
+    turn_left,
+    turn_right,
+    turn_up,
+    turn_down,
+};
+inline constexpr std::size_t button_actions = 19;
+inline constexpr std::size_t actions = 27;
+
+/// "fire", "next_wand", "throw", "move_left", ...: the keys of a settings table.
+std::string_view name_of(Action action);
+
+/// Codes of mouse buttons, pad buttons and pad axes; the window layer brings its own to these.
+enum class MouseButton : std::uint8_t { left, right, middle, fourth, fifth };
+enum class PadButton : std::uint8_t {
+    a,
+    b,
+    x,
+    y,
+    left_bumper,
+    right_bumper,
+    back,
+    start,
+    guide,
+    left_stick,
+    right_stick,
+    up,
+    right,
+    down,
+    left,
+};
+/// Sticks are positive to the right and up.
+enum class PadAxis : std::uint8_t { left_x, left_y, right_x, right_y, left_trigger, right_trigger };
+inline constexpr std::size_t pad_axes = 6;
+
+/// One physical control, or one direction of it.
+struct Control {
+    enum class Source : std::uint8_t { key, mouse_button, wheel, pad_button, pad_axis };
+    Source source{};
+    int code{};       ///< of the key, button or axis; 0 for the wheel
+    int direction{};  ///< wheel and axis: +1 or -1; else 0
+    bool operator==(const Control&) const = default;
+};
+
+/// All of one player's hands.
+struct Bindings {
+    DeviceKind kind{};
+    std::array<std::vector<Control>, actions> controls;
+    bool mouse_look = false;        ///< mouse motion and wheel go to this player
+    double stick_dead_zone = 0.15;  ///< of the stick's radius, 0..0.9; the rest is stretched to 0..1
+    double trigger_press = 0.3;     ///< an axis bound to a button presses it from here, lets go 0.1 below
+};
+
+/// The window layer's code of a key name such as "w", "space", "kp_8"; nothing where it knows none of that name.
+using KeyCodes = std::function<std::optional<int>(std::string_view)>;
+
+/// Names of the keys that the default bindings use; a test of the window layer asks for each.
+std::vector<std::string> default_key_names();
+
+/// The defaults of keyboard_mouse, keyboard_half or pad; no controls at all for other kinds.
+/// A key that `codes` does not know is left out.
+Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
+
+/// The given bindings with what a settings table changes:
+///
+///     fire = "mouse left"                     # replaces all controls of the action; "" leaves none
+///     jump = "key space, mouse fourth"
+///     next_wand = "wheel down, pad right_bumper"
+///     move_left = "key a, pad left_x -"
+///     stick_dead_zone = 0.15
+///     trigger_press = 0.3
+///
+/// An unknown name is reported at its key; the Config's check then fails with file, line and key.
+Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCodes& codes);
+
+/// One control such as "key w", "mouse left", "wheel up", "pad a", "pad right_trigger +". The error says what is
+/// unknown.
+Expected<Control> parse_control(std::string_view words, const KeyCodes& codes);
+
+}  // namespace thaum::input

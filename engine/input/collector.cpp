@@ -1,0 +1,197 @@
+#include "input/collector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace thaum::input {
+namespace {
+
+constexpr double release_below_press = 0.1;  // hysteresis, so a trigger at its threshold does not chatter
+constexpr unsigned latch_shift = 32;
+
+/// Whole steps of `rest` plus `amount`; `rest` keeps the fraction. A broken driver's NaN or a huge jump moves nothing.
+std::int64_t whole_steps(double amount, double& rest) {
+    constexpr double most = 1e9;
+    if (!(std::abs(amount) <= most)) return 0;
+    rest += amount;
+    const double whole = std::trunc(rest);
+    rest -= whole;
+    return static_cast<std::int64_t>(whole);
+}
+
+/// What is new in `total`, as far as a sample can hold it.
+std::int32_t take_new(const std::atomic<std::int64_t>& total, std::int64_t& taken) {
+    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+    const auto amount = std::clamp(total.load(std::memory_order_relaxed) - taken, -most, most);
+    taken += amount;
+    return static_cast<std::int32_t>(amount);
+}
+
+double finite_or_zero(double v) { return std::isfinite(v) ? std::clamp(v, -1.0, 1.0) : 0.0; }
+
+struct Stick {
+    double x, y;
+};
+
+/// Radial, so that a diagonal keeps its direction and slow circles stay round.
+Stick without_dead_zone(double x, double y, double dead) {
+    x = finite_or_zero(x);
+    y = finite_or_zero(y);
+    const double length = std::hypot(x, y);
+    if (length <= dead) return {0, 0};
+    const double scale = std::min((length - dead) / (1 - dead), 1.0) / length;
+    return {x * scale, y * scale};
+}
+
+int level(double strength) { return static_cast<int>(std::lround(strength * 127)); }
+
+std::uint64_t packed(int value, unsigned place) {
+    return static_cast<std::uint64_t>(static_cast<std::uint8_t>(value)) << (8 * place);
+}
+
+std::int32_t signed_level(std::uint64_t levels, unsigned place) {
+    return static_cast<std::int8_t>(static_cast<std::uint8_t>(levels >> (8 * place)));
+}
+
+bool is_button(Action action) { return static_cast<std::size_t>(action) < button_actions; }
+
+std::uint32_t bit_of(Action action) { return 1U << static_cast<unsigned>(action); }
+
+}  // namespace
+
+HandsCollector::HandsCollector(Bindings bindings) { rebind(std::move(bindings)); }
+
+// Main thread --------------------------------------------------------------------------------------
+
+void HandsCollector::rebind(Bindings bindings) {
+    bindings_ = std::move(bindings);
+    bound_.clear();
+    for (std::size_t action = 0; action < actions; ++action) {
+        for (const auto& control : bindings_.controls[action]) {
+            bound_.push_back({static_cast<Action>(action), control});
+        }
+    }
+    publish();
+}
+
+void HandsCollector::focus_lost() {
+    for (auto& bound : bound_) update(bound, 0);
+    publish();
+}
+
+void HandsCollector::key(int code, bool pressed) { press(Control::Source::key, code, pressed ? 1 : 0); }
+
+void HandsCollector::mouse_button(int code, bool pressed) {
+    press(Control::Source::mouse_button, code, pressed ? 1 : 0);
+}
+
+void HandsCollector::mouse_move(double right, double down) {
+    if (!bindings_.mouse_look) return;
+    right_.fetch_add(whole_steps(right, right_rest_), std::memory_order_relaxed);
+    up_.fetch_add(whole_steps(-down, up_rest_), std::memory_order_relaxed);
+}
+
+void HandsCollector::wheel(double steps) {
+    if (!bindings_.mouse_look) return;
+    const auto whole = whole_steps(steps, wheel_rest_);
+    if (whole == 0) return;
+    wheel_.fetch_add(whole, std::memory_order_relaxed);
+    for (const auto& bound : bound_) {
+        const bool turned =
+            bound.control.source == Control::Source::wheel && (bound.control.direction > 0) == (whole > 0);
+        if (!turned || !is_button(bound.action)) continue;
+        buttons_.fetch_or(std::uint64_t{bit_of(bound.action)} << latch_shift, std::memory_order_relaxed);
+    }
+}
+
+void HandsCollector::pad(const PadState& state) {
+    const auto axis = [&](PadAxis a) { return state.axes[static_cast<std::size_t>(a)]; };
+    const double dead = bindings_.stick_dead_zone;
+    const auto left = without_dead_zone(axis(PadAxis::left_x), axis(PadAxis::left_y), dead);
+    const auto right = without_dead_zone(axis(PadAxis::right_x), axis(PadAxis::right_y), dead);
+    set_axis(PadAxis::left_x, left.x);
+    set_axis(PadAxis::left_y, left.y);
+    set_axis(PadAxis::right_x, right.x);
+    set_axis(PadAxis::right_y, right.y);
+    set_axis(PadAxis::left_trigger, finite_or_zero(axis(PadAxis::left_trigger)));
+    set_axis(PadAxis::right_trigger, finite_or_zero(axis(PadAxis::right_trigger)));
+    for (auto& bound : bound_) {
+        if (bound.control.source != Control::Source::pad_button) continue;
+        update(bound, (state.buttons >> static_cast<unsigned>(bound.control.code) & 1U) != 0 ? 1 : 0);
+    }
+    publish();
+}
+
+void HandsCollector::press(Control::Source source, int code, double strength) {
+    for (auto& bound : bound_) {
+        if (bound.control.source == source && bound.control.code == code) update(bound, strength);
+    }
+    publish();
+}
+
+void HandsCollector::set_axis(PadAxis axis, double value) {
+    for (auto& bound : bound_) {
+        const auto& control = bound.control;
+        if (control.source != Control::Source::pad_axis || control.code != static_cast<int>(axis)) continue;
+        update(bound, std::max(value * control.direction, 0.0));
+    }
+}
+
+void HandsCollector::update(Bound& bound, double strength) {
+    const double threshold = bindings_.trigger_press - (bound.pressed ? release_below_press : 0);
+    bound.strength = strength;
+    bound.pressed = strength >= threshold;
+}
+
+double HandsCollector::strength_of(Action action) const {
+    double result = 0;
+    for (const auto& bound : bound_) {
+        if (bound.action == action) result = std::max(result, bound.strength);
+    }
+    return result;
+}
+
+void HandsCollector::publish() {
+    std::uint64_t held = 0;
+    for (const auto& bound : bound_) {
+        if (bound.pressed && is_button(bound.action)) held |= bit_of(bound.action);
+    }
+    const auto pressed = held & ~std::uint64_t{held_before_};
+    const auto released = std::uint64_t{held_before_} & ~held;
+    held_before_ = static_cast<std::uint32_t>(held);
+    // One step: held and latched together, so `take` cannot see a press twice with a gap between.
+    buttons_.fetch_or(pressed | pressed << latch_shift, std::memory_order_relaxed);
+    buttons_.fetch_and(~released, std::memory_order_relaxed);
+
+    const auto axis = [&](Action plus, Action minus) {
+        return level(strength_of(plus) - strength_of(minus));
+    };
+    const auto trigger = static_cast<int>(std::lround(strength_of(Action::fire) * 255));
+    levels_.store(packed(axis(Action::move_right, Action::move_left), 0) |
+                      packed(axis(Action::move_forward, Action::move_back), 1) |
+                      packed(axis(Action::turn_right, Action::turn_left), 2) |
+                      packed(axis(Action::turn_up, Action::turn_down), 3) | packed(trigger, 4),
+                  std::memory_order_relaxed);
+}
+
+// Simulation thread --------------------------------------------------------------------------------
+
+DeviceSample HandsCollector::take() {
+    DeviceSample sample;
+    sample.counts[hand::look_right] = take_new(right_, right_taken_);
+    sample.counts[hand::look_up] = take_new(up_, up_taken_);
+    sample.counts[hand::wheel] = take_new(wheel_, wheel_taken_);
+    const auto levels = levels_.load(std::memory_order_relaxed);
+    sample.counts[hand::strafe] = signed_level(levels, 0);
+    sample.counts[hand::forward] = signed_level(levels, 1);
+    sample.counts[hand::turn_right] = signed_level(levels, 2);
+    sample.counts[hand::turn_up] = signed_level(levels, 3);
+    sample.counts[hand::trigger] = static_cast<std::int32_t>(levels >> 32U & 0xffU);
+    const auto buttons = buttons_.fetch_and(0xffffffffU, std::memory_order_relaxed);
+    sample.buttons = static_cast<std::uint32_t>(buttons | buttons >> latch_shift);
+    return sample;
+}
+
+}  // namespace thaum::input

@@ -1,0 +1,113 @@
+// input/detail/block.h: the bytes of the log's header and blocks, without any file. FORMAT.md is the reference.
+#pragma once
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "core/bytes.h"
+#include "input/log.h"
+
+// zstd's contexts; its header stays in block.cpp.
+struct ZSTD_CCtx_s;
+struct ZSTD_DCtx_s;
+
+namespace thaum::input::detail {
+
+inline constexpr std::uint32_t format_version = 1;
+inline constexpr std::size_t file_limit = std::size_t{1} << 30U;
+inline constexpr Tick tick_limit = Tick{1} << 27U;
+inline constexpr std::size_t mark_limit = std::size_t{1} << 17U;
+
+inline constexpr std::size_t preamble_size = 24;
+inline constexpr std::size_t header_limit = std::size_t{1} << 20U;
+inline constexpr std::size_t string_limit = 65536;
+inline constexpr std::size_t player_limit = 16;
+inline constexpr std::size_t list_limit = 1000;
+
+inline constexpr std::size_t block_ticks = 512;
+inline constexpr std::size_t block_hashes = block_ticks / hash_interval + 1;
+inline constexpr std::size_t block_marks = 64;
+inline constexpr std::size_t block_header_size = 40;
+inline constexpr std::size_t raw_limit = 256 * 1024;
+inline constexpr std::size_t packed_limit = 288 * 1024;
+inline constexpr std::size_t result_limit = 4096;
+
+/// Up to 512 ticks as they were appended.
+struct Block {
+    Tick first{};
+    std::size_t ticks{};
+    std::size_t hash_count{};
+    std::size_t mark_count{};
+    std::array<InputFrame, block_ticks> frames{};
+    std::array<HashRecord, block_hashes> hashes{};
+    std::array<Mark, block_marks> marks{};
+};
+
+/// The whole header. The error names what is beyond the format's limits, without a path.
+Expected<Bytes> encode_header(const LogHeader& header);
+
+struct Preamble {
+    std::size_t body_size{};
+    std::uint64_t salt{};
+};
+
+/// From the first preamble_size bytes of a file. Errors are without a path.
+Expected<Preamble> decode_preamble(std::span<const std::byte> bytes);
+/// `file` starts with the preamble and holds the whole body.
+Expected<LogHeader> decode_header(std::span<const std::byte> file, const Preamble& preamble);
+
+enum class BlockKind : std::uint16_t { ticks = 1, end = 2 };
+
+struct BlockHeader {
+    BlockKind kind{};
+    std::size_t ticks{};
+    std::size_t raw_size{};
+    std::size_t packed_size{};
+    Tick first{};
+    std::uint64_t payload_checksum{};
+};
+
+/// Nothing where the bytes are damaged.
+std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes, std::uint64_t salt);
+
+/// Packs blocks. Its buffers are as large as a block can ask for from the start.
+class Packer {
+public:
+    Packer(std::size_t devices, std::uint64_t salt);
+    Packer(const Packer&) = delete;
+    Packer& operator=(const Packer&) = delete;
+    ~Packer();
+
+    /// Block header and payload; valid until the next call.
+    std::span<const std::byte> ticks(const Block& block);
+    std::span<const std::byte> end(Tick total, std::string_view result);
+
+private:
+    std::span<const std::byte> pack(BlockHeader header);
+    std::size_t devices_;
+    std::uint64_t salt_;
+    ZSTD_CCtx_s* zstd_;
+    Bytes raw_, packed_, head_, column_a_, column_b_;
+};
+
+/// Unpacks blocks. A false or empty answer is damage.
+class Unpacker {
+public:
+    Unpacker(std::size_t devices, std::uint64_t salt);
+    Unpacker(const Unpacker&) = delete;
+    Unpacker& operator=(const Unpacker&) = delete;
+    ~Unpacker();
+
+    bool ticks(const BlockHeader& header, std::span<const std::byte> payload, Block& block);
+    std::optional<std::string> end(const BlockHeader& header, std::span<const std::byte> payload);
+
+private:
+    bool unpack(const BlockHeader& header, std::span<const std::byte> payload);
+    std::size_t devices_;
+    std::uint64_t salt_;
+    ZSTD_DCtx_s* zstd_;
+    Bytes raw_;
+};
+
+}  // namespace thaum::input::detail

@@ -1,0 +1,98 @@
+// input/frame.h: what came in during one tick, as integers. A match is a pure function of its header and of these
+// frames, so nothing here is a result and nothing is a floating point number.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace thaum::input {
+
+inline constexpr std::size_t max_devices = 4;
+inline constexpr std::size_t max_counts = 8;
+
+/// What `DeviceSample::counts` means. All but `arm` are hands: hand::Count. `arm` is a stylus:
+/// arm::Count.
+enum class DeviceKind : std::uint8_t { keyboard_mouse, keyboard_half, pad, bot, script, arm };
+inline constexpr std::size_t device_kinds = 6;
+
+/// "keyboard_mouse", "pad", ...; also the name of the kind's table in settings.
+std::string_view name_of(DeviceKind kind);
+
+namespace hand {
+/// Places in `counts` of a hands kind. The first three are sums over the tick, the others levels at its end.
+enum Count : std::size_t {
+    look_right,  ///< mouse counts to the right; times DeviceSpec::look_rad_per_count
+    look_up,     ///< mouse counts upwards (away from the user); DeviceSpec::flags may invert it
+    wheel,       ///< wheel steps; away from the user is positive
+    strafe,      ///< -127..127, to the right
+    forward,     ///< -127..127
+    turn_right,  ///< -127..127 of DeviceSpec::turn_rad_per_s
+    turn_up,     ///< -127..127 of DeviceSpec::turn_rad_per_s; DeviceSpec::flags may invert it
+    trigger,     ///< 0..255, how far `fire` is pulled; a key or button that is held is 255
+};
+}  // namespace hand
+
+namespace arm {
+/// Places in `counts` of an arm: position in um, orientation in urad, in the device frame (+x right, +y up, +z
+/// towards the user).
+enum Count : std::size_t { position_x, position_y, position_z, rotation_x, rotation_y, rotation_z };
+}  // namespace arm
+
+/// Bits of DeviceSample::buttons. The order is part of the log's format: new ones go to the end.
+enum class Button : std::uint32_t {
+    fire = 1U << 0U,
+    jump = 1U << 1U,
+    next_wand = 1U << 2U,
+    previous_wand = 1U << 3U,
+    trace = 1U << 4U,
+    stir = 1U << 5U,
+    throw_ = 1U << 6U,
+    clutch = 1U << 7U,
+    panic = 1U << 8U,
+    pause = 1U << 9U,
+    rejoin = 1U << 10U,
+    wand_1 = 1U << 11U,
+    wand_2 = 1U << 12U,
+    wand_3 = 1U << 13U,
+    wand_4 = 1U << 14U,
+    wand_5 = 1U << 15U,
+    mark = 1U << 16U,
+    confirm = 1U << 17U,
+    quit = 1U << 18U,
+};
+
+/// One device in one tick.
+struct DeviceSample {
+    std::array<std::int32_t, max_counts> counts{};
+    std::uint32_t buttons{};    ///< Button bits that were down at the tick's end or were pressed during it
+    std::uint16_t model_age{};  ///< ticks since the haptic model the servo used was made; 0 for hands
+    std::uint16_t skips{};  ///< samples left out before this one because the simulation was too far behind
+    bool operator==(const DeviceSample&) const = default;
+
+    bool down(Button button) const { return (buttons & static_cast<std::uint32_t>(button)) != 0; }
+    void press(Button button) { buttons |= static_cast<std::uint32_t>(button); }
+};
+
+/// All devices in one tick. Device i is described by LogHeader::devices[i]; those beyond stay zero.
+struct InputFrame {
+    std::array<DeviceSample, max_devices> devices{};
+    bool operator==(const InputFrame&) const = default;
+};
+
+/// What else decides how a device's counts act; it stands in the log's header, so a setting changed later
+/// does not change a replay.
+struct DeviceSpec {
+    static constexpr std::uint32_t invert_y = 1U << 0U;  ///< flag: look_up and turn_up act downwards
+
+    std::uint32_t player{};  ///< index into LogHeader::players
+    DeviceKind kind{};
+    std::string name;                    ///< for people: "mouse and keyboard", "pad 1"
+    double look_rad_per_count{0.00087};  ///< rad of view a mouse count turns; about 0.05 degrees
+    double turn_rad_per_s{3.5};          ///< rad/s of view at full stick
+    std::uint32_t flags{};
+    bool operator==(const DeviceSpec&) const = default;
+};
+
+}  // namespace thaum::input

@@ -1,0 +1,243 @@
+#include "input/log.h"
+
+// Two passes over the file, a block in memory at a time: `open` checks and decodes every block, so that a replay knows
+// before its first tick how long the log is, how it ends and which hashes to expect; `next` decodes them again. A block
+// costs far less to decode than its 512 ticks cost to play.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "core/text.h"
+#include "input/detail/block.h"
+
+namespace thaum::input {
+namespace {
+
+struct File {
+    int fd = -1;
+    std::size_t size = 0;
+
+    File(int descriptor, std::size_t bytes) : fd(descriptor), size(bytes) {}
+    File(File&& other) noexcept : fd(std::exchange(other.fd, -1)), size(other.size) {}
+    File& operator=(File&&) = delete;
+    ~File() {
+        if (fd >= 0) ::close(fd);
+    }
+
+    /// False where fewer bytes are there or the disk cannot read them.
+    bool read_at(std::size_t at, std::span<std::byte> into) const {
+        while (!into.empty()) {
+            const auto n = ::pread(fd, into.data(), into.size(), static_cast<off_t>(at));
+            if (n < 0 && errno == EINTR) continue;
+            if (n <= 0) return false;
+            at += static_cast<std::size_t>(n);
+            into = into.subspan(static_cast<std::size_t>(n));
+        }
+        return true;
+    }
+};
+
+Expected<File> open_file(const std::string& path) {
+    // O_NONBLOCK: opening a fifo without a writer must not hang.
+    File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK), 0);
+    struct stat info {};
+    if (file.fd < 0) return fail(text(path, ": cannot open: ", std::strerror(errno)));
+    if (::fstat(file.fd, &info) != 0) return fail(text(path, ": cannot read: ", std::strerror(errno)));
+    if (!S_ISREG(info.st_mode)) return fail(text(path, ": not an ordinary file"));
+    file.size = static_cast<std::size_t>(info.st_size);
+    if (file.size == 0) return fail(text(path, ": not a Thaum log (empty file)"));
+    return file;
+}
+
+struct OpenedLog {
+    File file;
+    LogHeader header;
+    std::uint64_t salt;
+    std::size_t header_size;
+};
+
+Expected<OpenedLog> open_log(const std::string& path) {
+    const auto bad = [&](std::string_view what) { return fail(text(path, ": ", what)); };
+    auto file = open_file(path);
+    if (!file) return tl::unexpected(file.error());
+    Bytes bytes(std::min(file->size, detail::preamble_size));
+    if (!file->read_at(0, bytes)) return bad("cannot read");
+    const auto preamble = detail::decode_preamble(bytes);
+    if (!preamble) return bad(preamble.error().message);
+    if (file->size > detail::file_limit) return bad("larger than a log can be (1 GiB)");
+    const auto header_size = detail::preamble_size + preamble->body_size;
+    if (header_size > file->size) return bad("the header is cut off or damaged");
+    bytes.resize(header_size);
+    if (!file->read_at(0, bytes)) return bad("cannot read");
+    auto header = detail::decode_header(bytes, *preamble);
+    if (!header) return bad(header.error().message);
+    return OpenedLog{std::move(*file), std::move(*header), preamble->salt, header_size};
+}
+
+}  // namespace
+
+struct LogReader::State {
+    State(std::string name, OpenedLog opened)
+        : path(std::move(name)),
+          log(std::move(opened)),
+          unpacker(log.header.devices.size(), log.salt),
+          payload(detail::packed_limit),
+          at(log.header_size) {}
+
+    std::string path;
+    OpenedLog log;
+    detail::Unpacker unpacker;
+    Bytes payload;
+    std::vector<HashRecord> hashes;
+    std::vector<Mark> marks;
+    std::string result;
+    std::string reason;
+    LogEnding ending = LogEnding::cut_off;
+    Tick ticks = 0;  // in whole blocks
+
+    // Where reading stands.
+    std::size_t at;
+    std::size_t at_frame = 0;
+    detail::Block block;
+
+    /// Always false: there is nothing more to read.
+    bool end(LogEnding how, std::string_view what) {
+        ending = how;
+        reason = how == LogEnding::damaged ? text(path, ": tick ", ticks, ": block damaged (", what, ")")
+                                           : text(path, ": cut off after tick ", ticks, " (", what, ")");
+        return false;
+    }
+    bool cut_off(std::string_view what) { return end(LogEnding::cut_off, what); }
+    bool damaged(std::string_view what) { return end(LogEnding::damaged, what); }
+
+    /// The header of the block at `at`, and its bytes into `payload`.
+    bool read_block(detail::BlockHeader& header) {
+        std::array<std::byte, detail::block_header_size> head{};
+        const auto left = log.file.size - at;
+        if (left == 0) return cut_off("no end block");
+        if (left < head.size()) return cut_off("part of a block");
+        if (!log.file.read_at(at, head)) return damaged("cannot read");
+        const auto found = detail::decode_block_header(head, log.salt);
+        if (!found) return damaged("block header");
+        header = *found;
+        if (header.first != ticks) return damaged("blocks missing");
+        if (left - head.size() < header.packed_size) return cut_off("part of a block");
+        if (!log.file.read_at(at + head.size(), std::span(payload).first(header.packed_size))) {
+            return damaged("cannot read");
+        }
+        at += head.size() + header.packed_size;
+        return true;
+    }
+
+    /// The next block of ticks into `block`; false at the end, and `ending` and `reason` tell why it is one.
+    bool decode_block() {
+        detail::BlockHeader header;
+        if (!read_block(header)) return false;
+        const auto bytes = std::span<const std::byte>(payload).first(header.packed_size);
+        if (header.kind == detail::BlockKind::end) return read_end(header, bytes);
+        return unpacker.ticks(header, bytes, block) || damaged("payload");
+    }
+
+    bool read_end(const detail::BlockHeader& header, std::span<const std::byte> bytes) {
+        auto end_text = unpacker.end(header, bytes);
+        if (!end_text) return damaged("payload");
+        if (at != log.file.size) return damaged("bytes after the end");
+        ending = LogEnding::clean;
+        result = std::move(*end_text);
+        return false;
+    }
+
+    /// Hashes and marks of `block` to the lists; false where they do not continue them.
+    bool collect() {
+        const auto new_hashes = std::span(block.hashes).first(block.hash_count);
+        const auto new_marks = std::span(block.marks).first(block.mark_count);
+        const bool rising =
+            new_hashes.empty() || hashes.empty() || new_hashes.front().tick > hashes.back().tick;
+        if (!rising || marks.size() + new_marks.size() > detail::mark_limit) {
+            return damaged("payload");
+        }
+        hashes.insert(hashes.end(), new_hashes.begin(), new_hashes.end());
+        marks.insert(marks.end(), new_marks.begin(), new_marks.end());
+        return true;
+    }
+
+    void scan() {
+        while (decode_block() && collect()) ticks += block.ticks;
+        rewind();
+    }
+
+    void rewind() {
+        at = log.header_size;
+        at_frame = 0;
+        block.first = block.ticks = 0;
+    }
+
+    bool next(InputFrame& frame) {
+        if (at_frame == block.ticks && !next_block()) return false;
+        frame = block.frames[at_frame++];
+        return true;
+    }
+
+    /// `open` has seen this block whole: any fault now is the file having changed since.
+    bool next_block() {
+        const auto all = ticks;
+        const auto first = block.first + block.ticks;
+        if (first >= all) return false;
+        ticks = first;  // so far, for read_block and its messages
+        const bool decoded = decode_block() && first + block.ticks <= all;
+        if (!decoded) {
+            damaged("changed while it was read");
+            at_frame = block.ticks = 0;
+            block.first = first;
+            return false;
+        }
+        ticks = all;
+        at_frame = 0;
+        return true;
+    }
+};
+
+LogReader::LogReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
+LogReader::LogReader(LogReader&&) noexcept = default;
+LogReader& LogReader::operator=(LogReader&&) noexcept = default;
+LogReader::~LogReader() = default;
+
+Expected<LogReader> LogReader::open(const std::filesystem::path& path) {
+    auto log = open_log(path.string());
+    if (!log) return tl::unexpected(log.error());
+    LogReader reader(std::make_unique<State>(path.string(), std::move(*log)));
+    reader.state_->scan();
+    return reader;
+}
+
+const LogHeader& LogReader::header() const { return state_->log.header; }
+Tick LogReader::ticks() const { return state_->ticks; }
+LogEnding LogReader::ending() const { return state_->ending; }
+const std::string& LogReader::ending_reason() const { return state_->reason; }
+const std::string& LogReader::result() const { return state_->result; }
+const std::vector<HashRecord>& LogReader::hashes() const { return state_->hashes; }
+const std::vector<Mark>& LogReader::marks() const { return state_->marks; }
+
+std::optional<HashRecord> LogReader::hash_at(Tick tick) const {
+    const auto& all = state_->hashes;
+    const auto found = std::lower_bound(all.begin(), all.end(), tick,
+                                        [](const HashRecord& h, Tick t) { return h.tick < t; });
+    if (found == all.end() || found->tick != tick) return {};
+    return *found;
+}
+
+bool LogReader::next(InputFrame& frame) { return state_->next(frame); }
+void LogReader::rewind() { state_->rewind(); }
+
+Expected<LogHeader> read_log_header(const std::filesystem::path& path) {
+    auto log = open_log(path.string());
+    if (!log) return tl::unexpected(log.error());
+    return std::move(log->header);
+}
+
+}  // namespace thaum::input

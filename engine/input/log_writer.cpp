@@ -1,0 +1,324 @@
+#include "input/log.h"
+
+// Two threads: the simulation fills a block, the log's own thread packs and writes it. Blocks travel between them on
+// two lock-free stacks (full ones there, spare ones back), so neither can hold the other up, and a thread that the
+// system stops in the middle stops nobody. A job of core/jobs.h would allocate at every block; this never does.
+//
+// The file is at every moment a whole log: a block is one write, and one that fails is cut away again.
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <thread>
+
+#include "core/assert.h"
+#include "core/text.h"
+#include "input/detail/block.h"
+
+namespace thaum::input {
+namespace {
+
+constexpr std::size_t usual_blocks = 8;   // 4 s of a stalled disk
+constexpr std::size_t most_blocks = 256;  // 2 minutes, 21 MiB; then recording ends
+
+/// What the log's thread does after a block.
+enum class Then : std::uint8_t { go_on, stop, end_block };
+
+struct QueuedBlock : detail::Block {
+    Then then = Then::go_on;
+    QueuedBlock* next = nullptr;
+};
+
+/// Any number may push; one thread takes all there is, so no block can come back between two looks (no ABA).
+class BlockStack {
+public:
+    void push(QueuedBlock* block) {
+        block->next = head_.load(std::memory_order_relaxed);
+        while (!head_.compare_exchange_weak(block->next, block, std::memory_order_release,
+                                            std::memory_order_relaxed)) {}
+    }
+
+    /// Linked by `next`, the newest first.
+    QueuedBlock* take_all() { return head_.exchange(nullptr, std::memory_order_acquire); }
+
+private:
+    std::atomic<QueuedBlock*> head_{nullptr};
+};
+
+QueuedBlock* reversed(QueuedBlock* list) {
+    QueuedBlock* result = nullptr;
+    while (list != nullptr) {
+        auto* next = list->next;
+        list->next = result;
+        result = list;
+        list = next;
+    }
+    return result;
+}
+
+/// False with errno set; part of the bytes may have been written.
+bool write_all(int fd, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const auto n = ::write(fd, bytes.data(), bytes.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return false;
+        bytes = bytes.subspan(static_cast<std::size_t>(n));
+    }
+    return true;
+}
+
+/// Signals go to the program's other threads; so a file size limit (SIGXFSZ) is an error of `write` here.
+void block_signals() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, nullptr);
+}
+
+}  // namespace
+
+struct LogWriter::State {
+    State(std::string file_name, int descriptor, std::size_t header_size, std::uint64_t salt,
+          std::size_t devices, WhenBehind behind)
+        : path(std::move(file_name)),
+          fd(descriptor),
+          device_count(devices),
+          when_behind(behind),
+          packer(devices, salt),
+          good_size(header_size) {
+        blocks.reserve(most_blocks);
+        for (std::size_t i = 0; i < usual_blocks; ++i) spare = make_block(spare);
+        current = take_spare();
+        thread = std::thread([this] { work(); });
+    }
+
+    ~State() {
+        finish(Then::stop);
+        ::close(fd);
+    }
+
+    const std::string path;
+    const int fd;
+    const std::size_t device_count;
+    const WhenBehind when_behind;
+
+    // The appending thread's.
+    std::vector<std::unique_ptr<QueuedBlock>> blocks;
+    QueuedBlock* current = nullptr;
+    QueuedBlock* spare = nullptr;
+    Tick next_hash = 0;  // the least that may come next
+    std::size_t mark_count = 0;
+    bool finished = false;
+
+    // Between the threads.
+    BlockStack full, used;
+    std::atomic<std::uint32_t> handed_over{0};
+    std::atomic<Tick> appended{0};
+    std::atomic<Tick> on_disk{0};
+    std::atomic<std::size_t> extra_blocks{0};
+    std::atomic<bool> stopped{false};  // recording ended early; `fault` is set before and never again
+    std::atomic_flag fault_taken;
+    std::string fault;
+    std::string result;  // set before the last block is handed over
+
+    // The log's thread's.
+    detail::Packer packer;
+    std::size_t good_size;  // bytes of whole blocks
+    bool write_failed = false;
+    std::thread thread;
+
+    // Appending ----------------------------------------------------------------------------------
+
+    QueuedBlock* make_block(QueuedBlock* next) {
+        blocks.push_back(std::make_unique<QueuedBlock>());
+        blocks.back()->next = next;
+        return blocks.back().get();
+    }
+
+    QueuedBlock* take_spare() {
+        if (spare == nullptr) spare = used.take_all();
+        while (spare == nullptr && when_behind == WhenBehind::wait) {
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+            spare = used.take_all();
+        }
+        if (spare == nullptr && blocks.size() < most_blocks) {
+            spare = make_block(nullptr);
+            extra_blocks.fetch_add(1, std::memory_order_relaxed);
+        }
+        auto* block = spare;
+        if (block != nullptr) spare = block->next;
+        return block;
+    }
+
+    void begin_block() {
+        current->first = appended.load(std::memory_order_relaxed);
+        current->ticks = current->hash_count = current->mark_count = 0;
+        current->then = Then::go_on;
+    }
+
+    void hand_over(Then then) {
+        current->then = then;
+        full.push(current);
+        handed_over.fetch_add(1, std::memory_order_release);
+        handed_over.notify_one();
+    }
+
+    /// False where there is no room; the block then stays full and current, for `finish`.
+    bool next_block() {
+        auto* next = take_spare();
+        if (next == nullptr) {
+            stop(text("the disk is too slow; kept up to tick ", appended.load()));
+            return false;
+        }
+        hand_over(Then::go_on);
+        current = next;
+        begin_block();
+        return true;
+    }
+
+    bool recording() const { return !finished && !stopped.load(std::memory_order_relaxed); }
+
+    void append(const InputFrame& frame) {
+        if (!recording()) return;
+        for (auto i = device_count; i < max_devices; ++i) {
+            THAUM_ASSERT(frame.devices[i] == DeviceSample{}, "a sample of a device that the header lacks");
+        }
+        const auto tick = appended.load(std::memory_order_relaxed);
+        if (tick >= detail::tick_limit) return stop(text("a log holds ", tick, " ticks and no more"));
+        if (current->ticks == detail::block_ticks && !next_block()) return;
+        current->frames[current->ticks++] = frame;
+        appended.store(tick + 1, std::memory_order_relaxed);
+    }
+
+    void append_hash(const HashRecord& hash) {
+        if (!recording()) return;
+        THAUM_ASSERT(hash.tick % hash_interval == 0, "hash at a tick that is no multiple of hash_interval");
+        THAUM_ASSERT(hash.tick >= next_hash && hash.tick >= current->first, "hash for an earlier tick");
+        THAUM_ASSERT(hash.tick <= current->first + current->ticks, "hash for a tick not yet appended");
+        next_hash = hash.tick + 1;
+        current->hashes[current->hash_count++] = hash;
+    }
+
+    void mark(std::uint32_t number, MarkKind kind) {
+        const bool room = mark_count < detail::mark_limit && current->mark_count < detail::block_marks;
+        if (!recording() || !room) return;
+        ++mark_count;
+        current->marks[current->mark_count++] = {appended.load(std::memory_order_relaxed), kind, number};
+    }
+
+    /// Waits until all is written.
+    void finish(Then then) {
+        if (finished) return;
+        finished = true;
+        hand_over(then);
+        thread.join();
+    }
+
+    // Either thread: the first reason stays.
+    void stop(std::string_view why) {
+        if (fault_taken.test_and_set()) return;
+        fault = text(path, ": recording stopped: ", why);
+        stopped.store(true, std::memory_order_release);
+    }
+
+    // The log's thread ---------------------------------------------------------------------------
+
+    void work() {
+        block_signals();
+        for (;;) {
+            const auto seen = handed_over.load(std::memory_order_acquire);
+            auto* list = reversed(full.take_all());
+            if (list == nullptr) handed_over.wait(seen, std::memory_order_acquire);
+            while (list != nullptr) {
+                auto* block = list;
+                list = block->next;
+                const auto then = block->then;
+                write_block(*block);
+                used.push(block);
+                if (then != Then::go_on) return;
+            }
+        }
+    }
+
+    void write_block(const QueuedBlock& block) {
+        if (block.ticks > 0 && write_whole(packer.ticks(block))) {
+            on_disk.store(block.first + block.ticks, std::memory_order_relaxed);
+        }
+        // The other thread may have stopped early for want of a block; then the log was not closed cleanly.
+        const bool whole = !stopped.load(std::memory_order_acquire);
+        if (block.then == Then::end_block && whole) {
+            write_whole(packer.end(block.first + block.ticks, result));
+        }
+    }
+
+    /// After the first failure nothing more is written: a later block would leave a gap.
+    bool write_whole(std::span<const std::byte> bytes) {
+        if (write_failed) return false;
+        const bool fits = good_size + bytes.size() <= detail::file_limit;
+        if (fits && write_all(fd, bytes)) {
+            good_size += bytes.size();
+            return true;
+        }
+        write_failed = true;
+        const auto why = fits ? std::strerror(errno) : "a log holds 1 GiB and no more";
+        // Where even this fails, readers find a cut-off block, which they leave out as well.
+        const bool cut = ::ftruncate(fd, static_cast<off_t>(good_size)) == 0;
+        stop(text(why, "; kept up to tick ", on_disk.load(), cut ? "" : " and part of a block"));
+        return false;
+    }
+};
+
+LogWriter::LogWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
+LogWriter::LogWriter(LogWriter&&) noexcept = default;
+LogWriter& LogWriter::operator=(LogWriter&&) noexcept = default;
+LogWriter::~LogWriter() = default;
+
+Expected<LogWriter> LogWriter::create(const std::filesystem::path& path, const LogHeader& header,
+                                      WhenBehind when_behind) {
+    const auto bytes = detail::encode_header(header);
+    if (!bytes) return fail(text(path.string(), ": ", bytes.error().message));
+    const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (fd < 0 && errno == EEXIST) {
+        return fail(text(path.string(), ": exists, and a log is never written over: give another name"));
+    }
+    if (fd < 0) return fail(text(path.string(), ": cannot create: ", std::strerror(errno)));
+    if (!write_all(fd, *bytes)) {
+        const auto why = std::strerror(errno);
+        ::close(fd);
+        ::unlink(path.c_str());
+        return fail(text(path.string(), ": cannot write: ", why));
+    }
+    const auto salt = detail::decode_preamble(*bytes)->salt;
+    return LogWriter(
+        std::make_unique<State>(path.string(), fd, bytes->size(), salt, header.devices.size(), when_behind));
+}
+
+void LogWriter::append(const InputFrame& frame) { state_->append(frame); }
+
+void LogWriter::append_hash(Tick tick, std::uint64_t state, std::uint64_t force) {
+    state_->append_hash({tick, state, force});
+}
+
+void LogWriter::mark(std::uint32_t number, MarkKind kind) { state_->mark(number, kind); }
+
+Tick LogWriter::ticks() const { return state_->appended.load(std::memory_order_relaxed); }
+Tick LogWriter::ticks_on_disk() const { return state_->on_disk.load(std::memory_order_relaxed); }
+std::size_t LogWriter::extra_blocks() const { return state_->extra_blocks.load(std::memory_order_relaxed); }
+
+std::optional<Error> LogWriter::error() const {
+    if (!state_->stopped.load(std::memory_order_acquire)) return {};
+    return Error{state_->fault};
+}
+
+Expected<void> LogWriter::close(std::string_view result) {
+    if (!state_->finished) state_->result = result;
+    state_->finish(Then::end_block);
+    if (auto fault = error()) return tl::unexpected(std::move(*fault));
+    return {};
+}
+
+}  // namespace thaum::input

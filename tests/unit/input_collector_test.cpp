@@ -1,0 +1,218 @@
+#include "input/collector.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+namespace thaum::input {
+namespace {
+
+std::optional<int> code_of(std::string_view name) {
+    return name.size() == 1 ? std::optional<int>(name[0]) : static_cast<int>(name.size()) * 1000 + name[3];
+}
+
+HandsCollector mouse() { return HandsCollector(default_bindings(DeviceKind::keyboard_mouse, code_of)); }
+HandsCollector pad() { return HandsCollector(default_bindings(DeviceKind::pad, code_of)); }
+
+constexpr int left_button = 0;
+
+PadState pad_with(PadAxis axis, double value) {
+    PadState state;
+    state.axes[static_cast<std::size_t>(axis)] = value;
+    return state;
+}
+
+TEST(InputCollector, MotionIsTakenOnce) {
+    auto hands = mouse();
+    hands.mouse_move(3, -2);
+    hands.mouse_move(4, -2);
+    const auto sample = hands.take();
+    EXPECT_EQ(sample.counts[hand::look_right], 7);
+    EXPECT_EQ(sample.counts[hand::look_up], 4);
+    EXPECT_EQ(hands.take(), DeviceSample{});
+}
+
+TEST(InputCollector, FractionsAndHugeMotionAreKept) {
+    auto hands = mouse();
+    std::int64_t sum = 0;
+    for (int i = 0; i < 1000; ++i) {
+        hands.mouse_move(0.25, 0);
+        sum += hands.take().counts[hand::look_right];
+    }
+    EXPECT_EQ(sum, 250);
+    for (int i = 0; i < 5; ++i) hands.mouse_move(1e9, 0);
+    hands.mouse_move(NAN, INFINITY);
+    sum = 0;
+    for (int i = 0; i < 5; ++i) sum += hands.take().counts[hand::look_right];
+    EXPECT_EQ(sum, 5000000000);
+}
+
+TEST(InputCollector, ShortPressShowsForOneTick) {
+    auto hands = mouse();
+    hands.mouse_button(left_button, true);
+    hands.mouse_button(left_button, false);
+    EXPECT_TRUE(hands.take().down(Button::fire));
+    EXPECT_FALSE(hands.take().down(Button::fire));
+    hands.mouse_button(left_button, true);
+    EXPECT_TRUE(hands.take().down(Button::fire));
+    EXPECT_TRUE(hands.take().down(Button::fire));
+    EXPECT_EQ(hands.take().counts[hand::trigger], 255);
+    hands.mouse_button(left_button, false);
+    EXPECT_FALSE(hands.take().down(Button::fire));
+}
+
+TEST(InputCollector, TwoControlsOfOneAction) {
+    auto bindings = default_bindings(DeviceKind::keyboard_mouse, code_of);
+    bindings.controls[static_cast<std::size_t>(Action::fire)].push_back({Control::Source::key, 'x', 0});
+    HandsCollector hands(bindings);
+    hands.key('x', true);
+    hands.mouse_button(left_button, true);
+    hands.key('x', true);  // a repeated event changes nothing
+    hands.key('x', false);
+    EXPECT_TRUE(hands.take().down(Button::fire));
+    EXPECT_TRUE(hands.take().down(Button::fire));
+    hands.mouse_button(left_button, false);
+    EXPECT_FALSE(hands.take().down(Button::fire));
+}
+
+TEST(InputCollector, KeysMove) {
+    auto hands = mouse();
+    hands.key('w', true);
+    hands.key('a', true);
+    hands.key('q', true);  // not bound
+    auto sample = hands.take();
+    EXPECT_EQ(sample.counts[hand::forward], 127);
+    EXPECT_EQ(sample.counts[hand::strafe], -127);
+    hands.key('d', true);
+    EXPECT_EQ(hands.take().counts[hand::strafe], 0);
+    hands.key('a', false);
+    EXPECT_EQ(hands.take().counts[hand::strafe], 127);
+}
+
+TEST(InputCollector, WheelCountsAndPresses) {
+    auto hands = mouse();
+    hands.wheel(-0.5);
+    EXPECT_EQ(hands.take(), DeviceSample{});
+    hands.wheel(-0.5);
+    auto sample = hands.take();
+    EXPECT_EQ(sample.counts[hand::wheel], -1);
+    EXPECT_TRUE(sample.down(Button::next_wand));
+    EXPECT_FALSE(sample.down(Button::previous_wand));
+    EXPECT_EQ(hands.take(), DeviceSample{});
+    hands.wheel(3);
+    sample = hands.take();
+    EXPECT_EQ(sample.counts[hand::wheel], 3);
+    EXPECT_TRUE(sample.down(Button::previous_wand));
+}
+
+TEST(InputCollector, SticksHaveARoundDeadZone) {
+    auto hands = pad();
+    hands.pad(pad_with(PadAxis::left_x, 0.14));
+    EXPECT_EQ(hands.take().counts[hand::strafe], 0);
+    hands.pad(pad_with(PadAxis::left_x, -1));
+    EXPECT_EQ(hands.take().counts[hand::strafe], -127);
+    hands.pad(pad_with(PadAxis::right_y, 0.578));  // half of what is left of the radius
+    EXPECT_EQ(hands.take().counts[hand::turn_up], 64);
+
+    PadState corner;
+    corner.axes = {1, 1, NAN, 5, 0, 0};
+    hands.pad(corner);
+    const auto sample = hands.take();
+    EXPECT_EQ(sample.counts[hand::strafe], 90);
+    EXPECT_EQ(sample.counts[hand::forward], 90);
+    EXPECT_EQ(sample.counts[hand::turn_right], 0);
+    EXPECT_EQ(sample.counts[hand::turn_up], 127);
+}
+
+TEST(InputCollector, TriggerIsAnalogueAndDoesNotChatter) {
+    auto hands = pad();
+    hands.pad(pad_with(PadAxis::right_trigger, 0.25));
+    auto sample = hands.take();
+    EXPECT_EQ(sample.counts[hand::trigger], 64);
+    EXPECT_FALSE(sample.down(Button::fire));
+    for (const double pull : {0.31, 0.29, 0.31, 0.25, 0.21}) {
+        hands.pad(pad_with(PadAxis::right_trigger, pull));
+        EXPECT_TRUE(hands.take().down(Button::fire)) << pull;
+    }
+    hands.pad(pad_with(PadAxis::right_trigger, 0.19));
+    EXPECT_FALSE(hands.take().down(Button::fire));
+    hands.pad(pad_with(PadAxis::right_trigger, 1));
+    EXPECT_EQ(hands.take().counts[hand::trigger], 255);
+}
+
+TEST(InputCollector, PadButtonsAndUnplugging) {
+    auto hands = pad();
+    PadState state;
+    state.buttons = 1U << static_cast<unsigned>(PadButton::x);
+    state.axes[0] = 1;
+    hands.pad(state);
+    EXPECT_TRUE(hands.take().down(Button::stir));
+    hands.pad({});
+    EXPECT_EQ(hands.take(), DeviceSample{});
+}
+
+TEST(InputCollector, LosingFocusLetsGoOfEverything) {
+    auto hands = mouse();
+    hands.key('w', true);
+    hands.mouse_button(left_button, true);
+    hands.take();
+    hands.focus_lost();
+    EXPECT_EQ(hands.take(), DeviceSample{});
+    hands.key('w', false);  // comes late, or never
+    EXPECT_EQ(hands.take(), DeviceSample{});
+    hands.key('w', true);
+    EXPECT_EQ(hands.take().counts[hand::forward], 127);
+    hands.rebind(default_bindings(DeviceKind::keyboard_mouse, code_of));
+    EXPECT_EQ(hands.take(), DeviceSample{});
+}
+
+// One thread moves, turns the wheel and presses; the other takes samples as fast as it can.
+TEST(InputCollector, TwoThreadsLoseNothingAndCountNothingTwice) {
+    auto hands = mouse();
+    constexpr int events = 200000;
+    std::atomic<bool> done{false};
+    std::atomic<int> presses_seen{0};
+    int presses = 0;
+    std::thread events_thread([&] {
+        for (int i = 0; i < events; ++i) {
+            hands.mouse_move(i % 7, -(i % 3));
+            hands.wheel(i % 5 == 0 ? 1 : 0);
+            if (i % 64 != 0 || presses_seen.load() < presses) continue;
+            ++presses;  // shorter than a tick; the next only when this one was seen
+            hands.mouse_button(left_button, true);
+            hands.mouse_button(left_button, false);
+        }
+        done = true;
+    });
+    std::int64_t right = 0, up = 0, wheel = 0;
+    bool was_down = false;
+    const auto take = [&] {
+        const auto sample = hands.take();
+        right += sample.counts[hand::look_right];
+        up += sample.counts[hand::look_up];
+        wheel += sample.counts[hand::wheel];
+        const bool down = sample.down(Button::fire);
+        if (was_down && !down)
+            presses_seen.fetch_add(1);  // counted when it is over, so the next is a new edge
+        was_down = down;
+    };
+    while (!done) take();
+    events_thread.join();
+    take();
+    take();
+    std::int64_t right_sent = 0, up_sent = 0;
+    for (int i = 0; i < events; ++i) {
+        right_sent += i % 7;
+        up_sent += i % 3;
+    }
+    EXPECT_EQ(right, right_sent);
+    EXPECT_EQ(up, up_sent);
+    EXPECT_EQ(wheel, events / 5);
+    EXPECT_GT(presses, 0);
+    EXPECT_EQ(presses_seen.load(), presses);
+}
+
+}  // namespace
+}  // namespace thaum::input
