@@ -11,7 +11,9 @@ namespace thaum {
 }  // namespace thaum
 
 /// THAUM_ASSERT(condition, message): message is evaluated only on failure; core/text.h's text() builds it.
-#define THAUM_ASSERT(condition, message)                                                        \
-    do {                                                                                        \
-        if (!(condition)) [[unlikely]] { ::thaum::assertion_failed(__FILE__, __LINE__, message); } \
+#define THAUM_ASSERT(condition, message)                            \
+    do {                                                            \
+        if (!(condition)) [[unlikely]] {                            \
+            ::thaum::assertion_failed(__FILE__, __LINE__, message); \
+        }                                                           \
     } while (false)

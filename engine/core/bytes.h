@@ -22,12 +22,14 @@ public:
     explicit ByteWriter(Bytes& out) : out_(out) {}
 
     template <class T>
-        requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
-    void put(T value) {
+    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) void put(T value) {
         put_bytes(std::as_bytes(std::span(&value, 1)));
     }
 
-    void put_bytes(std::span<const std::byte> bytes) { out_.insert(out_.end(), bytes.begin(), bytes.end()); }
+    /// Not inlined: where GCC 12 sees the whole story of a vector, it warns of an overflow that cannot be.
+    [[gnu::noinline]] void put_bytes(std::span<const std::byte> bytes) {
+        out_.insert(out_.end(), bytes.begin(), bytes.end());
+    }
 
     /// Length as 32 bits, then the characters.
     void put_string(std::string_view s) {
@@ -59,12 +61,17 @@ public:
     std::size_t position() const { return at_; }
 
     template <class T>
-        requires(std::is_arithmetic_v<T> || std::is_enum_v<T>)
-    T get() {
-        T value{};
-        const auto from = get_bytes(sizeof(T));
-        if (ok_) std::memcpy(&value, from.data(), sizeof(T));
-        return value;
+    requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) T get() {
+        if constexpr (std::is_same_v<T, bool>) {
+            const auto byte = get<std::uint8_t>();
+            ok_ = ok_ && byte <= 1;  // a bool of any other byte would be undefined
+            return ok_ && byte == 1;
+        } else {
+            T value{};
+            const auto from = get_bytes(sizeof(T));
+            if (ok_) std::memcpy(&value, from.data(), sizeof(T));
+            return value;
+        }
     }
 
     /// A view into the input, or empty and `ok()` false.
@@ -87,6 +94,7 @@ public:
         std::uint64_t value = 0;
         for (unsigned shift = 0; shift < 64; shift += 7) {
             const auto byte = get<std::uint8_t>();
+            if (shift == 63 && byte > 1) break;  // more than 64 bits
             value |= static_cast<std::uint64_t>(byte & 0x7fU) << shift;
             if ((byte & 0x80U) == 0) return value;
         }

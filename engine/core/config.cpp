@@ -3,9 +3,21 @@
 #include <cmath>
 #include <set>
 
+// Some broken files (such as "x = 1:.2") fail an assertion inside toml++ 3.3. For us they are faults like any other, so
+// its assertions throw, in every build, and Config::parse catches.
+namespace {
+struct ParserLost {};
+}  // namespace
+#undef NDEBUG
+#define TOML_ASSERT(condition)                \
+    do {                                      \
+        if (!(condition)) throw ParserLost(); \
+    } while (false)
 #define TOML_EXCEPTIONS 0
+#define TOML_MAX_NESTED_VALUES 16
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wterminate"
 #include <toml++/toml.h>
 #pragma GCC diagnostic pop
 
@@ -49,7 +61,70 @@ void find_unknown(Config::State& state, const toml::table& table, const std::str
     }
 }
 
+/// toml++ destroys nested tables by recursion, and a key such as a.a.a... nests one per dot; so a line may have only
+/// so many, decimal points aside.
+constexpr std::size_t most_dots = 200;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The digits before the dot belong to a number, not to a key such as 1.1.1.
+bool is_decimal_point(std::string_view line, std::size_t dot) {
+    if (dot == 0 || dot + 1 >= line.size() || !is_digit(line[dot - 1]) || !is_digit(line[dot + 1]))
+        return false;
+    std::size_t first = dot - 1;
+    while (first > 0 && is_digit(line[first - 1])) --first;
+    return first == 0 || line[first - 1] != '.';
+}
+
+bool has_too_many_dots(std::string_view line) {
+    std::size_t dots = 0;
+    for (auto at = line.find('.'); at != std::string_view::npos; at = line.find('.', at + 1)) {
+        if (!is_decimal_point(line, at)) ++dots;
+    }
+    return dots > most_dots;
+}
+
+/// The number of the first line with too many dots, from 1; 0 where there is none.
+std::size_t overdotted_line(std::string_view source) {
+    std::size_t number = 1;
+    while (!source.empty()) {
+        const auto end = std::min(source.find('\n'), source.size());
+        if (has_too_many_dots(source.substr(0, end))) return number;
+        source.remove_prefix(std::min(end + 1, source.size()));
+        ++number;
+    }
+    return 0;
+}
+
+/// The parser quotes what it found, which may be a line break.
+std::string in_one_line(std::string_view message) {
+    std::string result(message);
+    for (auto& c : result) {
+        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+    }
+    return result;
+}
+
+Expected<toml::table> parse_toml(std::string_view source, const std::string& name) {
+    if (const auto line = overdotted_line(source); line != 0) {
+        return fail(text(name, ":", line, ": more than ", most_dots, " dots in one line"));
+    }
+    try {
+        auto result = toml::parse(source, name);
+        if (result) return std::move(result).table();
+        const auto& error = result.error();
+        return fail(text(name, ":", error.source().begin.line, ": ", in_one_line(error.description())));
+    } catch (const ParserLost&) {
+        return fail(text(name, ": cannot be read as TOML; look for a wrong date or time"));
+    }
+}
+
 std::string range_text(Range range) { return text("from ", range.low, " to ", range.high); }
+
+/// The low end as a whole number; an open range has one that no integer can hold.
+std::int64_t low_end(Range range) {
+    return range.low > -9e18 && range.low < 9e18 ? static_cast<std::int64_t>(range.low) : 0;
+}
 
 bool in_range(double value, Range range) { return value >= range.low && value <= range.high; }
 
@@ -124,13 +199,10 @@ std::optional<std::size_t> choice_in(Config::State& state, const toml::node& nod
 }  // namespace
 
 Expected<Config> Config::parse(std::string_view source, std::string name, std::int64_t version) {
-    auto result = toml::parse(source, name);
-    if (!result) {
-        const auto& error = result.error();
-        return fail(text(name, ":", error.source().begin.line, ": ", error.description()));
-    }
+    auto table = parse_toml(source, name);
+    if (!table) return tl::unexpected(table.error());
     auto state = std::make_shared<State>();
-    state->root = std::move(result).table();
+    state->root = std::move(*table);
     state->name = std::move(name);
     Config config(state);
     const auto found = config.root().integer("version", {0, 1e9});
@@ -141,9 +213,23 @@ Expected<Config> Config::parse(std::string_view source, std::string name, std::i
     return config;
 }
 
+Expected<void> Config::replace(std::string_view path, std::string_view value) {
+    const auto dot = path.rfind('.');
+    auto* table =
+        dot == std::string_view::npos ? &state_->root : state_->root.at_path(path.substr(0, dot)).as_table();
+    const auto key = path.substr(dot == std::string_view::npos ? 0 : dot + 1);
+    if (table == nullptr || !table->contains(key))
+        return fail(text(state_->name, ": has no key '", path, "'"));
+    const auto parsed = toml::parse(text("value = ", value));
+    if (!parsed || parsed.table().size() != 1)
+        return fail(text(state_->name, ": '", value, "' is no value for '", path, "'"));
+    parsed.table().get("value")->visit([&](const auto& node) { table->insert_or_assign(key, node); });
+    return {};
+}
+
 ConfigTable Config::root() const { return {state_, &state_->root}; }
 
-void Config::report(std::string message) const { state_->report(nullptr, message); }
+void Config::report(std::string_view message) const { state_->report(nullptr, message); }
 
 Expected<void> Config::check() const {
     if (!state_->fault) find_unknown(*state_, state_->root, "");
@@ -167,7 +253,7 @@ double ConfigTable::number(std::string_view key, Range range, double fallback) c
 
 std::int64_t ConfigTable::integer(std::string_view key, Range range) const {
     if (!has(key)) report_missing(*state_, table_, key);
-    return integer(key, range, static_cast<std::int64_t>(range.low));
+    return integer(key, range, low_end(range));
 }
 
 std::int64_t ConfigTable::integer(std::string_view key, Range range, std::int64_t fallback) const {

@@ -28,8 +28,10 @@ public:
     static Expected<Config> parse(std::string_view toml, std::string name, std::int64_t version);
 
     ConfigTable root() const;
+    /// Replaces the value of a key that the file has: path "shot.damage", value as TOML writes it.
+    Expected<void> replace(std::string_view path, std::string_view value);
     /// A fault that the caller found itself, such as two entries that contradict each other.
-    void report(std::string message) const;
+    void report(std::string_view message) const;
     /// The first fault of all reads so far; then any key that nobody asked for.
     Expected<void> check() const;
 
@@ -57,7 +59,8 @@ public:
     vec3 vector(std::string_view key, Range range, vec3 fallback) const;
     /// One of the names; the index of it.
     std::size_t choice(std::string_view key, const std::vector<std::string_view>& names) const;
-    std::size_t choice(std::string_view key, const std::vector<std::string_view>& names, std::size_t fallback) const;
+    std::size_t choice(std::string_view key, const std::vector<std::string_view>& names,
+                       std::size_t fallback) const;
 
     /// A sub-table; an empty one where the key is missing.
     ConfigTable table(std::string_view key) const;

@@ -9,17 +9,16 @@ namespace thaum {
 
 std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t seed = 0);
 
-/// Order-dependent combination of two hashes.
+/// Order-dependent combination of two hashes, or of small numbers.
 constexpr std::uint64_t hash_combine(std::uint64_t a, std::uint64_t b) {
-    std::uint64_t z = a ^ (b + 0x9e3779b97f4a7c15ULL + (a << 6U) + (a >> 2U));
-    z = (z ^ (z >> 32U)) * 0xd6e8feb86659fd93ULL;
+    std::uint64_t z = (a + 0x9e3779b97f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;  // spread a before b meets it
+    z = ((z ^ (z >> 32U)) + b) * 0xd6e8feb86659fd93ULL;
     return z ^ (z >> 32U);
 }
 
 /// Hash of a value without padding.
 template <class T>
-    requires std::is_trivially_copyable_v<T>
-std::uint64_t hash_value(const T& value, std::uint64_t seed = 0) {
+requires std::is_trivially_copyable_v<T> std::uint64_t hash_value(const T& value, std::uint64_t seed = 0) {
     return hash_bytes(std::as_bytes(std::span(&value, 1)), seed);
 }
 

@@ -41,13 +41,19 @@ struct Reduced {
 
 Reduced reduce(double x) {
     const double k = std::floor(x / (half_pi_high + half_pi_middle) + 0.5);
-    const double r = ((x - k * half_pi_high) - k * half_pi_middle) - k * half_pi_low;
-    return {r, static_cast<int>(static_cast<std::int64_t>(k) & 3)};
+    const double high = x - k * half_pi_high;
+    const double middle = k * half_pi_middle;
+    const double r = high - middle;
+    const double lost = (high - r) - middle;  // what the line above rounded away
+    return {r + (lost - k * half_pi_low), static_cast<int>(static_cast<std::int64_t>(k) & 3)};
 }
 
 bool reducible(double x) { return std::abs(x) <= 1e9; }  // false for NaN too
 
-// |x| <= tan(pi/16)
+constexpr double tan_16th = 0.198912367379658;     // tan(pi/16)
+constexpr double tan_3_16ths = 0.668178637919299;  // tan(3 pi/16)
+
+// |x| <= 1.001 tan(pi/16)
 double atan_near_zero(double x) {
     const double q = x * x;
     double sum = 0;
@@ -55,17 +61,20 @@ double atan_near_zero(double x) {
     return x + x * sum;
 }
 
-// x in [0, 1]: halve the angle until the series is short, atan x = 2 atan(x / (1 + sqrt(1 + x^2))).
+// x in [0, 1]. atan x = atan t + atan((x - t) / (1 + x t)); t near tan(pi/8) has few bits, so that it is exact.
 double atan_unit(double x) {
-    const double half = x / (1.0 + std::sqrt(1.0 + x * x));
-    const double quarter = half / (1.0 + std::sqrt(1.0 + half * half));
-    return 4.0 * atan_near_zero(quarter);
+    if (x <= tan_16th) return atan_near_zero(x);
+    if (x > tan_3_16ths) return pi / 4 + atan_near_zero((x - 1) / (x + 1));
+    constexpr double t = 0.4140625;
+    constexpr double atan_t = 0.3925701350118286;
+    return atan_t + atan_near_zero((x - t) / (1.0 + x * t));
 }
 
 }  // namespace
 
 double sin(double x) {
     if (!reducible(x)) return nan;
+    if (x == 0) return x;  // the series would lose the sign of -0
     const auto [r, quadrant] = reduce(x);
     const double value = (quadrant & 1) != 0 ? cos_near_zero(r) : sin_near_zero(r);
     return (quadrant & 2) != 0 ? -value : value;

@@ -26,28 +26,27 @@ inline constexpr double radians_per_degree = pi / 180.0;
 
 namespace det {
 
-/// Within 2 ulp for |x| <= 1e5 rad; NaN beyond 1e9 and for what is not finite.
+/// Within 2 ulp (tan: 4) for |x| <= 1e5 rad; from there to 1e9 rad the error of sin and cos stays below 5e-7.
+/// NaN beyond 1e9 and for what is not finite.
 double sin(double x);
 double cos(double x);
 double tan(double x);
-/// Within 4 ulp.
+/// Within 3 ulp; zeros and infinities as in C.
 double atan2(double y, double x);
-/// NaN outside [-1, 1].
+/// Within 4 ulp; NaN outside [-1, 1].
 double asin(double x);
 double acos(double x);
-/// Within 2 ulp; 0 below -745, infinity above 709.78.
+/// Within 2 ulp; 0 below -745.2, infinity above 709.78.
 double exp(double x);
-/// Within 4 ulp of the larger of |log x| and 1; NaN for x < 0, -infinity at 0.
+/// Within 2 ulp of the larger of |log x| and 1; NaN for x < 0, -infinity at 0.
 double log(double x);
-/// exp(y log x), x > 0: relative error about |y log x| ulp.
+/// exp(y log x), x > 0, both finite: within 2 + 2 |y| max(|log x|, 1) ulp; NaN for x < 0.
 double pow(double x, double y);
 
 }  // namespace det
 
 /// Rotation by `angle` rad about a unit axis.
-inline quat rotation(vec3 axis, double angle) {
-    return {det::cos(angle / 2), axis * det::sin(angle / 2)};
-}
+inline quat rotation(vec3 axis, double angle) { return {det::cos(angle / 2), axis * det::sin(angle / 2)}; }
 
 /// Rotation of a player who turned left by `yaw` and looks up by `pitch` (rad); zero looks along -z.
 inline quat look_rotation(double yaw, double pitch) {

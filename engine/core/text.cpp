@@ -1,9 +1,12 @@
 #include "core/text.h"
 
+#include "core/assert.h"
+
 namespace thaum {
 
 std::string fixed(double value, int digits) {
-    char buffer[400];
+    THAUM_ASSERT(digits >= 0 && digits <= 60, "fixed: digits from 0 to 60");
+    char buffer[400];  // the largest double has 309 digits before the point
     const auto end =
         std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, digits).ptr;
     return {buffer, end};

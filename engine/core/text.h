@@ -14,8 +14,8 @@ inline void append_text(std::string& out, std::same_as<bool> auto b) { out.appen
 
 /// Integers in decimal, floating point in the shortest form that reads back to the same value.
 template <class T>
-    requires((std::integral<T> && !std::same_as<T, bool> && !std::same_as<T, char>) || std::floating_point<T>)
-void append_text(std::string& out, T value) {
+requires((std::integral<T> && !std::same_as<T, bool> && !std::same_as<T, char>) ||
+         std::floating_point<T>) void append_text(std::string& out, T value) {
     char buffer[64];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
     out.append(buffer, end);
@@ -29,7 +29,7 @@ std::string text(const Parts&... parts) {
     return out;
 }
 
-/// value with `digits` places after the point: fixed(1.25, 1) -> "1.2".
+/// value with `digits` (0 to 60) places after the point: fixed(1.25, 1) -> "1.2".
 std::string fixed(double value, int digits);
 
 /// 16 hexadecimal digits, lower case.

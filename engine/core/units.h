@@ -14,6 +14,10 @@ inline constexpr Tick keyframe_interval = 2048;  ///< ticks between canonical re
 constexpr double seconds(Tick ticks) { return static_cast<double>(ticks) * tick_seconds; }
 
 /// Ticks in a duration, rounded to the nearest; s must not be negative.
-constexpr Tick ticks(double s) { return static_cast<Tick>(s * static_cast<double>(ticks_per_second) + 0.5); }
+constexpr Tick ticks(double s) {
+    const double exact = s * static_cast<double>(ticks_per_second);
+    const auto whole = static_cast<Tick>(exact);  // std::lround is not constexpr
+    return whole + (exact - static_cast<double>(whole) >= 0.5 ? 1 : 0);
+}
 
 }  // namespace thaum

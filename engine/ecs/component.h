@@ -23,6 +23,7 @@
 
 #include "core/maths.h"
 #include "core/random.h"
+#include "core/text.h"
 #include "ecs/entity.h"
 
 namespace thaum::ecs {
@@ -103,8 +104,8 @@ constexpr std::size_t for_each_element(const std::string& prefix, std::size_t of
                                        std::string_view letters, Visit&& visit) {
     std::size_t sum = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        std::string name =
-            prefix + (letters.empty() ? "[" + std::to_string(i) + "]" : std::string(".") + letters[i]);
+        std::string name = prefix;
+        name += letters.empty() ? text("[", i, "]") : text(".", letters[i]);
         sum += for_each_scalar<T>(name, offset + i * sizeof(T), visit);
     }
     return sum;
@@ -139,7 +140,7 @@ constexpr std::size_t for_each_scalar(const std::string& prefix, std::size_t off
         std::apply(
             [&](const auto&... f) {
                 ((sum += for_each_scalar<std::remove_cvref_t<decltype(std::declval<T>().*f.member)>>(
-                      prefix.empty() ? std::string(f.name) : prefix + "." + std::string(f.name),
+                      prefix.empty() ? std::string(f.name) : text(prefix, ".", f.name),
                       offset + offset_of(f.member), visit)),
                  ...);
             },

@@ -99,10 +99,9 @@ struct SnapshotAccess {
         world.tables_.clear();
         world.tables_.emplace_back();
         world.free_ = none;
-        world.alive_ = 0;
         world.counts_.assign(world.infos_.size(), 0);
         world.queries_.clear();
-        world.table_of_type_.clear();
+        world.packs_.clear();
     }
 
     static bool same_components(ByteReader& in, const World& world) {
@@ -201,7 +200,6 @@ struct SnapshotAccess {
                 return false;
             }
         }
-        world.alive_ = living;
         return living == rows && living + free == world.records_.size();
     }
 };

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -38,6 +39,8 @@ struct Column {
     std::uint32_t component{};
     std::uint32_t size{};  ///< bytes per row
     RawArray array;
+
+    std::byte* cell(std::uint32_t row) const { return array.data() + std::size_t{row} * size; }
 };
 
 /// One bit a row; bits at and beyond `rows` are zero.
@@ -70,10 +73,7 @@ struct Table {
     }
 
     Entity* entities() const { return reinterpret_cast<Entity*>(entity_array.data()); }
-    std::byte* cell(std::uint32_t column, std::uint32_t row) const {
-        const auto& c = columns[column];
-        return c.array.data() + std::size_t{row} * c.size;
-    }
+    std::byte* cell(std::uint32_t column, std::uint32_t row) const { return columns[column].cell(row); }
     void reserve(std::uint32_t rows_wanted);
     /// A new last row with uninitialised cells and no tags.
     std::uint32_t append(Entity entity) {
@@ -86,10 +86,53 @@ struct Table {
     /// The last row takes the place of `row`; returns the entity that moved (the removed one if it was the last).
     Entity remove(std::uint32_t row);
     /// The column of bits of a tag, made when it is first needed.
-    TagColumn& tag_column(std::uint32_t component);
+    TagColumn& tag_column(std::uint32_t component) {
+        const auto at = column_of[component];
+        if (at == none) [[unlikely]] {
+            return new_tag_column(component);
+        }
+        return tags[at];
+    }
+
+    TagColumn& new_tag_column(std::uint32_t component);
+    /// The tags of `row` as those of a fresh row of another table.
+    void copy_tags(std::uint32_t row, Table& to, std::uint32_t to_row) const;
+    /// The last row's tags take the place of those of `row`.
+    void close_tags(std::uint32_t row);
 };
 
-/// Copies the cells and tags that both tables have. dst_row must be fresh.
-void copy_row(const Table& from, std::uint32_t row, Table& to, std::uint32_t dst_row);
+/// memcpy whose common sizes are single moves instead of a call.
+inline void copy_cell(std::byte* to, const std::byte* from, std::uint32_t size) {
+    switch (size) {
+        case 4: std::memcpy(to, from, 4); return;
+        case 8: std::memcpy(to, from, 8); return;
+        case 12: std::memcpy(to, from, 12); return;
+        case 16: std::memcpy(to, from, 16); return;
+        case 24: std::memcpy(to, from, 24); return;
+        case 32: std::memcpy(to, from, 32); return;
+        default: std::memcpy(to, from, size);
+    }
+}
+
+inline Entity Table::remove(std::uint32_t row) {
+    const std::uint32_t last = rows - 1;
+    if (row != last) {
+        for (const auto& column : columns) copy_cell(column.cell(row), column.cell(last), column.size);
+    }
+    if (!tags.empty()) close_tags(row);
+    const Entity moved = entities()[last];
+    entities()[row] = moved;
+    rows = last;
+    return moved;
+}
+
+/// Copies the cells and tags that both tables have. to_row must be fresh.
+inline void copy_row(const Table& from, std::uint32_t row, Table& to, std::uint32_t to_row) {
+    for (const auto& column : from.columns) {
+        const auto target = to.column_of[column.component];
+        if (target != none) copy_cell(to.cell(target, to_row), column.cell(row), column.size);
+    }
+    if (!from.tags.empty()) from.copy_tags(row, to, to_row);
+}
 
 }  // namespace thaum::ecs

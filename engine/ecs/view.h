@@ -115,7 +115,8 @@ private:
         if constexpr (!detail::passed<T>) {
             return nullptr;
         } else {
-            const auto column = table.column_of[world_.id<typename detail::Term<T>::component>()];
+            const auto column =
+                table.column_of[world_.template known_id<typename detail::Term<T>::component>()];
             return column == none ? nullptr : reinterpret_cast<Value*>(table.columns[column].array.data());
         }
     }
@@ -127,7 +128,7 @@ private:
         const auto apply = [&]<class T>(std::type_identity<T>) {
             using Term = detail::Term<T>;
             if constexpr (Term::tag) {
-                const auto column = table.column_of[world_.id<typename Term::component>()];
+                const auto column = table.column_of[world_.template known_id<typename Term::component>()];
                 const auto bits = column == none ? 0 : table.tags[column].words[row / 64];
                 word &= Term::excluded ? ~bits : bits;
             }
@@ -182,17 +183,18 @@ template <class... Terms>
 View<Terms...> World::view() const {
     const auto type = detail::type_number<View<Terms...>>;
     if (type >= queries_.size()) queries_.resize(type + 1);
-    auto& query = queries_[type];
-    if (!query.prepared) [[unlikely]] {
+    if (!queries_[type]) [[unlikely]] {
+        auto made = std::make_unique<Query>();
         const auto note = [&]<class T>(std::type_identity<T>) {
             using Term = detail::Term<T>;
             const auto c = id<typename Term::component>();
-            if (!Term::tag && Term::required) query.required.set(c);
-            if (!Term::tag && Term::excluded) query.excluded.set(c);
+            if (!Term::tag && Term::required) made->required.set(c);
+            if (!Term::tag && Term::excluded) made->excluded.set(c);
         };
         (note(std::type_identity<Terms>{}), ...);
-        query.prepared = true;
+        queries_[type] = std::move(made);
     }
+    auto& query = *queries_[type];
     if (access_ != nullptr) [[unlikely]] {
         (check_access(id<typename detail::Term<Terms>::component>(), detail::Term<Terms>::writes), ...);
     }

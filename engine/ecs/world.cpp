@@ -22,6 +22,10 @@ std::string World::component_message(std::string_view what, std::uint32_t compon
     return text("entity ", entity.index, " (generation ", entity.generation, ") ", what, " ", name);
 }
 
+std::string World::undeclared_message(std::string_view name) const {
+    return text("component ", name, " was not declared in this World");
+}
+
 std::string World::stale_message(Entity entity, std::uint32_t component) const {
     return component_message("is stale, asked for component", component, entity);
 }
@@ -63,39 +67,35 @@ std::uint32_t World::neighbour(std::uint32_t table, std::uint32_t component, boo
     return found;
 }
 
-Entity World::new_entity(std::uint32_t table, std::uint32_t* row) {
-    std::uint32_t index = free_;
-    if (index == none) {
-        index = static_cast<std::uint32_t>(records_.size());
-        records_.emplace_back();
-    } else {
-        free_ = records_[index].row;
+std::uint32_t World::new_number() {
+    records_.emplace_back();
+    return static_cast<std::uint32_t>(records_.size() - 1);
+}
+
+void World::note_pack(std::uint32_t type, std::span<const std::uint32_t> components) {
+    Mask data;
+    for (const auto c : components) {
+        if (infos_[c].size != 0) data.set(c);
     }
-    auto& record = records_[index];
-    const Entity entity{index, record.generation};
-    record.table = table;
-    record.row = tables_[table].append(entity);
-    *row = record.row;
-    ++alive_;
-    return entity;
+    Pack pack;
+    pack.table = table_with(data);
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        const auto c = components[i];
+        const auto column = infos_[c].size != 0 ? tables_[pack.table].column_of[c] : 0;
+        pack.mask.set(c);
+        pack.places[i] = {static_cast<std::uint8_t>(c), static_cast<std::uint8_t>(column)};
+    }
+    if (type >= packs_.size()) packs_.resize(type + 1);
+    packs_[type] = pack;
 }
 
-void World::take_out(std::uint32_t table, std::uint32_t row) {
-    const Entity moved = tables_[table].remove(row);
-    records_[moved.index].row = row;
+std::size_t World::size() const {
+    std::size_t rows = 0;
+    for (const auto& table : tables_) rows += table.rows;
+    return rows;
 }
 
-void World::added(std::uint32_t component, Entity entity) {
-    const auto& hook = added_[component];
-    if (hook.call == nullptr) return;
-    ++locks_;
-    hook.call(hook.context, entity, find_bytes(entity, component));
-    --locks_;
-}
-
-void World::removing(std::uint32_t component, Entity entity) {
-    const auto& hook = removed_[component];
-    if (hook.call == nullptr) return;
+void World::call(const Hook& hook, std::uint32_t component, Entity entity) {
     ++locks_;
     hook.call(hook.context, entity, find_bytes(entity, component));
     --locks_;
@@ -113,13 +113,13 @@ void World::destroy(Entity entity) {
     for (const auto& tag : table.tags) {
         if (tag.test(r.row)) --counts_[tag.component];
     }
-    take_out(r.table, r.row);
+    const auto row = r.row;
+    records_[table.remove(row).index].row = row;
     auto& freed = records_[entity.index];
     ++freed.generation;
     freed.table = none;
     freed.row = free_;
     free_ = entity.index;
-    --alive_;
 }
 
 void World::clear() {
@@ -128,32 +128,46 @@ void World::clear() {
     }
 }
 
-void World::move(Entity entity, std::uint32_t to) {
+// Called from two places only, and hot in both.
+[[gnu::always_inline]] inline void World::move(Entity entity, std::uint32_t to) {
     auto& r = records_[entity.index];
-    const auto from = r.table;
     const auto row = r.row;
-    const auto new_row = tables_[to].append(entity);
-    copy_row(tables_[from], row, tables_[to], new_row);
-    take_out(from, row);
-    r.table = to;
+    auto& from = tables_[r.table];
+    auto& target = tables_[to];
+    const auto new_row = target.append(entity);
+    copy_row(from, row, target, new_row);
+    records_[from.remove(row).index].row = row;
+    r.table = to;  // after the line above: the entity may itself have been the last
     r.row = new_row;
+}
+
+std::byte* World::extend(Entity entity, std::uint32_t component) {
+    assert_unlocked(component);
+    const auto& r = record(entity, component);
+    THAUM_ASSERT(tables_[r.table].column_of[component] == none,
+                 component_message("already has", component, entity));
+    const auto known = tables_[r.table].plus[component];
+    move(entity, known != none ? known : neighbour(r.table, component, true));
+    const auto& table = tables_[r.table];
+    return table.cell(table.column_of[component], r.row);
+}
+
+void World::narrow(Entity entity, std::uint32_t component) {
+    assert_unlocked(component);
+    const auto& r = record(entity, component);
+    THAUM_ASSERT(tables_[r.table].column_of[component] != none,
+                 component_message("has no", component, entity));
+    removing(component, entity);
+    const auto known = tables_[r.table].minus[component];
+    move(entity, known != none ? known : neighbour(r.table, component, false));
 }
 
 void World::add_bytes(Entity entity, std::uint32_t component, const void* bytes) {
     THAUM_ASSERT(component < infos_.size(), "a component that was not declared in this World");
-    assert_unlocked(component);
-    const auto& r = record(entity, component);
     if (infos_[component].size == 0) {
-        auto& tag = tables_[r.table].tag_column(component);
-        THAUM_ASSERT(!tag.test(r.row), component_message("already has", component, entity));
-        tag.set(r.row);
-        ++tag.set_bits;
+        mark(entity, component);
     } else {
-        THAUM_ASSERT(tables_[r.table].column_of[component] == none,
-                     component_message("already has", component, entity));
-        move(entity, neighbour(r.table, component, true));
-        const auto& table = tables_[r.table];
-        std::memcpy(table.cell(table.column_of[component], r.row), bytes, infos_[component].size);
+        std::memcpy(extend(entity, component), bytes, infos_[component].size);
     }
     ++counts_[component];
     added(component, entity);
@@ -161,19 +175,10 @@ void World::add_bytes(Entity entity, std::uint32_t component, const void* bytes)
 
 void World::remove_by_id(Entity entity, std::uint32_t component) {
     THAUM_ASSERT(component < infos_.size(), "a component that was not declared in this World");
-    assert_unlocked(component);
-    const auto& r = record(entity, component);
-    auto& table = tables_[r.table];
-    const auto column = table.column_of[component];
-    const bool tag = infos_[component].size == 0;
-    THAUM_ASSERT(column != none && (!tag || table.tags[column].test(r.row)),
-                 component_message("has no", component, entity));
-    removing(component, entity);
-    if (tag) {
-        table.tags[column].clear(r.row);
-        --table.tags[column].set_bits;
+    if (infos_[component].size == 0) {
+        unmark(entity, component);
     } else {
-        move(entity, neighbour(r.table, component, false));
+        narrow(entity, component);
     }
     --counts_[component];
 }

@@ -54,11 +54,11 @@ public:
     void reserve_entities(std::uint32_t count) { records_.reserve(count); }
     template <Component... Cs>
     void reserve(std::uint32_t rows) {
-        tables_[table_of_pack<Cs...>()].reserve(rows);
+        tables_[pack_of<Cs...>().table].reserve(rows);
     }
 
     template <Component... Cs>
-    Entity create(const Cs&... components);
+    Entity create(Cs... components);
     void destroy(Entity entity);
     /// Every entity, in order of their numbers; hooks are called. The history goes on: numbers are not used anew.
     void clear();
@@ -66,7 +66,13 @@ public:
         return entity.index < records_.size() && records_[entity.index].generation == entity.generation &&
                records_[entity.index].table != none;
     }
-    std::size_t size() const { return alive_; }
+    /// How many entities there are; a sum over the tables.
+    std::size_t size() const;
+    /// The living entity with this number; nobody where there is none.
+    Entity entity(std::uint32_t index) const {
+        const bool lives = index < records_.size() && records_[index].table != none;
+        return lives ? Entity{index, records_[index].generation} : nobody;
+    }
 
     template <Component C>
     void add(Entity entity, const C& component = {});
@@ -103,7 +109,9 @@ public:
 
     template <Component C>
     void on_add(Hook hook) {
-        added_[id<C>()] = hook;
+        const auto c = id<C>();
+        added_[c] = hook;
+        hook.call != nullptr ? add_hooks_.set(c) : add_hooks_.clear(c);
     }
     template <Component C>
     void on_remove(Hook hook) {
@@ -140,8 +148,17 @@ private:
         std::uint32_t table = none;  // none: free, and row is the next free one
         std::uint32_t row = none;
     };
+    /// Where `create` puts the components of one of its instances. As large as a cache line.
+    struct Pack {
+        struct Place {
+            std::uint8_t component, column;  // a tag has no column
+        };
+        Mask mask;
+        std::uint32_t table = none;
+        std::array<Place, 22> places{};
+    };
+    static_assert(max_components <= 256 && sizeof(Pack) == 64);
     struct Query {
-        bool prepared = false;
         Mask required, excluded;
         std::uint32_t tables_seen = 0;
         std::vector<std::uint32_t> tables;
@@ -169,13 +186,36 @@ private:
     std::string locked_message(std::uint32_t component) const;
     std::string component_message(std::string_view what, std::uint32_t component, Entity entity) const;
 
-    Entity new_entity(std::uint32_t table, std::uint32_t* row);
+    std::string undeclared_message(std::string_view name) const;
+
+    /// id() where it is known that C was declared.
+    template <Component C>
+    std::uint32_t known_id() const {
+        return id_of_type_[detail::type_number<C>];
+    }
+    std::uint32_t take_number() {
+        const auto index = free_;
+        if (index == none) return new_number();
+        free_ = records_[index].row;
+        return index;
+    }
+    std::uint32_t new_number();
     std::uint32_t table_with(const Mask& mask);
     std::uint32_t neighbour(std::uint32_t table, std::uint32_t component, bool plus);
     void move(Entity entity, std::uint32_t to);
-    void take_out(std::uint32_t table, std::uint32_t row);
-    void added(std::uint32_t component, Entity entity);
-    void removing(std::uint32_t component, Entity entity);
+    void call(const Hook& hook, std::uint32_t component, Entity entity);
+    void added(std::uint32_t component, Entity entity) {
+        if (added_[component].call != nullptr) call(added_[component], component, entity);
+    }
+    void removing(std::uint32_t component, Entity entity) {
+        if (removed_[component].call != nullptr) call(removed_[component], component, entity);
+    }
+    /// Moves the entity to the table with this component more; returns the cell, not yet written.
+    std::byte* extend(Entity entity, std::uint32_t component);
+    /// Calls the hook and moves the entity to the table with this component less.
+    void narrow(Entity entity, std::uint32_t component);
+    void mark(Entity entity, std::uint32_t tag);
+    void unmark(Entity entity, std::uint32_t tag);
     /// By number, with the component's bytes: what commands and the typed calls share.
     void add_bytes(Entity entity, std::uint32_t component, const void* bytes);
     void remove_by_id(Entity entity, std::uint32_t component);
@@ -184,19 +224,21 @@ private:
     void refresh(Query& query) const;
     void declare_info(ComponentInfo info, std::uint32_t type_number);
     template <class... Cs>
-    std::uint32_t table_of_pack();
+    const Pack& pack_of();
+    void note_pack(std::uint32_t type, std::span<const std::uint32_t> components);
 
     std::vector<ComponentInfo> infos_;
     std::vector<std::uint32_t> id_of_type_;  // type number of this process -> component of this World
     std::vector<Hook> added_, removed_;
+    Mask add_hooks_;  // the components with an `added_` hook
     std::vector<std::uint32_t> counts_;
     std::vector<Table> tables_;  // the first one has no components
     std::vector<Record> records_;
     std::uint32_t free_ = none;
-    std::size_t alive_ = 0;
     Commands commands_;
-    mutable std::vector<Query> queries_;        // cache, by type number of the view
-    std::vector<std::uint32_t> table_of_type_;  // cache, by type number of a pack of components
+    // A cache, by type number of the view; each stays where it is, since views refer to it.
+    mutable std::vector<std::unique_ptr<Query>> queries_;
+    std::vector<Pack> packs_;  // cache, by type number of a pack of components
     mutable std::uint32_t locks_ = 0;
     const Access* access_ = nullptr;
 };
@@ -216,62 +258,97 @@ void World::declare() {
 template <Component C>
 std::uint32_t World::id() const {
     const auto type = detail::type_number<C>;
-    THAUM_ASSERT(type < id_of_type_.size() && id_of_type_[type] != none,
-                 text("component ", C::name, " was not declared in this World"));
+    THAUM_ASSERT(type < id_of_type_.size() && id_of_type_[type] != none, undeclared_message(C::name));
     return id_of_type_[type];
 }
 
 template <class... Cs>
-std::uint32_t World::table_of_pack() {
+const World::Pack& World::pack_of() {
+    static_assert(sizeof...(Cs) <= std::tuple_size_v<decltype(Pack::places)>);
     const auto type = detail::type_number<detail::Pack<Cs...>>;
-    if (type >= table_of_type_.size()) table_of_type_.resize(type + 1, none);
-    if (table_of_type_[type] == none) {
-        Mask m;
-        ((Tag<Cs> ? void() : m.set(id<Cs>())), ...);
-        table_of_type_[type] = table_with(m);
+    if (type >= packs_.size() || packs_[type].table == none) [[unlikely]] {
+        const std::array<std::uint32_t, sizeof...(Cs)> components{id<Cs>()...};
+        note_pack(type, components);
     }
-    return table_of_type_[type];
+    return packs_[type];
 }
 
+// Inlined, so that components go from registers into their cells. They come by value, since a reference might be to a cell of
+// the table that grows here.
 template <Component... Cs>
-Entity World::create(const Cs&... components) {
-    if constexpr (sizeof...(Cs) > 0) {
-        assert_unlocked(id<std::tuple_element_t<0, std::tuple<Cs...>>>());
-    } else {
-        assert_unlocked(none);
-    }
-    const auto t = table_of_pack<Cs...>();
-    std::uint32_t row = 0;
-    const Entity entity = new_entity(t, &row);
-    auto& table = tables_[t];
+[[gnu::always_inline]] inline Entity World::create(Cs... components) {
+    const Pack& pack = pack_of<Cs...>();
+    THAUM_ASSERT(locks_ == 0, locked_message(sizeof...(Cs) > 0 ? pack.places[0].component : none));
+    const auto index = take_number();
+    auto& record = records_[index];
+    auto& table = tables_[pack.table];
+    const Entity entity{index, record.generation};
+    const auto row = table.append(entity);
+    record.table = pack.table;
+    record.row = row;
+    [[maybe_unused]] const auto* place = pack.places.data();
     [[maybe_unused]] const auto put = [&]<class C>(const C& component) {
-        const auto c = id<C>();
         if constexpr (Tag<C>) {
-            auto& tag = table.tag_column(c);
+            auto& tag = table.tag_column(place->component);
             tag.set(row);
             ++tag.set_bits;
         } else {
-            reinterpret_cast<C*>(table.columns[table.column_of[c]].array.data())[row] = component;
+            reinterpret_cast<C*>(table.columns[place->column].array.data())[row] = component;
         }
-        ++counts_[c];
+        ++counts_[place->component];
+        ++place;
     };
     (put(components), ...);
-    (added(id<Cs>(), entity), ...);
+    if (pack.mask.intersects(add_hooks_)) [[unlikely]] {
+        (added(known_id<Cs>(), entity), ...);
+    }
     return entity;
+}
+
+inline void World::mark(Entity entity, std::uint32_t tag) {
+    assert_unlocked(tag);
+    const auto& r = record(entity, tag);
+    auto& column = tables_[r.table].tag_column(tag);
+    THAUM_ASSERT(!column.test(r.row), component_message("already has", tag, entity));
+    column.set(r.row);
+    ++column.set_bits;
+}
+
+inline void World::unmark(Entity entity, std::uint32_t tag) {
+    assert_unlocked(tag);
+    const auto& r = record(entity, tag);
+    auto& table = tables_[r.table];
+    const auto at = table.column_of[tag];
+    THAUM_ASSERT(at != none && table.tags[at].test(r.row), component_message("has no", tag, entity));
+    removing(tag, entity);
+    table.tags[at].clear(r.row);
+    --table.tags[at].set_bits;
 }
 
 template <Component C>
 void World::add(Entity entity, const C& component) {
     const auto c = id<C>();
     check_write(c);
-    add_bytes(entity, c, &component);
+    if constexpr (Tag<C>) {
+        mark(entity, c);
+    } else {
+        const C value = component;  // which may lie in a table that changes now
+        *reinterpret_cast<C*>(extend(entity, c)) = value;
+    }
+    ++counts_[c];
+    added(c, entity);
 }
 
 template <Component C>
 void World::remove(Entity entity) {
     const auto c = id<C>();
     check_write(c);
-    remove_by_id(entity, c);
+    if constexpr (Tag<C>) {
+        unmark(entity, c);
+    } else {
+        narrow(entity, c);
+    }
+    --counts_[c];
 }
 
 template <Component C>

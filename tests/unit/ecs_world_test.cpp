@@ -159,6 +159,21 @@ TEST_F(EcsWorld, HooksSeeTheComponentWhenItComesAndGoes) {
     EXPECT_EQ(heard.went, (std::vector{3, 1}));
 }
 
+TEST_F(EcsWorld, AViewStaysGoodWhileViewsThatWereNeverUsedBeforeStartInsideIt) {
+    for (int i = 0; i < 3; ++i) world.create(Position{{i, 0, 0}}, Velocity{}, Health{}, Burning{});
+    std::size_t inner = 0;
+    int outer = 0;
+    world.view<Position, Velocity, Burning>().each([&](Position&, Velocity&) {
+        ++outer;
+        inner += world.view<const Health, Burning>().count() +
+                 world.view<const Health, const Velocity>().count() +
+                 world.view<const Health, Maybe<const Position>, Burning>().count() +
+                 world.view<const Velocity, Without<Frozen>>().count();
+    });
+    EXPECT_EQ(outer, 3);
+    EXPECT_EQ(inner, 36U);
+}
+
 using EcsWorldDeath = EcsWorld;
 
 TEST_F(EcsWorldDeath, WrongUseStopsAndNamesTheComponent) {

@@ -1,0 +1,327 @@
+#include "core/config.h"
+
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "core/text.h"
+
+namespace thaum {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Config parsed(std::string_view body) {
+    auto config = Config::parse(text("version = 1\n", body), "wand.toml", 1);
+    EXPECT_TRUE(config.has_value()) << (config ? "" : config.error().message);
+    return *config;
+}
+
+/// What `parse` says of a whole file.
+std::string parse_fault(std::string_view file) {
+    const auto config = Config::parse(file, "wand.toml", 1);
+    return config ? "" : config.error().message;
+}
+
+/// What `check` says after `read` has asked for its keys.
+std::string fault_of(std::string_view body, const std::function<void(const ConfigTable&)>& read) {
+    const auto config = parsed(body);
+    read(config.root());
+    const auto result = config.check();
+    return result ? "" : result.error().message;
+}
+
+std::string number_fault(std::string_view body, Range range = {0, 10}) {
+    return fault_of(body, [range](const ConfigTable& t) { t.number("x", range); });
+}
+
+TEST(CoreConfig, ReadsEveryKind) {
+    const auto config = parsed(R"(
+        force = 2.5
+        count = 7
+        on = true
+        name = "lift"
+        at = [1, 2.5, -3]
+        kind = "line"
+        [inner]
+        deep = { x = 1 }
+        [[ring]]
+        n = 1
+        [[ring]]
+        n = 2
+    )");
+    const auto root = config.root();
+    EXPECT_EQ(root.number("force", {0, 10}), 2.5);
+    EXPECT_EQ(root.integer("count", {0, 10}), 7);
+    EXPECT_TRUE(root.boolean("on", false));
+    EXPECT_EQ(root.string("name"), "lift");
+    EXPECT_EQ(root.vector("at", {-5, 5}), vec3(1, 2.5, -3));
+    EXPECT_EQ(root.choice("kind", {"point", "line"}), 1);
+    EXPECT_EQ(root.table("inner").table("deep").number("x", {}), 1);
+    const auto rings = root.tables("ring");
+    ASSERT_EQ(rings.size(), 2);
+    EXPECT_EQ(rings[0].integer("n", {}), 1);
+    EXPECT_EQ(rings[1].integer("n", {}), 2);
+    EXPECT_TRUE(config.check().has_value());
+}
+
+TEST(CoreConfig, FallbacksStandInForMissingKeys) {
+    const auto config = parsed("");
+    const auto root = config.root();
+    EXPECT_EQ(root.number("a", {0, 1}, 0.5), 0.5);
+    EXPECT_EQ(root.integer("a", {0, 9}, 4), 4);
+    EXPECT_TRUE(root.boolean("a", true));
+    EXPECT_EQ(root.string("a", "b"), "b");
+    EXPECT_EQ(root.vector("a", {}, vec3(1)), vec3(1));
+    EXPECT_EQ(root.choice("a", {"x", "y"}, 1), 1);
+    EXPECT_TRUE(root.tables("a").empty());
+    EXPECT_EQ(root.table("a").table("b").number("c", {}, 3), 3);
+    EXPECT_FALSE(root.table("a").has("b"));
+    EXPECT_TRUE(root.table("a").keys().empty());
+    EXPECT_TRUE(config.check().has_value());
+}
+
+TEST(CoreConfig, TheVersionIsDemanded) {
+    EXPECT_EQ(parse_fault(""), "wand.toml:1: key 'version' is missing");
+    EXPECT_EQ(parse_fault("version = 2"), "wand.toml:1: version 2 cannot be read, only version 1");
+    EXPECT_EQ(parse_fault("\nversion = '1'"), "wand.toml:2: 'version' must be a whole number");
+    EXPECT_EQ(parse_fault("version = 1.0"), "wand.toml:1: 'version' must be a whole number");
+    EXPECT_NE(parse_fault("version = -1"), "");
+    EXPECT_NE(parse_fault("version = 9223372036854775807"), "");
+}
+
+TEST(CoreConfig, BrokenTomlNamesTheLine) {
+    EXPECT_TRUE(parse_fault("version = 1\nx = = 2").starts_with("wand.toml:2: "));
+    EXPECT_TRUE(parse_fault("version = 1\n\nversion = 1").starts_with("wand.toml:3: "));
+    EXPECT_EQ(parse_fault("version = 1\nx = 'open\ny = 1").find('\n'), std::string::npos);
+}
+
+TEST(CoreConfig, MissingKeysAreNamed) {
+    EXPECT_EQ(number_fault(""), "wand.toml:1: key 'x' is missing");
+    EXPECT_EQ(fault_of("[inner]\n", [](const auto& t) { t.table("inner").integer("n", {}); }),
+              "wand.toml:2: key 'n' is missing");
+    EXPECT_EQ(fault_of("", [](const auto& t) { t.table("inner").string("n"); }),
+              "wand.toml: key 'n' is missing");
+    EXPECT_NE(fault_of("", [](const auto& t) { t.vector("v", {}); }), "");
+    EXPECT_NE(fault_of("", [](const auto& t) { t.choice("c", {"a"}); }), "");
+}
+
+TEST(CoreConfig, UnknownKeysAreNamedWithTheirPath) {
+    EXPECT_EQ(fault_of("a = 1\n", [](const auto&) {}), "wand.toml:2: unknown key 'a'");
+    EXPECT_EQ(fault_of("[a]\nb.c = 1\n", [](const auto& t) { t.table("a").table("b"); }),
+              "wand.toml:3: unknown key 'a.b.c'");
+    EXPECT_EQ(fault_of("[[a]]\nx = 1\n[[a]]\ny = 1\n",
+                       [](const auto& t) {
+                           for (const auto& item : t.tables("a")) item.number("x", {}, 0);
+                       }),
+              "wand.toml:5: unknown key 'a.y'");
+}
+
+TEST(CoreConfig, AskingWhetherAKeyIsThereIsNotReadingIt) {
+    EXPECT_NE(fault_of("a = 1", [](const auto& t) { EXPECT_TRUE(t.has("a")); }), "");
+}
+
+TEST(CoreConfig, KeysComeSortedAndCountAsAsked) {
+    const auto config = parsed("b = 1\na = 2\nc = 3");
+    EXPECT_EQ(config.root().keys(), (std::vector<std::string>{"a", "b", "c", "version"}));
+    EXPECT_TRUE(config.check().has_value());
+}
+
+TEST(CoreConfig, WrongTypesAreNamed) {
+    for (const auto* value : {"true", "'1'", "[1]", "{a = 1}", "2020-01-01"}) {
+        EXPECT_EQ(number_fault(text("x = ", value)), "wand.toml:2: 'x' must be a number") << value;
+    }
+    const auto said = [](std::string_view value, auto read) {
+        return fault_of(text("x = ", value), [&](const ConfigTable& t) { read(t); });
+    };
+    EXPECT_EQ(said("1.5", [](auto& t) { t.integer("x", {}); }), "wand.toml:2: 'x' must be a whole number");
+    EXPECT_EQ(said("1", [](auto& t) { t.boolean("x", false); }), "wand.toml:2: 'x' must be true or false");
+    EXPECT_EQ(said("1", [](auto& t) { t.string("x"); }), "wand.toml:2: 'x' must be a text in quotes");
+    EXPECT_EQ(said("[1, 2]", [](auto& t) { t.vector("x", {}); }), "wand.toml:2: 'x' must be three numbers");
+    EXPECT_EQ(said("[1, 2, 'a']", [](auto& t) { t.vector("x", {}); }), "wand.toml:2: 'x' must be a number");
+    EXPECT_EQ(said("'c'",
+                   [](auto& t) {
+                       t.choice("x", {"a", "b"});
+                   }),
+              "wand.toml:2: 'x' must be one of: a, b");
+    EXPECT_EQ(said("3", [](auto& t) { t.choice("x", {"a", "b"}); }), "wand.toml:2: 'x' must be one of: a, b");
+    EXPECT_EQ(said("1", [](auto& t) { t.table("x"); }), "wand.toml:2: 'x' must be a table");
+    EXPECT_EQ(said("{}", [](auto& t) { t.tables("x"); }), "wand.toml:2: 'x' must be a list of tables");
+    EXPECT_EQ(said("[1, 2]", [](auto& t) { t.tables("x"); }), "wand.toml:2: 'x' must be a list of tables");
+}
+
+TEST(CoreConfig, RangesHoldAtBothEnds) {
+    EXPECT_EQ(number_fault("x = 0"), "");
+    EXPECT_EQ(number_fault("x = 10"), "");
+    EXPECT_EQ(number_fault("x = 10.5"), "wand.toml:2: 'x' is 10.5, must be from 0 to 10");
+    EXPECT_EQ(number_fault("x = -1e-300"), "wand.toml:2: 'x' is -1e-300, must be from 0 to 10");
+    EXPECT_EQ(number_fault("x = nan"), "wand.toml:2: 'x' is nan, must be from 0 to 10");
+    EXPECT_NE(number_fault("x = nan", {}), "");
+    EXPECT_NE(number_fault("x = inf", {}), "");
+    EXPECT_NE(number_fault("x = -inf", {}), "");
+    EXPECT_EQ(number_fault("x = inf", {0, infinity}), "");
+    EXPECT_NE(fault_of("x = 11", [](const auto& t) { t.integer("x", {0, 10}); }), "");
+    EXPECT_NE(fault_of("x = [1, 2, 11]", [](const auto& t) { t.vector("x", {0, 10}); }), "");
+}
+
+TEST(CoreConfig, IntegersReachTheirEnds) {
+    const auto config = parsed("low = -9223372036854775808\nhigh = 9223372036854775807");
+    EXPECT_EQ(config.root().integer("low", {}), std::numeric_limits<std::int64_t>::min());
+    EXPECT_EQ(config.root().integer("high", {}), std::numeric_limits<std::int64_t>::max());
+    EXPECT_TRUE(config.check().has_value());
+}
+
+TEST(CoreConfig, AfterAFaultReadsStayInRange) {
+    const auto config = parsed("x = 99\nn = 99\nv = [99, 0, 0]");
+    const auto root = config.root();
+    EXPECT_EQ(root.number("x", {1, 2}), 1);
+    EXPECT_EQ(root.integer("n", {1, 2}), 1);
+    EXPECT_EQ(root.vector("v", {1, 2}), vec3(1));
+    EXPECT_EQ(root.integer("missing", {}), 0);
+    EXPECT_FALSE(config.check().has_value());
+}
+
+TEST(CoreConfig, TheFirstFaultIsKept) {
+    EXPECT_EQ(fault_of("x = 'a'\ny = 'b'",
+                       [](const auto& t) {
+                           t.number("y", {});
+                           t.number("x", {});
+                           t.report("x", "later");
+                       }),
+              "wand.toml:3: 'y' must be a number");
+}
+
+TEST(CoreConfig, ReadersMayReportFaultsOfTheirOwn) {
+    EXPECT_EQ(fault_of("x = 1\n", [](const auto& t) { t.report("x", "clashes with y"); }),
+              "wand.toml:2: clashes with y");
+    const auto config = parsed("");
+    config.report("no wand at all");
+    EXPECT_EQ(config.check().error().message, "wand.toml: no wand at all");
+}
+
+TEST(CoreConfig, TablesOutliveTheConfig) {
+    const auto table = [] { return parsed("[a]\nx = 3").root().table("a"); }();
+    EXPECT_EQ(table.number("x", {}), 3);
+}
+
+/// Nesting that would exhaust the stack of a parser that recurses is a fault like any other.
+TEST(CoreConfig, DeepNestingIsRefused) {
+    constexpr std::size_t depth = 300'000;
+    std::string dotted = "a";
+    for (std::size_t i = 1; i < depth; ++i) dotted += ".a";
+    EXPECT_NE(parse_fault("version = 1\nx = " + std::string(depth, '[')), "");
+    EXPECT_NE(parse_fault("version = 1\n" + dotted + " = 1"), "");
+    EXPECT_NE(parse_fault("version = 1\n[" + dotted + "]"), "");
+    EXPECT_NE(parse_fault("version = 1\n[[" + dotted + "]]"), "");
+    std::string braces;
+    for (std::size_t i = 0; i < depth; ++i) braces += "{a=";
+    EXPECT_NE(parse_fault("version = 1\nx = " + braces), "");
+}
+
+/// The limit on dots is for keys: lists of decimal numbers may be as long as they like.
+TEST(CoreConfig, LongListsOfNumbersAreFine) {
+    std::string list = "[0.5";
+    for (int i = 0; i < 5000; ++i) list += ", 12.5";
+    EXPECT_EQ(parse_fault("version = 1\nx = " + list + "]"), "");
+    std::string key = "1";
+    for (int i = 0; i < 5000; ++i) key += ".1";
+    EXPECT_EQ(parse_fault("version = 1\n" + key + " = 1"), "wand.toml:2: more than 200 dots in one line");
+}
+
+/// A file on which toml++ 3.3 itself stops with an assertion.
+TEST(CoreConfig, AWrongTimeIsAFault) { EXPECT_NE(parse_fault("version = 1\nx = 1:.2\ny = :1.5:"), ""); }
+
+// ---- fuzz ---------------------------------------------------------------------------------------------------------
+
+constexpr std::string_view fuzz_seed = R"(version = 1
+# a wand like any other
+name = "lift \u00e9 \"quoted\""
+force = 2.5e-3
+count = 0x7f
+when = 1979-05-27T07:32:00Z
+at = [1, 2.5, -3]
+on = true
+long = """
+several
+lines"""
+raw = 'C:\path'
+[inner]
+deep = { x = 1, y = [ [1], ["a"] ] }
+a.b.c = inf
+[[ring]]
+n = 1
+[[ring]]
+n = nan
+)";
+
+constexpr std::string_view fuzz_bits = "[]{}=.,\"'#\n\r\t\\ 019eE+-_:xnTZ\xff\x00\xc3\xef\xbb\xbf";
+
+/// Some bytes changed, inserted, removed, cut or repeated.
+std::string mutated(std::string file, Random& random) {
+    const auto edits = 1 + random.below(12);
+    for (std::uint64_t i = 0; i < edits && !file.empty(); ++i) {
+        const auto at = random.below(file.size());
+        const char c = fuzz_bits[random.below(fuzz_bits.size())];
+        switch (random.below(6)) {
+            case 0: file[at] = c; break;
+            case 1: file.insert(at, 1, c); break;
+            case 2: file.erase(at, 1 + random.below(8)); break;
+            case 3: file.insert(at, file.substr(random.below(file.size()), random.below(40))); break;
+            case 4: file[at] = static_cast<char>(random.next()); break;
+            default: file.insert(at, random.below(30), c); break;
+        }
+    }
+    if (random.below(20) == 0) file.resize(random.below(file.size() + 1));
+    return file;
+}
+
+/// Reads as a careless reader would: every key as every kind.
+void read_all(const ConfigTable& table, int depth) {
+    if (depth > 8) return;
+    for (const auto& key : table.keys()) {
+        table.number(key, {0, 1}, 0);
+        table.integer(key, {0, 1});
+        table.boolean(key, false);
+        table.string(key);
+        table.vector(key, {});
+        table.choice(key, {"a", "b"});
+        read_all(table.table(key), depth + 1);
+        for (const auto& item : table.tables(key)) read_all(item, depth + 1);
+    }
+}
+
+void expect_one_clear_line(const std::string& message) {
+    EXPECT_TRUE(message.starts_with("wand.toml")) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+}
+
+void survive(std::string_view file) {
+    const auto config = Config::parse(file, "wand.toml", 1);
+    if (!config) return expect_one_clear_line(config.error().message);
+    read_all(config->root(), 0);
+    if (const auto result = config->check(); !result) expect_one_clear_line(result.error().message);
+}
+
+TEST(CoreConfigFuzz, FiveThousandMutatedFiles) {
+    Random random{20};
+    for (int i = 0; i < 5000; ++i) survive(mutated(std::string(fuzz_seed), random));
+}
+
+TEST(CoreConfigFuzz, EveryCutOfAFile) {
+    for (std::size_t n = 0; n <= fuzz_seed.size(); ++n) survive(fuzz_seed.substr(0, n));
+}
+
+TEST(CoreConfigFuzz, AMegabyteOfGarbage) {
+    Random random{21};
+    for (int round = 0; round < 4; ++round) {
+        std::string file(1 << 20, ' ');
+        for (auto& c : file) {
+            c = round % 2 == 0 ? static_cast<char>(random.next()) : fuzz_bits[random.below(fuzz_bits.size())];
+        }
+        survive(file);
+        survive("version = 1\nx = \"\"\"" + file);
+    }
+    for (const char c : fuzz_bits) survive(std::string(1 << 20, c));
+}
+
+}  // namespace
+}  // namespace thaum

@@ -1,0 +1,185 @@
+// The small parts of core: hash, random numbers, text, units, assertions.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+#include "core/assert.h"
+#include "core/hash.h"
+#include "core/random.h"
+#include "core/text.h"
+#include "core/units.h"
+
+namespace thaum {
+namespace {
+
+std::uint64_t hash_text(std::string_view s, std::uint64_t seed = 0) {
+    return hash_bytes(std::as_bytes(std::span(s.data(), s.size())), seed);
+}
+
+/// Hash of the bytes 0, 1, 2, ... n-1.
+std::uint64_t hash_of_count(std::size_t n) {
+    std::vector<std::byte> bytes(n);
+    for (std::size_t i = 0; i < n; ++i) bytes[i] = static_cast<std::byte>(i);
+    return hash_bytes(bytes);
+}
+
+TEST(CoreHash, IsXxh3) {
+    EXPECT_EQ(hash_text(""), 0x2d06800538d394c2U);
+    EXPECT_EQ(hash_bytes({}), 0x2d06800538d394c2U);
+    EXPECT_EQ(hash_text("a"), 0xe6c632b61e964e1fU);
+    EXPECT_EQ(hash_text("abc"), 0x78af5f94892f3950U);
+    EXPECT_EQ(hash_of_count(1), 0xc44bdff4074eecdbU);
+    EXPECT_EQ(hash_of_count(3), 0x5f4299fc161c9cbbU);
+    EXPECT_EQ(hash_of_count(7), 0x0cd2084a62406b69U);
+    EXPECT_EQ(hash_of_count(15), 0x55ecedc2b87bb042U);
+    EXPECT_EQ(hash_of_count(32), 0x3523581fe96e4c05U);
+    EXPECT_EQ(hash_of_count(64), 0x6187eb9089b0ed55U);
+}
+
+TEST(CoreHash, TheSeedMatters) {
+    EXPECT_EQ(hash_bytes({}, 0x9e3779b185ebca8dU), 0xa8a6b918b2f0364aU);
+    EXPECT_NE(hash_text("abc", 1), hash_text("abc", 2));
+}
+
+TEST(CoreHash, EveryBitOfAValueMatters) {
+    std::set<std::uint64_t> seen{hash_value(std::uint64_t{0})};
+    for (unsigned bit = 0; bit < 64; ++bit) seen.insert(hash_value(std::uint64_t{1} << bit));
+    EXPECT_EQ(seen.size(), 65);
+    EXPECT_NE(hash_value(0.0), hash_value(-0.0));
+}
+
+TEST(CoreHash, CombiningDependsOnTheOrder) {
+    std::set<std::uint64_t> seen;
+    for (std::uint64_t a = 0; a < 100; ++a) {
+        for (std::uint64_t b = 0; b < 100; ++b) seen.insert(hash_combine(a, b));
+    }
+    EXPECT_EQ(seen.size(), 10'000);
+}
+
+TEST(CoreRandom, IsSplitMix64) {
+    Random random{1234567};
+    for (const std::uint64_t expected : {6457827717110365317U, 3203168211198807973U, 9817491932198370423U,
+                                         4593380528125082431U, 16408922859458223821U}) {
+        EXPECT_EQ(random.next(), expected);
+    }
+}
+
+TEST(CoreRandom, UniformHasItsMeanAndVariance) {
+    constexpr int n = 1'000'000;
+    Random random{42};
+    double sum = 0;
+    double squares = 0;
+    for (int i = 0; i < n; ++i) {
+        const double u = random.uniform();
+        ASSERT_TRUE(u >= 0 && u < 1);
+        sum += u;
+        squares += (u - 0.5) * (u - 0.5);
+    }
+    EXPECT_NEAR(sum / n, 0.5, 5 * std::sqrt(1.0 / 12 / n));
+    EXPECT_NEAR(squares / n, 1.0 / 12, 5 * std::sqrt(1.0 / 180 / n));
+}
+
+TEST(CoreRandom, UniformStaysInItsInterval) {
+    Random random{7};
+    for (int i = 0; i < 100'000; ++i) {
+        const double u = random.uniform(-3, 5);
+        ASSERT_TRUE(u >= -3 && u < 5);
+    }
+}
+
+/// Pearson's statistic over ten faces: 9 degrees of freedom, 27.9 is passed once in a thousand.
+TEST(CoreRandom, BelowIsEven) {
+    constexpr int n = 100'000;
+    Random random{3};
+    std::array<int, 10> counts{};
+    for (int i = 0; i < n; ++i) ++counts.at(random.below(10));
+    double chi = 0;
+    for (const int c : counts) chi += (c - n / 10.0) * (c - n / 10.0) / (n / 10.0);
+    EXPECT_LT(chi, 27.9);
+}
+
+TEST(CoreRandom, BelowReachesItsEnds) {
+    Random random{9};
+    EXPECT_EQ(random.below(1), 0);
+    std::set<std::uint64_t> seen;
+    for (int i = 0; i < 1000; ++i) seen.insert(random.below(3));
+    EXPECT_EQ(seen, (std::set<std::uint64_t>{0, 1, 2}));
+    EXPECT_LT(random.below(std::numeric_limits<std::uint64_t>::max()),
+              std::numeric_limits<std::uint64_t>::max());
+}
+
+TEST(CoreRandom, StreamsStartApart) {
+    std::set<std::uint64_t> states;
+    for (std::uint64_t stream = 0; stream < 10'000; ++stream) states.insert(random_stream(5, stream).state);
+    EXPECT_EQ(states.size(), 10'000);
+    EXPECT_NE(random_stream(1, 0).state, random_stream(2, 0).state);
+}
+
+TEST(CoreText, JoinsItsParts) {
+    EXPECT_EQ(text("tick ", 12, " differs"), "tick 12 differs");
+    EXPECT_EQ(text(), "");
+    EXPECT_EQ(text('a', true, false, std::string("b"), std::string_view("c")), "atruefalsebc");
+    EXPECT_EQ(text(std::uint8_t{7}, ' ', std::int8_t{-7}), "7 -7");
+    EXPECT_EQ(text(std::numeric_limits<std::int64_t>::min()), "-9223372036854775808");
+    EXPECT_EQ(text(std::numeric_limits<std::uint64_t>::max()), "18446744073709551615");
+}
+
+TEST(CoreText, NumbersReadBack) {
+    Random random{11};
+    for (int i = 0; i < 20'000; ++i) {
+        const auto value = std::bit_cast<double>(random.next());
+        if (!std::isfinite(value)) continue;
+        EXPECT_EQ(std::strtod(text(value).c_str(), nullptr), value);
+    }
+    EXPECT_EQ(text(0.1), "0.1");
+    EXPECT_EQ(text(-0.0), "-0");
+    EXPECT_EQ(text(0.1F), "0.1");
+    EXPECT_EQ(text(std::numeric_limits<double>::infinity()), "inf");
+}
+
+TEST(CoreText, FixedPlaces) {
+    EXPECT_EQ(fixed(1.25, 1), "1.2");
+    EXPECT_EQ(fixed(-1.0, 3), "-1.000");
+    EXPECT_EQ(fixed(2.5, 0), "2");
+    EXPECT_EQ(fixed(std::numeric_limits<double>::max(), 60).size(), 309 + 1 + 60);
+    EXPECT_EQ(fixed(std::numeric_limits<double>::quiet_NaN(), 2), "nan");
+}
+
+TEST(CoreText, Hex) {
+    EXPECT_EQ(hex(0), "0000000000000000");
+    EXPECT_EQ(hex(0xdeadbeefULL), "00000000deadbeef");
+    EXPECT_EQ(hex(~0ULL), "ffffffffffffffff");
+}
+
+TEST(CoreUnits, TicksAndSeconds) {
+    EXPECT_EQ(ticks(0), 0);
+    EXPECT_EQ(ticks(0.0004), 0);
+    EXPECT_EQ(ticks(0.0006), 1);
+    EXPECT_EQ(ticks(60), 60'000);
+    EXPECT_DOUBLE_EQ(seconds(1500), 1.5);
+    for (Tick t = 0; t < 100'000; t += 7) ASSERT_EQ(ticks(seconds(t)), t);
+    EXPECT_EQ(keyframe_interval % hash_interval, 0);
+}
+
+TEST(CoreAssertDeathTest, NamesFileLineAndMessage) {
+    EXPECT_DEATH(THAUM_ASSERT(1 > 2, "one is " + text(1)), "core_values\\.cpp:[0-9]+: one is 1");
+    EXPECT_DEATH((void)fixed(1, 61), "digits from 0 to 60");
+    EXPECT_DEATH((void)fixed(1, -1), "digits from 0 to 60");
+}
+
+TEST(CoreAssert, LeavesAMetConditionAloneAndItsMessageUnbuilt) {
+    int built = 0;
+    const auto message = [&built] {
+        ++built;
+        return std::string("unused");
+    };
+    THAUM_ASSERT(true, message());
+    EXPECT_EQ(built, 0);
+}
+
+}  // namespace
+}  // namespace thaum
