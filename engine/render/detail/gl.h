@@ -1,0 +1,59 @@
+// OpenGL names that free themselves. The context they were made in must be current then.
+#pragma once
+#include <epoxy/gl.h>
+
+#include <utility>
+
+namespace thaum::render::detail {
+
+/// Free is the glDelete... function for one name.
+template <auto Free>
+class GlName {
+public:
+    GlName() = default;
+    explicit GlName(GLuint name) : name_(name) {}
+    GlName(GlName&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    GlName& operator=(GlName&& other) noexcept {
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    ~GlName() {
+        if (name_ != 0) Free(name_);
+    }
+    GLuint get() const { return name_; }
+
+private:
+    GLuint name_{};
+};
+
+// epoxy's functions are pointers, so they cannot be template arguments themselves.
+inline void free_buffer(GLuint n) { glDeleteBuffers(1, &n); }
+inline void free_vertex_array(GLuint n) { glDeleteVertexArrays(1, &n); }
+inline void free_texture(GLuint n) { glDeleteTextures(1, &n); }
+inline void free_framebuffer(GLuint n) { glDeleteFramebuffers(1, &n); }
+inline void free_renderbuffer(GLuint n) { glDeleteRenderbuffers(1, &n); }
+inline void free_shader(GLuint n) { glDeleteShader(n); }
+inline void free_program(GLuint n) { glDeleteProgram(n); }
+
+using Buffer = GlName<free_buffer>;
+using VertexArray = GlName<free_vertex_array>;
+using Texture = GlName<free_texture>;
+using Framebuffer = GlName<free_framebuffer>;
+using Renderbuffer = GlName<free_renderbuffer>;
+using Shader = GlName<free_shader>;
+using Program = GlName<free_program>;
+
+template <class Make>
+GLuint made(Make make) {
+    GLuint name = 0;
+    make(1, &name);
+    return name;
+}
+
+inline Buffer make_buffer() { return Buffer(made(glGenBuffers)); }
+inline VertexArray make_vertex_array() { return VertexArray(made(glGenVertexArrays)); }
+inline Texture make_texture() { return Texture(made(glGenTextures)); }
+inline Framebuffer make_framebuffer() { return Framebuffer(made(glGenFramebuffers)); }
+inline Renderbuffer make_renderbuffer() { return Renderbuffer(made(glGenRenderbuffers)); }
+
+}  // namespace thaum::render::detail

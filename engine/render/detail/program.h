@@ -1,0 +1,18 @@
+// Shader programs from files.
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "core/error.h"
+#include "render/detail/gl.h"
+
+namespace thaum::render::detail {
+
+/// Compiles and links files. The ending tells the stage: .vert, .frag; .glsl belongs to the stage of the file before
+/// it. The error names the file and the first line of the driver's log.
+Expected<Program> load_program(const std::vector<std::filesystem::path>& files);
+
+/// -1, which OpenGL ignores, for a uniform the driver found unused.
+GLint uniform(const Program& program, const char* name);
+
+}  // namespace thaum::render::detail

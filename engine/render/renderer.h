@@ -1,0 +1,57 @@
+// render/renderer.h: draws a Frame (render/scene.h) with OpenGL 3.3 on the thread that owns the context.
+//
+// The forward shader lights each vertex (sun, hemisphere ambient, up to 8 point lights) and adds fog and tone mapping
+// to each pixel: on a software rasteriser pixels are what costs. Instances of one mesh are one draw call; those out of
+// view are none.
+#pragma once
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+
+#include "core/error.h"
+#include "render/font.h"
+#include "render/image.h"
+#include "render/mesh.h"
+#include "render/scene.h"
+
+namespace thaum::render {
+
+/// What the last draw did, over all views.
+struct DrawStatistics {
+    std::size_t draws{};  ///< OpenGL draw calls, sky and overlay included
+    std::size_t instances_drawn{};
+    std::size_t instances_culled{};  ///< out of view or not finite
+    std::size_t triangles{};         ///< of the instances drawn
+};
+
+class Renderer {
+public:
+    /// `assets` is the folder that holds shaders/. A context must be current, and stay until the Renderer is gone.
+    /// Takes up to a second: each shader is used once, which is when drivers compile. Errors: a shader file (named,
+    /// with the driver's line), no font.
+    static Expected<Renderer> create(const std::filesystem::path& assets);
+    Renderer(Renderer&&) noexcept;
+    Renderer& operator=(Renderer&&) noexcept;
+    ~Renderer();
+
+    MeshId upload(const MeshData& mesh);
+    /// New triangles for a mesh that changes, such as a surface; may be empty.
+    void replace(MeshId id, const MeshData& mesh);
+
+    /// Draws into the context's framebuffer; the caller presents it. A frame of no size draws nothing.
+    void draw(const Frame& frame);
+    const DrawStatistics& statistics() const;
+
+    /// What the last draw made; call before present(), which may throw it away.
+    Image read_pixels();
+
+    /// Box of a TextItem in px.
+    fvec2 measure(std::string_view text, float size);
+
+private:
+    struct State;
+    explicit Renderer(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace thaum::render

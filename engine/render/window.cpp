@@ -1,0 +1,284 @@
+#include <epoxy/gl.h>
+// epoxy/gl.h must come before GLFW, which would bring its own.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <atomic>
+
+#include "core/assert.h"
+#include "core/text.h"
+#include "render/context.h"
+
+namespace thaum::render {
+
+struct Window::State {
+    GLFWwindow* handle = nullptr;
+    WindowSpec spec;
+
+    // Read by any thread.
+    std::atomic<Size> size{Size{}};
+    std::atomic<bool> minimised = false, focused = false, closing = false;
+
+    // Main thread only.
+    const WindowEvents* events = nullptr;  // during poll
+    bool captured = false;
+    double last_x = 0, last_y = 0;
+    std::array<int, 4> pad_ids{-1, -1, -1, -1};
+    int windowed_x = 0, windowed_y = 0;
+    Size windowed_size;
+
+    State() = default;
+    State(const State&) = delete;
+    State& operator=(const State&) = delete;
+    ~State();
+};
+
+namespace {
+
+bool alive = false;  // a Window is there; main thread only
+
+// GLFW tells what went wrong through a callback only, on the thread that asked.
+thread_local std::string last_glfw_error;
+void keep_glfw_error(int, const char* what) { last_glfw_error = what; }
+
+tl::unexpected<Error> no_display() {
+    return fail(text("cannot open a window: ", last_glfw_error.empty() ? "no display" : last_glfw_error,
+                     "; start it in a desktop session or set DISPLAY"));
+}
+
+tl::unexpected<Error> no_opengl(std::string_view what) {
+    return fail(text("cannot open a window with OpenGL 3.3: ", what,
+                     "; install a graphics driver, or libgl1-mesa-dri, which draws without a graphics card"));
+}
+
+template <class Function, class... Arguments>
+void tell(const Function& function, Arguments... arguments) {
+    if (function) function(arguments...);
+}
+
+GLFWmonitor* full_screen_monitor(const WindowSpec& spec) {
+    return spec.fullscreen ? glfwGetPrimaryMonitor() : nullptr;
+}
+
+GLFWwindow* open_window(const WindowSpec& spec) {
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 24);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    // A lost focus must not change the screen's mode: the other player may be in a menu of their own.
+    glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+    GLFWmonitor* monitor = full_screen_monitor(spec);
+    Size size = spec.size;
+    if (monitor != nullptr) {
+        const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+        if (mode != nullptr) size = {mode->width, mode->height};
+    }
+    return glfwCreateWindow(size.width, size.height, spec.title.c_str(), monitor, nullptr);
+}
+
+}  // namespace
+
+namespace {
+
+// GLFW calls back with a bare pointer to what it was given.
+Window::State& state_of(GLFWwindow* w) { return *static_cast<Window::State*>(glfwGetWindowUserPointer(w)); }
+
+const WindowEvents& events_of(GLFWwindow* w) {
+    static const WindowEvents none;
+    const auto* events = state_of(w).events;
+    return events == nullptr ? none : *events;
+}
+
+void on_resize(GLFWwindow* w, int width, int height) {
+    state_of(w).size = Size{width, height};
+    tell(events_of(w).resize, Size{width, height});
+}
+
+void on_minimise(GLFWwindow* w, int minimised) { state_of(w).minimised = minimised != 0; }
+
+void on_focus(GLFWwindow* w, int focused) {
+    state_of(w).focused = focused != 0;
+    tell(events_of(w).focus, focused != 0);
+}
+
+void on_close(GLFWwindow* w) { state_of(w).closing = true; }
+
+void on_key(GLFWwindow* w, int key, int scancode, int action, int) {
+    if (action != GLFW_REPEAT) tell(events_of(w).key, key, scancode, action == GLFW_PRESS);
+}
+
+void on_character(GLFWwindow* w, unsigned character) {
+    tell(events_of(w).character, static_cast<char32_t>(character));
+}
+
+void on_mouse_button(GLFWwindow* w, int button, int action, int) {
+    tell(events_of(w).mouse_button, button, action == GLFW_PRESS);
+}
+
+void on_wheel(GLFWwindow* w, double, double steps) { tell(events_of(w).wheel, steps); }
+
+/// px of the framebuffer per unit of the window's coordinates; not 1 on some dense screens.
+double pixels_per_unit(GLFWwindow* w) {
+    int width = 0, height = 0;
+    glfwGetWindowSize(w, &width, &height);
+    return width > 0 ? static_cast<double>(state_of(w).size.load().width) / width : 1;
+}
+
+void on_cursor(GLFWwindow* w, double x, double y) {
+    auto& s = state_of(w);
+    const double dx = x - s.last_x, dy = y - s.last_y;
+    s.last_x = x;
+    s.last_y = y;
+    const double scale = pixels_per_unit(w);
+    if (s.captured)
+        tell(events_of(w).mouse_move, dx, dy);
+    else
+        tell(events_of(w).cursor, scale * x, scale * y);
+}
+
+void install_callbacks(Window::State& state) {
+    glfwSetWindowUserPointer(state.handle, &state);
+    glfwSetFramebufferSizeCallback(state.handle, on_resize);
+    glfwSetWindowIconifyCallback(state.handle, on_minimise);
+    glfwSetWindowFocusCallback(state.handle, on_focus);
+    glfwSetWindowCloseCallback(state.handle, on_close);
+    glfwSetKeyCallback(state.handle, on_key);
+    glfwSetCharCallback(state.handle, on_character);
+    glfwSetMouseButtonCallback(state.handle, on_mouse_button);
+    glfwSetScrollCallback(state.handle, on_wheel);
+    glfwSetCursorPosCallback(state.handle, on_cursor);
+}
+
+}  // namespace
+
+Window::State::~State() {
+    if (handle != nullptr) glfwDestroyWindow(handle);
+    glfwTerminate();
+    alive = false;
+}
+
+Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Window::Window(Window&&) noexcept = default;
+Window& Window::operator=(Window&&) noexcept = default;
+Window::~Window() = default;
+
+Expected<Window> Window::create(const WindowSpec& spec) {
+    THAUM_ASSERT(!alive, "there is a window already");
+    last_glfw_error.clear();
+    glfwSetErrorCallback(keep_glfw_error);
+    if (glfwInit() == 0) return no_display();
+    alive = true;
+    auto state = std::make_unique<State>();
+    state->spec = spec;
+    state->handle = open_window(spec);
+    if (state->handle == nullptr) return no_opengl(last_glfw_error);
+    glfwMakeContextCurrent(state->handle);
+    const int version = epoxy_gl_version();
+    glfwMakeContextCurrent(nullptr);
+    if (version < 33) return no_opengl(text("the driver has ", version / 10, ".", version % 10));
+    install_callbacks(*state);
+    Size size;
+    glfwGetFramebufferSize(state->handle, &size.width, &size.height);
+    state->size = size;
+    state->focused = glfwGetWindowAttrib(state->handle, GLFW_FOCUSED) != 0;
+    return Window(std::move(state));
+}
+
+void Window::poll(const WindowEvents& events, double timeout_s) {
+    state_->events = &events;
+    if (timeout_s > 0)
+        glfwWaitEventsTimeout(timeout_s);
+    else
+        glfwPollEvents();
+    state_->events = nullptr;
+}
+
+void Window::wake() { glfwPostEmptyEvent(); }
+
+void Window::capture_cursor(bool capture) {
+    if (capture == state_->captured) return;
+    glfwSetInputMode(state_->handle, GLFW_CURSOR, capture ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+    if (glfwRawMouseMotionSupported() != 0) {
+        glfwSetInputMode(state_->handle, GLFW_RAW_MOUSE_MOTION, capture ? GLFW_TRUE : GLFW_FALSE);
+    }
+    // The cursor jumps when it is caught or freed: that is no motion of the hand.
+    glfwGetCursorPos(state_->handle, &state_->last_x, &state_->last_y);
+    state_->captured = capture;
+}
+
+void Window::set_fullscreen(bool fullscreen) {
+    auto& s = *state_;
+    if (fullscreen == (glfwGetWindowMonitor(s.handle) != nullptr)) return;
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor == nullptr ? nullptr : glfwGetVideoMode(monitor);
+    if (fullscreen && mode != nullptr) {
+        glfwGetWindowPos(s.handle, &s.windowed_x, &s.windowed_y);
+        glfwGetWindowSize(s.handle, &s.windowed_size.width, &s.windowed_size.height);
+        glfwSetWindowMonitor(s.handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+    if (!fullscreen) {
+        const Size size = s.windowed_size == Size{} ? s.spec.size : s.windowed_size;
+        glfwSetWindowMonitor(s.handle, nullptr, s.windowed_x, s.windowed_y, size.width, size.height,
+                             GLFW_DONT_CARE);
+    }
+}
+
+void Window::set_title(const std::string& title) { glfwSetWindowTitle(state_->handle, title.c_str()); }
+
+namespace {
+
+/// Frees the places of pads that went and gives the free ones to pads that came.
+void seat_pads(std::array<int, 4>& ids) {
+    for (int& id : ids) {
+        if (id >= 0 && glfwJoystickIsGamepad(id) == 0) id = -1;
+    }
+    for (int joystick = GLFW_JOYSTICK_1; joystick <= GLFW_JOYSTICK_LAST; ++joystick) {
+        if (glfwJoystickIsGamepad(joystick) == 0) continue;
+        if (std::find(ids.begin(), ids.end(), joystick) != ids.end()) continue;
+        const auto free = std::find(ids.begin(), ids.end(), -1);
+        if (free != ids.end()) *free = joystick;
+    }
+}
+
+PadState read_pad(int id) {
+    PadState pad;
+    GLFWgamepadstate raw{};
+    if (id < 0 || glfwGetGamepadState(id, &raw) == 0) return pad;
+    pad.present = true;
+    const char* name = glfwGetGamepadName(id);
+    pad.name = name == nullptr ? "" : name;
+    for (std::size_t i = 0; i < 6; ++i) pad.axes[i] = i < 4 ? raw.axes[i] : (raw.axes[i] + 1) / 2;
+    for (std::uint32_t i = 0; i <= GLFW_GAMEPAD_BUTTON_LAST; ++i) {
+        if (raw.buttons[i] == GLFW_PRESS) pad.buttons |= 1U << i;
+    }
+    return pad;
+}
+
+}  // namespace
+
+std::array<PadState, 4> Window::pads() {
+    seat_pads(state_->pad_ids);
+    std::array<PadState, 4> out;
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = read_pad(state_->pad_ids[i]);
+    return out;
+}
+
+Size Window::size() const { return state_->size; }
+bool Window::minimised() const { return state_->minimised; }
+bool Window::focused() const { return state_->focused; }
+bool Window::should_close() const { return state_->closing; }
+void Window::request_close() { state_->closing = true; }
+
+void Window::make_current() {
+    glfwMakeContextCurrent(state_->handle);
+    glfwSwapInterval(state_->spec.vsync ? 1 : 0);
+}
+
+void Window::release_current() { glfwMakeContextCurrent(nullptr); }
+void Window::present() { glfwSwapBuffers(state_->handle); }
+
+}  // namespace thaum::render

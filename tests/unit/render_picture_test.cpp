@@ -1,0 +1,355 @@
+// Pictures drawn without a display, judged by their pixels.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include "render/context.h"
+#include "render/renderer.h"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace thaum::render {
+namespace {
+
+constexpr int width = 200, height = 120;
+const std::filesystem::path assets = THAUM_SOURCE_DIR "/assets";
+
+struct Pixel {
+    int r, g, b;
+};
+
+Pixel at(const Image& image, int x, int y) {
+    const auto i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                        static_cast<std::size_t>(x));
+    return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
+}
+
+bool reddish(Pixel p) { return p.r > 80 && p.g < p.r / 3 && p.b < p.r / 3; }
+bool greenish(Pixel p) { return p.g > 80 && p.r < p.g / 3 && p.b < p.g / 3; }
+
+template <class Test>
+int count(const Image& image, Rect in, Test test) {
+    int sum = 0;
+    for (int y = in.y; y < in.y + in.height; ++y) {
+        for (int x = in.x; x < in.x + in.width; ++x) sum += test(at(image, x, y));
+    }
+    return sum;
+}
+
+/// White light from everywhere and no fog: what is red is red.
+Environment plain_light() {
+    Environment e;
+    e.sun.colour = fvec3(0);
+    e.ambient = {fvec3(1), fvec3(1)};
+    e.fog.density = 0;
+    e.sky = {fvec3(0.2F), fvec3(0.2F), fvec3(0)};
+    return e;
+}
+
+class Picture : public testing::Test {
+protected:
+    void SetUp() override {
+        auto made = Offscreen::create(width, height);
+        if (!made) GTEST_SKIP() << made.error().message;
+        context.emplace(std::move(*made));
+        context->make_current();
+        auto created = Renderer::create(assets);
+        ASSERT_TRUE(created) << created.error().message;
+        renderer.emplace(std::move(*created));
+        cube = renderer->upload(box(fvec3(0.5F), fvec3(1)));
+    }
+
+    ViewScene view(Rect viewport, const std::vector<Instance>& instances) const {
+        ViewScene v;
+        v.camera.position = fvec3(0);
+        v.viewport = viewport;
+        v.instances = instances;
+        v.environment = plain_light();
+        return v;
+    }
+
+    Instance cube_at(fvec3 place, fvec3 tint) const {
+        return {.mesh = cube, .model = translated(place), .tint = tint, .glow = 0};
+    }
+
+    Image drawn(const Frame& frame) {
+        renderer->draw(frame);
+        return renderer->read_pixels();
+    }
+
+    Image drawn(const std::vector<Instance>& instances) {
+        return drawn(
+            Frame{.width = width, .height = height, .views = {view(whole, instances)}, .overlay = {}});
+    }
+
+    static constexpr Rect whole{0, 0, width, height};
+    const fvec3 red{1, 0, 0}, green{0, 1, 0};
+    std::optional<Offscreen> context;
+    std::optional<Renderer> renderer;
+    MeshId cube{};
+};
+
+TEST_F(Picture, SplitViewsColourOnlyTheirOwnHalf) {
+    for (const auto split : {Split::side_by_side, Split::top_bottom}) {
+        for (const float scale : {1.0F, 0.5F}) {
+            const auto rects = split_window(width, height, split);
+            const std::vector<Instance> reds{cube_at({0, 0, -1.5F}, red)},
+                greens{cube_at({0, 0, -1.5F}, green)};
+            const Frame frame{.width = width,
+                              .height = height,
+                              .views = {view(rects[0], reds), view(rects[1], greens)},
+                              .overlay = {},
+                              .internal_scale = scale};
+            const auto image = drawn(frame);
+            EXPECT_GT(count(image, rects[0], reddish), 500);
+            EXPECT_EQ(count(image, rects[1], reddish), 0);
+            EXPECT_GT(count(image, rects[1], greenish), 500);
+            EXPECT_EQ(count(image, rects[0], greenish), 0);
+        }
+    }
+}
+
+TEST_F(Picture, TheFirstViewIsOnTopAndRightIsRight) {
+    const auto rects = split_window(width, height, Split::top_bottom);
+    const std::vector<Instance> one{cube_at({2, 0, -3}, red)};
+    const auto image =
+        drawn({.width = width, .height = height, .views = {view(rects[0], one)}, .overlay = {}});
+    EXPECT_GT(count(image, {width / 2, 0, width / 2, height / 2}, reddish), 20);
+    EXPECT_EQ(count(image, {0, 0, width / 2, height}, reddish), 0);
+    const auto below = at(image, 50, height - 5);
+    EXPECT_EQ(below.r + below.g + below.b, 0) << "what no view covers is black";
+}
+
+TEST_F(Picture, NearHidesFar) {
+    const auto near = cube_at({0, 0, -2}, red), far = cube_at({0, 0, -6}, green);
+    for (const auto& order : {std::vector{near, far}, std::vector{far, near}}) {
+        const auto image = drawn(order);
+        EXPECT_TRUE(reddish(at(image, width / 2, height / 2)));
+        EXPECT_EQ(count(image, whole, greenish), 0);
+    }
+}
+
+TEST_F(Picture, FogHidesWhatIsFar) {
+    const std::vector<Instance> one{cube_at({0, 0, -20}, 3.0F * red)};
+    auto v = view(whole, one);
+    v.camera.fov_y = 0.1F;
+    v.environment.fog = {.colour = fvec3(0.2F), .density = 0.001F};
+    const auto clear = drawn({.width = width, .height = height, .views = {v}, .overlay = {}});
+    EXPECT_TRUE(reddish(at(clear, width / 2, height / 2)));
+    v.environment.fog.density = 0.3F;
+    const auto foggy = drawn({.width = width, .height = height, .views = {v}, .overlay = {}});
+    const auto fog = at(foggy, width / 2, height / 2), sky = at(foggy, 2, 2);
+    EXPECT_NEAR(fog.r, sky.r, 2);
+    EXPECT_NEAR(fog.g, sky.g, 2);
+}
+
+TEST_F(Picture, LightsReachTheirRadiusAndGlowNeedsNone) {
+    auto v = view(whole, {});
+    v.environment.ambient = {fvec3(0), fvec3(0)};
+    std::vector<Instance> one{cube_at({0, 0, -2}, fvec3(1))};
+    v.instances = one;
+    PointLight light{.position = {0, 0, 0}, .colour = fvec3(3), .radius = 1.4F};
+    v.lights = {&light, 1};
+    const auto brightness = [&] {
+        return at(drawn({.width = width, .height = height, .views = {v}, .overlay = {}}), width / 2,
+                  height / 2)
+            .g;
+    };
+    EXPECT_EQ(brightness(), 0) << "the cube's face is 1.5 m off";
+    light.radius = 4;
+    const int lit = brightness();
+    EXPECT_GT(lit, 40);
+    light.colour = fvec3(6);
+    EXPECT_GT(brightness(), lit);
+    v.lights = {};
+    one[0].glow = 1;
+    EXPECT_GT(brightness(), 180);
+}
+
+TEST_F(Picture, CountsDrawsAndSkipsTheUnseen) {
+    std::vector<Instance> instances;
+    for (int i = 0; i < 10; ++i) instances.push_back(cube_at({0, 0, -5.0F - static_cast<float>(i)}, red));
+    for (int i = 0; i < 7; ++i) instances.push_back(cube_at({0, 0, 5.0F + static_cast<float>(i)}, red));
+    drawn(instances);
+    const auto& s = renderer->statistics();
+    EXPECT_EQ(s.instances_drawn, 10U);
+    EXPECT_EQ(s.instances_culled, 7U);
+    EXPECT_EQ(s.draws, 2U) << "one mesh and the sky";
+    EXPECT_EQ(s.triangles, 10U * 12);
+    instances.assign(5, cube_at({0, 0, 5}, red));
+    drawn(instances);
+    EXPECT_EQ(renderer->statistics().draws, 1U) << "unseen things cost no call";
+}
+
+TEST_F(Picture, ThingsThatAreNotNumbersAreNotDrawn) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    auto broken = cube_at({0, 0, -2}, red);
+    broken.model[3][1] = nan;
+    const auto image = drawn({broken, cube_at({0, 0, -3}, green)});
+    EXPECT_GT(count(image, whole, greenish), 50);
+    EXPECT_EQ(count(image, whole, reddish), 0);
+    // A broken camera shows nothing of use, but must not end the game.
+    const std::vector<Instance> one{cube_at({0, 0, -2}, red)};
+    auto v = view(whole, one);
+    v.camera.position.x = nan;
+    v.camera.fov_y = nan;
+    drawn({.width = width, .height = height, .views = {v}, .overlay = {}});
+    EXPECT_GT(count(drawn(one), whole, reddish), 50) << "the next picture is whole again";
+}
+
+TEST_F(Picture, FrameWithoutSizeOrViewsIsHarmless) {
+    renderer->draw(Frame{});
+    EXPECT_TRUE(renderer->read_pixels().rgb.empty());
+    const auto image = drawn({.width = width, .height = height, .views = {}, .overlay = {}});
+    EXPECT_EQ(count(image, whole, [](Pixel p) { return p.r + p.g + p.b > 0; }), 0);
+}
+
+TEST_F(Picture, ReplacedMeshIsDrawn) {
+    const std::vector<Instance> one{cube_at({0, 0, -2}, red)};
+    const int before = count(drawn(one), whole, reddish);
+    renderer->replace(cube, box(fvec3(0.25F), fvec3(1)));
+    EXPECT_LT(count(drawn(one), whole, reddish), before / 2);
+    renderer->replace(cube, {});
+    EXPECT_EQ(count(drawn(one), whole, reddish), 0);
+}
+
+TEST_F(Picture, TextStaysInItsMeasuredBox) {
+    for (const auto align : {Align::left, Align::centre, Align::right}) {
+        const std::string text = "jfÅ gy\nA|";
+        const fvec2 size = renderer->measure(text, 18);
+        Frame frame{.width = width, .height = height, .views = {}, .overlay = {}};
+        frame.overlay.items.push_back(TextItem{text, {100, 30}, 18, fvec4(1), align});
+        const auto image = drawn(frame);
+        const float part = align == Align::left ? 0.0F : align == Align::centre ? 0.5F : 1.0F;
+        // A half pixel of an odd width is rounded, hence one more on each side.
+        const Rect box{static_cast<int>(100 - part * size.x) - 1, 30, static_cast<int>(size.x) + 2,
+                       static_cast<int>(size.y)};
+        const auto inked = [](Pixel p) { return p.r > 0; };
+        EXPECT_GT(count(image, box, inked), 100);
+        EXPECT_EQ(count(image, whole, inked), count(image, box, inked));
+    }
+}
+
+TEST_F(Picture, TextIsSharp) {
+    Frame frame{.width = width, .height = height, .views = {}, .overlay = {}};
+    frame.overlay.items.push_back(TextItem{"HHH", {20.4F, 20.3F}, 24, fvec4(1)});
+    const auto image = drawn(frame);
+    const int full = count(image, whole, [](Pixel p) { return p.r > 250; });
+    const int grey = count(image, whole, [](Pixel p) { return p.r > 5 && p.r <= 250; });
+    EXPECT_GT(full, 2 * grey);
+}
+
+TEST_F(Picture, OverlayShapesCoverTheirArea) {
+    Frame frame{.width = width, .height = height, .views = {}, .overlay = {}};
+    auto& items = frame.overlay.items;
+    const auto covered = [&] {
+        const auto image = drawn(frame);
+        double sum = 0;
+        for (const auto byte : image.rgb) sum += byte;
+        return sum / (3 * 255);
+    };
+    items = {RectItem{{10, 20}, {40, 30}}};
+    EXPECT_NEAR(covered(), 300, 0.5);
+    items = {TriangleItem{{10, 10}, {70, 20}, {30, 80}}};
+    EXPECT_NEAR(covered(), 0.5 * (60 * 70 - 20 * 10), 25);
+    items = {LineItem{{10, 10}, {90, 70}, 3}};
+    EXPECT_NEAR(covered(), 300, 10);
+    items = {ArcItem{{100, 60}, 30, 40, 0, 3.14159265F / 2}};
+    EXPECT_NEAR(covered(), 3.14159 / 4 * (1600 - 900), 12);
+    const auto image = drawn(frame);
+    EXPECT_GT(at(image, 125, 35).r, 250) << "a quarter from 12 to 3 o'clock is at the upper right";
+    EXPECT_EQ(at(image, 75, 85).r, 0);
+    items = {RectItem{.low = {20, 20}, .high = {80, 60}, .colour = fvec4(1), .corner = 10}};
+    EXPECT_NEAR(covered(), 2400 - (4 - 3.14159) * 100, 10);
+}
+
+TEST_F(Picture, OverlayBlendsInOrder) {
+    Frame frame{.width = width, .height = height, .views = {}, .overlay = {}};
+    frame.overlay.items = {RectItem{{0, 0}, {50, 50}, fvec4(1, 0, 0, 1)},
+                           RectItem{{0, 0}, {50, 50}, fvec4(0, 1, 0, 0.5F)}};
+    const auto p = at(drawn(frame), 25, 25);
+    EXPECT_NEAR(p.r, 128, 2);
+    EXPECT_NEAR(p.g, 128, 2);
+}
+
+TEST_F(Picture, OverlayIsSharpWhateverTheInternalScale) {
+    Frame frame{
+        .width = width, .height = height, .views = {view(whole, {})}, .overlay = {}, .internal_scale = 0.25F};
+    frame.overlay.items = {RectItem{{51, 51}, {52, 52}, fvec4(1, 0, 0, 1)}};
+    const auto image = drawn(frame);
+    EXPECT_EQ(count(image, whole, reddish), 1);
+    EXPECT_TRUE(reddish(at(image, 51, 51)));
+}
+
+TEST_F(Picture, PngComesBackAsItWas) {
+    const auto image = drawn({cube_at({0, 0.3F, -2}, red)});
+    const auto path = std::filesystem::path(testing::TempDir()) / "thaum_render_test.png";
+    const auto written = write_png(path, image);
+    ASSERT_TRUE(written) << written.error().message;
+    int w = 0, h = 0, channels = 0;
+    stbi_uc* read = stbi_load(path.c_str(), &w, &h, &channels, 3);
+    ASSERT_NE(read, nullptr);
+    EXPECT_EQ(w, width);
+    EXPECT_EQ(h, height);
+    EXPECT_TRUE(std::equal(image.rgb.begin(), image.rgb.end(), read));
+    stbi_image_free(read);
+    std::filesystem::remove(path);
+}
+
+TEST(ImageFile, UnwritablePlaceIsNamed) {
+    const auto written = write_png("/nowhere/at/all.png", {1, 1, {1, 2, 3}});
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().message.find("/nowhere/at/all.png"), std::string::npos);
+}
+
+class BrokenShader : public Picture {
+protected:
+    void SetUp() override {
+        Picture::SetUp();
+        if (IsSkipped()) return;
+        std::filesystem::remove_all(folder);
+        std::filesystem::create_directories(folder);
+        std::filesystem::copy(assets / "shaders", folder / "shaders",
+                              std::filesystem::copy_options::recursive);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+
+    std::string error() {
+        const auto made = Renderer::create(folder);
+        EXPECT_FALSE(made);
+        return made ? "" : made.error().message;
+    }
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "thaum_broken_assets";
+};
+
+TEST_F(BrokenShader, EveryFileIsNamedWhenItDoesNotCompile) {
+    for (const char* name :
+         {"mesh.vert", "mesh.frag", "tone.glsl", "sky.vert", "sky.frag", "overlay.vert", "overlay.frag"}) {
+        const auto path = folder / "shaders" / name;
+        std::ofstream(path) << "#version 330 core\nvoid main() {\n    no such thing;\n}\n";
+        const auto message = error();
+        EXPECT_NE(message.find(path.string()), std::string::npos) << message;
+        EXPECT_NE(message.find("3"), std::string::npos) << "the line: " << message;
+        EXPECT_EQ(message.find('\n'), std::string::npos);
+        std::filesystem::copy_file(assets / "shaders" / name, path,
+                                   std::filesystem::copy_options::overwrite_existing);
+    }
+}
+
+TEST_F(BrokenShader, MissingFileIsNamed) {
+    std::filesystem::remove(folder / "shaders" / "sky.frag");
+    EXPECT_NE(error().find("sky.frag"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace thaum::render
