@@ -1,0 +1,163 @@
+// The benchmark framework: the report's form, the Pareto front, the stopwatch and the count of allocations.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "tools/bench/allocations.h"
+#include "tools/bench/bench.h"
+#include "tools/bench/measure.h"
+
+namespace thaum::bench {
+namespace {
+
+Row row(std::string name, std::int64_t n, double us, double error) {
+    Row r;
+    r.area = "made_up";
+    r.name = std::move(name);
+    r.setting = {{"solver", std::string("thaum")}, {"n", n}};
+    r.time_us = Times{us / 2, us, us * 2};
+    r.error = ErrorMeasure{"rms", error};
+    return r;
+}
+
+/// Two cases; in "a" the third is slower and worse than the second, and the fourth as good as the first but slower.
+Report made_up() {
+    auto report = empty_report();
+    report.rows = {row("a", 16, 10, 0.1), row("a", 32, 20, 0.01), row("a", 33, 30, 0.02),
+                   row("a", 15, 11, 0.1), row("b", 16, 99, 0.5)};
+    report.rows[1].is_default = true;
+    report.rows[1].hash = "00ff";
+    report.rows[1].metrics = {{"ns_per_entity", 1.25}};
+    return report;
+}
+
+TEST(BenchReport, FrontIsWhatNothingElseOfTheCaseBeats) {
+    auto rows = made_up().rows;
+    mark_fronts(rows);
+    std::vector<bool> fronts;
+    for (const auto& r : rows) fronts.push_back(r.front);
+    EXPECT_EQ(fronts, (std::vector<bool>{true, true, false, false, true}));
+}
+
+TEST(BenchReport, EqualRowsShareTheFrontAndRowsWithoutAnErrorOrWithAFailedOneAreNotOnIt) {
+    std::vector<Row> rows{row("a", 1, 10, 0.1), row("a", 2, 10, 0.1), row("a", 3, 1, 0), row("a", 4, 1, 0)};
+    rows[2].error.reset();
+    rows[3].error->value = std::numeric_limits<double>::quiet_NaN();
+    mark_fronts(rows);
+    EXPECT_TRUE(rows[0].front && rows[1].front);
+    EXPECT_FALSE(rows[2].front || rows[3].front);
+}
+
+TEST(BenchReport, JsonHasTheFieldsOfTheInterface) {
+    auto report = made_up();
+    mark_fronts(report.rows);
+    const auto json = nlohmann::json::parse(to_json(report));
+    EXPECT_FALSE(json.at("thaum").get<std::string>().empty());
+    EXPECT_TRUE(json.at("machine").at("cpu").is_string());
+    EXPECT_GE(json.at("machine").at("cores").get<int>(), 1);
+    EXPECT_TRUE(json.at("machine").at("build").is_string());
+    const auto& r = json.at("rows").at(1);
+    EXPECT_EQ(r.at("area"), "made_up");
+    EXPECT_EQ(r.at("case"), "a");
+    EXPECT_EQ(r.at("setting").at("solver"), "thaum");
+    EXPECT_TRUE(r.at("setting").at("n").is_number_integer());
+    EXPECT_EQ(r.at("time_us"), (nlohmann::json{{"min", 10.0}, {"median", 20.0}, {"p99", 40.0}}));
+    EXPECT_EQ(r.at("error"), (nlohmann::json{{"name", "rms"}, {"value", 0.01}}));
+    EXPECT_EQ(r.at("front"), true);
+    EXPECT_EQ(r.at("default"), true);
+    EXPECT_EQ(r.at("metrics").at("ns_per_entity"), 1.25);
+    EXPECT_EQ(r.at("hash"), "00ff");
+}
+
+TEST(BenchReport, JsonLeavesOutWhatARowDoesNotHave) {
+    auto report = empty_report();
+    report.rows.push_back({.area = "made_up", .name = "bare"});
+    const auto r = nlohmann::json::parse(to_json(report)).at("rows").at(0);
+    for (const auto* key : {"time_us", "error", "metrics", "hash"}) EXPECT_FALSE(r.contains(key)) << key;
+    EXPECT_TRUE(r.at("setting").is_object());
+}
+
+TEST(BenchReport, TableHasAColumnForEverySettingAndMetricAndMarksFrontAndDefault) {
+    auto report = made_up();
+    mark_fronts(report.rows);
+    const auto table = to_table(report);
+    for (const auto* part : {"made_up\n", "case", "solver", "median us", "rms", "mark", "ns_per_entity",
+                             "hash", "1.25", "00ff", "*d"}) {
+        EXPECT_NE(table.find(part), std::string::npos) << part << " is missing in\n" << table;
+    }
+}
+
+TEST(BenchMeasure, ContestantsAreCalledEquallyOftenAndSetupIsNotTimed) {
+    int setups = 0;
+    std::array<int, 2> runs{};
+    const std::array<Contestant, 2> two{
+        Contestant{[&] {
+                       ++setups;
+                       std::this_thread::sleep_for(std::chrono::milliseconds(20));
+                   },
+                   [&] { ++runs[0]; }},
+        Contestant{{}, [&] { ++runs[1]; }}};
+    const auto samples = measure(two, {.seconds = 0, .least = 5, .most = 100, .calls = 3});
+    ASSERT_EQ(samples.size(), 2U);
+    EXPECT_EQ(samples[0].size(), 5U);
+    EXPECT_EQ(samples[1].size(), 5U);
+    EXPECT_EQ(setups, 6);  // the first round is not counted
+    EXPECT_EQ(runs, (std::array{18, 18}));
+    EXPECT_LT(times(samples[0]).min, 5000);
+}
+
+TEST(BenchMeasure, ASleepTakesItsTime) {
+    const std::array<Contestant, 2> two{
+        Contestant{{}, [] { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }},
+        Contestant{{}, [] {}}};
+    const auto samples = measure(two, {.seconds = 0, .least = 3});
+    EXPECT_GE(times(samples[0]).min, 2000);
+    EXPECT_GT(ratio(samples[0], samples[1]), 1);
+}
+
+TEST(BenchMeasure, PercentilesAreNearestRanks) {
+    std::vector<double> samples;
+    for (int i = 100; i >= 1; --i) samples.push_back(i);
+    const auto t = times(samples);
+    EXPECT_EQ(t.min, 1);
+    EXPECT_EQ(t.median, 50);
+    EXPECT_EQ(t.p99, 99);
+    EXPECT_EQ(percentile({7}, 0.99), 7);
+    EXPECT_EQ(ratio(std::array{2.0, 30.0, 8.0}, std::array{1.0, 10.0, 2.0}), 3);
+}
+
+TEST(BenchAllocations, EveryKindIsCountedInEveryThread) {
+    if (!allocations_are_counted()) GTEST_SKIP() << "not under a sanitizer";
+    const auto before = allocation_count();
+    const auto one = std::make_unique<int>(1);
+    do_not_optimise(one.get());
+    EXPECT_EQ(allocation_count(), before + 1);
+
+    void* memory = std::realloc(std::calloc(1, 8), 4096);
+    do_not_optimise(memory);
+    std::free(memory);
+    memory = std::aligned_alloc(64, 128);
+    do_not_optimise(memory);
+    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(memory) % 64, 0U);
+    std::free(memory);
+    EXPECT_EQ(allocation_count(), before + 4);
+
+    std::thread([] { do_not_optimise(std::make_unique<int>(2).get()); }).join();
+    EXPECT_GT(allocation_count(), before + 4);
+}
+
+TEST(BenchRun, AnUnknownAreaIsRefused) {
+    Options options;
+    options.areas = {"no_such_area"};
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(run(options), 2);
+    const auto message = testing::internal::GetCapturedStderr();
+    EXPECT_NE(message.find("no_such_area"), std::string::npos);
+    EXPECT_NE(message.find("ecs"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace thaum::bench

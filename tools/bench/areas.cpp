@@ -1,0 +1,14 @@
+#include "tools/bench/areas.h"
+
+#include <array>
+
+namespace thaum::bench {
+
+std::span<const Area> areas() {
+    static constexpr std::array list{
+        Area{"ecs", ecs},
+    };
+    return list;
+}
+
+}  // namespace thaum::bench

@@ -1,0 +1,9 @@
+// tools/bench/areas.h: the areas, each in a file of its own.
+#pragma once
+#include "tools/bench/bench.h"
+
+namespace thaum::bench {
+
+void ecs(const Options& options, Report& report);
+
+}  // namespace thaum::bench

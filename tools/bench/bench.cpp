@@ -1,0 +1,63 @@
+#include "tools/bench/bench.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/file.h"
+#include "core/text.h"
+
+namespace thaum::bench {
+namespace {
+
+const Area* area_named(std::string_view name) {
+    const auto all = areas();
+    const auto it = std::ranges::find(all, name, &Area::name);
+    return it == all.end() ? nullptr : &*it;
+}
+
+std::string unknown_message(const std::string& name) {
+    auto message = text("bench: no area \"", name, "\"; there are:");
+    for (const auto& area : areas()) append_text(message, text(" ", area.name));
+    return text(message, "\n");
+}
+
+bool wanted(const Options& options, const Area& area) {
+    return options.areas.empty() || std::ranges::find(options.areas, area.name) != options.areas.end();
+}
+
+void print(std::FILE* to, const std::string& s) { std::fputs(s.c_str(), to); }
+
+/// The table goes beside the JSON, not into it.
+int publish(const Options& options, const Report& report) {
+    const bool json_on_screen = options.json && *options.json == "-";
+    print(json_on_screen ? stderr : stdout, to_table(report));
+    if (json_on_screen) {
+        print(stdout, to_json(report));
+    } else if (options.json) {
+        const auto written = write_text_file(*options.json, to_json(report));
+        if (!written) {
+            print(stderr, text("bench: ", written.error().message, "\n"));
+            return 1;
+        }
+    }
+    return 0;
+}
+
+}  // namespace
+
+int run(const Options& options) {
+    for (const auto& name : options.areas) {
+        if (area_named(name) == nullptr) {
+            print(stderr, unknown_message(name));
+            return 2;
+        }
+    }
+    auto report = empty_report();
+    for (const auto& area : areas()) {
+        if (wanted(options, area)) area.run(options, report);
+    }
+    mark_fronts(report.rows);
+    return publish(options, report);
+}
+
+}  // namespace thaum::bench

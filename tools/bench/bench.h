@@ -1,0 +1,32 @@
+// tools/bench/bench.h: `thaum bench [AREA ...] [--json FILE] [--quick] [--stress]`.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/bench/report.h"
+
+namespace thaum::bench {
+
+struct Options {
+    std::vector<std::string> areas;             ///< empty: all
+    bool quick = false;                         ///< at most 20 s an area: every case, at smaller sizes
+    bool stress = false;                        ///< the area's long stability attack
+    std::optional<std::filesystem::path> json;  ///< "-": standard output
+};
+
+struct Area {
+    std::string_view name;
+    void (*run)(const Options& options, Report& report);  ///< appends rows
+};
+
+/// In the order in which they run. A new area is one line in areas.cpp.
+std::span<const Area> areas();
+
+/// Runs, prints the table and writes the JSON. The exit code: 0, 1 where the file cannot be written, 2 for an unknown area.
+int run(const Options& options);
+
+}  // namespace thaum::bench
