@@ -1,0 +1,123 @@
+// Proves on made-up trees that each rule can fail, and that it passes what is right.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "structure/rules.h"
+
+namespace thaum::structure {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Rules : public ::testing::Test {
+protected:
+    Rules() {
+        auto name = (fs::temp_directory_path() / "thaum-rules-XXXXXX").string();
+        root_ = ::mkdtemp(name.data());
+    }
+    ~Rules() override { fs::remove_all(root_); }
+    Rules(const Rules&) = delete;
+    Rules& operator=(const Rules&) = delete;
+
+    void add(const fs::path& path, std::string_view text) const {
+        fs::create_directories((root_ / path).parent_path());
+        std::ofstream(root_ / path) << text;
+    }
+
+    /// The faults of one file in engine/ or game/ with one include in its second line.
+    Faults arrow(const fs::path& from, const std::string& include) const {
+        add(from, "// what it is for\n#include " + include + "\n");
+        auto faults = upward_arrows(root_);
+        fs::remove(root_ / from);
+        return faults;
+    }
+
+    const fs::path& root() const { return root_; }
+
+private:
+    fs::path root_;
+};
+
+TEST_F(Rules, ArrowsMayPointDown) {
+    EXPECT_EQ(arrow("engine/ecs/a.h", "\"core/a.h\""), Faults{});
+    EXPECT_EQ(arrow("engine/fluid/a.h", "\"field/a.h\""), Faults{});
+    EXPECT_EQ(arrow("engine/render/a.cpp", "\"ecs/a.h\""), Faults{});
+    EXPECT_EQ(arrow("engine/input/a.cpp", "\"haptics/a.h\""), Faults{});
+    EXPECT_EQ(arrow("engine/input/a.cpp", "\"tactile/a.h\""), Faults{});
+    EXPECT_EQ(arrow("engine/core/a.cpp", "<vector>"), Faults{});
+    EXPECT_EQ(arrow("engine/core/a.cpp", "<toml++/toml.h>"), Faults{});
+    EXPECT_EQ(arrow("engine/core/a.cpp", "\"core/detail/a.h\""), Faults{});
+    EXPECT_EQ(arrow("game/match/a.cpp", "\"game/hud/a.h\""), Faults{});
+    EXPECT_EQ(arrow("game/match/a.cpp", "\"render/a.h\""), Faults{});
+    EXPECT_EQ(arrow("game/components/a.h", "\"game/components/b.h\""), Faults{});
+    EXPECT_EQ(arrow("game/components/a.h", "\"physics/b.h\""), Faults{});
+}
+
+TEST_F(Rules, ArrowsMustNotPointUp) {
+    EXPECT_EQ(arrow("engine/core/a.cpp", "\"ecs/world.h\""),
+              Faults{"engine/core/a.cpp:2: core -> engine/ecs/world.h: the arrow must point down"});
+    EXPECT_EQ(arrow("engine/ecs/a.h", "\"game/match/match.h\""),
+              Faults{"engine/ecs/a.h:2: ecs -> game/match/match.h: the arrow must point down"});
+    EXPECT_EQ(arrow("engine/field/a.h", "\"fluid/solver.h\"").size(), 1);
+    EXPECT_EQ(arrow("engine/physics/a.h", "\"render/mesh.h\"").size(), 1);
+    EXPECT_EQ(arrow("engine/haptics/a.h", "\"input/log.h\"").size(), 1);
+    EXPECT_EQ(arrow("engine/ecs/a.h", "\"field/grid.h\"").size(), 1);
+}
+
+TEST_F(Rules, NumericalPartsKnowNoEntities) {
+    for (const auto* part : {"field", "fluid", "haptics", "tactile", "gesture"}) {
+        EXPECT_EQ(arrow(fs::path("engine") / part / "a.h", "\"ecs/world.h\"").size(), 1) << part;
+    }
+}
+
+TEST_F(Rules, DetailAndComponentsAreClosed) {
+    EXPECT_EQ(arrow("engine/ecs/a.h", "\"core/detail/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/match/a.h", "\"physics/detail/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/match/a.h", "\"game/hud/detail/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/components/a.h", "\"game/match/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("engine/core/a.h", "\"nowhere/a.h\"").size(), 1);
+}
+
+TEST_F(Rules, NoWayRoundTheArrows) {
+    add("engine/render/mesh.h", "// render/mesh.h: meshes\n");
+    EXPECT_EQ(arrow("engine/core/a.h", "\"../render/mesh.h\"").size(), 1);
+    EXPECT_EQ(arrow("engine/core/a.h", "\"engine/render/mesh.h\"").size(), 1);
+    EXPECT_EQ(arrow("engine/core/a.h", "<render/mesh.h>").size(), 1);
+    EXPECT_EQ(arrow("engine/core/deep/a.h", "\"../../render/mesh.h\"").size(), 1);
+    EXPECT_EQ(arrow("engine/core/a.inl", "\"render/mesh.h\"").size(), 1);
+}
+
+TEST_F(Rules, MachinePathsAreFound) {
+    const auto home = std::string("/ho") + "me/someone/x";
+    add("README.md", "one\ntwo " + home + "\n");
+    add("assets/a.bin", std::string("\0\x01", 2) + root().string() + "/assets");
+    add("build/CMakeCache.txt", home);
+    add(".git/config", home);
+    add("doc.md", "https://example.com" + home + "\n$HOME/x ~/x\n");
+    const auto faults = machine_paths(root());
+    ASSERT_EQ(faults.size(), 2);
+    EXPECT_TRUE(faults[0].starts_with("README.md:2: "));
+    EXPECT_TRUE(faults[1].starts_with("assets/a.bin:1: "));
+}
+
+TEST_F(Rules, ForgottenTestsAreFound) {
+    add("tests/core.cmake", "thaum_test(test_core SOURCES unit/built.cpp)");
+    add("tests/unit/built.cpp", "");
+    add("tests/unit/forgotten.cpp", "");
+    const auto faults = unbuilt_tests(root());
+    ASSERT_EQ(faults.size(), 1);
+    EXPECT_TRUE(faults[0].starts_with("tests/unit/forgotten.cpp:1: "));
+}
+
+TEST_F(Rules, HeadersWithoutTheirIdeaAreFound) {
+    add("engine/core/good.h", "// core/good.h: says what it is\n");
+    add("engine/core/bare.h", "#pragma once\n");
+    add("engine/core/moved.h", "// ecs/moved.h: an old place\n");
+    add("engine/core/detail/inner.h", "#pragma once\n");
+    EXPECT_EQ(headers_without_idea(root()).size(), 2);
+}
+
+}  // namespace
+}  // namespace thaum::structure

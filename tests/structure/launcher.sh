@@ -1,0 +1,142 @@
+#!/usr/bin/env bash
+# tests/structure/launcher.sh SOURCE: tries ./thaum on a copy of it, with make-believe dpkg-query, apt-get, sudo,
+# cmake and ninja, so that nothing is installed or built. Prints each case; exits 1 when one does not hold.
+# shellcheck disable=SC2016  # the make-believe tools expand their own variables
+set -euo pipefail
+
+source=$1
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+tree=$place/tree
+fake=$place/fake
+failures=0
+as_user=()  # who runs the launcher; empty: we
+
+# tool NAME: a make-believe program whose script comes on standard input.
+tool() {
+    { echo '#!/bin/bash' && cat; } >"$fake/$1"
+    chmod +x "$fake/$1"
+}
+
+# A fresh machine: apt-get installs (by noting the packages), cmake and ninja make a program that prints its arguments.
+fresh_machine() {
+    rm -rf "${place:?}"/*
+    mkdir -p "$fake" "$tree/tools"
+    cp "$source/thaum" "$tree/"
+    cp "$source/tools/packages.txt" "$tree/tools/"
+    : >"$place/installed"
+    export PLACE=$place
+    tool dpkg-query <<<'for p in "${@:4}"; do grep -qx "$p" "$PLACE/installed" && echo -n "$p:installed "; done; exit 1'
+    tool apt-get <<'APT'
+echo "apt-get $*" >>"$PLACE/calls"
+[[ " $* " == *" install "* ]] && printf '%s\n' "$@" >>"$PLACE/installed"
+exit 0
+APT
+    tool sudo <<<'[[ $1 == -n ]] && shift; [[ $1 == true ]] || exec "$@"'
+    tool cmake <<'CMAKE'
+echo "cmake $*" >>"$PLACE/calls"
+mkdir -p "$PLACE/tree/build/release/game"
+touch "$PLACE/tree/build/release/build.ninja"
+printf '%s\n' "${@#-D}" >"$PLACE/tree/build/release/CMakeCache.txt"
+CMAKE
+    tool ninja <<'NINJA'
+program=$PLACE/tree/build/release/game/thaum
+[[ -f $program ]] && exit
+echo "ninja $*" >>"$PLACE/calls"
+printf '#!/bin/bash\necho "started: $*"\n' >"$program"
+chmod +x "$program"
+NINJA
+}
+
+# run ARGUMENTS: starts the copy without a terminal; sets output and code.
+run() {
+    code=0
+    output=$(PATH=$fake:$PATH timeout 20 "${as_user[@]}" "$tree/thaum" "$@" </dev/null 2>&1) || code=$?
+}
+
+# expect NAME CONDITION...
+expect() {
+    if "${@:2}"; then
+        echo "ok: $1"
+    else
+        echo "FAILED: $1"
+        printf 'exit code %s, output:\n%s\n' "$code" "$output"
+        failures=$((failures + 1))
+    fi
+}
+says() { [[ $output == *"$1"* ]]; }
+says_not() { [[ $output != *"$1"* ]]; }
+code_is() { ((code == $1)); }
+called() { grep -q -e "$1" "$place/calls" 2>/dev/null; }
+not_called() { ! called "$1"; }
+
+fresh_machine
+run play --demo "two words"
+expect "starts the program with the arguments" says "started: play --demo two words"
+expect "prints the missing packages" says "missing Debian packages: g++ cmake"
+expect "installs without asking where there is no terminal" called "install --no-install-recommends g++ cmake"
+expect "leaves the test packages out" not_called libgtest-dev
+expect "builds the program alone" called "ninja .* thaum$"
+expect "leaves the tests out of the build" called "BUILD_TESTING:BOOL=OFF"
+expect "says that the first build takes minutes" says "the first time takes about"
+
+rm -f "$place/calls"
+run again
+expect "starts a second time" says "started: again"
+expect "does nothing else then" not_called .
+expect "and says nothing else" test "$output" = "started: again"
+
+rm "$tree"/build/.packages-*
+echo gone >"$place/installed"
+tool apt-get <<<'echo "E: no network"; exit 100'
+run
+expect "stops when apt-get fails" code_is 2
+expect "gives the reason" says "E: no network"
+expect "names the next command" says "apt-get install --no-install-recommends g++"
+
+fresh_machine
+tool sudo <<<'exit 1'
+chmod -R a+rwX "$place"
+((EUID != 0)) || as_user=(setpriv --reuid=65534 --regid=65534 --clear-groups)
+run
+expect "stops without rights" code_is 2
+expect "prints the command to run" says "run as root, then start again: apt-get install"
+expect "calls no apt-get" not_called apt-get
+chmod -R a-w "$tree"
+rmdir "$tree/build" 2>/dev/null || rm -rf "$tree/build"
+run
+expect "stops where it cannot write" code_is 2
+expect "and says where" says "cannot write to $tree"
+as_user=()
+chmod -R u+w "$tree"
+
+fresh_machine
+tool ninja <<<'echo "[1/2] x"; echo "FAILED: a.o"; echo "a.cpp:1: error: no"; exit 1'
+run
+expect "stops when the build fails" code_is 2
+expect "shows the words of the compiler" says "a.cpp:1: error: no"
+expect "and not its progress" says_not "[1/2]"
+
+fresh_machine
+echo "flags : sse2 avx" >"$place/cpuinfo"
+export THAUM_CPUINFO=$place/cpuinfo
+run
+expect "builds the portable way on an old processor" called "THAUM_PORTABLE:BOOL=ON"
+expect "says so in one line" says "no AVX2"
+expect "starts all the same" says "started:"
+echo "flags : avx2 fma bmi1 bmi2 f16c movbe abm" >"$place/cpuinfo"
+fresh_machine
+echo "flags : avx2 fma bmi1 bmi2 f16c movbe abm" >"$place/cpuinfo"
+run
+expect "builds for AVX2 where there is one" not_called "THAUM_PORTABLE"
+unset THAUM_CPUINFO
+
+fresh_machine
+run test --nonsense
+expect "refuses an unknown option" code_is 2
+run test --help
+expect "has help" says "./thaum test [--quick] [FILTER]"
+run --help
+expect "passes --help on" says "started: --help"
+
+((failures == 0))

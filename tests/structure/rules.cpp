@@ -1,0 +1,213 @@
+#include "structure/rules.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+namespace thaum::structure {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A part may include parts of lower floors and itself.
+const std::map<std::string, int, std::less<>> floors = {
+    {"core", 0},  {"ecs", 1},     {"field", 1},   {"physics", 2}, {"fluid", 2},  {"haptics", 2},
+    {"audio", 2}, {"tactile", 2}, {"gesture", 2}, {"input", 2},   {"render", 2}, {"game", 3},
+};
+
+/// Arrows that stay on one floor.
+const std::set<std::pair<std::string, std::string>> level_arrows = {{"input", "haptics"},
+                                                                    {"input", "tactile"}};
+
+/// Plain data in, plain data out: these parts know nothing of entities.
+const std::set<std::string, std::less<>> numerical = {"field", "fluid", "haptics", "tactile", "gesture"};
+
+std::string read(const fs::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Neither ours nor in the repository.
+bool is_foreign_folder(const std::string& name) {
+    return name == ".git" || name == "build" || name.starts_with("build-") || name == "out" ||
+           name == ".cache";
+}
+
+/// The ordinary files of a tree, sorted, without what is built.
+std::vector<fs::path> files_under(const fs::path& folder) {
+    std::vector<fs::path> result;
+    if (!fs::exists(folder)) return result;
+    for (auto it = fs::recursive_directory_iterator(folder); it != fs::recursive_directory_iterator(); ++it) {
+        if (it.depth() == 0 && is_foreign_folder(it->path().filename().string())) {
+            it.disable_recursion_pending();
+        } else if (it->is_regular_file()) {
+            result.push_back(it->path());
+        }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+bool is_source(const fs::path& path) {
+    static const std::set<std::string, std::less<>> endings = {".h", ".cpp", ".inl", ".c", ".hpp"};
+    return endings.contains(path.extension().string());
+}
+
+std::string relative_to(const fs::path& root, const fs::path& path) {
+    return path.lexically_normal().lexically_relative(root.lexically_normal()).generic_string();
+}
+
+std::string at_line(const std::string& file, std::size_t line, const std::string& what) {
+    return file + ":" + std::to_string(line) + ": " + what;
+}
+
+std::vector<std::string> folders_of(const std::string& path) {
+    std::vector<std::string> result;
+    std::istringstream in(path);
+    for (std::string part; std::getline(in, part, '/');) result.push_back(part);
+    return result;
+}
+
+// ---- arrows -------------------------------------------------------------------------------------------------------
+
+/// A file's place in the house: ("ecs", "ecs") or ("game", "game/components").
+struct Place {
+    std::string part;    ///< key of `floors`; empty for what is not ours
+    std::string folder;  ///< whose detail/ it may read
+    bool in_detail = false;
+};
+
+Place place_of(const std::string& path) {
+    const auto folders = folders_of(path);
+    if (folders.size() < 2) return {};
+    const bool in_detail = std::find(folders.begin(), folders.end(), "detail") != folders.end();
+    if (folders[0] == "game") return {"game", folders.size() > 2 ? "game/" + folders[1] : "game", in_detail};
+    return folders[0] == "engine" ? Place{folders[1], folders[1], in_detail} : Place{};
+}
+
+/// The file that an include means, relative to the root; empty for a system header.
+std::string included_file(const fs::path& root, const fs::path& from, const std::string& name, bool quoted) {
+    for (const auto& base : {from.parent_path(), root / "engine", root}) {
+        if (fs::exists(base / name)) return relative_to(root, base / name);
+    }
+    const auto first = folders_of(name).front();
+    if (first == "game") return name;
+    if (floors.contains(first)) return "engine/" + name;
+    return quoted ? "engine/" + name : "";
+}
+
+bool on_components(const Place& place) { return place.folder == "game/components"; }
+
+/// What is wrong with an arrow, or nothing.
+std::string arrow_fault(const Place& from, const Place& to) {
+    if (to.in_detail && from.folder != to.folder) return "detail/ belongs to its folder alone";
+    if (on_components(from) && to.part == "game" && !on_components(to)) {
+        return "game/components may include engine only";
+    }
+    if (from.part == to.part) return "";
+    if (!floors.contains(to.part) || !floors.contains(from.part)) return "is no part of the house";
+    if (to.part == "ecs" && numerical.contains(from.part)) return "numerical parts know nothing of entities";
+    if (level_arrows.contains({from.part, to.part})) return "";
+    return floors.at(to.part) < floors.at(from.part) ? "" : "the arrow must point down";
+}
+
+void check_includes(const fs::path& root, const fs::path& file, Faults& faults) {
+    static const std::regex include(R"re(^\s*#\s*include\s*(["<])([^">]+)[">])re");
+    const auto name = relative_to(root, file);
+    const auto from = place_of(name);
+    std::istringstream lines(read(file));
+    std::size_t number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        std::smatch match;
+        if (!std::regex_search(line, match, include)) continue;
+        const auto target = included_file(root, file, match[2], match[1] == "\"");
+        if (target.empty()) continue;
+        const auto to = place_of(target);
+        const auto fault = arrow_fault(from, to);
+        if (fault.empty()) continue;
+        faults.push_back(at_line(name, number, from.folder + " -> " + target + ": " + fault));
+    }
+}
+
+// ---- paths --------------------------------------------------------------------------------------------------------
+
+bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '}' || c == '-';
+}
+
+/// Where `path` begins in text, as a path of its own and not as the tail of another.
+std::size_t find_path(const std::string& text, const std::string& path) {
+    auto at = text.find(path);
+    while (at != std::string::npos && at > 0 && is_word(text[at - 1])) at = text.find(path, at + 1);
+    return at;
+}
+
+}  // namespace
+
+Faults upward_arrows(const fs::path& root) {
+    Faults faults;
+    for (const auto* top : {"engine", "game"}) {
+        for (const auto& file : files_under(root / top)) {
+            if (is_source(file)) check_includes(root, file, faults);
+        }
+    }
+    return faults;
+}
+
+Faults machine_paths(const fs::path& root) {
+    // Put together here, or this file would be the first to break the rule.
+    std::vector<std::string> forbidden = {std::string("/ho") + "me/", std::string("/ro") + "ot/"};
+    const auto here = fs::canonical(root).generic_string();
+    if (folders_of(here).size() > 2) forbidden.push_back(here);  // a single folder may be any word
+    Faults faults;
+    for (const auto& file : files_under(root)) {
+        const auto text = read(file);
+        for (const auto& path : forbidden) {
+            const auto at = find_path(text, path);
+            if (at == std::string::npos) continue;
+            const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+            faults.push_back(at_line(relative_to(root, file), static_cast<std::size_t>(line) + 1,
+                                     "names a folder of one machine: " + path));
+        }
+    }
+    return faults;
+}
+
+Faults unbuilt_tests(const fs::path& root) {
+    std::string cmake;
+    const auto files = files_under(root / "tests");
+    for (const auto& file : files) {
+        if (file.extension() == ".cmake" || file.filename() == "CMakeLists.txt") cmake += read(file);
+    }
+    Faults faults;
+    for (const auto& file : files) {
+        if (file.extension() != ".cpp") continue;
+        const auto name = relative_to(root / "tests", file);
+        if (cmake.find(name) == std::string::npos) {
+            faults.push_back(at_line("tests/" + name, 1, "is in no CMake file of tests/, so it never runs"));
+        }
+    }
+    return faults;
+}
+
+Faults headers_without_idea(const fs::path& root) {
+    Faults faults;
+    for (const auto& file : files_under(root / "engine")) {
+        const auto name = relative_to(root / "engine", file);
+        if (file.extension() != ".h" || folders_of(name).size() != 2) continue;
+        if (!read(file).starts_with("// " + name + ": ")) {
+            faults.push_back(
+                at_line("engine/" + name, 1, "must open with \"// " + name + ": what it is for\""));
+        }
+    }
+    return faults;
+}
+
+}  // namespace thaum::structure
