@@ -1,0 +1,30 @@
+// game/arena/arena.h: the place of a match, as its file describes it (assets/arenas).
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "game/components/body.h"
+
+namespace thaum::game {
+
+/// One thing of the arena: a body and its look. Ramps and the bowl are static meshes.
+struct Thing {
+    Body body;
+    Surface surface{};
+    vec3 position{};
+    bool prop = false;
+};
+
+struct Arena {
+    std::string name;
+    std::vector<physics::TriangleMesh> meshes;  ///< Body::mesh counts in here
+    std::vector<Thing> things;                  ///< static ones and props, in the order of the file
+    std::vector<vec3> anchors;
+    std::vector<Pad> pads;
+};
+
+/// Reads `[[solid]]`, `[[anchor]]`, `[[pad]]` and `[[prop]]`; faults stay in the Config (core/config.h).
+Arena read_arena(const Config& file);
+
+}  // namespace thaum::game

@@ -1,0 +1,100 @@
+#include "game/bots/nav.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/components/body.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr double body_radius = 0.4;  ///< m, a little more than a wizard's
+constexpr double above = 2.5;        ///< m, from where we look down; under that nobody is blocked
+constexpr double below = -20;
+constexpr double highest_step = 0.75;  ///< m from cell to cell: ramps, but no ledges
+
+}  // namespace
+
+WalkGrid::WalkGrid(const physics::Physics& physics) : height_(side * side, blocked) {
+    for (int cell = 0; cell < side * side; ++cell) {
+        const vec3 centre = centre_of(cell);
+        const vec3 from{centre.x, above, centre.z};
+        const vec3 to{centre.x, below, centre.z};
+        const auto hit = physics.sweep_sphere(from, to, body_radius, layer::ground);
+        if (hit && hit->fraction > 0) {
+            height_[static_cast<std::size_t>(cell)] = above + (below - above) * hit->fraction - body_radius;
+        }
+    }
+}
+
+int WalkGrid::cell_at(vec3 place) {
+    const auto index = [](double v) {
+        return std::clamp(static_cast<int>(std::floor(v + half)), 0, side - 1);
+    };
+    return index(place.z) * side + index(place.x);
+}
+
+vec3 WalkGrid::centre_of(int cell) { return {cell % side - half + 0.5, 0, cell / side - half + 0.5}; }
+
+bool WalkGrid::passable(int from, int to) const {
+    return walkable(from) && walkable(to) &&
+           std::abs(height_[static_cast<std::size_t>(from)] - height_[static_cast<std::size_t>(to)]) <
+               highest_step;
+}
+
+template <class Visit>
+void WalkGrid::neighbours(int cell, Visit&& visit) const {
+    const int x = cell % side;
+    const int z = cell / side;
+    const auto open = [&](int dx, int dz) {
+        const int nx = x + dx;
+        const int nz = z + dz;
+        return nx >= 0 && nx < side && nz >= 0 && nz < side && passable(cell, nz * side + nx);
+    };
+    for (const auto& [dx, dz] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+        if (open(dx, dz)) visit(cell + dz * side + dx);
+    }
+    // A diagonal only where both ways round the corner are free too.
+    for (const auto& [dx, dz] : {std::pair{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
+        if (open(dx, dz) && open(dx, 0) && open(0, dz)) visit(cell + dz * side + dx);
+    }
+}
+
+void WalkGrid::find_ways(int goal, Ways& ways) const {
+    ways.goal = goal;
+    ways.steps.assign(side * side, unreachable);
+    ways.queue.clear();
+    ways.queue.reserve(side * side);
+    ways.queue.push_back(goal);
+    ways.steps[static_cast<std::size_t>(goal)] = 0;
+    for (std::size_t i = 0; i < ways.queue.size(); ++i) {
+        const int cell = ways.queue[i];
+        neighbours(cell, [&](int n) {
+            auto& steps = ways.steps[static_cast<std::size_t>(n)];
+            if (steps != unreachable) return;
+            steps = static_cast<std::uint16_t>(ways.steps[static_cast<std::size_t>(cell)] + 1);
+            ways.queue.push_back(n);
+        });
+    }
+}
+
+int WalkGrid::next(int cell, const Ways& ways) const {
+    int best = cell;
+    neighbours(cell, [&](int n) {
+        if (ways.steps[static_cast<std::size_t>(n)] < ways.steps[static_cast<std::size_t>(best)]) best = n;
+    });
+    return best;
+}
+
+bool WalkGrid::straight(vec3 from, vec3 to) const {
+    const int samples = 1 + static_cast<int>(4 * glm::distance(from, to));
+    int cell = cell_at(from);
+    for (int i = 1; i <= samples; ++i) {
+        const int next = cell_at(from + (to - from) * (static_cast<double>(i) / samples));
+        if (next != cell && !passable(cell, next)) return false;
+        cell = next;
+    }
+    return true;
+}
+
+}  // namespace thaum::game

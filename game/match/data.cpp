@@ -1,0 +1,114 @@
+#include "game/match/data.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "core/file.h"
+#include "core/hash.h"
+#include "core/text.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr std::size_t max_data_file = 1U << 20U;
+
+/// Reads data files, applies overrides and notes each file's hash.
+class Loader {
+public:
+    Loader(const std::filesystem::path& assets, MatchData& data)
+        : assets_(assets), data_(data), used_(data.choice.overrides.size(), false) {}
+
+    /// read(Config) -> value; the first fault ends in `error`.
+    template <class Read>
+    auto load(const std::string& name, Read read) -> decltype(read(std::declval<const Config&>())) {
+        using Value = decltype(read(std::declval<const Config&>()));
+        if (error) return Value{};
+        auto config = open(name);
+        if (!config) return keep(std::move(config.error())), Value{};
+        auto value = read(*config);
+        if (auto checked = config->check(); !checked) keep(std::move(checked.error()));
+        return value;
+    }
+
+    void check_overrides() {
+        for (std::size_t i = 0; i < used_.size() && !error; ++i) {
+            if (!used_[i]) {
+                keep({text(
+                    "--set ", data_.choice.overrides[i],
+                    ": must be FILE.KEY=VALUE with a data file of this match, such as bolt.shot.damage=12")});
+            }
+        }
+    }
+
+    std::optional<Error> error;
+
+private:
+    void keep(Error e) {
+        if (!error) error = std::move(e);
+    }
+
+    Expected<Config> open(const std::string& name) {
+        const auto source = read_text_file(assets_ / name, max_data_file);
+        if (!source) return tl::unexpected(source.error());
+        data_.files.push_back({name, hash_bytes(std::as_bytes(std::span(source->data(), source->size())))});
+        auto config = Config::parse(*source, name, 1);
+        const auto stem = std::filesystem::path(name).stem().string() + ".";
+        for (std::size_t i = 0; config && i < data_.choice.overrides.size(); ++i) {
+            const std::string_view entry = data_.choice.overrides[i];
+            const auto equals = entry.find('=');
+            if (equals == std::string_view::npos || !entry.starts_with(stem)) continue;
+            used_[i] = true;
+            const auto replaced =
+                config->replace(entry.substr(stem.size(), equals - stem.size()), entry.substr(equals + 1));
+            if (!replaced) return tl::unexpected(replaced.error());
+        }
+        return config;
+    }
+
+    const std::filesystem::path& assets_;
+    MatchData& data_;
+    std::vector<bool> used_;
+};
+
+bool plain_name(std::string_view name) {
+    return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+    });
+}
+
+}  // namespace
+
+Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice) {
+    for (const auto& name : {choice.arena, choice.rules}) {
+        if (!plain_name(name))
+            return fail(text("'", name, "' is no name of an arena or rule set (a-z, 0-9, _)"));
+    }
+    MatchData data;
+    data.choice = choice;
+    Loader loader(assets, data);
+    data.arena = loader.load("arenas/" + choice.arena + ".toml", read_arena);
+    data.round = loader.load("rules/" + choice.rules + ".toml", read_round_rules);
+    data.wizard = loader.load("wizards/wizard.toml", read_wizard_rules);
+    for (const auto& kind : wand_kinds()) {
+        data.wands.push_back(loader.load(text("wands/", kind.name, ".toml"),
+                                         [&](const Config& file) { return read_wand(kind, file); }));
+    }
+    loader.check_overrides();
+    if (loader.error) return tl::unexpected(*loader.error);
+    return data;
+}
+
+std::filesystem::path find_assets() {
+    if (const char* given = std::getenv("THAUM_ASSETS")) return given;
+    std::error_code ignored;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
+    // In a build tree the program is build/PRESET/game/thaum; installed it is PREFIX/games/thaum or PREFIX/bin/thaum.
+    for (const auto* way :
+         {"assets", "../assets", "../../../assets", "../share/thaum/assets", "../share/games/thaum"}) {
+        const auto candidate = (program / way).lexically_normal();
+        if (std::filesystem::exists(candidate / "arenas", ignored)) return candidate;
+    }
+    return "assets";
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,40 @@
+// game/match/data.h: all that a match reads from files, loaded and checked once.
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "game/arena/arena.h"
+#include "game/match/rules.h"
+#include "game/wands/wand.h"
+
+namespace thaum::game {
+
+struct DataChoice {
+    std::string arena = "boiling_court";
+    std::string rules = "quick";
+    std::vector<std::string> overrides;  ///< "bolt.shot.damage=12": file, key path, value
+};
+
+/// A file that can change the match, for the log.
+struct DataFile {
+    std::string name;  ///< from the assets folder: "wands/bolt.toml"
+    std::uint64_t hash{};
+};
+
+struct MatchData {
+    DataChoice choice;
+    Arena arena;
+    RoundRules round;
+    WizardRules wizard;
+    std::vector<LoadedWand> wands;  ///< by name of kind
+    std::vector<DataFile> files;
+};
+
+/// The error names file, line and key.
+Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice);
+
+/// Where the assets are: $THAUM_ASSETS, else beside the program, else where it was built or installed.
+std::filesystem::path find_assets();
+
+}  // namespace thaum::game

@@ -1,0 +1,106 @@
+#include "game/match/life.h"
+
+#include <algorithm>
+
+#include "game/player/walk.h"
+#include "game/wands/belt.h"
+
+namespace thaum::game {
+namespace {
+
+/// A kill for who hurt last; a death by one's own hand or by the ground costs one.
+void count_kill(ecs::World& world, std::uint32_t victim, std::uint32_t killer) {
+    world.view<const Wizard, Score>().each([&](const Wizard& wizard, Score& score) {
+        const bool suicide = killer == no_player || killer == victim;
+        if (wizard.player == victim) {
+            ++score.deaths;
+            if (suicide) --score.kills;
+        } else if (wizard.player == killer) {
+            ++score.kills;
+        }
+    });
+}
+
+void die(Stage& stage, ecs::Entity e, const Wizard& wizard, const Health& health, const Motion& motion,
+         Tick tick) {
+    auto& world = stage.world;
+    count_kill(world, wizard.player, health.hurt_by);
+    record(world, {.tick = tick,
+                   .kind = EventKind::death,
+                   .subject = wizard.player,
+                   .by = health.hurt_by,
+                   .detail = health.hurt_how,
+                   .place = motion.position});
+    world.commands().add(e, Dead{tick + stage.data.round.respawn});
+    world.commands().remove<Body>(e);
+}
+
+void return_to_life(Stage& stage, ecs::Entity e, const Wizard& wizard, Health& health, Tick tick) {
+    auto& world = stage.world;
+    const auto foe = wizard_of(world, 1 - wizard.player);
+    const auto& now = std::as_const(world);
+    const auto pad = farthest_pad(world, now.get<Motion>(foe).position);
+    health = {.points = stage.data.wizard.health,
+              .shielded_until = tick + stage.data.round.spawn_shield,
+              .hurt_by = no_player};
+    world.get<Motion>(e) = standing_at(stage.data.wizard, pad.feet);
+    world.get<Gaze>(e) = {pad.yaw, 0};
+    world.get<Stance>(e) = {};
+    world.get<Blows>(e) = {};
+    world.get<WandBelt>(e).energy = full_belt(stage.data).energy;
+    world.commands().remove<Dead>(e);
+    world.commands().add(e, wizard_body(stage.data.wizard));
+    record(world, {.tick = tick,
+                   .kind = EventKind::spawn,
+                   .subject = wizard.player,
+                   .detail = pad.number,
+                   .place = pad.feet});
+}
+
+}  // namespace
+
+Pad farthest_pad(const ecs::World& world, vec3 from) {
+    Pad best;
+    double best_distance = -1;
+    world.view<const Pad>().each([&](const Pad& pad) {
+        const double distance = glm::distance(pad.feet, from);
+        if (distance > best_distance) best = pad, best_distance = distance;
+    });
+    return best;
+}
+
+void add_life_systems(Stage& stage, ecs::Schedule& schedule) {
+    auto& world = stage.world;
+    schedule.add({.name = "deaths",
+                  .period = gameplay_period,
+                  .reads = world.mask<Wizard, Motion, Dead>(),
+                  .writes = world.mask<Health, Score, Chronicle>(),
+                  .needs = world.mask<Health>(),
+                  .run = [&stage](ecs::World& w, Tick tick) {
+                      const double start = stage.data.wizard.health;
+                      const double loss = stage.data.wizard.excess_loss * gameplay_dt;
+                      w.view<const Wizard, Health, const Motion, ecs::Without<Dead>>().each(
+                          [&](ecs::Entity e, const Wizard& wizard, Health& health, const Motion& motion) {
+                              if (health.points > start)
+                                  health.points = std::max(start, health.points - loss);
+                              health.points = std::min(health.points, stage.data.wizard.health_cap);
+                              if (health.points <= 0) {
+                                  health.points = 0;
+                                  die(stage, e, wizard, health, motion, tick);
+                              }
+                          });
+                  }});
+    schedule.add({.name = "resurrection",
+                  .period = gameplay_period,
+                  .reads = world.mask<Wizard, Pad, Dead>(),
+                  .writes = world.mask<Health, Motion, Gaze, Stance, Blows, WandBelt, Chronicle>(),
+                  .needs = world.mask<Dead>(),
+                  .run = [&stage](ecs::World& w, Tick tick) {
+                      w.view<const Wizard, Health, const Dead>().each(
+                          [&](ecs::Entity e, const Wizard& wizard, Health& health, const Dead& dead) {
+                              if (tick >= dead.returns_at) return_to_life(stage, e, wizard, health, tick);
+                          });
+                  }});
+}
+
+}  // namespace thaum::game

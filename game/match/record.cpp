@@ -1,0 +1,99 @@
+#include "game/match/record.h"
+
+#include "core/text.h"
+#include "physics/probe.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr std::string_view rules_parameter = "rules=";
+
+/// The first difference between the files a log was recorded with and those here, as one line; empty if none.
+std::string changed_file(const std::vector<input::DataFile>& recorded, const std::vector<DataFile>& here) {
+    for (const auto& file : recorded) {
+        const auto same_name =
+            std::find_if(here.begin(), here.end(), [&](const auto& f) { return f.name == file.name; });
+        if (same_name == here.end()) return text("data file ", file.name, " is not part of this version");
+        if (same_name->hash != file.hash)
+            return text("data file ", file.name, " has changed since the recording");
+    }
+    for (const auto& file : here) {
+        const auto known =
+            std::any_of(recorded.begin(), recorded.end(), [&](const auto& f) { return f.name == file.name; });
+        if (!known) return text("data file ", file.name, " did not exist when this was recorded");
+    }
+    return {};
+}
+
+}  // namespace
+
+input::LogHeader log_header(const MatchData& data, const MatchSetup& setup,
+                            std::vector<std::string> players) {
+    input::LogHeader header;
+    header.program = THAUM_VERSION;
+    header.rules_version = rules_version;
+    header.rule_set = "thaum";
+    header.arena = data.choice.arena;
+    header.seed = setup.seed;
+    header.maths_probe = physics::libm_probe();
+    header.players = std::move(players);
+    header.devices = setup.devices;
+    for (const auto& file : data.files) header.files.push_back({file.name, file.hash});
+    header.overrides = data.choice.overrides;
+    header.parameters = {text(rules_parameter, data.choice.rules)};
+    return header;
+}
+
+void tick_and_record(Simulation& match, const input::InputFrame& frame, input::LogWriter* log) {
+    match.tick(frame);
+    if (log == nullptr) return;
+    log->append(frame);
+    // Forces come with the haptic devices; until then there are none to hash.
+    if (match.now() % hash_interval == 0) log->append_hash(match.now(), match.state_hash(), 0);
+    if (match.now() % keyframe_interval == 0) {
+        log->mark(static_cast<std::uint32_t>(match.now() / keyframe_interval), input::MarkKind::keyframe);
+    }
+}
+
+std::string result_line(const Simulation& match) {
+    std::array<std::int32_t, players> kills{};
+    match.world().view<const Wizard, const Score>().each(
+        [&](const Wizard& wizard, const Score& score) { kills[wizard.player] = score.kills; });
+    const auto score = text(kills[0], " : ", kills[1]);
+    const auto time = fixed(seconds(match.match().played), 1);
+    if (match.match().phase != Phase::over) return text("stopped after ", time, " s, score ", score);
+    const auto how = match.match().ending == Ending::kills ? "by kills" : "on time";
+    if (match.match().winner == no_player)
+        return text("a draw ", how, ", score ", score, ", after ", time, " s");
+    return text("player ", match.match().winner + 1, " wins ", how, ", score ", score, ", after ", time,
+                " s");
+}
+
+Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& header,
+                                                   const std::filesystem::path& assets) {
+    if (header.rules_version != rules_version) {
+        return fail(text("recorded under rules version ", header.rules_version,
+                         ", this program plays version ", rules_version, "; replay it with Thaum ",
+                         header.program));
+    }
+    if (header.rule_set != "thaum") return fail(text("unknown rule set '", header.rule_set, "'"));
+    DataChoice choice;
+    choice.arena = header.arena;
+    choice.overrides = header.overrides;
+    for (const auto& parameter : header.parameters) {
+        if (!parameter.starts_with(rules_parameter)) return fail(text("unknown parameter '", parameter, "'"));
+        choice.rules = parameter.substr(rules_parameter.size());
+    }
+    auto data = load_match_data(assets, choice);
+    if (!data) return tl::unexpected(data.error());
+    if (const auto changed = changed_file(header.files, data->files); !changed.empty()) return fail(changed);
+    return std::make_unique<Simulation>(std::make_shared<const MatchData>(std::move(*data)),
+                                        MatchSetup{header.seed, header.devices});
+}
+
+std::string probe_warning(const input::LogHeader& header) {
+    if (header.maths_probe == physics::libm_probe()) return {};
+    return "recorded on a machine whose mathematical library computes other bits: the replay may differ";
+}
+
+}  // namespace thaum::game

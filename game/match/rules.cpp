@@ -1,0 +1,45 @@
+#include "game/match/rules.h"
+
+#include <cmath>
+
+namespace thaum::game {
+
+RoundRules read_round_rules(const Config& file) {
+    const auto root = file.root();
+    const Range duration{0, 3600};
+    return {.kills = static_cast<std::int32_t>(root.integer("kills", {1, 1000})),
+            .length = ticks(root.number("seconds", {1, 36000})),
+            .respawn = ticks(root.number("respawn_s", duration)),
+            .spawn_shield = ticks(root.number("spawn_shield_s", duration))};
+}
+
+WizardRules read_wizard_rules(const Config& file) {
+    WizardRules rules;
+    const auto body = file.root().table("body");
+    rules.mass = body.number("mass_kg", {1, 1000});
+    rules.radius = body.number("radius_m", {0.1, 2});
+    rules.height = body.number("height_m", {0.5, 5});
+    rules.eye = body.number("eye_m", {0.1, 5});
+    const auto walk = file.root().table("walk");
+    rules.walk.walk_speed = walk.number("speed_m_s", {0, 50});
+    rules.walk.ground_acceleration = walk.number("ground_acceleration_m_s2", {0, 1000});
+    rules.walk.air_acceleration = walk.number("air_acceleration_m_s2", {0, 1000});
+    rules.walk.jump_speed = std::sqrt(2 * 9.81 * walk.number("jump_height_m", {0, 50}));
+    rules.walk.steepest_cos = det::cos(walk.number("max_slope_deg", {0, 89}) * radians_per_degree);
+    const auto health = file.root().table("health");
+    rules.health = health.number("start", {1, 1e6});
+    rules.health_cap = health.number("cap", {1, 1e6});
+    rules.excess_loss = health.number("excess_loss_per_s", {0, 1e6});
+    rules.fall_safe = health.number("fall_safe_m_s", {0, 1000});
+    rules.fall_damage = health.number("fall_damage_per_m_s", {0, 1000});
+    rules.object_safe = health.number("object_safe_n_s", {0, 1e6});
+    rules.object_damage = health.number("object_damage_per_n_s", {0, 1000});
+    rules.object_damage_max = health.number("object_damage_max", {0, 1e6});
+    rules.object_again = ticks(health.number("object_again_s", {0, 60}));
+    rules.pitch_limit = file.root().table("gaze").number("pitch_limit_deg", {1, 89}) * radians_per_degree;
+    if (rules.height <= 2 * rules.radius)
+        body.report("height_m", "'height_m' must be more than twice radius_m");
+    return rules;
+}
+
+}  // namespace thaum::game

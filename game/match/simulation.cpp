@@ -1,0 +1,99 @@
+#include "game/match/simulation.h"
+
+#include "ecs/snapshot.h"
+#include "game/arena/spawn.h"
+#include "game/match/bodies.h"
+#include "game/match/life.h"
+#include "game/match/round.h"
+#include "game/player/controls.h"
+#include "game/player/walk.h"
+#include "game/wands/belt.h"
+
+namespace thaum::game {
+namespace {
+
+void spawn_match(ecs::World& world, std::uint64_t seed) {
+    world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, Chronicle{});
+}
+
+void spawn_wizards(Stage& stage) {
+    auto& world = stage.world;
+    std::array<Pad, players> starts;
+    world.view<const Pad>().each([&](const Pad& pad) {
+        if (pad.player < players) starts[pad.player] = pad;
+    });
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const auto& pad = starts[player];
+        const auto& rules = stage.data.wizard;
+        const auto e =
+            world.create(Wizard{player}, Controls{}, Gaze{pad.yaw, 0}, Stance{},
+                         Health{.points = rules.health, .hurt_by = no_player}, Blows{}, full_belt(stage.data),
+                         Score{}, Look{Surface::wizard}, standing_at(rules, pad.feet));
+        for (const auto& wand : stage.data.wands) wand.kind->outfit(world, e);
+        world.add(e, wizard_body(rules));
+    }
+}
+
+}  // namespace
+
+Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
+    : data_(std::move(data)), setup_(std::move(setup)) {
+    stage_.reset(new Stage{{}, physics::Physics({}, data_->arena.meshes), *data_, setup_.devices, {}});
+    auto& stage = *stage_;
+    declare_components(stage.world);
+    stage.world.reserve_entities(1024);
+    add_body_hooks(stage);
+    spawn_match(stage.world, setup_.seed);
+    spawn_arena(stage.world, data_->arena);
+    spawn_wizards(stage);
+
+    add_controls_system(stage, always_);
+    add_pause_system(stage, always_);
+
+    add_walk_system(stage, live_);
+    add_body_systems(stage, live_);
+    add_missile_systems(stage, live_);
+    add_belt_system(stage, live_);
+    add_life_systems(stage, live_);
+    add_round_system(stage, live_);
+    add_controls_used_system(stage, live_);
+    keyframe();
+}
+
+Simulation::~Simulation() = default;
+
+void Simulation::tick(const input::InputFrame& frame) {
+    if (now_ % keyframe_interval == 0 && now_ != 0) keyframe();
+    stage_->frame = frame;
+    auto& world = stage_->world;
+    always_.run(world, now_);
+    const auto& match = std::as_const(world).single<Match>();
+    if (match.paused == 0 && match.phase == Phase::playing) {
+        live_.run(world, match.played);
+        ++world.single<Match>().played;
+    }
+    for (const auto& device : frame.devices) world.single<Match>().skipped += device.skips;
+    ++now_;
+}
+
+void Simulation::keyframe() {
+    copy_places(*stage_);
+    stage_->physics.rebuild();
+}
+
+Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at) {
+    THAUM_ASSERT(at % keyframe_interval == 0, text("restored at tick ", at, ", which is no keyframe"));
+    if (auto restored = ecs::restore(stage_->world, snapshot); !restored) return restored;
+    rebuild_physics(*stage_);
+    now_ = at;
+    return {};
+}
+
+void Simulation::save(Bytes& out) const { ecs::save(stage_->world, out); }
+std::uint64_t Simulation::state_hash() const { return ecs::state_hash(stage_->world); }
+const ecs::World& Simulation::world() const { return stage_->world; }
+ecs::World& Simulation::world_to_change() { return stage_->world; }
+physics::Physics& Simulation::physics() { return stage_->physics; }
+const physics::Physics& Simulation::physics() const { return stage_->physics; }
+
+}  // namespace thaum::game

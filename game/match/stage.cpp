@@ -1,0 +1,61 @@
+#include "game/match/stage.h"
+
+namespace thaum::game {
+
+void declare_components(ecs::World& world) {
+    world.declare<Body>();
+    world.declare<Motion>();
+    world.declare<Look>();
+    world.declare<Prop>();
+    world.declare<Anchor>();
+    world.declare<Pad>();
+    world.declare<Wizard>();
+    world.declare<Controls>();
+    world.declare<Gaze>();
+    world.declare<Stance>();
+    world.declare<Health>();
+    world.declare<Dead>();
+    world.declare<Blows>();
+    world.declare<WandBelt>();
+    world.declare<Score>();
+    world.declare<Match>();
+    world.declare<Dice>();
+    world.declare<Chronicle>();
+    for (const auto& kind : wand_kinds()) kind.declare(world);
+}
+
+ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player) {
+    ecs::Entity found;
+    world.view<const Wizard>().each([&](ecs::Entity e, const Wizard& w) {
+        if (w.player == player) found = e;
+    });
+    return found;
+}
+
+vec3 eye_of(const WizardRules& rules, vec3 body_centre) {
+    return body_centre + vec3(0, rules.eye - rules.height / 2, 0);
+}
+
+void record(ecs::World& world, const Event& event) {
+    auto& chronicle = world.single<Chronicle>();
+    chronicle.events[chronicle.count % chronicle.events.size()] = event;
+    ++chronicle.count;
+}
+
+void hurt(ecs::World& world, ecs::Entity wizard, Tick tick, const Hurt& hurt) {
+    auto& health = world.get<Health>(wizard);
+    const auto player = std::as_const(world).get<Wizard>(wizard).player;
+    if (hurt.points <= 0 || tick < health.shielded_until || world.has<Dead>(wizard)) return;
+    health.points -= hurt.points;
+    health.hurt_at = tick;
+    health.hurt_by = hurt.by;
+    health.hurt_how = static_cast<std::uint32_t>(hurt.how);
+    record(world, {.tick = tick,
+                   .kind = hurt.how,
+                   .subject = player,
+                   .by = hurt.by,
+                   .amount = hurt.points,
+                   .place = hurt.place});
+}
+
+}  // namespace thaum::game

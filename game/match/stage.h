@@ -1,0 +1,49 @@
+// game/match/stage.h: what the systems of a match work on.
+#pragma once
+#include "ecs/schedule.h"
+#include "ecs/world.h"
+#include "game/components/match.h"
+#include "game/match/data.h"
+#include "input/frame.h"
+#include "physics/physics.h"
+
+namespace thaum::game {
+
+/// Physics and gameplay run at these periods, in ticks (architecture.md, "One tick").
+inline constexpr Tick physics_period = 1;
+inline constexpr Tick gameplay_period = 8;
+inline constexpr double physics_dt = seconds(physics_period);
+inline constexpr double gameplay_dt = seconds(gameplay_period);
+
+struct Stage {
+    ecs::World world;
+    physics::Physics physics;
+    const MatchData& data;
+    std::vector<input::DeviceSpec> devices;
+    input::InputFrame frame;  ///< of the tick that runs
+    bool moved = true;        ///< the physics made a step in this tick, or was not asked yet
+};
+
+/// All components of a match, declared in their one order.
+void declare_components(ecs::World& world);
+
+/// The wizard of player 0 or 1.
+ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player);
+
+/// Where a wizard's eye is, m.
+vec3 eye_of(const WizardRules& rules, vec3 body_centre);
+
+/// Adds to the Chronicle; the caller's system must have declared that it writes it.
+void record(ecs::World& world, const Event& event);
+
+struct Hurt {
+    double points{};  ///< HP
+    std::uint32_t by = no_player;
+    EventKind how{};
+    vec3 place{};
+};
+
+/// Takes health and records it, unless the victim is shielded or dead. Writes Health and Chronicle, reads Wizard and Dead.
+void hurt(ecs::World& world, ecs::Entity wizard, Tick tick, const Hurt& hurt);
+
+}  // namespace thaum::game

@@ -1,0 +1,104 @@
+#include "game/player/controls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::game {
+namespace {
+
+using input::Button;
+namespace hand = input::hand;
+
+std::uint32_t bit(Button b) { return static_cast<std::uint32_t>(b); }
+
+double wrapped(double angle) {
+    if (angle > pi) return angle - 2 * pi;
+    if (angle < -pi) return angle + 2 * pi;
+    return angle;
+}
+
+void turn(const input::DeviceSample& sample, const input::DeviceSpec& spec, double pitch_limit, Gaze& gaze) {
+    const double step = spec.turn_rad_per_s * tick_seconds;
+    const auto& counts = sample.counts;
+    const double right =
+        spec.look_rad_per_count * counts[hand::look_right] + step * stick_curve(counts[hand::turn_right]);
+    double up = spec.look_rad_per_count * counts[hand::look_up] + step * stick_curve(counts[hand::turn_up]);
+    if ((spec.flags & input::DeviceSpec::invert_y) != 0) up = -up;
+    gaze.yaw = wrapped(gaze.yaw - std::clamp(right, -pi, pi));
+    gaze.pitch = std::clamp(gaze.pitch + up, -pitch_limit, pitch_limit);
+}
+
+void take(const input::DeviceSample& sample, Controls& controls) {
+    controls.pressed |= sample.buttons & ~controls.held;
+    controls.held = sample.buttons;
+    const auto& counts = sample.counts;
+    controls.strafe = std::clamp(counts[hand::strafe], -127, 127);
+    controls.forward = std::clamp(counts[hand::forward], -127, 127);
+    controls.trigger = std::clamp(counts[hand::trigger], 0, 255);
+    controls.wheel = std::clamp(controls.wheel + std::clamp(counts[hand::wheel], -100, 100), -100, 100);
+}
+
+}  // namespace
+
+double stick_curve(std::int32_t deflection) {
+    const double x = std::clamp(static_cast<double>(deflection) / 127.0, -1.0, 1.0);
+    return x * (0.3 + 0.7 * x * x);
+}
+
+void add_controls_system(Stage& stage, ecs::Schedule& schedule) {
+    auto& world = stage.world;
+    schedule.add({.name = "controls",
+                  .reads = world.mask<Wizard, Match>(),
+                  .writes = world.mask<Controls, Gaze>(),
+                  .needs = world.mask<Controls>(),
+                  .run = [&stage](ecs::World& w, Tick) {
+                      const auto& match = std::as_const(w).single<Match>();
+                      const bool live = match.paused == 0 && match.phase == Phase::playing;
+                      w.view<const Wizard, Controls, Gaze>().each(
+                          [&](const Wizard& wizard, Controls& controls, Gaze& gaze) {
+                              for (std::size_t d = 0; d < stage.devices.size(); ++d) {
+                                  if (stage.devices[d].player != wizard.player) continue;
+                                  take(stage.frame.devices[d], controls);
+                                  if (live) {
+                                      turn(stage.frame.devices[d], stage.devices[d],
+                                           stage.data.wizard.pitch_limit, gaze);
+                                  }
+                              }
+                          });
+                  }});
+}
+
+void add_pause_system(Stage& stage, ecs::Schedule& schedule) {
+    auto& world = stage.world;
+    schedule.add({.name = "pause",
+                  .reads = world.mask<Wizard>(),
+                  .writes = world.mask<Controls, Match>(),
+                  .needs = world.mask<Controls>(),
+                  .run = [](ecs::World& w, Tick) {
+                      auto& match = w.single<Match>();
+                      w.view<const Wizard, Controls>().each([&](const Wizard& wizard, Controls& controls) {
+                          if ((controls.pressed & bit(Button::pause)) == 0) return;
+                          controls.pressed &= ~bit(Button::pause);
+                          if (match.phase != Phase::playing) return;
+                          match.paused ^= 1U;
+                          match.paused_by = match.paused != 0 ? wizard.player : no_player;
+                      });
+                      // What is pressed in a pause must not act when the match goes on.
+                      if (match.paused != 0 || match.phase != Phase::playing) {
+                          w.view<Controls>().each([](Controls& c) { c.pressed = 0, c.wheel = 0; });
+                      }
+                  }});
+}
+
+void add_controls_used_system(Stage& stage, ecs::Schedule& schedule) {
+    auto& world = stage.world;
+    schedule.add({.name = "controls used",
+                  .period = gameplay_period,
+                  .writes = world.mask<Controls>(),
+                  .needs = world.mask<Controls>(),
+                  .run = [](ecs::World& w, Tick) {
+                      w.view<Controls>().each([](Controls& c) { c.pressed = 0, c.wheel = 0; });
+                  }});
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,62 @@
+#include "game/player/walk.h"
+
+namespace thaum::game {
+namespace {
+
+std::uint32_t bit(input::Button b) { return static_cast<std::uint32_t>(b); }
+
+vec3 wish_of(const Controls& controls, const Gaze& gaze, double speed) {
+    vec3 wish{controls.strafe / 127.0, 0, -controls.forward / 127.0};
+    const double length = glm::length(wish);
+    if (length > 1) wish /= length;  // diagonals are no faster
+    return rotation({0, 1, 0}, gaze.yaw) * wish * speed;
+}
+
+}  // namespace
+
+Body wizard_body(const WizardRules& rules) {
+    Body body{physics::mover_body};
+    body.size = {rules.radius, rules.height / 2 - rules.radius, 0};
+    body.mass = rules.mass;
+    body.layer = layer::wizard;
+    return body;
+}
+
+Motion standing_at(const WizardRules& rules, vec3 feet) {
+    Motion motion;
+    motion.position = feet + vec3(0, rules.height / 2, 0);
+    return motion;
+}
+
+void add_walk_system(Stage& stage, ecs::Schedule& schedule) {
+    auto& world = stage.world;
+    schedule.add(
+        {.name = "walk",
+         .period = physics_period,
+         .reads = world.mask<Wizard, Gaze, Motion, Body, Dead>(),
+         .writes = world.mask<Controls, Stance, Health, Chronicle>(),
+         .needs = world.mask<Wizard>(),
+         .run = [&stage](ecs::World& w, Tick tick) {
+             const auto& rules = stage.data.wizard;
+             w.view<Controls, const Gaze, Stance, const Motion, const Body, ecs::Without<Dead>>().each(
+                 [&](ecs::Entity e, Controls& controls, const Gaze& gaze, Stance& stance,
+                     const Motion& motion, const Body&) {
+                     const auto jump = bit(input::Button::jump);
+                     const auto result =
+                         physics::move(stage.physics, e.index,
+                                       {.wish_velocity = wish_of(controls, gaze, rules.walk.walk_speed),
+                                        .jump = (controls.pressed & jump) != 0},
+                                       rules.walk, stance, physics_dt);
+                     if (result.jumped) controls.pressed &= ~jump;
+                     const double excess = result.landing_speed - rules.fall_safe;
+                     if (excess > 0) {
+                         hurt(w, e, tick,
+                              {.points = excess * rules.fall_damage,
+                               .how = EventKind::fall,
+                               .place = motion.position});
+                     }
+                 });
+         }});
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,86 @@
+#include "game/wands/belt.h"
+
+#include <algorithm>
+
+namespace thaum::game {
+namespace {
+
+using input::Button;
+
+const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot) {
+    const auto found = std::find_if(data.wands.begin(), data.wands.end(),
+                                    [&](const auto& w) { return w.stats.slot == slot; });
+    return found == data.wands.end() ? nullptr : &*found;
+}
+
+/// The next slot with a wand in it, `step` of +1 or -1 slots on.
+std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t step) {
+    auto slot = from;
+    for (std::size_t i = 0; i < wand_slots; ++i) {
+        slot = (slot + step) % wand_slots;
+        if (wand_in_slot(data, slot) != nullptr) return slot;
+    }
+    return from;
+}
+
+void choose(const MatchData& data, const Controls& controls, WandBelt& belt) {
+    constexpr auto forward = std::uint32_t{1};
+    constexpr auto backward = static_cast<std::uint32_t>(wand_slots - 1);
+    const auto pressed = [&](Button b) { return (controls.pressed & static_cast<std::uint32_t>(b)) != 0; };
+    for (std::uint32_t slot = 0; slot < wand_slots; ++slot) {
+        const auto key = static_cast<Button>(static_cast<std::uint32_t>(Button::wand_1) << slot);
+        if (pressed(key) && wand_in_slot(data, slot) != nullptr) belt.selected = slot;
+    }
+    if (pressed(Button::next_wand)) belt.selected = next_slot(data, belt.selected, forward);
+    if (pressed(Button::previous_wand)) belt.selected = next_slot(data, belt.selected, backward);
+}
+
+void regain(const MatchData& data, WandBelt& belt) {
+    for (const auto& wand : data.wands) {
+        auto& energy = belt.energy[wand.stats.slot];
+        energy = std::min(wand.stats.energy_cap, energy + wand.stats.energy_regain * gameplay_dt);
+    }
+}
+
+}  // namespace
+
+const LoadedWand* wand_in_hand(const MatchData& data, const WandBelt& belt) {
+    return wand_in_slot(data, belt.selected);
+}
+
+WandBelt full_belt(const MatchData& data) {
+    WandBelt belt;
+    for (const auto& wand : data.wands) belt.energy[wand.stats.slot] = wand.stats.energy_cap;
+    belt.selected = next_slot(data, wand_slots - 1, 1);
+    return belt;
+}
+
+void add_belt_system(Stage& stage, ecs::Schedule& schedule) {
+    auto& world = stage.world;
+    auto writes = world.mask<WandBelt>();
+    for (const auto& wand : stage.data.wands) {
+        const auto its = wand.kind->writes(world);
+        for (std::size_t i = 0; i < writes.words.size(); ++i) writes.words[i] |= its.words[i];
+    }
+    schedule.add({.name = "wands",
+                  .period = gameplay_period,
+                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead>(),
+                  .writes = writes,
+                  .needs = world.mask<WandBelt>(),
+                  .run = [&stage](ecs::World& w, Tick tick) {
+                      w.view<WandBelt, const Controls, ecs::Without<Dead>>().each(
+                          [&](ecs::Entity e, WandBelt& belt, const Controls& controls) {
+                              choose(stage.data, controls, belt);
+                              regain(stage.data, belt);
+                              if (const auto* wand = wand_in_hand(stage.data, belt)) {
+                                  wand->kind->use({stage, e, tick, wand->stats, wand->data.get()});
+                              }
+                          });
+                  }});
+}
+
+void add_missile_systems(Stage& stage, ecs::Schedule& schedule) {
+    for (const auto& wand : stage.data.wands) wand.kind->add_systems({stage, schedule}, wand.data.get());
+}
+
+}  // namespace thaum::game

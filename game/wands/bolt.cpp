@@ -1,0 +1,169 @@
+// The bolt wand: while fire is held, needles of light leave it at a fixed rate, each with a little spread.
+//
+// A bolt in flight is a point on a straight line. Each physics step it sweeps the ray it covers, after the bodies have moved; so it
+// cannot pass through anything, however thin, and hits are exact (game.md, Bolt).
+#include <algorithm>
+#include <cmath>
+
+#include "game/match/stage.h"
+#include "game/wands/wand.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr double aim_reach = 60;     ///< m; the crosshair's depth where it meets nothing nearer
+constexpr double nearest_aim = 1.0;  ///< m; nearer things would make the bolt leave sideways
+
+struct BoltData {
+    Tick interval{};  ///< ticks between shots
+    double damage{};  ///< HP
+    double speed{};   ///< m/s
+    double spread{};  ///< rad, half angle
+    Tick life{};
+    double impulse{};  ///< N s
+};
+
+/// A bolt in flight.
+struct Bolt {
+    vec3 position{};  ///< m
+    vec3 velocity{};  ///< m/s
+    Tick dies_at{};
+    std::uint32_t player{};
+    std::uint32_t ignores{};  ///< key of the shooter's body
+    static constexpr std::string_view name = "Bolt";
+    static constexpr auto fields() {
+        return std::tuple(field("position", &Bolt::position), field("velocity", &Bolt::velocity),
+                          field("dies_at", &Bolt::dies_at), field("player", &Bolt::player),
+                          field("ignores", &Bolt::ignores));
+    }
+};
+
+/// A wizard's hand on this wand.
+struct BoltHand {
+    Tick next_shot{};
+    static constexpr std::string_view name = "BoltHand";
+    static constexpr auto fields() { return std::tuple(field("next_shot", &BoltHand::next_shot)); }
+};
+
+std::shared_ptr<const void> read(const ConfigTable& root) {
+    const auto shot = root.table("shot");
+    BoltData data;
+    data.interval = std::max<Tick>(1, ticks(1 / shot.number("per_s", {0.01, 1000})));
+    data.damage = shot.number("damage", {0, 1e6});
+    data.speed = shot.number("speed_m_s", {0.1, 1000});
+    data.spread = shot.number("spread_deg", {0, 45}) * radians_per_degree;
+    data.life = ticks(shot.number("life_s", {0.001, 60}));
+    data.impulse = shot.number("impulse_n_s", {0, 1e4});
+    return std::make_shared<BoltData>(data);
+}
+
+/// Uniform over the cap of half angle `spread` about `direction`.
+vec3 scattered(vec3 direction, double spread, Random& random) {
+    const double radius = det::tan(spread) * std::sqrt(random.uniform());
+    const double angle = random.uniform(0, 2 * pi);
+    const vec3 helper = std::abs(direction.y) < 0.9 ? vec3(0, 1, 0) : vec3(1, 0, 0);
+    const vec3 side = glm::normalize(glm::cross(direction, helper));
+    const vec3 up = glm::cross(side, direction);
+    return glm::normalize(direction + radius * (det::cos(angle) * side + det::sin(angle) * up));
+}
+
+void shoot(const WandUse& use, const BoltData& data) {
+    auto& world = use.stage.world;
+    const auto& now = std::as_const(world);
+    const auto& gaze = now.get<Gaze>(use.wizard);
+    const auto key = use.wizard.index;
+    const quat looking = look_rotation(gaze.yaw, gaze.pitch);
+    const vec3 eye = eye_of(use.stage.data.wizard, now.get<Motion>(use.wizard).position);
+    const vec3 ahead = looking * vec3(0, 0, -1);
+    const auto seen = use.stage.physics.ray(eye, eye + ahead * aim_reach, physics::all_layers, key);
+    const double depth = std::max(nearest_aim, seen ? seen->fraction * aim_reach : aim_reach);
+    // The bolt leaves at the wand's tip, unless something stands between eye and tip.
+    vec3 tip = eye + looking * wand_tip;
+    if (use.stage.physics.ray(eye, tip, physics::all_layers, key)) tip = eye;
+    const vec3 aim = glm::normalize(eye + ahead * depth - tip);
+    auto& dice = world.single<Dice>();
+    const auto player = now.get<Wizard>(use.wizard).player;
+    world.commands().create(Bolt{.position = tip,
+                                 .velocity = scattered(aim, data.spread, dice.spread) * data.speed,
+                                 .dies_at = use.tick + data.life,
+                                 .player = player,
+                                 .ignores = key});
+    record(world, {.tick = use.tick, .kind = EventKind::shot, .subject = player, .by = player, .place = tip});
+}
+
+void use(const WandUse& use) {
+    const auto& data = *static_cast<const BoltData*>(use.data);
+    auto& world = use.stage.world;
+    const auto& controls = std::as_const(world).get<Controls>(use.wizard);
+    const auto fire = static_cast<std::uint32_t>(input::Button::fire);
+    auto& hand = world.get<BoltHand>(use.wizard);
+    if (((controls.held | controls.pressed) & fire) == 0 || use.tick < hand.next_shot) return;
+    auto& belt = world.get<WandBelt>(use.wizard);
+    if (!spend(belt, use.stats)) {
+        if ((controls.pressed & fire) != 0) {
+            const auto player = std::as_const(world).get<Wizard>(use.wizard).player;
+            record(world, {.tick = use.tick, .kind = EventKind::dry, .subject = player, .by = player});
+        }
+        return;
+    }
+    // Kept exact on average, though this is looked at only every few ticks.
+    hand.next_shot = std::max(hand.next_shot + data.interval, use.tick + data.interval - gameplay_period + 1);
+    ++belt.fired;
+    world.get<Health>(use.wizard).shielded_until = use.tick;  // who attacks is no longer protected
+    shoot(use, data);
+}
+
+void hit(Stage& stage, const Bolt& bolt, const BoltData& data, const physics::RayHit& at, Tick tick) {
+    const auto victim = stage.world.entity(at.key);
+    stage.physics.apply_impulse(at.key, glm::normalize(bolt.velocity) * data.impulse, at.point);
+    if (victim && stage.world.has<Wizard>(victim)) {
+        hurt(stage.world, victim, tick,
+             {.points = data.damage, .by = bolt.player, .how = EventKind::bolt_hit, .place = at.point});
+    }
+}
+
+void fly(Stage& stage, const BoltData& data, Tick tick) {
+    auto& world = stage.world;
+    world.view<Bolt>().each([&](ecs::Entity e, Bolt& bolt) {
+        const vec3 to = bolt.position + bolt.velocity * physics_dt;
+        const auto at = stage.physics.ray(bolt.position, to, physics::all_layers, bolt.ignores);
+        if (at) hit(stage, bolt, data, *at, tick);
+        if (at || tick >= bolt.dies_at) world.commands().destroy(e);
+        bolt.position = to;
+    });
+}
+
+void add_systems(const WandSystems& to, const void* wand) {
+    auto& world = to.stage.world;
+    to.schedule.add({.name = "bolts",
+                     .period = physics_period,
+                     .reads = world.mask<Wizard, Dead>(),
+                     .writes = world.mask<Bolt, Health, Chronicle>(),
+                     .needs = world.mask<Bolt>(),
+                     .run = [&stage = to.stage, wand](ecs::World&, Tick tick) {
+                         fly(stage, *static_cast<const BoltData*>(wand), tick);
+                     }});
+}
+
+const WandRegistration registration({
+    .name = "bolt",
+    .read = read,
+    .declare =
+        [](ecs::World& world) {
+            world.declare<Bolt>();
+            world.declare<BoltHand>();
+        },
+    .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, BoltHand{}); },
+    .use = use,
+    .writes = [](const ecs::World& world) { return world.mask<BoltHand, Dice, Chronicle, Health>(); },
+    .add_systems = add_systems,
+    .show =
+        [](const ecs::World& world, const std::function<void(const Missile&)>& show) {
+            world.view<const Bolt>().each([&](ecs::Entity e, const Bolt& b) {
+                show({e, b.position, b.velocity, b.player});
+            });
+        },
+});
+
+}  // namespace
+}  // namespace thaum::game

@@ -1,0 +1,44 @@
+#include "game/wands/wand.h"
+
+#include <algorithm>
+
+namespace thaum::game {
+namespace {
+
+std::vector<WandKind>& kinds() {
+    static std::vector<WandKind> all;
+    return all;
+}
+
+}  // namespace
+
+WandRegistration::WandRegistration(const WandKind& kind) {
+    auto& all = kinds();
+    // Registrations run in an order the linker chooses; the list must not depend on it.
+    const auto after =
+        std::find_if(all.begin(), all.end(), [&](const auto& k) { return kind.name < k.name; });
+    all.insert(after, kind);
+}
+
+const std::vector<WandKind>& wand_kinds() { return kinds(); }
+
+LoadedWand read_wand(const WandKind& kind, const Config& file) {
+    const auto root = file.root();
+    const auto energy = root.table("energy");
+    LoadedWand wand{.kind = &kind, .stats = {}, .data = nullptr};
+    wand.stats.slot = static_cast<std::uint32_t>(root.integer("slot", {1, wand_slots}) - 1);
+    wand.stats.energy_cap = energy.number("cap", {0, 1e6});
+    wand.stats.energy_cost = energy.number("cost", {0, 1e6});
+    wand.stats.energy_regain = energy.number("regain_per_s", {0, 1e6});
+    wand.data = kind.read(root);
+    return wand;
+}
+
+bool spend(WandBelt& belt, const WandStats& stats) {
+    auto& energy = belt.energy[stats.slot];
+    if (energy < stats.energy_cost) return false;
+    energy -= stats.energy_cost;
+    return true;
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,86 @@
+// game/wands/wand.h: a wand is one data file (assets/wands/NAME.toml) and one .cpp here that registers a WandKind. The
+// rest of the game knows wands only by this list, so a new one touches no other file.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "ecs/schedule.h"
+#include "game/components/wizard.h"
+
+namespace thaum::game {
+
+struct Stage;
+
+/// What every wand has.
+struct WandStats {
+    std::uint32_t slot{};  ///< 0..4, the key it is on
+    double energy_cap{};
+    double energy_cost{};    ///< of one use
+    double energy_regain{};  ///< per second
+};
+
+struct WandUse {
+    Stage& stage;
+    ecs::Entity wizard;
+    Tick tick;  ///< of play
+    const WandStats& stats;
+    const void* data;  ///< what `read` made
+};
+
+struct WandSystems {
+    Stage& stage;
+    ecs::Schedule& schedule;
+};
+
+/// Something that a wand has sent off, for the picture and for bots to see.
+struct Missile {
+    ecs::Entity entity;
+    vec3 position{};  ///< m
+    vec3 velocity{};  ///< m/s
+    std::uint32_t player{};
+};
+
+/// Where a wand's tip is, in the frame of the eye, m.
+inline constexpr vec3 wand_tip{0.22, -0.2, -0.75};
+
+struct WandKind {
+    std::string_view name;
+    /// The wand's own numbers, shared by all matches of this data.
+    std::shared_ptr<const void> (*read)(const ConfigTable& root);
+    /// Declares its components.
+    void (*declare)(ecs::World&);
+    /// Gives a new wizard the components it needs to use this wand.
+    void (*outfit)(ecs::World&, ecs::Entity wizard);
+    /// Every gameplay tick, for every living wizard who has this wand in hand.
+    void (*use)(const WandUse&);
+    /// What `use` writes beyond WandBelt.
+    ecs::Mask (*writes)(const ecs::World&);
+    /// The systems that move what it has shot.
+    void (*add_systems)(const WandSystems& to, const void* data);
+    /// Calls back for every missile in flight.
+    void (*show)(const ecs::World&, const std::function<void(const Missile&)>&);
+};
+
+/// Registers a kind for the life of the program.
+struct WandRegistration {
+    explicit WandRegistration(const WandKind& kind);
+};
+
+/// All kinds, by name.
+const std::vector<WandKind>& wand_kinds();
+
+struct LoadedWand {
+    const WandKind* kind{};
+    WandStats stats;
+    std::shared_ptr<const void> data;
+};
+
+LoadedWand read_wand(const WandKind& kind, const Config& file);
+
+/// True, and the energy is taken, where the wand in hand has enough.
+bool spend(WandBelt& belt, const WandStats& stats);
+
+}  // namespace thaum::game

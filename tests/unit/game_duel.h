@@ -1,0 +1,26 @@
+// tests/unit/game_duel.h: a match of two bots, as tests need it.
+#pragma once
+#include <gtest/gtest.h>
+
+#include "game/bots/duel.h"
+#include "game/match/record.h"
+
+namespace thaum::game::test {
+
+inline std::filesystem::path assets() { return std::filesystem::path(THAUM_SOURCE_DIR) / "assets"; }
+
+inline std::shared_ptr<const MatchData> duel_data(std::vector<std::string> overrides = {}) {
+    DataChoice choice;
+    choice.overrides = std::move(overrides);
+    auto data = load_match_data(assets(), choice);
+    EXPECT_TRUE(data.has_value()) << (data ? "" : data.error().message);
+    return std::make_shared<const MatchData>(std::move(*data));
+}
+
+inline BotDuel make_duel(std::uint64_t seed) {
+    auto duel = make_bot_duel(assets(), duel_data(), {1, 1}, seed);
+    EXPECT_TRUE(duel.has_value()) << (duel ? "" : duel.error().message);
+    return std::move(*duel);
+}
+
+}  // namespace thaum::game::test
