@@ -7,6 +7,9 @@ namespace thaum::bench {
 std::span<const Area> areas() {
     static constexpr std::array list{
         Area{"ecs", ecs},
+        Area{"tick", tick},
+        Area{"replay", replay},
+        Area{"skip", skip},
     };
     return list;
 }

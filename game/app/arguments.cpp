@@ -1,0 +1,75 @@
+#include "game/app/arguments.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/text.h"
+
+namespace thaum::app {
+namespace {
+
+template <class T>
+Expected<T> parse_value(std::string_view word, std::string_view what, T low, T high) {
+    T value{};
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool whole_word = error == std::errc{} && end == word.data() + word.size();
+    if (whole_word && value >= low && value <= high) return value;
+    return fail(text(what, " '", word, "': must be a number from ", low, " to ", high));
+}
+
+}  // namespace
+
+Expected<Arguments> Arguments::parse(std::span<const std::string> words, std::span<const Option> options) {
+    Arguments result;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto& word = words[i];
+        if (word.size() < 2 || word[0] != '-') {
+            result.plain_.push_back(word);
+            continue;
+        }
+        const auto option =
+            std::find_if(options.begin(), options.end(), [&](const auto& o) { return o.name == word; });
+        if (option == options.end()) return fail(text("unknown option '", word, "'"));
+        if (result.has(word) && !option->repeats) return fail(text("option '", word, "' is given twice"));
+        auto& values = result.given_[word];
+        if (words.size() - i - 1 < option->values) {
+            return fail(text("option '", word, "' needs ", option->values,
+                             option->values == 1 ? " value" : " values"));
+        }
+        for (std::size_t v = 0; v < option->values; ++v) values.push_back(words[++i]);
+    }
+    return result;
+}
+
+std::optional<std::string> Arguments::value(std::string_view option) const {
+    const auto found = given_.find(std::string(option));
+    if (found == given_.end() || found->second.empty()) return std::nullopt;
+    return found->second.back();
+}
+
+std::vector<std::string> Arguments::values(std::string_view option) const {
+    const auto found = given_.find(std::string(option));
+    return found == given_.end() ? std::vector<std::string>{} : found->second;
+}
+
+Expected<double> Arguments::number(std::string_view option, double low, double high, double fallback) const {
+    const auto word = value(option);
+    return word ? parse_number(*word, option, low, high) : Expected<double>(fallback);
+}
+
+Expected<std::uint64_t> Arguments::whole(std::string_view option, std::uint64_t low, std::uint64_t high,
+                                         std::uint64_t fallback) const {
+    const auto word = value(option);
+    return word ? parse_whole(*word, option, low, high) : Expected<std::uint64_t>(fallback);
+}
+
+Expected<std::uint64_t> parse_whole(std::string_view word, std::string_view what, std::uint64_t low,
+                                    std::uint64_t high) {
+    return parse_value<std::uint64_t>(word, what, low, high);
+}
+
+Expected<double> parse_number(std::string_view word, std::string_view what, double low, double high) {
+    return parse_value<double>(word, what, low, high);
+}
+
+}  // namespace thaum::app

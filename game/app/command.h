@@ -1,0 +1,32 @@
+// game/app/command.h: what `thaum WORD ...` can be. Each command is one .cpp of this folder.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "core/error.h"
+
+namespace thaum::app {
+
+/// Exit codes of every command.
+inline constexpr int done = 0;
+inline constexpr int does_not_hold = 1;  ///< the thing checked does not hold
+inline constexpr int wrong_use = 2;      ///< wrong usage or input
+
+struct Command {
+    std::string_view name;
+    std::string_view summary;  ///< one line for the list of commands
+    std::string_view help;     ///< fits a screen
+    int (*run)(const std::vector<std::string>& words);
+};
+
+Command play_command();
+Command replay_command();
+Command diff_command();
+Command scenario_command();
+Command bench_command();
+Command doctor_command();
+
+/// Prints "thaum: message" to standard error; returns wrong_use.
+int refuse(const Error& error);
+
+}  // namespace thaum::app

@@ -1,0 +1,190 @@
+// thaum diff: where two states, or two replays of one log, part.
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdio>
+#include <functional>
+#include <thread>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "ecs/diff.h"
+#include "game/app/arguments.h"
+#include "game/app/command.h"
+#include "game/match/playback.h"
+
+extern char** environ;
+
+namespace thaum::app {
+namespace {
+
+constexpr std::string_view help =
+    R"(usage: thaum diff A.dump B.dump
+       thaum diff LOG --exe OTHER_THAUM
+       thaum diff LOG --threads N,M
+
+Prints component, entity, field and both values of what differs.
+
+  A.dump B.dump    two states, as `thaum replay LOG --dump TICK FILE` writes them
+  --exe OTHER      replay the log here and with another build, and bisect to the
+                   first tick whose state differs
+  --threads N,M    replay it N times and M times at once, each on its own
+                   thread, and bisect likewise
+
+Exit 0: nothing differs; 1: something does.
+)";
+
+constexpr std::size_t max_dump = std::size_t{1} << 30U;
+
+int print(const std::vector<ecs::Difference>& differences) {
+    for (const auto& d : differences) {
+        const auto what = d.component.empty() ? std::string("entity") : d.component;
+        std::printf("%-12s entity %-6u %-24s %s | %s\n", what.c_str(), d.entity, d.field.c_str(), d.a.c_str(),
+                    d.b.c_str());
+    }
+    if (differences.empty()) std::printf("no difference\n");
+    return differences.empty() ? done : does_not_hold;
+}
+
+int compare(std::span<const std::byte> a, std::span<const std::byte> b) {
+    const auto differences = ecs::diff(a, b);
+    return differences ? print(*differences) : refuse(differences.error());
+}
+
+int compare_files(const std::string& a, const std::string& b) {
+    const auto left = read_file(a, max_dump);
+    if (!left) return refuse(left.error());
+    const auto right = read_file(b, max_dump);
+    if (!right) return refuse(right.error());
+    return compare(*left, *right);
+}
+
+/// The state of a replay at a tick.
+using StateAt = std::function<Expected<Bytes>(Tick)>;
+
+Expected<Bytes> state_here(const std::string& log, Tick tick) {
+    auto playback = game::Playback::open(log, game::find_assets());
+    if (!playback) return tl::unexpected(playback.error());
+    playback->play_to(tick);
+    Bytes state;
+    playback->match().save(state);
+    return state;
+}
+
+/// The first of several replays that run at once.
+Expected<Bytes> state_among(const std::string& log, Tick tick, std::uint64_t threads) {
+    std::vector<std::thread> others;
+    for (std::uint64_t i = 1; i < threads; ++i) others.emplace_back([&] { (void)state_here(log, tick); });
+    auto state = state_here(log, tick);
+    for (auto& thread : others) thread.join();
+    return state;
+}
+
+/// Runs PROGRAM replay LOG --dump TICK FILE.
+Expected<Bytes> state_elsewhere(const std::string& program, const std::string& log, Tick tick) {
+    const auto file =
+        std::filesystem::temp_directory_path() / text("thaum-diff-", static_cast<long>(::getpid()), ".dump");
+    const auto tick_text = text(tick);
+    const std::vector<std::string> words{program, "replay", log, "--dump", tick_text, file.string()};
+    std::vector<char*> argv;
+    for (const auto& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t quiet;
+    posix_spawn_file_actions_init(&quiet);
+    posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", 1, 0);
+    pid_t child = 0;
+    const int spawned = posix_spawn(&child, program.c_str(), &quiet, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&quiet);
+    if (spawned != 0) return fail(text(program, ": cannot be started"));
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        return fail(text(program, ": could not replay ", log));
+    auto state = read_file(file, max_dump);
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    return state;
+}
+
+struct Sides {
+    StateAt a, b;
+};
+
+/// Do they differ at this tick?
+Expected<bool> differ(const Sides& sides, Tick tick) {
+    const auto a = sides.a(tick);
+    if (!a) return tl::unexpected(a.error());
+    const auto b = sides.b(tick);
+    if (!b) return tl::unexpected(b.error());
+    return *a != *b;
+}
+
+/// Once states differ they stay different, so the first such tick is found by halving.
+int bisect(const Sides& sides, Tick length) {
+    auto at_end = differ(sides, length);
+    if (!at_end) return refuse(at_end.error());
+    if (!*at_end) {
+        std::printf("no difference in %llu ticks\n", static_cast<unsigned long long>(length));
+        return done;
+    }
+    Tick same = 0;  // ticks done after which they agree, unless the very start differs
+    Tick different = length;
+    if (const auto at_start = differ(sides, 0); !at_start) {
+        return refuse(at_start.error());
+    } else if (*at_start) {
+        different = 0;
+    }
+    while (different > same + 1) {
+        const Tick middle = same + (different - same) / 2;
+        const auto differs = differ(sides, middle);
+        if (!differs) return refuse(differs.error());
+        (*differs ? different : same) = middle;
+    }
+    std::printf("first difference after %llu ticks\n", static_cast<unsigned long long>(different));
+    const auto a = sides.a(different);
+    const auto b = sides.b(different);
+    if (!a) return refuse(a.error());
+    if (!b) return refuse(b.error());
+    return compare(*a, *b);
+}
+
+int run(const std::vector<std::string>& words) {
+    static constexpr Option options[] = {{"--exe", 1}, {"--threads", 1}};
+    const auto arguments = Arguments::parse(words, options);
+    if (!arguments) return refuse(arguments.error());
+    const auto& files = arguments->plain();
+    if (files.size() == 2 && !arguments->has("--exe") && !arguments->has("--threads")) {
+        return compare_files(files[0], files[1]);
+    }
+    if (files.size() != 1 || arguments->has("--exe") == arguments->has("--threads")) {
+        return refuse(
+            {"diff needs two dumps, or one log and --exe or --threads; `thaum diff --help` tells more"});
+    }
+    const auto log = files[0];
+    const auto playback = game::Playback::open(log, game::find_assets());
+    if (!playback) return refuse(playback.error());
+    const Tick length = playback->log().ticks();
+    if (const auto other = arguments->value("--exe")) {
+        return bisect({[&](Tick t) { return state_here(log, t); },
+                       [&](Tick t) { return state_elsewhere(*other, log, t); }},
+                      length);
+    }
+    const auto counts = arguments->value("--threads").value();
+    const auto comma = counts.find(',');
+    const auto a = parse_whole(counts.substr(0, comma), "--threads", 1, 64);
+    const auto b =
+        parse_whole(comma == std::string::npos ? "" : counts.substr(comma + 1), "--threads", 1, 64);
+    if (!a) return refuse(a.error());
+    if (!b) return refuse(b.error());
+    return bisect(
+        {[&](Tick t) { return state_among(log, t, *a); }, [&](Tick t) { return state_among(log, t, *b); }},
+        length);
+}
+
+}  // namespace
+
+Command diff_command() { return {"diff", "say where two states or two replays part", help, run}; }
+
+}  // namespace thaum::app

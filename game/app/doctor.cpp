@@ -1,0 +1,224 @@
+// thaum doctor: what this machine has, what is missing, and what to do about it.
+#include <fcntl.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "game/app/arguments.h"
+#include "game/app/command.h"
+#include "game/app/still.h"
+#include "physics/probe.h"
+#include "render/context.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr std::string_view help =
+    R"(usage: thaum doctor [--json FILE]
+
+Says what is there and what is missing: processor, data files, OpenGL, display,
+pads and their permissions, how well a 1 kHz clock is kept, where settings and
+logs go. Sound and haptic devices are not used by this version.
+
+  --json FILE   the findings as JSON; - for standard output
+
+Exit 0: a match can be played here; 1: something that it needs is missing.
+)";
+
+enum class State { good, note, missing };
+
+struct Finding {
+    std::string what;
+    State state{};
+    std::string detail;
+    std::string advice;  ///< what to do; empty: nothing
+};
+
+std::string first_value(const char* file, std::string_view key) {
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);) {
+        if (!line.starts_with(key)) continue;
+        const auto colon = line.find(':');
+        return colon == std::string::npos ? "" : line.substr(colon + 2);
+    }
+    return "unknown";
+}
+
+Finding processor() {
+    const bool v3 =
+        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
+    return {"processor", State::good,
+            text(first_value("/proc/cpuinfo", "model name"), ", ", sysconf(_SC_NPROCESSORS_ONLN), " cores, ",
+                 v3 ? "x86-64-v3" : "older than x86-64-v3"),
+            ""};
+}
+
+Finding mathematics() {
+    return {"mathematics", State::good, text("probe ", hex(physics::libm_probe()), " (logs carry it)"), ""};
+}
+
+Finding data_files(const std::filesystem::path& assets) {
+    const auto data = game::load_match_data(assets, {});
+    if (data)
+        return {"data files", State::good, text(assets.string(), ", ", data->files.size(), " files"), ""};
+    return {"data files", State::missing, data.error().message,
+            "start thaum from its folder or set THAUM_ASSETS"};
+}
+
+Finding opengl(const std::filesystem::path& assets) {
+    const auto data = game::load_match_data(assets, {});
+    if (!data) return {"OpenGL", State::note, "not tried without data files", ""};
+    const auto still = Still::create(*data, assets, {320, 180});
+    if (still) return {"OpenGL", State::good, "3.3 core, pictures in memory work", ""};
+    return {"OpenGL", State::missing, still.error().message, "apt-get install libgl1-mesa-dri"};
+}
+
+Finding display() {
+    for (const auto* name : {"WAYLAND_DISPLAY", "DISPLAY"}) {
+        const char* value = std::getenv(name);
+        if (value != nullptr && *value != '\0') return {"display", State::good, text(name, "=", value), ""};
+    }
+    return {"display", State::note, "none: thaum plays a duel of bots off-screen",
+            "start it in a desktop session"};
+}
+
+/// Names of /proc/bus/input/devices whose handlers include a joystick, with their event node.
+std::vector<std::pair<std::string, std::string>> pads() {
+    std::vector<std::pair<std::string, std::string>> found;
+    std::ifstream in("/proc/bus/input/devices");
+    std::string name;
+    for (std::string line; std::getline(in, line);) {
+        if (line.starts_with("N: Name=")) name = line.substr(8);
+        if (!line.starts_with("H: Handlers=") || line.find("js") == std::string::npos) continue;
+        const auto at = line.find("event");
+        if (at != std::string::npos) found.emplace_back(name, line.substr(at, line.find(' ', at) - at));
+    }
+    return found;
+}
+
+void add_pads(std::vector<Finding>& findings) {
+    const auto all = pads();
+    if (all.empty()) findings.push_back({"pad", State::note, "none plugged in: player 2 has the keypad", ""});
+    for (const auto& [name, node] : all) {
+        const bool readable = ::access(text("/dev/input/", node).c_str(), R_OK) == 0;
+        findings.push_back({"pad", readable ? State::good : State::missing,
+                            text(name, readable ? " can be read" : " cannot be read (", readable ? "" : node,
+                                 readable ? "" : ")"),
+                            readable ? ""
+                                     : "add to /etc/udev/rules.d/60-thaum.rules: SUBSYSTEM==\"input\", "
+                                       "ENV{ID_INPUT_JOYSTICK}==\"1\", TAG+=\"uaccess\""});
+    }
+}
+
+/// How late 1 kHz wake-ups come, in microseconds, sorted.
+std::vector<double> wake_up_delays(int count) {
+    std::vector<double> late;
+    timespec due{};
+    clock_gettime(CLOCK_MONOTONIC, &due);
+    for (int i = 0; i < count; ++i) {
+        due.tv_nsec += 1'000'000;
+        if (due.tv_nsec >= 1'000'000'000) {
+            due.tv_nsec -= 1'000'000'000;
+            ++due.tv_sec;
+        }
+        clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
+        timespec now{};
+        clock_gettime(CLOCK_MONOTONIC, &now);
+        late.push_back(static_cast<double>(now.tv_sec - due.tv_sec) * 1e6 +
+                       static_cast<double>(now.tv_nsec - due.tv_nsec) / 1e3);
+    }
+    std::sort(late.begin(), late.end());
+    return late;
+}
+
+Finding tick_clock() {
+    const auto late = wake_up_delays(2000);
+    const auto at = [&](double share) {
+        return fixed(late[static_cast<std::size_t>(share * static_cast<double>(late.size() - 1))], 0);
+    };
+    return {
+        "1 kHz clock", State::good,
+        text("late by ", at(0.5), " us in the middle, ", at(0.99), " us at 99 %, ", at(1), " us at worst"),
+        ""};
+}
+
+Finding folder(const std::string& what, const char* variable, const char* fallback) {
+    const char* base = std::getenv(variable);
+    const char* home = std::getenv("HOME");
+    const auto path =
+        (base != nullptr && *base != '\0' ? std::filesystem::path(base)
+                                          : std::filesystem::path(home != nullptr ? home : ".") / fallback) /
+        "thaum";
+    auto existing = path;
+    std::error_code ignored;
+    while (!existing.empty() && !std::filesystem::exists(existing, ignored))
+        existing = existing.parent_path();
+    const bool writable = ::access(existing.c_str(), W_OK) == 0;
+    return {what, writable ? State::good : State::missing,
+            text(path.string(), writable ? "" : " cannot be written"),
+            writable ? "" : text("make it writable, or set ", variable)};
+}
+
+std::vector<Finding> examine() {
+    const auto assets = game::find_assets();
+    std::vector<Finding> findings{processor(), mathematics(), data_files(assets), opengl(assets), display()};
+    add_pads(findings);
+    findings.push_back(tick_clock());
+    findings.push_back(folder("settings", "XDG_CONFIG_HOME", ".config"));
+    findings.push_back(folder("match logs", "XDG_DATA_HOME", ".local/share"));
+    return findings;
+}
+
+std::string_view word(State state) {
+    return state == State::good ? "good" : state == State::note ? "note" : "MISSING";
+}
+
+std::string as_json(const std::vector<Finding>& findings) {
+    nlohmann::json report{{"thaum", THAUM_VERSION}, {"findings", nlohmann::json::array()}};
+    for (const auto& f : findings) {
+        report["findings"].push_back(
+            {{"what", f.what}, {"state", word(f.state)}, {"detail", f.detail}, {"advice", f.advice}});
+    }
+    return report.dump(2) + "\n";
+}
+
+void print(const std::vector<Finding>& findings) {
+    for (const auto& f : findings) {
+        std::printf("%-8s %-12s %s\n", std::string(word(f.state)).c_str(), f.what.c_str(), f.detail.c_str());
+        if (!f.advice.empty()) std::printf("         %-12s -> %s\n", "", f.advice.c_str());
+    }
+}
+
+int run(const std::vector<std::string>& words) {
+    static constexpr Option options[] = {{"--json", 1}};
+    const auto arguments = Arguments::parse(words, options);
+    if (!arguments) return refuse(arguments.error());
+    if (!arguments->plain().empty()) return refuse({text("doctor takes no '", arguments->plain()[0], "'")});
+    const auto findings = examine();
+    const auto json = arguments->value("--json");
+    if (json == "-") {
+        std::printf("%s", as_json(findings).c_str());
+    } else {
+        print(findings);
+        if (json) {
+            if (const auto written = write_text_file(*json, as_json(findings)); !written)
+                return refuse(written.error());
+        }
+    }
+    const bool missing = std::any_of(findings.begin(), findings.end(),
+                                     [](const auto& f) { return f.state == State::missing; });
+    return missing ? does_not_hold : done;
+}
+
+}  // namespace
+
+Command doctor_command() { return {"doctor", "say what this machine has and what is missing", help, run}; }
+
+}  // namespace thaum::app

@@ -1,0 +1,83 @@
+// thaum: the program. The first word names the command; without one it is `play`.
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "core/text.h"
+#include "game/app/command.h"
+
+namespace thaum::app {
+namespace {
+
+std::vector<Command> commands() {
+    return {play_command(),     replay_command(), diff_command(),
+            bench_command(),  doctor_command()};
+}
+
+void print_overview() {
+    std::printf("Thaum %s: a duel of two wizards on one machine\n\nusage: thaum [COMMAND] [OPTIONS]\n\n",
+                THAUM_VERSION);
+    for (const auto& command : commands()) {
+        std::printf("  %-9s %s\n", std::string(command.name).c_str(), std::string(command.summary).c_str());
+    }
+    std::printf("\n`thaum COMMAND --help` tells the rest. Without a command: play.\n");
+}
+
+bool asks_for_help(const std::vector<std::string>& words) {
+    for (const auto& word : words) {
+        if (word == "--help" || word == "-h") return true;
+    }
+    return false;
+}
+
+int dispatch(std::vector<std::string> words) {
+    if (words.size() == 1 && (words[0] == "--help" || words[0] == "-h" || words[0] == "help")) {
+        print_overview();
+        return done;
+    }
+    if (words.size() == 1 && words[0] == "--version") {
+        std::printf("thaum %s\n", THAUM_VERSION);
+        return done;
+    }
+    std::string name = "play";
+    if (!words.empty() && !words[0].starts_with("-")) {
+        name = words[0];
+        words.erase(words.begin());
+    }
+    for (const auto& command : commands()) {
+        if (command.name != name) continue;
+        if (asks_for_help(words)) {
+            std::printf("%s", std::string(command.help).c_str());
+            return done;
+        }
+        return command.run(words);
+    }
+    return refuse({text("unknown command '", name, "'; `thaum --help` lists them")});
+}
+
+/// This build uses instructions of x86-64-v3; without them it would die with no word of why.
+bool processor_can_run_this() {
+#ifdef __AVX2__
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
+#else
+    return true;
+#endif
+}
+
+}  // namespace
+
+int refuse(const Error& error) {
+    std::fprintf(stderr, "thaum: %s\n", error.message.c_str());
+    return wrong_use;
+}
+
+}  // namespace thaum::app
+
+int main(int argc, char** argv) {
+    if (!thaum::app::processor_can_run_this()) {
+        std::fprintf(stderr,
+                     "thaum: this build needs a processor with AVX2; build with -DTHAUM_PORTABLE=ON\n");
+        return thaum::app::wrong_use;
+    }
+    return thaum::app::dispatch({argv + 1, argv + argc});
+}

@@ -1,0 +1,126 @@
+#include "game/app/offscreen_duel.h"
+
+#include <cstdio>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "game/app/command.h"
+#include "game/app/still.h"
+#include "game/bots/duel.h"
+#include "game/match/record.h"
+
+namespace thaum::app {
+namespace {
+
+/// The moment worth a picture: the closest that the two have come to each other while both lived and saw each other, or else the end.
+struct Highlight {
+    double distance = 1e9;
+    Tick tick = 0;
+};
+
+struct Played {
+    game::BotDuel duel;
+    std::vector<input::InputFrame> frames;
+    Highlight highlight;
+};
+
+void watch_for_highlight(const game::Simulation& match, Highlight& best) {
+    const auto& world = match.world();
+    const auto a = game::wizard_of(world, 0);
+    const auto b = game::wizard_of(world, 1);
+    if (world.has<game::Dead>(a) || world.has<game::Dead>(b) || match.now() < 2000) return;
+    const vec3 from = world.get<game::Motion>(a).position;
+    const vec3 to = world.get<game::Motion>(b).position;
+    const auto& gaze = world.get<game::Gaze>(a);
+    const vec3 ahead = look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1);
+    const double distance = glm::distance(from, to);
+    const bool faces = distance > 3 && glm::dot(glm::normalize(to - from), ahead) > 0.95;
+    std::size_t missiles = 0;
+    for (const auto& wand : match.data().wands) {
+        wand.kind->show(world, [&](const game::Missile&) { ++missiles; });
+    }
+    if (faces && missiles > 0 && distance < best.distance) best = {distance, match.now()};
+}
+
+Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const game::MatchData>& data,
+                      const std::filesystem::path& log_file) {
+    auto duel = game::make_bot_duel(plan.assets, data, plan.levels, plan.seed);
+    if (!duel) return tl::unexpected(duel.error());
+    Played played{std::move(*duel), {}, {}};
+    auto& match = *played.duel.match;
+    auto log = input::LogWriter::create(
+        log_file,
+        game::log_header(*data, match.setup(), {text("bot ", plan.levels[0]), text("bot ", plan.levels[1])}),
+        input::WhenBehind::wait);
+    if (!log) return tl::unexpected(log.error());
+    while (match.now() < ticks(plan.seconds) && match.match().phase == game::Phase::playing) {
+        const auto frame = played.duel.next_frame();
+        game::tick_and_record(match, frame, &*log);
+        played.frames.push_back(frame);
+        if (match.now() % 50 == 0) watch_for_highlight(match, played.highlight);
+    }
+    if (auto closed = log->close(game::result_line(match)); !closed) return tl::unexpected(closed.error());
+    return played;
+}
+
+/// The moment is found again by playing up to it: a match is a function of its frames.
+Expected<void> picture(const OffscreenDuel& duel, const std::shared_ptr<const game::MatchData>& data,
+                       const Played& played) {
+    auto still = Still::create(*data, duel.assets, {1280, 720});
+    if (!still) return tl::unexpected(still.error());
+    const auto file = duel.out / "duel.png";
+    if (played.highlight.tick == 0) return still->save(*played.duel.match, {}, file);
+    game::Simulation again(data, played.duel.match->setup());
+    for (Tick t = 0; t < played.highlight.tick; ++t) again.tick(played.frames[t]);
+    return still->save(again, {}, file);
+}
+
+std::string report(const OffscreenDuel& duel, const Played& played, const std::filesystem::path& log,
+                   const std::string& picture_line) {
+    const auto& match = *played.duel.match;
+    const auto& world = match.world();
+    std::string lines =
+        text("Thaum ", THAUM_VERSION, ", duel in ", match.data().arena.name, ", seed ", duel.seed, "\n");
+    lines += text("result   ", game::result_line(match), "\n");
+    for (std::uint32_t player = 0; player < game::players; ++player) {
+        const auto e = game::wizard_of(world, player);
+        const auto& score = world.get<game::Score>(e);
+        lines += text("player ", player + 1, " bot of level ", duel.levels[player], ": ", score.kills,
+                      " kills, ", score.deaths, " deaths, ", world.get<game::WandBelt>(e).fired, " shots, ",
+                      fixed(world.get<game::Health>(e).points, 0), " health\n");
+    }
+    lines += text("ticks    ", match.now(), " of 1 ms, ", played.frames.size(), " frames recorded\n");
+    lines += text("state    ", hex(match.state_hash()), "\n");
+    lines += text("physics  ", match.physics().counters().steps, " steps, ",
+                  match.physics().counters().skipped, " skipped asleep\n");
+    lines += text("world    ", world.size(), " entities in ", world.tables().size(), " tables\n");
+    lines += text("picture  ", picture_line, "\n");
+    lines += text("log      ", log.string(), "\n");
+    lines += text("check    thaum replay ", log.string(), " --verify\n");
+    lines += "play     on a machine with a display: thaum --vs, or thaum --solo 1\n";
+    return lines;
+}
+
+}  // namespace
+
+int play_offscreen_duel(const OffscreenDuel& duel) {
+    auto loaded = game::load_match_data(duel.assets, duel.data);
+    if (!loaded) return refuse(loaded.error());
+    const auto data = std::make_shared<const game::MatchData>(std::move(*loaded));
+    std::error_code failed;
+    std::filesystem::create_directories(duel.out, failed);
+    if (failed) return refuse({text(duel.out.string(), ": cannot create: ", failed.message())});
+    const auto log = duel.log.empty() ? duel.out / "duel.thaumlog" : duel.log;
+    if (duel.log.empty()) std::filesystem::remove(log, failed);  // ours, from the last time
+    const auto played = play(duel, data, log);
+    if (!played) return refuse(played.error());
+    const auto drawn = picture(duel, data, *played);
+    const auto lines = report(
+        duel, *played, log, drawn ? (duel.out / "duel.png").string() : text("none: ", drawn.error().message));
+    std::printf("%s", lines.c_str());
+    if (const auto written = write_text_file(duel.out / "duel.txt", lines); !written)
+        return refuse(written.error());
+    return done;
+}
+
+}  // namespace thaum::app

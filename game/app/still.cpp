@@ -1,0 +1,48 @@
+#include "game/app/still.h"
+
+#include "game/hud/court.h"
+#include "game/hud/picture.h"
+#include "render/context.h"
+#include "render/renderer.h"
+
+namespace thaum::app {
+
+struct Still::State {
+    render::Offscreen context;
+    std::optional<render::Renderer> renderer;  // goes before its context
+    game::Court court;
+    game::Picture picture = game::make_picture();
+    game::FrameMemory memory;
+};
+
+Still::Still(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Still::Still(Still&&) noexcept = default;
+Still& Still::operator=(Still&&) noexcept = default;
+Still::~Still() = default;
+
+Expected<Still> Still::create(const game::MatchData& data, const std::filesystem::path& assets,
+                              render::Size size) {
+    auto context = render::Offscreen::create(size.width, size.height);
+    if (!context) return tl::unexpected(context.error());
+    context->make_current();
+    auto renderer = render::Renderer::create(assets);
+    if (!renderer) return tl::unexpected(renderer.error());
+    auto state = std::unique_ptr<State>(
+        new State{std::move(*context), std::move(*renderer), {}, game::make_picture(), {}});
+    state->court = game::make_court(*state->renderer, data.arena, data.wizard);
+    return Still(std::move(state));
+}
+
+render::Image Still::draw(const game::Simulation& match, const game::HudSettings& settings) {
+    auto& s = *state_;
+    game::take_picture(match, s.picture);
+    s.renderer->draw(game::make_frame(s.court, s.picture, settings, s.context.size(), s.memory));
+    return s.renderer->read_pixels();
+}
+
+Expected<void> Still::save(const game::Simulation& match, const game::HudSettings& settings,
+                           const std::filesystem::path& file) {
+    return render::write_png(file, draw(match, settings));
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,32 @@
+// game/app/still.h: single pictures of a match, drawn in memory, with or without a display.
+#pragma once
+#include <filesystem>
+#include <memory>
+
+#include "game/hud/hud.h"
+#include "game/match/simulation.h"
+#include "render/image.h"
+
+namespace thaum::app {
+
+class Still {
+public:
+    /// The error is one line: no OpenGL, no font, a broken shader. All pictures are of matches with this data.
+    static Expected<Still> create(const game::MatchData& data, const std::filesystem::path& assets,
+                                  render::Size size);
+    Still(Still&&) noexcept;
+    Still& operator=(Still&&) noexcept;
+    ~Still();
+
+    render::Image draw(const game::Simulation& match, const game::HudSettings& settings);
+    /// As a PNG.
+    Expected<void> save(const game::Simulation& match, const game::HudSettings& settings,
+                        const std::filesystem::path& file);
+
+private:
+    struct State;
+    explicit Still(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,13 @@
+// game/app/watch.h: looking at a replay.
+#pragma once
+#include <filesystem>
+
+#include "game/match/playback.h"
+
+namespace thaum::app {
+
+/// Plays the rest of the log in a window, in real time. Without a display: one picture of the moment and its state in
+/// `out`, and a line that says so. Returns an exit code.
+int watch(game::Playback playback, const std::filesystem::path& out);
+
+}  // namespace thaum::app
