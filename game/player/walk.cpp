@@ -42,6 +42,9 @@ void add_walk_system(Stage& stage, ecs::Schedule& schedule) {
                  [&](ecs::Entity e, Controls& controls, const Gaze& gaze, Stance& stance,
                      const Motion& motion, const Body&) {
                      const auto jump = bit(input::Button::jump);
+                     const bool wishes =
+                         controls.strafe != 0 || controls.forward != 0 || (controls.pressed & jump) != 0;
+                     if (motion.asleep != 0 && !wishes) return;  // stands, and nothing has touched it
                      const auto result =
                          physics::move(stage.physics, e.index,
                                        {.wish_velocity = wish_of(controls, gaze, rules.walk.walk_speed),

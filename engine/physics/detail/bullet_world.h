@@ -51,6 +51,8 @@ inline Key key_of(const btCollisionObject& object) { return static_cast<Key>(obj
 /// Bullet's world and what it is made of. Bodies must outlive it.
 class BulletWorld {
 public:
+    BT_DECLARE_ALIGNED_ALLOCATOR();  // from the pool, so that a rebuild asks the heap for nothing
+
     explicit BulletWorld(const Settings&);
     ~BulletWorld();
 
