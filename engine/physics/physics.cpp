@@ -162,6 +162,7 @@ bool active(const btPersistentManifold& manifold) {
 std::vector<detail::Mesh> built(const std::vector<TriangleMesh>& meshes) {
     detail::use_pool();  // before the first Bullet object
     std::vector<detail::Mesh> out;
+    out.reserve(meshes.size());
     for (const TriangleMesh& mesh : meshes) out.emplace_back(mesh);
     return out;
 }

@@ -1,10 +1,12 @@
 // thaum play: a match.
 #include <cstdio>
 #include <cstdlib>
+#include <random>
 
 #include "core/text.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
+#include "game/app/live.h"
 #include "game/app/offscreen_duel.h"
 
 namespace thaum::app {
@@ -44,23 +46,92 @@ bool display_there() {
     return false;
 }
 
-int run(const std::vector<std::string>& words) {
-    const auto arguments = Arguments::parse(words, options);
-    if (!arguments) return refuse(arguments.error());
-    if (!arguments->plain().empty()) return refuse({text("play takes no '", arguments->plain()[0], "'")});
-    const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0}, 1);
-    if (!seed) return refuse(seed.error());
-    const auto duration = arguments->number("--seconds", 0.001, 36000, 60);
-    if (!duration) return refuse(duration.error());
+/// What the words ask for, checked.
+struct Wish {
     game::DataChoice data;
-    if (const auto arena = arguments->value("--arena")) data.arena = *arena;
-    data.overrides = arguments->values("--set");
-    if (!arguments->has("--headless") && !display_there())
+    std::optional<std::uint64_t> seed;
+    std::optional<double> seconds;
+    std::filesystem::path record, out = "out";
+    bool headless = false, demo = false;
+    std::optional<int> solo;  ///< level of the bot
+};
+
+Expected<Wish> read_wish(const std::vector<std::string>& words) {
+    const auto arguments = Arguments::parse(words, options);
+    if (!arguments) return tl::unexpected(arguments.error());
+    if (!arguments->plain().empty()) return fail(text("play takes no '", arguments->plain()[0], "'"));
+    Wish wish;
+    wish.headless = arguments->has("--headless");
+    wish.demo = arguments->has("--demo");
+    const auto level = arguments->whole("--solo", 1, 7, 1);
+    if (!level) return tl::unexpected(level.error());
+    if (arguments->has("--solo")) wish.solo = static_cast<int>(*level);
+    const int ways = (arguments->has("--vs") ? 1 : 0) + (wish.demo ? 1 : 0) + (wish.solo ? 1 : 0);
+    if (ways > 1) return fail("--vs, --solo and --demo exclude each other");
+    if (wish.headless && (arguments->has("--vs") || wish.solo))
+        return fail("--headless plays two bots: no --vs or --solo");
+    const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0}, 1);
+    if (!seed) return tl::unexpected(seed.error());
+    if (arguments->has("--seed")) wish.seed = *seed;
+    const auto duration = arguments->number("--seconds", 0.001, 36000, 60);
+    if (!duration) return tl::unexpected(duration.error());
+    if (arguments->has("--seconds")) wish.seconds = *duration;
+    const auto rules = arguments->value("--rules").value_or("thaum");
+    if (rules != "thaum") return fail(text("there is no rule set '", rules, "' yet, only thaum"));
+    wish.data.arena = arguments->value("--arena").value_or(wish.data.arena);
+    wish.data.overrides = arguments->values("--set");
+    wish.record = arguments->value("--record").value_or("");
+    wish.out = arguments->value("--out").value_or(wish.out.string());
+    return wish;
+}
+
+int play_off_screen(const Wish& wish) {
+    return play_offscreen_duel({.assets = game::find_assets(),
+                                .out = wish.out,
+                                .log = wish.record,
+                                .data = wish.data,
+                                .seed = wish.seed.value_or(1),
+                                .seconds = wish.seconds.value_or(60)});
+}
+
+std::array<Seat, 2> seats_of(const Wish& wish) {
+    if (wish.demo) return {Seat{.kind = SeatKind::bot}, Seat{.kind = SeatKind::bot}};
+    const Seat first{.kind = SeatKind::keyboard_mouse};
+    if (wish.solo) return {first, Seat{.kind = SeatKind::bot, .level = *wish.solo}};
+    return {first, Seat{.kind = SeatKind::pad_or_half}};
+}
+
+int play_in_window(const Wish& wish) {
+    const auto assets = game::find_assets();
+    auto settings = load_settings(settings_file(), assets);
+    if (!settings) return refuse(settings.error());
+    auto data = game::load_match_data(assets, wish.data);
+    if (!data) return refuse(data.error());
+    LivePlan plan;
+    plan.data = std::make_shared<const game::MatchData>(std::move(*data));
+    plan.seed = wish.seed.value_or(std::random_device{}());
+    plan.seats = seats_of(wish);
+    plan.assets = assets;
+    plan.seconds = wish.seconds;
+    plan.log = wish.record;
+    if (plan.log.empty()) {
+        const auto log = new_match_log(matches_folder(), settings->logs_kept);
+        if (!log) return refuse(log.error());
+        plan.log = *log;
+    }
+    plan.settings = std::move(*settings);
+    return run_live(plan);
+}
+
+int run(const std::vector<std::string>& words) {
+    const auto wish = read_wish(words);
+    if (!wish) return refuse(wish.error());
+    if (!wish->headless && !display_there()) {
+        if (wish->solo) return refuse({"--solo needs a display; without one: thaum --headless"});
         std::printf("no display: two bots play off-screen\n");
-    OffscreenDuel duel{.assets = game::find_assets(), .data = data, .seed = *seed, .seconds = *duration};
-    duel.out = arguments->value("--out").value_or("out");
-    duel.log = arguments->value("--record").value_or("");
-    return play_offscreen_duel(duel);
+        return play_off_screen(*wish);
+    }
+    return wish->headless ? play_off_screen(*wish) : play_in_window(*wish);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot) {
 std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t step) {
     auto slot = from;
     for (std::size_t i = 0; i < wand_slots; ++i) {
-        slot = (slot + step) % wand_slots;
+        slot = static_cast<std::uint32_t>((slot + step) % wand_slots);
         if (wand_in_slot(data, slot) != nullptr) return slot;
     }
     return from;

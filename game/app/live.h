@@ -1,0 +1,65 @@
+// game/app/live.h: a match in a window, in real time.
+//
+// Three threads (architecture.md, "One tick"). The main thread waits for events and polls pads. The simulation thread takes
+// sample t of each device at t ms and publishes pictures; when late it runs faster until it has caught up, and a backlog
+// beyond 250 ms is cut by leaving samples out, which is logged as input. The render thread owns OpenGL and draws the
+// newest pictures. None waits for another, so whatever holds one of them up cannot change what is in the log's frames
+// but for when they were taken: a replay of the log gives the same hashes.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "game/app/settings.h"
+#include "game/match/data.h"
+
+namespace thaum::app {
+
+enum class SeatKind : std::uint8_t {
+    keyboard_mouse,
+    keyboard_half,
+    pad,
+    pad_or_half,  ///< a pad where one is plugged in at the start, else half a keyboard
+    bot,
+};
+
+struct Seat {
+    SeatKind kind{};
+    int pad = 0;    ///< which of the window's pads
+    int level = 1;  ///< of a bot
+};
+
+/// Holds a thread up on purpose, for tests.
+struct Stall {
+    enum class Thread : std::uint8_t { none, main, simulation, render };
+    Thread thread{};
+    int every_ms = 500;
+    int ms = 40;
+};
+
+/// How well time was kept.
+struct LiveReport {
+    std::uint64_t ticks{}, frames{}, skipped{}, matches{};
+    double late_us_median{}, late_us_p99{},
+        late_us_worst{};                       ///< wake-ups of the simulation thread after their deadline
+    double tick_us_median{}, tick_us_p99{};    ///< one tick, its record and picture
+    double frame_ms_median{}, frame_ms_p99{};  ///< building, drawing and presenting one picture
+};
+
+struct LivePlan {
+    std::shared_ptr<const game::MatchData> data;
+    std::uint64_t seed = 1;
+    std::array<Seat, 2> seats{};
+    std::filesystem::path log{};  ///< empty: not recorded; a rematch goes beside it, with a number
+    std::filesystem::path assets{};
+    Settings settings{};
+    std::optional<double> seconds{};  ///< then the match ends and the window closes
+    Stall stall{};
+    LiveReport* report = nullptr;  ///< filled at the end
+};
+
+/// Plays until the window is closed or the players quit. Errors go to standard error in one line. Returns an exit code.
+int run_live(const LivePlan& plan);
+
+}  // namespace thaum::app

@@ -1,0 +1,36 @@
+// game/app/live_latest.h: hands the newest of a stream of values from one thread to another. Neither ever waits: the
+// writer has a value of its own to fill, the reader one to look at, and the third lies between them.
+#pragma once
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+namespace thaum::app {
+
+template <class T>
+class Latest {
+public:
+    explicit Latest(const T& start) : values_{start, start, start} {}
+
+    // The writer.
+    T& to_fill() { return values_[back_]; }
+    void publish() { back_ = middle_.exchange(back_ | fresh, std::memory_order_acq_rel) & index; }
+
+    // The reader.
+    /// True where there is a newer value than the one it had.
+    bool take() {
+        if ((middle_.load(std::memory_order_relaxed) & fresh) == 0) return false;
+        front_ = middle_.exchange(front_, std::memory_order_acq_rel) & index;
+        return true;
+    }
+    const T& newest() const { return values_[front_]; }
+
+private:
+    static constexpr std::uint32_t index = 3, fresh = 4;
+    std::array<T, 3> values_;
+    std::uint32_t back_ = 0;
+    std::atomic<std::uint32_t> middle_{1};
+    std::uint32_t front_ = 2;
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <cmath>
+
+#include "game/app/live_shared.h"
+#include "render/pace.h"
+
+namespace thaum::app {
+
+using game::Picture;
+
+namespace {
+
+/// The picture shown lies so far back that the one after it is most often there already, ms.
+constexpr double delay_ms = 6;
+
+/// The last two pictures, and what lies between them now.
+struct Film {
+    Picture before = game::make_picture(), now = game::make_picture(), shown = game::make_picture();
+    bool any = false;
+};
+
+void advance(Latest<Picture>& pictures, Film& film) {
+    if (!pictures.take()) return;
+    std::swap(film.before, film.now);
+    film.now = pictures.newest();
+    film.any = true;
+}
+
+const Picture& show(Film& film) {
+    const auto& a = film.before;
+    const auto& b = film.now;
+    const double shown_tick =
+        static_cast<double>(b.tick) + static_cast<double>(monotonic_ns() - b.due_ns) * 1e-6 - delay_ms;
+    const bool follows = a.tick < b.tick;
+    const double alpha =
+        follows ? (shown_tick - static_cast<double>(a.tick)) / static_cast<double>(b.tick - a.tick) : 1;
+    game::interpolate(a, b, std::clamp(alpha, 0.0, 1.0), film.shown);
+    return film.shown;
+}
+
+game::HudSettings hud_settings(const LivePlan& plan, const LiveShared& shared, game::Watch watch) {
+    return {.split = shared.split.load(),
+            .watch = watch,
+            .fov = plan.settings.fov,
+            .text_scale = plan.settings.text_scale,
+            .internal_scale = static_cast<float>(plan.settings.internal_scale),
+            .can_play_again = true};
+}
+
+void draw_until_stopped(const LivePlan& plan, LiveShared& shared, game::Watch watch,
+                        render::Renderer& renderer) {
+    const auto court = game::make_court(renderer, plan.data->arena, plan.data->wizard);
+    render::Pacer pacer(plan.settings.frames_per_second);
+    Staller staller{plan.stall};
+    Film film;
+    game::FrameMemory memory;
+    Timings times;
+    shared.ready = true;
+    while (!shared.stop) {
+        pacer.wait();
+        staller.pass(Stall::Thread::render);
+        advance(shared.pictures, film);
+        const auto size = shared.window.size();
+        if (!film.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) continue;
+        const auto before = monotonic_ns();
+        renderer.draw(game::make_frame(court, show(film), hud_settings(plan, shared, watch), size, memory));
+        shared.window.present();
+        times.add(static_cast<double>(monotonic_ns() - before) * 1e-6);
+        ++shared.report.frames;
+    }
+    shared.report.frame_ms_median = times.at(0.5);
+    shared.report.frame_ms_p99 = times.at(0.99);
+}
+
+}  // namespace
+
+void run_render(const LivePlan& plan, LiveShared& shared, game::Watch watch) {
+    shared.window.make_current();
+    if (auto renderer = render::Renderer::create(plan.assets)) {
+        draw_until_stopped(plan, shared, watch, *renderer);
+    } else {
+        shared.render_error = renderer.error();
+        shared.stop = true;
+        shared.window.wake();
+    }
+    shared.window.release_current();
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,262 @@
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+
+#include "core/text.h"
+#include "game/app/live_shared.h"
+#include "game/bots/bot.h"
+#include "game/match/record.h"
+
+namespace thaum::app {
+
+using game::Simulation;
+using input::Button;
+
+namespace {
+
+constexpr std::int64_t ns_per_tick = 1'000'000;
+constexpr Tick most_behind = 250;
+constexpr Tick publish_period = 4;
+constexpr Tick idle_wake = 8;             ///< ticks at once, in a pause and after the end
+constexpr Tick log_after_end = 500;       ///< ticks of the result that are still recorded
+constexpr Tick rematch_not_before = 800;  ///< ticks, so that who was just shooting does not ask for one
+constexpr std::int64_t notice_ns = 3'000'000'000;
+/// Of a bot match; a person's own look is not foreseeable anyway.
+constexpr std::uint64_t bot_seed_step = 0x9e3779b97f4a7c15ULL;
+
+/// One match with its bots and its log.
+struct Round {
+    std::unique_ptr<Simulation> match;
+    game::Bots bots;
+    std::optional<input::LogWriter> log;
+    std::optional<Tick> over_at;
+    std::uint32_t buttons_before = 0;
+    std::uint32_t marks = 0;
+};
+
+struct Session {
+    const LivePlan& plan;
+    LiveShared& shared;
+    std::uint64_t seed;
+    std::uint64_t matches = 0;
+    Round round{};
+    std::int64_t start_ns = 0;  ///< the deadline of the round's tick 0
+    Tick skips_to_log = 0;
+    std::int64_t skipped_at_ns = 0;
+    Timings late{}, ticks{};
+};
+
+std::vector<input::DeviceSpec> devices_of(const LiveShared& shared) {
+    std::vector<input::DeviceSpec> devices;
+    for (const auto& seat : shared.seats) devices.push_back(seat.spec);
+    return devices;
+}
+
+bool add_bots(Session& s) {
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        const auto& seat = s.shared.seats[p].seat;
+        if (seat.kind != SeatKind::bot) continue;
+        const auto skill = game::load_bot_skill(s.plan.assets, seat.level);
+        if (!skill) {
+            s.shared.simulation_error = skill.error();
+            return false;
+        }
+        s.round.bots.add(*s.round.match, p, p, *skill, s.seed + (p + 1) * bot_seed_step);
+    }
+    return true;
+}
+
+bool start_round(Session& s, std::optional<input::LogWriter> log) {
+    s.round = {};
+    s.round.match = std::make_unique<Simulation>(s.plan.data, game::MatchSetup{s.seed, devices_of(s.shared)});
+    s.round.log = std::move(log);
+    s.start_ns = monotonic_ns();
+    ++s.matches;
+    return add_bots(s);
+}
+
+void close_log(Round& round) {
+    if (!round.log) return;
+    if (const auto closed = round.log->close(game::result_line(*round.match)); !closed)
+        std::fprintf(stderr, "%s\n", closed.error().message.c_str());
+    round.log.reset();
+}
+
+/// "match.thaumlog" -> "match-2.thaumlog", or the first number from there that is free.
+std::filesystem::path numbered(const std::filesystem::path& path, std::uint64_t number) {
+    for (;; ++number) {
+        auto next = path;
+        next.replace_filename(text(path.stem().string(), "-", number, path.extension().string()));
+        std::error_code error;
+        if (!std::filesystem::exists(next, error)) return next;
+    }
+}
+
+}  // namespace
+
+Expected<input::LogWriter> open_log(const LivePlan& plan, const LiveShared& shared, std::uint64_t seed,
+                                    const std::filesystem::path& path) {
+    std::vector<std::string> names;
+    for (const auto& seat : shared.seats)
+        names.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
+    const game::MatchSetup setup{seed, devices_of(shared)};
+    return input::LogWriter::create(path, game::log_header(*plan.data, setup, std::move(names)));
+}
+
+namespace {
+
+bool start_rematch(Session& s) {
+    close_log(s.round);
+    Random next = random_stream(s.seed, s.matches);
+    s.seed = next.next() >> 1U;
+    std::optional<input::LogWriter> log;
+    if (!s.plan.log.empty()) {
+        auto opened = open_log(s.plan, s.shared, s.seed, numbered(s.plan.log, s.matches + 1));
+        if (opened)
+            log.emplace(std::move(*opened));
+        else
+            std::fprintf(stderr, "this match is not recorded: %s\n", opened.error().message.c_str());
+    }
+    s.shared.rematch = false;
+    return start_round(s, std::move(log));
+}
+
+Going going_of(const game::Match& match) {
+    if (match.phase == game::Phase::over) return Going::over;
+    return match.paused != 0 ? Going::paused : Going::playing;
+}
+
+/// Main asked for a pause (or for its end): the button is pressed like any other, until it has worked.
+void press_for_main(LiveShared& shared, Going going, input::InputFrame& frame) {
+    const auto press = [&](std::atomic<std::uint32_t>& wish, Going unless) {
+        const auto player = wish.load();
+        if (player >= game::players) return;
+        if (going == Going::over || going == unless)
+            wish = game::no_player;
+        else
+            frame.devices[player].press(Button::pause);
+    };
+    press(shared.wants_pause, Going::paused);
+    press(shared.wants_to_go_on, Going::playing);
+}
+
+input::InputFrame take_frame(Session& s) {
+    input::InputFrame frame;
+    s.round.bots.sample(*s.round.match, frame);
+    for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
+        if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
+    }
+    press_for_main(s.shared, going_of(s.round.match->match()), frame);
+    // All devices lose the same samples; the first one's column says so.
+    const auto skips = std::min<Tick>(s.skips_to_log, 0xffff);
+    frame.devices[0].skips = static_cast<std::uint16_t>(skips);
+    s.skips_to_log -= skips;
+    return frame;
+}
+
+/// Buttons of any device that act on the session and not on the match.
+void watch_buttons(Session& s, const input::InputFrame& frame) {
+    auto& round = s.round;
+    std::uint32_t buttons = 0;
+    for (const auto& device : frame.devices) buttons |= device.buttons;
+    const auto pressed = [&](Button b) {
+        return (buttons & ~round.buttons_before & static_cast<std::uint32_t>(b)) != 0;
+    };
+    if (pressed(Button::mark) && round.log) round.log->mark(++round.marks);
+    const bool may = round.over_at && round.match->now() >= *round.over_at + rematch_not_before;
+    if (may && pressed(Button::confirm)) s.shared.rematch = true;
+    if (!round.over_at) s.shared.rematch = false;
+    round.buttons_before = buttons;
+}
+
+void tell_going(LiveShared& shared, Going going) {
+    if (shared.going.exchange(going) != going) shared.window.wake();
+}
+
+void publish(Session& s) {
+    auto& picture = s.shared.pictures.to_fill();
+    game::take_picture(*s.round.match, picture);
+    picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * ns_per_tick;
+    picture.overloaded = s.skipped_at_ns != 0 && monotonic_ns() < s.skipped_at_ns + notice_ns;
+    for (std::size_t p = 0; p < game::players; ++p) picture.wizards[p].pad_lost = s.shared.pad_lost[p];
+    s.shared.pictures.publish();
+}
+
+void run_tick(Session& s) {
+    auto& round = s.round;
+    const auto frame = take_frame(s);
+    game::tick_and_record(*round.match, frame, round.log ? &*round.log : nullptr);
+    const auto going = going_of(round.match->match());
+    const auto now = round.match->now();
+    if (going == Going::over && !round.over_at) round.over_at = now;
+    if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
+    watch_buttons(s, frame);
+    tell_going(s.shared, going);
+    if (now % publish_period == 0) publish(s);
+}
+
+/// Ticks whose deadline has passed and that are not done.
+Tick backlog(const Session& s) {
+    const auto due = (monotonic_ns() - s.start_ns) / ns_per_tick;
+    const auto done = static_cast<std::int64_t>(s.round.match->now());
+    return due > done ? static_cast<Tick>(due - done) : 0;
+}
+
+/// Too far behind: what came in meanwhile goes into one sample, and time goes on from here.
+void skip(Session& s, Tick behind) {
+    const auto skipped = behind - 1;
+    s.start_ns += static_cast<std::int64_t>(skipped) * ns_per_tick;
+    s.skips_to_log += skipped;
+    s.shared.report.skipped += skipped;
+    s.skipped_at_ns = monotonic_ns();
+}
+
+void wait_for_next(Session& s) {
+    const bool idle = s.shared.going.load() != Going::playing;
+    const auto tick = s.round.match->now() + (idle ? idle_wake : 1);
+    const auto deadline = s.start_ns + static_cast<std::int64_t>(tick) * ns_per_tick;
+    sleep_until_ns(deadline);
+    if (!idle) s.late.add(static_cast<double>(monotonic_ns() - deadline) * 1e-3);
+}
+
+void run_session(Session& s) {
+    Staller staller{s.plan.stall};
+    const auto began = monotonic_ns();
+    const auto end = s.plan.seconds ? began + static_cast<std::int64_t>(*s.plan.seconds * 1e9)
+                                    : std::numeric_limits<std::int64_t>::max();
+    publish(s);
+    while (!s.shared.stop && monotonic_ns() < end) {
+        staller.pass(Stall::Thread::simulation);
+        const auto behind = backlog(s);
+        if (behind == 0) {
+            wait_for_next(s);
+            continue;
+        }
+        if (behind > most_behind) skip(s, behind);
+        const auto before = monotonic_ns();
+        run_tick(s);
+        s.ticks.add(static_cast<double>(monotonic_ns() - before) * 1e-3);
+        ++s.shared.report.ticks;
+        if (s.shared.rematch && s.round.over_at && !start_rematch(s)) break;
+    }
+    close_log(s.round);
+}
+
+}  // namespace
+
+void run_simulation(const LivePlan& plan, LiveShared& shared, std::optional<input::LogWriter> first_log) {
+    while (!shared.ready && !shared.stop) sleep_until_ns(monotonic_ns() + ns_per_tick);
+    Session session{.plan = plan, .shared = shared, .seed = plan.seed};
+    if (start_round(session, std::move(first_log))) run_session(session);
+    auto& report = shared.report;
+    report.matches = session.matches;
+    report.late_us_median = session.late.at(0.5);
+    report.late_us_p99 = session.late.at(0.99);
+    report.late_us_worst = session.late.at(1);
+    report.tick_us_median = session.ticks.at(0.5);
+    report.tick_us_p99 = session.ticks.at(0.99);
+    shared.stop = true;
+    shared.window.wake();
+}
+
+}  // namespace thaum::app

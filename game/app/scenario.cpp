@@ -1,0 +1,95 @@
+// thaum scenario: gameplay scenarios, each run twice.
+#include <cstdio>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "game/app/arguments.h"
+#include "game/app/command.h"
+#include "game/app/still.h"
+#include "game/scenario/runner.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr std::string_view help =
+    R"(usage: thaum scenario [NAME|FILE ...] [--json FILE] [--out DIR]
+
+Plays scenarios (Lua scripts) through the players' own devices, faster than real
+time. Each runs twice, with equal state hashes. Without a name: all of them.
+
+  --json FILE   the results as JSON; - for standard output
+  --out DIR     where logs, traces and pictures go (default: out/scenarios)
+
+Exit 0: all passed; 1: one failed.
+)";
+
+render::Split split_of(game::Split split) {
+    return split == game::Split::side_by_side ? render::Split::side_by_side : render::Split::top_bottom;
+}
+
+/// One context and renderer for all pictures of a run of scenarios; matches of other data get their own court.
+class Painter {
+public:
+    Expected<game::Pixels> take(const game::Simulation& match, game::Split split,
+                                const std::filesystem::path& file) {
+        if (!still_ || painted_ != &match.data()) {
+            still_.reset();  // a context must go before the next one comes
+            auto still = Still::create(match.data(), game::find_assets(), {640, 360});
+            if (!still) return tl::unexpected(still.error());
+            still_ = std::make_unique<Still>(std::move(*still));
+            painted_ = &match.data();
+        }
+        game::HudSettings settings;
+        settings.split = split_of(split);
+        auto image = still_->draw(match, settings);
+        if (!file.empty()) {
+            if (const auto written = render::write_png(file, image); !written)
+                return tl::unexpected(written.error());
+        }
+        return game::Pixels{image.width, image.height, std::move(image.rgb)};
+    }
+
+private:
+    std::unique_ptr<Still> still_;
+    const game::MatchData* painted_ = nullptr;
+};
+
+void print(const game::ScenarioResult& result) {
+    std::printf("%-6s %-28s %8llu ticks  %s\n", result.passed ? "passed" : "FAILED", result.name.c_str(),
+                static_cast<unsigned long long>(result.ticks), result.message.c_str());
+}
+
+int run(const std::vector<std::string>& words) {
+    static constexpr Option options[] = {{"--json", 1}, {"--out", 1}};
+    const auto arguments = Arguments::parse(words, options);
+    if (!arguments) return refuse(arguments.error());
+    const auto json = arguments->value("--json");
+    Painter painter;
+    game::ScenarioOptions chosen;
+    chosen.assets = game::find_assets();
+    chosen.scripts = game::scenarios_beside(chosen.assets);
+    chosen.out = arguments->value("--out").value_or("out/scenarios");
+    chosen.take_picture = [&](const auto& match, auto split, const auto& file) {
+        return painter.take(match, split, file);
+    };
+    const auto results = game::run_scenarios(arguments->plain(), chosen, json == "-" ? nullptr : print);
+    if (!results) return refuse(results.error());
+    const auto report = game::scenario_report(*results);
+    if (json == "-") {
+        std::printf("%s", report.c_str());
+    } else if (json) {
+        if (const auto written = write_text_file(*json, report); !written) return refuse(written.error());
+    }
+    for (const auto& result : *results) {
+        if (!result.passed) return does_not_hold;
+    }
+    return done;
+}
+
+}  // namespace
+
+Command scenario_command() {
+    return {"scenario", "play gameplay scenarios and check what they find", help, run};
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,59 @@
+// game/hud/court.h: the court as meshes and lights. Made once for an arena; after that a Picture becomes instances of
+// these meshes, without OpenGL, on whatever thread builds the frame.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "game/hud/masonry.h"
+#include "game/hud/picture.h"
+#include "render/renderer.h"
+#include "render/scene.h"
+
+namespace thaum::game {
+
+struct Court {
+    struct Meshes {
+        std::optional<render::MeshId> lit, glowing;
+    };
+    struct Kind {
+        ShapeKey key;
+        Meshes meshes;
+    };
+    /// Masonry has the light of its own place in it, so it is known by its place as well.
+    struct Solid {
+        ShapeKey key;
+        vec3 position{};
+        Meshes meshes;
+    };
+    struct Team {
+        render::MeshId figure{}, fallen{}, arm{}, own_arm{}, spark{}, bolt{}, shield{};
+        Meshes plate;
+    };
+
+    std::vector<Solid> solids;
+    std::vector<Kind> kinds;
+    std::array<Team, players> teams{};
+    Meshes neutral_plate;
+    Meshes anchor;  ///< of radius 1 m
+    Meshes decoration;  ///< world frame
+    render::MeshId runes{}, ember{}, bubble{}, shadow{};
+    std::array<render::MeshId, 4> unit_shapes{};  ///< for what no arena has: by physics::Shape
+    std::vector<Shade::Block> grounds;            ///< boxes to walk on: where shadows fall
+    std::vector<render::PointLight> lights;       ///< that stay; the first is the cauldron's
+    std::optional<vec3> bowl;                     ///< the cauldron's centre
+    render::Environment environment;
+    double wizard_height{1.8};  ///< m
+};
+
+/// Uploads all meshes that the arena needs. The renderer's context must be current.
+Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRules& rules);
+
+/// What `viewer` sees: everything but the own figure, and the own arm with the wand (no_player: everything).
+void add_instances(const Court& court, const Picture& picture, std::uint32_t viewer,
+                   std::vector<render::Instance>& out);
+
+/// The lights that matter most there, up to render::max_lights.
+void choose_lights(const Court& court, const Picture& picture, vec3 eye,
+                   std::vector<render::PointLight>& out);
+
+}  // namespace thaum::game

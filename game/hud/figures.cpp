@@ -1,0 +1,204 @@
+#include "game/hud/figures.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "game/wands/wand.h"
+#include "render/colour.h"
+
+namespace thaum::game {
+namespace {
+
+using render::append;
+using render::colour;
+using render::MeshData;
+using render::rotated;
+using render::translated;
+
+const fvec3 skin = colour(0xE0B08C);
+const fvec3 wood = colour(0x5A3A26);
+const fvec3 gold = colour(0xE8C060);
+
+constexpr fvec3 to_the_right{1, 0, 0};
+constexpr fvec3 up{0, 1, 0};
+
+/// A cone or cylinder from one point to another.
+MeshData limb(fvec3 from, fvec3 to, float thick, float thin, int segments, fvec3 paint) {
+    const fvec3 along = to - from;
+    const float length = glm::length(along);
+    const fvec3 way = along / length;
+    const fvec3 axis = glm::cross(up, way);
+    const float sine = glm::length(axis);
+    const float angle = std::atan2(sine, way.y);
+    const fmat4 turned = sine > 1e-5F ? rotated(axis / sine, angle)
+                                      : (way.y < 0 ? rotated(to_the_right, 3.14159265F) : fmat4(1));
+    return render::transformed(render::cone(thick, thin, length, segments, paint),
+                               translated((from + to) / 2.0F) * turned);
+}
+
+MeshData mark(std::uint32_t team, float radius, fvec3 paint) {
+    return team == 0 ? render::ring_mark(radius, paint) : render::triangle_mark(1.15F * radius, paint);
+}
+
+/// Ember: level bands.
+void add_banded_robe(MeshData& mesh, const TeamColours& team) {
+    const std::array<fvec2, 6> outline{fvec2(0.46F, 0.0F), {0.42F, 0.16F}, {0.34F, 0.55F},
+                                       {0.26F, 0.98F},     {0.30F, 1.28F}, {0.12F, 1.47F}};
+    const std::array paints{team.light, team.cloth, team.dark, team.cloth, team.cloth};
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+        append(mesh, render::revolve(std::array{outline[i], outline[i + 1]}, 14, paints[i]));
+    }
+}
+
+/// Tide: upright gores that alternate.
+void add_gored_robe(MeshData& mesh, const TeamColours& team) {
+    const std::array<fvec2, 6> outline{fvec2(0.46F, 0.0F), {0.42F, 0.16F}, {0.34F, 0.55F},
+                                       {0.26F, 0.98F},     {0.30F, 1.28F}, {0.12F, 1.47F}};
+    auto robe = render::flat_shaded(render::revolve(outline, 14, team.cloth));
+    for (std::size_t i = 0; i + 2 < robe.vertices.size(); i += 3) {
+        const fvec3 middle =
+            (robe.vertices[i].position + robe.vertices[i + 1].position + robe.vertices[i + 2].position) /
+            3.0F;
+        const float turn = (std::atan2(middle.z, middle.x) / 6.2831853F + 1) * 14;
+        const bool odd = static_cast<int>(std::floor(turn)) % 2 != 0;
+        const fvec3 paint = middle.y < 0.14F ? team.light : (odd && middle.y < 1.0F ? team.dark : team.cloth);
+        for (std::size_t k = 0; k < 3; ++k) robe.vertices[i + k].colour = paint;
+    }
+    append(mesh, robe);
+}
+
+MeshData hat(std::uint32_t number) {
+    const auto& team = team_colours(number);
+    MeshData mesh = render::revolve(
+        std::array{fvec2(0, 0.02F), fvec2(0.4F, 0.0F), fvec2(0.41F, 0.03F), fvec2(0.2F, 0.07F)}, 14,
+        team.dark);
+    append(mesh, render::revolve(std::array{fvec2(0.2F, 0.06F), fvec2(0.185F, 0.17F)}, 12, team.light));
+    append(mesh, render::revolve(std::array{fvec2(0.185F, 0.17F), fvec2(0.12F, 0.4F)}, 12, team.cloth));
+    // The tip is bent back, as hats of some age are.
+    const fmat4 bent = translated({0, 0.4F, 0}) * rotated(to_the_right, 0.5F);
+    append(mesh,
+           render::revolve(std::array{fvec2(0.12F, -0.02F), fvec2(0.055F, 0.2F), fvec2(0, 0.24F)}, 10,
+                           team.cloth),
+           bent);
+    append(mesh, mark(number, 0.1F, gold), translated({0, 0.22F, -0.19F}) * rotated(up, 3.14159265F));
+    append(mesh, mark(number, 0.1F, gold), translated({0, 0.22F, 0.19F}));
+    return mesh;
+}
+
+void add_head(MeshData& mesh, const TeamColours& team) {
+    append(mesh, render::sphere(0.155F, 12, skin), translated({0, 1.58F, 0}));
+    for (const float side : {-1.0F, 1.0F})
+        append(mesh, render::sphere(0.026F, 6, colour(0x201820)), translated({side * 0.06F, 1.61F, -0.138F}));
+    append(mesh, render::sphere(0.034F, 6, skin), translated({0, 1.57F, -0.16F}));
+    // Beard and collar.
+    append(mesh, render::cone(0.02F, 0.12F, 0.3F, 8, colour(0xD8D4DC)),
+           translated({0, 1.42F, -0.13F}) * rotated(to_the_right, 0.25F));
+    append(mesh, render::cone(0.25F, 0.17F, 0.12F, 12, team.light), translated({0, 1.43F, 0}));
+}
+
+/// Sleeve, hand and wand in the frame of the eye; from `start` (the shoulder, or beyond the edge of the picture).
+void add_armed_hand(MeshData& mesh, const TeamColours& team, fvec3 start, fvec3 hand) {
+    const fvec3 tip(wand_tip);
+    const fvec3 back = glm::normalize(start - hand);
+    append(mesh, limb(start, hand + 0.07F * back, 0.10F, 0.085F, 10, team.cloth));
+    append(mesh, limb(hand + 0.11F * back, hand + 0.05F * back, 0.095F, 0.09F, 10, team.light));
+    const fvec3 way = glm::normalize(tip - hand);
+    append(mesh, limb(hand + 0.06F * back, hand, 0.03F, 0.034F, 8, skin));
+    append(mesh, render::sphere(0.04F, 10, skin), translated(hand + fvec3(0.008F, -0.008F, 0)));
+    // Knuckles of a fist around the grip, and the thumb along it.
+    for (const float along : {-0.03F, -0.008F, 0.014F, 0.036F})
+        append(mesh, render::sphere(0.0175F, 6, 0.93F * skin),
+               translated(hand + along * way + fvec3(-0.022F, 0.012F, 0)));
+    append(mesh, limb(hand - 0.01F * way, hand + 0.055F * way, 0.014F, 0.01F, 6, skin),
+           translated({0.006F, 0.026F, 0}));
+    append(mesh, limb(hand - 0.07F * way, hand + 0.06F * way, 0.017F, 0.019F, 8, wood));
+    append(mesh, limb(hand + 0.06F * way, hand + 0.085F * way, 0.026F, 0.02F, 8, gold));
+    append(mesh, limb(hand + 0.08F * way, tip, 0.013F, 0.003F, 8, colour(0x7A5234)));
+}
+
+}  // namespace
+
+const TeamColours& team_colours(std::uint32_t team) {
+    static const std::array teams{
+        TeamColours{colour(0xD8541C), colour(0x7A2410), colour(0xFFC070), colour(0xFF8A30)},
+        TeamColours{colour(0x2470C8), colour(0x143468), colour(0x9AD8FF), colour(0x40A8FF)}};
+    return teams[team == 1 ? 1 : 0];
+}
+
+std::string_view team_name(std::uint32_t team) { return team == 0 ? "Ember" : "Tide"; }
+
+MeshData wizard_figure(std::uint32_t number) {
+    const auto& team = team_colours(number);
+    MeshData mesh;
+    if (number == 0)
+        add_banded_robe(mesh, team);
+    else
+        add_gored_robe(mesh, team);
+    append(mesh, render::cylinder(0.275F, 0.07F, 14, gold), translated({0, 0.98F, 0}));
+    append(mesh, mark(number, 0.13F, gold), translated({0, 1.2F, -0.29F}) * rotated(up, 3.14159265F));
+    append(mesh, mark(number, 0.17F, gold), translated({0, 1.15F, 0.29F}));
+    add_head(mesh, team);
+    // The free arm.
+    append(mesh, limb({-0.25F, 1.36F, 0}, {-0.36F, 0.95F, -0.1F}, 0.09F, 0.12F, 10, team.cloth));
+    append(mesh, render::sphere(0.05F, 8, skin), translated({-0.37F, 0.9F, -0.11F}));
+    append(mesh, hat(number), translated({0, 1.66F, 0.01F}) * rotated(to_the_right, 0.1F));
+    return mesh;
+}
+
+MeshData fallen_wizard(std::uint32_t number) {
+    const auto& team = team_colours(number);
+    MeshData mesh = render::revolve(
+        std::array{fvec2(0.75F, 0.0F), fvec2(0.55F, 0.1F), fvec2(0.3F, 0.13F), fvec2(0, 0.2F)}, 11,
+        team.cloth);
+    append(mesh, render::revolve(std::array{fvec2(0.8F, 0.0F), fvec2(0.7F, 0.05F)}, 11, team.light));
+    append(mesh, hat(number), translated({0.1F, 0.16F, 0}) * rotated({0, 0, 1}, 0.35F));
+    return mesh;
+}
+
+MeshData wizard_arm(std::uint32_t number) {
+    MeshData mesh;
+    add_armed_hand(mesh, team_colours(number), shoulder, fvec3(wand_tip) + fvec3(0.045F, -0.10F, 0.33F));
+    return render::transformed(mesh, translated(-shoulder));
+}
+
+MeshData own_arm(std::uint32_t number) {
+    MeshData mesh;
+    // Held in from the side, so that a flat half of a window shows the hand as well.
+    add_armed_hand(mesh, team_colours(number), {0.72F, -0.52F, -0.22F}, {0.37F, -0.25F, -0.57F});
+    return mesh;
+}
+
+MeshData wand_spark(std::uint32_t number) {
+    return render::sphere(0.014F, 8, glm::mix(team_colours(number).glow, fvec3(1), 0.35F));
+}
+
+MeshData bolt_needle(std::uint32_t number) {
+    const auto& team = team_colours(number);
+    const fvec3 core = glm::mix(team.glow, fvec3(1), 0.6F);
+    MeshData mesh = render::transformed(render::sphere(1, 8, core), render::scaled({0.035F, 0.035F, 0.4F}));
+    append(mesh,
+           render::transformed(render::cone(0.06F, 0, 0.9F, 8, team.glow), rotated(to_the_right, 1.5707963F)),
+           translated({0, 0, 0.45F}));
+    const int sides = number == 0 ? 12 : 3;
+    for (int i = 0; i < 3; ++i) {
+        const float size = 0.12F - 0.028F * static_cast<float>(i);
+        append(mesh, render::frame(sides, size, 0.72F * size, 0.02F, team.glow),
+               translated({0, 0, 0.25F + 0.26F * static_cast<float>(i)}));
+    }
+    return mesh;
+}
+
+MeshData shield_rings(std::uint32_t number) {
+    const auto& team = team_colours(number);
+    const int sides = number == 0 ? 28 : 3;
+    const float size = number == 0 ? 0.75F : 1.1F;
+    MeshData mesh;
+    for (const float height : {-0.75F, 0.0F, 0.75F}) {
+        append(mesh, render::transformed(render::frame(sides, size, size - 0.05F, 0.03F, team.light),
+                                         translated({0, height, 0}) * rotated(to_the_right, 1.5707963F)));
+    }
+    return mesh;
+}
+
+}  // namespace thaum::game

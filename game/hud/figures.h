@@ -1,0 +1,38 @@
+// game/hud/figures.h: the meshes of wizards and their wands. A team is told by colour, by mark (ring or triangle) and by
+// the pattern of the robe, so that colour is never needed.
+#pragma once
+#include <string_view>
+
+#include "core/maths.h"
+#include "render/mesh.h"
+
+namespace thaum::game {
+
+/// The colours of a team: 0 ember, 1 tide.
+struct TeamColours {
+    fvec3 cloth, dark, light;  ///< linear
+    fvec3 glow;                ///< of bolts and of the light they give
+};
+const TeamColours& team_colours(std::uint32_t team);
+/// "Ember", "Tide".
+std::string_view team_name(std::uint32_t team);
+
+/// Robe, head and hat; feet at the origin, looks along -z, 1.8 m up to the brim.
+render::MeshData wizard_figure(std::uint32_t team);
+/// What is left of a wizard who died: robe on the ground, hat on top.
+render::MeshData fallen_wizard(std::uint32_t team);
+/// Sleeve, hand and wand about the shoulder, so that it can be turned to where the wizard looks.
+render::MeshData wizard_arm(std::uint32_t team);
+/// Where the shoulder is: from the eye, m.
+inline constexpr fvec3 shoulder{0.24F, -0.27F, 0.0F};
+
+/// Sleeve, hand and needle as the wizard sees them; in the frame of the eye.
+render::MeshData own_arm(std::uint32_t team);
+/// The glowing tip of a needle, centred.
+render::MeshData wand_spark(std::uint32_t team);
+/// A needle of light along -z with the team's mark around its tail.
+render::MeshData bolt_needle(std::uint32_t team);
+/// Around a wizard whom nothing can hurt: rings or triangles, centred at the body.
+render::MeshData shield_rings(std::uint32_t team);
+
+}  // namespace thaum::game

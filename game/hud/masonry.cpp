@@ -1,0 +1,463 @@
+#include "game/hud/masonry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/random.h"
+#include "render/colour.h"
+
+namespace thaum::game {
+namespace {
+
+using render::colour;
+using render::MeshData;
+
+constexpr double corner_reach = 1.7;  // m, how far a corner's darkness spreads
+constexpr float corner_strength = 0.75F;
+constexpr double pit_depth = 5;      // m
+constexpr float lamp_height = 3.4F;  // m
+constexpr double outside = 0.02;     // m beyond the court, where nobody gets
+const fvec3 sunlit = fvec3(4.6F, 2.7F, 1.5F);
+const fvec3 lamp_glow = fvec3(9, 4.6F, 1.9F);
+
+// Baked light ----------------------------------------------------------------------------------------------------------
+
+/// How much of the light from above a block takes from a point; 0 to 1.
+double covered(const Shade::Block& block, vec3 point, vec3 normal) {
+    const vec3 start = point + 0.04 * normal;
+    const vec3 nearest = glm::clamp(start, block.low, block.high);
+    const vec3 to = nearest - start;
+    const double distance = glm::length(to);
+    if (distance < 1e-4 || distance > corner_reach) return 0;
+    const double facing = glm::dot(normal, to) / distance;
+    // A floor beside a wall has the wall at its side: half of its sky is gone.
+    const double side = std::max(0.0, 0.55 + 0.45 * facing) * (facing > -0.5 ? 1 : 0);
+    // Coplanar neighbours take nothing: what they have above this face is what counts.
+    double above = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        above +=
+            std::max(0.0, normal[axis] * ((normal[axis] > 0 ? block.high : block.low)[axis] - point[axis]));
+    }
+    const double near = 1 - distance / corner_reach;
+    return side * near * near * std::min(1.0, above / 0.4);
+}
+
+bool sunny(const Shade& shade, vec3 point, fvec3 normal) {
+    if (glm::dot(normal, shade.sun) <= 0.02F || shade.sun.y <= 0) return false;
+    double exit = 1e9;
+    for (const int axis : {0, 2}) {
+        const double s = shade.sun[axis];
+        if (std::abs(s) > 1e-6) exit = std::min(exit, (std::copysign(shade.half, s) - point[axis]) / s);
+    }
+    return point.y + exit * shade.sun.y > shade.wall_top;
+}
+
+/// The wall lamps' glow falls off with the square of the distance.
+fvec3 lamp_light(const Shade& shade, vec3 point, fvec3 normal) {
+    fvec3 light(0);
+    for (const fvec3 lamp : shade.lamps) {
+        const fvec3 to = lamp - fvec3(point);
+        const float square = glm::dot(to, to);
+        if (square > 80) continue;
+        const float facing = std::max(0.0F, glm::dot(normal, to) / std::sqrt(square + 0.01F) + 0.15F);
+        light += lamp_glow * (facing / (0.7F + square));
+    }
+    return light;
+}
+
+}  // namespace
+
+Shade make_shade(const Arena& arena, fvec3 towards_sun) {
+    Shade shade{.blocks = {}, .lamps = {}, .sun = towards_sun, .half = 0, .wall_top = 0};
+    for (const auto& thing : arena.things) {
+        if (thing.prop || thing.body.shape != physics::Shape::box) continue;
+        shade.blocks.push_back({thing.position - thing.body.size, thing.position + thing.body.size});
+        if (thing.surface != Surface::floor) continue;
+        shade.half = std::max({shade.half, std::abs(shade.blocks.back().low.x), shade.blocks.back().high.x});
+    }
+    for (const auto& block : shade.blocks) shade.wall_top = std::max(shade.wall_top, block.high.y);
+    const auto half = static_cast<float>(shade.half);
+    for (const float share : {-0.75F, -0.25F, 0.25F, 0.75F}) {
+        for (const float side : {-1.0F, 1.0F}) {
+            const float in = side * (half - 0.35F);
+            shade.lamps.push_back({share * half, lamp_height, in});
+            shade.lamps.push_back({in, lamp_height, share * half});
+        }
+    }
+    return shade;
+}
+
+fvec3 baked_light(const Shade& shade, vec3 point, fvec3 normal) {
+    double open = 1;
+    for (const auto& block : shade.blocks) open *= 1 - corner_strength * covered(block, point, vec3(normal));
+    if (point.y < 0) open *= 1 - 0.65 * std::min(1.0, -point.y / pit_depth);
+    fvec3 light(static_cast<float>(open));
+    if (sunny(shade, point, normal)) light += sunlit * glm::dot(normal, shade.sun);
+    light += static_cast<float>(open) * lamp_light(shade, point, normal);
+    return light;
+}
+
+void bake(const Shade& shade, vec3 position, MeshData& mesh) {
+    for (auto& v : mesh.vertices) v.colour *= baked_light(shade, position + vec3(v.position), v.normal);
+}
+
+namespace {
+
+// Blocks ---------------------------------------------------------------------------------------------------------------
+
+/// A face to lay: its corner, the two edges (u along the courses) and the way it looks.
+struct Face {
+    fvec3 corner;   // m
+    fvec3 u, v, n;  // unit
+    float length_u{}, length_v{};
+};
+
+struct Stonework {
+    float block_u{}, block_v{};  // m, about; whole blocks fill the face
+    float bevel{};               // m
+    std::vector<fvec3> colours;
+    float joint{};  // share of the colour that is left in the joints
+    std::uint64_t seed{};
+};
+
+struct Cell {
+    float u0{}, u1{}, v0{}, v1{};
+};
+
+/// Higher than anybody stands, m: blocks there have joints but no bevels.
+constexpr float out_of_reach = 4.5F;
+/// Of the bevel: how deep the core lies that shows in joints and at edges.
+constexpr float core_depth = 0.8F;
+
+std::uint32_t add_vertex(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 normal, fvec3 shade) {
+    mesh.vertices.push_back({face.corner + at.x * face.u + at.y * face.v + at.z * face.n, normal, shade});
+    return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
+}
+
+void add_quad(MeshData& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
+}
+
+void add_flat_block(MeshData& mesh, const Face& face, const Stonework& work, const Cell& cell, fvec3 shade) {
+    const float gap = 0.5F * work.bevel;
+    const auto a = add_vertex(mesh, face, {cell.u0 + gap, cell.v0 + gap, 0}, face.n, shade);
+    add_vertex(mesh, face, {cell.u1 - gap, cell.v0 + gap, 0}, face.n, shade);
+    add_vertex(mesh, face, {cell.u1 - gap, cell.v1 - gap, 0}, face.n, shade);
+    add_vertex(mesh, face, {cell.u0 + gap, cell.v1 - gap, 0}, face.n, shade);
+    add_quad(mesh, a, a + 1, a + 2, a + 3);
+}
+
+/// One block: a top, and four slanting edges down into the joint. At the border of the face the slant goes half way,
+/// to where it meets that of the next face.
+void add_block(MeshData& mesh, const Face& face, const Stonework& work, const Cell& cell, fvec3 shade,
+               float sunk) {
+    const float b = work.bevel;
+    const std::array<fvec2, 4> corners{
+        fvec2(cell.u0, cell.v0), {cell.u1, cell.v0}, {cell.u1, cell.v1}, {cell.u0, cell.v1}};
+    const std::array<fvec2, 4> inwards{fvec2(1, 1), {-1, 1}, {-1, -1}, {1, -1}};
+    const auto at_border = [&](fvec2 corner) {
+        return fvec2(corner.x <= 0 || corner.x >= face.length_u ? 1.0F : 0.0F,
+                     corner.y <= 0 || corner.y >= face.length_v ? 1.0F : 0.0F);
+    };
+    std::array<std::uint32_t, 4> top{}, foot{};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const fvec2 in = corners[i] + b * inwards[i];
+        const fvec2 border = at_border(corners[i]);
+        const bool any = border.x + border.y > 0;
+        const fvec2 out = corners[i] + 0.5F * b * border * inwards[i];
+        const fvec3 slant = glm::normalize(face.n - 0.6F * (inwards[i].x * face.u + inwards[i].y * face.v));
+        top[i] = add_vertex(mesh, face, {in, -sunk}, face.n, shade);
+        foot[i] = add_vertex(mesh, face, {out, any ? -0.5F * b : -1.2F * b}, slant,
+                             (any ? 1.0F : work.joint) * shade);
+    }
+    add_quad(mesh, top[0], top[1], top[2], top[3]);
+    for (std::size_t i = 0; i < 4; ++i) add_quad(mesh, foot[i], foot[(i + 1) % 4], top[(i + 1) % 4], top[i]);
+}
+
+fvec3 any_shade(const Stonework& work, Random& random) {
+    const fvec3 base = work.colours[random.below(work.colours.size())];
+    return base * static_cast<float>(random.uniform(0.82, 1.14));
+}
+
+/// Edges of the blocks in one course, from 0 to `length`; every other course begins with half a block.
+std::vector<float> course(float length, float block, bool shifted, Random& random) {
+    const int whole = std::max(1, static_cast<int>(std::lround(length / block)));
+    const float size = length / static_cast<float>(whole);
+    std::vector<float> edges{0};
+    for (int i = 0; i < whole; ++i) {
+        const float at = (static_cast<float>(i) + (shifted ? 0.5F : 0.0F)) * size;
+        const float moved = at + size * static_cast<float>(random.uniform(-0.12, 0.12));
+        if (at > 0.1F * size && moved < length - 0.1F * size) edges.push_back(moved);
+    }
+    edges.push_back(length);
+    return edges;
+}
+
+/// Nobody can see a face that stands in another solid, or outside the court.
+bool hidden(const Shade& shade, vec3 point, vec3 normal) {
+    const vec3 at = point + 0.05 * normal;
+    if (std::abs(at.x) > shade.half + outside || std::abs(at.z) > shade.half + outside) return true;
+    if (at.y > shade.wall_top || at.y < -pit_depth - outside) return true;
+    return std::any_of(shade.blocks.begin(), shade.blocks.end(), [&](const Shade::Block& b) {
+        return glm::all(glm::greaterThan(at, b.low)) && glm::all(glm::lessThan(at, b.high));
+    });
+}
+
+vec3 at(const Face& face, fvec2 place) { return vec3(face.corner + place.x * face.u + place.y * face.v); }
+
+/// Not even a corner of it can be seen.
+bool hidden(const Shade& shade, vec3 position, const Face& face, const Cell& cell) {
+    for (const float u : {0.02F, 0.5F, 0.98F}) {
+        for (const float v : {0.02F, 0.5F, 0.98F}) {
+            const fvec2 place(glm::mix(cell.u0, cell.u1, u), glm::mix(cell.v0, cell.v1, v));
+            if (!hidden(shade, position + at(face, place), vec3(face.n))) return false;
+        }
+    }
+    return true;
+}
+
+void lay(MeshData& mesh, const Shade& shade, vec3 position, const Face& face, const Stonework& work) {
+    Random random = random_stream(work.seed, 7);
+    const int courses = std::max(1, static_cast<int>(std::lround(face.length_v / work.block_v)));
+    const float height = face.length_v / static_cast<float>(courses);
+    for (int row = 0; row < courses; ++row) {
+        const auto edges = course(face.length_u, work.block_u, row % 2 == 1, random);
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+            const Cell cell{edges[i], edges[i + 1], static_cast<float>(row) * height,
+                            static_cast<float>(row + 1) * height};
+            const fvec3 tone = any_shade(work, random);
+            const auto sunk = static_cast<float>(random.uniform(0, 0.3)) * work.bevel;
+            if (hidden(shade, position, face, cell)) continue;
+            if (position.y + at(face, {cell.u0, cell.v0}).y > out_of_reach)
+                add_flat_block(mesh, face, work, cell, tone);
+            else
+                add_block(mesh, face, work, cell, tone, sunk);
+        }
+    }
+}
+
+/// The face of a box across `axis`, seen from outside. Courses of upright faces are level.
+Face face_of(fvec3 half, int axis, float side) {
+    Face face;
+    face.n = fvec3(0);
+    face.n[axis] = side;
+    face.v = axis == 1 ? fvec3(0, 0, -1) : fvec3(0, 1, 0);
+    face.u = glm::cross(face.v, face.n);
+    face.length_u = 2 * std::abs(glm::dot(face.u, half));
+    face.length_v = 2 * std::abs(glm::dot(face.v, half));
+    face.corner = face.n * half[axis] - face.u * face.length_u / 2.0F - face.v * face.length_v / 2.0F;
+    return face;
+}
+
+std::uint64_t seed_of(vec3 position, int face) {
+    const auto part = [](double v) {
+        return static_cast<std::uint64_t>(static_cast<std::int64_t>(v * 64) + 65536);
+    };
+    return part(position.x) * 7919 + part(position.y) * 104729 + part(position.z) * 1299709 +
+           static_cast<std::uint64_t>(face);
+}
+
+Stonework slabs() {
+    return {
+        1.7F,   1.5F,
+        0.035F, {colour(0x6E7086), colour(0x5F6178), colour(0x7A748A), colour(0x666A7C), colour(0x7B6C72)},
+        0.38F,  0};
+}
+
+Stonework bricks() {
+    return {
+        2.0F,   0.8F,
+        0.045F, {colour(0x8A5F5C), colour(0x7A5258), colour(0x94695E), colour(0x6E5664), colour(0x82605F)},
+        0.40F,  0};
+}
+
+Stonework ashlar() {
+    return {1.6F, 1.0F, 0.05F, {colour(0x5E566C), colour(0x544E62), colour(0x685E70)}, 0.4F, 0};
+}
+
+Stonework small_stones() {
+    return {0.7F, 0.5F, 0.03F, {colour(0x84808F), colour(0x77738A), colour(0x8E8488)}, 0.45F, 0};
+}
+
+Stonework work_of(Surface surface, const Face& face) {
+    if (surface == Surface::wall) return bricks();
+    if (surface == Surface::stone || surface == Surface::kerb || surface == Surface::plinth)
+        return small_stones();
+    if (surface == Surface::floor && face.n.y > 0.5F) return slabs();
+    return ashlar();
+}
+
+}  // namespace
+
+MeshData masonry_box(const Shade& shade, const Thing& thing) {
+    MeshData mesh;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const float side : {-1.0F, 1.0F}) {
+            if (axis == 1 && side < 0) continue;
+            const auto face = face_of(fvec3(thing.body.size), axis, side);
+            auto work = work_of(thing.surface, face);
+            work.seed = seed_of(thing.position, axis * 2 + (side > 0 ? 1 : 0));
+            lay(mesh, shade, thing.position, face, work);
+        }
+    }
+    // Last, so that the blocks in front of it are drawn first.
+    const auto work = work_of(thing.surface, face_of(fvec3(thing.body.size), 0, 1));
+    const fvec3 core = fvec3(thing.body.size) - core_depth * work.bevel;
+    render::append(mesh, render::box(core, 0.3F * work.colours[0]));
+    bake(shade, thing.position, mesh);
+    return mesh;
+}
+
+MeshData masonry_ramp(const Shade& shade, const Thing& thing, const physics::TriangleMesh& solid) {
+    fvec3 half(0);
+    for (const auto& v : solid.vertices) half = glm::max(half, glm::abs(fvec3(v)));
+    // The high edge is the one with vertices at the top.
+    float high = 1;
+    for (const auto& v : solid.vertices) {
+        if (static_cast<float>(v.y) > 0.9F * half.y) high = v.x > 0 ? 1.0F : -1.0F;
+    }
+    Face slope;
+    slope.v = glm::normalize(fvec3(2 * half.x * high, 2 * half.y, 0));
+    slope.u = fvec3(0, 0, high);
+    slope.n = glm::cross(slope.u, slope.v);
+    slope.corner = fvec3(-high * half.x, -half.y, -high * half.z);
+    slope.length_u = 2 * half.z;
+    slope.length_v = 2 * glm::length(fvec2(half.x, half.y));
+    if (slope.n.y < 0) {
+        slope.corner += slope.length_u * slope.u;
+        slope.u = -slope.u;
+        slope.n = -slope.n;
+    }
+    auto work = ashlar();
+    work.block_u = 1.5F;
+    work.block_v = 0.8F;
+    work.seed = seed_of(thing.position, 6);
+    MeshData mesh;
+    lay(mesh, shade, thing.position, slope, work);
+    bake(shade, thing.position, mesh);
+    return mesh;
+}
+
+// Decoration -----------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// One of four walls: where its foot's middle is, along it, and into the court.
+struct Wall {
+    fvec3 middle, along, inwards;
+};
+
+std::array<Wall, 4> walls(const Shade& shade) {
+    const auto half = static_cast<float>(shade.half);
+    return {Wall{{0, 0, half}, {1, 0, 0}, {0, 0, -1}}, Wall{{0, 0, -half}, {1, 0, 0}, {0, 0, 1}},
+            Wall{{half, 0, 0}, {0, 0, 1}, {-1, 0, 0}}, Wall{{-half, 0, 0}, {0, 0, 1}, {1, 0, 0}}};
+}
+
+fvec3 half_along(const Wall& wall, float along, float up, float deep) {
+    return glm::abs(wall.along) * along + fvec3(0, up, 0) + glm::abs(wall.inwards) * deep;
+}
+
+/// Turns what faces +z towards the court.
+fmat4 facing(const Wall& wall, fvec3 place) {
+    const float angle = std::atan2(wall.inwards.x, wall.inwards.z);
+    return render::translated(place) * render::rotated({0, 1, 0}, angle);
+}
+
+void add_merlons(MeshData& mesh, const Wall& wall, float half, float top) {
+    for (float at = -half + 1; at < half; at += 2.5F) {
+        const fvec3 place = wall.middle + at * wall.along + fvec3(0, top + 0.5F, 0) - 0.5F * wall.inwards;
+        render::append(mesh, render::box(half_along(wall, 0.7F, 0.55F, 0.5F), colour(0x6E5662)),
+                       render::translated(place));
+    }
+}
+
+void add_pilasters(MeshData& mesh, const Wall& wall, float half, float top) {
+    for (const float share : {-0.75F, -0.25F, 0.25F, 0.75F}) {
+        const fvec3 foot = wall.middle + share * half * wall.along + 0.06F * wall.inwards;
+        const auto shaft = half_along(wall, 0.55F, top / 2, 0.12F);
+        render::append(mesh, render::box(shaft, colour(0x5E566C), 0.05F),
+                       render::translated(foot + fvec3(0, top / 2, 0)));
+        const auto capital = half_along(wall, 0.75F, 0.25F, 0.22F);
+        render::append(mesh, render::box(capital, colour(0x746A7C), 0.06F),
+                       render::translated(foot + fvec3(0, 0.8F * top, 0)));
+    }
+}
+
+/// The banner of a team, with its mark, so that both ends of the court can be told apart.
+void add_banner(MeshData& mesh, const Wall& wall, float at, std::uint32_t team) {
+    const fvec3 cloth = team == 0 ? colour(0xB8481A) : colour(0x1E5FA8);
+    const fvec3 light = team == 0 ? colour(0xFFC27A) : colour(0x9ED4FF);
+    const fvec3 place = wall.middle + at * wall.along + fvec3(0, 6.2F, 0) + 0.1F * wall.inwards;
+    MeshData banner = render::box({1.1F, 2.3F, 0.04F}, cloth);
+    render::append(banner, render::box({1.1F, 0.12F, 0.05F}, light), render::translated({0, -2.0F, 0}));
+    render::append(banner, render::box({1.25F, 0.08F, 0.08F}, colour(0x4A3A30)),
+                   render::translated({0, 2.35F, 0}));
+    const auto mark =
+        team == 0 ? render::frame(14, 0.75F, 0.51F, 0.1F, light) : render::triangle_mark(0.85F, light);
+    render::append(mesh, banner, facing(wall, place));
+    render::append(mesh, mark, facing(wall, place + fvec3(0, 0.35F, 0) + 0.06F * wall.inwards));
+}
+
+void add_tower(MeshData& mesh, fvec3 foot, float radius, float height) {
+    const fvec3 stone = colour(0x4E4466), roof = colour(0x3A2C58);
+    const std::array shaft{fvec2(0, 0),
+                           fvec2(radius, 0),
+                           fvec2(0.9F * radius, height),
+                           fvec2(1.15F * radius, height),
+                           fvec2(1.15F * radius, height + 2),
+                           fvec2(0, height + 2)};
+    render::append(mesh, render::revolve(shaft, 10, stone), render::translated(foot));
+    const std::array cap{fvec2(0, height + 2), fvec2(1.35F * radius, height + 2),
+                         fvec2(0.5F * radius, height + 6), fvec2(0, height + 13)};
+    render::append(mesh, render::revolve(cap, 10, roof), render::translated(foot));
+}
+
+struct Tower {
+    fvec3 foot;
+    float radius, height;
+};
+constexpr std::array<Tower, 6> towers{Tower{{-34, 0, -46}, 5, 30}, {{14, 0, -58}, 6, 40},
+                                      {{48, 0, -30}, 4.5F, 27},    {{52, 0, 26}, 6, 36},
+                                      {{-12, 0, 52}, 5, 31},       {{-54, 0, 16}, 5.5F, 34}};
+
+}  // namespace
+
+MeshData decoration(const Shade& shade) {
+    const auto half = static_cast<float>(shade.half), top = static_cast<float>(shade.wall_top);
+    MeshData mesh;
+    const auto all = walls(shade);
+    for (const auto& wall : all) {
+        add_merlons(mesh, wall, half, top);
+        add_pilasters(mesh, wall, half, top);
+    }
+    for (const float at : {-10.0F, 0.0F, 10.0F}) {
+        add_banner(mesh, all[0], at, 0);
+        add_banner(mesh, all[1], at, 1);
+    }
+    bake(shade, vec3(0), mesh);
+    for (const auto& tower : towers) add_tower(mesh, tower.foot, tower.radius, tower.height);
+    return mesh;
+}
+
+MeshData lamps(const Shade& shade) {
+    MeshData mesh;
+    const fvec3 flame = colour(0xFFB45A), window = colour(0xFFC878);
+    for (const fvec3 place : shade.lamps) {
+        render::append(mesh, render::cone(0.05F, 0.16F, 0.3F, 6, colour(0x803A14)),
+                       render::translated(place));
+        render::append(mesh, render::cone(0.13F, 0, 0.5F, 6, flame),
+                       render::translated(place + fvec3(0, 0.38F, 0)));
+    }
+    for (const auto& tower : towers) {
+        const fvec3 in = glm::normalize(fvec3(-tower.foot.x, 0, -tower.foot.z));
+        const fmat4 turned = render::rotated({0, 1, 0}, std::atan2(in.x, in.z));
+        for (const float up : {-2.5F, -7.0F}) {
+            const fvec3 place = tower.foot + (tower.radius - 0.1F) * in + fvec3(0, tower.height + up, 0);
+            render::append(mesh, render::box({0.35F, 0.7F, 0.3F}, window),
+                           render::translated(place) * turned);
+        }
+    }
+    return mesh;
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,324 @@
+// What stands over the views: few things, large, in the corners of each half.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/text.h"
+#include "game/hud/figures.h"
+#include "game/hud/hud.h"
+
+namespace thaum::game {
+namespace {
+
+using render::Align;
+using render::colour;
+using render::Overlay;
+using render::Rect;
+
+constexpr float third_turn = 2.0943951F;
+constexpr float arc_start = -2.3561945F;  // the arc is open at the bottom
+constexpr float arc_sweep = 4.712389F;
+constexpr double low_health = 25;    // HP
+constexpr double hit_seconds = 0.3;  // the hit mark stands for so long after the last hit
+constexpr double dry_seconds = 0.9;
+constexpr double mark_seconds = 1.2;
+
+const fvec4 panel = colour(0x140E22, 0.62F);
+const fvec4 track = colour(0x140E22, 0.75F);
+const fvec4 white = colour(0xF6F0FF, 1.0F);
+const fvec4 soft = colour(0xD8CCE8, 0.85F);
+const fvec4 red = colour(0xFF4A3A, 1.0F);
+
+/// A view, and how long a HUD's unit is in it, px.
+struct Corner {
+    Rect view;
+    float unit{};
+};
+
+fvec2 at(const Rect& r, float share_x, float share_y) {
+    return {static_cast<float>(r.x) + share_x * static_cast<float>(r.width),
+            static_cast<float>(r.y) + share_y * static_cast<float>(r.height)};
+}
+
+fvec4 opaque(fvec3 c, float alpha = 1) { return {c, alpha}; }
+
+void add_text(Overlay& out, std::string words, fvec2 position, float size, fvec4 paint, Align align) {
+    // A dark copy below it, so that it can be read on anything.
+    const float shift = std::max(1.0F, size / 14);
+    out.items.emplace_back(
+        render::TextItem{words, position + fvec2(shift), size, colour(0x0A0614, 0.8F * paint.a), align});
+    out.items.emplace_back(render::TextItem{std::move(words), position, size, paint, align});
+}
+
+/// The mark of a team: ring or triangle.
+void add_mark(Overlay& out, std::uint32_t team, fvec2 centre, float radius) {
+    const auto paint = opaque(team_colours(team).light);
+    if (team == 0) {
+        out.items.emplace_back(render::ArcItem{centre, 0.58F * radius, radius, 0, 3 * third_turn, paint});
+        return;
+    }
+    const auto corner = [&](int i) {
+        const float angle = third_turn * static_cast<float>(i);
+        return centre + 1.15F * radius * fvec2(std::sin(angle), -std::cos(angle)) + fvec2(0, 0.12F * radius);
+    };
+    out.items.emplace_back(render::TriangleItem{corner(0), corner(1), corner(2), paint});
+}
+
+void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const Corner& c) {
+    const float u = c.unit;
+    const fvec2 centre = at(c.view, 0, 1) + u * fvec2(44, -42);
+    const double share = std::clamp(p.health / std::max(p.health_full, 1.0), 0.0, 1.0);
+    const double extra =
+        std::clamp((p.health - p.health_full) / std::max(p.health_cap - p.health_full, 1.0), 0.0, 1.0);
+    out.items.emplace_back(render::ArcItem{centre, 0, 37 * u, 0, 3 * third_turn, panel});
+    out.items.emplace_back(render::ArcItem{centre, 27 * u, 35 * u, arc_start, arc_sweep, track});
+    const auto paint = p.health < low_health ? red : opaque(team_colours(team).glow);
+    if (share > 0)
+        out.items.emplace_back(
+            render::ArcItem{centre, 27 * u, 35 * u, arc_start, arc_sweep * static_cast<float>(share), paint});
+    if (extra > 0)
+        out.items.emplace_back(
+            render::ArcItem{centre, 22 * u, 25 * u, arc_start, arc_sweep * static_cast<float>(extra), white});
+    if (p.shielded)
+        out.items.emplace_back(
+            render::ArcItem{centre, 37 * u, 40 * u, 0, 3 * third_turn, colour(0x9AF0E0, 1.0F)});
+    add_text(out, text(static_cast<int>(std::ceil(p.health))), centre - fvec2(0, 14 * u), 22 * u, white,
+             Align::centre);
+    add_mark(out, team, centre + fvec2(0, 27 * u), 7 * u);
+}
+
+/// A needle that fills from its grip to its tip: one triangle, and the empty end of it once more in the dark.
+void add_needle(Overlay& out, fvec2 tail, float length, float width, double share, fvec4 full) {
+    const float filled = std::clamp(static_cast<float>(share), 0.0F, 1.0F);
+    const auto end_from = [&](float along, fvec4 paint) {
+        const float half = width / 2 * (1 - along);
+        const fvec2 at = tail + fvec2(along * length, 0);
+        out.items.emplace_back(
+            render::TriangleItem{at - fvec2(0, half), tail + fvec2(length, 0), at + fvec2(0, half), paint});
+    };
+    end_from(0, filled > 0 ? full : track);
+    if (filled > 0 && filled < 1) end_from(filled, opaque(fvec3(track)));
+    const fvec2 grip(0.05F * length, 0.3F * width);
+    out.items.emplace_back(
+        render::RectItem{tail - fvec2(2, 1) * grip, tail + fvec2(0, 1) * grip, full, 0.2F * width});
+}
+
+std::string capitalised(std::string_view name) {
+    std::string out(name);
+    if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
+    return out;
+}
+
+void add_wand(Overlay& out, const PlayerPicture& p, std::uint32_t team, const Corner& c) {
+    if (p.wand.empty()) return;
+    const float u = c.unit;
+    const fvec2 right = at(c.view, 1, 1) + u * fvec2(-12, -12);
+    out.items.emplace_back(render::RectItem{right - u * fvec2(154, 50), right, panel, 10 * u});
+    const double share = p.energy_cap > 0 ? p.energy / p.energy_cap : 0;
+    add_needle(out, right + u * fvec2(-130, -14), 120 * u, 13 * u, share, opaque(team_colours(team).glow));
+    add_text(out, capitalised(p.wand), right + u * fvec2(-144, -47), 16 * u, soft, Align::left);
+    const auto paint = p.since_dry_s < dry_seconds ? red : white;
+    add_text(out, text(static_cast<int>(std::floor(p.energy))), right + u * fvec2(-10, -48), 20 * u, paint,
+             Align::right);
+}
+
+void add_crosshair(Overlay& out, const PlayerPicture& p, const Corner& c) {
+    const fvec2 centre = at(c.view, 0.5F, 0.5F);
+    const float u = c.unit;
+    const auto line = [&](fvec2 way, float from, float to, fvec4 paint, float width) {
+        out.items.emplace_back(
+            render::LineItem{centre + from * u * way, centre + to * u * way, width, paint});
+    };
+    const float width = std::max(1.5F, 1.6F * u);
+    for (const fvec2 way : {fvec2(1, 0), fvec2(-1, 0), fvec2(0, 1), fvec2(0, -1)}) {
+        line(way, 4.5F, 11.5F, colour(0x0A0614, 0.6F), width + 2);
+        line(way, 5, 11, white, width);
+    }
+    if (p.since_hit_s < hit_seconds) {
+        for (const fvec2 way :
+             {fvec2(0.707F), fvec2(-0.707F), fvec2(0.707F, -0.707F), fvec2(-0.707F, 0.707F)})
+            line(way, 9, 18, colour(0xFFE08A, 1.0F), width + 0.5F);
+    }
+    if (p.since_dry_s < dry_seconds)
+        add_text(out, "no energy", centre + fvec2(0, 22 * u), 14 * u, red, Align::centre);
+}
+
+/// Clockwise from ahead, rad.
+float bearing(const PlayerPicture& p, vec3 towards) {
+    const vec3 local = rotation({0, 1, 0}, -p.yaw) * towards;
+    return static_cast<float>(std::atan2(local.x, -local.z));
+}
+
+void add_hurt_marks(Overlay& out, const PlayerPicture& p, const Corner& c) {
+    const fvec2 centre = at(c.view, 0.5F, 0.5F);
+    const float u = c.unit;
+    for (std::uint32_t i = 0; i < p.hurts; ++i) {
+        const auto& mark = p.marks[i];
+        const auto paint =
+            opaque(fvec3(red), static_cast<float>(0.9 * std::max(0.0, 1 - mark.age_s / mark_seconds)));
+        // A fall comes from below; what has no direction is a mark there as well.
+        const bool known = glm::dot(mark.towards, mark.towards) > 0.5;
+        const float angle = known ? bearing(p, mark.towards) : 1.5F * third_turn;
+        out.items.emplace_back(render::ArcItem{centre, 58 * u, 66 * u, angle - 0.32F, 0.64F, paint});
+    }
+}
+
+std::string cause(EventKind how) {
+    switch (how) {
+        case EventKind::bolt_hit: return "bolt";
+        case EventKind::object_hit: return "blow";
+        case EventKind::fall: return "fall";
+        default: return "magic";
+    }
+}
+
+void add_feed(Overlay& out, const Picture& picture, const Corner& c) {
+    const float u = c.unit;
+    fvec2 right = at(c.view, 1, 0) + u * fvec2(-14, 12);
+    for (std::uint32_t i = 0; i < picture.feed_lines; ++i) {
+        const auto& line = picture.feed[i];
+        const bool own = line.by >= players || line.by == line.victim;
+        const auto words =
+            own ? text(team_name(line.victim), " fell (", cause(line.how), ")")
+                : text(team_name(line.by), "  \u25B8 ", cause(line.how), " \u25B8  ", team_name(line.victim));
+        const auto who = own ? line.victim : line.by;
+        add_text(out, words, right, 15 * u, opaque(team_colours(who).light), Align::right);
+        right.y += 20 * u;
+    }
+}
+
+void add_name(Overlay& out, std::uint32_t player, const Corner& c) {
+    const float u = c.unit;
+    const fvec2 left = at(c.view, 0, 1) + u * fvec2(90, -30);
+    add_text(out, text("Player ", player + 1), left, 15 * u, opaque(team_colours(player).light), Align::left);
+}
+
+void add_veil(Overlay& out, const Rect& r, fvec4 paint) {
+    out.items.emplace_back(render::RectItem{at(r, 0, 0), at(r, 1, 1), paint, 0});
+}
+
+void add_death(Overlay& out, const PlayerPicture& p, const Corner& c) {
+    add_veil(out, c.view, colour(0x0C0616, 0.5F));
+    const fvec2 centre = at(c.view, 0.5F, 0.5F);
+    add_text(out, text("Resurrection in ", fixed(p.returns_in_s, 1), " s"), centre - fvec2(0, 16 * c.unit),
+             24 * c.unit, white, Align::centre);
+}
+
+void add_player(Overlay& out, const Picture& picture, std::uint32_t player, const Corner& c) {
+    const auto& p = picture.wizards[player];
+    if (p.dead && picture.phase == Phase::playing) add_death(out, p, c);
+    if (!p.dead) {
+        add_crosshair(out, p, c);
+        add_hurt_marks(out, p, c);
+    }
+    add_health(out, p, player, c);
+    add_wand(out, p, player, c);
+    add_feed(out, picture, c);
+    add_name(out, player, c);
+}
+
+std::string clock(double seconds_left) {
+    const int whole = static_cast<int>(std::ceil(std::max(seconds_left, 0.0)));
+    const int rest = whole % 60;
+    return text(whole / 60, rest < 10 ? ":0" : ":", rest);
+}
+
+/// Score and clock, between the halves.
+void add_score(Overlay& out, const Picture& picture, fvec2 middle, float u) {
+    out.items.emplace_back(render::RectItem{middle - u * fvec2(92, 27), middle + u * fvec2(92, 27),
+                                            colour(0x140E22, 0.8F), 12 * u});
+    add_mark(out, 0, middle + u * fvec2(-72, -4), 10 * u);
+    add_mark(out, 1, middle + u * fvec2(72, -4), 10 * u);
+    const float high = 25 * u;
+    add_text(out, text(picture.wizards[0].kills), middle + u * fvec2(-40, -22), high,
+             opaque(team_colours(0).light), Align::centre);
+    add_text(out, text(picture.wizards[1].kills), middle + u * fvec2(40, -22), high,
+             opaque(team_colours(1).light), Align::centre);
+    add_text(out, clock(picture.left_s), middle + u * fvec2(0, -19), 19 * u, white, Align::centre);
+    add_text(out, text("first to ", picture.kills_to_win), middle + u * fvec2(0, 7), 11 * u, soft,
+             Align::centre);
+}
+
+struct Announcement {
+    std::string head, line, keys;
+    fvec4 paint{white};
+};
+
+void announce(Overlay& out, const Announcement& a, const Rect& window, float u) {
+    add_veil(out, window, colour(0x0C0616, 0.6F));
+    const fvec2 middle = at(window, 0.5F, 0.5F);
+    out.items.emplace_back(render::RectItem{middle - u * fvec2(230, 78), middle + u * fvec2(230, 78),
+                                            colour(0x1C1430, 0.92F), 16 * u});
+    add_text(out, a.head, middle - u * fvec2(0, 66), 34 * u, a.paint, Align::centre);
+    add_text(out, a.line, middle - u * fvec2(0, 14), 19 * u, white, Align::centre);
+    add_text(out, a.keys, middle + u * fvec2(0, 32), 17 * u, soft, Align::centre);
+}
+
+std::string paused_words(const Picture& picture) {
+    for (std::uint32_t p = 0; p < players; ++p) {
+        if (picture.wizards[p].pad_lost)
+            return text("Player ", p + 1, "'s pad is gone \u2014 plug it in and press a button to rejoin");
+    }
+    return picture.paused_by < players ? text("by player ", picture.paused_by + 1) : std::string();
+}
+
+Announcement result_of(const Picture& picture, bool can_play_again) {
+    Announcement a;
+    const auto how = picture.ending == Ending::kills ? text("first to ", picture.kills_to_win, " kills")
+                                                     : std::string("time is up");
+    const bool draw = picture.winner >= players;
+    a.head = draw ? "A draw" : text("Player ", picture.winner + 1, " (", team_name(picture.winner), ") wins");
+    a.line = text(how, "  \u2014  ", picture.wizards[0].kills, " : ", picture.wizards[1].kills);
+    a.keys = can_play_again ? "Enter: again    Esc: quit" : "Esc: quit";
+    if (!draw) a.paint = opaque(team_colours(picture.winner).light);
+    return a;
+}
+
+float unit_of(const Rect& view, const Rect& window, double text_scale) {
+    const bool alone = view.width == window.width && view.height == window.height;
+    const float high = static_cast<float>(window.height) / 720 * (alone ? 1.35F : 1.05F);
+    const float wide = static_cast<float>(view.width) / 420;  // so that the corners never meet
+    return std::clamp(std::min(wide, high), 0.4F, 6.0F) * static_cast<float>(text_scale);
+}
+
+fvec2 place_of_score(const HudSettings& settings, const Rect& window, float u) {
+    const bool stacked = settings.watch == Watch::both && settings.split == render::Split::top_bottom;
+    return stacked ? at(window, 0.5F, 0.5F) : at(window, 0.5F, 0) + fvec2(0, 34 * u);
+}
+
+void add_seam(Overlay& out, const HudSettings& settings, const Rect& window) {
+    if (settings.watch != Watch::both || settings.split == render::Split::none) return;
+    const bool stacked = settings.split == render::Split::top_bottom;
+    const fvec2 from = stacked ? at(window, 0, 0.5F) : at(window, 0.5F, 0);
+    const fvec2 to = stacked ? at(window, 1, 0.5F) : at(window, 0.5F, 1);
+    out.items.emplace_back(render::LineItem{from, to, 4, colour(0x0A0614, 1.0F)});
+}
+
+}  // namespace
+
+void make_overlay(const Picture& picture, const HudSettings& settings, render::Size size, Overlay& out) {
+    out.items.clear();
+    const Rect window{0, 0, size.width, size.height};
+    const auto views = views_of(settings, size);
+    add_seam(out, settings, window);
+    float unit = 0;
+    for (std::uint32_t player = 0; player < players; ++player) {
+        if (views[player].width <= 0 || views[player].height <= 0) continue;
+        unit = unit_of(views[player], window, settings.text_scale);
+        add_player(out, picture, player, {views[player], unit});
+    }
+    const auto middle = place_of_score(settings, window, unit);
+    add_score(out, picture, middle, unit);
+    if (picture.overloaded) {
+        add_text(out, text("This machine is too slow: ", picture.skipped, " ms of input left out"),
+                 at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 70) * unit), 14 * unit, red,
+                 Align::centre);
+    }
+    if (picture.phase == Phase::over) {
+        announce(out, result_of(picture, settings.can_play_again), window, unit);
+    } else if (picture.paused) {
+        announce(out, {"Paused", paused_words(picture), "Esc: go on    Q: quit", white}, window, unit);
+    }
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,216 @@
+#include "game/hud/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/wands/belt.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr double mark_seconds = 1.2;
+constexpr double feed_seconds = 5;
+constexpr double long_ago = 1e6;
+/// Nothing that moves by itself is faster, m/s.
+constexpr double fastest = 60;
+
+/// Events count in ticks of play.
+double age(const Match& match, Tick at) { return match.played >= at ? seconds(match.played - at) : 0; }
+
+ThingPicture thing_of(ecs::Entity e, const Motion& motion, const Look& look, const Body* body,
+                      const Pad* pad) {
+    ThingPicture thing{.entity = e.index,
+                       .key = {.surface = look.surface},
+                       .fixed = body == nullptr || body->mass <= 0,
+                       .position = motion.position,
+                       .orientation = motion.orientation};
+    if (body != nullptr) {
+        thing.key = {look.surface, body->shape, body->mesh, body->size};
+    }
+    if (pad != nullptr) thing.team = pad->player;
+    return thing;
+}
+
+void take_things(const ecs::World& world, Picture& out) {
+    out.things.clear();
+    world.view<const Motion, const Look, ecs::Maybe<const Body>, ecs::Maybe<const Pad>>().each(
+        [&](ecs::Entity e, const Motion& motion, const Look& look, const Body* body, const Pad* pad) {
+            if (look.surface != Surface::wizard) out.things.push_back(thing_of(e, motion, look, body, pad));
+        });
+}
+
+void take_missiles(const Simulation& match, Picture& out) {
+    out.missiles.clear();
+    for (const auto& wand : match.data().wands) {
+        wand.kind->show(match.world(), [&](const Missile& m) {
+            out.missiles.push_back({m.entity, m.player, m.position, m.velocity});
+        });
+    }
+}
+
+void take_belt(const MatchData& data, const WandBelt& belt, PlayerPicture& out) {
+    const auto* wand = wand_in_hand(data, belt);
+    out.wand = wand == nullptr ? std::string_view{} : wand->kind->name;
+    out.energy = wand == nullptr ? 0 : belt.energy[wand->stats.slot];
+    out.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;
+}
+
+void take_wizards(const Simulation& match, Picture& out) {
+    const auto& rules = match.data().wizard;
+    const auto& state = match.match();
+    match.world()
+        .view<const Wizard, const Motion, const Gaze, const Health, const WandBelt, const Score,
+              ecs::Maybe<const Dead>>()
+        .each([&](const Wizard& wizard, const Motion& motion, const Gaze& gaze, const Health& health,
+                  const WandBelt& belt, const Score& score, const Dead* dead) {
+            auto& p = out.wizards[wizard.player];
+            p = {};
+            p.centre = motion.position;
+            p.eye = eye_of(rules, motion.position);
+            p.yaw = gaze.yaw;
+            p.pitch = gaze.pitch;
+            p.dead = dead != nullptr;
+            p.shielded = !p.dead && state.played < health.shielded_until;
+            p.lives = static_cast<std::uint32_t>(score.deaths) * 2 + (p.dead ? 1 : 0);
+            p.health = std::max(health.points, 0.0);
+            p.health_full = rules.health;
+            p.health_cap = rules.health_cap;
+            p.kills = score.kills;
+            p.deaths = score.deaths;
+            p.since_hit_s = p.since_dry_s = long_ago;
+            if (dead != nullptr && dead->returns_at > state.played)
+                p.returns_in_s = seconds(dead->returns_at - state.played);
+            take_belt(match.data(), belt, p);
+        });
+}
+
+bool hurts(EventKind kind) {
+    return kind == EventKind::bolt_hit || kind == EventKind::object_hit || kind == EventKind::fall;
+}
+
+vec3 direction(vec3 from, vec3 to) {
+    const vec3 d = to - from;
+    const double length = glm::length(d);
+    return length > 1e-6 ? d / length : vec3(0);
+}
+
+/// From where it came: from whoever did it, else from where it struck.
+HurtMark mark_of(const Picture& picture, const Event& event, double age_s) {
+    const auto& victim = picture.wizards[event.subject];
+    HurtMark mark{.age_s = age_s, .how = event.kind};
+    if (event.by < players && event.by != event.subject)
+        mark.towards = direction(victim.eye, picture.wizards[event.by].eye);
+    else if (event.kind != EventKind::fall)
+        mark.towards = direction(victim.centre, event.place);
+    return mark;
+}
+
+void note_hurt(const Event& event, double age_s, Picture& out) {
+    if (event.by < players && event.by != event.subject)
+        out.wizards[event.by].since_hit_s = std::min(out.wizards[event.by].since_hit_s, age_s);
+    auto& victim = out.wizards[event.subject];
+    if (age_s < mark_seconds && victim.hurts < victim.marks.size())
+        victim.marks[victim.hurts++] = mark_of(out, event, age_s);
+}
+
+void note(const Event& event, double age_s, Picture& out) {
+    if (event.subject >= players) return;
+    if (hurts(event.kind)) note_hurt(event, age_s, out);
+    if (event.kind == EventKind::dry)
+        out.wizards[event.subject].since_dry_s = std::min(out.wizards[event.subject].since_dry_s, age_s);
+    if (event.kind == EventKind::death && age_s < feed_seconds && out.feed_lines < out.feed.size())
+        out.feed[out.feed_lines++] = {age_s, event.subject, event.by, static_cast<EventKind>(event.detail)};
+}
+
+/// The newest first, so that the oldest are left out where there is no room.
+void take_events(const Simulation& match, Picture& out) {
+    const auto& chronicle = match.world().single<Chronicle>();
+    const auto size = chronicle.events.size();
+    out.feed_lines = 0;
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(chronicle.count, size); ++i) {
+        const auto& event = chronicle.events[(chronicle.count - 1 - i) % size];
+        note(event, age(match.match(), event.tick), out);
+    }
+    std::reverse(out.feed.begin(), out.feed.begin() + out.feed_lines);
+}
+
+void take_round(const Simulation& match, Picture& out) {
+    const auto& m = match.match();
+    const auto& rules = match.data().round;
+    out.tick = match.now();
+    out.played_s = seconds(m.played);
+    out.left_s = rules.length > m.played ? seconds(rules.length - m.played) : 0;
+    out.phase = m.phase;
+    out.ending = m.ending;
+    out.winner = m.winner;
+    out.paused = m.paused != 0;
+    out.paused_by = m.paused_by;
+    out.skipped = m.skipped;
+    out.kills_to_win = rules.kills;
+}
+
+bool jumped(vec3 from, vec3 to, double dt) {
+    // 1 m more, for what is pushed out of something else at once.
+    return !(glm::length(to - from) <= 1 + fastest * dt);
+}
+
+/// Across the seam at +-pi the short way.
+double turned(double from, double to, double alpha) {
+    return from + alpha * std::remainder(to - from, 2 * pi);
+}
+
+void interpolate_thing(const ThingPicture& from, double alpha, double dt, ThingPicture& to) {
+    if (to.fixed || jumped(from.position, to.position, dt)) return;
+    to.position = glm::mix(from.position, to.position, alpha);
+    to.orientation = glm::slerp(from.orientation, to.orientation, alpha);
+}
+
+void interpolate_wizard(const PlayerPicture& from, double alpha, double dt, PlayerPicture& to) {
+    if (from.lives != to.lives || jumped(from.centre, to.centre, dt)) return;
+    to.centre = glm::mix(from.centre, to.centre, alpha);
+    to.eye = glm::mix(from.eye, to.eye, alpha);
+    to.yaw = turned(from.yaw, to.yaw, alpha);
+    to.pitch = glm::mix(from.pitch, to.pitch, alpha);
+}
+
+}  // namespace
+
+Picture make_picture() {
+    Picture picture;
+    picture.things.reserve(1024);
+    picture.missiles.reserve(256);
+    return picture;
+}
+
+void take_picture(const Simulation& match, Picture& out) {
+    out.overloaded = false;
+    take_round(match, out);
+    take_things(match.world(), out);
+    take_missiles(match, out);
+    take_wizards(match, out);
+    take_events(match, out);
+}
+
+void interpolate(const Picture& from, const Picture& to, double alpha, Picture& out) {
+    out = to;
+    if (from.tick >= to.tick) return;
+    const double dt = seconds(to.tick - from.tick);
+    for (std::size_t i = 0; i < out.things.size(); ++i) {
+        auto& thing = out.things[i];
+        // Tables keep their order from one moment to the next, but for what came or went.
+        const auto same = [&](const ThingPicture& t) { return t.entity == thing.entity; };
+        const auto found = i < from.things.size() && same(from.things[i])
+                               ? from.things.begin() + static_cast<std::ptrdiff_t>(i)
+                               : std::find_if(from.things.begin(), from.things.end(), same);
+        if (found != from.things.end()) interpolate_thing(*found, alpha, dt, thing);
+    }
+    for (auto& missile : out.missiles) {
+        const auto found = std::find_if(from.missiles.begin(), from.missiles.end(),
+                                        [&](const MissilePicture& m) { return m.entity == missile.entity; });
+        if (found != from.missiles.end())
+            missile.position = glm::mix(found->position, missile.position, alpha);
+    }
+    for (std::size_t p = 0; p < players; ++p) interpolate_wizard(from.wizards[p], alpha, dt, out.wizards[p]);
+}
+
+}  // namespace thaum::game

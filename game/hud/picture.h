@@ -1,0 +1,99 @@
+// game/hud/picture.h: all that one moment of a match looks like, copied out of the Simulation as plain data, so that the
+// match goes on while another thread draws. Taking a picture into the same Picture again allocates nothing.
+#pragma once
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "game/match/simulation.h"
+
+namespace thaum::game {
+
+/// Things of equal shape and surface look the same.
+struct ShapeKey {
+    Surface surface{};
+    physics::Shape shape{};
+    std::uint32_t mesh{};  ///< index in Arena::meshes, of Shape::mesh
+    vec3 size{};           ///< as physics::BodyDesc::size
+    bool operator==(const ShapeKey&) const = default;
+};
+
+struct ThingPicture {
+    std::uint32_t entity{};
+    ShapeKey key{};
+    bool fixed{};  ///< never moves
+    vec3 position{};
+    quat orientation{1, 0, 0, 0};
+    std::uint32_t team{no_player};  ///< of a pad: who starts there
+};
+
+struct MissilePicture {
+    ecs::Entity entity;
+    std::uint32_t player{};
+    vec3 position{};
+    vec3 velocity{};
+};
+
+/// Something that hurt a player a short time ago.
+struct HurtMark {
+    double age_s{};
+    EventKind how{};
+    vec3 towards{};  ///< unit, world: from the victim to where it came from; zero where that is unknown
+};
+
+struct PlayerPicture {
+    vec3 centre{};  ///< of the body, m
+    vec3 eye{};     ///< m
+    double yaw{}, pitch{};
+    bool dead{}, shielded{};
+    std::uint32_t lives{};  ///< counts deaths; one more or less is a teleport
+
+    double health{}, health_full{}, health_cap{};  ///< HP
+    std::string_view wand;                         ///< kind in hand; empty: none
+    double energy{}, energy_cap{};
+    std::int32_t kills{}, deaths{};
+    double returns_in_s{};  ///< while dead
+    double since_hit_s{};   ///< since this player last hurt the other
+    double since_dry_s{};   ///< since the wand last had too little energy
+    bool pad_lost{};        ///< filled by the session
+    std::uint32_t hurts{};  ///< of `marks`
+    std::array<HurtMark, 6> marks{};
+};
+
+/// A death, for the kill feed.
+struct FeedLine {
+    double age_s{};
+    std::uint32_t victim{}, by{no_player};
+    EventKind how{};
+};
+
+struct Picture {
+    Tick tick{};            ///< Simulation::now
+    std::int64_t due_ns{};  ///< the wall clock's time of that tick; filled by the session
+    std::vector<ThingPicture> things;
+    std::vector<MissilePicture> missiles;
+    std::array<PlayerPicture, players> wizards{};
+
+    double played_s{}, left_s{};
+    Phase phase{};
+    Ending ending{};
+    std::uint32_t winner{no_player};
+    bool paused{};
+    std::uint32_t paused_by{no_player};
+    std::int32_t kills_to_win{};
+    std::uint32_t feed_lines{};  ///< of `feed`, the oldest first
+    std::array<FeedLine, 4> feed{};
+    std::uint32_t skipped{};  ///< samples left out so far
+    bool overloaded{};        ///< samples were left out just now; filled by the session
+};
+
+/// Memory for a busy match, so that no later picture needs more.
+Picture make_picture();
+
+void take_picture(const Simulation& match, Picture& out);
+
+/// What lies between two pictures, `alpha` in [0, 1] from the first to the second. What was not in both, or moved
+/// farther than anything can (a resurrection), stands where the second one has it. Everything else is the second's.
+void interpolate(const Picture& from, const Picture& to, double alpha, Picture& out);
+
+}  // namespace thaum::game

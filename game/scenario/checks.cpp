@@ -1,0 +1,150 @@
+// Checks over the frames of a run: a match is a function of its input alone, wherever one begins and however late it is.
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "core/random.h"
+#include "core/text.h"
+#include "ecs/diff.h"
+#include "game/scenario/play.h"
+
+namespace thaum::game {
+namespace {
+
+std::string describe(const Bytes& a, const Bytes& b) {
+    const auto found = ecs::diff(a, b, 1);
+    if (!found || found->empty()) return "no field differs";
+    const auto& d = found->front();
+    return text(d.component, " of entity ", d.entity, ", ", d.field, ": ", d.a, " and ", d.b);
+}
+
+/// A state that was reached in some way.
+struct Reached {
+    std::uint64_t hash{};
+    Bytes state;
+};
+
+Reached reached(const Simulation& match) {
+    Reached here{match.state_hash(), {}};
+    match.save(here.state);
+    return here;
+}
+
+std::string difference(Tick tick, const char* what, const Reached& here, const Reached& there) {
+    if (here.hash == there.hash) return {};
+    return text("tick ", tick, ": ", what, ": ", describe(here.state, there.state));
+}
+
+/// Plays the frames from `match.now()` to `end`.
+void play_to(Simulation& match, const std::vector<input::InputFrame>& frames, Tick end) {
+    while (match.now() < end) match.tick(frames[match.now()]);
+}
+
+/// From the keyframe at or before `tick`.
+Expected<Reached> sought(const Play& play, Tick tick) {
+    Simulation match(play.data, play.match->setup());
+    const auto after = std::find_if(play.keyframes.begin(), play.keyframes.end(),
+                                    [&](const Keyframe& k) { return k.tick > tick; });
+    if (after != play.keyframes.begin()) {
+        const auto& from = *std::prev(after);
+        if (auto restored = match.restore(from.world, from.tick); !restored)
+            return tl::unexpected(restored.error());
+    }
+    play_to(match, play.frames, tick);
+    return reached(match);
+}
+
+/// Frames on their way from the devices to a match on another thread.
+struct Channel {
+    std::mutex mutex;
+    std::condition_variable filled;
+    std::deque<input::InputFrame> frames;
+    bool closed = false;
+};
+
+void stall(Random& random) {
+    if (random.below(4) == 0) std::this_thread::sleep_for(std::chrono::microseconds(random.below(2000)));
+}
+
+/// All that is there at once; empty at the end.
+std::deque<input::InputFrame> take(Channel& channel) {
+    std::unique_lock lock(channel.mutex);
+    channel.filled.wait(lock, [&] { return channel.closed || !channel.frames.empty(); });
+    return std::exchange(channel.frames, {});
+}
+
+struct LateRun {
+    std::vector<std::uint64_t> hashes;
+    Reached end;
+    std::size_t largest_burst = 0;
+};
+
+LateRun run_late(const Play& play, Channel& channel, std::uint64_t seed) {
+    Simulation match(play.data, play.match->setup());
+    Random random = random_stream(seed, 1);
+    LateRun run;
+    for (auto burst = take(channel); !burst.empty(); burst = take(channel)) {
+        run.largest_burst = std::max(run.largest_burst, burst.size());
+        for (const auto& frame : burst) {
+            match.tick(frame);
+            if (match.now() % hash_interval == 0) run.hashes.push_back(match.state_hash());
+        }
+        stall(random);
+    }
+    run.end = reached(match);
+    return run;
+}
+
+void send_frames(const Play& play, Channel& channel, std::uint64_t seed) {
+    Random random = random_stream(seed, 2);
+    for (std::size_t sent = 0; sent < play.frames.size();) {
+        const auto count =
+            std::min(play.frames.size() - sent, static_cast<std::size_t>(1 + random.below(300)));
+        {
+            const std::lock_guard lock(channel.mutex);
+            const auto from = play.frames.begin() + static_cast<std::ptrdiff_t>(sent);
+            channel.frames.insert(channel.frames.end(), from, from + static_cast<std::ptrdiff_t>(count));
+        }
+        channel.filled.notify_one();
+        sent += count;
+        stall(random);
+    }
+    const std::lock_guard lock(channel.mutex);
+    channel.closed = true;
+    channel.filled.notify_one();
+}
+
+}  // namespace
+
+std::string check_seek(const Play& play, const std::vector<Tick>& ticks) {
+    auto sorted = ticks;
+    std::sort(sorted.begin(), sorted.end());
+    Simulation played(play.data, play.match->setup());
+    for (const auto tick : sorted) {
+        play_to(played, play.frames, tick);
+        const auto there = sought(play, tick);
+        if (!there) return there.error().message;
+        auto found = difference(tick, "played and sought states differ", reached(played), *there);
+        if (!found.empty()) return found;
+    }
+    play_to(played, play.frames, play.match->now());
+    return difference(played.now(), "the match and its replay differ", reached(*play.match), reached(played));
+}
+
+std::string check_late(const Play& play, std::uint64_t seed) {
+    Channel channel;
+    LateRun late;
+    std::thread simulation([&] { late = run_late(play, channel, seed); });
+    send_frames(play, channel, seed);
+    simulation.join();
+    for (std::size_t i = 0; i < play.hashes.size(); ++i) {
+        if (i < late.hashes.size() && late.hashes[i] == play.hashes[i]) continue;
+        return text("tick ", (i + 1) * hash_interval, ": the late match has another state");
+    }
+    if (late.largest_burst < 2) return "no burst of frames: the match was never late";
+    return difference(play.match->now(), "the late match has another state", reached(*play.match), late.end);
+}
+
+}  // namespace thaum::game

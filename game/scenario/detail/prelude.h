@@ -1,0 +1,9 @@
+// game/scenario/detail/prelude.h: the verbs that are best said in Lua, on top of those in verbs.cpp.
+#pragma once
+#include <string_view>
+
+namespace thaum::game {
+
+extern const std::string_view prelude;
+
+}  // namespace thaum::game

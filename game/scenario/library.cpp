@@ -1,0 +1,483 @@
+// The sandbox's library: Lua's own functions where they are safe, ours where they are not. These are plain Lua C functions:
+// they may raise errors, so nothing in them needs to be destroyed (detail/sandbox_state.h).
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/maths.h"
+#include "core/text.h"
+#include "game/scenario/detail/sandbox_state.h"
+
+namespace thaum::game {
+namespace {
+
+// ---- errors that no pcall may keep -------------------------------------------------------------------------------------
+
+int end_of_pcall(lua_State* lua, int status, lua_KContext) {
+    if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(lua);
+    state_of(lua).trusted = false;
+    if (state_of(lua).exhausted) return lua_error(lua);
+    lua_pushboolean(lua, 0);
+    lua_insert(lua, -2);
+    return 2;
+}
+
+int safe_pcall(lua_State* lua) {
+    luaL_checkany(lua, 1);
+    lua_pushboolean(lua, 1);
+    lua_insert(lua, 1);
+    return end_of_pcall(lua, lua_pcallk(lua, lua_gettop(lua) - 2, LUA_MULTRET, 0, 0, end_of_pcall), 0);
+}
+
+/// Calls Lua's own function (upvalue 1), which catches errors by itself.
+int call_catcher(lua_State* lua) {
+    lua_pushvalue(lua, lua_upvalueindex(1));
+    lua_insert(lua, 1);
+    lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
+    const bool caught = lua_gettop(lua) >= 2 && lua_isboolean(lua, 1) && lua_toboolean(lua, 1) == 0;
+    if (caught && state_of(lua).exhausted) {
+        lua_settop(lua, 2);
+        return lua_error(lua);
+    }
+    return lua_gettop(lua);
+}
+
+// ---- text without addresses -----------------------------------------------------------------------------------------
+
+/// As luaL_tolstring, but a value without a text of its own becomes the name of its type.
+void push_text(lua_State* lua, int index) {
+    index = lua_absindex(lua, index);
+    if (luaL_callmeta(lua, index, "__tostring") != 0) {
+        if (lua_type(lua, -1) != LUA_TSTRING) luaL_error(lua, "'__tostring' must return a string");
+        return;
+    }
+    switch (lua_type(lua, index)) {
+        case LUA_TNIL:
+        case LUA_TBOOLEAN:
+        case LUA_TNUMBER:
+        case LUA_TSTRING: luaL_tolstring(lua, index, nullptr); break;
+        default: lua_pushstring(lua, luaL_typename(lua, index)); break;
+    }
+}
+
+int safe_tostring(lua_State* lua) {
+    luaL_checkany(lua, 1);
+    push_text(lua, 1);
+    return 1;
+}
+
+/// The name of what a value is, in place of its address, for all values that have no text.
+void hide_addresses(lua_State* lua) {
+    for (int i = 2; i <= lua_gettop(lua); ++i) {
+        const int type = lua_type(lua, i);
+        if (type == LUA_TNIL || type == LUA_TBOOLEAN || type == LUA_TNUMBER || type == LUA_TSTRING) continue;
+        push_text(lua, i);
+        lua_replace(lua, i);
+    }
+}
+
+bool has_pointer_format(const char* format) {
+    for (const char* at = std::strchr(format, '%'); at != nullptr; at = std::strchr(at, '%')) {
+        ++at;
+        if (*at == '%') {
+            ++at;
+            continue;
+        }
+        at += std::strspn(at, "-+ #0123456789.");
+        if (*at == 'p') return true;
+    }
+    return false;
+}
+
+/// string.format: upvalue 1 is Lua's.
+int safe_format(lua_State* lua) {
+    if (has_pointer_format(luaL_checkstring(lua, 1)))
+        return luaL_error(lua, "%%p: addresses are not for scripts");
+    hide_addresses(lua);
+    lua_pushvalue(lua, lua_upvalueindex(1));
+    lua_insert(lua, 1);
+    lua_call(lua, lua_gettop(lua) - 1, 1);
+    return 1;
+}
+
+void append_output(Sandbox::State& state, const char* chars, std::size_t size) noexcept {
+    if (state.output.size() >= state.limits.output) return;
+    state.output.append(chars, std::min(size, state.limits.output - state.output.size()));
+}
+
+int safe_print(lua_State* lua) {
+    auto& state = state_of(lua);
+    const int count = lua_gettop(lua);
+    for (int i = 1; i <= count; ++i) {
+        push_text(lua, i);
+        std::size_t size = 0;
+        const char* const chars = lua_tolstring(lua, -1, &size);
+        if (i > 1) append_output(state, "\t", 1);
+        append_output(state, chars, size);
+        lua_pop(lua, 1);
+    }
+    append_output(state, "\n", 1);
+    return 0;
+}
+
+// ---- pairs in one order -----------------------------------------------------------------------------------------------
+
+/// A key of a table, of a kind that has an order.
+struct SortKey {
+    int type;
+    bool whole;  ///< an integer
+    lua_Integer integer;
+    lua_Number number;
+    const char* chars;  ///< kept alive by the table
+    std::size_t size;
+};
+
+/// A float that is a key has a fraction, or is beyond all integers; Lua makes integers of all others.
+bool integer_before(lua_Integer i, lua_Number f) {
+    if (f >= 0x1p63) return true;
+    if (f < -0x1p63) return false;
+    return i <= static_cast<lua_Integer>(std::floor(f));
+}
+
+bool number_before(const SortKey& a, const SortKey& b) {
+    if (a.whole && b.whole) return a.integer < b.integer;
+    if (a.whole) return integer_before(a.integer, b.number);
+    if (b.whole) return !integer_before(b.integer, a.number);
+    return a.number < b.number;
+}
+
+bool string_before(const SortKey& a, const SortKey& b) {
+    return std::string_view(a.chars, a.size) < std::string_view(b.chars, b.size);
+}
+
+int rank(int type) { return type == LUA_TNUMBER ? 0 : type == LUA_TSTRING ? 1 : 2; }
+
+bool before(const SortKey& a, const SortKey& b) {
+    if (rank(a.type) != rank(b.type)) return rank(a.type) < rank(b.type);
+    if (a.type == LUA_TNUMBER) return number_before(a, b);
+    if (a.type == LUA_TSTRING) return string_before(a, b);
+    return a.integer < b.integer;
+}
+
+SortKey sort_key(lua_State* lua, int index) {
+    SortKey key{lua_type(lua, index), lua_isinteger(lua, index) != 0, 0, 0, nullptr, 0};
+    switch (key.type) {
+        case LUA_TNUMBER:
+            key.integer = key.whole ? lua_tointeger(lua, index) : 0;
+            key.number = lua_tonumber(lua, index);
+            break;
+        case LUA_TSTRING: key.chars = lua_tolstring(lua, index, &key.size); break;
+        case LUA_TBOOLEAN: key.integer = lua_toboolean(lua, index); break;
+        default: luaL_error(lua, "pairs: a key that is a %s has no order", lua_typename(lua, key.type));
+    }
+    return key;
+}
+
+void push_key(lua_State* lua, const SortKey& key) {
+    if (key.type == LUA_TSTRING) {
+        lua_pushlstring(lua, key.chars, key.size);
+    } else if (key.type == LUA_TBOOLEAN) {
+        lua_pushboolean(lua, key.integer != 0);
+    } else if (key.whole) {
+        lua_pushinteger(lua, key.integer);
+    } else {
+        lua_pushnumber(lua, key.number);
+    }
+}
+
+std::size_t count_keys(lua_State* lua, int table) {
+    std::size_t count = 0;
+    for (lua_pushnil(lua); lua_next(lua, table) != 0; lua_pop(lua, 1)) ++count;
+    return count;
+}
+
+/// The next pair whose value is still there. Upvalues: the table, its keys in order, how many, where we are.
+int next_sorted(lua_State* lua) {
+    const auto count = lua_tointeger(lua, lua_upvalueindex(3));
+    for (auto at = lua_tointeger(lua, lua_upvalueindex(4)) + 1; at <= count; ++at) {
+        lua_settop(lua, 0);
+        lua_rawgeti(lua, lua_upvalueindex(2), at);
+        lua_pushvalue(lua, 1);
+        lua_rawget(lua, lua_upvalueindex(1));
+        if (lua_isnil(lua, 2)) continue;
+        lua_pushinteger(lua, at);
+        lua_replace(lua, lua_upvalueindex(4));
+        return 2;
+    }
+    lua_pushnil(lua);
+    return 1;
+}
+
+int sorted_pairs(lua_State* lua) {
+    luaL_checktype(lua, 1, LUA_TTABLE);
+    lua_settop(lua, 1);
+    const auto count = count_keys(lua, 1);
+    auto* const keys = static_cast<SortKey*>(lua_newuserdatauv(lua, (count + 1) * sizeof(SortKey), 0));
+    std::size_t filled = 0;
+    for (lua_pushnil(lua); lua_next(lua, 1) != 0; lua_pop(lua, 1)) keys[filled++] = sort_key(lua, -2);
+    std::sort(keys, keys + count, before);
+    state_of(lua).spend(count);
+    lua_pushvalue(lua, 1);
+    lua_createtable(lua, static_cast<int>(std::min<std::size_t>(count, 1U << 16U)), 0);
+    for (std::size_t i = 0; i < count; ++i) {
+        push_key(lua, keys[i]);
+        lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
+    }
+    lua_pushinteger(lua, static_cast<lua_Integer>(count));
+    lua_pushinteger(lua, 0);
+    lua_pushcclosure(lua, next_sorted, 4);
+    return 1;
+}
+
+// ---- C loops that no count of instructions would end ---------------------------------------------------------------
+
+constexpr double most_matching = 1e8;
+constexpr lua_Integer most_moved = 1 << 16;
+
+/// At least as many steps as matching can take: each repetition may try every length.
+double matching_steps(std::string_view pattern, std::size_t subject) {
+    double steps = static_cast<double>(subject) + 1;
+    for (std::size_t i = 0; i < pattern.size(); ++i) {
+        const char c = pattern[i];
+        const bool repeats = c == '*' || c == '+' || c == '-';
+        const bool percent = c == '%' && i + 1 < pattern.size();
+        const bool again =
+            percent && (pattern[i + 1] == 'b' || (pattern[i + 1] >= '0' && pattern[i + 1] <= '9'));
+        if (repeats || again) steps *= static_cast<double>(subject) + 1;
+        if (c == '?') steps *= 2;
+    }
+    return steps;
+}
+
+/// find, match, gmatch, gsub: upvalue 1 is Lua's.
+int safe_matching(lua_State* lua) {
+    std::size_t size = 0;
+    std::size_t pattern_size = 0;
+    luaL_checklstring(lua, 1, &size);
+    const char* const pattern = luaL_checklstring(lua, 2, &pattern_size);
+    const double steps =
+        std::max(matching_steps({pattern, pattern_size}, size),
+                 static_cast<double>(size) * static_cast<double>(pattern_size));  // plain search
+    if (steps > most_matching)
+        return luaL_error(lua, "this pattern on a text of that length may take too long");
+    lua_pushvalue(lua, lua_upvalueindex(1));
+    lua_insert(lua, 1);
+    lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
+    return lua_gettop(lua);
+}
+
+int safe_rep(lua_State* lua) {
+    std::size_t size = 0;
+    std::size_t separator = 0;
+    luaL_checklstring(lua, 1, &size);
+    const auto count = luaL_checkinteger(lua, 2);
+    luaL_optlstring(lua, 3, "", &separator);
+    const auto limit = static_cast<double>(state_of(lua).limits.block);
+    if (static_cast<double>(size + separator + 1) * static_cast<double>(count) > limit) {
+        return luaL_error(lua, "string.rep: the result is too long");
+    }
+    lua_pushvalue(lua, lua_upvalueindex(1));
+    lua_insert(lua, 1);
+    lua_call(lua, lua_gettop(lua) - 1, 1);
+    return 1;
+}
+
+/// table.concat, table.move, table.unpack: `first` and `last` are arguments number `at` and `at + 1`.
+template <int at>
+int safe_range(lua_State* lua) {
+    luaL_checktype(lua, 1, LUA_TTABLE);
+    const auto first = luaL_optinteger(lua, at, 1);
+    const auto last = lua_isnoneornil(lua, at + 1) ? luaL_len(lua, 1) : luaL_checkinteger(lua, at + 1);
+    if (last >= first && static_cast<double>(last) - static_cast<double>(first) > most_moved) {
+        return luaL_error(lua, "a range of more than %d", static_cast<int>(most_moved));
+    }
+    lua_pushvalue(lua, lua_upvalueindex(1));
+    lua_insert(lua, 1);
+    lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
+    return lua_gettop(lua);
+}
+
+/// insert, remove, sort: they trust the length that a metatable may give.
+int safe_length(lua_State* lua) {
+    luaL_checktype(lua, 1, LUA_TTABLE);
+    if (luaL_len(lua, 1) > most_moved)
+        return luaL_error(lua, "a list of more than %d", static_cast<int>(most_moved));
+    state_of(lua).spend(static_cast<std::uint64_t>(std::max<lua_Integer>(0, luaL_len(lua, 1))) / 8);
+    lua_pushvalue(lua, lua_upvalueindex(1));
+    lua_insert(lua, 1);
+    lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
+    return lua_gettop(lua);
+}
+
+// ---- the rest --------------------------------------------------------------------------------------------------------
+
+/// When memory is cleaned up is nobody's business.
+int safe_setmetatable(lua_State* lua) {
+    if (lua_istable(lua, 2)) {
+        for (const char* key : {"__gc", "__mode"}) {
+            lua_pushstring(lua, key);
+            if (lua_rawget(lua, 2) != LUA_TNIL) return luaL_error(lua, "%s is not for scripts", key);
+            lua_pop(lua, 1);
+        }
+    }
+    lua_pushvalue(lua, lua_upvalueindex(1));
+    lua_insert(lua, 1);
+    lua_call(lua, lua_gettop(lua) - 1, 1);
+    return 1;
+}
+
+template <double (*function)(double)>
+int maths(lua_State* lua) {
+    lua_pushnumber(lua, function(luaL_checknumber(lua, 1)));
+    return 1;
+}
+
+int maths_atan(lua_State* lua) {
+    lua_pushnumber(lua, det::atan2(luaL_checknumber(lua, 1), luaL_optnumber(lua, 2, 1)));
+    return 1;
+}
+
+int maths_log(lua_State* lua) {
+    const double x = det::log(luaL_checknumber(lua, 1));
+    lua_pushnumber(lua, lua_isnoneornil(lua, 2) ? x : x / det::log(luaL_checknumber(lua, 2)));
+    return 1;
+}
+
+int maths_pow(lua_State* lua) {
+    lua_pushnumber(lua, det::pow(luaL_checknumber(lua, 1), luaL_checknumber(lua, 2)));
+    return 1;
+}
+
+constexpr luaL_Reg our_maths[] = {{"sin", maths<det::sin>},   {"cos", maths<det::cos>},
+                                  {"tan", maths<det::tan>},   {"asin", maths<det::asin>},
+                                  {"acos", maths<det::acos>}, {"exp", maths<det::exp>},
+                                  {"atan", maths_atan},       {"log", maths_log},
+                                  {"pow", maths_pow},         {nullptr, nullptr}};
+
+void remove_fields(lua_State* lua, int table, std::initializer_list<const char*> names) {
+    table = lua_absindex(lua, table);
+    for (const char* name : names) {
+        lua_pushnil(lua);
+        lua_setfield(lua, table, name);
+    }
+}
+
+/// The function of that name, as upvalue 1 of ours.
+void wrap(lua_State* lua, int table, const char* name, lua_CFunction ours) {
+    table = lua_absindex(lua, table);
+    lua_getfield(lua, table, name);
+    lua_pushcclosure(lua, ours, 1);
+    lua_setfield(lua, table, name);
+}
+
+void set(lua_State* lua, int table, const char* name, lua_CFunction ours) {
+    table = lua_absindex(lua, table);
+    lua_pushcfunction(lua, ours);
+    lua_setfield(lua, table, name);
+}
+
+void open_base(lua_State* lua) {
+    luaL_requiref(lua, LUA_GNAME, luaopen_base, 1);
+    remove_fields(lua, -1, {"load", "loadfile", "dofile", "collectgarbage", "warn", "next", "xpcall"});
+    set(lua, -1, "pcall", safe_pcall);
+    set(lua, -1, "tostring", safe_tostring);
+    set(lua, -1, "print", safe_print);
+    set(lua, -1, "pairs", sorted_pairs);
+    wrap(lua, -1, "setmetatable", safe_setmetatable);
+}
+
+void open_string(lua_State* lua) {
+    luaL_requiref(lua, LUA_STRLIBNAME, luaopen_string, 1);
+    remove_fields(lua, -1, {"dump", "pack", "unpack", "packsize"});
+    wrap(lua, -1, "format", safe_format);
+    wrap(lua, -1, "rep", safe_rep);
+    for (const char* name : {"find", "match", "gmatch", "gsub"}) wrap(lua, -1, name, safe_matching);
+}
+
+void open_table(lua_State* lua) {
+    luaL_requiref(lua, LUA_TABLIBNAME, luaopen_table, 1);
+    wrap(lua, -1, "unpack", safe_range<2>);
+    wrap(lua, -1, "move", safe_range<2>);
+    wrap(lua, -1, "concat", safe_range<3>);
+    for (const char* name : {"insert", "remove", "sort"}) wrap(lua, -1, name, safe_length);
+}
+
+void open_maths(lua_State* lua) {
+    luaL_requiref(lua, LUA_MATHLIBNAME, luaopen_math, 1);
+    remove_fields(lua, -1, {"random", "randomseed"});
+    luaL_setfuncs(lua, our_maths, 0);
+}
+
+void open_coroutine(lua_State* lua) {
+    luaL_requiref(lua, LUA_COLIBNAME, luaopen_coroutine, 1);
+    wrap(lua, -1, "resume", call_catcher);
+    wrap(lua, -1, "close", call_catcher);
+}
+
+/// What follows a '[' of long text: its level, or -1.
+int long_level(std::string_view source, std::size_t at) {
+    std::size_t end = at + 1;
+    while (end < source.size() && source[end] == '=') ++end;
+    return end < source.size() && source[end] == '[' ? static_cast<int>(end - at - 1) : -1;
+}
+
+/// Past the end of the text or remark that begins here.
+std::size_t skip_long(std::string_view source, std::size_t at, int level) {
+    const auto close = text("]", std::string(static_cast<std::size_t>(level), '='), "]");
+    const auto end = source.find(close, at);
+    return end == std::string_view::npos ? source.size() : end + close.size();
+}
+
+std::size_t skip_quoted(std::string_view source, std::size_t at) {
+    const char quote = source[at];
+    for (++at; at < source.size() && source[at] != quote && source[at] != '\n'; ++at) {
+        if (source[at] == '\\') ++at;
+    }
+    return at + 1;
+}
+
+std::size_t skip_remark(std::string_view source, std::size_t at) {
+    if (at + 2 < source.size() && source[at + 2] == '[') {
+        if (const int level = long_level(source, at + 2); level >= 0) return skip_long(source, at + 2, level);
+    }
+    const auto end = source.find('\n', at);
+    return end == std::string_view::npos ? source.size() : end;
+}
+
+}  // namespace
+
+void open_library(lua_State* lua) {
+    open_base(lua);
+    open_string(lua);
+    open_table(lua);
+    open_maths(lua);
+    luaL_requiref(lua, LUA_UTF8LIBNAME, luaopen_utf8, 1);
+    open_coroutine(lua);
+    lua_settop(lua, 0);
+    // What `require` would look in.
+    lua_pushnil(lua);
+    lua_setfield(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
+}
+
+std::optional<int> line_of_power(std::string_view source) {
+    for (std::size_t at = 0; at < source.size();) {
+        const char c = source[at];
+        if (c == '^') {
+            const auto begin = source.begin();
+            return 1 + static_cast<int>(std::count(begin, begin + static_cast<std::ptrdiff_t>(at), '\n'));
+        }
+        const int level = c == '[' ? long_level(source, at) : -1;
+        if (c == '"' || c == '\'') {
+            at = skip_quoted(source, at);
+        } else if (c == '-' && source.substr(at).starts_with("--")) {
+            at = skip_remark(source, at);
+        } else if (level >= 0) {
+            at = skip_long(source, at, level);
+        } else {
+            ++at;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace thaum::game

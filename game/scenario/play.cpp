@@ -1,0 +1,249 @@
+#include "game/scenario/play.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/file.h"
+#include "core/text.h"
+
+namespace thaum::game {
+namespace {
+
+/// How fast a script's hand turns: 400 degrees a second, as a brisk player's.
+constexpr std::int32_t most_counts = 8;
+constexpr std::size_t most_trace_bytes = 64U << 20U;
+
+input::DeviceSpec script_device(std::uint32_t player) {
+    return {.player = player, .kind = input::DeviceKind::script, .name = "script"};
+}
+
+std::string player_name(int bot_level) { return bot_level == 0 ? "script" : text("bot ", bot_level); }
+
+void open_log(Play& play) {
+    if (!play.keeps_files || play.options->out.empty()) return;
+    play.log_path = play.options->out / (play.name + ".thaumlog");
+    std::error_code ignored;
+    std::filesystem::remove(play.log_path, ignored);
+    std::vector<std::string> names;
+    for (const int level : play.bot_level) names.push_back(player_name(level));
+    auto log = input::LogWriter::create(play.log_path, log_header(*play.data, play.match->setup(), names),
+                                        input::WhenBehind::wait);
+    if (log) play.log.emplace(std::move(*log));
+}
+
+/// The part of a turn that a hand can do in one tick.
+std::int32_t part_of(std::int32_t& left) {
+    const auto part = std::clamp(left, -most_counts, most_counts);
+    left -= part;
+    return part;
+}
+
+input::InputFrame frame_of(Play& play) {
+    namespace hand = input::hand;
+    input::InputFrame frame;
+    for (std::size_t player = 0; player < players; ++player) {
+        if (play.bot_level[player] != 0) continue;
+        auto& from = play.hands[player];
+        auto& sample = frame.devices[player];
+        sample.counts[hand::look_right] = part_of(from.look_right);
+        sample.counts[hand::look_up] = part_of(from.look_up);
+        sample.counts[hand::strafe] = from.strafe;
+        sample.counts[hand::forward] = from.forward;
+        sample.counts[hand::trigger] =
+            (from.buttons & static_cast<std::uint32_t>(input::Button::fire)) ? 255 : 0;
+        sample.buttons = from.buttons;
+    }
+    if (!play.bots.empty()) play.bots.sample(*play.match, frame);
+    return frame;
+}
+
+/// The Chronicle keeps only the last events; we keep all.
+void collect_events(Play& play) {
+    const auto& chronicle = play.match->world().single<Chronicle>();
+    const auto size = chronicle.events.size();
+    const auto oldest = chronicle.count - std::min<std::uint64_t>(chronicle.count, size);
+    for (auto i = std::max(play.events_seen, oldest); i < chronicle.count; ++i) {
+        play.events.push_back(chronicle.events[i % size]);
+    }
+    play.events_seen = chronicle.count;
+}
+
+void keep_keyframe(Play& play) {
+    if (play.scene_set || play.match->now() % keyframe_interval != 0) return;
+    play.keyframes.push_back({play.match->now(), {}});
+    play.match->save(play.keyframes.back().world);
+}
+
+}  // namespace
+
+Expected<void> begin_match(Play& play, const MatchWish& wish) {
+    auto data = load_match_data(play.options->assets, wish.data);
+    if (!data) return tl::unexpected(data.error());
+    play.data = std::make_shared<const MatchData>(std::move(*data));
+    play.bot_level = wish.bot_level;
+    MatchSetup setup{.seed = wish.seed, .devices = {}};
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const int level = wish.bot_level[player];
+        setup.devices.push_back(level == 0 ? script_device(player) : bot_device(player, level));
+    }
+    play.match = std::make_unique<Simulation>(play.data, setup);
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const int level = wish.bot_level[player];
+        if (level == 0) continue;
+        const auto skill = load_bot_skill(play.options->assets, level);
+        if (!skill) return tl::unexpected(skill.error());
+        play.bots.add(*play.match, player, player, *skill, wish.seed);
+    }
+    play.match->save(play.begun);
+    open_log(play);
+    return {};
+}
+
+void tick(Play& play) {
+    auto& match = *play.match;
+    keep_keyframe(play);
+    if (play.options->spoil) play.options->spoil(match, play.run);
+    const auto frame = frame_of(play);
+    tick_and_record(match, frame, play.log ? &*play.log : nullptr);
+    play.frames.push_back(frame);
+    collect_events(play);
+    if (match.now() % hash_interval == 0) play.hashes.push_back(match.state_hash());
+    if (play.save_at == match.now()) match.save(play.saved);
+    for (auto& trace : play.traces) trace_now(play, trace);
+}
+
+void scene_is_set(Play& play) {
+    if (play.scene_set) return;
+    play.scene_set = true;
+    if (!play.log) return;
+    play.log.reset();
+    std::error_code ignored;
+    std::filesystem::remove(play.log_path, ignored);
+}
+
+void end_match(Play& play) {
+    if (play.log) {
+        if (play.log->close(result_line(*play.match)))
+            play.files.push_back(play.log_path.filename().string());
+        play.log.reset();
+    }
+    if (!play.keeps_files || play.options->out.empty()) return;
+    for (const auto& trace : play.traces) {
+        const auto file = text(play.name, ".", trace.name, ".csv");
+        if (write_text_file(play.options->out / file, trace.csv)) play.files.push_back(file);
+    }
+}
+
+ecs::Entity wizard_entity(const Play& play, std::uint32_t player) {
+    return wizard_of(play.match->world(), player);
+}
+
+LookCounts counts_to(const Play& play, std::uint32_t player, vec3 target) {
+    const auto& world = play.match->world();
+    const auto wizard = wizard_entity(play, player);
+    const auto& gaze = world.get<Gaze>(wizard);
+    const vec3 to = target - eye_of(play.data->wizard, world.get<Motion>(wizard).position);
+    const double yaw = det::atan2(-to.x, -to.z) - gaze.yaw;
+    const double limit = play.data->wizard.pitch_limit;
+    const double pitch =
+        std::clamp(det::atan2(to.y, std::sqrt(to.x * to.x + to.z * to.z)), -limit, limit) - gaze.pitch;
+    const double turn = yaw > pi ? yaw - 2 * pi : yaw < -pi ? yaw + 2 * pi : yaw;
+    const double step = play.match->setup().devices[player].look_rad_per_count;
+    return {static_cast<std::int32_t>(std::lround(-turn / step)),
+            static_cast<std::int32_t>(std::lround(pitch / step))};
+}
+
+// ---- traces ------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+using Reader = double (*)(const Play&, std::uint32_t);
+
+struct Column {
+    std::string_view name, header;
+    Reader of_wizard, of_thing;  ///< null: it has none
+};
+
+template <class C>
+const C& part(const Play& play, std::uint32_t player) {
+    return play.match->world().get<C>(wizard_entity(play, player));
+}
+
+/// The thing's Motion, or a still one where the thing is gone.
+Motion thing_motion(const Play& play, std::uint32_t number) {
+    const auto* found = play.match->world().find<Motion>(play.things[number].entity);
+    return found == nullptr ? Motion{} : *found;
+}
+
+constexpr Column columns[] = {
+    {"x", "x_m", [](const Play& p, std::uint32_t i) { return part<Motion>(p, i).position.x; },
+     [](const Play& p, std::uint32_t i) { return thing_motion(p, i).position.x; }},
+    {"y", "y_m", [](const Play& p, std::uint32_t i) { return part<Motion>(p, i).position.y; },
+     [](const Play& p, std::uint32_t i) { return thing_motion(p, i).position.y; }},
+    {"z", "z_m", [](const Play& p, std::uint32_t i) { return part<Motion>(p, i).position.z; },
+     [](const Play& p, std::uint32_t i) { return thing_motion(p, i).position.z; }},
+    {"vx", "vx_m_s", [](const Play& p, std::uint32_t i) { return part<Motion>(p, i).velocity.x; },
+     [](const Play& p, std::uint32_t i) { return thing_motion(p, i).velocity.x; }},
+    {"vy", "vy_m_s", [](const Play& p, std::uint32_t i) { return part<Motion>(p, i).velocity.y; },
+     [](const Play& p, std::uint32_t i) { return thing_motion(p, i).velocity.y; }},
+    {"vz", "vz_m_s", [](const Play& p, std::uint32_t i) { return part<Motion>(p, i).velocity.z; },
+     [](const Play& p, std::uint32_t i) { return thing_motion(p, i).velocity.z; }},
+    {"speed", "speed_m_s",
+     [](const Play& p, std::uint32_t i) { return glm::length(part<Motion>(p, i).velocity); },
+     [](const Play& p, std::uint32_t i) { return glm::length(thing_motion(p, i).velocity); }},
+    {"yaw", "yaw_rad", [](const Play& p, std::uint32_t i) { return part<Gaze>(p, i).yaw; }, nullptr},
+    {"pitch", "pitch_rad", [](const Play& p, std::uint32_t i) { return part<Gaze>(p, i).pitch; }, nullptr},
+    {"health", "health_hp", [](const Play& p, std::uint32_t i) { return part<Health>(p, i).points; },
+     nullptr},
+    {"energy", "energy",
+     [](const Play& p, std::uint32_t i) {
+         const auto& belt = part<WandBelt>(p, i);
+         return belt.energy[belt.selected];
+     },
+     nullptr},
+    {"shots", "shots",
+     [](const Play& p, std::uint32_t i) { return static_cast<double>(part<WandBelt>(p, i).fired); }, nullptr},
+};
+
+/// "1.x" -> player 0; "t3.x" -> the third thing.
+bool read_subject(const Play& play, std::string_view subject, bool& thing, std::uint32_t& number) {
+    thing = subject.starts_with("t");
+    if (thing) subject.remove_prefix(1);
+    const auto end = std::from_chars(subject.data(), subject.data() + subject.size(), number);
+    if (end.ec != std::errc{} || end.ptr != subject.data() + subject.size()) return false;
+    const auto count = thing ? play.things.size() : players;
+    return number >= 1 && number-- <= count;
+}
+
+}  // namespace
+
+Expected<void> add_column(const Play& play, const std::string& column, Trace& trace) {
+    const auto point = column.find('.');
+    bool thing = false;
+    std::uint32_t number = 0;
+    const std::string_view whole = column;
+    if (point != std::string::npos && read_subject(play, whole.substr(0, point), thing, number)) {
+        for (const auto& known : columns) {
+            const auto reader = thing ? known.of_thing : known.of_wizard;
+            if (known.name != whole.substr(point + 1) || reader == nullptr) continue;
+            trace.readers.push_back(reader);
+            trace.subjects.push_back(number);
+            trace.csv += text(",", thing ? "thing_" : "wizard_", number + 1, "_", known.header);
+            return {};
+        }
+    }
+    return fail(
+        text("'", column, "' is no column of a trace: such as '1.x', '2.health' or, of a thing, 't1.speed'"));
+}
+
+void trace_now(const Play& play, Trace& trace) {
+    if (!play.keeps_files || trace.csv.size() > most_trace_bytes) return;
+    append_text(trace.csv, fixed(seconds(play.match->match().played), 3));
+    for (std::size_t i = 0; i < trace.readers.size(); ++i) {
+        trace.csv += ',';
+        append_text(trace.csv, trace.readers[i](play, trace.subjects[i]));
+    }
+    trace.csv += '\n';
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,195 @@
+#include "game/scenario/detail/prelude.h"
+
+namespace thaum::game {
+
+// Functions of ours take their place in messages from the script's line that called them, so all that is wrong is said
+// by fail(). Nothing named raw_ is left to the script.
+const std::string_view prelude = R"lua(
+local raw = {}
+for _, name in ipairs {
+    "wait", "match", "button", "move", "look", "counts_to", "counts_of", "read", "place", "face", "spawn", "thing_there",
+    "thing_position", "thing_velocity", "thing_place", "thing_push", "next_event", "picture", "picture_mean",
+    "picture_colours",
+} do
+    raw[name] = _G["raw_" .. name]
+    _G["raw_" .. name] = nil
+end
+local fail, now, type, tostring, setmetatable, sqrt = fail, now, type, tostring, setmetatable, math.sqrt
+local floor, max, abs = math.floor, math.max, math.abs
+log = print
+
+-- time ---------------------------------------------------------------------------------------------------------------
+
+local function need_number(value, name)
+    if type(value) ~= "number" then fail(name .. " must be a number, not " .. type(value)) end
+    return value
+end
+
+local function ticks_of(seconds)
+    return floor(need_number(seconds, "seconds") * 1000 + 0.5)
+end
+
+function wait(seconds) raw.wait(ticks_of(seconds)) end
+
+function tick(count) raw.wait(count == nil and 1 or count) end
+
+function time() return (raw.match()) end
+
+function paused() local _, is_paused = raw.match() return is_paused end
+
+function round_over()
+    local _, _, over, ending, winner = raw.match()
+    return over, ending, winner
+end
+
+function wait_until(condition, limit)
+    if type(condition) ~= "function" then fail("wait_until takes a function") end
+    local last = now() + ticks_of(limit)
+    while not condition() do
+        if now() >= last then fail("not within " .. limit .. " s") end
+        raw.wait(1)
+    end
+end
+
+-- expectations -------------------------------------------------------------------------------------------------------
+
+local function with(message) return message == nil and "" or ": " .. tostring(message) end
+
+function expect(condition, message)
+    if not condition then fail("expected otherwise" .. with(message)) end
+    return condition
+end
+
+function expect_near(value, wanted, tolerance, message)
+    need_number(value, "the value") need_number(wanted, "the wanted value") need_number(tolerance, "the tolerance")
+    if not (abs(value - wanted) <= tolerance) then
+        fail(string.format("%.6g is not %.6g within %.3g", value, wanted, tolerance) .. with(message))
+    end
+end
+
+function expect_event(wish)
+    local limit = type(wish) == "table" and wish.within or 0
+    local last = now() + ticks_of(limit)
+    local event = raw.next_event(wish)
+    while not event do
+        if now() >= last then fail("no such event within " .. limit .. " s: " .. tostring(wish.kind)) end
+        raw.wait(1)
+        event = raw.next_event(wish)
+    end
+    return event
+end
+
+-- places -------------------------------------------------------------------------------------------------------------
+
+local function coordinates(p)
+    if type(p) ~= "table" then fail("a place must be {x, y, z}, not " .. type(p)) end
+    local x, y, z = p.x or p[1], p.y or p[2], p.z or p[3]
+    return need_number(x, "x"), need_number(y, "y"), need_number(z, "z")
+end
+
+function length(v)
+    local x, y, z = coordinates(v)
+    return sqrt(x * x + y * y + z * z)
+end
+
+function distance(a, b)
+    local ax, ay, az = coordinates(a)
+    local bx, by, bz = coordinates(b)
+    return length {ax - bx, ay - by, az - bz}
+end
+
+-- wizards ------------------------------------------------------------------------------------------------------------
+
+local Wizard, Thing = {}, {}
+Wizard.__index, Thing.__index = Wizard, Thing
+
+function wizard(n)
+    if n ~= 1 and n ~= 2 then fail("there are wizard(1) and wizard(2)") end
+    return setmetatable({player = n}, Wizard)
+end
+
+for _, name in ipairs {
+    "position", "centre", "eye", "velocity", "yaw", "pitch", "health", "energy", "shots", "kills", "deaths", "dead",
+    "grounded", "shielded",
+} do
+    Wizard[name] = function(self) return raw.read(self.player, name) end
+end
+
+function Wizard:hold(button) raw.button(self.player, button, true) end
+
+function Wizard:release(button) raw.button(self.player, button, false) end
+
+-- A player's press: two gameplay ticks and a half, and one tick in which the button is up.
+function Wizard:press(button, seconds)
+    raw.button(self.player, button, true)
+    raw.wait(max(1, ticks_of(seconds or 0.02)))
+    raw.button(self.player, button, false)
+    raw.wait(1)
+end
+
+function Wizard:move(strafe, forward) raw.move(self.player, strafe, forward) end
+
+function Wizard:stop() raw.move(self.player, 0, 0) end
+
+function Wizard:look(right, up)
+    local counts_right, counts_up = raw.counts_of(self.player, right), raw.counts_of(self.player, up or 0)
+    raw.look(self.player, counts_right, counts_up)
+    raw.wait(1 + max(abs(counts_right), abs(counts_up)) // 8)
+end
+
+local function place_of(target)
+    local kind = getmetatable(target)
+    if kind == Wizard then return target:centre() end
+    if kind == Thing then return target:position() end
+    coordinates(target)
+    return target
+end
+
+function Wizard:aim(target)
+    for _ = 1, 3000 do
+        local right, up = raw.counts_to(self.player, place_of(target))
+        raw.look(self.player, right, up)
+        if right == 0 and up == 0 then return end
+        raw.wait(1)
+    end
+    fail("cannot aim at it within 3 s")
+end
+
+function Wizard:place(feet) raw.place(self.player, feet) end
+
+function Wizard:face(yaw, pitch) raw.face(self.player, yaw, pitch or 0) end
+
+function pause(n) wizard(n):press("pause") end
+
+-- things -------------------------------------------------------------------------------------------------------------
+
+function spawn(wish) return setmetatable({number = raw.spawn(wish)}, Thing) end
+
+function Thing:there() return raw.thing_there(self.number) end
+
+function Thing:position() return raw.thing_position(self.number) end
+
+function Thing:velocity() return raw.thing_velocity(self.number) end
+
+function Thing:place(at, velocity) raw.thing_place(self.number, at, velocity) end
+
+function Thing:push(impulse) raw.thing_push(self.number, impulse) end
+
+-- pictures -----------------------------------------------------------------------------------------------------------
+
+local Picture = {}
+Picture.__index = Picture
+
+function picture(wish)
+    local number, width, height = raw.picture(wish)
+    return setmetatable({number = number, width = width, height = height}, Picture)
+end
+
+function Picture:mean(x0, y0, x1, y1) return raw.picture_mean(self.number, x0, y0, x1, y1) end
+
+function Picture:colour(x, y) return raw.picture_mean(self.number, x, y, x, y) end
+
+function Picture:colours(x0, y0, x1, y1) return raw.picture_colours(self.number, x0, y0, x1, y1) end
+)lua";
+
+}  // namespace thaum::game

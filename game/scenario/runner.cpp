@@ -1,0 +1,261 @@
+#include "game/scenario/runner.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/file.h"
+#include "core/hash.h"
+#include "core/text.h"
+#include "ecs/diff.h"
+#include "game/scenario/verbs.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr std::size_t most_source = 1U << 20U;
+/// HP, m, rad ...: what settles by itself in a court where nobody does anything stays below this.
+constexpr double noticeable = 0.02;
+
+/// What one run came to.
+struct Outcome {
+    bool ended = false;   ///< the script ran to its end
+    std::string message;  ///< why it did not
+    bool no_picture = false;
+    bool changed = false;  ///< something happened in the match
+    bool scene_set = false;
+    Tick ticks{};
+    std::uint64_t hash{};
+    std::vector<std::uint64_t> hashes;
+    std::string output;
+    std::vector<std::string> files;
+    Bytes saved;  ///< the state that was asked for
+};
+
+struct RunWish {
+    int run = 1;
+    bool keeps_files = false;
+    std::optional<Tick> save_at{};
+};
+
+bool is_number(const std::string& text, double& value) {
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+    return end.ec == std::errc{} && end.ptr == text.data() + text.size();
+}
+
+/// What passes in any match, with nobody doing anything.
+bool passes_anyway(const ecs::Difference& d) {
+    if (d.component == "Match") return d.field == "played";
+    if (d.component == "Stance" || d.component == "Controls") return true;
+    if (d.component == "Motion") return !d.field.starts_with("position");
+    return false;
+}
+
+bool is_deed(const ecs::Difference& d) {
+    if (passes_anyway(d)) return false;
+    double a = 0;
+    double b = 0;
+    if (!is_number(d.a, a) || !is_number(d.b, b)) return true;
+    return !(std::abs(a - b) < noticeable);
+}
+
+bool has_changed(const Play& play) {
+    Bytes now;
+    play.match->save(now);
+    const auto found = ecs::diff(play.begun, now, 100000);
+    return found && std::any_of(found->begin(), found->end(), is_deed);
+}
+
+/// Ticks until the script's wait is over.
+Expected<void> play_on(Play& play) {
+    if (!play.waits) return fail("coroutine.yield outside of a coroutine: tick() waits");
+    play.waits = false;
+    while (play.match->now() < play.wait_until) {
+        if (play.match->now() >= play.options->most_ticks) {
+            return fail(text("it takes more than ", seconds(play.options->most_ticks), " s"));
+        }
+        tick(play);
+    }
+    return {};
+}
+
+Expected<void> run_script(Sandbox& sandbox, Play& play, std::string_view source) {
+    if (auto added = add_verbs(sandbox, play); !added) return added;
+    if (auto started = sandbox.start(source, play.name + ".lua"); !started) return started;
+    for (;;) {
+        const auto progress = sandbox.resume();
+        if (!progress) return tl::unexpected(progress.error());
+        if (*progress == Sandbox::Progress::done) return {};
+        if (auto waited = play_on(play); !waited) return waited;
+    }
+}
+
+void keep_failure_picture(Play& play) {
+    if (!play.keeps_files || play.options->out.empty() || !play.options->take_picture || !play.match) return;
+    const auto file = play.name + ".failed.png";
+    if (play.options->take_picture(*play.match, Split::side_by_side, play.options->out / file)) {
+        play.files.push_back(file);
+    }
+}
+
+Outcome run_once(std::string_view source, const std::string& name, const ScenarioOptions& options,
+                 const RunWish& wish) {
+    Play play;
+    play.options = &options;
+    play.name = name;
+    play.run = wish.run;
+    play.keeps_files = wish.keeps_files;
+    play.save_at = wish.save_at;
+    Outcome outcome;
+    Sandbox sandbox(options.limits);
+    const auto done = run_script(sandbox, play, source);
+    outcome.ended = done.has_value();
+    outcome.output = sandbox.output();
+    outcome.no_picture = play.no_picture;
+    outcome.scene_set = play.scene_set;
+    if (play.match) {
+        outcome.ticks = play.match->now();
+        outcome.hash = play.match->state_hash();
+        outcome.changed = has_changed(play);
+        if (!done) keep_failure_picture(play);
+        end_match(play);
+    }
+    if (!done) {
+        outcome.message = done.error().message;
+        if (play.match) outcome.message += text(" (tick ", outcome.ticks, ")");
+    }
+    outcome.hashes = std::move(play.hashes);
+    outcome.files = std::move(play.files);
+    outcome.saved = std::move(play.saved);
+    return outcome;
+}
+
+/// The first tick after which a hash was taken and differs.
+std::optional<Tick> first_difference(const Outcome& a, const Outcome& b) {
+    for (std::size_t i = 0; i < std::min(a.hashes.size(), b.hashes.size()); ++i) {
+        if (a.hashes[i] != b.hashes[i]) return (i + 1) * hash_interval;
+    }
+    if (a.ticks != b.ticks || a.hash != b.hash) return std::min(a.ticks, b.ticks);
+    return std::nullopt;
+}
+
+/// Runs both again up to there, to name the field.
+std::string describe_difference(std::string_view source, const std::string& name,
+                                const ScenarioOptions& options, Tick tick) {
+    const auto one = run_once(source, name, options, {.run = 1, .save_at = tick});
+    const auto two = run_once(source, name, options, {.run = 2, .save_at = tick});
+    const auto found = ecs::diff(one.saved, two.saved, 1);
+    if (!found || found->empty()) return {};
+    const auto& d = found->front();
+    return text(": ", d.component, " of entity ", d.entity, ", ", d.field, ": ", d.a, " and ", d.b);
+}
+
+std::string fault_of(const Outcome& one, const Outcome& two) {
+    if (!one.ended) return one.message;
+    if (one.ticks == 0) return "it has played no match";
+    if (!one.changed) return "nothing has changed: nobody has moved, hit or done anything";
+    if (!two.ended) return text("the second run fails, the first did not: ", two.message);
+    return {};
+}
+
+void write_result(const ScenarioOptions& options, ScenarioResult& result) {
+    if (options.out.empty()) return;
+    const auto file = result.name + ".json";
+    result.files.push_back(file);
+    if (!write_text_file(options.out / file, scenario_report({result}))) result.files.pop_back();
+}
+
+}  // namespace
+
+ScenarioResult run_scenario_source(std::string_view source, const std::string& name,
+                                   const ScenarioOptions& options) {
+    std::error_code ignored;
+    if (!options.out.empty()) std::filesystem::create_directories(options.out, ignored);
+    auto one = run_once(source, name, options, {.run = 1, .keeps_files = true});
+    ScenarioResult result{.name = name,
+                          .no_picture = one.no_picture,
+                          .ticks = one.ticks,
+                          .hash = one.hash,
+                          .message = {},
+                          .output = std::move(one.output),
+                          .files = std::move(one.files)};
+    const auto two = one.ended ? run_once(source, name, options, {.run = 2}) : Outcome{};
+    result.message = fault_of(one, two);
+    const auto differs = result.message.empty() ? first_difference(one, two) : std::nullopt;
+    if (differs) {
+        result.message = text("tick ", *differs, ": the two runs have different states",
+                              describe_difference(source, name, options, *differs));
+    }
+    result.passed = result.message.empty();
+    if (result.passed && one.scene_set) result.message = "no log: the scenario has set the scene itself";
+    write_result(options, result);
+    return result;
+}
+
+ScenarioResult run_scenario(const std::filesystem::path& script, const ScenarioOptions& options) {
+    const auto name = script.stem().string();
+    const auto source = read_text_file(script, most_source);
+    if (!source) return {.name = name, .message = source.error().message, .output = {}, .files = {}};
+    return run_scenario_source(*source, name, options);
+}
+
+Expected<std::vector<std::filesystem::path>> find_scenarios(const std::vector<std::string>& names,
+                                                            const ScenarioOptions& options) {
+    namespace fs = std::filesystem;
+    std::vector<fs::path> found;
+    std::error_code error;
+    if (names.empty()) {
+        for (fs::directory_iterator it(options.scripts, error), end; !error && it != end;
+             it.increment(error)) {
+            if (it->path().extension() == ".lua") found.push_back(it->path());
+        }
+        std::sort(found.begin(), found.end());
+        if (found.empty()) return fail(text("no scenarios in ", options.scripts.string()));
+    }
+    for (const auto& name : names) {
+        const fs::path path = name.ends_with(".lua") ? fs::path(name) : options.scripts / (name + ".lua");
+        if (!fs::exists(path, error)) {
+            return fail(text("there is no scenario '", name, "' (", path.string(), ")"));
+        }
+        found.push_back(path);
+    }
+    return found;
+}
+
+Expected<std::vector<ScenarioResult>> run_scenarios(
+    const std::vector<std::string>& names, const ScenarioOptions& options,
+    const std::function<void(const ScenarioResult&)>& report) {
+    const auto found = find_scenarios(names, options);
+    if (!found) return tl::unexpected(found.error());
+    std::vector<ScenarioResult> results;
+    for (const auto& script : *found) {
+        results.push_back(run_scenario(script, options));
+        if (report) report(results.back());
+    }
+    return results;
+}
+
+std::string scenario_report(const std::vector<ScenarioResult>& results) {
+    auto list = nlohmann::ordered_json::array();
+    for (const auto& result : results) {
+        list.push_back({{"name", result.name},
+                        {"passed", result.passed},
+                        {"ticks", result.ticks},
+                        {"hash", hex(result.hash)},
+                        {"message", result.message},
+                        {"files", result.files}});
+    }
+    const nlohmann::ordered_json report{{"scenarios", list}};
+    // What a script puts into a message need not be UTF-8.
+    return report.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::filesystem::path scenarios_beside(const std::filesystem::path& assets) {
+    std::error_code ignored;
+    auto in_the_sources = (assets / "../tests/scenarios").lexically_normal();
+    if (std::filesystem::exists(in_the_sources, ignored)) return in_the_sources;
+    return assets / "scenarios";
+}
+
+}  // namespace thaum::game

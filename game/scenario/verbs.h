@@ -1,0 +1,34 @@
+// game/scenario/verbs.h: what a scenario can say. It acts through the players' own commands and reads what a player could
+// see; times are seconds of the match, places metres ({x, y, z} or {x = , y = , z = }), players 1 and 2.
+//
+//     match{arena = , rules = , seed = , set = {"quick.kills=1"}, players = {"script", "bot 1"}}   first, and once
+//     wizard(n)                 hold(button), release(button), press(button [, seconds]), move(strafe, forward) in -1..1,
+//                               stop(), look(right, up) in degrees, aim(place | wizard | thing): through the device
+//                               position() (feet), centre(), eye(), velocity(), yaw(), pitch() in rad, health(), energy(),
+//                               shots(), kills(), deaths(), dead(), grounded(), shielded()
+//                               place(feet), face(yaw, pitch) in degrees: set the scene
+//     wait(seconds), tick([n]), time(), now() in ticks, wait_until(condition, seconds), pause(n)
+//     expect(condition, message), expect_near(value, wanted, tolerance, message), fail(message)
+//     events(kind | {kind = , subject = , by = }), expect_event{kind = , subject = , by = , within = seconds}
+//     spawn{kind = "box" | "sphere" | "cylinder", size = {x, y, z} | radius = , height = , mass = , at = , velocity = ,
+//           surface = , friction = , restitution = }: a thing, with position(), velocity(), place(at [, velocity]),
+//                               push(impulse) in N s, there(); clear_props(): set the scene
+//     state(), changes(before [, after])     what differs: a list of {component, entity, field, before, after}
+//     trace(name, columns)      a CSV line each tick: "1.x", "2.health", "t1.speed" (of the first thing spawned)
+//     picture{split = "side_by_side" | "top_bottom", name = }   colour(x, y), mean(x0, y0, x1, y1), colours(x0, y0, x1, y1):
+//                               of the picture's width and height, from the top left corner, in 0..1
+//     check_seek{ticks = {...} | count = , seed = }, check_late{seed = }
+//     distance(a, b), length(v), log(...)
+//
+// Verbs that set the scene are no player's deeds: what follows cannot be replayed from its input, so such a scenario leaves
+// no log and cannot check_seek or check_late.
+#pragma once
+#include "game/scenario/play.h"
+#include "game/scenario/sandbox.h"
+
+namespace thaum::game {
+
+/// The play must outlive the sandbox.
+Expected<void> add_verbs(Sandbox& sandbox, Play& play);
+
+}  // namespace thaum::game

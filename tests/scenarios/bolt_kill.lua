@@ -1,0 +1,29 @@
+-- Walk up to the foe, aim and hold fire: 17 hits of 6 HP kill, and whoever shot scores.
+match {players = {"script", "script"}}
+trace("fight", {"1.z", "2.health", "1.energy", "1.shots"})
+
+local me, foe = wizard(1), wizard(2)
+expect(distance(me:position(), foe:position()) > 20, "they begin far apart")
+me:aim(foe)
+me:move(0, 1)
+wait_until(function() return distance(me:position(), foe:position()) < 12 end, 10)
+me:stop()
+wait(0.3)
+me:aim(foe)
+me:hold("fire")
+wait_until(function() return foe:dead() end, 5)
+me:release("fire")
+
+local hits = events {kind = "bolt_hit", subject = 2, by = 1}
+expect_near(#hits, 17, 0, "hits of 6 HP to take 100")
+for i, hit in ipairs(hits) do expect_near(hit.amount, 6, 0, "hit " .. i) end
+local death = expect_event {kind = "death", subject = 2, by = 1}
+expect_near(death.time, hits[17].time, 0.008, "death comes with the last hit, at the next gameplay tick")
+
+-- 17 shots at 8 a second take 2 s from the first to the last; the flight is the same for all of them.
+expect_near(hits[17].time - hits[1].time, 16 / 8, 0.02, "8 shots a second")
+expect_near(me:kills(), 1, 0, "kills of the killer")
+expect_near(me:deaths(), 0, 0)
+expect_near(foe:kills(), 0, 0)
+expect_near(foe:deaths(), 1, 0, "deaths of the victim")
+expect_near(me:health(), 100, 0, "nobody else was hurt")

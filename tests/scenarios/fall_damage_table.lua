@@ -1,0 +1,29 @@
+-- Falling from h metres one lands at v = sqrt(2 g h), which costs 4 (v - 9) HP above 9 m/s and nothing below.
+match {players = {"script", "script"}}
+clear_props()
+trace("falls", {"1.y", "1.vy", "1.health"})
+
+local g, safe, per = 9.81, 9, 4
+local me = wizard(1)
+for _, v in ipairs {4, 8, 8.8, 9.5, 10, 12, 14, 17} do
+    local before, told = me:health(), #events("fall")
+    me:place {-14, v * v / (2 * g), 9}
+    wait_until(function() return not me:grounded() end, 0.1)
+    wait_until(function() return me:grounded() end, 5)
+    wait(0.2)
+    local wanted = math.max(0, per * (v - safe))
+    expect_near(before - me:health(), wanted, 0.2, "HP lost at " .. v .. " m/s")
+    expect_near(#events("fall") - told, wanted > 0 and 1 or 0, 0, "one event for each hard landing")
+end
+expect(not me:dead(), "alive")
+
+-- A jump of one's own never hurts.
+local before = me:health()
+me:press("jump")
+wait(1.5)
+expect_near(me:health(), before, 0, "jumping is free")
+
+-- From high enough it kills, and a death by the ground costs a kill.
+me:place {-14, 60, 9}
+expect_event {kind = "death", subject = 1, within = 6}
+expect_near(me:kills(), -1, 0)

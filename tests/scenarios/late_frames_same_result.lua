@@ -1,0 +1,18 @@
+-- A match that gets its input late and in bursts, on a thread that stands still now and then, is the same match.
+match {seed = 5, players = {"script", "bot 1"}}
+local me, foe = wizard(1), wizard(2)
+for i = 1, 4 do
+    me:aim(foe)
+    me:hold("fire")
+    me:move(i % 2 == 0 and 1 or -1, 0.6)
+    wait(1)
+    me:release("fire")
+    me:press("jump")
+    wait(0.5)
+end
+pause(1)
+wait(0.3)
+pause(1)
+wait(0.5)
+expect(me:shots() > 20, "something has happened")
+for seed = 1, 3 do check_late {seed = seed} end

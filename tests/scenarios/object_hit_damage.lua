@@ -1,0 +1,92 @@
+-- A thing that hits with an impulse of J N s costs 0.12 (J - 60) HP, at most 60, and not again within 0.4 s. J is measured
+-- here as the thing's loss of momentum while the blow lasts, and checked itself: a plastic collision of m and M gives
+-- m M / (m + M) v, and the wizard's braking legs (40 m/s^2 at most) push the thing on for as long as the blow lasts.
+match {players = {"script", "script"}}
+clear_props()
+
+local me, mass = wizard(1), 75
+local blow = 24 -- ticks over which a blow is summed
+local home = {-14, 0, 9}
+
+-- Throws a ball level at the chest; returns the impulse, the HP lost and the least and most that mechanics allows.
+local function throw(ball, m, v)
+    ball:place({-12, 1.1, 9}, {-v, 0, 0})
+    local health, last = me:health(), -v
+    wait_until(function()
+        if ball:velocity().x > last + 0.05 then return true end
+        last = ball:velocity().x
+        return false
+    end, 2)
+    tick(blow - 1)
+    local impulse = m * (ball:velocity().x - last)
+    tick(16)
+    local plastic = m * mass / (m + mass) * v
+    return impulse, health - me:health(), plastic, plastic + m * 40 * blow / 1000
+end
+
+local function ready()
+    wait(0.5)
+    me:place(home)
+    me:face(-90)
+    wait(0.2)
+end
+
+for _, case in ipairs {{4, 10}, {5, 12}, {10, 8}, {10, 12}, {20, 10}, {30, 12}} do
+    local m, v = case[1], case[2]
+    local ball = spawn {kind = "sphere", radius = 0.2, mass = m, at = {-5, 1, 14}}
+    ready()
+    if me:health() < 62 then
+        me:place {-14, 70, 9}
+        wait_until(function() return me:dead() end, 6)
+        wait(5)
+        ready()
+    end
+    local impulse, lost, least, most = throw(ball, m, v)
+    local what = m .. " kg at " .. v .. " m/s"
+    expect(impulse > 0.99 * least and impulse < most, what .. ": an impulse of " .. impulse)
+    expect_near(lost, math.max(0, math.min(60, 0.12 * (impulse - 60))), 0.02, what)
+    ball:place {10, 3, 14}
+end
+
+-- Never more than 60.
+ready()
+wait_until(function() return me:grounded() end, 1)
+me:place {-14, 70, 9}
+wait_until(function() return me:dead() end, 6)
+wait(5)
+local stone = spawn {kind = "sphere", radius = 0.3, mass = 120, at = {-5, 3, 14}}
+ready()
+local impulse, lost = throw(stone, 120, 20)
+expect(impulse > 560, "an impulse of " .. impulse)
+expect_near(lost, 60, 0, "at most 60")
+stone:place {10, 3, 14}
+
+-- The same thing twice within 0.4 s counts once, later it counts again.
+local hits = #events("object_hit")
+local ball = spawn {kind = "sphere", radius = 0.2, mass = 8, at = {-5, 3, 14}}
+local function throw_again()
+    me:place(home)
+    ball:place({-13.3, 1.1, 9}, {-12, 0, 0})
+end
+ready()
+throw_again()
+wait(0.2)
+expect_near(#events("object_hit") - hits, 1, 0, "the first")
+throw_again()
+wait(0.15)
+expect_near(#events("object_hit") - hits, 1, 0, "0.2 s later: the same blow")
+wait(0.2)
+throw_again()
+wait(0.2)
+expect_near(#events("object_hit") - hits, 2, 0, "0.55 s later: another one")
+ball:place {10, 3, 12}
+
+-- Who walks into a standing thing is not hit by it.
+local crate = spawn {kind = "box", size = {1, 1, 1}, mass = 120, at = {-11, 0.5, 9}}
+ready()
+local health = me:health()
+me:move(0, 1)
+wait(2)
+me:stop()
+expect(me:position().x > -13, "walked up to the crate")
+expect_near(me:health(), health, 0, "and was not hurt")

@@ -1,0 +1,61 @@
+-- Who dies comes back after 3 s, on the pad farthest from the foe, and nothing hurts for 1.5 s, unless one attacks.
+match {rules = "quick", set = {"quick.kills=1000"}, players = {"script", "script"}}
+clear_props()
+local me, foe = wizard(1), wizard(2)
+local pads = {{-15, 0, 15}, {-15, 0, -15}, {15, 0, 15}, {15, 0, -15}}
+
+local function fall(height)
+    foe:place {-14, height, -9}
+end
+
+local function die()
+    fall(70)
+    local death = expect_event {kind = "death", subject = 2, within = 6}
+    expect(foe:dead())
+    expect_near(foe:health(), 0, 0)
+    return death
+end
+
+-- Each time the foe's foe stands nearer to another pad.
+for _, place in ipairs {{10, 0, 14}, {-12, 0, 13}, {12, 0, -12}, {-10, 0, -14}} do
+    me:place(place)
+    local death = die()
+    wait(2.9)
+    expect(foe:dead(), "still dead after 2.9 s")
+    local spawned = expect_event {kind = "spawn", subject = 2, within = 0.2}
+    expect_near(spawned.time - death.time, 3, 0.008, "3 s")
+    tick()
+    local farthest = pads[1]
+    for _, pad in ipairs(pads) do
+        if distance(pad, me:position()) > distance(farthest, me:position()) then farthest = pad end
+    end
+    expect_near(distance(foe:position(), farthest), 0, 0.05, "on the farthest pad")
+    expect_near(foe:health(), 100, 0, "whole again")
+    expect_near(foe:energy(), 60, 0, "wands full")
+end
+
+-- The shield: a landing at 12 m/s within 1.5 s costs nothing, after that 12 HP.
+local high = 12 * 12 / (2 * 9.81)
+expect(foe:shielded(), "shielded")
+fall(high)
+wait(1.3)
+expect(foe:grounded() and foe:shielded(), "landed, with the shield still up")
+expect_near(foe:health(), 100, 0, "nothing hurts")
+wait(0.3)
+expect(not foe:shielded(), "1.5 s are over")
+fall(high)
+wait(1.4)
+expect_near(foe:health(), 100 - 4 * (12 - 9), 1, "it hurts again")
+
+-- Attacking ends it at once.
+die()
+expect_event {kind = "spawn", subject = 2, within = 3.2}
+tick()
+expect(foe:shielded())
+foe:look(0, 30)
+foe:press("fire")
+expect_near(#events {kind = "shot", by = 2}, 1, 0)
+expect(not foe:shielded(), "who attacks is no longer protected")
+fall(high)
+wait(1.3)
+expect_near(foe:health(), 100 - 4 * (12 - 9), 1, "within 1.5 s, but it hurts")

@@ -1,0 +1,14 @@
+-- When time is up and both have as many kills, nobody wins. A pause does not use up time.
+match {rules = "quick", set = {"quick.seconds=3"}, players = {"script", "script"}}
+wizard(1):move(0, 1)
+wait(1)
+wizard(1):stop()
+pause(2)
+wait(5)
+expect(paused() and not round_over(), "a pause takes no time")
+pause(1)
+local ending = expect_event {kind = "round_end", within = 3}
+expect_near(ending.time, 3, 0.008, "at 3 s of play")
+local over, how, winner = round_over()
+expect(over and how == "time", "over on time")
+expect(winner == nil, "a draw")

@@ -1,0 +1,18 @@
+-- When time is up, the one with more kills wins. A death by the ground costs one.
+match {rules = "quick", set = {"quick.seconds=6"}, players = {"script", "script"}}
+clear_props()
+local me, foe = wizard(1), wizard(2)
+foe:place {-14, 70, -9}
+expect_event {kind = "death", subject = 2, within = 5}
+expect_near(foe:kills(), -1, 0)
+expect_near(me:kills(), 0, 0)
+wait_until(function() return time() > 5.98 end, 3)
+expect(not round_over(), "not yet")
+local ending = expect_event {kind = "round_end", within = 0.1}
+expect_near(ending.time, 6, 0.008, "at 6 s")
+local over, how, winner = round_over()
+expect(over and how == "time", "over on time")
+expect_near(winner, 1, 0, "the leader wins")
+local at = time()
+wait(1)
+expect_near(time(), at, 0, "time stands still")
