@@ -26,6 +26,9 @@ Command scenario_command();
 Command bench_command();
 Command doctor_command();
 
+/// Is there a desktop to open a window on?
+bool display_there();
+
 /// Prints "thaum: message" to standard error; returns wrong_use.
 int refuse(const Error& error);
 

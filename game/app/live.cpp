@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/text.h"
+#include "game/app/command.h"
 #include "game/app/live_shared.h"
 #include "game/bots/bot.h"
 
@@ -113,7 +114,7 @@ struct Desk {
     Keys keys = session_keys();
     bool fullscreen = false;
     std::int64_t unfocused_since_ns = 0;  ///< 0: has the focus, or its loss was dealt with
-    std::array<bool, game::players> pad_seen{};
+    std::array<bool, game::players> pad_seen{}, rejoining{};
     bool keyboard_pauses = false;  ///< somebody's bindings have Esc already
 };
 
@@ -131,6 +132,7 @@ void ask_for_pause(Desk& desk, std::uint32_t player) { desk.shared.wants_pause =
 void session_key(Desk& desk, int key) {
     auto& shared = desk.shared;
     const auto going = shared.going.load();
+    if (key == desk.keys.escape && desk.plan.replay != nullptr) shared.stop = true;
     if (key == desk.keys.f6) {
         shared.split = shared.split.load() == render::Split::top_bottom ? render::Split::side_by_side
                                                                         : render::Split::top_bottom;
@@ -138,7 +140,7 @@ void session_key(Desk& desk, int key) {
     if (key == desk.keys.f11) shared.window.set_fullscreen(desk.fullscreen = !desk.fullscreen);
     if (key == desk.keys.q && going == Going::paused) shared.stop = true;
     if (key == desk.keys.escape && going == Going::over) shared.stop = true;
-    if (key == desk.keys.escape && !desk.keyboard_pauses) {
+    if (key == desk.keys.escape && !desk.keyboard_pauses && desk.plan.replay == nullptr) {
         const auto player = first_person(shared).value_or(0);
         if (going == Going::playing) shared.wants_pause = player;
         if (going == Going::paused) shared.wants_to_go_on = player;
@@ -212,11 +214,13 @@ void follow_pad(Desk& desk, std::uint32_t player, const render::PadState& pad) {
     desk.pad_seen[player] = true;
     if (shared.pad_lost[player]) {
         if (pad.buttons == 0) return;
-        // The press that rejoins is not also one in the match.
         shared.pad_lost[player] = false;
         shared.wants_to_go_on = player;
-        return;
+        desk.rejoining[player] = true;
     }
+    // The press that rejoins is not also one in the match.
+    if (desk.rejoining[player] && pad.buttons != 0) return;
+    desk.rejoining[player] = false;
     shared.seats[player].hands->pad(pad_state(pad));
 }
 
@@ -253,12 +257,8 @@ void run_desk(Desk& desk) {
     shared.window.capture_cursor(false);
 }
 
-int complain(const Error& error) {
-    std::fprintf(stderr, "%s\n", error.message.c_str());
-    return 1;
-}
-
 void choose_seats(const LivePlan& plan, LiveShared& shared) {
+    if (plan.replay != nullptr) return;  // nobody sits there
     int free_pad = 0;
     for (std::uint32_t p = 0; p < game::players; ++p) {
         auto seat = plan.seats[p];
@@ -277,14 +277,14 @@ void choose_seats(const LivePlan& plan, LiveShared& shared) {
 
 int run_live(const LivePlan& plan) {
     auto window = render::Window::create({.fullscreen = plan.settings.fullscreen});
-    if (!window) return complain(window.error());
+    if (!window) return refuse(window.error());
     LiveShared shared(*window);
     shared.split = plan.settings.split;
     choose_seats(plan, shared);
     std::optional<input::LogWriter> log;
     if (!plan.log.empty()) {
         auto opened = open_log(plan, shared, plan.seed, plan.log);
-        if (!opened) return complain(opened.error());
+        if (!opened) return refuse(opened.error());
         log.emplace(std::move(*opened));
     }
     Desk desk{.shared = shared, .plan = plan, .fullscreen = plan.settings.fullscreen};
@@ -297,9 +297,9 @@ int run_live(const LivePlan& plan) {
     simulating.join();
     drawing.join();
     if (plan.report != nullptr) *plan.report = shared.report;
-    if (shared.render_error) return complain(*shared.render_error);
-    if (shared.simulation_error) return complain(*shared.simulation_error);
-    return 0;
+    if (shared.render_error) return refuse(*shared.render_error);
+    if (shared.simulation_error) return refuse(*shared.simulation_error);
+    return done;
 }
 
 }  // namespace thaum::app

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "game/app/settings.h"
-#include "game/match/data.h"
+#include "game/match/playback.h"
 
 namespace thaum::app {
 
@@ -51,6 +51,8 @@ struct LivePlan {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
     std::array<Seat, 2> seats{};
+    /// A replay instead of a match: nobody plays, nothing is recorded, and the window closes soon after its end.
+    game::Playback* replay = nullptr;
     std::filesystem::path log{};  ///< empty: not recorded; a rematch goes beside it, with a number
     std::filesystem::path assets{};
     Settings settings{};

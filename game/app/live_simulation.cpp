@@ -21,12 +21,14 @@ constexpr Tick idle_wake = 8;             ///< ticks at once, in a pause and aft
 constexpr Tick log_after_end = 500;       ///< ticks of the result that are still recorded
 constexpr Tick rematch_not_before = 800;  ///< ticks, so that who was just shooting does not ask for one
 constexpr std::int64_t notice_ns = 3'000'000'000;
+constexpr std::int64_t last_look_ns = 2'000'000'000;  ///< at the last picture of a replay
 /// Of a bot match; a person's own look is not foreseeable anyway.
 constexpr std::uint64_t bot_seed_step = 0x9e3779b97f4a7c15ULL;
 
 /// One match with its bots and its log.
 struct Round {
-    std::unique_ptr<Simulation> match;
+    std::unique_ptr<Simulation> own;
+    Simulation* match = nullptr;  ///< `own`, or the replay's
     game::Bots bots;
     std::optional<input::LogWriter> log;
     std::optional<Tick> over_at;
@@ -68,10 +70,16 @@ bool add_bots(Session& s) {
 
 bool start_round(Session& s, std::optional<input::LogWriter> log) {
     s.round = {};
-    s.round.match = std::make_unique<Simulation>(s.plan.data, game::MatchSetup{s.seed, devices_of(s.shared)});
+    ++s.matches;
+    if (s.plan.replay != nullptr) {
+        s.round.match = &s.plan.replay->match();
+        s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * ns_per_tick;
+        return true;
+    }
+    s.round.own = std::make_unique<Simulation>(s.plan.data, game::MatchSetup{s.seed, devices_of(s.shared)});
+    s.round.match = s.round.own.get();
     s.round.log = std::move(log);
     s.start_ns = monotonic_ns();
-    ++s.matches;
     return add_bots(s);
 }
 
@@ -182,6 +190,14 @@ void publish(Session& s) {
     s.shared.pictures.publish();
 }
 
+/// One tick of a replay; false at its end.
+bool replay_tick(Session& s) {
+    if (!s.plan.replay->step()) return false;
+    tell_going(s.shared, going_of(s.round.match->match()));
+    if (s.round.match->now() % publish_period == 0) publish(s);
+    return true;
+}
+
 void run_tick(Session& s) {
     auto& round = s.round;
     const auto frame = take_frame(s);
@@ -206,6 +222,7 @@ Tick backlog(const Session& s) {
 void skip(Session& s, Tick behind) {
     const auto skipped = behind - 1;
     s.start_ns += static_cast<std::int64_t>(skipped) * ns_per_tick;
+    if (s.plan.replay != nullptr) return;  // it is just shown later
     s.skips_to_log += skipped;
     s.shared.report.skipped += skipped;
     s.skipped_at_ns = monotonic_ns();
@@ -234,7 +251,13 @@ void run_session(Session& s) {
         }
         if (behind > most_behind) skip(s, behind);
         const auto before = monotonic_ns();
-        run_tick(s);
+        if (s.plan.replay == nullptr) {
+            run_tick(s);
+        } else if (!replay_tick(s)) {
+            publish(s);
+            sleep_until_ns(monotonic_ns() + last_look_ns);
+            break;
+        }
         s.ticks.add(static_cast<double>(monotonic_ns() - before) * 1e-3);
         ++s.shared.report.ticks;
         if (s.shared.rematch && s.round.over_at && !start_rematch(s)) break;

@@ -66,11 +66,6 @@ bool processor_can_run_this() {
 
 }  // namespace
 
-int refuse(const Error& error) {
-    std::fprintf(stderr, "thaum: %s\n", error.message.c_str());
-    return wrong_use;
-}
-
 }  // namespace thaum::app
 
 int main(int argc, char** argv) {

@@ -10,7 +10,7 @@ namespace thaum::app {
 struct OffscreenDuel {
     std::filesystem::path assets{};
     std::filesystem::path out = "out";  ///< duel.png, duel.thaumlog, duel.txt; old ones are replaced
-    std::filesystem::path log{};          ///< instead of out/duel.thaumlog; must not exist yet
+    std::filesystem::path log{};        ///< instead of out/duel.thaumlog; must not exist yet
     game::DataChoice data{};
     std::uint64_t seed = 1;
     std::array<int, game::players> levels{1, 1};

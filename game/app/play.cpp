@@ -1,6 +1,5 @@
 // thaum play: a match.
 #include <cstdio>
-#include <cstdlib>
 #include <random>
 
 #include "core/text.h"
@@ -37,14 +36,6 @@ With no display it says so and plays headless.
 constexpr Option options[] = {{"--vs"},       {"--solo", 1},      {"--demo"},    {"--rules", 1},
                               {"--arena", 1}, {"--set", 1, true}, {"--seed", 1}, {"--record", 1},
                               {"--headless"}, {"--seconds", 1},   {"--out", 1}};
-
-bool display_there() {
-    for (const auto* name : {"WAYLAND_DISPLAY", "DISPLAY"}) {
-        const char* value = std::getenv(name);
-        if (value != nullptr && *value != '\0') return true;
-    }
-    return false;
-}
 
 /// What the words ask for, checked.
 struct Wish {

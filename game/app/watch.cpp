@@ -5,26 +5,47 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/app/command.h"
+#include "game/app/live.h"
 #include "game/app/still.h"
 
 namespace thaum::app {
 
-int watch(game::Playback playback, const std::filesystem::path& out) {
+namespace {
+
+int watch_in_window(game::Playback playback) {
+    const auto assets = game::find_assets();
+    auto settings = load_settings(settings_file(), assets);
+    if (!settings) return refuse(settings.error());
+    LivePlan plan;
+    plan.data = std::make_shared<const game::MatchData>(playback.match().data());
+    plan.replay = &playback;
+    plan.assets = assets;
+    plan.settings = std::move(*settings);
+    return run_live(plan);
+}
+
+int leave_picture(const game::Playback& playback, const std::filesystem::path& out) {
     const auto& match = playback.match();
     std::error_code failed;
     std::filesystem::create_directories(out, failed);
     if (failed) return refuse({text(out.string(), ": cannot create: ", failed.message())});
     auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
     if (!still) return refuse(still.error());
-    const auto stem = text("replay_", match.now());
-    if (const auto saved = still->save(match, {}, out / (stem + ".png")); !saved)
+    const auto stem = out / text("replay_", match.now());
+    if (const auto saved = still->save(match, {}, stem.string() + ".png"); !saved)
         return refuse(saved.error());
     Bytes state;
     match.save(state);
-    if (const auto saved = write_file(out / (stem + ".dump"), state); !saved) return refuse(saved.error());
-    std::printf("no display: tick %llu, state %s, in %s\n", static_cast<unsigned long long>(match.now()),
-                hex(match.state_hash()).c_str(), (out / stem).string().c_str());
+    if (const auto saved = write_file(stem.string() + ".dump", state); !saved) return refuse(saved.error());
+    std::printf("no display: tick %llu, state %s, in %s.png and .dump\n",
+                static_cast<unsigned long long>(match.now()), hex(match.state_hash()).c_str(), stem.c_str());
     return done;
+}
+
+}  // namespace
+
+int watch(game::Playback playback, const std::filesystem::path& out) {
+    return display_there() ? watch_in_window(std::move(playback)) : leave_picture(playback, out);
 }
 
 }  // namespace thaum::app
