@@ -3,12 +3,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cstdio>
 #include <functional>
-#include <thread>
 
 #include "core/file.h"
+#include "core/jobs.h"
 #include "core/text.h"
 #include "ecs/diff.h"
 #include "game/app/arguments.h"
@@ -75,11 +74,9 @@ Expected<Bytes> state_here(const std::string& log, Tick tick) {
 
 /// The first of several replays that run at once.
 Expected<Bytes> state_among(const std::string& log, Tick tick, std::uint64_t threads) {
-    std::vector<std::thread> others;
-    for (std::uint64_t i = 1; i < threads; ++i) others.emplace_back([&] { (void)state_here(log, tick); });
-    auto state = state_here(log, tick);
-    for (auto& thread : others) thread.join();
-    return state;
+    Jobs jobs(static_cast<unsigned>(threads - 1));
+    for (std::uint64_t i = 1; i < threads; ++i) jobs.run([&] { (void)state_here(log, tick); });
+    return state_here(log, tick);
 }
 
 /// Runs PROGRAM replay LOG --dump TICK FILE.
@@ -89,6 +86,7 @@ Expected<Bytes> state_elsewhere(const std::string& program, const std::string& l
     const auto tick_text = text(tick);
     const std::vector<std::string> words{program, "replay", log, "--dump", tick_text, file.string()};
     std::vector<char*> argv;
+    argv.reserve(words.size() + 1);
     for (const auto& word : words) argv.push_back(const_cast<char*>(word.c_str()));
     argv.push_back(nullptr);
     posix_spawn_file_actions_t quiet;

@@ -34,7 +34,7 @@ struct Court {
     std::vector<Kind> kinds;
     std::array<Team, players> teams{};
     Meshes neutral_plate;
-    Meshes anchor;  ///< of radius 1 m
+    Meshes anchor;      ///< of radius 1 m
     Meshes decoration;  ///< world frame
     render::MeshId runes{}, ember{}, bubble{}, shadow{};
     std::array<render::MeshId, 4> unit_shapes{};  ///< for what no arena has: by physics::Shape

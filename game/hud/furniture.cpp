@@ -51,16 +51,16 @@ MeshData crate(fvec3 half) {
                 append(mesh, render::box(size, plank), translated(at));
             }
         }
-        // Three boards on both faces across it.
+        // Two boards on both faces across it.
         for (const float side : {-1.0F, 1.0F}) {
-            for (const float row : {-0.55F, 0.0F, 0.55F}) {
+            for (const float row : {-0.38F, 0.38F}) {
                 fvec3 size(0), at(0);
                 size[axis] = thick;
                 size[u] = 0.8F * half[u];
-                size[v] = 0.24F * half[v];
+                size[v] = 0.34F * half[v];
                 at[axis] = side * (0.95F * half[axis] - thick / 2);
                 at[v] = row * half[v];
-                append(mesh, render::box(size, row == 0 ? plank * 0.85F : plank), translated(at));
+                append(mesh, render::box(size, row < 0 ? plank * 0.85F : plank), translated(at));
             }
         }
     }
@@ -291,8 +291,8 @@ MeshData rune_circle(float radius) {
     const auto flat = rotated({1, 0, 0}, -quarter);
     const fvec3 ember = colour(0xD87028);
     MeshData mesh;
-    append(mesh, render::frame(40, radius, radius - 0.05F, 0.01F, ember), translated({0, 0.012F, 0}) * flat);
-    append(mesh, render::frame(40, radius + 0.75F, radius + 0.7F, 0.01F, ember),
+    append(mesh, render::frame(28, radius, radius - 0.05F, 0.01F, ember), translated({0, 0.012F, 0}) * flat);
+    append(mesh, render::frame(28, radius + 0.75F, radius + 0.7F, 0.01F, ember),
            translated({0, 0.012F, 0}) * flat);
     for (int i = 0; i < 12; ++i) {
         const float angle = whole * static_cast<float>(i) / 12;

@@ -125,7 +125,7 @@ struct Cell {
 };
 
 /// Higher than anybody stands, m: blocks there have joints but no bevels.
-constexpr float out_of_reach = 4.5F;
+constexpr float out_of_reach = 3.1F;
 /// Of the bevel: how deep the core lies that shows in joints and at edges.
 constexpr float core_depth = 0.8F;
 
@@ -145,6 +145,23 @@ void add_flat_block(MeshData& mesh, const Face& face, const Stonework& work, con
     add_vertex(mesh, face, {cell.u1 - gap, cell.v1 - gap, 0}, face.n, shade);
     add_vertex(mesh, face, {cell.u0 + gap, cell.v1 - gap, 0}, face.n, shade);
     add_quad(mesh, a, a + 1, a + 2, a + 3);
+}
+
+/// A slab that one walks on. There are many, and nobody sees their edges from the side: the joint is painted, on two
+/// sides, since the neighbours have it on theirs.
+void add_slab(MeshData& mesh, const Face& face, const Stonework& work, const Cell& cell, fvec3 shade) {
+    const float b = 1.7F * work.bevel;
+    const fvec3 dark = work.joint * shade;
+    const auto put = [&](float u, float v, fvec3 paint) {
+        return add_vertex(mesh, face, {u, v, 0}, face.n, paint);
+    };
+    const auto corner = put(cell.u0, cell.v0, dark), right = put(cell.u1, cell.v0, dark);
+    const auto far_left = put(cell.u0, cell.v1, dark);
+    const auto inner = put(cell.u0 + b, cell.v0 + b, shade), inner_right = put(cell.u1, cell.v0 + b, shade);
+    const auto inner_far = put(cell.u0 + b, cell.v1, shade), opposite = put(cell.u1, cell.v1, shade);
+    add_quad(mesh, inner, inner_right, opposite, inner_far);
+    add_quad(mesh, corner, right, inner_right, inner);
+    add_quad(mesh, corner, inner, inner_far, far_left);
 }
 
 /// One block: a top, and four slanting edges down into the joint. At the border of the face the slant goes half way,
@@ -203,6 +220,18 @@ bool hidden(const Shade& shade, vec3 point, vec3 normal) {
     });
 }
 
+void add(MeshData& mesh, double height, const Face& face, const Stonework& work, const Cell& cell,
+         Random& random) {
+    const fvec3 tone = any_shade(work, random);
+    const auto sunk = static_cast<float>(random.uniform(0, 0.3)) * work.bevel;
+    if (face.n.y > 0.5F && work.block_u > 1)
+        add_slab(mesh, face, work, cell, tone);
+    else if (height > out_of_reach)
+        add_flat_block(mesh, face, work, cell, tone);
+    else
+        add_block(mesh, face, work, cell, tone, sunk);
+}
+
 vec3 at(const Face& face, fvec2 place) { return vec3(face.corner + place.x * face.u + place.y * face.v); }
 
 /// Not even a corner of it can be seen.
@@ -225,13 +254,8 @@ void lay(MeshData& mesh, const Shade& shade, vec3 position, const Face& face, co
         for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
             const Cell cell{edges[i], edges[i + 1], static_cast<float>(row) * height,
                             static_cast<float>(row + 1) * height};
-            const fvec3 tone = any_shade(work, random);
-            const auto sunk = static_cast<float>(random.uniform(0, 0.3)) * work.bevel;
-            if (hidden(shade, position, face, cell)) continue;
-            if (position.y + at(face, {cell.u0, cell.v0}).y > out_of_reach)
-                add_flat_block(mesh, face, work, cell, tone);
-            else
-                add_block(mesh, face, work, cell, tone, sunk);
+            if (!hidden(shade, position, face, cell))
+                add(mesh, position.y + at(face, {cell.u0, cell.v0}).y, face, work, cell, random);
         }
     }
 }

@@ -254,12 +254,14 @@ void announce(Overlay& out, const Announcement& a, const Rect& window, float u) 
     add_text(out, a.keys, middle + u * fvec2(0, 32), 17 * u, soft, Align::centre);
 }
 
-std::string paused_words(const Picture& picture) {
+Announcement pause_of(const Picture& picture) {
+    constexpr auto keys = "Esc: go on    Q: quit";
     for (std::uint32_t p = 0; p < players; ++p) {
         if (picture.wizards[p].pad_lost)
-            return text("Player ", p + 1, "'s pad is gone \u2014 plug it in and press a button to rejoin");
+            return {text("Player ", p + 1, ": pad lost"), "press a button on it to rejoin", keys};
     }
-    return picture.paused_by < players ? text("by player ", picture.paused_by + 1) : std::string();
+    const bool known = picture.paused_by < players;
+    return {"Paused", known ? text("by player ", picture.paused_by + 1) : std::string(), keys};
 }
 
 Announcement result_of(const Picture& picture, bool can_play_again) {
@@ -317,7 +319,7 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     if (picture.phase == Phase::over) {
         announce(out, result_of(picture, settings.can_play_again), window, unit);
     } else if (picture.paused) {
-        announce(out, {"Paused", paused_words(picture), "Esc: go on    Q: quit", white}, window, unit);
+        announce(out, pause_of(picture), window, unit);
     }
 }
 

@@ -1,6 +1,7 @@
 // game/scenario/detail/arguments.h: what verbs read from Lua's stack. A wrong argument is thrown as ScriptFault that names it.
 // Nothing here calls metamethods or raises Lua errors.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <lua.hpp>

@@ -1,8 +1,8 @@
-// thaum bench: time, error and cost, as a table and as JSON.
-#include "tools/bench/bench.h"
-
-#include "game/app/arguments.h"
+// thaum bench: time, error and cost, as a table and as JSON. It stands here and not with the other commands, since
+// the game must not include its tools.
 #include "game/app/command.h"
+#include "game/app/arguments.h"
+#include "tools/bench/bench.h"
 
 namespace thaum::app {
 namespace {

@@ -1,0 +1,313 @@
+// What a script asks of the match: events, states, traces, pictures, and checks of its input.
+#include <algorithm>
+#include <set>
+
+#include "ecs/diff.h"
+#include "game/scenario/detail/verb.h"
+
+namespace thaum::game {
+namespace {
+
+namespace arg = arguments;
+using arg::fault;
+using arg::Options;
+
+constexpr std::size_t most_states = 64;
+constexpr std::size_t most_pictures = 16;
+constexpr std::size_t most_traces = 8;
+constexpr std::size_t most_sought = 64;
+
+// ---- events ------------------------------------------------------------------------------------------------------------
+
+struct EventWish {
+    std::optional<EventKind> kind;
+    std::optional<std::uint32_t> subject, by;
+
+    bool fits(const Event& e) const {
+        return (!kind || e.kind == *kind) && (!subject || e.subject == *subject) && (!by || e.by == *by);
+    }
+};
+
+EventKind read_kind(lua_State* lua, int index) {
+    const auto name = arg::string(lua, index, "kind");
+    const auto found = std::find(event_names.begin(), event_names.end(), name);
+    if (found == event_names.end()) fault("there is no event '", name, "'");
+    return static_cast<EventKind>(found - event_names.begin());
+}
+
+EventWish read_event_wish(lua_State* lua) {
+    EventWish wish;
+    if (lua_isnoneornil(lua, 1)) return wish;
+    if (lua_type(lua, 1) == LUA_TSTRING) {
+        wish.kind = read_kind(lua, 1);
+        return wish;
+    }
+    const Options options(lua, 1, "events", {"kind", "subject", "by", "within"});
+    if (options.has("kind")) wish.kind = read_kind(lua, -1);
+    if (options.has("subject")) wish.subject = arg::player(lua, -1);
+    if (options.has("by")) wish.by = arg::player(lua, -1);
+    return wish;
+}
+
+void set_player(lua_State* lua, const char* key, std::uint32_t player) {
+    if (player >= players) return;
+    lua_pushinteger(lua, player + 1);
+    lua_setfield(lua, -2, key);
+}
+
+void push_event(lua_State* lua, const Event& event) {
+    lua_createtable(lua, 0, 7);
+    lua_pushnumber(lua, seconds(event.tick));
+    lua_setfield(lua, -2, "time");
+    const auto name = event_names[static_cast<std::size_t>(event.kind)];
+    lua_pushlstring(lua, name.data(), name.size());
+    lua_setfield(lua, -2, "kind");
+    lua_pushnumber(lua, event.amount);
+    lua_setfield(lua, -2, "amount");
+    lua_pushinteger(lua, event.detail);
+    lua_setfield(lua, -2, "detail");
+    arg::push_place(lua, event.place);
+    lua_setfield(lua, -2, "place");
+    set_player(lua, "subject", event.subject);
+    set_player(lua, "by", event.by);
+}
+
+int verb_events(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto wish = read_event_wish(lua);
+    lua_newtable(lua);
+    lua_Integer count = 0;
+    for (const auto& event : play.events) {
+        if (!wish.fits(event)) continue;
+        push_event(lua, event);
+        lua_rawseti(lua, -2, ++count);
+    }
+    return 1;
+}
+
+int verb_next_event(lua_State* lua, void* context) {
+    auto& play = began(context);
+    const auto wish = read_event_wish(lua);
+    for (auto i = play.events_expected; i < play.events.size(); ++i) {
+        if (!wish.fits(play.events[i])) continue;
+        play.events_expected = i + 1;
+        push_event(lua, play.events[i]);
+        return 1;
+    }
+    return 0;
+}
+
+// ---- states ------------------------------------------------------------------------------------------------------------
+
+int verb_state(lua_State* lua, void* context) {
+    auto& play = began(context);
+    if (play.states.size() == most_states) fault("there are ", most_states, " states already");
+    play.match->save(play.states.emplace_back());
+    lua_pushinteger(lua, static_cast<lua_Integer>(play.states.size()));
+    return 1;
+}
+
+const Bytes& state_at(const Play& play, lua_State* lua, int index) {
+    const auto number = arg::integer(lua, index, "a state", {1, static_cast<double>(play.states.size())});
+    return play.states[static_cast<std::size_t>(number - 1)];
+}
+
+void set_text(lua_State* lua, const char* key, const std::string& value) {
+    lua_pushlstring(lua, value.data(), value.size());
+    lua_setfield(lua, -2, key);
+}
+
+void push_difference(lua_State* lua, const ecs::Difference& d) {
+    lua_createtable(lua, 0, 5);
+    set_text(lua, "component", d.component);
+    set_text(lua, "field", d.field);
+    set_text(lua, "before", d.a);
+    set_text(lua, "after", d.b);
+    lua_pushinteger(lua, d.entity);
+    lua_setfield(lua, -2, "entity");
+}
+
+int verb_changes(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto& before = state_at(play, lua, 1);
+    Bytes now;
+    if (lua_isnoneornil(lua, 2)) play.match->save(now);
+    const auto& after = lua_isnoneornil(lua, 2) ? now : state_at(play, lua, 2);
+    const auto found = ecs::diff(before, after, 1000);
+    if (!found) fault(found.error().message);
+    lua_newtable(lua);
+    lua_Integer count = 0;
+    for (const auto& d : *found) {
+        push_difference(lua, d);
+        lua_rawseti(lua, -2, ++count);
+    }
+    return 1;
+}
+
+// ---- files -------------------------------------------------------------------------------------------------------------
+
+int verb_trace(lua_State* lua, void* context) {
+    auto& play = began(context);
+    Trace trace;
+    trace.name = arg::plain_name(lua, 1, "name");
+    if (!lua_istable(lua, 2)) fault("columns must be a list");
+    if (play.traces.size() == most_traces) fault("there are ", most_traces, " traces already");
+    trace.csv = "time_s";
+    const auto count = std::min<lua_Unsigned>(lua_rawlen(lua, 2), 64);
+    for (lua_Unsigned i = 1; i <= count; ++i) {
+        lua_rawgeti(lua, 2, static_cast<lua_Integer>(i));
+        const auto added = add_column(play, arg::string(lua, -1, "a column"), trace);
+        if (!added) fault(added.error().message);
+        lua_pop(lua, 1);
+    }
+    trace.csv += '\n';
+    play.traces.push_back(std::move(trace));
+    return 0;
+}
+
+/// The text by which the runner knows that only the picture function was missing.
+constexpr std::string_view no_pictures = "no picture function here: this scenario needs one that draws";
+
+std::filesystem::path picture_file(const Play& play, lua_State* lua, const Options& options) {
+    if (!options.has("name") || !play.keeps_files || play.options->out.empty()) return {};
+    return play.options->out / text(play.name, ".", arg::plain_name(lua, -1, "name"), ".png");
+}
+
+int verb_picture(lua_State* lua, void* context) {
+    auto& play = began(context);
+    const Options options(lua, 1, "picture", {"split", "name"});
+    auto split = Split::side_by_side;
+    if (options.has("split")) {
+        const auto name = arg::string(lua, -1, "split");
+        if (name != "side_by_side" && name != "top_bottom")
+            fault("split '", name, "': side_by_side or top_bottom");
+        if (name == "top_bottom") split = Split::top_bottom;
+    }
+    if (play.pictures.size() == most_pictures) fault("there are ", most_pictures, " pictures already");
+    if (!play.options->take_picture) {
+        play.no_picture = true;
+        fault(no_pictures);
+    }
+    const auto file = picture_file(play, lua, options);
+    auto pixels = play.options->take_picture(*play.match, split, file);
+    if (!pixels) fault("picture: ", pixels.error().message);
+    if (!file.empty()) play.files.push_back(file.filename().string());
+    const auto bytes = static_cast<std::size_t>(pixels->width) * static_cast<std::size_t>(pixels->height) * 3;
+    if (pixels->width <= 0 || pixels->height <= 0 || pixels->rgb.size() != bytes)
+        fault("picture: it is empty");
+    lua_pushinteger(lua, static_cast<lua_Integer>(play.pictures.size() + 1));
+    lua_pushinteger(lua, pixels->width);
+    lua_pushinteger(lua, pixels->height);
+    play.pictures.push_back(std::move(*pixels));
+    return 3;
+}
+
+/// A part of a picture, in pixels; never empty.
+struct Area {
+    const Pixels& pixels;
+    int x0, y0, x1, y1;
+
+    template <class Visit>
+    void each(Visit visit) const {
+        for (int y = y0; y < y1; ++y) {
+            for (int x = x0; x < x1; ++x)
+                visit(&pixels.rgb[static_cast<std::size_t>(3 * (y * pixels.width + x))]);
+        }
+    }
+};
+
+int pixel_at(double share, int size) { return std::clamp(static_cast<int>(share * size), 0, size - 1); }
+
+Area read_area(const Play& play, lua_State* lua) {
+    const auto number = arg::integer(lua, 1, "a picture", {1, static_cast<double>(play.pictures.size())});
+    const auto& pixels = play.pictures[static_cast<std::size_t>(number - 1)];
+    const Range share{0, 1};
+    const int x0 = pixel_at(arg::number(lua, 2, "x0", share), pixels.width);
+    const int y0 = pixel_at(arg::number(lua, 3, "y0", share), pixels.height);
+    const int x1 = pixel_at(arg::number(lua, 4, "x1", share), pixels.width);
+    const int y1 = pixel_at(arg::number(lua, 5, "y1", share), pixels.height);
+    if (x1 < x0 || y1 < y0) fault("an area of a picture goes from its upper left to its lower right corner");
+    return {pixels, x0, y0, x1 + 1, y1 + 1};
+}
+
+int verb_picture_mean(lua_State* lua, void* context) {
+    const auto area = read_area(began(context), lua);
+    std::array<double, 3> sum{};
+    area.each([&](const std::uint8_t* rgb) {
+        for (std::size_t i = 0; i < 3; ++i) sum[i] += rgb[i];
+    });
+    const double count = static_cast<double>(area.x1 - area.x0) * (area.y1 - area.y0);
+    for (const double channel : sum) lua_pushnumber(lua, channel / count);
+    return 3;
+}
+
+int verb_picture_colours(lua_State* lua, void* context) {
+    const auto area = read_area(began(context), lua);
+    std::set<std::uint32_t> colours;
+    area.each([&](const std::uint8_t* rgb) { colours.insert(rgb[0] | (rgb[1] * 256U) | (rgb[2] * 65536U)); });
+    lua_pushinteger(lua, static_cast<lua_Integer>(colours.size()));
+    return 1;
+}
+
+// ---- checks ------------------------------------------------------------------------------------------------------------
+
+void need_replayable(const Play& play, std::string_view verb) {
+    if (play.scene_set)
+        fault(verb, ": this scenario has set the scene itself, so its input alone does not lead here");
+    if (play.match->now() == 0) fault(verb, ": nothing has been played yet");
+}
+
+std::uint64_t read_seed(lua_State* lua, const Options& options) {
+    return options.has("seed") ? static_cast<std::uint64_t>(arg::integer(lua, -1, "seed", {0, 1e15})) : 1;
+}
+
+int verb_check_seek(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    need_replayable(play, "check_seek");
+    const Options options(lua, 1, "check_seek", {"ticks", "count", "seed"});
+    const auto now = static_cast<double>(play.match->now());
+    const Range most{0, static_cast<double>(most_sought)};
+    std::vector<Tick> ticks;
+    if (options.has("ticks")) {
+        if (!lua_istable(lua, -1)) fault("ticks must be a list");
+        const int list = lua_gettop(lua);
+        const auto count = std::min<lua_Unsigned>(lua_rawlen(lua, list), most_sought);
+        for (lua_Unsigned i = 1; i <= count; ++i) {
+            lua_rawgeti(lua, list, static_cast<lua_Integer>(i));
+            ticks.push_back(static_cast<Tick>(arg::integer(lua, -1, "a tick", {0, now})));
+            lua_pop(lua, 1);
+        }
+    }
+    auto random = random_stream(read_seed(lua, options), 0);
+    const auto count = options.has("count") ? arg::integer(lua, -1, "count", most) : 0;
+    for (std::int64_t i = 0; i < count; ++i) ticks.push_back(random.below(play.match->now() + 1));
+    if (const auto found = check_seek(play, ticks); !found.empty()) fault(found);
+    return 0;
+}
+
+int verb_check_late(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    need_replayable(play, "check_late");
+    const Options options(lua, 1, "check_late", {"seed"});
+    if (const auto found = check_late(play, read_seed(lua, options)); !found.empty()) fault(found);
+    return 0;
+}
+
+constexpr VerbName list[] = {
+    {"events", verb_events},
+    {"raw_next_event", verb_next_event},
+    {"state", verb_state},
+    {"changes", verb_changes},
+    {"trace", verb_trace},
+    {"raw_picture", verb_picture},
+    {"raw_picture_mean", verb_picture_mean},
+    {"raw_picture_colours", verb_picture_colours},
+    {"check_seek", verb_check_seek},
+    {"check_late", verb_check_late},
+};
+
+}  // namespace
+
+std::span<const VerbName> report_verbs() { return list; }
+
+}  // namespace thaum::game

@@ -1,0 +1,54 @@
+// A live session with few words, for tests of drivers and of time:
+//     live_session LOG SECONDS [SEAT SEAT [STALLED_THREAD EVERY_MS MS]]
+// SEAT: mouse, half, pad, bot. Prints how well time was kept.
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
+
+#include "game/app/live.h"
+
+using namespace thaum;
+using namespace thaum::app;
+
+namespace {
+
+Seat seat_of(std::string_view word) {
+    if (word == "mouse") return {.kind = SeatKind::keyboard_mouse};
+    if (word == "half") return {.kind = SeatKind::keyboard_half};
+    if (word == "pad") return {.kind = SeatKind::pad};
+    return {.kind = SeatKind::bot};
+}
+
+Stall::Thread thread_of(std::string_view word) {
+    if (word == "main") return Stall::Thread::main;
+    if (word == "simulation") return Stall::Thread::simulation;
+    return word == "render" ? Stall::Thread::render : Stall::Thread::none;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 3) return 2;
+    const auto assets = game::find_assets();
+    auto data = game::load_match_data(assets, {});
+    if (!data) return std::fprintf(stderr, "%s\n", data.error().message.c_str()), 1;
+    LiveReport report;
+    LivePlan plan{.data = std::make_shared<const game::MatchData>(std::move(*data)),
+                  .log = argv[1],
+                  .assets = assets,
+                  .seconds = std::atof(argv[2]),
+                  .report = &report};
+    plan.seats = {seat_of(argc > 4 ? argv[3] : "bot"), seat_of(argc > 4 ? argv[4] : "bot")};
+    if (argc > 7) plan.stall = {thread_of(argv[5]), std::atoi(argv[6]), std::atoi(argv[7])};
+    const int result = run_live(plan);
+    std::printf(
+        "ticks %llu, skipped %llu, frames %llu, matches %llu\n",
+        static_cast<unsigned long long>(report.ticks), static_cast<unsigned long long>(report.skipped),
+        static_cast<unsigned long long>(report.frames), static_cast<unsigned long long>(report.matches));
+    std::printf(
+        "late us: median %.0f, p99 %.0f, worst %.0f; tick us: median %.1f, p99 %.1f; frame ms: median %.1f, "
+        "p99 %.1f\n",
+        report.late_us_median, report.late_us_p99, report.late_us_worst, report.tick_us_median,
+        report.tick_us_p99, report.frame_ms_median, report.frame_ms_p99);
+    return result;
+}

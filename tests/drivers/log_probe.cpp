@@ -1,0 +1,72 @@
+// What came in, by a log's frames: one line a device with the sums and the buttons, then the pauses, and the result of
+// playing it again ("same" or the first tick whose hash differs).
+//     live_log_probe LOG
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "game/match/record.h"
+
+using namespace thaum;
+
+namespace {
+
+struct Seen {
+    std::array<long long, input::max_counts> least{}, most{}, sum{};
+    std::uint32_t buttons = 0;
+    unsigned long long skips = 0;
+};
+
+void note(const input::DeviceSample& sample, Seen& seen) {
+    for (std::size_t i = 0; i < input::max_counts; ++i) {
+        const long long v = sample.counts[i];
+        seen.least[i] = std::min(seen.least[i], v);
+        seen.most[i] = std::max(seen.most[i], v);
+        seen.sum[i] += v;
+    }
+    seen.buttons |= sample.buttons;
+    seen.skips += sample.skips;
+}
+
+void print(std::size_t device, const Seen& s) {
+    namespace hand = input::hand;
+    std::printf(
+        "device %zu: look %lld %lld wheel %lld strafe %lld..%lld forward %lld..%lld turn %lld..%lld trigger "
+        "%lld "
+        "buttons %x skips %llu\n",
+        device, s.sum[hand::look_right], s.sum[hand::look_up], s.sum[hand::wheel], s.least[hand::strafe],
+        s.most[hand::strafe], s.least[hand::forward], s.most[hand::forward], s.least[hand::turn_right],
+        s.most[hand::turn_right], s.most[hand::trigger], s.buttons, s.skips);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    auto log = input::LogReader::open(argc > 1 ? argv[1] : "");
+    if (!log) return std::fprintf(stderr, "%s\n", log.error().message.c_str()), 1;
+    auto match = game::match_of_log(log->header(), game::find_assets());
+    if (!match) return std::fprintf(stderr, "%s\n", match.error().message.c_str()), 1;
+    std::array<Seen, input::max_devices> seen{};
+    input::InputFrame frame;
+    bool paused = false;
+    Tick differs = 0;
+    while (log->next(frame)) {
+        for (std::size_t d = 0; d < seen.size(); ++d) note(frame.devices[d], seen[d]);
+        (*match)->tick(frame);
+        const auto now = (*match)->now();
+        const auto recorded = log->hash_at(now);
+        if (differs == 0 && recorded && recorded->state != (*match)->state_hash()) differs = now;
+        const bool pause = (*match)->match().paused != 0;
+        if (pause != paused)
+            std::printf("%s at %llu by %u\n", pause ? "paused" : "on", static_cast<unsigned long long>(now),
+                        (*match)->match().paused_by);
+        paused = pause;
+    }
+    for (std::size_t d = 0; d < log->header().devices.size(); ++d) print(d, seen[d]);
+    std::printf("ended %s: %s\n", log->ended_cleanly() ? "cleanly" : "early", log->result().c_str());
+    if (differs == 0)
+        std::printf("replay same\n");
+    else
+        std::printf("replay differs at %llu\n", static_cast<unsigned long long>(differs));
+    return differs == 0 && log->ended_cleanly() ? 0 : 1;
+}

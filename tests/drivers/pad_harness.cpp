@@ -1,0 +1,193 @@
+// A make-believe Xbox 360 pad (045e:028e) for a program, by umockdev; needs no /dev/uinput:
+//     umockdev-wrapper pad_harness 'SCRIPT' PROGRAM ARGS...
+// SCRIPT is "SECONDS WHAT VALUE; ...": WHAT is a button (a, b, x, y, lb, rb, back, start) with 1 or 0, an axis (lx, ly, rx,
+// ry: -32768 to 32767, down and right +; lt, rt: 0 to 255), or `plugged` with 1 or 0. Returns the program's exit code.
+#include <linux/input.h>
+#include <sys/wait.h>
+#include <umockdev.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+constexpr const char* node = "/dev/input/event0";
+constexpr const char* description =
+    "P: /devices/virtual/input/input0/event0\n"
+    "N: input/event0\n"
+    "E: DEVNAME=/dev/input/event0\n"
+    "E: SUBSYSTEM=input\n"
+    "E: ID_INPUT=1\n"
+    "E: ID_INPUT_JOYSTICK=1\n";
+
+struct Part {
+    std::uint16_t type{}, code{};
+};
+const std::map<std::string, Part> parts{
+    {"a", {EV_KEY, BTN_A}},         {"b", {EV_KEY, BTN_B}},         {"x", {EV_KEY, BTN_X}},
+    {"y", {EV_KEY, BTN_Y}},         {"lb", {EV_KEY, BTN_TL}},       {"rb", {EV_KEY, BTN_TR}},
+    {"back", {EV_KEY, BTN_SELECT}}, {"start", {EV_KEY, BTN_START}}, {"guide", {EV_KEY, BTN_MODE}},
+    {"l3", {EV_KEY, BTN_THUMBL}},   {"r3", {EV_KEY, BTN_THUMBR}},   {"lx", {EV_ABS, ABS_X}},
+    {"ly", {EV_ABS, ABS_Y}},        {"lt", {EV_ABS, ABS_Z}},        {"rx", {EV_ABS, ABS_RX}},
+    {"ry", {EV_ABS, ABS_RY}},       {"rt", {EV_ABS, ABS_RZ}},       {"hx", {EV_ABS, ABS_HAT0X}},
+    {"hy", {EV_ABS, ABS_HAT0Y}}};
+
+struct Step {
+    double at_s{};
+    std::string what;
+    int value{};
+};
+
+std::vector<Step> parse(const std::string& script) {
+    std::vector<Step> steps;
+    std::istringstream lines(script);
+    for (std::string line; std::getline(lines, line, ';');) {
+        std::istringstream words(line);
+        Step step;
+        if (words >> step.at_s >> step.what >> step.value) steps.push_back(step);
+    }
+    return steps;
+}
+
+// Answers to what a program asks about the pad -------------------------------------------------------------------------------
+
+void set_bit(std::vector<guint8>& bits, unsigned bit) {
+    if (bit / 8 < bits.size()) bits[bit / 8] = static_cast<guint8>(bits[bit / 8] | (1U << (bit % 8)));
+}
+
+input_absinfo range_of(unsigned axis) {
+    if (axis == ABS_Z || axis == ABS_RZ) return {0, 0, 255, 0, 0, 0};
+    if (axis == ABS_HAT0X || axis == ABS_HAT0Y) return {0, -1, 1, 0, 0, 0};
+    return {0, -32768, 32767, 16, 128, 0};
+}
+
+/// The values of the axes now: programs read them again after each report.
+std::array<std::atomic<int>, ABS_CNT> axis_values{};
+
+std::vector<guint8> answer(unsigned number, std::size_t size) {
+    std::vector<guint8> out(size, 0);
+    const auto copy = [&](const void* from, std::size_t n) {
+        std::memcpy(out.data(), from, std::min(n, size));
+    };
+    if (number == _IOC_NR(EVIOCGID)) {
+        const input_id id{BUS_USB, 0x045e, 0x028e, 0x0114};
+        copy(&id, sizeof id);
+    } else if (number == _IOC_NR(EVIOCGNAME(0))) {
+        constexpr char name[] = "Microsoft X-Box 360 pad";
+        copy(name, sizeof name);
+    } else if (number == 0x20) {
+        for (const unsigned type : {EV_SYN, EV_KEY, EV_ABS}) set_bit(out, type);
+    } else if (number == 0x20 + EV_KEY || number == 0x20 + EV_ABS) {
+        for (const auto& [name, part] : parts) {
+            if (part.type == number - 0x20) set_bit(out, part.code);
+        }
+    } else if (number >= 0x40 && number < 0x40 + ABS_CNT) {
+        auto range = range_of(number - 0x40);
+        range.value = axis_values[number - 0x40];
+        copy(&range, sizeof range);
+    }
+    return out;
+}
+
+gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer) {
+    const auto request = static_cast<unsigned>(umockdev_ioctl_client_get_request(client));
+    if (_IOC_TYPE(request) != 'E') return FALSE;
+    const auto size = static_cast<std::size_t>(_IOC_SIZE(request));
+    if (_IOC_DIR(request) == _IOC_READ && size > 0) {
+        auto* argument = umockdev_ioctl_client_get_arg(client);
+        auto* target = umockdev_ioctl_data_resolve(argument, 0, size, nullptr);
+        if (target == nullptr) return FALSE;
+        auto bytes = answer(_IOC_NR(request), size);
+        umockdev_ioctl_data_update(target, 0, bytes.data(), static_cast<gint>(bytes.size()));
+        umockdev_ioctl_data_unref(target);
+    }
+    umockdev_ioctl_client_complete(client, 0, 0);
+    return TRUE;
+}
+
+// What happens to it -----------------------------------------------------------------------------------------------------------
+
+struct Pad {
+    UMockdevTestbed* testbed{};
+    int fd = -1;
+    std::filesystem::path link{}, target{};
+};
+
+void report(const Pad& pad, const Part& part, int value) {
+    if (part.type == EV_ABS) axis_values[part.code] = value;
+    std::array<input_event, 2> events{};
+    events[0].type = part.type;
+    events[0].code = part.code;
+    events[0].value = value;
+    events[1].type = EV_SYN;
+    if (write(pad.fd, events.data(), sizeof events) != static_cast<ssize_t>(sizeof events))
+        std::perror("pad");
+}
+
+/// Programs watch the folder of the node: its link goes and is made again.
+void plug(const Pad& pad, bool in) {
+    std::error_code error;
+    if (in)
+        std::filesystem::create_symlink(pad.target, pad.link, error);
+    else
+        std::filesystem::remove(pad.link, error);
+    if (error) std::fprintf(stderr, "pad: %s\n", error.message().c_str());
+    umockdev_testbed_uevent(pad.testbed, "/sys/devices/virtual/input/input0/event0", in ? "add" : "remove");
+}
+
+void perform(const Pad& pad, const std::vector<Step>& steps) {
+    const auto start = std::chrono::steady_clock::now();
+    for (const auto& step : steps) {
+        std::this_thread::sleep_until(start + std::chrono::duration<double>(step.at_s));
+        if (step.what == "plugged")
+            plug(pad, step.value != 0);
+        else if (const auto part = parts.find(step.what); part != parts.end())
+            report(pad, part->second, step.value);
+        else
+            std::fprintf(stderr, "pad: no part '%s'\n", step.what.c_str());
+    }
+}
+
+Pad make_pad() {
+    Pad pad{.testbed = umockdev_testbed_new()};
+    GError* error = nullptr;
+    if (!umockdev_testbed_add_from_string(pad.testbed, description, &error)) g_error("%s", error->message);
+    auto* handler = umockdev_ioctl_base_new();
+    g_signal_connect(handler, "handle-ioctl", G_CALLBACK(on_ioctl), nullptr);
+    if (!umockdev_testbed_attach_ioctl(pad.testbed, node, handler, &error)) g_error("%s", error->message);
+    pad.fd = umockdev_testbed_get_dev_fd(pad.testbed, node);
+    const auto* root = std::getenv("UMOCKDEV_DIR");
+    pad.link = std::filesystem::path(root == nullptr ? "" : root) / "dev/input/event0";
+    std::error_code error_code;
+    pad.target = std::filesystem::read_symlink(pad.link, error_code);
+    return pad;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 3) return 2;
+    const auto pad = make_pad();
+    const auto child = fork();
+    if (child == 0) {
+        execvp(argv[2], argv + 2);
+        std::perror(argv[2]);
+        _exit(127);
+    }
+    perform(pad, parse(argv[1]));
+    int status = 0;
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}

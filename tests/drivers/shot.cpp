@@ -1,0 +1,99 @@
+// Draws a moment of a bot duel to a PNG, without a display, and prints what it cost:
+//     live_shot OUT.png [TICKS [SPLIT [WIDTH HEIGHT [X Z YAW PITCH [SCALE]]]]]
+// SPLIT: top_bottom, side_by_side, first, second. X Z (m), YAW PITCH (degrees): where the first camera stands instead.
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <iostream>
+
+#include "core/text.h"
+#include "game/bots/bot.h"
+#include "game/hud/hud.h"
+#include "render/context.h"
+
+using namespace thaum;
+using namespace thaum::game;
+
+namespace {
+
+/// Of all threads, per core of two.
+double cpu_ms() { return 0.5e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+double now_ms() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+template <class T>
+T must(Expected<T> value) {
+    if (value) return std::move(*value);
+    std::cerr << value.error().message << '\n';
+    std::exit(1);
+}
+
+void play(Simulation& match, Tick count) {
+    Bots bots;
+    const auto skill = must(load_bot_skill(find_assets(), 1));
+    for (std::uint32_t p = 0; p < players; ++p) bots.add(match, p, p, skill, 7 + p);
+    for (Tick t = 0; t < count; ++t) {
+        input::InputFrame frame;
+        bots.sample(match, frame);
+        match.tick(frame);
+    }
+}
+
+HudSettings settings_of(std::string_view split) {
+    HudSettings s;
+    if (split == "side_by_side") s.split = render::Split::side_by_side;
+    if (split == "first") s.watch = Watch::first;
+    if (split == "second") s.watch = Watch::second;
+    return s;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
+    const std::string out = argc > 1 ? argv[1] : "shot.png";
+    const render::Size size{number(4, 1280), number(5, 720)};
+    const auto data = std::make_shared<const MatchData>(must(load_match_data(find_assets(), {})));
+    Simulation match(data, {.seed = 3, .devices = {bot_device(0, 1), bot_device(1, 1)}});
+    play(match, static_cast<Tick>(number(2, 0)));
+
+    auto context = must(render::Offscreen::create(size.width, size.height));
+    context.make_current();
+    auto renderer = must(render::Renderer::create(find_assets()));
+    const double start = now_ms();
+    const auto court = make_court(renderer, data->arena, data->wizard);
+    std::cout << "court " << fixed(now_ms() - start, 1) << " ms\n";
+    auto picture = make_picture();
+    const double before = now_ms();
+    for (int i = 0; i < 1000; ++i) take_picture(match, picture);
+    std::cout << "take_picture " << fixed(now_ms() - before, 2) << " us\n";
+    if (argc > 9) {
+        auto& p = picture.wizards[0];
+        p.centre = vec3(std::atof(argv[6]), 0.9, std::atof(argv[7]));
+        p.eye = p.centre + vec3(0, 0.75, 0);
+        p.yaw = std::atof(argv[8]) * radians_per_degree;
+        p.pitch = std::atof(argv[9]) * radians_per_degree;
+    }
+    FrameMemory memory;
+    auto settings = settings_of(argc > 3 ? argv[3] : "top_bottom");
+    if (argc > 10) settings.internal_scale = static_cast<float>(std::atof(argv[10]));
+    std::vector<double> times;
+    const double cpu = cpu_ms();
+    for (int i = 0; i < 30; ++i) {
+        const double begin = now_ms();
+        renderer.draw(make_frame(court, picture, settings, size, memory));
+        context.present();
+        times.push_back(now_ms() - begin);
+    }
+    std::cout << "cpu " << fixed((cpu_ms() - cpu) / 30, 1) << " ms\n";
+    std::sort(times.begin(), times.end());
+    renderer.draw(make_frame(court, picture, settings, size, memory));
+    const auto& s = renderer.statistics();
+    std::cout << "frame " << fixed(times[15], 1) << " ms, " << s.triangles << " triangles, " << s.draws
+              << " draws, " << s.instances_drawn << " instances\n";
+    must(Expected<void>(render::write_png(out, renderer.read_pixels())).map([] { return 0; }));
+}

@@ -1,0 +1,32 @@
+thaum_test(test_hud
+    SOURCES unit/hud_test.cpp
+    LINK thaum_hud)
+thaum_test(test_settings
+    SOURCES unit/settings_test.cpp
+    LINK thaum_live)
+
+add_executable(live_shot drivers/shot.cpp)
+target_link_libraries(live_shot PRIVATE thaum_flags thaum_hud)
+add_executable(live_session drivers/live_main.cpp)
+target_link_libraries(live_session PRIVATE thaum_flags thaum_live)
+add_executable(live_log_probe drivers/log_probe.cpp)
+target_link_libraries(live_log_probe PRIVATE thaum_flags thaum_duel)
+
+# A pad that does not exist: only where umockdev is installed.
+pkg_check_modules(umockdev IMPORTED_TARGET umockdev-1.0)
+if(umockdev_FOUND)
+    add_executable(pad_harness drivers/pad_harness.cpp)
+    target_link_libraries(pad_harness PRIVATE thaum_flags PkgConfig::umockdev)
+endif()
+
+# In real time and with a screen: one after the other, and not together with what loads the machine.
+function(thaum_driver_test name)
+    add_test(NAME drivers.${name} COMMAND ${ARGN})
+    set_tests_properties(drivers.${name} PROPERTIES SKIP_RETURN_CODE 77 RUN_SERIAL TRUE TIMEOUT 120)
+endfunction()
+thaum_driver_test(stalled ${CMAKE_CURRENT_SOURCE_DIR}/drivers/stalled.sh
+    $<TARGET_FILE:live_session> $<TARGET_FILE:live_log_probe>)
+if(umockdev_FOUND)
+    thaum_driver_test(pad_duel ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pad_duel.sh
+        $<TARGET_FILE:live_session> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
+endif()

@@ -1,0 +1,295 @@
+// Pictures of a match: what they hold, what lies between two of them, and what is drawn where.
+#include "game/hud/hud.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "game/bots/bot.h"
+#include "render/context.h"
+
+namespace thaum::game {
+namespace {
+
+const std::filesystem::path assets = THAUM_SOURCE_DIR "/assets";
+constexpr render::Size size{480, 320};
+
+std::shared_ptr<const MatchData> match_data() {
+    static const auto data = [] {
+        auto loaded = load_match_data(assets, {});
+        EXPECT_TRUE(loaded) << loaded.error().message;
+        return std::make_shared<const MatchData>(std::move(*loaded));
+    }();
+    return data;
+}
+
+std::unique_ptr<Simulation> new_match() {
+    return std::make_unique<Simulation>(match_data(), MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}});
+}
+
+Picture picture_of(const Simulation& match) {
+    auto picture = make_picture();
+    take_picture(match, picture);
+    return picture;
+}
+
+// The picture as data ---------------------------------------------------------------------------------------------------
+
+TEST(TakePicture, HoldsWhatAMomentLooksLike) {
+    const auto match = new_match();
+    const auto p = picture_of(*match);
+    EXPECT_EQ(p.tick, 0U);
+    EXPECT_EQ(p.left_s, seconds(match_data()->round.length));
+    EXPECT_EQ(p.kills_to_win, match_data()->round.kills);
+    EXPECT_EQ(p.things.size(), match_data()->arena.things.size() + match_data()->arena.anchors.size() +
+                                   match_data()->arena.pads.size());
+    for (const auto& w : p.wizards) {
+        EXPECT_EQ(w.health, match_data()->wizard.health);
+        EXPECT_EQ(w.wand, "bolt");
+        EXPECT_EQ(w.energy, w.energy_cap);
+        EXPECT_FALSE(w.dead);
+        EXPECT_NEAR(w.eye.y, match_data()->wizard.eye, 1e-9);
+    }
+}
+
+TEST(TakePicture, AShotIsSeenAsAMissile) {
+    const auto match = new_match();
+    input::InputFrame frame;
+    frame.devices[0].press(input::Button::fire);
+    for (int i = 0; i < 30; ++i) match->tick(frame);
+    const auto p = picture_of(*match);
+    ASSERT_FALSE(p.missiles.empty());
+    EXPECT_EQ(p.missiles[0].player, 0U);
+    EXPECT_LT(p.wizards[0].energy, p.wizards[0].energy_cap);
+    EXPECT_EQ(p.wizards[1].energy, p.wizards[1].energy_cap);
+}
+
+TEST(TakePicture, HurtsAndDeathsShowForAWhile) {
+    const auto match = new_match();
+    auto& world = match->world_to_change();
+    const auto victim = wizard_of(world, 1);
+    hurt(world, victim, 0, {.points = 1000, .by = 0, .how = EventKind::bolt_hit});
+    for (int i = 0; i < 16; ++i) match->tick({});
+    auto p = picture_of(*match);
+    EXPECT_TRUE(p.wizards[1].dead);
+    EXPECT_NEAR(p.wizards[1].returns_in_s, seconds(match_data()->round.respawn), 0.03);
+    EXPECT_EQ(p.wizards[0].kills, 1);
+    ASSERT_EQ(p.feed_lines, 1U);
+    EXPECT_EQ(p.feed[0].victim, 1U);
+    EXPECT_EQ(p.feed[0].by, 0U);
+    ASSERT_EQ(p.wizards[1].hurts, 1U);
+    const vec3 to_foe = glm::normalize(p.wizards[0].eye - p.wizards[1].eye);
+    EXPECT_GT(glm::dot(p.wizards[1].marks[0].towards, to_foe), 0.99);
+    for (int i = 0; i < 5100; ++i) match->tick({});
+    take_picture(*match, p);
+    EXPECT_EQ(p.feed_lines, 0U);
+    EXPECT_EQ(p.wizards[1].hurts, 0U);
+}
+
+TEST(TakePicture, AllocatesNothingOnceWarm) {
+    const auto match = new_match();
+    auto p = picture_of(*match);
+    const auto* things = p.things.data();
+    for (int i = 0; i < 100; ++i) {
+        match->tick({});
+        take_picture(*match, p);
+    }
+    EXPECT_EQ(p.things.data(), things);
+    EXPECT_GE(p.missiles.capacity(), 100U);
+}
+
+// Between two pictures --------------------------------------------------------------------------------------------------
+
+struct Two {
+    Picture from = make_picture(), to = make_picture(), out = make_picture();
+    Two() {
+        from.tick = 100;
+        to.tick = 108;
+        from.things.push_back({.entity = 4, .position = {0, 0, 0}});
+        to.things.push_back({.entity = 4, .position = {0.1, 0, 0}, .orientation = rotation({0, 1, 0}, 0.4)});
+        from.wizards[0].centre = from.wizards[0].eye = {1, 1, 1};
+        to.wizards[0].centre = to.wizards[0].eye = {1.2, 1, 1};
+    }
+    const Picture& at(double alpha) {
+        interpolate(from, to, alpha, out);
+        return out;
+    }
+};
+
+TEST(Interpolate, MovesInBetween) {
+    Two two;
+    const auto& p = two.at(0.5);
+    EXPECT_NEAR(p.things[0].position.x, 0.05, 1e-12);
+    EXPECT_NEAR(2 * std::asin(p.things[0].orientation.y), 0.2, 1e-12);
+    EXPECT_NEAR(p.wizards[0].eye.x, 1.1, 1e-12);
+    EXPECT_NEAR(two.at(0).things[0].position.x, 0, 1e-12);
+    EXPECT_NEAR(two.at(1).things[0].position.x, 0.1, 1e-12);
+}
+
+TEST(Interpolate, ThingsAreFoundByTheirEntity) {
+    Two two;
+    two.from.things.insert(two.from.things.begin(), {.entity = 2, .position = {9, 9, 9}});
+    EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.05, 1e-12);
+    two.to.things[0].entity = 77;  // new
+    EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.1, 1e-12);
+}
+
+TEST(Interpolate, AResurrectionIsNoJourney) {
+    Two two;
+    two.to.wizards[0].centre = two.to.wizards[0].eye = {-15, 1, 15};
+    EXPECT_EQ(two.at(0.25).wizards[0].eye, vec3(-15, 1, 15));
+    // Even one beside where they fell.
+    Two near;
+    near.from.wizards[0].lives = 1;
+    near.to.wizards[0].lives = 2;
+    EXPECT_EQ(near.at(0.25).wizards[0].eye, vec3(1.2, 1, 1));
+}
+
+TEST(Interpolate, TurnsTheShortWayAcrossTheSeam) {
+    Two two;
+    two.from.wizards[0].yaw = 3.1;
+    two.to.wizards[0].yaw = -3.1;
+    EXPECT_NEAR(std::remainder(two.at(0.5).wizards[0].yaw - pi, 2 * pi), 0, 1e-9);
+}
+
+// Drawn -----------------------------------------------------------------------------------------------------------------
+
+class Drawn : public testing::Test {
+protected:
+    void SetUp() override {
+        auto made = render::Offscreen::create(size.width, size.height);
+        if (!made) GTEST_SKIP() << made.error().message;
+        context.emplace(std::move(*made));
+        context->make_current();
+        auto created = render::Renderer::create(assets);
+        ASSERT_TRUE(created) << created.error().message;
+        renderer.emplace(std::move(*created));
+        court = make_court(*renderer, match_data()->arena, match_data()->wizard);
+        picture = picture_of(*new_match());
+    }
+
+    render::Image draw(const HudSettings& settings) {
+        renderer->draw(make_frame(court, picture, settings, size, memory));
+        return renderer->read_pixels();
+    }
+
+    static int differing(const render::Image& a, const render::Image& b, const render::Rect& in) {
+        int count = 0;
+        for (int y = in.y; y < in.y + in.height; ++y) {
+            for (int x = in.x; x < in.x + in.width; ++x) {
+                const auto i = 3 * (static_cast<std::size_t>(y) * size.width + static_cast<std::size_t>(x));
+                count += a.rgb[i] != b.rgb[i] || a.rgb[i + 1] != b.rgb[i + 1] || a.rgb[i + 2] != b.rgb[i + 2];
+            }
+        }
+        return count;
+    }
+
+    /// How many of 8 levels of brightness occur on more than 1 % of the pixels.
+    static int shades(const render::Image& image, const render::Rect& in) {
+        std::array<int, 8> levels{};
+        for (int y = in.y; y < in.y + in.height; ++y) {
+            for (int x = in.x; x < in.x + in.width; ++x) {
+                const auto i = 3 * (static_cast<std::size_t>(y) * size.width + static_cast<std::size_t>(x));
+                const int sum = image.rgb[i] + image.rgb[i + 1] + image.rgb[i + 2];
+                ++levels[static_cast<std::size_t>(sum / 96)];
+            }
+        }
+        const int enough = in.width * in.height / 100;
+        return static_cast<int>(
+            std::count_if(levels.begin(), levels.end(), [&](int n) { return n > enough; }));
+    }
+
+    static HudSettings split(render::Split s) { return {.split = s}; }
+
+    std::optional<render::Offscreen> context;
+    std::optional<render::Renderer> renderer;
+    Court court;
+    Picture picture;
+    FrameMemory memory;
+};
+
+constexpr auto both_splits = {render::Split::top_bottom, render::Split::side_by_side};
+
+TEST_F(Drawn, BothViewsShowTheCourt) {
+    for (const auto s : both_splits) {
+        const auto image = draw(split(s));
+        for (const auto& view : views_of(split(s), size)) EXPECT_GE(shades(image, view), 3);
+    }
+}
+
+TEST_F(Drawn, WhatOneSeesChangesOnlyTheirHalf) {
+    for (const auto s : both_splits) {
+        picture = picture_of(*new_match());
+        const auto before = draw(split(s));
+        picture.wizards[0].yaw += 1;
+        // The other one sees the turned figure; so it is hidden from view by distance: behind the other's back.
+        const auto after = draw(split(s));
+        const auto views = views_of(split(s), size);
+        EXPECT_GT(differing(before, after, views[0]), views[0].width * views[0].height / 3);
+        EXPECT_LT(differing(before, after, views[1]), views[1].width * views[1].height / 50);
+    }
+}
+
+TEST_F(Drawn, NumbersChangeInTheirOwnHalf) {
+    for (const auto s : both_splits) {
+        for (std::uint32_t player = 0; player < players; ++player) {
+            picture = picture_of(*new_match());
+            const auto before = draw(split(s));
+            picture.wizards[player].health = 37;
+            picture.wizards[player].energy = 11;
+            const auto after = draw(split(s));
+            const auto views = views_of(split(s), size);
+            EXPECT_GT(differing(before, after, views[player]), 50);
+            EXPECT_EQ(differing(before, after, views[1 - player]), 0);
+        }
+    }
+}
+
+TEST_F(Drawn, PauseAndResultCoverBothHalves) {
+    const auto before = draw({});
+    picture.paused = true;
+    picture.paused_by = 1;
+    const auto paused = draw({});
+    picture.phase = Phase::over;
+    picture.winner = 0;
+    const auto over = draw({});
+    for (const auto& view : views_of({}, size)) {
+        EXPECT_GT(differing(before, paused, view), view.width * view.height / 2);
+        EXPECT_GT(differing(paused, over, view), 100);
+    }
+}
+
+TEST_F(Drawn, OnePlayerAloneHasTheWholeWindow) {
+    const HudSettings alone{.watch = Watch::first};
+    const auto views = views_of(alone, size);
+    EXPECT_EQ(views[0].width, size.width);
+    EXPECT_EQ(views[0].height, size.height);
+    EXPECT_EQ(views[1].width, 0);
+    draw(alone);
+    EXPECT_EQ(memory.frame.views.size(), 1U);
+}
+
+TEST_F(Drawn, EveryThingOfTheArenaHasAMeshOfItsOwnKind) {
+    std::vector<render::Instance> instances;
+    add_instances(court, picture, no_player, instances);
+    for (const auto& instance : instances) {
+        for (const auto plain : court.unit_shapes) EXPECT_NE(instance.mesh, plain);
+    }
+    EXPECT_LE(court.lights.size(), render::max_lights);
+}
+
+TEST_F(Drawn, TrianglesStayWithinTheBudget) {
+    draw({});
+    EXPECT_LT(renderer->statistics().triangles, 2U * 45000U);
+    EXPECT_LT(renderer->statistics().draws, 220U);
+}
+
+TEST(FieldOfView, IsAsAskedForInAUsualShape) {
+    const double high = field_of_view(90, 16.0 / 9);
+    EXPECT_NEAR(std::tan(high / 2) * 16 / 9, 1, 1e-9);
+    EXPECT_LT(field_of_view(90, 3.5), high);
+    EXPECT_GT(field_of_view(90, 0.9), high);
+}
+
+}  // namespace
+}  // namespace thaum::game
