@@ -34,7 +34,11 @@ int WalkGrid::cell_at(vec3 place) {
     return index(place.z) * side + index(place.x);
 }
 
-vec3 WalkGrid::centre_of(int cell) { return {cell % side - half + 0.5, 0, cell / side - half + 0.5}; }
+vec3 WalkGrid::centre_of(int cell) {
+    const int column = cell % side;
+    const int row = cell / side;
+    return {column - half + 0.5, 0, row - half + 0.5};
+}
 
 bool WalkGrid::passable(int from, int to) const {
     return walkable(from) && walkable(to) &&

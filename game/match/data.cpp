@@ -105,7 +105,7 @@ std::filesystem::path find_assets() {
     // In a build tree the program is build/PRESET/game/thaum; installed it is PREFIX/games/thaum or PREFIX/bin/thaum.
     for (const auto* way :
          {"assets", "../assets", "../../../assets", "../share/thaum/assets", "../share/games/thaum"}) {
-        const auto candidate = (program / way).lexically_normal();
+        auto candidate = (program / way).lexically_normal();
         if (std::filesystem::exists(candidate / "arenas", ignored)) return candidate;
     }
     return "assets";

@@ -221,7 +221,7 @@ int sorted_pairs(lua_State* lua) {
     lua_createtable(lua, static_cast<int>(std::min<std::size_t>(count, 1U << 16U)), 0);
     for (std::size_t i = 0; i < count; ++i) {
         push_key(lua, keys[i]);
-        lua_rawseti(lua, -2, static_cast<lua_Integer>(i + 1));
+        lua_rawseti(lua, -2, static_cast<lua_Integer>(i) + 1);
     }
     lua_pushinteger(lua, static_cast<lua_Integer>(count));
     lua_pushinteger(lua, 0);

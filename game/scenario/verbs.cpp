@@ -62,7 +62,7 @@ void read_players(lua_State* lua, int index, MatchWish& wish) {
     if (!lua_istable(lua, index)) fault("players must be a list of two");
     index = lua_absindex(lua, index);
     for (std::size_t i = 0; i < players; ++i) {
-        lua_rawgeti(lua, index, static_cast<lua_Integer>(i + 1));
+        lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
         wish.bot_level[i] = read_player(lua, -1);
     }
 }

@@ -48,7 +48,8 @@ void step(World& world, Models& models, Random& random) {
     }
     auto it = models.begin();
     std::advance(it, static_cast<std::ptrdiff_t>(random.below(models.size())));
-    auto& [e, m] = *it;
+    const Entity e = it->first;
+    auto& m = it->second;
     const auto toggle = [&]<class C>(auto& slot, const C& c, auto v) {
         if (slot) {
             world.remove<C>(e);

@@ -174,6 +174,17 @@ TEST_F(EcsWorld, AViewStaysGoodWhileViewsThatWereNeverUsedBeforeStartInsideIt) {
     EXPECT_EQ(inner, 36U);
 }
 
+TEST_F(EcsWorld, AComponentMayBeCopiedFromTheTableThatGrowsForIt) {
+    const Entity first = world.create(Position{{1, 2, 3}}, Health{4, 0});
+    for (int i = 0; i < 200; ++i) {
+        const Entity e = world.create(world.get<Position>(first), world.get<Health>(first));
+        ASSERT_EQ(world.get<Position>(e).at, vec3(1, 2, 3));
+        const Entity other = world.create(Position{{5, 5, 5}});
+        world.add(other, world.get<Health>(first));
+        ASSERT_EQ(world.get<Health>(other).points, 4);
+    }
+}
+
 using EcsWorldDeath = EcsWorld;
 
 TEST_F(EcsWorldDeath, WrongUseStopsAndNamesTheComponent) {

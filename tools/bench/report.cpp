@@ -38,8 +38,8 @@ bool beats(const Row& a, const Row& b) {
 
 Json row_json(const Row& row) {
     Json out{{"area", row.area}, {"case", row.name}, {"setting", Json::object()}};
-    for (const auto& [name, value] : row.setting) {
-        std::visit([&](const auto& v) { out["setting"][name] = v; }, value);
+    for (const auto& setting : row.setting) {
+        std::visit([&](const auto& v) { out["setting"][setting.first] = v; }, setting.second);
     }
     if (row.time_us) {
         out["time_us"] = {
