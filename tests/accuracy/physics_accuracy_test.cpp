@@ -25,7 +25,9 @@ TEST(PhysicsAccuracy, FreeFallErrsByItsRecurrenceAndNothingElse) {
     for (const double step : {0.001, 0.002, 0.004, 0.008}) {
         const double error = fall_error(step);
         EXPECT_NEAR(error, g * 1 * step / 2, 1e-11) << step;  // g t dt / 2
-        if (before > 0) { EXPECT_NEAR(std::log2(error / before), 1, 1e-6) << "order"; }
+        if (before > 0) {
+            EXPECT_NEAR(std::log2(error / before), 1, 1e-6) << "order";
+        }
         before = error;
     }
 }

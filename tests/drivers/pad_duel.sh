@@ -3,22 +3,10 @@
 # umockdev that is pulled out and put back. Checks by the log that both players' input arrived, and by a screenshot that
 # both halves show something. Exits 77 where a tool is missing.
 set -euo pipefail
+. "$(dirname "$0")/screen.sh"
 session=$1 harness=$2 probe=$3
-for tool in Xvfb xdotool import convert umockdev-wrapper; do
-    command -v "$tool" >/dev/null || { echo "skipped: no $tool"; exit 77; }
-done
-
-folder=$(mktemp -d)
-server=
-trap '[ -n "$server" ] && kill "$server"; rm -rf "$folder"' EXIT
-Xvfb -displayfd 3 -screen 0 1280x720x24 3>"$folder/display" 2>/dev/null &
-server=$!
-for _ in $(seq 100); do
-    [ -s "$folder/display" ] && break
-    sleep 0.05
-done
-DISPLAY=:$(cat "$folder/display")
-export DISPLAY
+need Xvfb xdotool import convert umockdev-wrapper
+open_screen 1280x720
 
 # Seconds count from the harness' start; the window takes one or two to come, more on a busy machine.
 script='6 lx 30000; 6.2 rt 255; 6.4 rx 25000; 8.5 rt 0; 8.5 lx 0; 8.6 rx 0; 9 a 1; 9.3 a 0; 10 plugged 0; 12 plugged 1; 13 b 1; 13.4 b 0'

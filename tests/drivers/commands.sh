@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# tests/drivers/commands.sh THAUM: what people type wrong, and files that are none. Each gives one line that says what is
+# wrong, and the right exit code; nothing hangs, nothing is left half-written.
+set -uo pipefail
+thaum=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+unset DISPLAY WAYLAND_DISPLAY
+export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
+failures=0
+
+# expect CODE 'WORDS IN THE LINE' ARGUMENT...
+expect() {
+    local code=$1 words=$2 output status
+    shift 2
+    output=$(cd "$folder" && timeout 60 "$thaum" "$@" 2>&1 >/dev/null </dev/null)
+    status=$?
+    if [[ $status != "$code" || $output != *"$words"* || $(grep -c . <<<"$output") != 1 ]]; then
+        printf 'failed: thaum %s\n  exit %s instead of %s, said: %s\n' "$*" "$status" "$code" "$output"
+        failures=$((failures + 1))
+    fi
+}
+
+expect 2 "unknown option '--frobnicate'" --frobnicate
+expect 2 "unknown command 'lab'" lab
+expect 2 "must be a number from 1 to 7" --solo 9
+expect 2 "exclude each other" --vs --demo
+expect 2 "needs a display" --solo 1
+expect 2 "is given twice" --seed 1 --seed 2
+expect 2 "needs 1 value" --headless --seconds
+expect 2 "must be a number" --headless --seconds nan
+expect 2 "rule set 'classic'" --rules classic
+expect 2 "no name of an arena" --headless --arena ../boiling_court
+expect 2 "cannot open" --headless --arena nowhere
+expect 2 "'damage' is -3" --headless --set bolt.shot.damage=-3
+expect 2 "has no key 'shot.damge'" --headless --set bolt.shot.damge=3
+expect 2 "--set foo=3" --headless --set foo=3
+expect 2 "cannot create" --headless --out /dev/null/out
+expect 2 "No such file" replay "$folder/none" --verify
+expect 2 "not an ordinary file" replay "$folder" --verify
+expect 2 "replay needs one log" replay
+expect 2 "diff needs two dumps" diff
+expect 2 "no area" bench nothing
+expect 2 "no scenario 'nothing'" scenario nothing
+DISPLAY=:4242 expect 2 "cannot open a window" --demo
+mkfifo "$folder/fifo"
+expect 2 "not an ordinary file" replay "$folder/fifo" --verify
+: >"$folder/empty"
+expect 2 "empty file" replay "$folder/empty" --verify
+truncate -s 10G "$folder/huge"
+expect 2 "huge" replay "$folder/huge" --verify
+
+# A good log, and what can happen to it.
+"$thaum" --headless --seconds 5 --out "$folder/out" >"$folder/said" || { echo "failed: no duel"; exit 1; }
+[[ $(wc -l <"$folder/said") == 12 && -s $folder/out/duel.png ]] || { echo "failed: the duel's files"; exit 1; }
+log=$folder/out/duel.thaumlog
+expect 2 "never written over" --headless --seconds 1 --record "$log" --out "$folder/out"
+expect 2 "the log has 5000 ticks" replay "$log" --dump 5001 "$folder/dump"
+expect 2 "the log has 5.0 s" replay "$log" --at 6
+"$thaum" replay "$log" --verify >/dev/null || { echo "failed: its own log differs"; failures=$((failures + 1)); }
+head -c 4000 "$log" >"$folder/cut"
+expect 0 "cut off after tick" replay "$folder/cut" --verify
+cp "$log" "$folder/flipped"
+printf '\x41' | dd of="$folder/flipped" bs=1 seek=4000 conv=notrunc 2>/dev/null
+expect 1 "damaged" replay "$folder/flipped" --verify
+
+# Changed data and a spoilt state are found and named.
+cp -r "$(dirname "$0")/../../assets" "$folder/assets"
+echo '# changed' >>"$folder/assets/wands/bolt.toml"
+THAUM_ASSETS=$folder/assets expect 2 "wands/bolt.toml has changed" replay "$log" --verify
+printf 'colour = 3\n' >>"$folder/assets/rules/quick.toml"
+THAUM_ASSETS=$folder/assets expect 2 "rules/quick.toml:7: unknown key 'colour'" --headless --seconds 1
+"$thaum" replay "$log" --dump 4000 "$folder/a.dump" >/dev/null
+"$thaum" replay "$log" --dump 4001 "$folder/b.dump" >/dev/null
+"$thaum" diff "$folder/a.dump" "$folder/a.dump" >/dev/null || { echo "failed: a dump differs from itself"; failures=$((failures + 1)); }
+said=$("$thaum" diff "$folder/a.dump" "$folder/b.dump")
+[[ $? == 1 && $said == *played*"4000 | 4001"* ]] || { echo "failed: diff does not name what differs"; failures=$((failures + 1)); }
+"$thaum" diff "$log" --exe "$thaum" | grep -q 'no difference in 5000 ticks' || { echo "failed: diff --exe"; failures=$((failures + 1)); }
+"$thaum" diff "$log" --threads 1,2 | grep -q 'no difference' || { echo "failed: diff --threads"; failures=$((failures + 1)); }
+
+for command in play replay diff scenario bench doctor; do
+    lines=$("$thaum" "$command" --help | wc -l)
+    [[ $lines -gt 2 && $lines -le 24 ]] || { echo "failed: the help of $command has $lines lines"; failures=$((failures + 1)); }
+done
+((failures == 0)) && echo "all said what is wrong"
+exit $((failures > 0))

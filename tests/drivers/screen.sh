@@ -1,0 +1,23 @@
+# tests/drivers/screen.sh, sourced: what the tests with a window share. Needs `set -euo pipefail`.
+
+# need TOOL...: leaves with 77 (skipped) where one is missing.
+need() {
+    local tool
+    for tool in "$@"; do
+        command -v "$tool" >/dev/null || { echo "skipped: no $tool"; exit 77; }
+    done
+}
+
+# open_screen SIZE: a folder that goes at the end ($folder), and an X server without a screen of glass ($DISPLAY).
+open_screen() {
+    folder=$(mktemp -d)
+    Xvfb -displayfd 3 -screen 0 "$1x24" 3>"$folder/display" 2>/dev/null &
+    screen_server=$!
+    trap 'kill "$screen_server"; rm -rf "$folder"' EXIT
+    for _ in $(seq 100); do
+        [ -s "$folder/display" ] && break
+        sleep 0.05
+    done
+    DISPLAY=:$(cat "$folder/display")
+    export DISPLAY XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
+}
