@@ -24,6 +24,8 @@ function(thaum_driver_test name)
     add_test(NAME drivers.${name} COMMAND ${ARGN})
     set_tests_properties(drivers.${name} PROPERTIES SKIP_RETURN_CODE 77 RUN_SERIAL TRUE TIMEOUT 120)
 endfunction()
+thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
+    $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
 thaum_driver_test(stalled ${CMAKE_CURRENT_SOURCE_DIR}/drivers/stalled.sh
     $<TARGET_FILE:live_session> $<TARGET_FILE:live_log_probe>)
 add_test(NAME drivers.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/commands.sh $<TARGET_FILE:thaum>)

@@ -7,7 +7,8 @@ foreach(script ${scenarios})
     set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 300 LABELS scenario)
 endforeach()
 
-# Every log in the folder is a test: it must still come to the same bits, in this build too.
+# Every log in the folder is a test: it must still come to the same bits, in this build too. After a change of rules or
+# data: thaum --headless --seed 2 --seconds 30 --record tests/replays/bots_rules_N.thaumlog, and say why it changed.
 file(GLOB replays CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/replays/*.thaumlog)
 foreach(log ${replays})
     get_filename_component(name ${log} NAME_WE)
