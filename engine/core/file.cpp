@@ -26,6 +26,8 @@ tl::unexpected<Error> system_error(const std::filesystem::path& path, std::strin
     return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(errno)));
 }
 
+}  // namespace
+
 bool write_all(int fd, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const auto n = ::write(fd, bytes.data(), bytes.size());
@@ -35,8 +37,6 @@ bool write_all(int fd, std::span<const std::byte> bytes) {
     }
     return true;
 }
-
-}  // namespace
 
 Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit) {
     // O_NONBLOCK: opening a fifo without a writer must not hang.

@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "core/assert.h"
+#include "core/file.h"
 #include "core/text.h"
 #include "input/detail/block.h"
 
@@ -59,17 +60,6 @@ QueuedBlock* reversed(QueuedBlock* list) {
         list = next;
     }
     return result;
-}
-
-/// False with errno set; part of the bytes may have been written.
-bool write_all(int fd, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const auto n = ::write(fd, bytes.data(), bytes.size());
-        if (n < 0 && errno == EINTR) continue;
-        if (n < 0) return false;
-        bytes = bytes.subspan(static_cast<std::size_t>(n));
-    }
-    return true;
 }
 
 /// Signals go to the program's other threads; so a file size limit (SIGXFSZ) is an error of `write` here.

@@ -22,7 +22,7 @@ struct Walker {
     MoverResult last;
     double landing{};  ///< of the last landing
 
-    explicit Walker(std::vector<TriangleMesh> meshes = {}) : physics({}, std::move(meshes)) {}
+    explicit Walker(const std::vector<TriangleMesh>& meshes = {}) : physics({}, meshes) {}
     void enter(vec3 position) { physics.add(me, mover_body, at(position)); }
     void tick(vec3 wish, bool jump = false) {
         last = move(physics, me, {wish, jump}, settings, state, dt);

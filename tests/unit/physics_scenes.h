@@ -34,7 +34,7 @@ inline BodyDesc wizard() {
 inline void add_pile(Physics& physics) {
     add_floor(physics);
     for (Key i = 0; i < 14; ++i) {
-        const double level = i / 2;
+        const auto level = i / 2;
         const double side = i % 2 == 0 ? -0.28 : 0.28;
         physics.add(10 + i, box({0.25, 0.2, 0.25}, 5),
                     at({side + 0.02 * level, 0.25 + 0.45 * level, 0.03 * i}));

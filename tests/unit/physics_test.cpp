@@ -285,7 +285,7 @@ TEST(PhysicsRay, AgreesWithFineSampling) {
     Physics physics;
     const quat turn = rotation(glm::normalize(vec3{1, 2, 3}), 0.7);
     physics.add(3, box({0.4, 0.05, 0.8}, 0), {.position = {0.1, 0.2, 0.3}, .orientation = turn});
-    Random random(3);
+    Random random{3};
     int hits = 0;
     for (int i = 0; i < 300; ++i) {
         const auto coordinate = [&] { return random.uniform() * 4 - 2; };
@@ -317,7 +317,7 @@ TEST(PhysicsRay, AgreesWithFineSampling) {
 TEST(PhysicsRay, NothingTunnelsThroughACentimetre) {
     Physics physics;
     physics.add(2, box({0.005, 2, 2}, 0), at({0, 0, 0}));
-    Random random(4);
+    Random random{4};
     const double step = 400 * dt;
     for (int i = 0; i < 2000; ++i) {  // a bolt of 400 m/s, from anywhere, at any angle, in steps of a tick
         vec3 from{-1 - random.uniform(), random.uniform() - 0.5, random.uniform() - 0.5};
@@ -345,7 +345,7 @@ TEST(PhysicsRay, OfEqualsTheLowerKeyWins) {
 TEST(PhysicsRay, MeetsMeshes) {
     Physics physics({}, {hills(8, 0)});
     physics.add(2, {.shape = Shape::mesh}, {.position = {0, 1, 0}, .orientation = rotation({0, 1, 0}, 0.3)});
-    Random random(5);
+    Random random{5};
     for (int i = 0; i < 200; ++i) {  // watertight along all seams, and exact
         const double x = std::floor(random.uniform() * 5) - 2, z = random.uniform() * 4 - 2;
         const vec3 seam = rotation({0, 1, 0}, 0.3) * vec3{x, 0, z};

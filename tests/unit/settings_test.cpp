@@ -15,7 +15,7 @@ namespace {
 const std::filesystem::path assets = THAUM_SOURCE_DIR "/assets";
 
 std::filesystem::path fresh_folder(const std::string& name) {
-    const auto folder = std::filesystem::path(testing::TempDir()) / ("thaum_" + name);
+    auto folder = std::filesystem::path(testing::TempDir()) / ("thaum_" + name);
     std::filesystem::remove_all(folder);
     return folder;
 }
