@@ -211,7 +211,8 @@ struct Area {
     void each(Visit visit) const {
         for (int y = y0; y < y1; ++y) {
             for (int x = x0; x < x1; ++x)
-                visit(&pixels.rgb[static_cast<std::size_t>(3 * (y * pixels.width + x))]);
+                visit(&pixels.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(pixels.width) +
+                                       static_cast<std::size_t>(x))]);
         }
     }
 };

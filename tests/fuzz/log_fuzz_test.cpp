@@ -118,7 +118,7 @@ TEST(LogFuzz, TenThousandCorruptions) {
     const Folder folder;
     const auto log = samples::small_log(folder);
     const samples::Scratch file(folder / "corrupt");
-    Random random(20240501);
+    Random random{20240501};
     std::array<int, 4> opened{};
     for (int i = 0; i < 10000; ++i) {
         const auto kind = static_cast<std::size_t>(i % 4);

@@ -37,9 +37,10 @@ TEST(PhysicsStability, HardKicksStayInTheRoom) {
     Physics physics;
     add_room(physics);
     Keys keys;
-    Random random(1);
+    Random random{1};
     for (Key key = 10; key < 40; ++key) {
-        physics.add(key, box({0.3, 0.3, 0.3}, 1), at({key % 5 - 2.0, key / 10 * 1.0, key % 3 - 1.0}));
+        physics.add(key, box({0.3, 0.3, 0.3}, 1),
+                    at({key % 5 - 2.0, static_cast<double>(key / 10), key % 3 - 1.0}));
         keys.push_back(key);
     }
     for (int tick = 0; tick < 3000; ++tick) {
@@ -97,7 +98,7 @@ TEST(PhysicsStability, AGramOnATonneAndATonneOnAGram) {
 TEST(PhysicsStability, ThousandsComeAndGo) {
     Physics physics({.max_bodies = 128});
     add_floor(physics);
-    Random random(2);
+    Random random{2};
     Keys keys;
     Key next = 10;
     for (int act = 0; act < 6000; ++act) {
@@ -149,10 +150,10 @@ TEST(PhysicsStability, AWizardAmongHostileProps) {
     add_room(physics);
     physics.add(100, mover_body, at({0, -9, 0}));
     Keys keys{100};
-    Random random(6);
+    Random random{6};
     for (Key key = 10; key < 30; ++key) {
         physics.add(key, box({0.4, 0.4, 0.4}, key % 2 ? 0.1 : 500),
-                    at({key % 4 - 2.0, key / 4 - 6.0, key % 3 - 1.0}));
+                    at({key % 4 - 2.0, static_cast<double>(key / 4) - 6.0, key % 3 - 1.0}));
         keys.push_back(key);
     }
     MoverState state;
