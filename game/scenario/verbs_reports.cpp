@@ -195,7 +195,7 @@ int verb_picture(lua_State* lua, void* context) {
     const auto bytes = static_cast<std::size_t>(pixels->width) * static_cast<std::size_t>(pixels->height) * 3;
     if (pixels->width <= 0 || pixels->height <= 0 || pixels->rgb.size() != bytes)
         fault("picture: it is empty");
-    lua_pushinteger(lua, static_cast<lua_Integer>(play.pictures.size() + 1));
+    lua_pushinteger(lua, static_cast<lua_Integer>(play.pictures.size()) + 1);
     lua_pushinteger(lua, pixels->width);
     lua_pushinteger(lua, pixels->height);
     play.pictures.push_back(std::move(*pixels));

@@ -39,8 +39,8 @@ TEST(PhysicsStability, HardKicksStayInTheRoom) {
     Keys keys;
     Random random{1};
     for (Key key = 10; key < 40; ++key) {
-        physics.add(key, box({0.3, 0.3, 0.3}, 1),
-                    at({key % 5 - 2.0, static_cast<double>(key / 10), key % 3 - 1.0}));
+        const Key storey = key / 10;
+        physics.add(key, box({0.3, 0.3, 0.3}, 1), at({key % 5 - 2.0, storey * 1.0, key % 3 - 1.0}));
         keys.push_back(key);
     }
     for (int tick = 0; tick < 3000; ++tick) {
@@ -152,8 +152,9 @@ TEST(PhysicsStability, AWizardAmongHostileProps) {
     Keys keys{100};
     Random random{6};
     for (Key key = 10; key < 30; ++key) {
+        const Key storey = key / 4;
         physics.add(key, box({0.4, 0.4, 0.4}, key % 2 ? 0.1 : 500),
-                    at({key % 4 - 2.0, static_cast<double>(key / 4) - 6.0, key % 3 - 1.0}));
+                    at({key % 4 - 2.0, storey - 6.0, key % 3 - 1.0}));
         keys.push_back(key);
     }
     MoverState state;

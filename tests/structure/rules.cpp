@@ -132,7 +132,9 @@ void check_includes(const fs::path& root, const fs::path& file, Faults& faults) 
         const auto to = place_of(target);
         const auto fault = arrow_fault(from, to);
         if (fault.empty()) continue;
-        faults.push_back(at_line(name, number, from.folder + " -> " + target + ": " + fault));
+        std::string arrow = from.folder;
+        arrow.append(" -> ").append(target).append(": ").append(fault);
+        faults.push_back(at_line(name, number, arrow));
     }
 }
 

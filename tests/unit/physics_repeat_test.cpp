@@ -24,7 +24,7 @@ struct Drama {
     MoverState mover;
     std::uint64_t tick{};
 
-    explicit Drama(Settings settings = {}) : physics(settings, {hills(16, 0.3)}), random(7) {
+    explicit Drama(Settings settings = {}) : physics(settings, {hills(16, 0.3)}), random{7} {
         put(2, {.shape = Shape::mesh}, at({}));
         put(3, box({0.5, 2, 8}, 0), at({7, 1, 0}));
         put(40, wizard(), at({0, 2, 3}));

@@ -339,7 +339,7 @@ TEST_F(BrokenShader, EveryFileIsNamedWhenItDoesNotCompile) {
         std::ofstream(path) << "#version 330 core\nvoid main() {\n    no such thing;\n}\n";
         const auto message = error();
         EXPECT_NE(message.find(path.string()), std::string::npos) << message;
-        EXPECT_NE(message.find("3"), std::string::npos) << "the line: " << message;
+        EXPECT_NE(message.find('3'), std::string::npos) << "the line: " << message;
         EXPECT_EQ(message.find('\n'), std::string::npos);
         std::filesystem::copy_file(assets / "shaders" / name, path,
                                    std::filesystem::copy_options::overwrite_existing);
