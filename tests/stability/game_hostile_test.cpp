@@ -1,0 +1,98 @@
+// A match under hands that do anything at all: whatever comes in, all stays finite and in bounds. And logs that are not ours to
+// play.
+#include "game/match/record.h"
+#include "unit/game_duel.h"
+
+namespace thaum::game::test {
+namespace {
+
+/// Mostly wild, sometimes as far as the integers go.
+std::int32_t wild(Random& random) {
+    switch (random.below(6)) {
+        case 0: return std::numeric_limits<std::int32_t>::min();
+        case 1: return std::numeric_limits<std::int32_t>::max();
+        case 2: return 0;
+        default: return static_cast<std::int32_t>(random.below(600)) - 300;
+    }
+}
+
+input::InputFrame wild_frame(Random& random) {
+    input::InputFrame frame;
+    for (std::size_t d = 0; d < players; ++d) {
+        auto& sample = frame.devices[d];
+        for (auto& count : sample.counts) count = wild(random);
+        sample.buttons = static_cast<std::uint32_t>(random.next());
+        // Pausing all the time would leave little to test.
+        if (random.below(50) != 0) sample.buttons &= ~static_cast<std::uint32_t>(input::Button::pause);
+    }
+    return frame;
+}
+
+void expect_sane(const Simulation& match) {
+    match.world().view<const Motion>().each([](ecs::Entity e, const Motion& m) {
+        ASSERT_TRUE(is_finite(m.position) && is_finite(m.velocity) && is_finite(m.spin)) << e.index;
+        ASSERT_LT(glm::length(m.position), 100) << e.index;
+        ASSERT_LT(glm::length(m.velocity), 250) << e.index;
+    });
+    match.world().view<const Health, const Gaze>().each([](const Health& h, const Gaze& g) {
+        ASSERT_TRUE(h.points >= -100 && h.points <= 150) << h.points;
+        ASSERT_LE(std::abs(g.pitch), pi / 2);
+        ASSERT_LE(std::abs(g.yaw), pi);
+    });
+    match.world().view<const WandBelt>().each([](const WandBelt& belt) {
+        for (const double energy : belt.energy) ASSERT_TRUE(energy >= 0 && energy <= 60) << energy;
+    });
+}
+
+TEST(GameHostile, WildInputLeavesEverythingFiniteAndInBounds) {
+    Random random{12};
+    Simulation match(duel_data({"quick.kills=1000", "wizard.health.start=20"}),
+                     {5, {bot_device(0, 1), bot_device(1, 1)}});
+    auto frame = wild_frame(random);
+    for (Tick t = 0; t < 40'000; ++t) {
+        if (random.below(20) == 0) frame = wild_frame(random);
+        match.tick(frame);
+        if (t % 100 == 0) expect_sane(match);
+        if (HasFatalFailure()) FAIL() << "at tick " << t;
+    }
+    EXPECT_GT(match.match().played, 5000U);
+}
+
+TEST(GameHostile, ALogOfOtherRulesOrOtherDataIsRefusedInOneLineThatNamesWhatDiffers) {
+    const auto data = duel_data();
+    const MatchSetup setup{1, {bot_device(0, 1), bot_device(1, 1)}};
+    const auto header = log_header(*data, setup, {"bot 1", "bot 1"});
+    ASSERT_TRUE(match_of_log(header, assets()).has_value());
+    const auto refusal = [](input::LogHeader changed) {
+        const auto match = match_of_log(changed, assets());
+        return match ? std::string("accepted") : match.error().message;
+    };
+    auto other = header;
+    ++other.rules_version;
+    EXPECT_NE(refusal(other).find(text("recorded under rules version ", other.rules_version)),
+              std::string::npos)
+        << refusal(other);
+    other = header;
+    other.files[0].hash ^= 1;
+    EXPECT_NE(refusal(other).find("arenas/boiling_court.toml has changed"), std::string::npos)
+        << refusal(other);
+    other = header;
+    other.files.push_back({"wands/lost.toml", 1});
+    EXPECT_NE(refusal(other).find("wands/lost.toml is not part"), std::string::npos) << refusal(other);
+    other = header;
+    other.files.pop_back();
+    EXPECT_NE(refusal(other).find("did not exist"), std::string::npos) << refusal(other);
+    other = header;
+    other.arena = "../../etc/passwd";
+    EXPECT_NE(refusal(other).find("no name of an arena"), std::string::npos) << refusal(other);
+    other = header;
+    other.overrides = {"bolt.shot.damage=nan"};
+    EXPECT_NE(refusal(other).find("damage"), std::string::npos) << refusal(other);
+    other = header;
+    ++other.maths_probe;
+    EXPECT_NE(probe_warning(other), "");
+    EXPECT_EQ(probe_warning(header), "");
+}
+
+}  // namespace
+}  // namespace thaum::game::test
