@@ -63,7 +63,7 @@ TEST(GameHostile, ALogOfOtherRulesOrOtherDataIsRefusedInOneLineThatNamesWhatDiff
     const MatchSetup setup{1, {bot_device(0, 1), bot_device(1, 1)}};
     const auto header = log_header(*data, setup, {"bot 1", "bot 1"});
     ASSERT_TRUE(match_of_log(header, assets()).has_value());
-    const auto refusal = [](input::LogHeader changed) {
+    const auto refusal = [](const input::LogHeader& changed) {
         const auto match = match_of_log(changed, assets());
         return match ? std::string("accepted") : match.error().message;
     };
