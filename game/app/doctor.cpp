@@ -1,6 +1,4 @@
 // thaum doctor: what this machine has, what is missing, and what to do about it.
-#include <fcntl.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,6 +11,8 @@
 #include "core/text.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
+#include "game/app/live_shared.h"
+#include "game/app/settings.h"
 #include "game/app/still.h"
 #include "physics/probe.h"
 #include "render/context.h"
@@ -120,19 +120,11 @@ void add_pads(std::vector<Finding>& findings) {
 /// How late 1 kHz wake-ups come, in microseconds, sorted.
 std::vector<double> wake_up_delays(int count) {
     std::vector<double> late;
-    timespec due{};
-    clock_gettime(CLOCK_MONOTONIC, &due);
+    auto due = monotonic_ns();
     for (int i = 0; i < count; ++i) {
-        due.tv_nsec += 1'000'000;
-        if (due.tv_nsec >= 1'000'000'000) {
-            due.tv_nsec -= 1'000'000'000;
-            ++due.tv_sec;
-        }
-        clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr);
-        timespec now{};
-        clock_gettime(CLOCK_MONOTONIC, &now);
-        late.push_back(static_cast<double>(now.tv_sec - due.tv_sec) * 1e6 +
-                       static_cast<double>(now.tv_nsec - due.tv_nsec) / 1e3);
+        due += 1'000'000;
+        sleep_until_ns(due);
+        late.push_back(static_cast<double>(monotonic_ns() - due) / 1e3);
     }
     std::sort(late.begin(), late.end());
     return late;
@@ -149,13 +141,7 @@ Finding tick_clock() {
         ""};
 }
 
-Finding folder(const std::string& what, const char* variable, const char* fallback) {
-    const char* base = std::getenv(variable);
-    const char* home = std::getenv("HOME");
-    const auto path =
-        (base != nullptr && *base != '\0' ? std::filesystem::path(base)
-                                          : std::filesystem::path(home != nullptr ? home : ".") / fallback) /
-        "thaum";
+Finding folder(const std::string& what, const std::filesystem::path& path, const char* variable) {
     auto existing = path;
     std::error_code ignored;
     while (!existing.empty() && !std::filesystem::exists(existing, ignored))
@@ -171,8 +157,8 @@ std::vector<Finding> examine() {
     std::vector<Finding> findings{processor(), mathematics(), data_files(assets), opengl(assets), display()};
     add_pads(findings);
     findings.push_back(tick_clock());
-    findings.push_back(folder("settings", "XDG_CONFIG_HOME", ".config"));
-    findings.push_back(folder("match logs", "XDG_DATA_HOME", ".local/share"));
+    findings.push_back(folder("settings", settings_file().parent_path(), "XDG_CONFIG_HOME"));
+    findings.push_back(folder("match logs", matches_folder(), "XDG_DATA_HOME"));
     return findings;
 }
 
