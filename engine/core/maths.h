@@ -24,6 +24,12 @@ using fmat4 = glm::mat4;
 inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double radians_per_degree = pi / 180.0;
 
+/// The vector, shortened where it is longer than `most`.
+inline vec3 limited(vec3 v, double most) {
+    const double length = glm::length(v);
+    return length > most ? v * (most / length) : v;
+}
+
 namespace det {
 
 /// Within 2 ulp (tan: 4) for |x| <= 1e5 rad; from there to 1e9 rad the error of sin and cos stays below 5e-7.

@@ -12,8 +12,6 @@ constexpr std::string_view magic = "THAUMECS";
 constexpr std::uint32_t format = 1;
 constexpr std::uint32_t max_rows = 1U << 28U;
 
-std::size_t words_for(std::uint32_t rows) { return (std::size_t{rows} + 63) / 64; }
-
 template <class T>
 std::span<const std::byte> raw(const T* data, std::size_t count) {
     return std::as_bytes(std::span(data, count));

@@ -4,12 +4,6 @@
 #include <new>
 
 namespace thaum::ecs {
-namespace {
-
-std::size_t words_for(std::uint32_t rows) { return (std::size_t{rows} + 63) / 64; }
-
-}  // namespace
-
 void RawArray::grow(std::size_t bytes, std::size_t keep) {
     std::unique_ptr<std::byte, Free> larger(
         static_cast<std::byte*>(::operator new (bytes, std::align_val_t{64})));

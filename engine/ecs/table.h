@@ -43,6 +43,9 @@ struct Column {
     std::byte* cell(std::uint32_t row) const { return array.data() + std::size_t{row} * size; }
 };
 
+/// Words of a bit column with that many rows.
+constexpr std::size_t words_for(std::uint32_t rows) { return (std::size_t{rows} + 63) / 64; }
+
 /// One bit a row; bits at and beyond `rows` are zero.
 struct TagColumn {
     std::uint32_t component{};

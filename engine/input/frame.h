@@ -63,6 +63,8 @@ enum class Button : std::uint32_t {
     quit = 1U << 18U,
 };
 
+constexpr std::uint32_t bit(Button button) { return static_cast<std::uint32_t>(button); }
+
 /// One device in one tick.
 struct DeviceSample {
     std::array<std::int32_t, max_counts> counts{};
@@ -71,8 +73,8 @@ struct DeviceSample {
     std::uint16_t skips{};  ///< samples left out before this one because the simulation was too far behind
     bool operator==(const DeviceSample&) const = default;
 
-    bool down(Button button) const { return (buttons & static_cast<std::uint32_t>(button)) != 0; }
-    void press(Button button) { buttons |= static_cast<std::uint32_t>(button); }
+    bool down(Button button) const { return (buttons & bit(button)) != 0; }
+    void press(Button button) { buttons |= bit(button); }
 };
 
 /// All devices in one tick. Device i is described by LogHeader::devices[i]; those beyond stay zero.

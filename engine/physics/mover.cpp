@@ -28,11 +28,6 @@ vec3 level(vec3 v) { return {v.x, 0, v.z}; }
 
 vec3 along(vec3 v, vec3 normal) { return v - normal * glm::dot(v, normal); }
 
-vec3 limited(vec3 v, double most) {
-    const double length = glm::length(v);
-    return length > most ? v * (most / length) : v;
-}
-
 vec3 velocity_at(const BodyState& s, vec3 point) {
     return s.velocity + glm::cross(s.spin, point - s.position);
 }

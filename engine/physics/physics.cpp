@@ -112,11 +112,6 @@ bool overlap(const Box& a, const Box& b, double gap) {
     return true;
 }
 
-vec3 limited(vec3 v, double most) {
-    const double length = glm::length(v);
-    return length > most ? v * (most / length) : v;
-}
-
 /// A sleeper has no motion, whatever it was given.
 BodyState settled(BodyState state) {
     if (state.asleep) state.velocity = state.spin = vec3{};

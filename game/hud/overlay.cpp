@@ -21,7 +21,6 @@ constexpr float arc_sweep = 4.712389F;
 constexpr double low_health = 25;    // HP
 constexpr double hit_seconds = 0.3;  // the hit mark stands for so long after the last hit
 constexpr double dry_seconds = 0.9;
-constexpr double mark_seconds = 1.2;
 
 const fvec4 panel = colour(0x140E22, 0.62F);
 const fvec4 track = colour(0x140E22, 0.75F);

@@ -8,7 +8,6 @@
 namespace thaum::game {
 namespace {
 
-constexpr double mark_seconds = 1.2;
 constexpr double feed_seconds = 5;
 constexpr double long_ago = 1e6;
 /// Nothing that moves by itself is faster, m/s.

@@ -34,6 +34,9 @@ struct MissilePicture {
     vec3 velocity{};
 };
 
+/// How long a mark shows where a hurt came from.
+inline constexpr double mark_seconds = 1.2;
+
 /// Something that hurt a player a short time ago.
 struct HurtMark {
     double age_s{};

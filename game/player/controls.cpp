@@ -9,8 +9,6 @@ namespace {
 using input::Button;
 namespace hand = input::hand;
 
-std::uint32_t bit(Button b) { return static_cast<std::uint32_t>(b); }
-
 double wrapped(double angle) {
     if (angle > pi) return angle - 2 * pi;
     if (angle < -pi) return angle + 2 * pi;

@@ -3,8 +3,6 @@
 namespace thaum::game {
 namespace {
 
-std::uint32_t bit(input::Button b) { return static_cast<std::uint32_t>(b); }
-
 vec3 wish_of(const Controls& controls, const Gaze& gaze, double speed) {
     vec3 wish{controls.strafe / 127.0, 0, -controls.forward / 127.0};
     const double length = glm::length(wish);
@@ -41,7 +39,7 @@ void add_walk_system(Stage& stage, ecs::Schedule& schedule) {
              w.view<Controls, const Gaze, Stance, const Motion, const Body, ecs::Without<Dead>>().each(
                  [&](ecs::Entity e, Controls& controls, const Gaze& gaze, Stance& stance,
                      const Motion& motion, const Body&) {
-                     const auto jump = bit(input::Button::jump);
+                     const auto jump = input::bit(input::Button::jump);
                      const bool wishes =
                          controls.strafe != 0 || controls.forward != 0 || (controls.pressed & jump) != 0;
                      if (motion.asleep != 0 && !wishes) return;  // stands, and nothing has touched it

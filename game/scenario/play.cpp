@@ -164,11 +164,6 @@ struct Column {
     Reader of_wizard, of_thing;  ///< null: it has none
 };
 
-template <class C>
-const C& part(const Play& play, std::uint32_t player) {
-    return play.match->world().get<C>(wizard_entity(play, player));
-}
-
 /// The thing's Motion, or a still one where the thing is gone.
 Motion thing_motion(const Play& play, std::uint32_t number) {
     const auto* found = play.match->world().find<Motion>(play.things[number].entity);

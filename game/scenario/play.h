@@ -98,6 +98,10 @@ void scene_is_set(Play& play);
 void end_match(Play& play);
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player);
+template <class C>
+const C& part(const Play& play, std::uint32_t player) {
+    return play.match->world().get<C>(wizard_entity(play, player));
+}
 
 /// What a hand must still turn, in counts, so that its wizard looks at a place.
 struct LookCounts {

@@ -40,11 +40,6 @@ constexpr ButtonName button_names[] = {
     {"confirm", Button::confirm},
 };
 
-template <class C>
-const C& part(const Play& play, std::uint32_t player) {
-    return world_of(play).get<C>(wizard_entity(play, player));
-}
-
 // ---- the match ---------------------------------------------------------------------------------------------------------
 
 int read_player(lua_State* lua, int index) {

@@ -294,7 +294,7 @@ int verb_check_late(lua_State* lua, void* context) {
     return 0;
 }
 
-constexpr VerbName list[] = {
+constexpr VerbName report_list[] = {
     {"events", verb_events},
     {"raw_next_event", verb_next_event},
     {"state", verb_state},
@@ -309,6 +309,6 @@ constexpr VerbName list[] = {
 
 }  // namespace
 
-std::span<const VerbName> report_verbs() { return list; }
+std::span<const VerbName> report_verbs() { return report_list; }
 
 }  // namespace thaum::game

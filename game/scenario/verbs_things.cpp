@@ -140,7 +140,7 @@ int verb_clear_props(lua_State*, void* context) {
     return 0;
 }
 
-constexpr VerbName list[] = {
+constexpr VerbName thing_list[] = {
     {"raw_spawn", verb_spawn},
     {"raw_thing_there", verb_thing_there},
     {"raw_thing_position", verb_thing_position},
@@ -152,6 +152,6 @@ constexpr VerbName list[] = {
 
 }  // namespace
 
-std::span<const VerbName> thing_verbs() { return list; }
+std::span<const VerbName> thing_verbs() { return thing_list; }
 
 }  // namespace thaum::game

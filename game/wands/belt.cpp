@@ -26,9 +26,9 @@ std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t
 void choose(const MatchData& data, const Controls& controls, WandBelt& belt) {
     constexpr auto forward = std::uint32_t{1};
     constexpr auto backward = static_cast<std::uint32_t>(wand_slots - 1);
-    const auto pressed = [&](Button b) { return (controls.pressed & static_cast<std::uint32_t>(b)) != 0; };
+    const auto pressed = [&](Button b) { return (controls.pressed & input::bit(b)) != 0; };
     for (std::uint32_t slot = 0; slot < wand_slots; ++slot) {
-        const auto key = static_cast<Button>(static_cast<std::uint32_t>(Button::wand_1) << slot);
+        const auto key = static_cast<Button>(input::bit(Button::wand_1) << slot);
         if (pressed(key) && wand_in_slot(data, slot) != nullptr) belt.selected = slot;
     }
     if (pressed(Button::next_wand)) belt.selected = next_slot(data, belt.selected, forward);

@@ -95,7 +95,7 @@ void use(const WandUse& use) {
     const auto& data = *static_cast<const BoltData*>(use.data);
     auto& world = use.stage.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
-    const auto fire = static_cast<std::uint32_t>(input::Button::fire);
+    const auto fire = input::bit(input::Button::fire);
     auto& hand = world.get<BoltHand>(use.wizard);
     if (((controls.held | controls.pressed) & fire) == 0 || use.tick < hand.next_shot) return;
     auto& belt = world.get<WandBelt>(use.wizard);

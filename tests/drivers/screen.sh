@@ -11,7 +11,7 @@ need() {
 # open_screen SIZE: a folder that goes at the end ($folder), and an X server without a screen of glass ($DISPLAY).
 open_screen() {
     folder=$(mktemp -d)
-    Xvfb -displayfd 3 -screen 0 "$1x24" 3>"$folder/display" 2>/dev/null &
+    Xvfb -displayfd 3 -noreset -screen 0 "$1x24" 3>"$folder/display" 2>/dev/null &
     screen_server=$!
     trap 'kill "$screen_server"; rm -rf "$folder"' EXIT
     for _ in $(seq 100); do

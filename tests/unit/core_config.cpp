@@ -8,7 +8,6 @@
 namespace thaum {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Config parsed(std::string_view body) {
     auto config = Config::parse(text("version = 1\n", body), "wand.toml", 1);
@@ -158,7 +157,7 @@ TEST(CoreConfig, RangesHoldAtBothEnds) {
     EXPECT_NE(number_fault("x = nan", {}), "");
     EXPECT_NE(number_fault("x = inf", {}), "");
     EXPECT_NE(number_fault("x = -inf", {}), "");
-    EXPECT_EQ(number_fault("x = inf", {0, infinity}), "");
+    EXPECT_EQ(number_fault("x = inf", {0, std::numeric_limits<double>::infinity()}), "");
     EXPECT_NE(fault_of("x = 11", [](const auto& t) { t.integer("x", {0, 10}); }), "");
     EXPECT_NE(fault_of("x = [1, 2, 11]", [](const auto& t) { t.vector("x", {0, 10}); }), "");
 }

@@ -9,12 +9,12 @@
 namespace thaum::input {
 namespace {
 
-std::optional<int> code_of(std::string_view name) {
+std::optional<int> length_code_of(std::string_view name) {
     return name.size() == 1 ? std::optional<int>(name[0]) : static_cast<int>(name.size()) * 1000 + name[3];
 }
 
-HandsCollector mouse() { return HandsCollector(default_bindings(DeviceKind::keyboard_mouse, code_of)); }
-HandsCollector pad() { return HandsCollector(default_bindings(DeviceKind::pad, code_of)); }
+HandsCollector mouse() { return HandsCollector(default_bindings(DeviceKind::keyboard_mouse, length_code_of)); }
+HandsCollector pad() { return HandsCollector(default_bindings(DeviceKind::pad, length_code_of)); }
 
 constexpr int left_button = 0;
 
@@ -64,7 +64,7 @@ TEST(InputCollector, ShortPressShowsForOneTick) {
 }
 
 TEST(InputCollector, TwoControlsOfOneAction) {
-    auto bindings = default_bindings(DeviceKind::keyboard_mouse, code_of);
+    auto bindings = default_bindings(DeviceKind::keyboard_mouse, length_code_of);
     bindings.controls[static_cast<std::size_t>(Action::fire)].push_back({Control::Source::key, 'x', 0});
     HandsCollector hands(bindings);
     hands.key('x', true);
@@ -164,7 +164,7 @@ TEST(InputCollector, LosingFocusLetsGoOfEverything) {
     EXPECT_EQ(hands.take(), DeviceSample{});
     hands.key('w', true);
     EXPECT_EQ(hands.take().counts[hand::forward], 127);
-    hands.rebind(default_bindings(DeviceKind::keyboard_mouse, code_of));
+    hands.rebind(default_bindings(DeviceKind::keyboard_mouse, length_code_of));
     EXPECT_EQ(hands.take(), DeviceSample{});
 }
 

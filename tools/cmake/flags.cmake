@@ -31,6 +31,11 @@ if(THAUM_SANITIZE)
     endif()
 endif()
 
+if(CMAKE_UNITY_BUILD)
+    # Several sources as one: GCC then takes their anonymous namespaces for a header's.
+    target_compile_options(thaum_flags INTERFACE -Wno-subobject-linkage)
+endif()
+
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g1")
 set(CMAKE_CXX_FLAGS_DEBUG "-O0 -g1")
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")

@@ -10,7 +10,7 @@
 namespace thaum::render::detail {
 namespace {
 
-constexpr float turn = 2 * std::numbers::pi_v<float>;
+constexpr float full_turn = 2 * std::numbers::pi_v<float>;
 
 std::uint32_t packed(fvec4 colour) {
     const auto byte = [](float v) {
@@ -96,11 +96,11 @@ std::vector<fvec2> rounded_corners(const RectItem& r, float radius) {
     const std::array centres{
         fvec2(r.high.x - radius, r.low.y + radius), fvec2(r.high.x - radius, r.high.y - radius),
         fvec2(r.low.x + radius, r.high.y - radius), fvec2(r.low.x + radius, r.low.y + radius)};
-    const int steps = arc_steps(radius, turn / 4);
+    const int steps = arc_steps(radius, full_turn / 4);
     for (std::size_t corner = 0; corner < 4; ++corner) {
         for (int i = 0; i <= steps; ++i) {
             const float angle =
-                turn / 4 * (static_cast<float>(corner) + static_cast<float>(i) / static_cast<float>(steps));
+                full_turn / 4 * (static_cast<float>(corner) + static_cast<float>(i) / static_cast<float>(steps));
             out.push_back(centres[corner] + radius * clockwise(angle));
         }
     }
@@ -142,7 +142,7 @@ Spoke spoke_of(const ArcItem& arc) {
 
 void draw(const Pen& pen, const ArcItem& arc) {
     if (!(arc.outer > std::max(arc.inner, 0.0F))) return;
-    const float sweep = std::clamp(arc.sweep, -turn, turn);
+    const float sweep = std::clamp(arc.sweep, -full_turn, full_turn);
     const int steps = arc_steps(arc.outer, sweep);
     const Spoke spoke = spoke_of(arc);
     const auto at = [&](int step, std::size_t ring) {
