@@ -12,11 +12,13 @@ mkdir -p "$cache"
 
 # Lines "SOURCE TAB FILE": each file of ours that a source's object was made from, itself among them.
 dependencies() {
-    ninja -C "$build" -t deps | awk -v root="$root/" '
+    ninja -C "$build" -t deps | awk -v root="$root/" -v build="$build/" '
         /^[^ ]/ { source = ""; next }
         NF == 0 { next }
         {
             sub(/^ +/, "")
+            # A compiler cache may have made them relative to the build folder, which is two below the root.
+            if (!sub(/^\.\.\/\.\.\//, root) && $0 !~ /^\//) $0 = build $0
             if (source == "") source = $0
             if (index($0, root) == 1 && index(source, root) == 1) print source "\t" $0
         }'
