@@ -53,6 +53,7 @@ struct LivePlan {
     std::array<Seat, 2> seats{};
     /// A replay instead of a match: nobody plays, nothing is recorded, and the window closes soon after its end.
     game::Playback* replay = nullptr;
+    double speed = 1;             ///< of the replay, in times real time
     std::filesystem::path log{};  ///< empty: not recorded; a rematch goes beside it, with a number
     std::filesystem::path assets{};
     Settings settings{};
