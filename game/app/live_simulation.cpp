@@ -93,25 +93,32 @@ void close_log(Round& round) {
     round.log.reset();
 }
 
-/// "match.thaumlog" -> "match-2.thaumlog", or the first number from there that is free.
+/// "match.thaumlog" -> "match-2.thaumlog".
 std::filesystem::path numbered(const std::filesystem::path& path, std::uint64_t number) {
-    for (;; ++number) {
-        auto next = path;
-        next.replace_filename(text(path.stem().string(), "-", number, path.extension().string()));
-        std::error_code error;
-        if (!std::filesystem::exists(next, error)) return next;
-    }
+    auto next = path;
+    return next.replace_filename(text(path.stem().string(), "-", number, path.extension().string()));
 }
 
 }  // namespace
 
 Expected<input::LogWriter> open_log(const LivePlan& plan, const LiveShared& shared, std::uint64_t seed,
-                                    const std::filesystem::path& path) {
+                                    std::uint64_t match) {
+    constexpr std::uint64_t most_tries = 1000;
     std::vector<std::string> names;
     for (const auto& seat : shared.seats)
         names.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
-    const game::MatchSetup setup{seed, devices_of(shared)};
-    return input::LogWriter::create(path, game::log_header(*plan.data, setup, std::move(names)));
+    const auto header = game::log_header(*plan.data, {seed, devices_of(shared)}, std::move(names));
+    auto path = match == 1 ? plan.log : numbered(plan.log, match);
+    auto log = input::LogWriter::create(path, header);
+    if (match == 1 && !plan.next_free_name) return log;
+    // Only creating a file tells whether its name is free: another program may look for one at the same time.
+    std::error_code error;
+    for (auto number = match + 1; !log && std::filesystem::exists(path, error) && number < match + most_tries;
+         ++number) {
+        path = numbered(plan.log, number);
+        log = input::LogWriter::create(path, header);
+    }
+    return log;
 }
 
 namespace {
@@ -122,7 +129,7 @@ bool start_rematch(Session& s) {
     s.seed = next.next() >> 1U;
     std::optional<input::LogWriter> log;
     if (!s.plan.log.empty()) {
-        auto opened = open_log(s.plan, s.shared, s.seed, numbered(s.plan.log, s.matches + 1));
+        auto opened = open_log(s.plan, s.shared, s.seed, s.matches + 1);
         if (opened)
             log.emplace(std::move(*opened));
         else
