@@ -28,6 +28,16 @@ thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
 thaum_driver_test(stalled ${CMAKE_CURRENT_SOURCE_DIR}/drivers/stalled.sh
     $<TARGET_FILE:live_session> $<TARGET_FILE:live_log_probe>)
+# A hundred times, by hand: kill_recording 100
+add_executable(kill_recording drivers/kill_recording.cpp)
+target_link_libraries(kill_recording PRIVATE thaum_flags thaum_duel)
+add_test(NAME drivers.kill_recording COMMAND kill_recording 8)
+set_tests_properties(drivers.kill_recording PROPERTIES RUN_SERIAL TRUE TIMEOUT 120)
+add_test(NAME drivers.hostile_files COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/hostile_files.sh $<TARGET_FILE:thaum>)
+if(THAUM_SANITIZE)
+    # Shadow memory is terabytes of address space.
+    set_tests_properties(drivers.hostile_files PROPERTIES ENVIRONMENT "THAUM_MEMORY_KB=unlimited;THAUM_PATIENCE_S=30")
+endif()
 add_test(NAME drivers.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/commands.sh $<TARGET_FILE:thaum>)
 if(umockdev_FOUND)
     thaum_driver_test(duel_to_death ${CMAKE_CURRENT_SOURCE_DIR}/drivers/duel_to_death.sh

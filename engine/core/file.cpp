@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "core/file_writer.h"
 #include "core/text.h"
 
 namespace thaum {
@@ -69,22 +70,10 @@ Expected<std::string> read_text_file(const std::filesystem::path& path, std::siz
 }
 
 Expected<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
-    const auto temporary = path.string() + text(".", ::getpid(), ".part");
-    {
-        const Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-        if (file.fd < 0) return system_error(path, "create");
-        if (!write_all(file.fd, bytes)) {
-            auto error = system_error(path, "write");
-            ::unlink(temporary.c_str());
-            return error;
-        }
-    }
-    if (::rename(temporary.c_str(), path.c_str()) != 0) {
-        auto error = system_error(path, "replace");
-        ::unlink(temporary.c_str());
-        return error;
-    }
-    return {};
+    auto file = FileWriter::create(path);
+    if (!file) return tl::unexpected(file.error());
+    file->write(bytes);
+    return file->close();
 }
 
 Expected<void> write_text_file(const std::filesystem::path& path, std::string_view text) {

@@ -2,7 +2,8 @@
 // was. FORMAT.md gives every byte.
 //
 // Recording must not disturb a match and must outlive it: the simulation thread copies frames into blocks of 512
-// ticks; a thread of the log packs and writes them, so kill -9, a crash or a full disk costs the last block or two.
+// ticks; a thread of the log packs and writes them, so kill -9, a crash or a full disk costs the last block or two, and
+// forces them onto the disk every second, so a power cut costs a few seconds.
 // Reading trusts nothing: every byte is under a checksum, every size has a limit.
 #pragma once
 #include <cstdint>
@@ -110,7 +111,7 @@ private:
 /// How a log ends.
 enum class LogEnding {
     clean,    ///< closed by the program
-    cut_off,  ///< the program or machine stopped while recording: a warning
+    cut_off,  ///< the program or machine stopped while recording (zeros at the end: by a power cut): a warning
     damaged,  ///< bytes are not those that were written: `replay --verify` fails
 };
 
@@ -154,6 +155,9 @@ private:
     explicit LogReader(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
+
+/// Is it being recorded now, by this or another program?
+bool log_in_use(const std::filesystem::path& path);
 
 /// Only the header, for lists of logs. Errors as LogReader::open.
 Expected<LogHeader> read_log_header(const std::filesystem::path& path);

@@ -4,6 +4,7 @@
 // before its first tick how long the log is, how it ends and which hashes to expect; `next` decodes them again. A block
 // costs far less to decode than its 512 ticks cost to play.
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -41,6 +42,21 @@ struct File {
         return true;
     }
 };
+
+/// Bytes of the file up to its last one that is not zero.
+std::size_t size_without_zeros(const File& file) {
+    Bytes piece(std::size_t{1} << 20U);
+    for (auto end = file.size; end > 0;) {
+        const auto begin = end > piece.size() ? end - piece.size() : 0;
+        const auto part = std::span(piece).first(end - begin);
+        if (!file.read_at(begin, part)) return file.size;
+        const auto last =
+            std::find_if(part.rbegin(), part.rend(), [](std::byte b) { return b != std::byte{}; });
+        if (last != part.rend()) return end - static_cast<std::size_t>(last - part.rbegin());
+        end = begin;
+    }
+    return 0;
+}
 
 Expected<File> open_file(const std::string& path) {
     // O_NONBLOCK: opening a fifo without a writer must not hang.
@@ -81,6 +97,9 @@ Expected<OpenedLog> open_log(const std::string& path) {
 
 }  // namespace
 
+/// Fewer zeros at the end of a file prove nothing: a block may well end with some.
+constexpr std::size_t least_zeros = 16;
+
 struct LogReader::State {
     State(std::string name, OpenedLog opened)
         : path(std::move(name)),
@@ -112,6 +131,13 @@ struct LogReader::State {
                                            : text(path, ": cut off after tick ", ticks, " (", what, ")");
         return false;
     }
+    /// A block that ends at byte `end` is not what was written. A power cut leaves a file of its full size whose last
+    /// pages never came: zeros. Damage seldom does, so that is told as what it most likely is.
+    bool spoilt(std::size_t end, std::string_view what) {
+        const auto written = size_without_zeros(log.file);
+        const bool zeros = written < end && log.file.size - written >= least_zeros;
+        return zeros ? cut_off("zeros at the end") : damaged(what);
+    }
     bool cut_off(std::string_view what) { return end(LogEnding::cut_off, what); }
     bool damaged(std::string_view what) { return end(LogEnding::damaged, what); }
 
@@ -123,7 +149,7 @@ struct LogReader::State {
         if (left < head.size()) return cut_off("part of a block");
         if (!log.file.read_at(at, head)) return damaged("cannot read");
         const auto found = detail::decode_block_header(head, log.salt);
-        if (!found) return damaged("block header");
+        if (!found) return spoilt(at + head.size(), "block header");
         header = *found;
         if (header.first != ticks) return damaged("blocks missing");
         if (left - head.size() < header.packed_size) return cut_off("part of a block");
@@ -140,12 +166,12 @@ struct LogReader::State {
         if (!read_block(header)) return false;
         const auto bytes = std::span<const std::byte>(payload).first(header.packed_size);
         if (header.kind == detail::BlockKind::end) return read_end(header, bytes);
-        return unpacker.ticks(header, bytes, block) || damaged("payload");
+        return unpacker.ticks(header, bytes, block) || spoilt(at, "payload");
     }
 
     bool read_end(const detail::BlockHeader& header, std::span<const std::byte> bytes) {
         auto end_text = unpacker.end(header, bytes);
-        if (!end_text) return damaged("payload");
+        if (!end_text) return spoilt(at, "payload");
         if (at != log.file.size) return damaged("bytes after the end");
         ending = LogEnding::clean;
         result = std::move(*end_text);
@@ -233,6 +259,14 @@ std::optional<HashRecord> LogReader::hash_at(Tick tick) const {
 
 bool LogReader::next(InputFrame& frame) { return state_->next(frame); }
 void LogReader::rewind() { state_->rewind(); }
+
+bool log_in_use(const std::filesystem::path& path) {
+    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (fd < 0) return false;
+    const bool locked = ::flock(fd, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    ::close(fd);
+    return locked;
+}
 
 Expected<LogHeader> read_log_header(const std::filesystem::path& path) {
     auto log = open_log(path.string());

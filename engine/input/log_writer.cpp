@@ -4,9 +4,12 @@
 // two lock-free stacks (full ones there, spare ones back), so neither can hold the other up, and a thread that the
 // system stops in the middle stops nobody. A job of core/jobs.h would allocate at every block; this never does.
 //
-// The file is at every moment a whole log: a block is one write, and one that fails is cut away again.
+// The file is at every moment a whole log: a block is one write, and one that fails is cut away again. What is written
+// outlives the program at once; about once a second it is also forced onto the disk, so a power cut costs little more than
+// that. The waiting happens here, where nobody waits with us. While it is recorded a log is locked (flock).
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,6 +29,9 @@ namespace {
 
 constexpr std::size_t usual_blocks = 8;   // 4 s of a stalled disk
 constexpr std::size_t most_blocks = 256;  // 2 minutes, 21 MiB; then recording ends
+
+using Clock = std::chrono::steady_clock;
+constexpr auto sync_interval = std::chrono::seconds(1);
 
 /// What the log's thread does after a block.
 enum class Then : std::uint8_t { go_on, stop, end_block };
@@ -60,6 +66,16 @@ QueuedBlock* reversed(QueuedBlock* list) {
         list = next;
     }
     return result;
+}
+
+/// A file's name lies in its folder, which reaches the disk on its own. A file system that cannot do this for a folder
+/// does it with the file.
+void sync_folder_of(const std::filesystem::path& path) {
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (fd < 0) return;
+    ::fsync(fd);
+    ::close(fd);
 }
 
 /// Signals go to the program's other threads; so a file size limit (SIGXFSZ) is an error of `write` here.
@@ -119,6 +135,7 @@ struct LogWriter::State {
     detail::Packer packer;
     std::size_t good_size;  // bytes of whole blocks
     bool write_failed = false;
+    Clock::time_point synced{};
     std::thread thread;
 
     // Appending ----------------------------------------------------------------------------------
@@ -219,6 +236,7 @@ struct LogWriter::State {
 
     void work() {
         block_signals();
+        sync_folder_of(path);
         for (;;) {
             const auto seen = handed_over.load(std::memory_order_acquire);
             auto* list = reversed(full.take_all());
@@ -243,6 +261,16 @@ struct LogWriter::State {
         if (block.then == Then::end_block && whole) {
             write_whole(packer.end(block.first + block.ticks, result));
         }
+        if (block.then != Then::go_on || Clock::now() >= synced + sync_interval) sync();
+    }
+
+    /// A disk may take bytes into its memory and find only here that it has no place for them.
+    void sync() {
+        if (write_failed) return;
+        synced = Clock::now();
+        if (::fdatasync(fd) == 0 || errno == EINVAL) return;  // EINVAL: a file system without a disk
+        write_failed = true;
+        stop(text(std::strerror(errno), " (flushing); kept up to about tick ", on_disk.load()));
     }
 
     /// After the first failure nothing more is written: a later block would leave a gap.
@@ -276,6 +304,7 @@ Expected<LogWriter> LogWriter::create(const std::filesystem::path& path, const L
         return fail(text(path.string(), ": exists, and a log is never written over: give another name"));
     }
     if (fd < 0) return fail(text(path.string(), ": cannot create: ", std::strerror(errno)));
+    ::flock(fd, LOCK_EX | LOCK_NB);  // nobody else can hold it: the file is new
     if (!write_all(fd, *bytes)) {
         const auto why = std::strerror(errno);
         ::close(fd);

@@ -22,6 +22,7 @@ struct Command {
 Command play_command();
 Command replay_command();
 Command diff_command();
+Command shots_command();
 Command scenario_command();
 Command bench_command();
 Command doctor_command();

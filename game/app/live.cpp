@@ -283,7 +283,7 @@ int run_live(const LivePlan& plan) {
     choose_seats(plan, shared);
     std::optional<input::LogWriter> log;
     if (!plan.log.empty()) {
-        auto opened = open_log(plan, shared, plan.seed, plan.log);
+        auto opened = open_log(plan, shared, plan.seed, 1);
         if (!opened) return refuse(opened.error());
         log.emplace(std::move(*opened));
     }

@@ -53,7 +53,9 @@ struct LivePlan {
     std::array<Seat, 2> seats{};
     /// A replay instead of a match: nobody plays, nothing is recorded, and the window closes soon after its end.
     game::Playback* replay = nullptr;
+    double speed = 1;             ///< of the replay, in times real time
     std::filesystem::path log{};  ///< empty: not recorded; a rematch goes beside it, with a number
+    bool next_free_name = false;  ///< where `log` exists by then, a number is added; else that is an error
     std::filesystem::path assets{};
     Settings settings{};
     std::optional<double> seconds{};  ///< then the match ends and the window closes

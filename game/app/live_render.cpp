@@ -26,11 +26,11 @@ void advance(Latest<Picture>& pictures, Film& film) {
     film.any = true;
 }
 
-const Picture& show(Film& film) {
+const Picture& show(Film& film, double speed) {
     const auto& a = film.before;
     const auto& b = film.now;
-    const double shown_tick =
-        static_cast<double>(b.tick) + static_cast<double>(monotonic_ns() - b.due_ns) * 1e-6 - delay_ms;
+    const double since_due_ms = static_cast<double>(monotonic_ns() - b.due_ns) * 1e-6;
+    const double shown_tick = static_cast<double>(b.tick) + (since_due_ms - delay_ms) * speed;
     const bool follows = a.tick < b.tick;
     const double alpha =
         follows ? (shown_tick - static_cast<double>(a.tick)) / static_cast<double>(b.tick - a.tick) : 1;
@@ -63,7 +63,8 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, game::Watch wa
         const auto size = shared.window.size();
         if (!film.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) continue;
         const auto before = monotonic_ns();
-        renderer.draw(game::make_frame(court, show(film), hud_settings(plan, shared, watch), size, memory));
+        renderer.draw(
+            game::make_frame(court, show(film, plan.speed), hud_settings(plan, shared, watch), size, memory));
         shared.window.present();
         times.add(static_cast<double>(monotonic_ns() - before) * 1e-6);
         ++shared.report.frames;

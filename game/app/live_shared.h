@@ -73,8 +73,9 @@ private:
     std::size_t count_ = 0;
 };
 
+/// The log of the session's match 1, 2, ...: LivePlan::log, and for a rematch a number beside it.
 Expected<input::LogWriter> open_log(const LivePlan& plan, const LiveShared& shared, std::uint64_t seed,
-                                    const std::filesystem::path& path);
+                                    std::uint64_t match);
 
 /// The simulation thread; no `first_log`: nothing is recorded. Returns when shared.stop is set, or sets it itself.
 void run_simulation(const LivePlan& plan, LiveShared& shared, std::optional<input::LogWriter> first_log);

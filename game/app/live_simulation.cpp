@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr std::int64_t ns_per_tick = 1'000'000;
 constexpr Tick most_behind = 250;
-constexpr Tick publish_period = 4;
+constexpr Tick publish_period = 4;        ///< in real time
 constexpr Tick idle_wake = 8;             ///< ticks at once, in a pause and after the end
 constexpr Tick log_after_end = 500;       ///< ticks of the result that are still recorded
 constexpr Tick rematch_not_before = 800;  ///< ticks, so that who was just shooting does not ask for one
@@ -43,6 +44,8 @@ struct Session {
     std::uint64_t matches = 0;
     Round round{};
     std::int64_t start_ns = 0;  ///< the deadline of the round's tick 0
+    std::int64_t tick_ns = ns_per_tick;
+    Tick publish_every = publish_period, patience = most_behind;
     Tick skips_to_log = 0;
     std::int64_t skipped_at_ns = 0;
     Timings late{}, ticks{};
@@ -73,7 +76,7 @@ bool start_round(Session& s, std::optional<input::LogWriter> log) {
     ++s.matches;
     if (s.plan.replay != nullptr) {
         s.round.match = &s.plan.replay->match();
-        s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * ns_per_tick;
+        s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * s.tick_ns;
         return true;
     }
     s.round.own = std::make_unique<Simulation>(s.plan.data, game::MatchSetup{s.seed, devices_of(s.shared)});
@@ -90,25 +93,32 @@ void close_log(Round& round) {
     round.log.reset();
 }
 
-/// "match.thaumlog" -> "match-2.thaumlog", or the first number from there that is free.
+/// "match.thaumlog" -> "match-2.thaumlog".
 std::filesystem::path numbered(const std::filesystem::path& path, std::uint64_t number) {
-    for (;; ++number) {
-        auto next = path;
-        next.replace_filename(text(path.stem().string(), "-", number, path.extension().string()));
-        std::error_code error;
-        if (!std::filesystem::exists(next, error)) return next;
-    }
+    auto next = path;
+    return next.replace_filename(text(path.stem().string(), "-", number, path.extension().string()));
 }
 
 }  // namespace
 
 Expected<input::LogWriter> open_log(const LivePlan& plan, const LiveShared& shared, std::uint64_t seed,
-                                    const std::filesystem::path& path) {
+                                    std::uint64_t match) {
+    constexpr std::uint64_t most_tries = 1000;
     std::vector<std::string> names;
     for (const auto& seat : shared.seats)
         names.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
-    const game::MatchSetup setup{seed, devices_of(shared)};
-    return input::LogWriter::create(path, game::log_header(*plan.data, setup, std::move(names)));
+    const auto header = game::log_header(*plan.data, {seed, devices_of(shared)}, std::move(names));
+    auto path = match == 1 ? plan.log : numbered(plan.log, match);
+    auto log = input::LogWriter::create(path, header);
+    if (match == 1 && !plan.next_free_name) return log;
+    // Only creating a file tells whether its name is free: another program may look for one at the same time.
+    std::error_code error;
+    for (auto number = match + 1; !log && std::filesystem::exists(path, error) && number < match + most_tries;
+         ++number) {
+        path = numbered(plan.log, number);
+        log = input::LogWriter::create(path, header);
+    }
+    return log;
 }
 
 namespace {
@@ -119,7 +129,7 @@ bool start_rematch(Session& s) {
     s.seed = next.next() >> 1U;
     std::optional<input::LogWriter> log;
     if (!s.plan.log.empty()) {
-        auto opened = open_log(s.plan, s.shared, s.seed, numbered(s.plan.log, s.matches + 1));
+        auto opened = open_log(s.plan, s.shared, s.seed, s.matches + 1);
         if (opened)
             log.emplace(std::move(*opened));
         else
@@ -184,17 +194,24 @@ void tell_going(LiveShared& shared, Going going) {
 void publish(Session& s) {
     auto& picture = s.shared.pictures.to_fill();
     game::take_picture(*s.round.match, picture);
-    picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * ns_per_tick;
+    picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * s.tick_ns;
     picture.overloaded = s.skipped_at_ns != 0 && monotonic_ns() < s.skipped_at_ns + notice_ns;
     for (std::size_t p = 0; p < game::players; ++p) picture.wizards[p].pad_lost = s.shared.pad_lost[p];
     s.shared.pictures.publish();
+}
+
+/// Pictures come as often as in real time, so that slow motion is smooth and a fast replay no dearer.
+void play_at(Session& s, double speed) {
+    s.tick_ns = std::llround(static_cast<double>(ns_per_tick) / speed);
+    s.publish_every = static_cast<Tick>(std::max(1.0, std::round(publish_period * speed)));
+    s.patience = static_cast<Tick>(most_behind * std::max(1.0, speed));
 }
 
 /// One tick of a replay; false at its end.
 bool replay_tick(Session& s) {
     if (!s.plan.replay->step()) return false;
     tell_going(s.shared, going_of(s.round.match->match()));
-    if (s.round.match->now() % publish_period == 0) publish(s);
+    if (s.round.match->now() % s.publish_every == 0) publish(s);
     return true;
 }
 
@@ -208,12 +225,12 @@ void run_tick(Session& s) {
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
     watch_buttons(s, frame);
     tell_going(s.shared, going);
-    if (now % publish_period == 0) publish(s);
+    if (now % s.publish_every == 0) publish(s);
 }
 
 /// Ticks whose deadline has passed and that are not done.
 Tick backlog(const Session& s) {
-    const auto due = (monotonic_ns() - s.start_ns) / ns_per_tick;
+    const auto due = (monotonic_ns() - s.start_ns) / s.tick_ns;
     const auto done = static_cast<std::int64_t>(s.round.match->now());
     return due > done ? static_cast<Tick>(due - done) : 0;
 }
@@ -221,7 +238,7 @@ Tick backlog(const Session& s) {
 /// Too far behind: what came in meanwhile goes into one sample, and time goes on from here.
 void skip(Session& s, Tick behind) {
     const auto skipped = behind - 1;
-    s.start_ns += static_cast<std::int64_t>(skipped) * ns_per_tick;
+    s.start_ns += static_cast<std::int64_t>(skipped) * s.tick_ns;
     if (s.plan.replay != nullptr) return;  // it is just shown later
     s.skips_to_log += skipped;
     s.shared.report.skipped += skipped;
@@ -231,7 +248,7 @@ void skip(Session& s, Tick behind) {
 void wait_for_next(Session& s) {
     const bool idle = s.shared.going.load() != Going::playing;
     const auto tick = s.round.match->now() + (idle ? idle_wake : 1);
-    const auto deadline = s.start_ns + static_cast<std::int64_t>(tick) * ns_per_tick;
+    const auto deadline = s.start_ns + static_cast<std::int64_t>(tick) * s.tick_ns;
     sleep_until_ns(deadline);
     if (!idle) s.late.add(static_cast<double>(monotonic_ns() - deadline) * 1e-3);
 }
@@ -249,7 +266,7 @@ void run_session(Session& s) {
             wait_for_next(s);
             continue;
         }
-        if (behind > most_behind) skip(s, behind);
+        if (behind > s.patience) skip(s, behind);
         const auto before = monotonic_ns();
         if (s.plan.replay == nullptr) {
             run_tick(s);
@@ -270,6 +287,7 @@ void run_session(Session& s) {
 void run_simulation(const LivePlan& plan, LiveShared& shared, std::optional<input::LogWriter> first_log) {
     while (!shared.ready && !shared.stop) sleep_until_ns(monotonic_ns() + ns_per_tick);
     Session session{.plan = plan, .shared = shared, .seed = plan.seed};
+    if (plan.replay != nullptr) play_at(session, plan.speed);
     if (start_round(session, std::move(first_log))) run_session(session);
     auto& report = shared.report;
     report.matches = session.matches;

@@ -10,7 +10,7 @@ namespace thaum::app {
 namespace {
 
 std::vector<Command> commands() {
-    return {play_command(),     replay_command(), diff_command(),
+    return {play_command(),     replay_command(), diff_command(),  shots_command(),
             scenario_command(), bench_command(),  doctor_command()};
 }
 

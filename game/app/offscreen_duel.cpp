@@ -5,6 +5,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/app/command.h"
+#include "game/app/highlight.h"
 #include "game/app/still.h"
 #include "game/bots/duel.h"
 #include "game/match/record.h"
@@ -12,41 +13,18 @@
 namespace thaum::app {
 namespace {
 
-/// The moment worth a picture: the closest that the two have come to each other while both lived and saw each other, or else the end.
-struct Highlight {
-    double distance = 1e9;
-    Tick tick = 0;
-};
-
 struct Played {
     game::BotDuel duel;
     std::vector<input::InputFrame> frames;
     Highlight highlight;
+    std::optional<Error> log_fault;  ///< why the log is not whole
 };
-
-void watch_for_highlight(const game::Simulation& match, Highlight& best) {
-    const auto& world = match.world();
-    const auto a = game::wizard_of(world, 0);
-    const auto b = game::wizard_of(world, 1);
-    if (world.has<game::Dead>(a) || world.has<game::Dead>(b) || match.now() < 2000) return;
-    const vec3 from = world.get<game::Motion>(a).position;
-    const vec3 to = world.get<game::Motion>(b).position;
-    const auto& gaze = world.get<game::Gaze>(a);
-    const vec3 ahead = look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1);
-    const double distance = glm::distance(from, to);
-    const bool faces = distance > 3 && glm::dot(glm::normalize(to - from), ahead) > 0.95;
-    std::size_t missiles = 0;
-    for (const auto& wand : match.data().wands) {
-        wand.kind->show(world, [&](const game::Missile&) { ++missiles; });
-    }
-    if (faces && missiles > 0 && distance < best.distance) best = {distance, match.now()};
-}
 
 Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const game::MatchData>& data,
                       const std::filesystem::path& log_file) {
     auto duel = game::make_bot_duel(plan.assets, data, plan.levels, plan.seed);
     if (!duel) return tl::unexpected(duel.error());
-    Played played{std::move(*duel), {}, {}};
+    Played played{std::move(*duel), {}, {}, {}};
     auto& match = *played.duel.match;
     auto log = input::LogWriter::create(
         log_file,
@@ -57,9 +35,9 @@ Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const gam
         const auto frame = played.duel.next_frame();
         game::tick_and_record(match, frame, &*log);
         played.frames.push_back(frame);
-        if (match.now() % 50 == 0) watch_for_highlight(match, played.highlight);
+        watch_for_highlight(match, played.highlight);
     }
-    if (auto closed = log->close(game::result_line(match)); !closed) return tl::unexpected(closed.error());
+    if (auto closed = log->close(game::result_line(match)); !closed) played.log_fault = closed.error();
     return played;
 }
 
@@ -120,7 +98,9 @@ int play_offscreen_duel(const OffscreenDuel& duel) {
     std::printf("%s", lines.c_str());
     if (const auto written = write_text_file(duel.out / "duel.txt", lines); !written)
         return refuse(written.error());
-    return done;
+    if (!played->log_fault) return done;
+    std::fprintf(stderr, "thaum: %s\n", played->log_fault->message.c_str());
+    return does_not_hold;
 }
 
 }  // namespace thaum::app

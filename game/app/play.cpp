@@ -109,6 +109,7 @@ int play_in_window(const Wish& wish) {
         const auto log = new_match_log(matches_folder(), settings->logs_kept);
         if (!log) return refuse(log.error());
         plan.log = *log;
+        plan.next_free_name = true;
     }
     plan.settings = std::move(*settings);
     return run_live(plan);

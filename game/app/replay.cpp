@@ -1,57 +1,149 @@
-// thaum replay: a log played again, checked, dumped or watched.
+// thaum replay: a log played again: checked, watched, or told as tables and pictures.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
 #include "core/file.h"
+#include "core/file_writer.h"
 #include "core/text.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
+#include "game/app/shots.h"
 #include "game/app/watch.h"
-#include "game/match/playback.h"
+#include "game/match/tables.h"
 
 namespace thaum::app {
 namespace {
 
 constexpr std::string_view help =
-    R"(usage: thaum replay LOG [--verify] [--at S] [--dump TICK FILE] [--out DIR]
+    R"(usage: thaum replay LOG [OPTIONS]
 
 Replays a recorded match. The log holds what came from the devices; everything
 else is computed again, without bots and devices.
 
-  (nothing)         watch it in a window
-  --at S            from second S on; with no display: one picture of that
-                    moment and its state in --out (default: out)
-  --verify          compute it all and compare every state hash; exit 1 at the
-                    first that differs, naming its tick
-  --dump TICK FILE  write the whole state at a tick, for `thaum diff`
+  (nothing)           watch it in a window
+  --at S --speed X    from second S on; 0.25 to 16 times as fast. With no display:
+                      one picture of second S and its state in --out DIR (out)
+  --verify            compare every state hash; exit 1 at the first that differs
+  --events FILE.csv   everything that happened, a row each
+  --state FILE.csv    place, speed, health, energy and gaze of both players
+  --every N             at every Nth tick (1)
+  --shots DIR         pictures (PNG), by default every 10 s
+  --shot-every S        every S seconds
+  --shot-at S           at second S; may be repeated
+  --shot-on KIND        at events of that kind (death, spawn, ..., mark); repeats
+  --size WxH            in px (1280x720)
+  --dump TICK FILE    write the whole state at a tick, for `thaum diff`
+
+--verify, --events, --state and --shots go together in one pass.
 )";
+
+/// What one pass over the log is to give.
+struct Pass {
+    bool verify = false;
+    std::optional<std::filesystem::path> events{}, state{};
+    Tick state_every = 1;
+    std::optional<ShotPlan> shots{};
+
+    bool any() const { return verify || events || state || shots; }
+};
 
 void warn(const std::string& line) {
     if (!line.empty()) std::fprintf(stderr, "thaum: %s\n", line.c_str());
 }
 
-int verify(game::Playback& playback) {
+/// A CSV file that a pass writes; its rows are gathered in memory first.
+struct Table {
+    std::optional<FileWriter> file;
+    std::string rows;
+
+    Expected<void> open(const std::optional<std::filesystem::path>& path, std::string_view header) {
+        if (!path) return {};
+        auto made = FileWriter::create(*path);
+        if (!made) return tl::unexpected(made.error());
+        file.emplace(std::move(*made));
+        file->write(header);
+        return {};
+    }
+    void put() {
+        if (file) file->write(rows);
+        rows.clear();
+    }
+    Expected<void> close() { return file ? file->close() : Expected<void>(); }
+};
+
+struct Outputs {
+    Table events{}, state{};
+    game::EventTable what_happened{};
+    std::optional<Shots> shots{};
+};
+
+Expected<Outputs> open_outputs(const Pass& pass, const game::Playback& playback) {
+    Outputs out;
+    if (auto opened = out.events.open(pass.events, game::EventTable::header()); !opened)
+        return tl::unexpected(opened.error());
+    if (auto opened = out.state.open(pass.state, game::state_header(playback.match())); !opened)
+        return tl::unexpected(opened.error());
+    if (pass.shots) {
+        auto shots = Shots::create(*pass.shots, playback.match().data(), game::find_assets());
+        if (!shots) return tl::unexpected(shots.error());
+        out.shots.emplace(std::move(*shots));
+    }
+    return out;
+}
+
+/// What the state now is worth in tables and pictures.
+Expected<void> put_outputs(const Pass& pass, const game::Playback& playback, Outputs& out) {
+    if (out.events.file) out.what_happened.follow(playback, out.events.rows);
+    out.events.put();
+    if (out.state.file && playback.match().now() % pass.state_every == 0)
+        game::append_state(playback.match(), out.state.rows);
+    out.state.put();
+    return out.shots ? out.shots->follow(playback) : Expected<void>();
+}
+
+Expected<void> close_outputs(const game::Playback& playback, Outputs& out) {
+    if (out.events.file) out.what_happened.finish(playback, out.events.rows);
+    out.events.put();
+    if (auto closed = out.events.close(); !closed) return closed;
+    return out.state.close();
+}
+
+void print_difference(const input::HashRecord& wrong, const game::Playback& playback) {
+    std::printf("tick %llu: state differs: the log has %s, here it is %s\n",
+                static_cast<unsigned long long>(wrong.tick), hex(wrong.state).c_str(),
+                hex(playback.match().state_hash()).c_str());
+}
+
+/// From the first tick to the last. Where the replay turns out wrong the files are not written: what they would say did
+/// not happen.
+int run_pass(const Pass& pass, game::Playback& playback) {
     const auto start = std::chrono::steady_clock::now();
+    auto out = open_outputs(pass, playback);
+    if (!out) return refuse(out.error());
     std::size_t compared = 0;
-    while (playback.step()) {
+    do {
+        if (const auto put = put_outputs(pass, playback, *out); !put) return refuse(put.error());
+        if (!pass.verify || !playback.log().hash_at(playback.match().now())) continue;
+        ++compared;
         if (const auto wrong = playback.mismatch()) {
-            std::printf("tick %llu: state differs: the log has %s, here it is %s\n",
-                        static_cast<unsigned long long>(wrong->tick), hex(wrong->state).c_str(),
-                        hex(playback.match().state_hash()).c_str());
+            print_difference(*wrong, playback);
             return does_not_hold;
         }
-        compared += playback.log().hash_at(playback.match().now()) ? 1U : 0U;
-    }
-    if (playback.log().ending() == input::LogEnding::damaged) {
+    } while (playback.step());
+    const bool damaged = playback.log().ending() == input::LogEnding::damaged;
+    if (pass.verify && damaged) {
         std::printf("%s\n", playback.log().ending_reason().c_str());
         return does_not_hold;
     }
+    if (const auto closed = close_outputs(playback, *out); !closed) return refuse(closed.error());
     const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double played = seconds(playback.match().now());
-    std::printf("%llu ticks, %zu state hashes agree; %s (%s s, %s x real time)\n",
-                static_cast<unsigned long long>(playback.match().now()), compared,
+    const auto checked = pass.verify ? text(", ", compared, " state hashes agree") : std::string();
+    const auto drawn = out->shots ? text(", ", out->shots->taken(), " pictures") : std::string();
+    std::printf("%llu ticks%s%s; %s (%s s, %s x real time)\n",
+                static_cast<unsigned long long>(playback.match().now()), checked.c_str(), drawn.c_str(),
                 game::result_line(playback.match()).c_str(), fixed(took, 2).c_str(),
-                fixed(played / took, 1).c_str());
+                fixed(seconds(playback.match().now()) / took, 1).c_str());
     return done;
 }
 
@@ -69,25 +161,116 @@ int dump(game::Playback& playback, const std::vector<std::string>& values) {
     return done;
 }
 
+Expected<render::Size> read_size(const std::string& word) {
+    const auto x = word.find('x');
+    const auto width = parse_whole(word.substr(0, x), "--size", 64, 7680);
+    const auto height = parse_whole(x == std::string::npos ? "" : word.substr(x + 1), "--size", 64, 4320);
+    if (!width || !height)
+        return fail(text("--size '", word, "': must be like 1280x720, from 64x64 to 7680x4320"));
+    return render::Size{static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+Expected<void> read_kinds(const std::vector<std::string>& words, ShotPlan& plan) {
+    for (const auto& word : words) {
+        const auto found = std::find(game::event_names.begin() + 1, game::event_names.end(), word);
+        if (word == "mark") {
+            plan.on_marks = true;
+        } else if (found != game::event_names.end()) {
+            plan.on[static_cast<std::size_t>(found - game::event_names.begin())] = true;
+        } else {
+            auto names = std::string("mark");
+            for (std::size_t i = 1; i < game::event_names.size(); ++i)
+                names += text(", ", game::event_names[i]);
+            return fail(text("--shot-on '", word, "': there are ", names));
+        }
+    }
+    return {};
+}
+
+Expected<ShotPlan> read_shots(const Arguments& arguments, Tick log_ticks) {
+    ShotPlan plan;
+    plan.folder = *arguments.value("--shots");
+    const auto every = arguments.number("--shot-every", 0.001, 1e6, 0);
+    if (!every) return tl::unexpected(every.error());
+    plan.every = ticks(*every);
+    for (const auto& word : arguments.values("--shot-at")) {
+        const auto at = parse_number(word, "--shot-at", 0, seconds(log_ticks));
+        if (!at) return tl::unexpected(at.error());
+        plan.at.push_back(ticks(*at));
+    }
+    std::sort(plan.at.begin(), plan.at.end());
+    if (auto read = read_kinds(arguments.values("--shot-on"), plan); !read)
+        return tl::unexpected(read.error());
+    if (const auto word = arguments.value("--size")) {
+        const auto size = read_size(*word);
+        if (!size) return tl::unexpected(size.error());
+        plan.size = *size;
+    }
+    if (!plan.any()) plan.every = ticks(10);
+    return plan;
+}
+
+/// Options that mean nothing without another one are mistakes.
+Expected<void> check_company(const Arguments& arguments, const Pass& pass) {
+    for (const auto* word : {"--shot-every", "--shot-at", "--shot-on", "--size"}) {
+        if (arguments.has(word) && !pass.shots) return fail(text(word, " needs --shots"));
+    }
+    if (arguments.has("--every") && !pass.state) return fail("--every needs --state");
+    for (const auto* word : {"--at", "--speed", "--out", "--dump"}) {
+        if (arguments.has(word) && pass.any())
+            return fail(text(word, " does not go with --verify, --events, --state and --shots"));
+    }
+    return {};
+}
+
+Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
+    Pass pass;
+    pass.verify = arguments.has("--verify");
+    if (const auto file = arguments.value("--events")) pass.events = *file;
+    if (const auto file = arguments.value("--state")) pass.state = *file;
+    const auto every = arguments.whole("--every", 1, Tick{1} << 27U, 1);
+    if (!every) return tl::unexpected(every.error());
+    pass.state_every = *every;
+    if (arguments.has("--shots")) {
+        auto shots = read_shots(arguments, log_ticks);
+        if (!shots) return tl::unexpected(shots.error());
+        pass.shots = std::move(*shots);
+    }
+    if (auto fits = check_company(arguments, pass); !fits) return tl::unexpected(fits.error());
+    return pass;
+}
+
+int watch_from(const Arguments& arguments, game::Playback playback) {
+    const auto at = arguments.number("--at", 0, 1e6, 0);
+    if (!at) return refuse(at.error());
+    const auto speed = arguments.number("--speed", 0.25, 16, 1);
+    if (!speed) return refuse(speed.error());
+    if (!playback.play_to(ticks(*at))) {
+        return refuse(
+            {text("--at ", *at, ": the log has ", fixed(seconds(playback.log().ticks()), 1), " s")});
+    }
+    return watch(std::move(playback), *speed, arguments.value("--out").value_or("out"));
+}
+
 int run(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--verify"}, {"--at", 1}, {"--dump", 2}, {"--out", 1}};
+    static constexpr Option options[] = {{"--verify"},          {"--at", 1},         {"--speed", 1},
+                                         {"--dump", 2},         {"--out", 1},        {"--events", 1},
+                                         {"--state", 1},        {"--every", 1},      {"--shots", 1},
+                                         {"--size", 1},         {"--shot-every", 1}, {"--shot-at", 1, true},
+                                         {"--shot-on", 1, true}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1)
         return refuse({"replay needs one log; `thaum replay --help` tells more"});
     auto playback = game::Playback::open(arguments->plain()[0], game::find_assets());
     if (!playback) return refuse(playback.error());
+    const auto pass = read_pass(*arguments, playback->log().ticks());
+    if (!pass) return refuse(pass.error());
     warn(game::probe_warning(playback->log().header()));
     if (!playback->log().ended_cleanly()) warn(playback->log().ending_reason());
-    if (arguments->has("--verify")) return verify(*playback);
+    if (pass->any()) return run_pass(*pass, *playback);
     if (arguments->has("--dump")) return dump(*playback, arguments->values("--dump"));
-    const auto at = arguments->number("--at", 0, 1e6, 0);
-    if (!at) return refuse(at.error());
-    if (!playback->play_to(ticks(*at))) {
-        return refuse(
-            {text("--at ", *at, ": the log has ", fixed(seconds(playback->log().ticks()), 1), " s")});
-    }
-    return watch(std::move(*playback), arguments->value("--out").value_or("out"));
+    return watch_from(*arguments, std::move(*playback));
 }
 
 }  // namespace

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <tuple>
 
 #include "core/config.h"
 #include "core/file.h"
 #include "core/text.h"
+#include "input/log.h"
 #include "render/context.h"
 
 namespace thaum::app {
@@ -45,15 +47,33 @@ std::string date_and_time() {
                 two_digits(t.tm_hour), "-", two_digits(t.tm_min), "-", two_digits(t.tm_sec));
 }
 
-/// Is it a name that new_match_log made? Only such files are ever deleted.
-bool is_own_name(std::string_view name) {
-    constexpr std::string_view pattern = "dddd-dd-dd_dd-dd-dd_dd.thaumlog";
-    return name.size() == pattern.size() &&
-           std::equal(name.begin(), name.end(), pattern.begin(),
-                      [](char c, char p) { return p == 'd' ? c >= '0' && c <= '9' : c == p; }) &&
-           name.ends_with(log_ending);
+bool is_number(std::string_view word) {
+    return !word.empty() &&
+           std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+/// Is it a name that new_match_log or a rematch made ("..._01.thaumlog", "..._01-2.thaumlog")? Only such files are ever deleted.
+bool is_own_name(std::string_view name) {
+    constexpr std::string_view pattern = "dddd-dd-dd_dd-dd-dd_dd";
+    if (!name.ends_with(log_ending) || name.size() < pattern.size() + log_ending.size()) return false;
+    name.remove_suffix(log_ending.size());
+    const auto dated = name.substr(0, pattern.size()), rest = name.substr(pattern.size());
+    return std::equal(dated.begin(), dated.end(), pattern.begin(),
+                      [](char c, char p) { return p == 'd' ? c >= '0' && c <= '9' : c == p; }) &&
+           (rest.empty() || (rest[0] == '-' && is_number(rest.substr(1))));
+}
+
+/// The date and counter, then the rematches by number: the tenth comes after the second.
+bool is_older(const std::filesystem::path& a, const std::filesystem::path& b) {
+    const auto key = [](const std::filesystem::path& path) {
+        auto name = path.stem().string();
+        const auto dated = name.substr(0, name.find('-', 20));
+        return std::tuple(dated, name.size(), std::move(name));
+    };
+    return key(a) < key(b);
+}
+
+/// Another program may be recording into one of them.
 void delete_oldest(const std::filesystem::path& folder, int kept) {
     std::vector<std::filesystem::path> logs;
     std::error_code error;
@@ -62,9 +82,11 @@ void delete_oldest(const std::filesystem::path& folder, int kept) {
         if (it->is_regular_file(error) && is_own_name(it->path().filename().string()))
             logs.push_back(it->path());
     }
-    std::sort(logs.begin(), logs.end());
+    std::sort(logs.begin(), logs.end(), is_older);
     const auto room = static_cast<std::size_t>(std::max(kept - 1, 0));
-    for (std::size_t i = 0; i + room < logs.size(); ++i) std::filesystem::remove(logs[i], error);
+    for (std::size_t i = 0; i + room < logs.size(); ++i) {
+        if (!input::log_in_use(logs[i])) std::filesystem::remove(logs[i], error);
+    }
 }
 
 }  // namespace

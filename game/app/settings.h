@@ -47,7 +47,8 @@ std::filesystem::path settings_file();
 std::filesystem::path matches_folder();
 
 /// A name for the log of a match that starts now, in a folder that is made if need be: date, time and a counter. Of the
-/// logs that were named so, the oldest are deleted until `kept` - 1 are left.
+/// logs that were named so, and of their rematches', the oldest are deleted until `kept` - 1 are left; never one that is
+/// being recorded. Another program may take the name before it is used: see LivePlan::next_free_name.
 Expected<std::filesystem::path> new_match_log(const std::filesystem::path& folder, int kept);
 
 }  // namespace thaum::app

@@ -12,13 +12,14 @@ namespace thaum::app {
 
 namespace {
 
-int watch_in_window(game::Playback playback) {
+int watch_in_window(game::Playback playback, double speed) {
     const auto assets = game::find_assets();
     auto settings = load_settings(settings_file(), assets);
     if (!settings) return refuse(settings.error());
     LivePlan plan;
     plan.data = std::make_shared<const game::MatchData>(playback.match().data());
     plan.replay = &playback;
+    plan.speed = speed;
     plan.assets = assets;
     plan.settings = std::move(*settings);
     return run_live(plan);
@@ -44,8 +45,8 @@ int leave_picture(const game::Playback& playback, const std::filesystem::path& o
 
 }  // namespace
 
-int watch(game::Playback playback, const std::filesystem::path& out) {
-    return display_there() ? watch_in_window(std::move(playback)) : leave_picture(playback, out);
+int watch(game::Playback playback, double speed, const std::filesystem::path& out) {
+    return display_there() ? watch_in_window(std::move(playback), speed) : leave_picture(playback, out);
 }
 
 }  // namespace thaum::app

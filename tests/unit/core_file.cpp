@@ -1,4 +1,5 @@
 #include "core/file.h"
+#include "core/file_writer.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -95,7 +96,7 @@ TEST_F(CoreFile, ReplacesAndLeavesNothingBeside) {
 TEST_F(CoreFile, AFailedWriteLeavesTheOldState) {
     const auto folder = in_folder("folder");
     fs::create_directories(folder / "full");
-    expect_refused(write_text_file(folder, "x"), folder, "cannot replace");
+    expect_refused(write_text_file(folder, "x"), folder, "not an ordinary file");
     EXPECT_EQ(files(), 1);
     const auto nowhere = in_folder("missing") / "a";
     expect_refused(write_text_file(nowhere, "x"), nowhere, "cannot create");
@@ -107,6 +108,30 @@ TEST_F(CoreFile, AFullDiskIsAnError) {
     fs::create_symlink("/dev/full", path.string() + text(".", ::getpid(), ".part"));
     expect_refused(write_text_file(path, "x"), path, "cannot write: No space left");
     EXPECT_EQ(files(), 0);
+}
+
+/// As root a rename would make /dev/null a file for everybody.
+TEST_F(CoreFile, NeverReplacesADevice) {
+    expect_refused(write_text_file("/dev/null", "x"), "/dev/null", "not an ordinary file");
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(CoreFile, PiecesBecomeAFileOnlyAtTheEnd) {
+    const auto path = in_folder("a");
+    const std::string piece(70'000, 'p');
+    {
+        auto file = FileWriter::create(path).value();
+        file.write(piece);
+    }
+    EXPECT_EQ(files(), 0) << "given up";
+    auto file = FileWriter::create(path).value();
+    for (const auto* small : {"one,", "two,"}) file.write(small);
+    file.write(piece);
+    file.write("end");
+    EXPECT_FALSE(fs::exists(path));
+    ASSERT_TRUE(file.close());
+    EXPECT_EQ(read_text_file(path, 1U << 20U), text("one,two,", piece, "end"));
+    EXPECT_EQ(files(), 1);
 }
 
 /// As root every folder can be written to, so the child gives its rights away first.

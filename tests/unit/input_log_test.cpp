@@ -126,6 +126,17 @@ TEST(InputLog, SamePathIsRefused) {
     EXPECT_FALSE(LogWriter::create(folder / "missing/log", samples::header()));
 }
 
+TEST(InputLog, IsInUseUntilItIsClosed) {
+    const Folder folder;
+    EXPECT_FALSE(log_in_use(folder / "log"));
+    {
+        auto writer = LogWriter::create(folder / "log", samples::header()).value();
+        EXPECT_TRUE(log_in_use(folder / "log"));
+        EXPECT_TRUE(LogReader::open(folder / "log").has_value()) << "may be read meanwhile";
+    }
+    EXPECT_FALSE(log_in_use(folder / "log"));
+}
+
 TEST(InputLog, HeaderBeyondTheLimitsIsRefused) {
     const Folder folder;
     const auto refused = [&](auto change) {
@@ -200,6 +211,38 @@ TEST(InputLog, EveryTruncationReadsToItsLastWholeBlock) {
         ASSERT_EQ(reader.ticks(), whole) << size;
         expect_frames(reader, samples::calm_frame);
     }
+}
+
+/// After a power cut: the size is there, the last pages are not.
+TEST(InputLog, ATailOfZerosReadsAsCutOff) {
+    const Folder folder;
+    const auto log = samples::small_log(folder);
+    const auto blocks = blocks_of(log);
+    const samples::Scratch file(folder / "zeros");
+    for (auto from = blocks[0].begin; from + 16 <= log.size(); ++from) {
+        auto cut = log;
+        std::fill(cut.begin() + static_cast<std::ptrdiff_t>(from), cut.end(), std::byte{});
+        ASSERT_TRUE(file.set(cut));
+        auto reader = LogReader::open(file.path).value();
+        Tick whole = 0;
+        for (const auto& block : blocks) whole = block.end <= from ? block.last : whole;
+        ASSERT_EQ(reader.ending(), LogEnding::cut_off) << from << reader.ending_reason();
+        ASSERT_GE(reader.ticks(), whole) << from;
+        ASSERT_LE(reader.ticks(), whole + 512) << from << ": a block may end with zeros of its own";
+        if (from % 16 == 0) expect_frames(reader, samples::calm_frame);
+    }
+    // Megabytes of zeros behind a block, as after a preallocation.
+    auto long_tail = Bytes(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(blocks[1].end));
+    long_tail.resize(long_tail.size() + (3U << 20U));
+    ASSERT_TRUE(file.set(long_tail));
+    const auto reader = LogReader::open(file.path).value();
+    EXPECT_EQ(reader.ending(), LogEnding::cut_off);
+    EXPECT_EQ(reader.ticks(), blocks[1].last);
+    // Zeros in the middle are damage: something was written after them.
+    auto hole = log;
+    std::fill_n(hole.begin() + static_cast<std::ptrdiff_t>(blocks[1].begin), 64, std::byte{});
+    ASSERT_TRUE(file.set(hole));
+    EXPECT_EQ(LogReader::open(file.path)->ending(), LogEnding::damaged);
 }
 
 TEST(InputLog, EveryFlippedByteIsFound) {

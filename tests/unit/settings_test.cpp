@@ -7,6 +7,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "input/log.h"
 #include "render/context.h"
 
 namespace thaum::app {
@@ -109,6 +110,25 @@ TEST(MatchLogs, NamesAreNewAndOnlyTheOldestOfThemAreDeleted) {
     const auto second = new_match_log(folder, 50);
     ASSERT_TRUE(second);
     EXPECT_NE(*first, *second);
+}
+
+TEST(MatchLogs, RematchesAreCountedAfterTheirMatchAndALogInUseStays) {
+    const auto folder = fresh_folder("matches_in_use");
+    std::filesystem::create_directories(folder);
+    const auto name = [&](std::string_view rest) {
+        return folder / text("2001-01-01_00-00-00_", rest, ".thaumlog");
+    };
+    const auto in_use = input::LogWriter::create(name("01"), {}).value();
+    for (const auto* rest : {"01-2", "01-10", "02"}) std::ofstream(name(rest)) << "x";
+    std::ofstream(name("01-x")) << "x";
+    EXPECT_TRUE(input::log_in_use(name("01")));
+    EXPECT_FALSE(input::log_in_use(name("02")));
+    ASSERT_TRUE(new_match_log(folder, 3));  // of four two may stay
+    EXPECT_TRUE(std::filesystem::exists(name("01"))) << "the oldest, but in use";
+    EXPECT_FALSE(std::filesystem::exists(name("01-2")));
+    EXPECT_TRUE(std::filesystem::exists(name("01-10")));
+    EXPECT_TRUE(std::filesystem::exists(name("02")));
+    EXPECT_TRUE(std::filesystem::exists(name("01-x"))) << "not a name of ours";
 }
 
 }  // namespace

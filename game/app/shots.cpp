@@ -1,0 +1,117 @@
+// thaum shots: the README's pictures, from a replay; and what `replay --shots` is made of.
+#include "game/app/shots.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "core/text.h"
+#include "game/app/arguments.h"
+#include "game/app/command.h"
+#include "game/app/highlight.h"
+#include "game/match/tables.h"
+
+namespace thaum::app {
+namespace {
+
+/// Ticks as they sort: ten hours have eight digits.
+std::string padded(Tick tick) {
+    const auto digits = text(tick);
+    return std::string(digits.size() < 8 ? 8 - digits.size() : 0, '0') + digits;
+}
+
+Expected<void> make_folder(const std::filesystem::path& folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed) return fail(text(folder.string(), ": cannot create: ", failed.message()));
+    return {};
+}
+
+}  // namespace
+
+bool ShotPlan::any() const {
+    return every != 0 || !at.empty() || on_marks || std::find(on.begin(), on.end(), true) != on.end();
+}
+
+Expected<Shots> Shots::create(ShotPlan plan, const game::MatchData& data,
+                              const std::filesystem::path& assets) {
+    if (auto made = make_folder(plan.folder); !made) return tl::unexpected(made.error());
+    auto still = Still::create(data, assets, plan.size);
+    if (!still) return tl::unexpected(still.error());
+    return Shots(std::move(plan), std::move(*still));
+}
+
+/// What is behind the picture's number; nothing where none is due.
+std::optional<std::string> Shots::due(const game::Playback& playback) {
+    const auto& match = playback.match();
+    const auto now = match.now();
+    std::optional<std::string> what;
+    if (plan_.every != 0 && now % plan_.every == 0) what = "";
+    for (; next_at_ < plan_.at.size() && plan_.at[next_at_] <= now; ++next_at_) what = "";
+    game::each_new_event(match.world().single<game::Chronicle>(), seen_, [&](const game::Event& event) {
+        const auto kind = static_cast<std::size_t>(event.kind);
+        if (plan_.on[kind]) what = text("_", game::event_names[kind]);
+    });
+    const auto& marks = playback.log().marks();
+    for (; next_mark_ < marks.size() && marks[next_mark_].tick <= now; ++next_mark_) {
+        if (plan_.on_marks && marks[next_mark_].kind == input::MarkKind::user)
+            what = text("_mark_", marks[next_mark_].number);
+    }
+    return what;
+}
+
+Expected<void> Shots::follow(const game::Playback& playback) {
+    const auto what = due(playback);
+    if (!what) return {};
+    ++taken_;
+    const auto& match = playback.match();
+    return still_.save(match, {}, plan_.folder / text("shot_", padded(match.now()), *what, ".png"));
+}
+
+namespace {
+
+constexpr std::string_view help =
+    R"(usage: thaum shots LOG --out DIR
+
+Makes the README's pictures from a recorded match; needs no display.
+
+  --out DIR   where they go: duel.png, the moment at which the two came closest
+              while player 1 saw the other and something flew
+)";
+
+Expected<Highlight> find_highlight(const std::string& log) {
+    auto playback = game::Playback::open(log, game::find_assets());
+    if (!playback) return tl::unexpected(playback.error());
+    Highlight best;
+    while (playback->step()) watch_for_highlight(playback->match(), best);
+    if (best.tick == 0) return fail(text(log, ": the two never meet in it; take a longer match"));
+    return best;
+}
+
+int run(const std::vector<std::string>& words) {
+    static constexpr Option options[] = {{"--out", 1}};
+    const auto arguments = Arguments::parse(words, options);
+    if (!arguments) return refuse(arguments.error());
+    const auto out = arguments->value("--out");
+    if (arguments->plain().size() != 1 || !out)
+        return refuse({"shots needs one log and --out; `thaum shots --help` tells more"});
+    const auto& log = arguments->plain()[0];
+    const auto best = find_highlight(log);
+    if (!best) return refuse(best.error());
+    auto playback = game::Playback::open(log, game::find_assets());
+    if (!playback || !playback->play_to(best->tick))
+        return refuse({text(log, ": changed while it was read")});
+    const auto& match = playback->match();
+    if (const auto made = make_folder(*out); !made) return refuse(made.error());
+    auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
+    if (!still) return refuse(still.error());
+    const auto file = std::filesystem::path(*out) / "duel.png";
+    if (const auto saved = still->save(match, {}, file); !saved) return refuse(saved.error());
+    std::printf("tick %llu in %s\n", static_cast<unsigned long long>(best->tick), file.c_str());
+    return done;
+}
+
+}  // namespace
+
+Command shots_command() { return {"shots", "make the README's pictures from a replay", help, run}; }
+
+}  // namespace thaum::app

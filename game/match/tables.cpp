@@ -1,0 +1,237 @@
+#include "game/match/tables.h"
+
+#include "core/text.h"
+#include "game/wands/belt.h"
+
+namespace thaum::game {
+namespace {
+
+/// What stands in the column `with`.
+enum class With : std::uint8_t { nothing, wand_in_hand, own_name, cause, pad, ending };
+
+/// How a kind of event is told.
+struct Telling {
+    EventKind kind;
+    With with;
+    std::string_view unit;  ///< of `amount`; empty: it has none
+    bool placed;            ///< happens somewhere
+    bool to_somebody;       ///< `subject` is whom it was done to, and not only who did it
+};
+
+constexpr Telling tellings[] = {
+    {EventKind::none, With::nothing, "", false, false},
+    {EventKind::shot, With::wand_in_hand, "", true, false},
+    {EventKind::bolt_hit, With::own_name, "hp", true, true},
+    {EventKind::object_hit, With::own_name, "hp", true, true},
+    {EventKind::fall, With::own_name, "hp", true, true},
+    {EventKind::death, With::cause, "", true, true},
+    {EventKind::spawn, With::pad, "", true, true},
+    {EventKind::dry, With::wand_in_hand, "", false, false},
+    {EventKind::round_end, With::ending, "", false, true},
+};
+
+constexpr bool all_kinds_are_told() {
+    if (std::size(tellings) != event_names.size()) return false;
+    for (std::size_t i = 0; i < std::size(tellings); ++i) {
+        if (static_cast<std::size_t>(tellings[i].kind) != i) return false;
+    }
+    return true;
+}
+static_assert(all_kinds_are_told(), "a new EventKind needs its row in `tellings`, in the order of the enum");
+
+/// Rounded once, so that 9 ticks are 0.009 and not 0.009000000000000001.
+double in_seconds(Tick tick) { return static_cast<double>(tick) / static_cast<double>(ticks_per_second); }
+
+struct Row {
+    Tick tick{}, played{};
+    std::string_view kind{};
+    std::uint32_t who = no_player, whom = no_player;
+    std::string with{};
+    double amount{};
+    std::string_view unit{};
+    const vec3* place = nullptr;
+    std::string_view note{};
+};
+
+std::string player_name(std::uint32_t player) { return player < players ? text(player + 1) : std::string(); }
+
+void append(const Row& row, std::string& out) {
+    append_text(out, text(row.tick, ",", in_seconds(row.tick), ",", in_seconds(row.played), ","));
+    append_csv(out, row.kind);
+    append_text(out, text(",", player_name(row.who), ",", player_name(row.whom), ","));
+    append_csv(out, row.with);
+    append_text(out, row.unit.empty() ? std::string(",,") : text(",", row.amount, ",", row.unit));
+    append_text(out, row.place != nullptr ? text(",", row.place->x, ",", row.place->y, ",", row.place->z, ",")
+                                          : std::string(",,,,"));
+    append_csv(out, row.note);
+    out += '\n';
+}
+
+std::string wand_of(const Simulation& match, std::uint32_t player) {
+    if (player >= players) return {};
+    const auto wizard = wizard_of(match.world(), player);
+    const auto* wand = wand_in_hand(match.data(), match.world().get<WandBelt>(wizard));
+    return wand != nullptr ? std::string(wand->kind->name) : std::string();
+}
+
+std::string name_of_kind(std::size_t kind) {
+    return kind < event_names.size() ? std::string(event_names[kind]) : text("kind ", kind);
+}
+
+std::string_view name_of_ending(std::uint32_t ending) {
+    switch (static_cast<Ending>(ending)) {
+        case Ending::kills: return "kills";
+        case Ending::time: return "time";
+        case Ending::none: break;
+    }
+    return "";
+}
+
+std::string with_what(With with, const Event& event, const Simulation& match) {
+    switch (with) {
+        case With::nothing: break;
+        case With::wand_in_hand: return wand_of(match, event.by);
+        case With::own_name: return name_of_kind(static_cast<std::size_t>(event.kind));
+        case With::cause: return name_of_kind(event.detail);
+        case With::pad: return text("pad ", event.detail);
+        case With::ending: return std::string(name_of_ending(event.detail));
+    }
+    return {};
+}
+
+void append_event(const Event& event, const Simulation& match, std::string& out) {
+    const auto& telling = tellings[static_cast<std::size_t>(event.kind)];
+    append({.tick = match.now(),
+            .played = event.tick,
+            .kind = event_names[static_cast<std::size_t>(event.kind)],
+            .who = event.by,
+            .whom = telling.to_somebody ? event.subject : no_player,
+            .with = with_what(telling.with, event, match),
+            .amount = event.amount,
+            .unit = telling.unit,
+            .place = telling.placed ? &event.place : nullptr},
+           out);
+}
+
+std::string_view name_of(input::LogEnding ending) {
+    switch (ending) {
+        case input::LogEnding::clean: return "clean";
+        case input::LogEnding::cut_off: return "cut_off";
+        case input::LogEnding::damaged: return "damaged";
+    }
+    return "";
+}
+
+void append_numbers(std::string& out, std::initializer_list<double> numbers) {
+    for (const double number : numbers) append_text(out, text(",", number));
+}
+
+void append_player(const Simulation& match, std::uint32_t player, std::string& out) {
+    const auto& world = match.world();
+    const auto wizard = wizard_of(world, player);
+    const auto& motion = world.get<Motion>(wizard);
+    const auto& gaze = world.get<Gaze>(wizard);
+    const auto& belt = world.get<WandBelt>(wizard);
+    append_numbers(out, {motion.position.x, motion.position.y, motion.position.z, motion.velocity.x,
+                         motion.velocity.y, motion.velocity.z, gaze.yaw, gaze.pitch});
+    out += world.has<Dead>(wizard) ? ",1" : ",0";
+    append_numbers(out, {world.get<Health>(wizard).points});
+    out += ',';
+    append_csv(out, wand_of(match, player));
+    for (const auto& wand : match.data().wands) append_numbers(out, {belt.energy[wand.stats.slot]});
+}
+
+}  // namespace
+
+void append_csv(std::string& row, std::string_view field) {
+    if (field.find_first_of(",\"\r\n") == std::string_view::npos) return append_text(row, field);
+    row += '"';
+    for (const char c : field) {
+        if (c == '"') row += '"';
+        row += c;
+    }
+    row += '"';
+}
+
+std::string EventTable::header() {
+    return "tick,time_s,played_s,kind,who,whom,with,amount,unit,x_m,y_m,z_m,note\n";
+}
+
+void EventTable::marks_up_to(Tick tick, const Playback& playback, std::string& out) {
+    const auto& marks = playback.log().marks();
+    for (; marks_ < marks.size() && marks[marks_].tick <= tick; ++marks_) {
+        const auto& mark = marks[marks_];
+        if (mark.kind != input::MarkKind::user) continue;
+        append({.tick = mark.tick,
+                .played = playback.match().match().played,
+                .kind = "mark",
+                .with = text(mark.number)},
+               out);
+    }
+}
+
+void EventTable::follow(const Playback& playback, std::string& out) {
+    const auto& match = playback.match();
+    const auto& state = match.match();
+    const auto now = match.now();
+    for (const auto& device : playback.frame().devices) {
+        if (device.skips == 0) continue;
+        append({.tick = now,
+                .played = state.played,
+                .kind = "skip",
+                .amount = static_cast<double>(device.skips),
+                .unit = "ticks"},
+               out);
+    }
+    const auto lost = each_new_event(match.world().single<Chronicle>(), seen_,
+                                     [&](const Event& event) { append_event(event, match, out); });
+    if (lost > 0) {
+        append({.tick = now,
+                .played = state.played,
+                .kind = "lost",
+                .amount = static_cast<double>(lost),
+                .unit = "events"},
+               out);
+    }
+    if ((state.paused != 0) != paused_) {
+        paused_ = !paused_;
+        append({.tick = now,
+                .played = state.played,
+                .kind = paused_ ? "pause" : "resume",
+                .who = state.paused_by},
+               out);
+    }
+    marks_up_to(now, playback, out);
+}
+
+void EventTable::finish(const Playback& playback, std::string& out) {
+    const auto& match = playback.match();
+    append({.tick = match.now(),
+            .played = match.match().played,
+            .kind = "end",
+            .with = std::string(name_of(playback.log().ending())),
+            .note = playback.log().result()},
+           out);
+}
+
+std::string state_header(const Simulation& match) {
+    std::string out = "tick,time_s,played_s,paused";
+    for (std::uint32_t player = 1; player <= players; ++player) {
+        for (const auto* column : {"x_m", "y_m", "z_m", "vx_m_s", "vy_m_s", "vz_m_s", "yaw_rad", "pitch_rad",
+                                   "dead", "health_hp", "wand"})
+            append_text(out, text(",p", player, "_", column));
+        for (const auto& wand : match.data().wands)
+            append_text(out, text(",p", player, "_energy_", wand.kind->name));
+    }
+    return out + "\n";
+}
+
+void append_state(const Simulation& match, std::string& out) {
+    const auto& state = match.match();
+    append_text(out, text(match.now(), ",", in_seconds(match.now()), ",", in_seconds(state.played), ",",
+                          state.paused != 0 ? 1 : 0));
+    for (std::uint32_t player = 0; player < players; ++player) append_player(match, player, out);
+    out += '\n';
+}
+
+}  // namespace thaum::game

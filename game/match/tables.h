@@ -1,0 +1,63 @@
+// game/match/tables.h: a match as two tables for people who compute with it.
+//
+//     events   one row for each thing that happened: what the match records, pauses, samples left out, marks, the log's end
+//     state    one row for every N ticks: both players' place, speed, health, energy and gaze
+//
+// CSV as of RFC 4180 but for the line ends, which are LF; the first row names the columns with their units. Numbers are
+// the shortest that read back to the same bits, so a table says exactly what the simulation had, and the same log gives
+// the same bytes on every run. No locale.
+#pragma once
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "game/match/playback.h"
+
+namespace thaum::game {
+
+/// Calls f(event) for what came since `seen` (of Chronicle::count), which moves on. Returns how many had already been
+/// written over by newer ones: more than a Chronicle holds came between two calls.
+template <class F>
+std::uint64_t each_new_event(const Chronicle& chronicle, std::uint64_t& seen, F f) {
+    const auto held = std::min<std::uint64_t>(chronicle.count, chronicle.events.size());
+    const auto lost = std::max(seen, chronicle.count - held) - seen;
+    for (seen += lost; seen < chronicle.count; ++seen) f(chronicle.events[seen % chronicle.events.size()]);
+    return lost;
+}
+
+/// Adds the field, in quotes where it needs them.
+void append_csv(std::string& row, std::string_view field);
+
+/// The events of a replay. Columns:
+///
+///     tick     of the log's clock, pauses included: after that many ticks it had happened
+///     time_s   the same in s; played_s: of the match's clock
+///     kind     a name of game/components/match.h, or pause, resume, skip, mark, lost, end
+///     who      player who did it: 1, 2 or nobody; whom: player to whom it was done (round_end: who has won)
+///     with     the wand, the cause of a death, the pad of a resurrection, how the round or the log ended, the mark's number
+///     amount   in `unit`: hp, ticks (skip), events (lost: more came in one tick than a match keeps)
+///     x_m ...  where; empty for what has no place
+///     note     of an end: the log's result line
+class EventTable {
+public:
+    static std::string header();
+    /// Adds rows for what the last step of the playback brought.
+    void follow(const Playback& playback, std::string& out);
+    /// Adds the last row: how the log ends.
+    void finish(const Playback& playback, std::string& out);
+
+private:
+    void marks_up_to(Tick tick, const Playback& playback, std::string& out);
+
+    std::uint64_t seen_ = 0;  ///< of Chronicle::count
+    std::size_t marks_ = 0;
+    bool paused_ = false;
+};
+
+/// The columns of `append_state`: tick, time_s, played_s, paused, and for each player 1 and 2 pN_x_m (of the body's
+/// centre) ..., pN_vx_m_s, pN_yaw_rad, pN_pitch_rad, pN_dead, pN_health_hp, pN_wand and an energy of each wand.
+std::string state_header(const Simulation& match);
+/// One row of the state now.
+void append_state(const Simulation& match, std::string& out);
+
+}  // namespace thaum::game

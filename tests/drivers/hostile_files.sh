@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# tests/drivers/hostile_files.sh THAUM: whatever lies where a file is expected, each reader says so in one line, at once and
+# with exit code 2; a disk that fills up while a match is recorded costs the rest of the log and nothing else; and two
+# programs may record into one folder.
+set -uo pipefail
+thaum=$(readlink -f "$1")
+repository=$(readlink -f "$(dirname "$0")/../..")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+unset DISPLAY WAYLAND_DISPLAY
+export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
+failures=0
+fail() { echo "failed: $1"; failures=$((failures + 1)); }
+# Sanitizers and debug builds are slower to start.
+patience=${THAUM_PATIENCE_S:-5}
+
+# What can lie in the place of a file: kind WHERE
+put() {
+    rm -rf "$2"
+    case $1 in
+        empty) : >"$2" ;;
+        huge) truncate -s 10G "$2" ;;
+        directory) mkdir "$2" ;;
+        fifo) mkfifo "$2" ;;
+        device) ln -s /dev/zero "$2" ;;
+        itself) ln -s "$2" "$2" ;;
+        noise) head -c 100000 /dev/urandom >"$2" ;;
+        zeros) head -c 100000 /dev/zero >"$2" ;;
+        long_line) { printf 'version = '; head -c 900000 /dev/zero | tr '\0' 9; } >"$2" ;;
+        deep) { printf 'version = 1\na = '; head -c 400000 /dev/zero | tr '\0' '['; } >"$2" ;;
+    esac
+}
+
+# refused WHAT COMMAND...: one line on standard error, exit code 2, within the time, in little memory.
+refused() {
+    local what=$1 output status
+    shift
+    output=$(cd "$folder" && ulimit -v "${THAUM_MEMORY_KB:-2000000}" && timeout "$patience" "$thaum" "$@" 2>&1 >/dev/null </dev/null)
+    status=$?
+    [[ $status == 2 && $(grep -c . <<<"$output") == 1 && ${#output} -lt 600 ]] ||
+        fail "$what: thaum $* gave $status: ${output:0:300}"
+}
+
+cp -r "$repository/assets" "$folder/assets"
+for kind in empty huge directory fifo device itself noise zeros long_line deep; do
+    put "$kind" "$folder/log"
+    refused "$kind log" replay "$folder/log" --verify
+    refused "$kind log" shots "$folder/log" --out "$folder/out"
+    refused "$kind dump" diff "$folder/log" "$folder/log"
+    put "$kind" "$folder/script.lua"
+    # A script that cannot be played is a scenario that has failed.
+    said=$(cd "$folder" && timeout "$patience" "$thaum" scenario "$folder/script.lua" 2>&1 </dev/null)
+    status=$?
+    [[ ($status == 1 || $status == 2) && $(grep -c . <<<"$said") == 1 && ${#said} -lt 600 ]] ||
+        fail "$kind scenario: gave $status: ${said:0:300}"
+    for file in arenas/boiling_court.toml rules/quick.toml wizards/wizard.toml wands/bolt.toml bots/level_1.toml; do
+        mv "$folder/assets/$file" "$folder/kept"
+        put "$kind" "$folder/assets/$file"
+        THAUM_ASSETS=$folder/assets refused "$kind $file" --headless --seconds 1 --out "$folder/out"
+        rm -rf "$folder/assets/$file"
+        mv "$folder/kept" "$folder/assets/$file"
+    done
+    mkdir -p "$folder/config/thaum"
+    put "$kind" "$folder/config/thaum/settings.toml"
+    # A display that is not there: settings are read first.
+    DISPLAY=:4242 refused "$kind settings" --demo
+    rm -rf "$folder/config"
+done
+
+# A disk that fills up: the file may not grow beyond 16 KiB.
+(cd "$folder" && trap '' XFSZ && ulimit -f 16 && "$thaum" --headless --seconds 30 --record "$folder/full.thaumlog" --out "$folder/out" >"$folder/said" 2>"$folder/line")
+status=$?
+[[ $status == 1 ]] || fail "full disk: exit code $status"
+grep -q 'full.thaumlog: recording stopped: .*kept up to tick' "$folder/line" || fail "full disk: said $(cat "$folder/line")"
+grep -q '^result ' "$folder/said" || fail "full disk: the match did not go on to its end"
+kept=$(sed -n 's/.*kept up to tick \([0-9]*\).*/\1/p' "$folder/line")
+"$thaum" replay "$folder/full.thaumlog" --verify >"$folder/verified" 2>/dev/null || fail "full disk: the log does not replay"
+grep -q "^$kept ticks, " "$folder/verified" || fail "full disk: kept $kept, replayed $(cat "$folder/verified")"
+((kept > 1000)) || fail "full disk: kept only $kept ticks"
+
+# A disk that is full from the start.
+refused "full device" --headless --seconds 1 --out /dev/full
+"$thaum" --headless --seconds 2 --out "$folder/good" >/dev/null
+log=$folder/good/duel.thaumlog
+refused "device as table" replay "$log" --events /dev/full
+refused "device as dump" replay "$log" --dump 5 /dev/null
+refused "folder as table" replay "$log" --state "$folder"
+[[ -c /dev/full && -c /dev/null ]] || fail "a device was replaced"
+
+# Two programs at once in one folder, and old logs that must go: each has a log of its own.
+mkdir -p "$XDG_DATA_HOME"
+for run in 1 2 3 4; do
+    "$thaum" --headless --seconds 1 --record "$folder/shared.thaumlog" --out "$folder/out$run" >/dev/null 2>"$folder/line$run" &
+done
+wait
+[[ $(cat "$folder"/line[1-4] | grep -c 'never written over') == 3 ]] || fail "four programs, one name: $(cat "$folder"/line[1-4])"
+"$thaum" replay "$folder/shared.thaumlog" --verify >/dev/null || fail "the log of the one that got the name"
+
+# The same bytes on every run.
+for run in 1 2; do
+    "$thaum" replay "$log" --verify --events "$folder/e$run" --state "$folder/s$run" --every 7 >/dev/null || fail "tables"
+done
+cmp -s "$folder/e1" "$folder/e2" && cmp -s "$folder/s1" "$folder/s2" || fail "two runs gave different tables"
+[[ $(wc -l <"$folder/s1") == 287 ]] || fail "rows of the state: $(wc -l <"$folder/s1")"
+
+((failures == 0)) && echo "every file was refused in one line"
+exit $((failures > 0))

@@ -1,0 +1,269 @@
+// The tables of a replay against what the match itself said while it was recorded.
+#include "game/match/tables.h"
+
+#include <charconv>
+#include <map>
+
+#include "core/text.h"
+#include "unit/game_duel.h"
+
+namespace thaum::game::test {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// RFC 4180, strictly: every row has as many fields as the first.
+Rows parse_csv(std::string_view csv) {
+    Rows rows{{""}};
+    bool quoted = false;
+    for (std::size_t i = 0; i < csv.size(); ++i) {
+        const char c = csv[i];
+        auto& field = rows.back().back();
+        if (quoted && c == '"' && i + 1 < csv.size() && csv[i + 1] == '"') {
+            field += csv[++i];
+        } else if (c == '"') {
+            quoted = !quoted;
+        } else if (!quoted && c == ',') {
+            rows.back().emplace_back();
+        } else if (!quoted && c == '\n') {
+            rows.push_back({""});
+        } else {
+            field += c;
+        }
+    }
+    EXPECT_FALSE(quoted);
+    EXPECT_EQ(rows.back(), std::vector<std::string>{""}) << "the last row ends with LF";
+    rows.pop_back();
+    for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
+    return rows;
+}
+
+double number(const std::string& field) {
+    double value = 0;
+    const auto read = std::from_chars(field.data(), field.data() + field.size(), value);
+    EXPECT_TRUE(read.ec == std::errc{} && read.ptr == field.data() + field.size()) << field;
+    return value;
+}
+
+/// By the names of the columns.
+class Csv {
+public:
+    explicit Csv(const std::string& csv) : rows_(parse_csv(csv)) {}
+    std::size_t size() const { return rows_.size() - 1; }
+    const std::string& at(std::size_t row, std::string_view column) const {
+        const auto found = std::find(rows_[0].begin(), rows_[0].end(), column);
+        EXPECT_NE(found, rows_[0].end()) << column;
+        return rows_[row + 1][static_cast<std::size_t>(found - rows_[0].begin())];
+    }
+    double value(std::size_t row, const std::string& column) const { return number(at(row, column)); }
+
+private:
+    Rows rows_;
+};
+
+struct Seen {
+    Tick tick;
+    Event event;
+};
+
+struct Moment {
+    vec3 position, velocity;
+    double yaw, pitch, health, energy;
+    bool dead;
+};
+
+Moment moment_of(const Simulation& match, std::uint32_t player) {
+    const auto& world = match.world();
+    const auto e = wizard_of(world, player);
+    const auto& motion = world.get<Motion>(e);
+    return {motion.position,
+            motion.velocity,
+            world.get<Gaze>(e).yaw,
+            world.get<Gaze>(e).pitch,
+            world.get<Health>(e).points,
+            world.get<WandBelt>(e).energy[0],
+            world.has<Dead>(e)};
+}
+
+constexpr Tick length = 12'000;
+constexpr Tick state_every = 500;
+
+/// A duel with a pause, samples left out and two marks, its log, and what happened in it.
+class Recorded {
+public:
+    Recorded() : file_(std::filesystem::path(testing::TempDir()) / "tables.thaumlog") {
+        std::filesystem::remove(file_);
+        auto duel = make_bot_duel(assets(), duel_data({"bolt.shot.damage=40"}), {1, 1}, 2).value();
+        auto& match = *duel.match;
+        auto log =
+            input::LogWriter::create(file_, log_header(match.data(), match.setup(), {"bot 1", "bot 1"}),
+                                     input::WhenBehind::wait)
+                .value();
+        note_state(match);
+        std::uint64_t events = 0;
+        for (Tick t = 0; t < length; ++t) {
+            auto frame = duel.next_frame();
+            if (t == 4000 || t == 4600) frame.devices[1].press(input::Button::pause);
+            if (t == 7000) frame.devices[0].skips = 300;
+            tick_and_record(match, frame, &log);
+            if (t == 5000) log.mark(1), log.mark(2);
+            const auto& chronicle = match.world().single<Chronicle>();
+            for (; events < chronicle.count; ++events)
+                seen.push_back({match.now(), chronicle.events[events % chronicle.events.size()]});
+            note_state(match);
+        }
+        EXPECT_TRUE(log.close("a \"close\" end, of sorts").has_value());
+    }
+    ~Recorded() { std::filesystem::remove(file_); }
+    Recorded(const Recorded&) = delete;
+    Recorded& operator=(const Recorded&) = delete;
+
+    Playback play() const { return Playback::open(file_, assets()).value(); }
+
+    std::vector<Seen> seen;
+    std::map<Tick, std::array<Moment, players>> states;
+
+private:
+    void note_state(const Simulation& match) {
+        if (match.now() % state_every == 0) states[match.now()] = {moment_of(match, 0), moment_of(match, 1)};
+    }
+    std::filesystem::path file_;
+};
+
+const Recorded& recorded() {
+    static const Recorded match;
+    return match;
+}
+
+struct Tables {
+    std::string events, state;
+};
+
+Tables tables_of(Playback playback) {
+    Tables tables{EventTable::header(), state_header(playback.match())};
+    EventTable events;
+    do {
+        events.follow(playback, tables.events);
+        if (playback.match().now() % state_every == 0) append_state(playback.match(), tables.state);
+    } while (playback.step());
+    events.finish(playback, tables.events);
+    return tables;
+}
+
+TEST(GameTables, EveryEventOfTheMatchIsThereWithItsBits) {
+    const Csv csv(tables_of(recorded().play()).events);
+    std::size_t row = 0, placed = 0, deaths = 0;
+    for (const auto& [tick, event] : recorded().seen) {
+        while (csv.at(row, "kind") == "pause" || csv.at(row, "kind") == "resume" ||
+               csv.at(row, "kind") == "skip" || csv.at(row, "kind") == "mark")
+            ++row;
+        ASSERT_EQ(csv.at(row, "kind"), event_names[static_cast<std::size_t>(event.kind)]) << row;
+        EXPECT_EQ(csv.at(row, "tick"), text(tick));
+        EXPECT_EQ(csv.value(row, "time_s"), static_cast<double>(tick) / 1000);
+        EXPECT_EQ(csv.value(row, "played_s"), static_cast<double>(event.tick) / 1000);
+        const auto who = event.by < players ? text(event.by + 1) : std::string();
+        if (event.kind != EventKind::round_end) {
+            EXPECT_EQ(csv.at(row, "who"), who);
+        }
+        if (event.kind == EventKind::bolt_hit) {
+            EXPECT_EQ(csv.at(row, "whom"), text(event.subject + 1));
+            EXPECT_EQ(csv.value(row, "amount"), event.amount);
+            EXPECT_EQ(csv.at(row, "unit"), "hp");
+        }
+        if (event.kind == EventKind::death) {
+            ++deaths;
+            EXPECT_EQ(csv.at(row, "with"), event_names[event.detail]);
+        }
+        if (!csv.at(row, "x_m").empty()) {
+            ++placed;
+            EXPECT_EQ(csv.value(row, "x_m"), event.place.x);
+            EXPECT_EQ(csv.value(row, "y_m"), event.place.y);
+            EXPECT_EQ(csv.value(row, "z_m"), event.place.z);
+        }
+        ++row;
+    }
+    EXPECT_EQ(row + 1, csv.size()) << "only the end is left";
+    EXPECT_GT(placed, 20U);
+    EXPECT_GT(deaths, 0U);
+}
+
+TEST(GameTables, PausesSkipsMarksAndTheEndAreRows) {
+    const Csv csv(tables_of(recorded().play()).events);
+    std::vector<std::string> lines;
+    for (std::size_t row = 0; row < csv.size(); ++row) {
+        const auto& kind = csv.at(row, "kind");
+        if (kind != "pause" && kind != "resume" && kind != "skip" && kind != "mark" && kind != "end")
+            continue;
+        lines.push_back(text(csv.at(row, "tick"), " ", kind, " ", csv.at(row, "who"), " ",
+                             csv.at(row, "with"), " ", csv.at(row, "amount"), csv.at(row, "unit"),
+                             csv.at(row, "note")));
+    }
+    const std::vector<std::string> expected{
+        "4001 pause 2  ", "4601 resume   ",       "5001 mark  1 ",
+        "5001 mark  2 ",  "7001 skip   300ticks", "12000 end  clean a \"close\" end, of sorts"};
+    EXPECT_EQ(lines, expected);
+}
+
+TEST(GameTables, TheStateHasTheBitsThatTheMatchHad) {
+    const Csv csv(tables_of(recorded().play()).state);
+    ASSERT_EQ(csv.size(), recorded().states.size());
+    std::size_t row = 0;
+    for (const auto& [tick, wizards] : recorded().states) {
+        EXPECT_EQ(csv.at(row, "tick"), text(tick));
+        EXPECT_EQ(csv.at(row, "paused"), tick > 4000 && tick <= 4600 ? "1" : "0");
+        for (std::size_t p = 0; p < players; ++p) {
+            const auto& m = wizards[p];
+            const auto is = [&](const char* column, double value) {
+                EXPECT_EQ(csv.value(row, text("p", p + 1, "_", column)), value) << tick << column;
+            };
+            is("x_m", m.position.x), is("y_m", m.position.y), is("z_m", m.position.z);
+            is("vx_m_s", m.velocity.x), is("vy_m_s", m.velocity.y), is("vz_m_s", m.velocity.z);
+            is("yaw_rad", m.yaw), is("pitch_rad", m.pitch), is("health_hp", m.health);
+            is("energy_bolt", m.energy), is("dead", m.dead ? 1 : 0);
+        }
+        ++row;
+    }
+}
+
+TEST(GameTables, EveryRunGivesTheSameBytes) {
+    const auto first = tables_of(recorded().play());
+    const auto second = tables_of(recorded().play());
+    EXPECT_EQ(first.events, second.events);
+    EXPECT_EQ(first.state, second.state);
+}
+
+TEST(GameTables, FieldsAreQuotedAsTheyNeed) {
+    std::string row;
+    for (const auto* field : {"plain", "a,b", "say \"hi\"", "two\nlines", ""})
+        append_csv(row, field), row += ',';
+    EXPECT_EQ(row, "plain,\"a,b\",\"say \"\"hi\"\"\",\"two\nlines\",,");
+}
+
+TEST(GameTables, WhatAChronicleNoLongerHoldsIsCounted) {
+    Chronicle chronicle;
+    std::uint64_t seen = 0;
+    const auto add = [&](int count) {
+        for (; count > 0; --count) {
+            chronicle.events[chronicle.count % chronicle.events.size()].detail =
+                static_cast<std::uint32_t>(chronicle.count);
+            ++chronicle.count;
+        }
+    };
+    std::vector<std::uint32_t> got;
+    const auto read = [&] {
+        return each_new_event(chronicle, seen, [&](const Event& e) { got.push_back(e.detail); });
+    };
+    add(3);
+    EXPECT_EQ(read(), 0U);
+    EXPECT_EQ(got, (std::vector<std::uint32_t>{0, 1, 2}));
+    got.clear();
+    add(40);
+    EXPECT_EQ(read(), 8U);
+    ASSERT_EQ(got.size(), 32U);
+    EXPECT_EQ(got.front(), 11U);
+    EXPECT_EQ(got.back(), 42U);
+    EXPECT_EQ(read(), 0U);
+}
+
+}  // namespace
+}  // namespace thaum::game::test
