@@ -140,7 +140,7 @@ bool start_rematch(Session& s) {
 }
 
 Going going_of(const game::Match& match) {
-    if (match.phase == game::Phase::over) return Going::over;
+    if (match.phase != game::Phase::playing) return Going::over;
     return match.paused != 0 ? Going::paused : Going::playing;
 }
 
@@ -165,6 +165,9 @@ input::InputFrame take_frame(Session& s) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
     }
     press_for_main(s.shared, going_of(s.round.match->match()), frame);
+    // Between two rounds of a match what would ask for another match asks for the next round.
+    if (s.shared.rematch && s.round.match->match().phase == game::Phase::between)
+        frame.devices[0].press(Button::confirm);
     // All devices lose the same samples; the first one's column says so.
     const auto skips = std::min<Tick>(s.skips_to_log, 0xffff);
     frame.devices[0].skips = static_cast<std::uint16_t>(skips);
@@ -221,7 +224,7 @@ void run_tick(Session& s) {
     game::tick_and_record(*round.match, frame, round.log ? &*round.log : nullptr);
     const auto going = going_of(round.match->match());
     const auto now = round.match->now();
-    if (going == Going::over && !round.over_at) round.over_at = now;
+    if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
     watch_buttons(s, frame);
     tell_going(s.shared, going);

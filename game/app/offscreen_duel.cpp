@@ -9,6 +9,7 @@
 #include "game/app/still.h"
 #include "game/bots/duel.h"
 #include "game/match/record.h"
+#include "game/match/result.h"
 
 namespace thaum::app {
 namespace {
@@ -31,7 +32,7 @@ Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const gam
         game::log_header(*data, match.setup(), {text("bot ", plan.levels[0]), text("bot ", plan.levels[1])}),
         input::WhenBehind::wait);
     if (!log) return tl::unexpected(log.error());
-    while (match.now() < ticks(plan.seconds) && match.match().phase == game::Phase::playing) {
+    while (match.now() < ticks(plan.seconds) && match.match().phase != game::Phase::over) {
         const auto frame = played.duel.next_frame();
         game::tick_and_record(match, frame, &*log);
         played.frames.push_back(frame);
@@ -60,13 +61,9 @@ std::string report(const OffscreenDuel& duel, const Played& played, const std::f
     std::string lines =
         text("Thaum ", THAUM_VERSION, ", duel in ", match.data().arena.name, ", seed ", duel.seed, "\n");
     lines += text("result   ", game::result_line(match), "\n");
-    for (std::uint32_t player = 0; player < game::players; ++player) {
-        const auto e = game::wizard_of(world, player);
-        const auto& score = world.get<game::Score>(e);
-        lines += text("player ", player + 1, " bot of level ", duel.levels[player], ": ", score.kills,
-                      " kills, ", score.deaths, " deaths, ", world.get<game::WandBelt>(e).fired, " shots, ",
-                      fixed(world.get<game::Health>(e).points, 0), " health\n");
-    }
+    lines += text("bots     of level ", duel.levels[0], " and ", duel.levels[1], ", rules ", duel.data.rules,
+                  ", match ", duel.data.match, "\n");
+    lines += game::result_table(match);
     lines += text("ticks    ", match.now(), " of 1 ms, ", played.frames.size(), " frames recorded\n");
     lines += text("state    ", hex(match.state_hash()), "\n");
     lines += text("physics  ", match.physics().counters().steps, " steps, ",

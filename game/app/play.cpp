@@ -21,7 +21,9 @@ A duel in a window. Every match is recorded; `thaum replay` plays it again.
   --solo LEVEL     against a bot (level 1)
   --demo           two bots
 
-  --rules NAME     thaum (default); classic is not there yet
+  --rules NAME     thaum (default), or classic: wands regain nothing, no shield
+  --match NAME     quick (default): first to 3, 4 min; standard: best of 3 rounds,
+                   each first to 5, 6 min; a tied round counts for nobody
   --arena NAME     boiling_court (default)
   --set KEY=VALUE  another value for one number, such as bolt.shot.damage=12
   --seed N         of all that is random
@@ -33,9 +35,9 @@ A duel in a window. Every match is recorded; `thaum replay` plays it again.
 With no display it says so and plays headless.
 )";
 
-constexpr Option options[] = {{"--vs"},       {"--solo", 1},      {"--demo"},    {"--rules", 1},
-                              {"--arena", 1}, {"--set", 1, true}, {"--seed", 1}, {"--record", 1},
-                              {"--headless"}, {"--seconds", 1},   {"--out", 1}};
+constexpr Option options[] = {{"--vs"},        {"--solo", 1},  {"--demo"},         {"--rules", 1},
+                              {"--match", 1},  {"--arena", 1}, {"--set", 1, true}, {"--seed", 1},
+                              {"--record", 1}, {"--headless"}, {"--seconds", 1},   {"--out", 1}};
 
 /// What the words ask for, checked.
 struct Wish {
@@ -67,8 +69,8 @@ Expected<Wish> read_wish(const std::vector<std::string>& words) {
     const auto duration = arguments->number("--seconds", 0.001, 36000, 60);
     if (!duration) return tl::unexpected(duration.error());
     if (arguments->has("--seconds")) wish.seconds = *duration;
-    const auto rules = arguments->value("--rules").value_or("thaum");
-    if (rules != "thaum") return fail(text("there is no rule set '", rules, "' yet, only thaum"));
+    wish.data.rules = arguments->value("--rules").value_or(wish.data.rules);
+    wish.data.match = arguments->value("--match").value_or(wish.data.match);
     wish.data.arena = arguments->value("--arena").value_or(wish.data.arena);
     wish.data.overrides = arguments->values("--set");
     wish.record = arguments->value("--record").value_or("");

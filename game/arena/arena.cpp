@@ -95,6 +95,16 @@ void read_anchors(const ConfigTable& root, Arena& arena) {
     }
 }
 
+void read_power_ups(const ConfigTable& root, Arena& arena) {
+    static const std::vector<std::string_view> names(power_up_names.begin(), power_up_names.end());
+    for (const auto& table : root.tables("power_up")) {
+        const auto kind = static_cast<PowerUpKind>(table.choice("kind", names));
+        const auto at = table.vector("position", place);
+        arena.power_ups.push_back({kind, at});
+        if (table.boolean("mirror", false)) arena.power_ups.push_back({kind, {at.x, at.y, -at.z}});
+    }
+}
+
 Pad make_pad(vec3 feet, vec3 facing, std::int64_t player, std::size_t number) {
     const vec3 d = facing - feet;
     return {feet, det::atan2(-d.x, -d.z), static_cast<std::uint32_t>(player),
@@ -130,6 +140,7 @@ Arena read_arena(const Config& file) {
     read_props(root, arena);
     read_anchors(root, arena);
     read_pads(root, arena);
+    read_power_ups(root, arena);
     return arena;
 }
 

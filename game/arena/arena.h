@@ -5,6 +5,7 @@
 
 #include "core/config.h"
 #include "game/components/body.h"
+#include "game/components/power_up.h"
 
 namespace thaum::game {
 
@@ -16,15 +17,21 @@ struct Thing {
     bool prop = false;
 };
 
+struct PowerUpPlace {
+    PowerUpKind kind{};
+    vec3 position{};  ///< m, on the ground
+};
+
 struct Arena {
     std::string name;
     std::vector<physics::TriangleMesh> meshes;  ///< Body::mesh counts in here
     std::vector<Thing> things;                  ///< static ones and props, in the order of the file
     std::vector<vec3> anchors;
     std::vector<Pad> pads;
+    std::vector<PowerUpPlace> power_ups;
 };
 
-/// Reads `[[solid]]`, `[[anchor]]`, `[[pad]]` and `[[prop]]`; faults stay in the Config (core/config.h).
+/// Reads `[[solid]]`, `[[anchor]]`, `[[pad]]`, `[[prop]]` and `[[power_up]]`; faults stay in the Config (core/config.h).
 Arena read_arena(const Config& file);
 
 }  // namespace thaum::game

@@ -33,6 +33,11 @@ void spawn_arena(ecs::World& world, const Arena& arena) {
         motion.position = pad.feet;
         world.create(motion, Look{Surface::pad}, pad);
     }
+    for (std::uint32_t i = 0; i < arena.power_ups.size(); ++i) {
+        Motion motion;
+        motion.position = arena.power_ups[i].position;
+        world.create(motion, PowerUp{.kind = arena.power_ups[i].kind, .number = i});
+    }
 }
 
 }  // namespace thaum::game

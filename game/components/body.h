@@ -1,6 +1,8 @@
 // game/components/body.h: what Bullet moves. Adding a Body puts the entity into the physics, removing it takes it out.
 #pragma once
+#include "core/units.h"
 #include "ecs/component.h"
+#include "game/components/match.h"
 #include "physics/physics.h"
 
 namespace thaum::game {
@@ -68,9 +70,16 @@ struct Look {
     static constexpr auto fields() { return std::tuple(field("surface", &Look::surface)); }
 };
 
-/// A loose thing: may be pushed, and hurts when it hits.
+/// A loose thing: may be pushed, and hurts when it hits. What it does is for a while the deed of who set it going.
 struct Prop {
+    Tick moved_at{};                    ///< ticks of play
+    std::uint32_t moved_by{no_player};  ///< the player who last shot or threw it
+    std::uint32_t spare{};
     static constexpr std::string_view name = "Prop";
+    static constexpr auto fields() {
+        return std::tuple(field("moved_at", &Prop::moved_at), field("moved_by", &Prop::moved_by),
+                          field("spare", &Prop::spare));
+    }
 };
 
 /// A point that the Swing wand can latch on.

@@ -60,11 +60,12 @@ struct Health {
     Tick hurt_at{};            ///< when something last hurt
     std::uint32_t hurt_by{};   ///< by whom: a player, or no_player
     std::uint32_t hurt_how{};  ///< EventKind
+    Tick foe_did_at{};         ///< when the foe last hurt it; 0: never
     static constexpr std::string_view name = "Health";
     static constexpr auto fields() {
         return std::tuple(field("points", &Health::points), field("shielded_until", &Health::shielded_until),
                           field("hurt_at", &Health::hurt_at), field("hurt_by", &Health::hurt_by),
-                          field("hurt_how", &Health::hurt_how));
+                          field("hurt_how", &Health::hurt_how), field("foe_did_at", &Health::foe_did_at));
     }
 };
 

@@ -118,6 +118,7 @@ Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRul
             court.grounds.push_back({thing.position - thing.body.size, thing.position + thing.body.size});
     }
     for (std::uint32_t team = 0; team < players; ++team) court.teams[team] = make_team(renderer, team);
+    court.power_ups = make_power_up_meshes(renderer);
     court.anchor = upload(renderer, anchor());
     court.neutral_plate = upload(renderer, start_plate(no_player));
     court.decoration = {upload(renderer, decoration(shade)), upload(renderer, lamps(shade))};

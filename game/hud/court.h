@@ -6,6 +6,7 @@
 
 #include "game/hud/masonry.h"
 #include "game/hud/picture.h"
+#include "game/hud/powerups.h"
 #include "render/renderer.h"
 #include "render/scene.h"
 
@@ -38,9 +39,10 @@ struct Court {
     Meshes decoration;  ///< world frame
     render::MeshId runes{}, ember{}, bubble{}, shadow{};
     std::array<render::MeshId, 4> unit_shapes{};  ///< for what no arena has: by physics::Shape
-    std::vector<Shade::Block> grounds;            ///< boxes to walk on: where shadows fall
-    std::vector<render::PointLight> lights;       ///< that stay; the first is the cauldron's
-    std::optional<vec3> bowl;                     ///< the cauldron's centre
+    PowerUpMeshes power_ups;
+    std::vector<Shade::Block> grounds;       ///< boxes to walk on: where shadows fall
+    std::vector<render::PointLight> lights;  ///< that stay; the first is the cauldron's
+    std::optional<vec3> bowl;                ///< the cauldron's centre
     render::Environment environment;
     double wizard_height{1.8};  ///< m
 };

@@ -24,6 +24,7 @@ void add_view(const Court& court, const Picture& picture, const HudSettings& set
     auto& lights = memory.lights[player];
     instances.clear();
     add_instances(court, picture, player, instances);
+    add_power_ups(court.power_ups, picture, picture.wizards[player].eye, instances);
     choose_lights(court, picture, picture.wizards[player].eye, lights);
     memory.frame.views.push_back({.camera = camera_of(picture.wizards[player], settings, view),
                                   .viewport = view,

@@ -21,6 +21,8 @@ constexpr float arc_sweep = 4.712389F;
 constexpr double low_health = 25;    // HP
 constexpr double hit_seconds = 0.3;  // the hit mark stands for so long after the last hit
 constexpr double dry_seconds = 0.9;
+constexpr double gift_seconds = 2;
+constexpr float result_row = 23;  // units between lines of the result's table
 
 const fvec4 panel = colour(0x140E22, 0.62F);
 const fvec4 track = colour(0x140E22, 0.75F);
@@ -162,13 +164,9 @@ void add_hurt_marks(Overlay& out, const PlayerPicture& p, const Corner& c) {
     }
 }
 
-std::string cause(EventKind how) {
-    switch (how) {
-        case EventKind::bolt_hit: return "bolt";
-        case EventKind::object_hit: return "blow";
-        case EventKind::fall: return "fall";
-        default: return "magic";
-    }
+std::string_view cause(EventKind how) {
+    const auto index = cause_of(how);
+    return index < causes.size() ? causes[index].name : "magic";
 }
 
 void add_feed(Overlay& out, const Picture& picture, const Corner& c) {
@@ -192,6 +190,15 @@ void add_name(Overlay& out, std::uint32_t player, const Corner& c) {
     add_text(out, text("Player ", player + 1), left, 15 * u, opaque(team_colours(player).light), Align::left);
 }
 
+/// What was just picked up, for those who do not hear it.
+void add_gift(Overlay& out, const PlayerPicture& p, const Corner& c) {
+    if (p.since_gift_s > gift_seconds) return;
+    const bool energy = p.gift == PowerUpKind::spark;
+    const auto name = capitalised(power_up_names[static_cast<std::size_t>(p.gift)]);
+    add_text(out, text(name, "  +", static_cast<int>(p.gift_amount + 0.5), energy ? " energy" : " health"),
+             at(c.view, 0.5F, 0.72F), 18 * c.unit, white, Align::centre);
+}
+
 void add_veil(Overlay& out, const Rect& r, fvec4 paint) {
     out.items.emplace_back(render::RectItem{at(r, 0, 0), at(r, 1, 1), paint, 0});
 }
@@ -209,6 +216,7 @@ void add_player(Overlay& out, const Picture& picture, std::uint32_t player, cons
     if (!p.dead) {
         add_crosshair(out, p, c);
         add_hurt_marks(out, p, c);
+        add_gift(out, p, c);
     }
     add_health(out, p, player, c);
     add_wand(out, p, player, c);
@@ -220,6 +228,15 @@ std::string clock(double seconds_left) {
     const int whole = static_cast<int>(std::ceil(std::max(seconds_left, 0.0)));
     const int rest = whole % 60;
     return text(whole / 60, rest < 10 ? ":0" : ":", rest);
+}
+
+std::string rounds_line(const Picture& picture) {
+    return text("rounds ", picture.rounds_won[0], " : ", picture.rounds_won[1]);
+}
+
+std::string goal_line(const Picture& picture) {
+    const auto goal = text("first to ", picture.kills_to_win);
+    return picture.rounds > 1 ? text(rounds_line(picture), ", ", goal) : goal;
 }
 
 /// Score and clock, between the halves.
@@ -234,8 +251,7 @@ void add_score(Overlay& out, const Picture& picture, fvec2 middle, float u) {
     add_text(out, text(picture.wizards[1].kills), middle + u * fvec2(40, -22), high,
              opaque(team_colours(1).light), Align::centre);
     add_text(out, clock(picture.left_s), middle + u * fvec2(0, -19), 19 * u, white, Align::centre);
-    add_text(out, text("first to ", picture.kills_to_win), middle + u * fvec2(0, 7), 11 * u, soft,
-             Align::centre);
+    add_text(out, goal_line(picture), middle + u * fvec2(0, 7), 11 * u, soft, Align::centre);
 }
 
 struct Announcement {
@@ -243,14 +259,41 @@ struct Announcement {
     fvec4 paint{white};
 };
 
-void announce(Overlay& out, const Announcement& a, const Rect& window, float u) {
+/// A panel in the middle of the window, `tall` units high.
+void add_panel(Overlay& out, const Announcement& a, float wide, float tall, const Rect& window, float u) {
     add_veil(out, window, colour(0x0C0616, 0.6F));
     const fvec2 middle = at(window, 0.5F, 0.5F);
-    out.items.emplace_back(render::RectItem{middle - u * fvec2(230, 78), middle + u * fvec2(230, 78),
-                                            colour(0x1C1430, 0.92F), 16 * u});
-    add_text(out, a.head, middle - u * fvec2(0, 66), 34 * u, a.paint, Align::centre);
-    add_text(out, a.line, middle - u * fvec2(0, 14), 19 * u, white, Align::centre);
-    add_text(out, a.keys, middle + u * fvec2(0, 32), 17 * u, soft, Align::centre);
+    const fvec2 half = 0.5F * u * fvec2(wide, tall);
+    out.items.emplace_back(render::RectItem{middle - half, middle + half, colour(0x1C1430, 0.92F), 16 * u});
+    const fvec2 top = middle - fvec2(0, half.y);
+    add_text(out, a.head, top + u * fvec2(0, 12), 34 * u, a.paint, Align::centre);
+    add_text(out, a.line, top + u * fvec2(0, 64), 19 * u, white, Align::centre);
+    add_text(out, a.keys, top + u * fvec2(0, tall - 46), 17 * u, soft, Align::centre);
+}
+
+void announce(Overlay& out, const Announcement& a, const Rect& window, float u) {
+    add_panel(out, a, 460, 156, window, u);
+}
+
+/// Who hit whom with what: one line for each cause, a side for each player.
+void add_deeds(Overlay& out, const std::vector<ResultRow>& rows, fvec2 top, float u) {
+    const std::array<Align, players> aligned{Align::right, Align::left};
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const float side = player == 0 ? -42 : 42;
+        const auto paint = opaque(team_colours(player).light);
+        add_text(out, std::string(team_name(player)), top + u * fvec2(side, 0), 17 * u, paint,
+                 aligned[player]);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const float y = result_row * static_cast<float>(i + 1);
+            const auto& words = rows[i].words[player];
+            add_text(out, words.empty() ? "\u2014" : words, top + u * fvec2(side, y), 15 * u, white,
+                     aligned[player]);
+        }
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const float y = result_row * static_cast<float>(i + 1);
+        add_text(out, std::string(rows[i].cause), top + u * fvec2(0, y), 15 * u, soft, Align::centre);
+    }
 }
 
 Announcement pause_of(const Picture& picture) {
@@ -263,16 +306,38 @@ Announcement pause_of(const Picture& picture) {
     return {"Paused", known ? text("by player ", picture.paused_by + 1) : std::string(), keys};
 }
 
+std::string name_of_winner(std::uint32_t player) {
+    return text("Player ", player + 1, " (", team_name(player), ")");
+}
+
 Announcement result_of(const Picture& picture, bool can_play_again) {
     Announcement a;
+    const bool last = picture.phase == Phase::over;
+    const auto winner = last ? picture.match_winner : picture.winner;
+    const auto what = last ? std::string() : text(" round ", picture.round + 1);
     const auto how = picture.ending == Ending::kills ? text("first to ", picture.kills_to_win, " kills")
                                                      : std::string("time is up");
-    const bool draw = picture.winner >= players;
-    a.head = draw ? "A draw" : text("Player ", picture.winner + 1, " (", team_name(picture.winner), ") wins");
+    if (winner >= players) {
+        a.head = last ? "A draw" : text("A draw in", what);
+    } else {
+        a.head = text(name_of_winner(winner), " wins", what);
+        a.paint = opaque(team_colours(winner).light);
+    }
     a.line = text(how, "  \u2014  ", picture.wizards[0].kills, " : ", picture.wizards[1].kills);
-    a.keys = can_play_again ? "Enter: again    Esc: quit" : "Esc: quit";
-    if (!draw) a.paint = opaque(team_colours(picture.winner).light);
+    if (picture.rounds > 1) a.line += text("  \u2014  ", rounds_line(picture));
+    const auto next =
+        last ? std::string("Enter: again")
+             : text("Enter: next round (in ", static_cast<int>(std::ceil(picture.next_round_in_s)), " s)");
+    a.keys = can_play_again ? text(next, "    Esc: quit") : "Esc: quit";
     return a;
+}
+
+void add_result(Overlay& out, const Picture& picture, bool can_play_again, const Rect& window, float u) {
+    const auto rows = result_rows(picture.deeds);
+    const float table = rows.empty() ? 0 : result_row * static_cast<float>(rows.size() + 1) + 14;
+    const float tall = 156 + table;
+    add_panel(out, result_of(picture, can_play_again), rows.empty() ? 460 : 640, tall, window, u);
+    if (!rows.empty()) add_deeds(out, rows, at(window, 0.5F, 0.5F) + u * fvec2(0, 100 - tall / 2), u);
 }
 
 float unit_of(const Rect& view, const Rect& window, double text_scale) {
@@ -315,8 +380,8 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
                  at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 70) * unit), 14 * unit, red,
                  Align::centre);
     }
-    if (picture.phase == Phase::over) {
-        announce(out, result_of(picture, settings.can_play_again), window, unit);
+    if (picture.phase != Phase::playing) {
+        add_result(out, picture, settings.can_play_again, window, unit);
     } else if (picture.paused) {
         announce(out, pause_of(picture), window, unit);
     }

@@ -47,6 +47,16 @@ void take_missiles(const Simulation& match, Picture& out) {
     }
 }
 
+void take_power_ups(const Simulation& match, Picture& out) {
+    out.power_ups.clear();
+    const auto played = match.match().played;
+    match.world().view<const PowerUp, const Motion>().each([&](const PowerUp& p, const Motion& motion) {
+        const auto again = match.data().rules.power_ups[static_cast<std::size_t>(p.kind)].again;
+        const double left = p.back_at > played ? seconds(p.back_at - played) / seconds(again) : 0;
+        out.power_ups.push_back({p.kind, motion.position, 1 - left});
+    });
+}
+
 void take_belt(const MatchData& data, const WandBelt& belt, PlayerPicture& out) {
     const auto* wand = wand_in_hand(data, belt);
     out.wand = wand == nullptr ? std::string_view{} : wand->kind->name;
@@ -76,7 +86,7 @@ void take_wizards(const Simulation& match, Picture& out) {
             p.health_cap = rules.health_cap;
             p.kills = score.kills;
             p.deaths = score.deaths;
-            p.since_hit_s = p.since_dry_s = long_ago;
+            p.since_hit_s = p.since_dry_s = p.since_gift_s = long_ago;
             if (dead != nullptr && dead->returns_at > state.played)
                 p.returns_in_s = seconds(dead->returns_at - state.played);
             take_belt(match.data(), belt, p);
@@ -112,11 +122,19 @@ void note_hurt(const Event& event, double age_s, Picture& out) {
         victim.marks[victim.hurts++] = mark_of(out, event, age_s);
 }
 
+void note_gift(const Event& event, double age_s, PlayerPicture& out) {
+    if (age_s >= out.since_gift_s) return;
+    out.since_gift_s = age_s;
+    out.gift = static_cast<PowerUpKind>(event.detail);
+    out.gift_amount = event.amount;
+}
+
 void note(const Event& event, double age_s, Picture& out) {
     if (event.subject >= players) return;
     if (hurts(event.kind)) note_hurt(event, age_s, out);
     if (event.kind == EventKind::dry)
         out.wizards[event.subject].since_dry_s = std::min(out.wizards[event.subject].since_dry_s, age_s);
+    if (event.kind == EventKind::power_up) note_gift(event, age_s, out.wizards[event.subject]);
     if (event.kind == EventKind::death && age_s < feed_seconds && out.feed_lines < out.feed.size())
         out.feed[out.feed_lines++] = {age_s, event.subject, event.by, static_cast<EventKind>(event.detail)};
 }
@@ -138,10 +156,17 @@ void take_round(const Simulation& match, Picture& out) {
     const auto& rules = match.data().round;
     out.tick = match.now();
     out.played_s = seconds(m.played);
-    out.left_s = rules.length > m.played ? seconds(rules.length - m.played) : 0;
+    const auto end = m.round_began + rules.length;
+    out.left_s = end > m.played ? seconds(end - m.played) : 0;
     out.phase = m.phase;
     out.ending = m.ending;
     out.winner = m.winner;
+    out.match_winner = ahead(m);
+    out.round = m.round;
+    out.rounds = rules.rounds;
+    out.rounds_won = m.rounds_won;
+    out.next_round_in_s = m.phase == Phase::between ? seconds(rules.interval - m.waited) : 0;
+    out.deeds = match.world().single<Chronicle>().deeds;
     out.paused = m.paused != 0;
     out.paused_by = m.paused_by;
     out.skipped = m.skipped;
@@ -178,6 +203,7 @@ Picture make_picture() {
     Picture picture;
     picture.things.reserve(1024);
     picture.missiles.reserve(256);
+    picture.power_ups.reserve(64);
     return picture;
 }
 
@@ -186,6 +212,7 @@ void take_picture(const Simulation& match, Picture& out) {
     take_round(match, out);
     take_things(match.world(), out);
     take_missiles(match, out);
+    take_power_ups(match, out);
     take_wizards(match, out);
     take_events(match, out);
 }

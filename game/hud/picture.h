@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "game/match/simulation.h"
+#include "game/match/result.h"
 
 namespace thaum::game {
 
@@ -34,6 +34,13 @@ struct MissilePicture {
     vec3 velocity{};
 };
 
+/// Something to be picked up, or the place where it will be.
+struct PowerUpPicture {
+    PowerUpKind kind{};
+    vec3 position{};    ///< on the ground
+    double returned{};  ///< 1: there; less: the share of its absence that is over
+};
+
 /// How long a mark shows where a hurt came from.
 inline constexpr double mark_seconds = 1.2;
 
@@ -58,6 +65,9 @@ struct PlayerPicture {
     double returns_in_s{};  ///< while dead
     double since_hit_s{};   ///< since this player last hurt the other
     double since_dry_s{};   ///< since the wand last had too little energy
+    double since_gift_s{};  ///< since this player last picked something up
+    PowerUpKind gift{};
+    double gift_amount{};   ///< HP or energy
     bool pad_lost{};        ///< filled by the session
     std::uint32_t hurts{};  ///< of `marks`
     std::array<HurtMark, 6> marks{};
@@ -75,12 +85,18 @@ struct Picture {
     std::int64_t due_ns{};  ///< the wall clock's time of that tick; filled by the session
     std::vector<ThingPicture> things;
     std::vector<MissilePicture> missiles;
+    std::vector<PowerUpPicture> power_ups;
     std::array<PlayerPicture, players> wizards{};
 
     double played_s{}, left_s{};
     Phase phase{};
     Ending ending{};
-    std::uint32_t winner{no_player};
+    std::uint32_t winner{no_player};        ///< of the round that has ended
+    std::uint32_t match_winner{no_player};  ///< who has won more rounds
+    std::uint32_t round{}, rounds{};        ///< the first is 0; at most so many
+    std::array<std::uint32_t, players> rounds_won{};
+    double next_round_in_s{};
+    DeedsOfAll deeds{};
     bool paused{};
     std::uint32_t paused_by{no_player};
     std::int32_t kills_to_win{};

@@ -47,6 +47,12 @@ void collect_blows(Stage& stage, Tick tick) {
     }
 }
 
+/// Whose deed a thing's blow is.
+std::uint32_t mover_of(const ecs::World& world, ecs::Entity thing, Tick began, Tick blame) {
+    const auto* prop = world.find<Prop>(thing);
+    return prop != nullptr && began <= prop->moved_at + blame ? prop->moved_by : no_player;
+}
+
 /// Counts the blows that are over.
 void count_blows(Stage& stage, Tick tick) {
     const auto& rules = stage.data.wizard;
@@ -57,7 +63,10 @@ void count_blows(Stage& stage, Tick tick) {
                 std::min(rules.object_damage_max, rules.object_damage * (blow.impulse - rules.object_safe));
             blow.impulse = -1;
             hurt(stage.world, wizard, tick,
-                 {.points = points, .how = EventKind::object_hit, .place = motion.position});
+                 {.points = points,
+                  .by = mover_of(stage.world, blow.by, blow.began, rules.blame),
+                  .how = EventKind::object_hit,
+                  .place = motion.position});
         }
     });
 }

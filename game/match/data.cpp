@@ -76,18 +76,37 @@ bool plain_name(std::string_view name) {
     });
 }
 
+constexpr std::array<std::string_view, 2> rule_sets{"thaum", "classic"};
+constexpr std::array<std::string_view, 2> match_lengths{"quick", "standard"};
+
+Expected<void> check_name(const std::array<std::string_view, 2>& known, std::string_view name,
+                          std::string_view what) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) return {};
+    return fail(text("there is no ", what, " '", name, "', only ", known[0], " and ", known[1]));
+}
+
+/// What the rule set switches off is gone from the data: no system asks for the rule set's name.
+void apply_rule_set(MatchData& data) {
+    if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
+    if (data.rules.energy_regain) return;
+    for (auto& wand : data.wands) wand.stats.energy_regain = 0;
+}
+
 }  // namespace
 
 Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice) {
-    for (const auto& name : {choice.arena, choice.rules}) {
-        if (!plain_name(name))
-            return fail(text("'", name, "' is no name of an arena or rule set (a-z, 0-9, _)"));
-    }
+    if (!plain_name(choice.arena))
+        return fail(text("'", choice.arena, "' is no name of an arena (a-z, 0-9, _)"));
+    if (auto known = check_name(rule_sets, choice.rules, "rule set"); !known)
+        return tl::unexpected(known.error());
+    if (auto known = check_name(match_lengths, choice.match, "match"); !known)
+        return tl::unexpected(known.error());
     MatchData data;
     data.choice = choice;
     Loader loader(assets, data);
     data.arena = loader.load("arenas/" + choice.arena + ".toml", read_arena);
-    data.round = loader.load("rules/" + choice.rules + ".toml", read_round_rules);
+    data.rules = loader.load("rules/" + choice.rules + ".toml", read_rule_set);
+    data.round = loader.load("rules/" + choice.match + ".toml", read_round_rules);
     data.wizard = loader.load("wizards/wizard.toml", read_wizard_rules);
     for (const auto& kind : wand_kinds()) {
         data.wands.push_back(loader.load(text("wands/", kind.name, ".toml"),
@@ -95,6 +114,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     }
     loader.check_overrides();
     if (loader.error) return tl::unexpected(*loader.error);
+    apply_rule_set(data);
     return data;
 }
 

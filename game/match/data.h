@@ -12,8 +12,9 @@ namespace thaum::game {
 
 struct DataChoice {
     std::string arena = "boiling_court";
-    std::string rules = "quick";
-    std::vector<std::string> overrides;  ///< "bolt.shot.damage=12": file, key path, value
+    std::string rules = "thaum";           ///< the rule set: thaum or classic
+    std::string match = "quick";           ///< how long it is: quick or standard
+    std::vector<std::string> overrides{};  ///< "bolt.shot.damage=12": file, key path, value
 };
 
 /// A file that can change the match, for the log.
@@ -25,9 +26,10 @@ struct DataFile {
 struct MatchData {
     DataChoice choice;
     Arena arena;
-    RoundRules round;
+    RoundRules round;  ///< with what the rule set switches
+    RuleSet rules;
     WizardRules wizard;
-    std::vector<LoadedWand> wands;  ///< by name of kind
+    std::vector<LoadedWand> wands;  ///< by name of kind; with what the rule set switches
     std::vector<DataFile> files;
 };
 

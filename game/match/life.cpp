@@ -21,14 +21,21 @@ void count_kill(ecs::World& world, std::uint32_t victim, std::uint32_t killer) {
     });
 }
 
+/// Who hurt last; where nobody did, the foe who has just hurt it (shot it off its feet into a pit).
+std::uint32_t killer_of(const Wizard& wizard, const Health& health, Tick blame, Tick tick) {
+    const bool foes_deed = health.foe_did_at != 0 && tick <= health.foe_did_at + blame;
+    return health.hurt_by >= players && foes_deed ? 1 - wizard.player : health.hurt_by;
+}
+
 void die(Stage& stage, ecs::Entity e, const Wizard& wizard, const Health& health, const Motion& motion,
          Tick tick) {
     auto& world = stage.world;
-    count_kill(world, wizard.player, health.hurt_by);
+    const auto killer = killer_of(wizard, health, stage.data.wizard.blame, tick);
+    count_kill(world, wizard.player, killer);
     record(world, {.tick = tick,
                    .kind = EventKind::death,
                    .subject = wizard.player,
-                   .by = health.hurt_by,
+                   .by = killer,
                    .detail = health.hurt_how,
                    .place = motion.position});
     world.commands().add(e, Dead{tick + stage.data.round.respawn});

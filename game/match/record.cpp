@@ -6,7 +6,7 @@
 namespace thaum::game {
 namespace {
 
-constexpr std::string_view rules_parameter = "rules=";
+constexpr std::string_view match_parameter = "match=";
 
 /// The first difference between the files a log was recorded with and those here, as one line; empty if none.
 std::string changed_file(const std::vector<input::DataFile>& recorded, const std::vector<DataFile>& here) {
@@ -32,7 +32,7 @@ input::LogHeader log_header(const MatchData& data, const MatchSetup& setup,
     input::LogHeader header;
     header.program = THAUM_VERSION;
     header.rules_version = rules_version;
-    header.rule_set = "thaum";
+    header.rule_set = data.choice.rules;
     header.arena = data.choice.arena;
     header.seed = setup.seed;
     header.maths_probe = physics::libm_probe();
@@ -40,7 +40,7 @@ input::LogHeader log_header(const MatchData& data, const MatchSetup& setup,
     header.devices = setup.devices;
     for (const auto& file : data.files) header.files.push_back({file.name, file.hash});
     header.overrides = data.choice.overrides;
-    header.parameters = {text(rules_parameter, data.choice.rules)};
+    header.parameters = {text(match_parameter, data.choice.match)};
     return header;
 }
 
@@ -59,14 +59,16 @@ std::string result_line(const Simulation& match) {
     std::array<std::int32_t, players> kills{};
     match.world().view<const Wizard, const Score>().each(
         [&](const Wizard& wizard, const Score& score) { kills[wizard.player] = score.kills; });
-    const auto score = text(kills[0], " : ", kills[1]);
-    const auto time = fixed(seconds(match.match().played), 1);
-    if (match.match().phase != Phase::over) return text("stopped after ", time, " s, score ", score);
-    const auto how = match.match().ending == Ending::kills ? "by kills" : "on time";
-    if (match.match().winner == no_player)
-        return text("a draw ", how, ", score ", score, ", after ", time, " s");
-    return text("player ", match.match().winner + 1, " wins ", how, ", score ", score, ", after ", time,
-                " s");
+    const auto& state = match.match();
+    std::string score = text(kills[0], " : ", kills[1]);
+    if (match.data().round.rounds > 1)
+        score += text(", rounds ", state.rounds_won[0], " : ", state.rounds_won[1]);
+    const auto time = fixed(seconds(state.played), 1);
+    if (state.phase != Phase::over) return text("stopped after ", time, " s, score ", score);
+    const auto how = state.ending == Ending::kills ? "by kills" : "on time";
+    const auto winner = ahead(state);
+    if (winner == no_player) return text("a draw ", how, ", score ", score, ", after ", time, " s");
+    return text("player ", winner + 1, " wins ", how, ", score ", score, ", after ", time, " s");
 }
 
 Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& header,
@@ -76,13 +78,13 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
                          ", this program plays version ", rules_version, "; replay it with Thaum ",
                          header.program));
     }
-    if (header.rule_set != "thaum") return fail(text("unknown rule set '", header.rule_set, "'"));
     DataChoice choice;
+    choice.rules = header.rule_set;
     choice.arena = header.arena;
     choice.overrides = header.overrides;
     for (const auto& parameter : header.parameters) {
-        if (!parameter.starts_with(rules_parameter)) return fail(text("unknown parameter '", parameter, "'"));
-        choice.rules = parameter.substr(rules_parameter.size());
+        if (!parameter.starts_with(match_parameter)) return fail(text("unknown parameter '", parameter, "'"));
+        choice.match = parameter.substr(match_parameter.size());
     }
     auto data = load_match_data(assets, choice);
     if (!data) return tl::unexpected(data.error());

@@ -9,8 +9,25 @@ RoundRules read_round_rules(const Config& file) {
     const Range duration{0, 3600};
     return {.kills = static_cast<std::int32_t>(root.integer("kills", {1, 1000})),
             .length = ticks(root.number("seconds", {1, 36000})),
+            .rounds = static_cast<std::uint32_t>(root.integer("rounds", {1, 99})),
+            .interval = ticks(root.number("interval_s", duration)),
             .respawn = ticks(root.number("respawn_s", duration)),
             .spawn_shield = ticks(root.number("spawn_shield_s", duration))};
+}
+
+RuleSet read_rule_set(const Config& file) {
+    const auto root = file.root();
+    RuleSet rules;
+    rules.energy_regain = root.boolean("energy_regain", true);
+    rules.spawn_shield = root.boolean("spawn_shield", true);
+    for (std::size_t kind = 0; kind < power_up_names.size(); ++kind) {
+        const auto table = root.table(power_up_names[kind]);
+        rules.power_ups[kind] = {.health = table.number("health", {0, 1e6}),
+                                 .energy_share = table.number("energy_share", {0, 1}),
+                                 .again = ticks(table.number("again_s", {0, 3600})),
+                                 .radius = table.number("radius_m", {0.1, 5})};
+    }
+    return rules;
 }
 
 WizardRules read_wizard_rules(const Config& file) {
@@ -36,6 +53,7 @@ WizardRules read_wizard_rules(const Config& file) {
     rules.object_damage = health.number("object_damage_per_n_s", {0, 1000});
     rules.object_damage_max = health.number("object_damage_max", {0, 1e6});
     rules.object_again = ticks(health.number("object_again_s", {0, 60}));
+    rules.blame = ticks(health.number("blame_s", {0, 60}));
     rules.pitch_limit = file.root().table("gaze").number("pitch_limit_deg", {1, 89}) * radians_per_degree;
     if (rules.height <= 2 * rules.radius)
         body.report("height_m", "'height_m' must be more than twice radius_m");

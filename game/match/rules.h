@@ -1,16 +1,36 @@
 // game/match/rules.h: the numbers of a match, each from a data file (assets/rules, assets/wizards).
 #pragma once
+#include <array>
+
 #include "core/config.h"
 #include "core/units.h"
+#include "game/components/power_up.h"
 #include "physics/mover.h"
 
 namespace thaum::game {
 
+/// How long a match is: assets/rules/quick.toml, standard.toml.
 struct RoundRules {
-    std::int32_t kills{};  ///< to win the round
-    Tick length{};         ///< ticks
-    Tick respawn{};        ///< ticks from death to resurrection
-    Tick spawn_shield{};   ///< ticks
+    std::int32_t kills{};    ///< to win the round
+    Tick length{};           ///< ticks of a round
+    std::uint32_t rounds{};  ///< at most; the match is won by more than half of them
+    Tick interval{};         ///< ticks until the next round begins by itself
+    Tick respawn{};          ///< ticks from death to resurrection
+    Tick spawn_shield{};     ///< ticks
+};
+
+struct PowerUpRules {
+    double health{};        ///< HP it gives
+    double energy_share{};  ///< of the emptiest wand's cap
+    Tick again{};           ///< ticks until it is back
+    double radius{};        ///< m, on the ground
+};
+
+/// What is fought by: assets/rules/thaum.toml, classic.toml.
+struct RuleSet {
+    bool energy_regain = true;  ///< wands regain energy by themselves, as their files say
+    bool spawn_shield = true;
+    std::array<PowerUpRules, power_up_names.size()> power_ups{};
 };
 
 struct WizardRules {
@@ -20,10 +40,12 @@ struct WizardRules {
     double fall_safe{}, fall_damage{};                           ///< m/s, HP per m/s
     double object_safe{}, object_damage{}, object_damage_max{};  ///< N s, HP per N s, HP
     Tick object_again{};
+    Tick blame{};          ///< ticks for which a fall, or a thing set going, is still the foe's deed
     double pitch_limit{};  ///< rad
 };
 
 RoundRules read_round_rules(const Config& file);
+RuleSet read_rule_set(const Config& file);
 WizardRules read_wizard_rules(const Config& file);
 
 }  // namespace thaum::game

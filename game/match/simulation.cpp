@@ -1,9 +1,9 @@
 #include "game/match/simulation.h"
 
 #include "ecs/snapshot.h"
-#include "game/arena/spawn.h"
 #include "game/match/bodies.h"
 #include "game/match/life.h"
+#include "game/match/power_ups.h"
 #include "game/match/round.h"
 #include "game/player/controls.h"
 #include "game/player/walk.h"
@@ -16,24 +16,6 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
     world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, Chronicle{});
 }
 
-void spawn_wizards(Stage& stage) {
-    auto& world = stage.world;
-    std::array<Pad, players> starts;
-    world.view<const Pad>().each([&](const Pad& pad) {
-        if (pad.player < players) starts[pad.player] = pad;
-    });
-    for (std::uint32_t player = 0; player < players; ++player) {
-        const auto& pad = starts[player];
-        const auto& rules = stage.data.wizard;
-        const auto e =
-            world.create(Wizard{player}, Controls{}, Gaze{pad.yaw, 0}, Stance{},
-                         Health{.points = rules.health, .hurt_by = no_player}, Blows{}, full_belt(stage.data),
-                         Score{}, Look{Surface::wizard}, standing_at(rules, pad.feet));
-        for (const auto& wand : stage.data.wands) wand.kind->outfit(world, e);
-        world.add(e, wizard_body(rules));
-    }
-}
-
 }  // namespace
 
 Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
@@ -44,16 +26,17 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     stage.world.reserve_entities(1024);
     add_body_hooks(stage);
     spawn_match(stage.world, setup_.seed);
-    spawn_arena(stage.world, data_->arena);
-    spawn_wizards(stage);
+    open_round(stage);
 
     add_controls_system(stage, always_);
+    add_interval_system(stage, always_);
     add_pause_system(stage, always_);
 
     add_walk_system(stage, live_);
     add_body_systems(stage, live_);
     add_missile_systems(stage, live_);
     add_belt_system(stage, live_);
+    add_power_up_system(stage, live_);
     add_life_systems(stage, live_);
     add_round_system(stage, live_);
     add_controls_used_system(stage, live_);
@@ -67,6 +50,7 @@ void Simulation::tick(const input::InputFrame& frame) {
     stage_->frame = frame;
     auto& world = stage_->world;
     always_.run(world, now_);
+    if (next_round_is_due(*stage_)) begin_next_round(*stage_);
     const auto& match = std::as_const(world).single<Match>();
     if (match.paused == 0 && match.phase == Phase::playing) {
         live_.run(world, match.played);

@@ -1,6 +1,26 @@
 #include "game/match/stage.h"
 
 namespace thaum::game {
+namespace {
+
+void add_up(const Event& event, std::array<std::array<Deeds, causes.size()>, players>& deeds) {
+    const bool about_cause = event.kind == EventKind::shot || event.kind == EventKind::death;
+    const auto cause = cause_of(about_cause ? static_cast<EventKind>(event.detail) : event.kind);
+    if (cause == causes.size() || event.subject >= players) return;
+    if (event.kind == EventKind::shot) {
+        ++deeds[event.subject][cause].shots;
+        return;
+    }
+    const bool foes_deed = event.by < players && event.by != event.subject;
+    if (event.kind == EventKind::death) {
+        foes_deed ? ++deeds[event.by][cause].kills : ++deeds[event.subject][cause].own_deaths;
+    } else if (foes_deed) {
+        ++deeds[event.by][cause].hits;
+        deeds[event.by][cause].damage += event.amount;
+    }
+}
+
+}  // namespace
 
 void declare_components(ecs::World& world) {
     world.declare<Body>();
@@ -9,6 +29,7 @@ void declare_components(ecs::World& world) {
     world.declare<Prop>();
     world.declare<Anchor>();
     world.declare<Pad>();
+    world.declare<PowerUp>();
     world.declare<Wizard>();
     world.declare<Controls>();
     world.declare<Gaze>();
@@ -40,6 +61,7 @@ void record(ecs::World& world, const Event& event) {
     auto& chronicle = world.single<Chronicle>();
     chronicle.events[chronicle.count % chronicle.events.size()] = event;
     ++chronicle.count;
+    add_up(event, chronicle.deeds);
 }
 
 void hurt(ecs::World& world, ecs::Entity wizard, Tick tick, const Hurt& hurt) {
@@ -50,6 +72,7 @@ void hurt(ecs::World& world, ecs::Entity wizard, Tick tick, const Hurt& hurt) {
     health.hurt_at = tick;
     health.hurt_by = hurt.by;
     health.hurt_how = static_cast<std::uint32_t>(hurt.how);
+    if (hurt.by < players && hurt.by != player) health.foe_did_at = tick;
     record(world, {.tick = tick,
                    .kind = hurt.how,
                    .subject = player,

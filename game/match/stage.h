@@ -3,6 +3,7 @@
 #include "ecs/schedule.h"
 #include "ecs/world.h"
 #include "game/components/match.h"
+#include "game/components/power_up.h"
 #include "game/match/data.h"
 #include "input/frame.h"
 #include "physics/physics.h"
@@ -33,7 +34,7 @@ ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player);
 /// Where a wizard's eye is, m.
 vec3 eye_of(const WizardRules& rules, vec3 body_centre);
 
-/// Adds to the Chronicle; the caller's system must have declared that it writes it.
+/// Adds to the Chronicle, its sums included; the caller's system must have declared that it writes it.
 void record(ecs::World& world, const Event& event);
 
 struct Hurt {

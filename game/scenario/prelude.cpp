@@ -42,6 +42,13 @@ function round_over()
     return over, ending, winner
 end
 
+function match_over()
+    local _, _, _, _, _, over, _, first, second = raw.match()
+    return over, {first, second}
+end
+
+function round_number() return (select(7, raw.match())) end
+
 function wait_until(condition, limit)
     if type(condition) ~= "function" then fail("wait_until takes a function") end
     local last = now() + ticks_of(limit)

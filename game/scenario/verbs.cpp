@@ -76,10 +76,11 @@ void read_overrides(lua_State* lua, int index, MatchWish& wish) {
 int verb_match(lua_State* lua, void* context) {
     auto& play = *static_cast<Play*>(context);
     if (play.match) fault("match{...} stands once in a scenario");
-    const Options options(lua, 1, "match", {"arena", "rules", "seed", "set", "players"});
+    const Options options(lua, 1, "match", {"arena", "rules", "match", "seed", "set", "players"});
     MatchWish wish;
     if (options.has("arena")) wish.data.arena = arg::string(lua, -1, "arena");
     if (options.has("rules")) wish.data.rules = arg::string(lua, -1, "rules");
+    if (options.has("match")) wish.data.match = arg::string(lua, -1, "match");
     if (options.has("seed")) wish.seed = static_cast<std::uint64_t>(arg::integer(lua, -1, "seed", {0, 1e15}));
     if (options.has("set")) read_overrides(lua, -1, wish);
     if (options.has("players")) read_players(lua, -1, wish);
@@ -107,7 +108,7 @@ int verb_match_state(lua_State* lua, void* context) {
     const auto& match = began(context).match->match();
     lua_pushnumber(lua, seconds(match.played));
     lua_pushboolean(lua, match.paused != 0);
-    lua_pushboolean(lua, match.phase == Phase::over);
+    lua_pushboolean(lua, match.phase != Phase::playing);
     lua_pushstring(lua, match.ending == Ending::kills  ? "kills"
                         : match.ending == Ending::time ? "time"
                                                        : "none");
@@ -116,7 +117,10 @@ int verb_match_state(lua_State* lua, void* context) {
     } else {
         lua_pushnil(lua);
     }
-    return 5;
+    lua_pushboolean(lua, match.phase == Phase::over);
+    lua_pushinteger(lua, match.round + 1);
+    for (const auto won : match.rounds_won) lua_pushinteger(lua, won);
+    return 9;
 }
 
 int verb_fail(lua_State* lua, void*) { fault(arg::string(lua, 1, "message")); }

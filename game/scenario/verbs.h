@@ -1,7 +1,8 @@
 // game/scenario/verbs.h: what a scenario can say. It acts through the players' own commands and reads what a player could
 // see; times are seconds of the match, places metres ({x, y, z} or {x = , y = , z = }), players 1 and 2.
 //
-//     match{arena = , rules = , seed = , set = {"quick.kills=1"}, players = {"script", "bot 1"}}   first, and once
+//     match{arena = , rules = "thaum" | "classic", match = "quick" | "standard", seed = , set = {"quick.kills=1"},
+//           players = {"script", "bot 1"}}   first, and once
 //     wizard(n)                 hold(button), release(button), press(button [, seconds]), move(strafe, forward) in -1..1,
 //                               stop(), look(right, up) in degrees, aim(place | wizard | thing): through the device
 //                               position() (feet), centre(), eye(), velocity(), yaw(), pitch() in rad, health(), energy(),
@@ -13,6 +14,9 @@
 //     spawn{kind = "box" | "sphere" | "cylinder", size = {x, y, z} | radius = , height = , mass = , at = , velocity = ,
 //           surface = , friction = , restitution = }: a thing, with position(), velocity(), place(at [, velocity]),
 //                               push(impulse) in N s, there(); clear_props(): set the scene
+//     round_over() -> over, "kills" | "time", winner; match_over() -> over, {rounds won}; round_number()
+//     power_ups()               a list of {kind = "vial" | "heart" | "spark", place = , there = , back_in = seconds}
+//     deeds(n, cause)           {shots = , hits = , kills = , own_deaths = , damage = } of player n by "bolt", "blow" or "fall"
 //     state(), changes(before [, after])     what differs: a list of {component, entity, field, before, after}
 //     trace(name, columns)      a CSV line each tick: "1.x", "2.health", "t1.speed" (of the first thing spawned)
 //     picture{split = "side_by_side" | "top_bottom", name = }   colour(x, y), mean(x0, y0, x1, y1), colours(x0, y0, x1, y1):

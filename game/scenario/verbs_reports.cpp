@@ -97,6 +97,48 @@ int verb_next_event(lua_State* lua, void* context) {
     return 0;
 }
 
+int verb_power_ups(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto played = play.match->match().played;
+    lua_newtable(lua);
+    world_of(play).view<const PowerUp, const Motion>().each([&](const PowerUp& p, const Motion& motion) {
+        lua_createtable(lua, 0, 4);
+        const auto name = power_up_names[static_cast<std::size_t>(p.kind)];
+        lua_pushlstring(lua, name.data(), name.size());
+        lua_setfield(lua, -2, "kind");
+        arg::push_place(lua, motion.position);
+        lua_setfield(lua, -2, "place");
+        lua_pushboolean(lua, played >= p.back_at);
+        lua_setfield(lua, -2, "there");
+        lua_pushnumber(lua, played >= p.back_at ? 0.0 : seconds(p.back_at - played));
+        lua_setfield(lua, -2, "back_in");
+        lua_rawseti(lua, -2, p.number + 1);
+    });
+    return 1;
+}
+
+int verb_deeds(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto player = arg::player(lua, 1);
+    const auto name = arg::string(lua, 2, "cause");
+    const auto found =
+        std::find_if(causes.begin(), causes.end(), [&](const Cause& c) { return c.name == name; });
+    if (found == causes.end()) fault("nothing hurts by '", name, "'");
+    const auto& deeds =
+        world_of(play).single<Chronicle>().deeds[player][static_cast<std::size_t>(found - causes.begin())];
+    lua_createtable(lua, 0, 5);
+    const auto set = [&](const char* key, double value) {
+        lua_pushnumber(lua, value);
+        lua_setfield(lua, -2, key);
+    };
+    set("shots", deeds.shots);
+    set("hits", deeds.hits);
+    set("kills", deeds.kills);
+    set("own_deaths", deeds.own_deaths);
+    set("damage", deeds.damage);
+    return 1;
+}
+
 // ---- states ------------------------------------------------------------------------------------------------------------
 
 int verb_state(lua_State* lua, void* context) {
@@ -297,6 +339,8 @@ int verb_check_late(lua_State* lua, void* context) {
 constexpr VerbName report_list[] = {
     {"events", verb_events},
     {"raw_next_event", verb_next_event},
+    {"power_ups", verb_power_ups},
+    {"deeds", verb_deeds},
     {"state", verb_state},
     {"changes", verb_changes},
     {"trace", verb_trace},

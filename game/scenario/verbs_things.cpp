@@ -135,7 +135,7 @@ int verb_clear_props(lua_State*, void* context) {
     scene_is_set(play);
     auto& world = play.match->world_to_change();
     std::vector<ecs::Entity> props;
-    world.view<Prop>().each([&](ecs::Entity e) { props.push_back(e); });
+    world.view<const Prop>().each([&](ecs::Entity e, const Prop&) { props.push_back(e); });
     for (const auto e : props) world.destroy(e);
     return 0;
 }

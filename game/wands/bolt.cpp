@@ -88,7 +88,12 @@ void shoot(const WandUse& use, const BoltData& data) {
                                  .dies_at = use.tick + data.life,
                                  .player = player,
                                  .ignores = key});
-    record(world, {.tick = use.tick, .kind = EventKind::shot, .subject = player, .by = player, .place = tip});
+    record(world, {.tick = use.tick,
+                   .kind = EventKind::shot,
+                   .subject = player,
+                   .by = player,
+                   .detail = static_cast<std::uint32_t>(EventKind::bolt_hit),
+                   .place = tip});
 }
 
 void use(const WandUse& use) {
@@ -119,6 +124,8 @@ void hit(Stage& stage, const Bolt& bolt, const BoltData& data, const physics::Ra
     if (victim && stage.world.has<Wizard>(victim)) {
         hurt(stage.world, victim, tick,
              {.points = data.damage, .by = bolt.player, .how = EventKind::bolt_hit, .place = at.point});
+    } else if (victim && stage.world.has<Prop>(victim)) {
+        stage.world.get<Prop>(victim) = {.moved_at = tick, .moved_by = bolt.player};
     }
 }
 
@@ -138,7 +145,7 @@ void add_systems(const WandSystems& to, const void* wand) {
     to.schedule.add({.name = "bolts",
                      .period = physics_period,
                      .reads = world.mask<Wizard, Dead>(),
-                     .writes = world.mask<Bolt, Health, Chronicle>(),
+                     .writes = world.mask<Bolt, Health, Chronicle, Prop>(),
                      .needs = world.mask<Bolt>(),
                      .run = [&stage = to.stage, wand](ecs::World&, Tick tick) {
                          fly(stage, *static_cast<const BoltData*>(wand), tick);

@@ -27,7 +27,7 @@ TEST(ArenaFuzz, EverySlipIsRefusedInOneLineOrMakesAMatchThatRuns) {
     Random random{2026};
     int refused = 0, played = 0;
     for (const auto* name :
-         {"arenas/boiling_court.toml", "rules/quick.toml", "wizards/wizard.toml", "wands/bolt.toml"}) {
+         {"arenas/boiling_court.toml", "rules/quick.toml", "rules/thaum.toml", "wizards/wizard.toml", "wands/bolt.toml"}) {
         const auto original = read_text_file(folder / name, 1U << 20U).value();
         for (int i = 0; i < 400; ++i) {
             auto text = original;

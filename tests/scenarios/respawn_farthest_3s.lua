@@ -1,5 +1,5 @@
 -- Who dies comes back after 3 s, on the pad farthest from the foe, and nothing hurts for 1.5 s, unless one attacks.
-match {rules = "quick", set = {"quick.kills=1000"}, players = {"script", "script"}}
+match {match = "quick", set = {"quick.kills=1000"}, players = {"script", "script"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)
 local pads = {{-15, 0, 15}, {-15, 0, -15}, {15, 0, 15}, {15, 0, -15}}

@@ -1,5 +1,5 @@
 -- When time is up and both have as many kills, nobody wins. A pause does not use up time.
-match {rules = "quick", set = {"quick.seconds=3"}, players = {"script", "script"}}
+match {match = "quick", set = {"quick.seconds=3"}, players = {"script", "script"}}
 wizard(1):move(0, 1)
 wait(1)
 wizard(1):stop()

@@ -1,5 +1,5 @@
 -- Who has enough kills wins the round at once, and time stands still.
-match {rules = "quick", set = {"quick.kills=1"}, players = {"script", "script"}}
+match {match = "quick", set = {"quick.kills=1"}, players = {"script", "script"}}
 local me, foe = wizard(1), wizard(2)
 me:aim(foe)
 me:move(0, 1)

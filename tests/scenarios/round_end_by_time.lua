@@ -1,5 +1,5 @@
 -- When time is up, the one with more kills wins. A death by the ground costs one.
-match {rules = "quick", set = {"quick.seconds=6"}, players = {"script", "script"}}
+match {match = "quick", set = {"quick.seconds=6"}, players = {"script", "script"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)
 foe:place {-14, 70, -9}

@@ -58,6 +58,32 @@ TEST(GameHostile, WildInputLeavesEverythingFiniteAndInBounds) {
     EXPECT_GT(match.match().played, 5000U);
 }
 
+TEST(GameHostile, WhoRunsOverPowerUpsInAnyStateStaysWithinTheCaps) {
+    Random random{31};
+    const auto data = duel_data(
+        {"quick.kills=1000", "thaum.vial.again_s=0.1", "thaum.heart.again_s=0.1", "thaum.spark.again_s=0.1"});
+    Simulation match(data, {6, {bot_device(0, 1), bot_device(1, 1)}});
+    auto frame = wild_frame(random);
+    for (Tick t = 0; t < 20'000; ++t) {
+        if (random.below(20) == 0) frame = wild_frame(random);
+        for (auto& sample : frame.devices)
+            sample.buttons &= ~static_cast<std::uint32_t>(input::Button::pause);
+        if (t % 200 == 0) {  // onto one of them, with any health
+            const auto wizard = wizard_of(match.world(), static_cast<std::uint32_t>(t / 200 % players));
+            if (match.world().has<Dead>(wizard)) continue;
+            const auto& place = data->arena.power_ups[random.below(data->arena.power_ups.size())];
+            auto& world = match.world_to_change();
+            world.get<Health>(wizard).points = random.uniform(-5, 150);
+            world.get<Motion>(wizard).position = place.position + vec3(0, data->wizard.height / 2, 0);
+            match.physics().set_state(wizard.index, std::as_const(world).get<Motion>(wizard));
+        }
+        match.tick(frame);
+        if (t % 8 == 7) expect_sane(match);
+        if (HasFatalFailure()) FAIL() << "at tick " << t;
+    }
+    EXPECT_GT(match.world().single<Chronicle>().count, 100U);
+}
+
 TEST(GameHostile, ALogOfOtherRulesOrOtherDataIsRefusedInOneLineThatNamesWhatDiffers) {
     const auto data = duel_data();
     const MatchSetup setup{1, {bot_device(0, 1), bot_device(1, 1)}};

@@ -1,4 +1,6 @@
 #include "ecs/snapshot.h"
+#include "game/match/power_ups.h"
+#include "game/match/result.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -32,6 +34,14 @@ TEST(GameMatch, TheArenaIsWhatTheDesignSays) {
     EXPECT_EQ(props, 14U);
     EXPECT_EQ(data->arena.anchors.size(), 8U);
     EXPECT_EQ(data->arena.pads.size(), 4U);
+    std::array<int, power_up_names.size()> kinds{};
+    double power_ups = 0;
+    for (const auto& p : data->arena.power_ups) {
+        ++kinds[static_cast<std::size_t>(p.kind)];
+        power_ups += p.position.z;
+    }
+    EXPECT_EQ(kinds, (std::array<int, 3>{4, 1, 3}));
+    EXPECT_EQ(power_ups, 0.0) << "the power-ups are not mirror-symmetric";
     double total = 0;
     for (const auto& thing : data->arena.things) total += thing.position.z;
     EXPECT_EQ(total, 0.0) << "the court is not mirror-symmetric";
@@ -49,6 +59,92 @@ TEST(GameMatch, AnOverrideReplacesAValueAndAWrongOneIsOneClearLine) {
     EXPECT_NE(message("quick.kills=0").find("'kills' is 0"), std::string::npos);
     EXPECT_NE(message("nothing.kills=3").find("--set nothing.kills=3"), std::string::npos);
     EXPECT_NE(message("quick.kills=[").find("no value"), std::string::npos);
+}
+
+// Rules -----------------------------------------------------------------------------------------------------------------
+
+TEST(GameRules, TheRuleSetSwitchesWhatItsFileSays) {
+    const auto thaum = duel_data();
+    auto classic = load_match_data(assets(), {.rules = "classic", .match = "standard"});
+    ASSERT_TRUE(classic) << classic.error().message;
+    EXPECT_GT(thaum->wands[0].stats.energy_regain, 0);
+    EXPECT_EQ(classic->wands[0].stats.energy_regain, 0);
+    EXPECT_GT(thaum->round.spawn_shield, 0U);
+    EXPECT_EQ(classic->round.spawn_shield, 0U);
+    EXPECT_EQ(thaum->round.rounds, 1U);
+    EXPECT_EQ(classic->round.rounds, 3U);
+    EXPECT_EQ(classic->round.kills, 5);
+}
+
+TEST(GameRules, TheLogRemembersRuleSetAndMatch) {
+    auto data = load_match_data(assets(), {.rules = "classic", .match = "standard"});
+    ASSERT_TRUE(data) << data.error().message;
+    const auto header = log_header(*data, {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    EXPECT_EQ(header.rule_set, "classic");
+    const auto match = match_of_log(header, assets());
+    ASSERT_TRUE(match) << match.error().message;
+    EXPECT_EQ((*match)->data().choice.rules, "classic");
+    EXPECT_EQ((*match)->data().choice.match, "standard");
+    auto other = header;
+    other.rule_set = "draughts";
+    EXPECT_NE(match_of_log(other, assets()).error().message.find("no rule set 'draughts'"),
+              std::string::npos);
+}
+
+TEST(GameRules, AGiftIsWhatThereIsRoomFor) {
+    const auto data = duel_data();
+    const auto gift = [&](PowerUpKind kind, double health, double energy) {
+        WandBelt belt;
+        belt.energy[data->wands[0].stats.slot] = energy;
+        return gift_of(*data, kind, Health{.points = health}, belt).amount();
+    };
+    EXPECT_EQ(gift(PowerUpKind::vial, 10, 0), 25);
+    EXPECT_EQ(gift(PowerUpKind::vial, 100, 0), 25);
+    EXPECT_EQ(gift(PowerUpKind::vial, 140, 0), 10);
+    EXPECT_EQ(gift(PowerUpKind::heart, 100, 0), 50);
+    EXPECT_EQ(gift(PowerUpKind::heart, 150, 0), 0);
+    EXPECT_EQ(gift(PowerUpKind::heart, 151, 0), 0);
+    EXPECT_EQ(gift(PowerUpKind::spark, 100, 0), 30);
+    EXPECT_EQ(gift(PowerUpKind::spark, 100, 45), 15);
+    EXPECT_EQ(gift(PowerUpKind::spark, 100, 60), 0);
+}
+
+TEST(GameRules, TheResultSaysWhoDidWhatByWhichCause) {
+    Simulation match(duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}});
+    auto& world = match.world_to_change();
+    const auto shot = static_cast<std::uint32_t>(EventKind::bolt_hit);
+    for (int i = 0; i < 8; ++i)
+        record(world, {.kind = EventKind::shot, .subject = 0, .by = 0, .detail = shot});
+    const auto victim = wizard_of(world, 1);
+    hurt(world, victim, 0, {.points = 6, .by = 0, .how = EventKind::bolt_hit});
+    hurt(world, victim, 0, {.points = 200, .by = 0, .how = EventKind::object_hit});
+    for (int i = 0; i < 16; ++i) match.tick({});
+    const auto rows = result_rows(match.world().single<Chronicle>().deeds);
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0].cause, "bolt");
+    EXPECT_EQ(rows[0].words[0], "1 of 8 hit (13 %), 6 HP");
+    EXPECT_EQ(rows[0].words[1], "");
+    EXPECT_EQ(rows[1].words[0], "1 hit, 200 HP, 1 kill");
+    EXPECT_NE(result_table(match).find("player 2   1 death"), std::string::npos);
+}
+
+TEST(GameRules, AMatchOfSeveralRoundsRestoresInTheMiddle) {
+    DataChoice choice{.match = "standard", .overrides = {"standard.seconds=2", "standard.interval_s=1"}};
+    const auto data = std::make_shared<const MatchData>(load_match_data(assets(), choice).value());
+    auto duel = make_bot_duel(assets(), data, {1, 1}, 4).value();
+    std::vector<input::InputFrame> frames;
+    Bytes keyframe;
+    while (duel.match->match().phase != Phase::over && frames.size() < 20000) {
+        if (duel.match->now() == 2 * keyframe_interval) duel.match->save(keyframe);
+        duel.match->tick(frames.emplace_back(duel.next_frame()));
+    }
+    EXPECT_EQ(duel.match->match().phase, Phase::over);
+    EXPECT_EQ(duel.match->match().round, 2U);
+    EXPECT_EQ(ahead(duel.match->match()), no_player);
+    Simulation again(data, duel.match->setup());
+    ASSERT_TRUE(again.restore(keyframe, 2 * keyframe_interval));
+    for (auto t = 2 * keyframe_interval; t < frames.size(); ++t) again.tick(frames[t]);
+    EXPECT_EQ(again.state_hash(), duel.match->state_hash());
 }
 
 }  // namespace

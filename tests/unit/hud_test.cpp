@@ -33,6 +33,13 @@ Picture picture_of(const Simulation& match) {
     return picture;
 }
 
+bool has_text(const render::Overlay& overlay, std::string_view part) {
+    return std::any_of(overlay.items.begin(), overlay.items.end(), [&](const render::OverlayItem& item) {
+        const auto* words = std::get_if<render::TextItem>(&item);
+        return words != nullptr && words->text.find(part) != std::string::npos;
+    });
+}
+
 // The picture as data ---------------------------------------------------------------------------------------------------
 
 TEST(TakePicture, HoldsWhatAMomentLooksLike) {
@@ -96,6 +103,40 @@ TEST(TakePicture, AllocatesNothingOnceWarm) {
     }
     EXPECT_EQ(p.things.data(), things);
     EXPECT_GE(p.missiles.capacity(), 100U);
+}
+
+TEST(TakePicture, PowerUpsAreThereOrOnTheirWayBack) {
+    const auto match = new_match();
+    auto p = picture_of(*match);
+    ASSERT_EQ(p.power_ups.size(), match_data()->arena.power_ups.size());
+    for (const auto& power_up : p.power_ups) EXPECT_EQ(power_up.returned, 1);
+    auto& world = match->world_to_change();
+    world.view<PowerUp>().each([](PowerUp& power_up) {
+        if (power_up.kind == PowerUpKind::vial) power_up.back_at = ticks(5.0);
+    });
+    take_picture(*match, p);
+    for (const auto& power_up : p.power_ups)
+        EXPECT_NEAR(power_up.returned, power_up.kind == PowerUpKind::vial ? 0.75 : 1, 1e-9);
+}
+
+TEST(TakePicture, WhatWasPickedUpIsToldForAWhile) {
+    const auto match = new_match();
+    auto& world = match->world_to_change();
+    const vec3 feet = std::as_const(world).get<Motion>(wizard_of(world, 0)).position -
+                      vec3(0, match_data()->wizard.height / 2, 0);
+    world.view<const PowerUp, Motion>().each([&](const PowerUp& power_up, Motion& motion) {
+        if (power_up.kind == PowerUpKind::heart) motion.position = feet;
+    });
+    for (int i = 0; i < 16; ++i) match->tick({});
+    const auto p = picture_of(*match);
+    EXPECT_LT(p.wizards[0].since_gift_s, 0.02);
+    EXPECT_EQ(p.wizards[0].gift, PowerUpKind::heart);
+    EXPECT_EQ(p.wizards[0].gift_amount, 50);
+    EXPECT_GT(p.wizards[1].since_gift_s, 1000);
+    EXPECT_NEAR(p.wizards[0].health, 150, 0.1);
+    render::Overlay overlay;
+    make_overlay(p, {}, size, overlay);
+    EXPECT_TRUE(has_text(overlay, "Heart  +50 health"));
 }
 
 // Between two pictures --------------------------------------------------------------------------------------------------
@@ -259,6 +300,19 @@ TEST_F(Drawn, PauseAndResultCoverBothHalves) {
     }
 }
 
+TEST_F(Drawn, APowerUpIsSeenAndWhenItIsGoneItsRingStays) {
+    picture.power_ups = {{.kind = PowerUpKind::vial, .position = {-12, 0, 12}, .returned = 1}};
+    const HudSettings alone{.watch = Watch::first};
+    const auto view = views_of(alone, size)[0];
+    const auto there = draw(alone);
+    picture.power_ups[0].returned = 0;
+    const auto gone = draw(alone);
+    picture.power_ups.clear();
+    const auto nothing = draw(alone);
+    EXPECT_GT(differing(there, gone, view), 50);
+    EXPECT_GT(differing(gone, nothing, view), 10);
+}
+
 TEST_F(Drawn, OnePlayerAloneHasTheWholeWindow) {
     const HudSettings alone{.watch = Watch::first};
     const auto views = views_of(alone, size);
@@ -282,6 +336,65 @@ TEST_F(Drawn, TrianglesStayWithinTheBudget) {
     draw({});
     EXPECT_LT(renderer->statistics().triangles, 2U * 45000U);
     EXPECT_LT(renderer->statistics().draws, 220U);
+}
+
+TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {
+    auto p = picture_of(*new_match());
+    p.phase = Phase::between;
+    p.ending = Ending::kills;
+    p.winner = 1;
+    p.match_winner = no_player;
+    p.rounds = 3;
+    p.rounds_won = {1, 1};
+    p.round = 1;
+    p.next_round_in_s = 4.2;
+    p.deeds[0][0] = {.shots = 10, .hits = 4, .kills = 1, .damage = 24};
+    render::Overlay overlay;
+    make_overlay(p, {}, size, overlay);
+    EXPECT_TRUE(has_text(overlay, "Player 2 (Tide) wins round 2"));
+    EXPECT_TRUE(has_text(overlay, "rounds 1 : 1"));
+    EXPECT_TRUE(has_text(overlay, "Enter: next round (in 5 s)"));
+    EXPECT_TRUE(has_text(overlay, "4 of 10 hit (40 %), 24 HP, 1 kill"));
+    p.phase = Phase::over;
+    p.match_winner = 0;
+    p.rounds_won = {2, 1};
+    make_overlay(p, {}, size, overlay);
+    EXPECT_TRUE(has_text(overlay, "Player 1 (Ember) wins"));
+    EXPECT_TRUE(has_text(overlay, "Enter: again"));
+    make_overlay(p, {.can_play_again = false}, size, overlay);
+    EXPECT_FALSE(has_text(overlay, "Enter"));
+}
+
+TEST(PowerUpMesh, TheKindsDifferInOutlineAndAreSmall) {
+    // How much of a 16 x 16 raster of the front each one covers.
+    std::vector<std::array<bool, 256>> outlines;
+    for (const auto kind : {PowerUpKind::vial, PowerUpKind::heart, PowerUpKind::spark}) {
+        const auto mesh = power_up_mesh(kind);
+        const auto round = render::bounds(mesh);
+        EXPECT_LT(round.radius, 0.6F);
+        EXPECT_GT(round.radius, 0.2F);
+        EXPECT_LT(mesh.indices.size() / 3, 1500U);
+        std::array<bool, 256> outline{};
+        for (std::size_t t = 0; t < mesh.indices.size(); t += 3) {
+            for (int i = 0; i < 256; ++i) {
+                const float a = static_cast<float>(i % 16) / 15, b = static_cast<float>(i) / 255;
+                if (a + b > 1) continue;
+                const fvec3 at = (1 - a - b) * mesh.vertices[mesh.indices[t]].position +
+                                 a * mesh.vertices[mesh.indices[t + 1]].position +
+                                 b * mesh.vertices[mesh.indices[t + 2]].position;
+                const auto cell = [](float v) {
+                    return static_cast<std::size_t>(std::clamp(8 + v * 16, 0.0F, 15.0F));
+                };
+                outline[cell(at.y) * 16 + cell(at.x)] = true;
+            }
+        }
+        for (const auto& other : outlines) {
+            int differing = 0;
+            for (std::size_t i = 0; i < 256; ++i) differing += outline[i] != other[i] ? 1 : 0;
+            EXPECT_GT(differing, 30);
+        }
+        outlines.push_back(outline);
+    }
 }
 
 TEST(FieldOfView, IsAsAskedForInAUsualShape) {

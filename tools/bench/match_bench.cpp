@@ -265,8 +265,8 @@ void hold_fire(IdleMatch& scene, Tick) {
 void kick_props(IdleMatch& scene, Tick tick) {
     if (tick % 200 != 0) return;
     auto& physics = scene.match->physics();
-    scene.match->world().view<const game::Body, game::Prop>().each(
-        [&](ecs::Entity e, const game::Body& body) {
+    scene.match->world().view<const game::Body, const game::Prop>().each(
+        [&](ecs::Entity e, const game::Body& body, const game::Prop&) {
             physics.apply_central_impulse(e.index, vec3(0.5, 2, tick % 400 == 0 ? 0.7 : -0.7) * body.mass);
         });
 }
