@@ -1,32 +1,42 @@
 #version 330 core
-// Lights each vertex: sun, hemisphere ambient and point lights. Colours are linear.
+// A mesh in the court. Colours are linear. Variants:
+//   PER_PIXEL  the fragment shader does the lighting; without it, it is done here for each vertex
+//   SHADOW     the sun's light is kept apart, so that the shadow map can take it away
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 colour;
 layout(location = 3) in mat4 model;
 layout(location = 7) in vec4 tint_glow;
+layout(location = 8) in vec4 baked;   // rgb: light of lamps that never change; a: how open the sky is
+layout(location = 9) in vec2 detail;  // share of the sun; what the colour is multiplied by far off
+layout(location = 10) in float instance_sun;
 
 uniform mat4 view_projection;
 uniform vec3 eye;
 uniform vec3 sun_direction;
 uniform vec3 sun_colour;
-uniform vec3 ambient_above;
-uniform vec3 ambient_below;
-uniform int light_count;
-uniform vec4 light_position[8];  // w: 1 / radius^2
-uniform vec3 light_colour[8];
+uniform vec2 detail_range;  // m: where fine lines begin to fade, and 1 / the way until they are gone
 
-out vec3 radiance;
 out vec3 from_eye;
+#ifdef PER_PIXEL
+out vec3 normal_there;
+out vec3 surface;
+out vec3 emitted;
+out float open_sky;
+#else
+out vec3 radiance;
+#endif
+#ifdef SHADOW
+uniform mat4 shadow_matrix;  // to the map, all three in [0, 1]
+uniform float shadow_lift;   // m along the normal, against a surface's shadow on itself
+out vec3 sunlight;
+out vec3 in_map;
+#endif
 
 // What a full glow gives, as a multiple of the surface's colour.
 const float glow_strength = 2.2;
 
-// Inverse square close by, and exactly 0 at the radius.
-float falloff(float square) {
-    float window = max(1.0 - square * square, 0.0);
-    return window * window / (1.0 + 12.0 * square);
-}
+vec3 light_at(vec3 place, vec3 n, float open);
 
 void main() {
     vec4 world = model * vec4(position, 1.0);
@@ -34,18 +44,26 @@ void main() {
     mat3 linear = mat3(model);
     vec3 stretch = vec3(dot(linear[0], linear[0]), dot(linear[1], linear[1]), dot(linear[2], linear[2]));
     vec3 n = normalize(linear * (normal / stretch));
-
-    vec3 light = mix(ambient_below, ambient_above, 0.5 + 0.5 * n.y);
-    light += sun_colour * max(dot(n, sun_direction), 0.0);
-    for (int i = 0; i < light_count; ++i) {
-        vec3 to = light_position[i].xyz - world.xyz;
-        float square = dot(to, to);
-        // Half of the light wraps around, so that low-poly shapes do not turn black at one edge.
-        float facing = max(0.7 * dot(n, to) * inversesqrt(square + 1e-6) + 0.3, 0.0);
-        light += light_colour[i] * (facing * falloff(square * light_position[i].w));
-    }
-    vec3 surface = colour * tint_glow.rgb;
-    radiance = surface * mix(light, vec3(glow_strength), tint_glow.a);
     from_eye = world.xyz - eye;
     gl_Position = view_projection * world;
+
+    float far = clamp((length(from_eye) - detail_range.x) * detail_range.y, 0.0, 1.0);
+    vec3 paint = colour * tint_glow.rgb * mix(1.0, detail.y, far);
+    float matt = 1.0 - tint_glow.a;
+    vec3 own = paint * (baked.rgb * matt + glow_strength * tint_glow.a);
+    vec3 sun = paint * sun_colour * (max(dot(n, sun_direction), 0.0) * matt);
+#ifdef PER_PIXEL
+    normal_there = n;
+    surface = paint * matt;
+    emitted = own;
+    open_sky = baked.a;
+#else
+    radiance = own + paint * matt * light_at(world.xyz, n, baked.a);
+#endif
+#ifdef SHADOW
+    sunlight = sun;
+    in_map = (shadow_matrix * vec4(world.xyz + shadow_lift * n, 1.0)).xyz;
+#else
+    radiance += sun * (detail.x * instance_sun);
+#endif
 }

@@ -1,6 +1,6 @@
 #version 330 core
 // The sky at the far end of the depth range, as a grid over the view: it is so smooth that its colour is worked out
-// (and tone mapped) at 17 x 11 corners instead of at each pixel, of which a software rasteriser does a million.
+// (and tone mapped) at 17 x 11 corners instead of at each pixel, of which a software rasteriser does a million. HDR leaves the tone curve to the last pass.
 uniform vec3 forward;
 uniform vec3 right;
 uniform vec3 up;
@@ -36,6 +36,11 @@ vec3 sky(vec3 d) {
 
 void main() {
     vec2 at = corner();
-    shade = tone_mapped(sky(normalize(forward + at.x * right + at.y * up)));
+    vec3 light = sky(normalize(forward + at.x * right + at.y * up));
+#ifdef HDR
+    shade = light;
+#else
+    shade = tone_mapped(light);
+#endif
     gl_Position = vec4(at, 1.0, 1.0);
 }

@@ -19,6 +19,13 @@ struct Vertex {
     fvec3 position;
     fvec3 normal;  ///< unit
     fvec3 colour;  ///< linear (render/colour.h)
+
+    // What is baked where the mesh stands (render/occlusion.h helps); the rest keeps what a thing in the open has.
+    fvec3 lamps{0};  ///< light that never changes, added
+    float open = 1;  ///< 0 to 1: how much of the ambient light arrives
+    float sun = 1;   ///< 0 or 1: whether the sun arrives, where no shadow map tells
+    float far_away =
+        1;  ///< the colour is multiplied by this far off, so that fine lines do not flicker there
 };
 
 /// Three indices a triangle.
@@ -45,10 +52,6 @@ void append(MeshData& to, const MeshData& part, const fmat4& placed = fmat4(1));
 MeshData painted(MeshData mesh, fvec3 colour);
 /// Each triangle gets vertices and a normal of its own.
 MeshData flat_shaded(const MeshData& mesh);
-
-/// Darkens each vertex by how much of the hemisphere above it `rays` rays find covered within `reach` m; the
-/// darkest is 1 - strength. Seconds for tens of thousands of triangles: for load time.
-void bake_ambient(MeshData& mesh, int rays, float reach, float strength);
 
 // Generators. `segments` is the number of sides around the axis, >= 3.
 

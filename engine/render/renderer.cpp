@@ -1,51 +1,21 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 
 #include "core/assert.h"
-#include "core/text.h"
 #include "render/detail/batches.h"
-#include "render/detail/gl.h"
-#include "render/detail/program.h"
+#include "render/detail/gpu_mesh.h"
+#include "render/detail/shaders.h"
+#include "render/detail/shadow_map.h"
 #include "render/detail/shapes2d.h"
+#include "render/detail/targets.h"
 
 namespace thaum::render {
 
 using namespace detail;
 
 namespace {
-
-struct GpuMesh {
-    VertexArray array;
-    Buffer vertices, indices;
-    GLsizei index_count{};
-};
-
-struct MeshProgram {
-    Program program;
-    GLint view_projection{}, eye{}, sun_direction{}, sun_colour{}, ambient_above{}, ambient_below{};
-    GLint light_count{}, light_position{}, light_colour{}, fog_colour{}, fog_rate{};
-};
-
-struct SkyProgram {
-    Program program;
-    GLint forward{}, right{}, up{}, zenith{}, horizon{}, sun_direction{}, sun_glow{}, fog_colour{};
-};
-
-struct OverlayProgram {
-    Program program;
-    GLint pixel{};
-};
-
-/// Where views are drawn when they are smaller than the window.
-struct InnerTarget {
-    Framebuffer framebuffer;
-    Renderbuffer colour, depth;
-    int width{}, height{};
-};
 
 struct OverlayBuffers {
     VertexArray array;
@@ -55,36 +25,6 @@ struct OverlayBuffers {
     std::vector<OverlayVertex> built;
 };
 
-constexpr GLsizei sky_corners = 16 * 10 * 6;  // as sky.vert has them
-
-// Attribute numbers, as the shaders have them.
-constexpr GLuint at_position = 0, at_normal = 1, at_colour = 2, at_model = 3, at_tint = 7;
-
-const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
-
-void attribute(GLuint index, GLint floats, std::size_t stride, std::size_t start) {
-    glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, floats, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), offset(start));
-}
-
-template <class T>
-void fill_buffer(GLenum target, const Buffer& buffer, const std::vector<T>& data, GLenum usage) {
-    glBindBuffer(target, buffer.get());
-    glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), usage);
-}
-
-GpuMesh make_mesh() {
-    GpuMesh mesh{make_vertex_array(), make_buffer(), make_buffer(), 0};
-    glBindVertexArray(mesh.array.get());
-    glBindBuffer(GL_ARRAY_BUFFER, mesh.vertices.get());
-    attribute(at_position, 3, sizeof(Vertex), offsetof(Vertex, position));
-    attribute(at_normal, 3, sizeof(Vertex), offsetof(Vertex, normal));
-    attribute(at_colour, 3, sizeof(Vertex), offsetof(Vertex, colour));
-    for (GLuint i = at_model; i <= at_tint; ++i) glVertexAttribDivisor(i, 1);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.get());
-    return mesh;
-}
-
 OverlayBuffers make_overlay_buffers() {
     OverlayBuffers out{make_vertex_array(), make_buffer(), make_texture(), 0, {}};
     glBindVertexArray(out.array.get());
@@ -93,129 +33,11 @@ OverlayBuffers make_overlay_buffers() {
     attribute(1, 2, sizeof(OverlayVertex), offsetof(OverlayVertex, texel));
     glEnableVertexAttribArray(2);
     glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, sizeof(OverlayVertex),
-                          offset(offsetof(OverlayVertex, colour)));
+                          reinterpret_cast<const void*>(offsetof(OverlayVertex, colour)));
     glBindTexture(GL_TEXTURE_2D, out.atlas.get());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return out;
-}
-
-Expected<MeshProgram> load_mesh_program(const std::filesystem::path& shaders) {
-    auto program = load_program({shaders / "mesh.vert", shaders / "mesh.frag", shaders / "tone.glsl"});
-    if (!program) return tl::unexpected(program.error());
-    MeshProgram out{.program = std::move(*program)};
-    const auto named = [&](const char* name) { return uniform(out.program, name); };
-    out.view_projection = named("view_projection");
-    out.eye = named("eye");
-    out.sun_direction = named("sun_direction");
-    out.sun_colour = named("sun_colour");
-    out.ambient_above = named("ambient_above");
-    out.ambient_below = named("ambient_below");
-    out.light_count = named("light_count");
-    out.light_position = named("light_position");
-    out.light_colour = named("light_colour");
-    out.fog_colour = named("fog_colour");
-    out.fog_rate = named("fog_rate");
-    return out;
-}
-
-Expected<SkyProgram> load_sky_program(const std::filesystem::path& shaders) {
-    auto program = load_program({shaders / "sky.vert", shaders / "tone.glsl", shaders / "sky.frag"});
-    if (!program) return tl::unexpected(program.error());
-    SkyProgram out{.program = std::move(*program)};
-    const auto named = [&](const char* name) { return uniform(out.program, name); };
-    out.forward = named("forward");
-    out.right = named("right");
-    out.up = named("up");
-    out.zenith = named("zenith");
-    out.horizon = named("horizon");
-    out.sun_direction = named("sun_direction");
-    out.sun_glow = named("sun_glow");
-    out.fog_colour = named("fog_colour");
-    return out;
-}
-
-Expected<OverlayProgram> load_overlay_program(const std::filesystem::path& shaders) {
-    auto program = load_program({shaders / "overlay.vert", shaders / "overlay.frag"});
-    if (!program) return tl::unexpected(program.error());
-    OverlayProgram out{.program = std::move(*program)};
-    out.pixel = uniform(out.program, "pixel");
-    glUseProgram(out.program.get());
-    glUniform1i(uniform(out.program, "atlas"), 0);
-    return out;
-}
-
-void set(GLint place, fvec3 v) { glUniform3f(place, v.x, v.y, v.z); }
-
-void set_lights(const MeshProgram& p, std::span<const PointLight> lights) {
-    std::array<fvec4, max_lights> position{};
-    std::array<fvec3, max_lights> colour{};
-    const auto count = std::min(lights.size(), max_lights);
-    for (std::size_t i = 0; i < count; ++i) {
-        const float radius = std::max(lights[i].radius, 1e-3F);
-        position[i] = fvec4(lights[i].position, 1 / (radius * radius));
-        colour[i] = lights[i].colour;
-    }
-    glUniform1i(p.light_count, static_cast<GLint>(count));
-    glUniform4fv(p.light_position, max_lights, &position[0].x);
-    glUniform3fv(p.light_colour, max_lights, &colour[0].x);
-}
-
-void set_mesh_uniforms(const MeshProgram& p, const ViewScene& view, const fmat4& view_projection) {
-    const auto& e = view.environment;
-    glUseProgram(p.program.get());
-    glUniformMatrix4fv(p.view_projection, 1, GL_FALSE, &view_projection[0][0]);
-    set(p.eye, view.camera.position);
-    set(p.sun_direction, e.sun.direction);
-    set(p.sun_colour, e.sun.colour);
-    set(p.ambient_above, e.ambient.above);
-    set(p.ambient_below, e.ambient.below);
-    set(p.fog_colour, e.fog.colour);
-    // exp2(-rate d^2) is exp(-(density d)^2).
-    glUniform1f(p.fog_rate, e.fog.density * e.fog.density * 1.442695F);
-    set_lights(p, view.lights);
-}
-
-void draw_sky(const SkyProgram& p, const ViewScene& view, float aspect) {
-    const auto& e = view.environment;
-    const float high = std::tan(view.camera.fov_y / 2);
-    const auto axis = [&](fvec3 v) { return view.camera.orientation * v; };
-    glUseProgram(p.program.get());
-    set(p.forward, axis({0, 0, -1}));
-    set(p.right, high * aspect * axis({1, 0, 0}));
-    set(p.up, high * axis({0, 1, 0}));
-    set(p.zenith, e.sky.zenith);
-    set(p.horizon, e.sky.horizon);
-    set(p.sun_direction, e.sun.direction);
-    set(p.sun_glow, e.sky.sun_glow);
-    set(p.fog_colour, e.fog.colour);
-    glDrawArrays(GL_TRIANGLES, 0, sky_corners);
-}
-
-void draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& instances) {
-    glBindVertexArray(mesh.array.get());
-    glBindBuffer(GL_ARRAY_BUFFER, instances.get());
-    const auto start = batch.first * sizeof(GpuInstance);
-    for (GLuint column = 0; column < 4; ++column) {
-        attribute(at_model + column, 4, sizeof(GpuInstance), start + column * sizeof(fvec4));
-    }
-    attribute(at_tint, 4, sizeof(GpuInstance), start + offsetof(GpuInstance, tint_glow));
-    glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr,
-                            static_cast<GLsizei>(batch.count));
-}
-
-void resize(InnerTarget& target, int width, int height) {
-    if (target.width == width && target.height == height) return;
-    target = {make_framebuffer(), make_renderbuffer(), make_renderbuffer(), width, height};
-    glBindRenderbuffer(GL_RENDERBUFFER, target.colour.get());
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);
-    glBindRenderbuffer(GL_RENDERBUFFER, target.depth.get());
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, target.colour.get());
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, target.depth.get());
-    THAUM_ASSERT(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE,
-                 text("no framebuffer of ", width, " x ", height));
 }
 
 int scaled_length(int length, float scale) {
@@ -229,34 +51,47 @@ Rect scaled_rect(const Rect& r, float scale) {
     return {x, y, edge(r.x + r.width) - x, edge(r.y + r.height) - y};
 }
 
+float aspect_of(const Rect& r) {
+    return r.height > 0 ? static_cast<float>(r.width) / static_cast<float>(r.height) : 1;
+}
+
+/// What one view draws: batches of the frame's, from `first` on.
+struct ViewBatches {
+    std::size_t first{}, solid{}, shades{};
+};
+
 }  // namespace
 
 struct Renderer::State {
-    MeshProgram mesh_program;
-    SkyProgram sky_program;
-    OverlayProgram overlay_program;
+    Programs programs;
     Font font;
     Atlas atlas;
     std::vector<GpuMesh> meshes;
     std::vector<Bounds> mesh_bounds;  // by mesh, as `meshes`
+    std::uint64_t mesh_revision{};    // counts changes of meshes
     Buffer instance_buffer;
     VertexArray no_attributes;
     OverlayBuffers overlay;
-    InnerTarget inner;
+    Target pixels, light;  // smaller than the window; for Quality::high
+    Bloom bloom;
+    ShadowMap shadow_map;
     Batches batches;
     DrawStatistics statistics;
     int drawn_width{}, drawn_height{};  // what read_pixels reads
 
     void draw_views(const Frame& frame);
-    void draw_view(const ViewScene& view, std::size_t first_batch, std::size_t batch_count, const Rect& at,
-                   int height);
+    ShadowView update_shadow(const Frame& frame);
+    ViewBatches collect_view(const ViewScene& view);
+    void draw_view(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow,
+                   const Rect& at, int height);
+    void draw_batches(std::size_t first, std::size_t count);
     void draw_overlay(const Frame& frame);
     void send_atlas();
 };
 
 namespace {
 
-/// Uses every shader once, into both kinds of framebuffer: drivers compile at the first use, which took 20 to 260 ms
+/// Uses every shader once, into every kind of framebuffer: drivers compile at the first use, which took 20 to 260 ms
 /// each on a software rasteriser.
 void warm_up(Renderer& renderer) {
     const MeshId mesh = renderer.upload(box(fvec3(0.5F), fvec3(1)));
@@ -265,12 +100,16 @@ void warm_up(Renderer& renderer) {
     ViewScene view;
     view.viewport = {0, 0, 8, 8};
     view.instances = {&instance, 1};
+    view.shades = {&instance, 1};
     view.lights = {&light, 1};
     Frame frame{.width = 8, .height = 8, .views = {view}, .overlay = {}};
+    frame.casters = {{&instance, 1}, {&instance, 1}};
     frame.overlay.items.push_back(TextItem{.text = "a", .position = {0, 0}, .size = 8});
-    renderer.draw(frame);
-    frame.internal_scale = 0.5F;
-    renderer.draw(frame);
+    for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
+        frame.quality = quality;
+        frame.internal_scale = quality == Quality::medium ? 0.5F : 1.0F;
+        renderer.draw(frame);
+    }
     renderer.replace(mesh, {});
     glFinish();
 }
@@ -283,26 +122,23 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
 Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
-    const auto shaders = assets / "shaders";
-    auto mesh = load_mesh_program(shaders);
-    if (!mesh) return tl::unexpected(mesh.error());
-    auto sky = load_sky_program(shaders);
-    if (!sky) return tl::unexpected(sky.error());
-    auto overlay = load_overlay_program(shaders);
-    if (!overlay) return tl::unexpected(overlay.error());
+    auto programs = load_programs(assets / "shaders");
+    if (!programs) return tl::unexpected(programs.error());
     auto font = Font::load();
     if (!font) return tl::unexpected(font.error());
-    auto state = std::make_unique<State>(State{.mesh_program = std::move(*mesh),
-                                               .sky_program = std::move(*sky),
-                                               .overlay_program = std::move(*overlay),
+    auto state = std::make_unique<State>(State{.programs = std::move(*programs),
                                                .font = std::move(*font),
                                                .atlas = {},
                                                .meshes = {},
                                                .mesh_bounds = {},
+                                               .mesh_revision = 0,
                                                .instance_buffer = make_buffer(),
                                                .no_attributes = make_vertex_array(),
                                                .overlay = make_overlay_buffers(),
-                                               .inner = {},
+                                               .pixels = {},
+                                               .light = {},
+                                               .bloom = {},
+                                               .shadow_map = {},
                                                .batches = {},
                                                .statistics = {},
                                                .drawn_width = 0,
@@ -310,6 +146,11 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
     Renderer renderer(std::move(state));
     warm_up(renderer);
     return renderer;
+}
+
+std::string Renderer::device() const {
+    const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return name == nullptr ? std::string() : std::string(name);
 }
 
 MeshId Renderer::upload(const MeshData& mesh) {
@@ -324,12 +165,9 @@ MeshId Renderer::upload(const MeshData& mesh) {
 void Renderer::replace(MeshId id, const MeshData& mesh) {
     auto& s = *state_;
     THAUM_ASSERT(id < s.meshes.size(), "a mesh that was never uploaded cannot be replaced");
-    auto& gpu = s.meshes[id];
-    glBindVertexArray(gpu.array.get());
-    fill_buffer(GL_ARRAY_BUFFER, gpu.vertices, mesh.vertices, GL_STATIC_DRAW);
-    fill_buffer(GL_ELEMENT_ARRAY_BUFFER, gpu.indices, mesh.indices, GL_STATIC_DRAW);
-    gpu.index_count = static_cast<GLsizei>(mesh.indices.size());
+    fill_mesh(s.meshes[id], mesh);
     s.mesh_bounds[id] = bounds(mesh);
+    ++s.mesh_revision;
 }
 
 void Renderer::draw(const Frame& frame) {
@@ -364,10 +202,12 @@ Image Renderer::read_pixels() {
 
 void Renderer::State::draw_views(const Frame& frame) {
     const float scale = std::clamp(frame.internal_scale, 0.25F, 1.0F);
-    const bool whole = scale == 1.0F;
+    const bool of_light = frame.quality == Quality::high, straight = scale == 1.0F && !of_light;
     const int width = scaled_length(frame.width, scale), height = scaled_length(frame.height, scale);
-    if (!whole) resize(inner, width, height);
-    glBindFramebuffer(GL_FRAMEBUFFER, whole ? 0 : inner.framebuffer.get());
+    const ShadowView shadow = update_shadow(frame);
+    auto& target = of_light ? light : pixels;
+    if (!straight) resize(target, of_light ? GL_RGBA16F : GL_RGBA8, true, width, height);
+    glBindFramebuffer(GL_FRAMEBUFFER, straight ? 0 : target.framebuffer.get());
     glViewport(0, 0, width, height);
     glDepthMask(GL_TRUE);
     glClearColor(0, 0, 0, 1);
@@ -376,49 +216,82 @@ void Renderer::State::draw_views(const Frame& frame) {
     batches.instances.clear();
     batches.batches.clear();
     batches.culled = 0;
-    std::vector<std::size_t> counts;
-    for (const auto& view : frame.views) {
-        const auto& r = view.viewport;
-        const float aspect = r.height > 0 ? static_cast<float>(r.width) / static_cast<float>(r.height) : 1;
-        const fmat4 matrix = projection_matrix(view.camera, aspect) * view_matrix(view.camera);
-        counts.push_back(collect(view.instances, mesh_bounds, matrix, batches));
-    }
+    std::vector<ViewBatches> of_views;
+    for (const auto& view : frame.views) of_views.push_back(collect_view(view));
     fill_buffer(GL_ARRAY_BUFFER, instance_buffer, batches.instances, GL_STREAM_DRAW);
     statistics.instances_drawn = batches.instances.size();
     statistics.instances_culled = batches.culled;
 
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LEQUAL);
-    glEnable(GL_CULL_FACE);
-    glDisable(GL_BLEND);
-    std::size_t first = 0;
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
-        draw_view(frame.views[i], first, counts[i], scaled_rect(frame.views[i].viewport, scale), height);
-        first += counts[i];
+        const auto at = scaled_rect(frame.views[i].viewport, scale);
+        draw_view(frame.views[i], of_views[i], frame.quality, shadow, at, height);
     }
-    if (whole) return;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, inner.framebuffer.get());
+    if (straight) return;
+    if (of_light) {
+        statistics.draws +=
+            compose(light, bloom, programs, frame.bloom, no_attributes, frame.width, frame.height);
+        return;
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, pixels.framebuffer.get());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glBlitFramebuffer(0, 0, width, height, 0, 0, frame.width, frame.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void Renderer::State::draw_view(const ViewScene& view, std::size_t first_batch, std::size_t batch_count,
-                                const Rect& at, int height) {
-    if (at.width <= 0 || at.height <= 0) return;
-    glViewport(at.x, height - at.y - at.height, at.width, at.height);
-    const float aspect = static_cast<float>(view.viewport.width) / static_cast<float>(view.viewport.height);
-    set_mesh_uniforms(mesh_program, view, projection_matrix(view.camera, aspect) * view_matrix(view.camera));
-    for (std::size_t i = first_batch; i < first_batch + batch_count; ++i) {
+ShadowView Renderer::State::update_shadow(const Frame& frame) {
+    if (frame.quality == Quality::low || frame.views.empty()) return {};
+    const auto counts = shadow_map.update(frame.casters, frame.views[0].environment.sun.direction, meshes,
+                                          mesh_bounds, mesh_revision, programs.shadow);
+    statistics.shadow_draws = counts.draws;
+    statistics.shadow_triangles = counts.triangles;
+    return shadow_map.bind();
+}
+
+ViewBatches Renderer::State::collect_view(const ViewScene& view) {
+    const fmat4 matrix = projection_matrix(view.camera, aspect_of(view.viewport)) * view_matrix(view.camera);
+    ViewBatches its{.first = batches.batches.size()};
+    its.solid = collect(view.instances, mesh_bounds, matrix, batches);
+    its.shades = collect(view.shades, mesh_bounds, matrix, batches);
+    return its;
+}
+
+void Renderer::State::draw_batches(std::size_t first, std::size_t count) {
+    for (std::size_t i = first; i < first + count; ++i) {
         const auto& batch = batches.batches[i];
         const auto& mesh = meshes[batch.mesh];
         draw_batch(mesh, batch, instance_buffer);
         statistics.triangles += batch.count * static_cast<std::size_t>(mesh.index_count) / 3;
     }
-    // Last, so that only pixels that nothing covers are paid for.
+    statistics.draws += count;
+}
+
+void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Quality quality,
+                                const ShadowView& shadow, const Rect& at, int height) {
+    if (at.width <= 0 || at.height <= 0) return;
+    glViewport(at.x, height - at.y - at.height, at.width, at.height);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDepthMask(GL_TRUE);
+    glEnable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    const float aspect = aspect_of(view.viewport);
+    const fmat4 matrix = projection_matrix(view.camera, aspect) * view_matrix(view.camera);
+    const float pixel_angle = 2 * std::tan(view.camera.fov_y / 2) / static_cast<float>(at.height);
+    use_mesh_program(programs.mesh[static_cast<std::size_t>(quality)], view, matrix, quality, shadow,
+                     pixel_angle);
+    draw_batches(its.first, its.solid);
+    // After all that is solid, so that only pixels that nothing covers are paid for.
     glBindVertexArray(no_attributes.get());
-    draw_sky(sky_program, view, aspect);
-    statistics.draws += batch_count + 1;
+    use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view, aspect);
+    glDrawArrays(GL_TRIANGLES, 0, sky_corners);
+    ++statistics.draws;
+    if (its.shades == 0) return;
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ZERO, GL_SRC_COLOR);
+    glUseProgram(programs.shade.program.get());
+    glUniformMatrix4fv(programs.shade.parameter, 1, GL_FALSE, &matrix[0][0]);
+    draw_batches(its.first + its.solid, its.shades);
 }
 
 void Renderer::State::send_atlas() {
@@ -442,13 +315,14 @@ void Renderer::State::draw_overlay(const Frame& frame) {
     build(frame.overlay, font, atlas, overlay.built);
     if (overlay.built.empty()) return;
     send_atlas();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, frame.width, frame.height);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glUseProgram(overlay_program.program.get());
-    glUniform2f(overlay_program.pixel, 2 / static_cast<float>(frame.width),
+    glUseProgram(programs.overlay.program.get());
+    glUniform2f(programs.overlay.parameter, 2 / static_cast<float>(frame.width),
                 2 / static_cast<float>(frame.height));
     glBindVertexArray(overlay.array.get());
     fill_buffer(GL_ARRAY_BUFFER, overlay.vertices, overlay.built, GL_STREAM_DRAW);

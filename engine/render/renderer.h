@@ -1,12 +1,13 @@
 // render/renderer.h: draws a Frame (render/scene.h) with OpenGL 3.3 on the thread that owns the context.
 //
-// The forward shader lights each vertex (sun, hemisphere ambient, up to 8 point lights) and adds fog and tone mapping
-// to each pixel: on a software rasteriser pixels are what costs. Instances of one mesh are one draw call; those out of
-// view are none.
+// One forward shader in three variants (render/quality.h): sun, hemisphere ambient, up to 8 point lights, fog, filmic
+// tone curve. On a software rasteriser pixels are what costs, so all but the highest light each vertex. Instances of one
+// mesh are one draw call; those out of view are none. The sun's shadows are kept from frame to frame (Casters).
 #pragma once
 #include <cstddef>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "core/error.h"
 #include "render/font.h"
@@ -22,12 +23,14 @@ struct DrawStatistics {
     std::size_t instances_drawn{};
     std::size_t instances_culled{};  ///< out of view or not finite
     std::size_t triangles{};         ///< of the instances drawn
+    std::size_t shadow_draws{};      ///< into the shadow map; 0 where nothing that casts has moved
+    std::size_t shadow_triangles{};
 };
 
 class Renderer {
 public:
     /// `assets` is the folder that holds shaders/. A context must be current, and stay until the Renderer is gone.
-    /// Takes up to a second: each shader is used once, which is when drivers compile. Errors: a shader file (named,
+    /// Takes up to a second: each shader variant is used once, which is when drivers compile. Errors: a shader file (named,
     /// with the driver's line), no font.
     static Expected<Renderer> create(const std::filesystem::path& assets);
     Renderer(Renderer&&) noexcept;
@@ -41,6 +44,8 @@ public:
     /// Draws into the context's framebuffer; the caller presents it. A frame of no size draws nothing.
     void draw(const Frame& frame);
     const DrawStatistics& statistics() const;
+    /// What draws, as OpenGL calls it (GL_RENDERER); for first_quality.
+    std::string device() const;
 
     /// What the last draw made; call before present(), which may throw it away.
     Image read_pixels();

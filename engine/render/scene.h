@@ -13,6 +13,7 @@
 
 #include "core/maths.h"
 #include "render/colour.h"
+#include "render/quality.h"
 
 namespace thaum::render {
 
@@ -34,6 +35,7 @@ struct Instance {
     fmat4 model{1};
     fvec3 tint{1};  ///< multiplies the mesh's colours
     float glow{};   ///< 0: lit by the scene; 1: shines by itself, in its own colour
+    float sun = 1;  ///< share of the sun that reaches it, where no shadow map tells
 };
 
 struct PointLight {
@@ -42,7 +44,7 @@ struct PointLight {
     float radius = 8;  ///< m; nothing is lit beyond
 };
 
-/// Lights a view may have; draw uses the first ones.
+/// Lights a view may have; draw uses the first ones, at Quality::low the first four.
 inline constexpr std::size_t max_lights = 8;
 
 struct Sun {
@@ -93,6 +95,14 @@ struct ViewScene {
     std::span<const Instance> instances;
     std::span<const PointLight> lights;  ///< up to max_lights
     Environment environment;
+    /// Flat shade over the ground, drawn last: what is there is multiplied by the mesh's colour. tint.r from 0 (not at
+    /// all) to 1 says how strongly.
+    std::span<const Instance> shades{};
+};
+
+/// What keeps the sun away, in all views. `fixed` never changes from frame to frame: its shadow is drawn once and kept.
+struct Casters {
+    std::span<const Instance> fixed, moving;
 };
 
 // The overlay: flat shapes and text over the views, in order, blended by alpha. Edges that are not along pixels are
@@ -148,6 +158,9 @@ struct Frame {
     std::vector<ViewScene> views;  ///< one, or two that do not overlap; what they leave is black
     Overlay overlay;
     float internal_scale = 1;  ///< 0.25 to 1: views are drawn at this part of the window's size and stretched
+    Quality quality = Quality::low;
+    bool bloom = true;  ///< at Quality::high
+    Casters casters{};  ///< the sun is that of the first view
 };
 
 }  // namespace thaum::render

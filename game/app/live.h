@@ -45,6 +45,7 @@ struct LiveReport {
         late_us_worst{};                       ///< wake-ups of the simulation thread after their deadline
     double tick_us_median{}, tick_us_p99{};    ///< one tick, its record and picture
     double frame_ms_median{}, frame_ms_p99{};  ///< building, drawing and presenting one picture
+    render::Quality quality{};                 ///< at the end; `auto` may have changed it on the way
 };
 
 struct LivePlan {

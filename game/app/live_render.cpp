@@ -38,12 +38,29 @@ const Picture& show(Film& film, double speed) {
     return film.shown;
 }
 
-game::HudSettings hud_settings(const LivePlan& plan, const LiveShared& shared, game::Watch watch) {
+/// The preset that is set, or the one that `auto` has come to.
+struct QualityChoice {
+    std::optional<render::Quality> set;
+    render::Quality first{};
+    render::AutoQuality found{};
+    render::Size size{};
+
+    render::Quality now(render::Size window) {
+        // Another size is another amount of work: what proved too slow may fit now.
+        if (window != size) found = {.now = size == render::Size{} ? first : found.now};
+        size = window;
+        return set.value_or(found.now);
+    }
+};
+
+game::HudSettings hud_settings(const LivePlan& plan, const LiveShared& shared, game::Watch watch,
+                               render::Quality quality) {
     return {.split = shared.split.load(),
             .watch = watch,
             .fov = plan.settings.fov,
             .text_scale = plan.settings.text_scale,
-            .internal_scale = static_cast<float>(plan.settings.internal_scale),
+            .quality = quality,
+            .bloom = plan.settings.bloom,
             .can_play_again = true};
 }
 
@@ -55,6 +72,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, game::Watch wa
     Film film;
     game::FrameMemory memory;
     Timings times;
+    QualityChoice quality{plan.settings.quality, render::first_quality(renderer.device())};
     shared.ready = true;
     while (!shared.stop) {
         pacer.wait();
@@ -63,12 +81,15 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, game::Watch wa
         const auto size = shared.window.size();
         if (!film.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) continue;
         const auto before = monotonic_ns();
-        renderer.draw(
-            game::make_frame(court, show(film, plan.speed), hud_settings(plan, shared, watch), size, memory));
+        const auto settings = hud_settings(plan, shared, watch, quality.now(size));
+        renderer.draw(game::make_frame(court, show(film, plan.speed), settings, size, memory));
         shared.window.present();
-        times.add(static_cast<double>(monotonic_ns() - before) * 1e-6);
+        const double frame_ms = static_cast<double>(monotonic_ns() - before) * 1e-6;
+        quality.found = render::after_frame(quality.found, frame_ms);
+        times.add(frame_ms);
         ++shared.report.frames;
     }
+    shared.report.quality = quality.now(quality.size);
     shared.report.frame_ms_median = times.at(0.5);
     shared.report.frame_ms_p99 = times.at(0.99);
 }

@@ -36,6 +36,14 @@ void read_bindings(const ConfigTable& root, Settings& settings) {
     }
 }
 
+std::optional<render::Quality> read_quality(const ConfigTable& root) {
+    std::vector<std::string_view> names{"auto"};
+    names.insert(names.end(), render::quality_names.begin(), render::quality_names.end());
+    const auto chosen = root.choice("quality", names, 0);
+    if (chosen == 0) return std::nullopt;
+    return static_cast<render::Quality>(chosen - 1);
+}
+
 std::string two_digits(int n) { return text(n < 10 ? "0" : "", n); }
 
 /// "2026-03-01_18-05-59": sorts as time goes.
@@ -116,7 +124,8 @@ Expected<Settings> parse_settings(std::string_view toml, std::string name) {
     s.fullscreen = root.boolean("fullscreen", s.fullscreen);
     s.fov = root.number("fov_deg", {60, 130}, s.fov);
     s.text_scale = root.number("text_scale", {0.5, 2.5}, s.text_scale);
-    s.internal_scale = root.number("internal_scale", {0.25, 1}, s.internal_scale);
+    s.quality = read_quality(root);
+    s.bloom = root.boolean("bloom", s.bloom);
     s.frames_per_second = root.number("frames_per_second", {10, 360}, s.frames_per_second);
     s.sensitivity = root.number("sensitivity", {0.05, 20}, s.sensitivity);
     s.turn_deg_per_s = root.number("turn_deg_per_s", {20, 1000}, s.turn_deg_per_s);

@@ -3,6 +3,7 @@
 #pragma once
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,7 +18,8 @@ struct Settings {
     bool fullscreen = false;
     double fov = 90;  ///< degrees
     double text_scale = 1;
-    double internal_scale = 1;
+    std::optional<render::Quality> quality{};  ///< nothing: chosen by what draws and by measured times
+    bool bloom = true;
     double frames_per_second = 60;
     double sensitivity = 1;
     double turn_deg_per_s = 200;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <span>
 
 #include "game/hud/figures.h"
 #include "game/hud/furniture.h"
@@ -15,8 +16,9 @@ using render::Instance;
 using render::MeshData;
 using render::PointLight;
 
-constexpr int embers = 28, bubbles = 9;
-constexpr double shadow_reach = 4;  // m above the ground, where it is gone
+constexpr int embers = 36, bubbles = 14;
+constexpr float brew_glow = 1.7F;    // the brightest thing in the court
+constexpr double shade_reach = 2.5;  // m above the ground, where contact shade is gone
 
 // Making ---------------------------------------------------------------------------------------------------------------
 
@@ -26,7 +28,7 @@ std::optional<render::MeshId> upload(render::Renderer& renderer, const MeshData&
 }
 
 Court::Meshes upload(render::Renderer& renderer, const FurnitureMesh& mesh) {
-    return {upload(renderer, mesh.lit), upload(renderer, mesh.glowing)};
+    return {.lit = upload(renderer, mesh.lit), .glowing = upload(renderer, mesh.glowing)};
 }
 
 ShapeKey key_of(const Thing& thing) {
@@ -43,6 +45,7 @@ Court::Solid make_solid(render::Renderer& renderer, const Shade& shade, const Ar
     Court::Solid solid{key_of(thing), thing.position, {}};
     if (thing.surface == Surface::bowl) {
         solid.meshes = upload(renderer, cauldron(arena.meshes[thing.body.mesh]));
+        solid.meshes.glow = brew_glow;
     } else if (thing.body.shape == physics::Shape::mesh) {
         solid.meshes.lit = upload(renderer, masonry_ramp(shade, thing, arena.meshes[thing.body.mesh]));
     } else if (is_masonry(thing)) {
@@ -72,12 +75,29 @@ Court::Team make_team(render::Renderer& renderer, std::uint32_t team) {
             .plate = upload(renderer, start_plate(team))};
 }
 
+/// The top of a box, or the slope that a ramp's highest vertices tell.
+Court::Ground ground_of(const Thing& thing, const Arena& arena) {
+    if (thing.body.shape != physics::Shape::mesh) {
+        const auto high = thing.position + thing.body.size;
+        return {thing.position - thing.body.size, high, high.y, 0, 0};
+    }
+    vec3 half(0), top(0);
+    for (const auto& v : arena.meshes[thing.body.mesh].vertices) half = glm::max(half, glm::abs(v));
+    for (const auto& v : arena.meshes[thing.body.mesh].vertices) {
+        if (v.y > 0.9 * half.y) top += v;
+    }
+    const bool along_x = std::abs(top.x) > std::abs(top.z);
+    const double rise = half.y / (along_x ? half.x : half.z);
+    return {thing.position - half, thing.position + half, thing.position.y,
+            along_x ? std::copysign(rise, top.x) : 0, along_x ? 0 : std::copysign(rise, top.z)};
+}
+
 /// What stands there gives light of its own.
 void add_light_of(const Thing& thing, Court& court) {
     const fvec3 at(thing.position);
     if (thing.surface == Surface::bowl) {
         court.bowl = thing.position;
-        court.lights.insert(court.lights.begin(), {at + fvec3(0, 1.6F, 0), 4.4F * colour(0xFF8C3C), 24});
+        court.lights.insert(court.lights.begin(), {at + fvec3(0, 1.5F, 0), 5.0F * colour(0xFF8C3C), 22});
     }
     if (thing.surface == Surface::orb)
         court.lights.push_back({at + fvec3(0.8F, 0.2F, 0), 2.2F * colour(0x8A6AFF), 8});
@@ -87,45 +107,54 @@ void add_light_of(const Thing& thing, Court& court) {
 
 render::Environment dusk() {
     render::Environment e;
-    // Walls of 12 m keep the low sun out of the court: where it does come in is baked into the stones. What is left is a
-    // soft rim on whoever turns to it.
-    e.sun.colour *= 0.22F;
+    // So low that the wall of 12 m keeps the sun from the eastern half: the cauldron stands just within the shade, and
+    // both players start in the light.
+    e.sun.direction = glm::normalize(fvec3(0.86F, 0.50F, 0.16F));
+    e.sun.colour = 2.5F * colour(0xFFAE6C);
     e.sky.zenith = colour(0x2A1E58);
     e.sky.horizon = colour(0xA0608C);
     e.sky.sun_glow = 1.3F * colour(0xE07A40);
     e.fog.colour = colour(0x5A4274);
     e.fog.density = 0.0105F;
-    e.ambient.above = 1.0F * colour(0x8A80C8);
-    e.ambient.below = 0.9F * colour(0x5A4252);
+    e.ambient.above = 0.85F * colour(0x8078CC);
+    e.ambient.below = 0.8F * colour(0x5C4254);
     return e;
 }
 
 }  // namespace
 
+double Court::Ground::height_at(vec3 p) const {
+    return height + slope_x * (p.x - (low.x + high.x) / 2) + slope_z * (p.z - (low.z + high.z) / 2);
+}
+
 Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRules& rules) {
     Court court;
     court.environment = dusk();
     court.wizard_height = rules.height;
-    const auto shade = make_shade(arena, court.environment.sun.direction);
+    court.shade = make_shade(arena, court.environment.sun.direction);
+    const auto& shade = court.shade;
     for (const auto& thing : arena.things) {
         if (thing.prop)
             add_kind(renderer, key_of(thing), court);
         else
             court.solids.push_back(make_solid(renderer, shade, arena, thing));
         add_light_of(thing, court);
-        const bool ground = thing.surface == Surface::floor || thing.surface == Surface::pit;
-        if (ground && thing.body.shape == physics::Shape::box)
-            court.grounds.push_back({thing.position - thing.body.size, thing.position + thing.body.size});
+        if (thing.surface == Surface::floor || thing.surface == Surface::pit)
+            court.grounds.push_back(ground_of(thing, arena));
     }
     for (std::uint32_t team = 0; team < players; ++team) court.teams[team] = make_team(renderer, team);
     court.power_ups = make_power_up_meshes(renderer);
     court.anchor = upload(renderer, anchor());
     court.neutral_plate = upload(renderer, start_plate(no_player));
-    court.decoration = {upload(renderer, decoration(shade)), upload(renderer, lamps(shade))};
+    court.decoration = {.lit = upload(renderer, decoration(shade)),
+                        .glowing = upload(renderer, lamps(shade))};
+    court.skyline = renderer.upload(skyline());
+    for (std::size_t i = 0; i < court.wands.size(); ++i)
+        court.wands[i] = renderer.upload(wand_mesh(static_cast<Silhouette>(i)));
     court.runes = renderer.upload(rune_circle(2.1F));
     court.bubble = renderer.upload(render::sphere(1, 8, colour(0xFFB048)));
     court.ember = renderer.upload(render::sphere(1, 5, colour(0xFFA040)));
-    court.shadow = renderer.upload(shadow_spot(0.30F * colour(0x666A7C), 0.96F * colour(0x6A6C80)));
+    court.contact = renderer.upload(contact_shade(0.42F));
     const fvec3 grey = colour(0x807890);
     court.unit_shapes = {renderer.upload(render::box(fvec3(1), grey, 0.06F)),
                          renderer.upload(render::sphere(1, 14, grey)),
@@ -146,7 +175,8 @@ fmat4 placed(vec3 position, quat orientation) {
 
 void add(const Court::Meshes& meshes, const fmat4& model, std::vector<Instance>& out) {
     if (meshes.lit) out.push_back({.mesh = *meshes.lit, .model = model});
-    if (meshes.glowing) out.push_back({.mesh = *meshes.glowing, .model = model, .glow = 0.85F});
+    if (meshes.glowing)
+        out.push_back({.mesh = *meshes.glowing, .model = model, .tint = fvec3(meshes.glow), .glow = 0.85F});
 }
 
 const Court::Meshes* find_meshes(const Court& court, const ThingPicture& thing) {
@@ -172,25 +202,50 @@ void add_unknown(const Court& court, const ThingPicture& thing, std::vector<Inst
                    .model = glm::scale(placed(thing.position, thing.orientation), scale)});
 }
 
-/// The ground below, where there is any near.
-std::optional<double> ground_below(const Court& court, vec3 at) {
-    std::optional<double> best;
+/// The ground below, where there is any.
+const Court::Ground* ground_below(const Court& court, vec3 at) {
+    const Court::Ground* best = nullptr;
     for (const auto& g : court.grounds) {
-        const bool over = at.x > g.low.x && at.x < g.high.x && at.z > g.low.z && at.z < g.high.z;
-        if (over && g.high.y <= at.y + 0.1 && (!best || g.high.y > *best)) best = g.high.y;
+        const bool over = at.x >= g.low.x && at.x <= g.high.x && at.z >= g.low.z && at.z <= g.high.z;
+        if (over && g.height_at(at) <= at.y + 0.1 &&
+            (best == nullptr || g.height_at(at) > best->height_at(at)))
+            best = &g;
     }
     return best;
 }
 
-void add_shadow(const Court& court, vec3 centre, double radius, double half_height,
-                std::vector<Instance>& out) {
-    const auto ground = ground_below(court, centre - vec3(0, 0.9 * half_height, 0));
-    if (!ground) return;
-    const double above = std::max(0.0, centre.y - half_height - *ground);
-    if (above > shadow_reach) return;
-    const auto size = static_cast<float>(radius * (1 - above / shadow_reach));
-    fmat4 m = render::translated(fvec3(vec3(centre.x, *ground + 0.008, centre.z)));
-    out.push_back({.mesh = court.shadow, .model = glm::scale(m, fvec3(size, 1, size))});
+/// Nothing hangs over an edge: is the ground's plane under the whole rim?
+bool lies_flat(const Court& court, const Court::Ground& ground, vec3 centre, double radius) {
+    for (const vec3 way : {vec3(1, 0, 0), vec3(-1, 0, 0), vec3(0, 0, 1), vec3(0, 0, -1)}) {
+        const vec3 rim = centre + radius * way;
+        const double height = ground.height_at(rim);
+        const auto* there = ground_below(court, {rim.x, height + 0.2, rim.z});
+        if (there == nullptr || std::abs(there->height_at(rim) - height) > 0.05) return false;
+    }
+    return true;
+}
+
+void add_contact_shade(const Court& court, vec3 centre, double radius, double half_height,
+                       std::vector<Instance>& out) {
+    const auto* ground = ground_below(court, centre - vec3(0, 0.9 * half_height, 0));
+    if (ground == nullptr) return;
+    const double above = std::max(0.0, centre.y - half_height - ground->height_at(centre));
+    if (above > shade_reach) return;
+    for (int smaller = 0; smaller < 3 && !lies_flat(court, *ground, centre, radius); ++smaller) radius *= 0.6;
+    if (!lies_flat(court, *ground, centre, radius)) return;
+    const auto size = static_cast<float>(radius);
+    const vec3 at(centre.x, ground->height_at(centre) + 0.012, centre.z);
+    fmat4 m = render::translated(fvec3(at));
+    m[0] = fvec4(size, size * static_cast<float>(ground->slope_x), 0, 0);
+    m[2] = fvec4(0, size * static_cast<float>(ground->slope_z), size, 0);
+    const auto strength = static_cast<float>(1 - above / shade_reach);
+    out.push_back({.mesh = court.contact, .model = m, .tint = fvec3(strength)});
+}
+
+/// What moves has no baked light; where there is no shadow map, it is in the sun or not.
+void set_sun(const Court& court, vec3 at, std::span<Instance> of) {
+    const float sun = sees_sun(court.shade, at) ? 1.0F : 0.0F;
+    for (auto& instance : of) instance.sun = sun;
 }
 
 void add_thing(const Court& court, const ThingPicture& thing, std::vector<Instance>& out) {
@@ -199,27 +254,42 @@ void add_thing(const Court& court, const ThingPicture& thing, std::vector<Instan
         return add(thing.team < players ? court.teams[thing.team].plate : court.neutral_plate, model, out);
     if (thing.key.surface == Surface::anchor)
         return add(court.anchor, glm::scale(model, fvec3(fvec3(thing.key.size).x)), out);
+    const auto first = out.size();
     if (const auto* meshes = find_meshes(court, thing))
         add(*meshes, model, out);
     else
         add_unknown(court, thing, out);
+    if (!thing.fixed) set_sun(court, thing.position, std::span(out).subspan(first));
 }
 
 fmat4 turned(double yaw, double pitch) { return glm::mat4_cast(fquat(look_rotation(yaw, pitch))); }
 
-void add_wizard(const Court& court, std::uint32_t number, const PlayerPicture& p, double time,
+/// Body, arm and wand, as the other sees them and as they cast a shadow.
+void add_figure(const Court& court, std::uint32_t number, const PlayerPicture& p,
                 std::vector<Instance>& out) {
     const auto& team = court.teams[number];
+    const auto first = out.size();
     const fvec3 feet(p.centre - vec3(0, court.wizard_height / 2, 0));
     const auto standing = render::translated(feet) * turned(p.yaw, 0);
-    if (p.dead) {
-        out.push_back({.mesh = team.fallen, .model = standing});
-        return;
+    out.push_back({.mesh = p.dead ? team.fallen : team.figure, .model = standing});
+    if (!p.dead) {
+        const auto arm = render::translated(fvec3(p.eye)) * turned(p.yaw, 0) * render::translated(shoulder) *
+                         turned(0, p.pitch);
+        out.push_back({.mesh = team.arm, .model = arm});
+        if (!p.wand.empty())
+            out.push_back({.mesh = court.wands[static_cast<std::size_t>(p.silhouette)],
+                           .model = arm * render::translated(-shoulder) * wand_in_hand()});
     }
-    out.push_back({.mesh = team.figure, .model = standing});
+    set_sun(court, p.centre, std::span(out).subspan(first));
+}
+
+/// What shines of a wizard: the wand's tip, and the shield.
+void add_glow(const Court& court, std::uint32_t number, const PlayerPicture& p, double time,
+              std::vector<Instance>& out) {
+    if (p.dead) return;
+    const auto& team = court.teams[number];
     const auto arm = render::translated(fvec3(p.eye)) * turned(p.yaw, 0) * render::translated(shoulder) *
                      turned(0, p.pitch);
-    out.push_back({.mesh = team.arm, .model = arm});
     if (!p.wand.empty())
         out.push_back(
             {.mesh = team.spark, .model = arm * render::translated(fvec3(wand_tip) - shoulder), .glow = 1});
@@ -232,13 +302,17 @@ void add_wizard(const Court& court, std::uint32_t number, const PlayerPicture& p
 
 void add_own_arm(const Court& court, std::uint32_t number, const PlayerPicture& p,
                  std::vector<Instance>& out) {
-    if (p.dead) return;
+    const auto first = out.size();
     const auto eye = render::translated(fvec3(p.eye)) * turned(p.yaw, p.pitch);
     out.push_back({.mesh = court.teams[number].own_arm, .model = eye});
-    if (!p.wand.empty())
+    if (!p.wand.empty()) {
+        out.push_back(
+            {.mesh = court.wands[static_cast<std::size_t>(p.silhouette)], .model = eye * wand_in_own_hand()});
         out.push_back({.mesh = court.teams[number].spark,
                        .model = eye * render::translated(fvec3(wand_tip)),
                        .glow = 1});
+    }
+    set_sun(court, p.eye, std::span(out).subspan(first));
 }
 
 /// Turns -z into the direction of flight.
@@ -282,8 +356,8 @@ void add_bubbles(const Court& court, double time, std::vector<Instance>& out) {
         const double round = std::floor(life), age = life - round;
         const double angle = 2.4 * (i + 3 * round),
                      radius = 0.25 + 0.75 * std::fmod(0.618 * (i + round), 1.0);
-        const vec3 at =
-            *court.bowl + vec3(radius * std::cos(angle), 0.62 - 0.06 * radius, radius * std::sin(angle));
+        const vec3 at = *court.bowl + vec3(radius * std::cos(angle), 0.72 - 0.10 * radius * radius,
+                                           radius * std::sin(angle));
         const auto size = static_cast<float>(0.02 + 0.13 * std::sin(pi * age));
         out.push_back({.mesh = court.bubble,
                        .model = glm::scale(render::translated(fvec3(at)), fvec3(size)),
@@ -291,7 +365,9 @@ void add_bubbles(const Court& court, double time, std::vector<Instance>& out) {
     }
 }
 
-void add_shadows(const Court& court, const Picture& picture, std::vector<Instance>& out) {
+}  // namespace
+
+void add_contact_shades(const Court& court, const Picture& picture, std::vector<Instance>& out) {
     for (const auto& thing : picture.things) {
         if (thing.fixed || thing.key.shape == physics::Shape::mesh) continue;
         const bool box = thing.key.shape == physics::Shape::box;
@@ -299,31 +375,40 @@ void add_shadows(const Court& court, const Picture& picture, std::vector<Instanc
         // A long plank is no disc.
         if (std::max(size.x, size.z) > 2) continue;
         const double height = thing.key.shape == physics::Shape::sphere ? size.x : size.y;
-        add_shadow(court, thing.position, 1.35 * std::hypot(size.x, size.z), height, out);
+        add_contact_shade(court, thing.position, 1.35 * std::hypot(size.x, size.z), height, out);
     }
     for (const auto& p : picture.wizards) {
-        if (!p.dead) add_shadow(court, p.centre, 0.8, court.wizard_height / 2, out);
+        if (!p.dead) add_contact_shade(court, p.centre, 0.85, court.wizard_height / 2, out);
     }
 }
 
-}  // namespace
+void add_casters(const Court& court, const Picture& picture, std::vector<Instance>& fixed,
+                 std::vector<Instance>& moving) {
+    if (court.decoration.lit) fixed.push_back({.mesh = *court.decoration.lit});
+    for (const auto& thing : picture.things) add_thing(court, thing, thing.fixed ? fixed : moving);
+    for (std::uint32_t player = 0; player < players; ++player)
+        add_figure(court, player, picture.wizards[player], moving);
+}
 
 void add_instances(const Court& court, const Picture& picture, std::uint32_t viewer,
                    std::vector<Instance>& out) {
     add(court.decoration, fmat4(1), out);
+    out.push_back({.mesh = court.skyline});
     if (court.bowl) {
-        const auto ground = ground_below(court, *court.bowl);
-        const fvec3 at(vec3(court.bowl->x, ground.value_or(0), court.bowl->z));
+        const auto* ground = ground_below(court, *court.bowl);
+        const double height = ground == nullptr ? 0 : ground->height_at(*court.bowl);
+        const fvec3 at(vec3(court.bowl->x, height, court.bowl->z));
         out.push_back({.mesh = court.runes, .model = render::translated(at), .glow = 0.35F});
     }
     for (const auto& thing : picture.things) add_thing(court, thing, out);
-    add_shadows(court, picture, out);
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& wizard = picture.wizards[player];
-        if (player != viewer || wizard.dead)
-            add_wizard(court, player, wizard, picture.played_s, out);
-        else
+        if (player == viewer && !wizard.dead) {
             add_own_arm(court, player, wizard, out);
+            continue;
+        }
+        add_figure(court, player, wizard, out);
+        add_glow(court, player, wizard, picture.played_s, out);
     }
     for (const auto& missile : picture.missiles) {
         const fvec3 size(size_of(picture, missile, viewer));
@@ -338,6 +423,12 @@ void choose_lights(const Court& court, const Picture& picture, vec3 eye, std::ve
     out = court.lights;
     for (const auto& m : picture.missiles)
         out.push_back({fvec3(m.position), 2.6F * team_colours(m.player % players).glow, 6});
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const auto& p = picture.wizards[player];
+        if (p.dead || p.wand.empty()) continue;
+        const vec3 tip = p.eye + look_rotation(p.yaw, p.pitch) * wand_tip;
+        out.push_back({fvec3(tip), 0.5F * team_colours(player).glow, 2.5F});
+    }
     // How far beyond its own reach the viewer is: what is near and wide comes first.
     const auto distance = [&](const PointLight& l) {
         return glm::length(l.position - fvec3(eye)) - 2 * l.radius;

@@ -15,6 +15,7 @@ namespace thaum::game {
 struct Court {
     struct Meshes {
         std::optional<render::MeshId> lit, glowing;
+        float glow = 1;  ///< how much brighter than its colours the second one shines
     };
     struct Kind {
         ShapeKey key;
@@ -31,16 +32,27 @@ struct Court {
         Meshes plate;
     };
 
+    /// What one stands on: the top of a box, or the slope of a ramp.
+    struct Ground {
+        vec3 low{}, high{};  ///< m, of the box that holds it
+        double height{};     ///< m, in the middle
+        double slope_x{}, slope_z{};
+        double height_at(vec3 p) const;
+    };
+
     std::vector<Solid> solids;
     std::vector<Kind> kinds;
     std::array<Team, players> teams{};
     Meshes neutral_plate;
-    Meshes anchor;      ///< of radius 1 m
-    Meshes decoration;  ///< world frame
-    render::MeshId runes{}, ember{}, bubble{}, shadow{};
+    Meshes anchor;                                                ///< of radius 1 m
+    Meshes decoration;                                            ///< world frame
+    std::array<render::MeshId, silhouette_names.size()> wands{};  ///< by Silhouette
+    render::MeshId skyline{}, runes{}, ember{}, bubble{};
+    render::MeshId contact{};                     ///< shade below whatever stands or lies
     std::array<render::MeshId, 4> unit_shapes{};  ///< for what no arena has: by physics::Shape
     PowerUpMeshes power_ups;
-    std::vector<Shade::Block> grounds;       ///< boxes to walk on: where shadows fall
+    std::vector<Ground> grounds;
+    Shade shade;                             ///< to ask whether the sun reaches a thing that moves
     std::vector<render::PointLight> lights;  ///< that stay; the first is the cauldron's
     std::optional<vec3> bowl;                ///< the cauldron's centre
     render::Environment environment;
@@ -53,6 +65,13 @@ Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRul
 /// What `viewer` sees: everything but the own figure, and the own arm with the wand (no_player: everything).
 void add_instances(const Court& court, const Picture& picture, std::uint32_t viewer,
                    std::vector<render::Instance>& out);
+
+/// Whatever stands in the light of the sky darkens the ground below it a little, on ramps as well.
+void add_contact_shades(const Court& court, const Picture& picture, std::vector<render::Instance>& out);
+
+/// What casts the sun's shadows: what never moves, and the rest, whoever looks.
+void add_casters(const Court& court, const Picture& picture, std::vector<render::Instance>& fixed,
+                 std::vector<render::Instance>& moving);
 
 /// The lights that matter most there, up to render::max_lights.
 void choose_lights(const Court& court, const Picture& picture, vec3 eye,

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 
-#include "game/wands/wand.h"
 #include "render/colour.h"
 
 namespace thaum::game {
@@ -47,7 +47,7 @@ void add_banded_robe(MeshData& mesh, const TeamColours& team) {
                                        {0.26F, 0.98F},     {0.30F, 1.28F}, {0.12F, 1.47F}};
     const std::array paints{team.light, team.cloth, team.dark, team.cloth, team.cloth};
     for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
-        append(mesh, render::revolve(std::array{outline[i], outline[i + 1]}, 14, paints[i]));
+        append(mesh, render::revolve(std::array{outline[i], outline[i + 1]}, 20, paints[i]));
     }
 }
 
@@ -71,7 +71,7 @@ void add_gored_robe(MeshData& mesh, const TeamColours& team) {
 MeshData hat(std::uint32_t number) {
     const auto& team = team_colours(number);
     MeshData mesh = render::revolve(
-        std::array{fvec2(0, 0.02F), fvec2(0.4F, 0.0F), fvec2(0.41F, 0.03F), fvec2(0.2F, 0.07F)}, 14,
+        std::array{fvec2(0, 0.02F), fvec2(0.4F, 0.0F), fvec2(0.41F, 0.03F), fvec2(0.2F, 0.07F)}, 20,
         team.dark);
     append(mesh, render::revolve(std::array{fvec2(0.2F, 0.06F), fvec2(0.185F, 0.17F)}, 12, team.light));
     append(mesh, render::revolve(std::array{fvec2(0.185F, 0.17F), fvec2(0.12F, 0.4F)}, 12, team.cloth));
@@ -97,8 +97,8 @@ void add_head(MeshData& mesh, const TeamColours& team) {
     append(mesh, render::cone(0.25F, 0.17F, 0.12F, 12, team.light), translated({0, 1.43F, 0}));
 }
 
-/// Sleeve, hand and wand in the frame of the eye; from `start` (the shoulder, or beyond the edge of the picture).
-void add_armed_hand(MeshData& mesh, const TeamColours& team, fvec3 start, fvec3 hand) {
+/// Sleeve and hand in the frame of the eye; from `start` (the shoulder, or beyond the edge of the picture).
+void add_hand(MeshData& mesh, const TeamColours& team, fvec3 start, fvec3 hand) {
     const fvec3 tip(wand_tip);
     const fvec3 back = glm::normalize(start - hand);
     append(mesh, limb(start, hand + 0.07F * back, 0.10F, 0.085F, 10, team.cloth));
@@ -112,9 +112,91 @@ void add_armed_hand(MeshData& mesh, const TeamColours& team, fvec3 start, fvec3 
                translated(hand + along * way + fvec3(-0.022F, 0.012F, 0)));
     append(mesh, limb(hand - 0.01F * way, hand + 0.055F * way, 0.014F, 0.01F, 6, skin),
            translated({0.006F, 0.026F, 0}));
-    append(mesh, limb(hand - 0.07F * way, hand + 0.06F * way, 0.017F, 0.019F, 8, wood));
-    append(mesh, limb(hand + 0.06F * way, hand + 0.085F * way, 0.026F, 0.02F, 8, gold));
-    append(mesh, limb(hand + 0.08F * way, tip, 0.013F, 0.003F, 8, colour(0x7A5234)));
+}
+
+/// Where hands are, in the frame of the eye. One's own is held in from the side, so that a flat half of a window shows
+/// it as well; the other's is drawn back, so that more of the wand is seen.
+const fvec3 foe_hand = fvec3(wand_tip) + fvec3(0.04F, -0.10F, 0.44F);
+const fvec3 own_hand{0.37F, -0.25F, -0.57F};
+
+/// Turns and stretches what lies along -z so that it reaches from the hand to wand_tip.
+fmat4 held(fvec3 hand) {
+    const fvec3 along = fvec3(wand_tip) - hand;
+    const fvec3 z = -glm::normalize(along);
+    const fvec3 x = glm::normalize(glm::cross(up, z));
+    const fmat4 turned(fvec4(x, 0), fvec4(glm::cross(z, x), 0), fvec4(z, 0), fvec4(hand, 1));
+    return turned * render::scaled(fvec3(glm::length(along) / wand_length));
+}
+
+// Wands, along -z. `z` counts from the grip to the tip.
+
+const fvec3 pale_wood = colour(0x8A5E3A), iron = colour(0x5A5868), leather = colour(0x6A3E28);
+
+fvec3 ahead(float z, float x = 0, float y = 0) { return {x, y, -z}; }
+
+void add_grip(MeshData& mesh) {
+    append(mesh, limb(ahead(-0.09F), ahead(0.08F), 0.024F, 0.026F, 8, wood));
+    append(mesh, limb(ahead(0.08F), ahead(0.115F), 0.037F, 0.029F, 8, gold));
+}
+
+/// A bent rod through points.
+void add_rod(MeshData& mesh, std::span<const fvec3> points, float thick, float thin, fvec3 paint) {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const auto share = [&](std::size_t at) {
+            return glm::mix(thick, thin, static_cast<float>(at) / static_cast<float>(points.size() - 1));
+        };
+        append(mesh, limb(points[i], points[i + 1], share(i), share(i + 1), 7, paint));
+        append(mesh, render::sphere(share(i + 1), 7, paint), translated(points[i + 1]));
+    }
+}
+
+/// Long and thin.
+void add_needle(MeshData& mesh) {
+    append(mesh, limb(ahead(0.11F), ahead(wand_length), 0.019F, 0.004F, 8, pale_wood));
+}
+
+/// Two prongs.
+void add_fork(MeshData& mesh) {
+    append(mesh, limb(ahead(0.11F), ahead(0.28F), 0.02F, 0.02F, 8, pale_wood));
+    for (const float side : {-1.0F, 1.0F}) {
+        const std::array prong{ahead(0.27F), ahead(0.33F, 0.075F * side), ahead(0.42F, 0.085F * side),
+                               ahead(wand_length, 0.055F * side)};
+        add_rod(mesh, prong, 0.019F, 0.009F, pale_wood);
+        append(mesh, render::sphere(0.017F, 7, gold), translated(prong.back()));
+    }
+}
+
+/// A shepherd's crook.
+void add_hook(MeshData& mesh) {
+    append(mesh, limb(ahead(0.11F), ahead(0.36F), 0.02F, 0.018F, 8, pale_wood));
+    std::vector<fvec3> bend;
+    constexpr float radius = 0.085F;
+    for (int i = 0; i <= 7; ++i) {
+        const float angle = 0.62F * static_cast<float>(i);
+        bend.push_back(ahead(0.36F + radius * std::sin(angle), 0, radius * (1 - std::cos(angle))));
+    }
+    add_rod(mesh, bend, 0.018F, 0.009F, pale_wood);
+}
+
+/// A short, thick barrel with a flared mouth.
+void add_stub(MeshData& mesh) {
+    append(mesh, limb(ahead(0.11F), ahead(0.36F), 0.05F, 0.055F, 10, iron));
+    append(mesh, limb(ahead(0.36F), ahead(0.46F), 0.055F, 0.1F, 10, iron));
+    for (const float z : {0.16F, 0.34F})
+        append(mesh, limb(ahead(z), ahead(z + 0.03F), 0.063F, 0.063F, 10, gold));
+    append(mesh, limb(ahead(0.455F), ahead(0.475F), 0.108F, 0.108F, 10, gold));
+}
+
+/// A closed loop with a pouch that hangs from it.
+void add_sling(MeshData& mesh) {
+    append(mesh, limb(ahead(0.11F), ahead(0.28F), 0.02F, 0.018F, 8, pale_wood));
+    append(mesh, render::frame(12, 0.115F, 0.09F, 0.025F, pale_wood),
+           translated(ahead(0.385F)) * rotated(to_the_right, 1.5707963F) * rotated({0, 0, 1}, 0.26F));
+    for (const float side : {-1.0F, 1.0F})
+        append(mesh, limb(ahead(0.385F, 0.1F * side), ahead(0.385F, 0.03F * side, -0.13F), 0.006F, 0.006F, 5,
+                          leather));
+    append(mesh, render::transformed(render::sphere(0.05F, 8, leather), render::scaled({1, 0.75F, 1.1F})),
+           translated(ahead(0.385F, 0, -0.15F)));
 }
 
 }  // namespace
@@ -158,16 +240,31 @@ MeshData fallen_wizard(std::uint32_t number) {
 
 MeshData wizard_arm(std::uint32_t number) {
     MeshData mesh;
-    add_armed_hand(mesh, team_colours(number), shoulder, fvec3(wand_tip) + fvec3(0.045F, -0.10F, 0.33F));
+    add_hand(mesh, team_colours(number), shoulder, foe_hand);
     return render::transformed(mesh, translated(-shoulder));
 }
 
 MeshData own_arm(std::uint32_t number) {
     MeshData mesh;
-    // Held in from the side, so that a flat half of a window shows the hand as well.
-    add_armed_hand(mesh, team_colours(number), {0.72F, -0.52F, -0.22F}, {0.37F, -0.25F, -0.57F});
+    add_hand(mesh, team_colours(number), {0.72F, -0.52F, -0.22F}, own_hand);
     return mesh;
 }
+
+MeshData wand_mesh(Silhouette silhouette) {
+    MeshData mesh;
+    add_grip(mesh);
+    switch (silhouette) {
+        case Silhouette::needle: add_needle(mesh); break;
+        case Silhouette::forked: add_fork(mesh); break;
+        case Silhouette::hooked: add_hook(mesh); break;
+        case Silhouette::stubby: add_stub(mesh); break;
+        case Silhouette::sling: add_sling(mesh); break;
+    }
+    return mesh;
+}
+
+fmat4 wand_in_hand() { return held(foe_hand); }
+fmat4 wand_in_own_hand() { return held(own_hand); }
 
 MeshData wand_spark(std::uint32_t number) {
     return render::sphere(0.014F, 8, glm::mix(team_colours(number).glow, fvec3(1), 0.35F));

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/maths.h"
+#include "game/wands/wand.h"
 #include "render/mesh.h"
 
 namespace thaum::game {
@@ -21,14 +22,21 @@ std::string_view team_name(std::uint32_t team);
 render::MeshData wizard_figure(std::uint32_t team);
 /// What is left of a wizard who died: robe on the ground, hat on top.
 render::MeshData fallen_wizard(std::uint32_t team);
-/// Sleeve, hand and wand about the shoulder, so that it can be turned to where the wizard looks.
+/// Sleeve and hand about the shoulder, so that it can be turned to where the wizard looks.
 render::MeshData wizard_arm(std::uint32_t team);
 /// Where the shoulder is: from the eye, m.
 inline constexpr fvec3 shoulder{0.24F, -0.27F, 0.0F};
-
-/// Sleeve, hand and needle as the wizard sees them; in the frame of the eye.
+/// Sleeve and hand as the wizard sees them; in the frame of the eye.
 render::MeshData own_arm(std::uint32_t team);
-/// The glowing tip of a needle, centred.
+
+/// The grip at the origin, the tip at -z, `wand_length` off; all five can be told apart as shadows.
+render::MeshData wand_mesh(Silhouette silhouette);
+inline constexpr float wand_length = 0.5F;
+/// Puts a wand from the hand to wand_tip, in the frame of the eye: as the other sees it, or as one sees one's own.
+fmat4 wand_in_hand();
+fmat4 wand_in_own_hand();
+
+/// The glowing tip of a wand, centred.
 render::MeshData wand_spark(std::uint32_t team);
 /// A needle of light along -z with the team's mark around its tail.
 render::MeshData bolt_needle(std::uint32_t team);

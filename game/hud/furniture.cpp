@@ -48,7 +48,7 @@ MeshData crate(fvec3 half) {
                 size[u] = size[v] = 0.13F * half[u];
                 at[u] = a * (half[u] - size[u]);
                 at[v] = b * (half[v] - size[v]);
-                append(mesh, render::box(size, plank), translated(at));
+                append(mesh, render::box(size, plank, 0.25F * size[u]), translated(at));
             }
         }
         // Two boards on both faces across it.
@@ -248,7 +248,7 @@ FurnitureMesh cauldron(const physics::TriangleMesh& solid) {
     for (int i = 0; i <= 10; ++i) {
         const float share = 1 - static_cast<float>(i) / 10;
         surface.emplace_back(share * radius,
-                             level + 0.17F * (1 - share * share) + 0.02F * std::sin(9 * share));
+                             level + 0.30F * (1 - share * share) + 0.02F * std::sin(9 * share));
     }
     out.glowing = render::revolve(surface, 36, fvec3(1), 3);
     for (auto& v : out.glowing.vertices) {
@@ -302,23 +302,27 @@ MeshData rune_circle(float radius) {
     return mesh;
 }
 
-MeshData shadow_spot(fvec3 dark, fvec3 ground) {
-    constexpr std::uint32_t sides = 14;
+MeshData contact_shade(float darkest) {
+    constexpr std::uint32_t sides = 16, rings = 4;
     MeshData mesh;
-    mesh.vertices.push_back({fvec3(0), {0, 1, 0}, dark});
-    for (const float radius : {0.6F, 1.0F}) {
+    mesh.vertices.push_back({fvec3(0), {0, 1, 0}, fvec3(darkest)});
+    for (std::uint32_t ring = 1; ring <= rings; ++ring) {
+        const float radius = static_cast<float>(ring) / rings;
+        const float light = radius * radius * (3 - 2 * radius);  // no edge is seen where it begins or ends
         for (std::uint32_t i = 0; i < sides; ++i) {
             const float angle = whole * static_cast<float>(i) / static_cast<float>(sides);
             mesh.vertices.push_back({{radius * std::cos(angle), 0, -radius * std::sin(angle)},
                                      {0, 1, 0},
-                                     radius < 1 ? glm::mix(dark, ground, 0.25F) : ground});
+                                     fvec3(glm::mix(darkest, 1.0F, light))});
         }
     }
+    const auto at = [](std::uint32_t ring, std::uint32_t i) { return 1 + (ring - 1) * sides + i % sides; };
     for (std::uint32_t i = 0; i < sides; ++i) {
-        const auto next = (i + 1) % sides;
-        mesh.indices.insert(mesh.indices.end(), {0, 1 + i, 1 + next});
-        mesh.indices.insert(mesh.indices.end(), {1 + i, 1 + sides + i, 1 + sides + next});
-        mesh.indices.insert(mesh.indices.end(), {1 + i, 1 + sides + next, 1 + next});
+        mesh.indices.insert(mesh.indices.end(), {0, at(1, i), at(1, i + 1)});
+        for (std::uint32_t ring = 1; ring < rings; ++ring) {
+            mesh.indices.insert(mesh.indices.end(), {at(ring, i), at(ring + 1, i), at(ring + 1, i + 1)});
+            mesh.indices.insert(mesh.indices.end(), {at(ring, i), at(ring + 1, i + 1), at(ring, i + 1)});
+        }
     }
     return mesh;
 }

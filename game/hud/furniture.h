@@ -26,7 +26,7 @@ FurnitureMesh start_plate(std::uint32_t team);
 /// A ring of signs around the cauldron, flush with the ground.
 render::MeshData rune_circle(float radius);
 
-/// A dark spot that fades out, radius 1 m, on the ground at y = 0.
-render::MeshData shadow_spot(fvec3 dark, fvec3 ground);
+/// Shade that fades out, radius 1 m, on the ground at y = 0: 1 at the rim, darkest in the middle.
+render::MeshData contact_shade(float darkest);
 
 }  // namespace thaum::game

@@ -30,7 +30,16 @@ void add_view(const Court& court, const Picture& picture, const HudSettings& set
                                   .viewport = view,
                                   .instances = instances,
                                   .lights = lights,
-                                  .environment = court.environment});
+                                  .environment = court.environment,
+                                  .shades = memory.shades});
+}
+
+/// What both views share.
+void add_shadows(const Court& court, const Picture& picture, FrameMemory& memory) {
+    for (auto* list : {&memory.shades, &memory.fixed_casters, &memory.moving_casters}) list->clear();
+    add_contact_shades(court, picture, memory.shades);
+    add_casters(court, picture, memory.fixed_casters, memory.moving_casters);
+    memory.frame.casters = {memory.fixed_casters, memory.moving_casters};
 }
 
 }  // namespace
@@ -57,7 +66,10 @@ const render::Frame& make_frame(const Court& court, const Picture& picture, cons
     auto& frame = memory.frame;
     frame.width = size.width;
     frame.height = size.height;
-    frame.internal_scale = settings.internal_scale;
+    frame.quality = settings.quality;
+    frame.bloom = settings.bloom;
+    frame.internal_scale = render::internal_scale_of(settings.quality, size.height);
+    add_shadows(court, picture, memory);
     frame.views.clear();
     const auto views = views_of(settings, size);
     for (std::uint32_t player = 0; player < players; ++player) {

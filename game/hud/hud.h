@@ -12,15 +12,17 @@ enum class Watch : std::uint8_t { both, first, second };
 struct HudSettings {
     render::Split split = render::Split::top_bottom;  ///< for two views
     Watch watch = Watch::both;
-    double fov = 90;             ///< degrees from left to right of a 16:9 view; other shapes show as much
-    double text_scale = 1;       ///< 1 to 2.5
-    float internal_scale = 1;    ///< render::Frame::internal_scale
+    double fov = 90;        ///< degrees from left to right of a 16:9 view; other shapes show as much
+    double text_scale = 1;  ///< 1 to 2.5
+    render::Quality quality = render::Quality::medium;
+    bool bloom = true;           ///< at high quality
     bool can_play_again = true;  ///< the result screen offers it
 };
 
 /// Memory that frames are built in; a Frame's spans point into it.
 struct FrameMemory {
     std::array<std::vector<render::Instance>, players> instances;
+    std::vector<render::Instance> shades, fixed_casters, moving_casters;
     std::array<std::vector<render::PointLight>, players> lights;
     render::Frame frame;
 };

@@ -12,44 +12,32 @@ namespace {
 using render::colour;
 using render::MeshData;
 
-constexpr double corner_reach = 1.7;  // m, how far a corner's darkness spreads
-constexpr float corner_strength = 0.75F;
-constexpr double pit_depth = 5;      // m
-constexpr float lamp_height = 3.4F;  // m
-constexpr double outside = 0.02;     // m beyond the court, where nobody gets
-const fvec3 sunlit = fvec3(4.6F, 2.7F, 1.5F);
-const fvec3 lamp_glow = fvec3(9, 4.6F, 1.9F);
+constexpr double corner_reach = 2;       // m: what is farther off keeps no light from a point
+constexpr double corner_strength = 0.9;  // a dark corner still gets what other stones throw back
+constexpr double pit_depth = 5;          // m
+constexpr float lamp_height = 3.4F;      // m
+constexpr double outside = 0.02;         // m beyond the court, where nobody gets
+const fvec3 lamp_glow = fvec3(5.2F, 2.5F, 0.85F);
 
 // Baked light ----------------------------------------------------------------------------------------------------------
 
-/// How much of the light from above a block takes from a point; 0 to 1.
-double covered(const Shade::Block& block, vec3 point, vec3 normal) {
-    const vec3 start = point + 0.04 * normal;
-    const vec3 nearest = glm::clamp(start, block.low, block.high);
-    const vec3 to = nearest - start;
-    const double distance = glm::length(to);
-    if (distance < 1e-4 || distance > corner_reach) return 0;
-    const double facing = glm::dot(normal, to) / distance;
-    // A floor beside a wall has the wall at its side: half of its sky is gone.
-    const double side = std::max(0.0, 0.55 + 0.45 * facing) * (facing > -0.5 ? 1 : 0);
-    // Coplanar neighbours take nothing: what they have above this face is what counts.
-    double above = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        above +=
-            std::max(0.0, normal[axis] * ((normal[axis] > 0 ? block.high : block.low)[axis] - point[axis]));
-    }
-    const double near = 1 - distance / corner_reach;
-    return side * near * near * std::min(1.0, above / 0.4);
+/// What of a block is within reach of a point.
+render::Block near_part(const render::Block& block, vec3 point) {
+    return {glm::max(block.low, point - corner_reach), glm::min(block.high, point + corner_reach)};
 }
 
-bool sunny(const Shade& shade, vec3 point, fvec3 normal) {
-    if (glm::dot(normal, shade.sun) <= 0.02F || shade.sun.y <= 0) return false;
-    double exit = 1e9;
-    for (const int axis : {0, 2}) {
-        const double s = shade.sun[axis];
-        if (std::abs(s) > 1e-6) exit = std::min(exit, (std::copysign(shade.half, s) - point[axis]) / s);
+/// The share of the sky that no block near takes away. What two blocks take is multiplied, which is exact where they
+/// stand at right angles.
+double open_sky(const Shade& shade, vec3 point, vec3 normal) {
+    // A little off the surface, so that a block that touches it counts.
+    const vec3 start = point + 0.03 * normal;
+    double open = 1;
+    for (const auto& block : shade.blocks) {
+        const auto near = near_part(block, start);
+        if (glm::any(glm::greaterThanEqual(near.low, near.high))) continue;
+        open *= 1 - corner_strength * render::form_factor(near, start, normal);
     }
-    return point.y + exit * shade.sun.y > shade.wall_top;
+    return open;
 }
 
 /// The wall lamps' glow falls off with the square of the distance.
@@ -87,18 +75,27 @@ Shade make_shade(const Arena& arena, fvec3 towards_sun) {
     return shade;
 }
 
-fvec3 baked_light(const Shade& shade, vec3 point, fvec3 normal) {
-    double open = 1;
-    for (const auto& block : shade.blocks) open *= 1 - corner_strength * covered(block, point, vec3(normal));
+bool sees_sun(const Shade& shade, vec3 point) {
+    return std::none_of(shade.blocks.begin(), shade.blocks.end(), [&](const render::Block& block) {
+        return render::meets(block, point, vec3(shade.sun));
+    });
+}
+
+BakedLight baked_light(const Shade& shade, vec3 point, fvec3 normal) {
+    double open = open_sky(shade, point, vec3(normal));
     if (point.y < 0) open *= 1 - 0.65 * std::min(1.0, -point.y / pit_depth);
-    fvec3 light(static_cast<float>(open));
-    if (sunny(shade, point, normal)) light += sunlit * glm::dot(normal, shade.sun);
-    light += static_cast<float>(open) * lamp_light(shade, point, normal);
-    return light;
+    const bool faces_sun = glm::dot(normal, shade.sun) > 0.02F;
+    return {static_cast<float>(open) * lamp_light(shade, point, normal), static_cast<float>(open),
+            faces_sun && sees_sun(shade, point + 0.06 * vec3(normal))};
 }
 
 void bake(const Shade& shade, vec3 position, MeshData& mesh) {
-    for (auto& v : mesh.vertices) v.colour *= baked_light(shade, position + vec3(v.position), v.normal);
+    for (auto& v : mesh.vertices) {
+        const auto light = baked_light(shade, position + vec3(v.position), v.normal);
+        v.lamps = light.lamps;
+        v.open = light.open;
+        v.sun = light.sunny ? 1.0F : 0.0F;
+    }
 }
 
 namespace {
@@ -134,6 +131,17 @@ std::uint32_t add_vertex(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 n
     return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
+/// How much of a joint's darkness is left far off, where it is finer than a pixel and would flicker.
+constexpr float far_joint = 0.92F;
+
+/// A vertex of a joint: `joint` of the shade close by.
+std::uint32_t add_joint(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 normal, fvec3 shade,
+                        float joint) {
+    const auto index = add_vertex(mesh, face, at, normal, joint * shade);
+    mesh.vertices.back().far_away = joint < 1 ? far_joint / joint : 1;
+    return index;
+}
+
 void add_quad(MeshData& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
 }
@@ -151,14 +159,13 @@ void add_flat_block(MeshData& mesh, const Face& face, const Stonework& work, con
 /// sides, since the neighbours have it on theirs.
 void add_slab(MeshData& mesh, const Face& face, const Stonework& work, const Cell& cell, fvec3 shade) {
     const float b = 1.7F * work.bevel;
-    const fvec3 dark = work.joint * shade;
-    const auto put = [&](float u, float v, fvec3 paint) {
-        return add_vertex(mesh, face, {u, v, 0}, face.n, paint);
+    const auto put = [&](float u, float v, float joint) {
+        return add_joint(mesh, face, {u, v, 0}, face.n, shade, joint);
     };
-    const auto corner = put(cell.u0, cell.v0, dark), right = put(cell.u1, cell.v0, dark);
-    const auto far_left = put(cell.u0, cell.v1, dark);
-    const auto inner = put(cell.u0 + b, cell.v0 + b, shade), inner_right = put(cell.u1, cell.v0 + b, shade);
-    const auto inner_far = put(cell.u0 + b, cell.v1, shade), opposite = put(cell.u1, cell.v1, shade);
+    const auto corner = put(cell.u0, cell.v0, work.joint), right = put(cell.u1, cell.v0, work.joint);
+    const auto far_left = put(cell.u0, cell.v1, work.joint);
+    const auto inner = put(cell.u0 + b, cell.v0 + b, 1), inner_right = put(cell.u1, cell.v0 + b, 1);
+    const auto inner_far = put(cell.u0 + b, cell.v1, 1), opposite = put(cell.u1, cell.v1, 1);
     add_quad(mesh, inner, inner_right, opposite, inner_far);
     add_quad(mesh, corner, right, inner_right, inner);
     add_quad(mesh, corner, inner, inner_far, far_left);
@@ -184,8 +191,8 @@ void add_block(MeshData& mesh, const Face& face, const Stonework& work, const Ce
         const fvec2 out = corners[i] + 0.5F * b * border * inwards[i];
         const fvec3 slant = glm::normalize(face.n - 0.6F * (inwards[i].x * face.u + inwards[i].y * face.v));
         top[i] = add_vertex(mesh, face, {in, -sunk}, face.n, shade);
-        foot[i] = add_vertex(mesh, face, {out, any ? -0.5F * b : -1.2F * b}, slant,
-                             (any ? 1.0F : work.joint) * shade);
+        foot[i] =
+            add_joint(mesh, face, {out, any ? -0.5F * b : -1.2F * b}, slant, shade, any ? 1.0F : work.joint);
     }
     add_quad(mesh, top[0], top[1], top[2], top[3]);
     for (std::size_t i = 0; i < 4; ++i) add_quad(mesh, foot[i], foot[(i + 1) % 4], top[(i + 1) % 4], top[i]);
@@ -215,7 +222,7 @@ bool hidden(const Shade& shade, vec3 point, vec3 normal) {
     const vec3 at = point + 0.05 * normal;
     if (std::abs(at.x) > shade.half + outside || std::abs(at.z) > shade.half + outside) return true;
     if (at.y > shade.wall_top || at.y < -pit_depth - outside) return true;
-    return std::any_of(shade.blocks.begin(), shade.blocks.end(), [&](const Shade::Block& b) {
+    return std::any_of(shade.blocks.begin(), shade.blocks.end(), [&](const render::Block& b) {
         return glm::all(glm::greaterThan(at, b.low)) && glm::all(glm::lessThan(at, b.high));
     });
 }
@@ -327,7 +334,10 @@ MeshData masonry_box(const Shade& shade, const Thing& thing) {
     // Last, so that the blocks in front of it are drawn first.
     const auto work = work_of(thing.surface, face_of(fvec3(thing.body.size), 0, 1));
     const fvec3 core = fvec3(thing.body.size) - core_depth * work.bevel;
-    render::append(mesh, render::box(core, 0.3F * work.colours[0]));
+    constexpr float core_joint = 0.3F;
+    auto dark = render::box(core, core_joint * work.colours[0]);
+    for (auto& v : dark.vertices) v.far_away = far_joint / core_joint;
+    render::append(mesh, dark);
     bake(shade, thing.position, mesh);
     return mesh;
 }
@@ -390,7 +400,7 @@ fmat4 facing(const Wall& wall, fvec3 place) {
 void add_merlons(MeshData& mesh, const Wall& wall, float half, float top) {
     for (float at = -half + 1; at < half; at += 2.5F) {
         const fvec3 place = wall.middle + at * wall.along + fvec3(0, top + 0.5F, 0) - 0.5F * wall.inwards;
-        render::append(mesh, render::box(half_along(wall, 0.7F, 0.55F, 0.5F), colour(0x6E5662)),
+        render::append(mesh, render::box(half_along(wall, 0.7F, 0.55F, 0.5F), colour(0x6E5662), 0.08F),
                        render::translated(place));
     }
 }
@@ -459,6 +469,11 @@ MeshData decoration(const Shade& shade) {
         add_banner(mesh, all[1], at, 1);
     }
     bake(shade, vec3(0), mesh);
+    return mesh;
+}
+
+MeshData skyline() {
+    MeshData mesh;
     for (const auto& tower : towers) add_tower(mesh, tower.foot, tower.radius, tower.height);
     return mesh;
 }

@@ -60,6 +60,7 @@ void take_power_ups(const Simulation& match, Picture& out) {
 void take_belt(const MatchData& data, const WandBelt& belt, PlayerPicture& out) {
     const auto* wand = wand_in_hand(data, belt);
     out.wand = wand == nullptr ? std::string_view{} : wand->kind->name;
+    out.silhouette = wand == nullptr ? Silhouette{} : wand->stats.silhouette;
     out.energy = wand == nullptr ? 0 : belt.energy[wand->stats.slot];
     out.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;
 }

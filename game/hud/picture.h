@@ -60,6 +60,7 @@ struct PlayerPicture {
 
     double health{}, health_full{}, health_cap{};  ///< HP
     std::string_view wand;                         ///< kind in hand; empty: none
+    Silhouette silhouette{};                       ///< of it
     double energy{}, energy_cap{};
     std::int32_t kills{}, deaths{};
     double returns_in_s{};  ///< while dead

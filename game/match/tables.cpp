@@ -1,13 +1,14 @@
 #include "game/match/tables.h"
 
 #include "core/text.h"
+#include "game/components/power_up.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {
 
 /// What stands in the column `with`.
-enum class With : std::uint8_t { nothing, wand_in_hand, own_name, cause, pad, ending };
+enum class With : std::uint8_t { nothing, wand_in_hand, own_name, cause, pad, ending, power_up, round };
 
 /// How a kind of event is told.
 struct Telling {
@@ -28,6 +29,8 @@ constexpr Telling tellings[] = {
     {EventKind::spawn, With::pad, "", true, true},
     {EventKind::dry, With::wand_in_hand, "", false, false},
     {EventKind::round_end, With::ending, "", false, true},
+    {EventKind::power_up, With::power_up, "points", true, true},  // HP, or a spark's energy
+    {EventKind::round_begin, With::round, "", false, false},
 };
 
 constexpr bool all_kinds_are_told() {
@@ -95,6 +98,9 @@ std::string with_what(With with, const Event& event, const Simulation& match) {
         case With::cause: return name_of_kind(event.detail);
         case With::pad: return text("pad ", event.detail);
         case With::ending: return std::string(name_of_ending(event.detail));
+        case With::power_up:
+            return event.detail < power_up_names.size() ? std::string(power_up_names[event.detail]) : "";
+        case With::round: return text("round ", event.detail);
     }
     return {};
 }

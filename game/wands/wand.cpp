@@ -27,6 +27,8 @@ LoadedWand read_wand(const WandKind& kind, const Config& file) {
     const auto energy = root.table("energy");
     LoadedWand wand{.kind = &kind, .stats = {}, .data = nullptr};
     wand.stats.slot = static_cast<std::uint32_t>(root.integer("slot", {1, wand_slots}) - 1);
+    wand.stats.silhouette = static_cast<Silhouette>(
+        root.choice("silhouette", {silhouette_names.begin(), silhouette_names.end()}));
     wand.stats.energy_cap = energy.number("cap", {0, 1e6});
     wand.stats.energy_cost = energy.number("cost", {0, 1e6});
     wand.stats.energy_regain = energy.number("regain_per_s", {0, 1e6});

@@ -1,6 +1,7 @@
 // game/wands/wand.h: a wand is one data file (assets/wands/NAME.toml) and one .cpp here that registers a WandKind. The
 // rest of the game knows wands only by this list, so a new one touches no other file.
 #pragma once
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -14,9 +15,15 @@ namespace thaum::game {
 
 struct Stage;
 
+/// How a wand looks from afar, so that one sees what the other has in hand.
+enum class Silhouette : std::uint8_t { needle, forked, hooked, stubby, sling };
+inline constexpr std::array<std::string_view, 5> silhouette_names{"needle", "forked", "hooked", "stubby",
+                                                                  "sling"};
+
 /// What every wand has.
 struct WandStats {
     std::uint32_t slot{};  ///< 0..4, the key it is on
+    Silhouette silhouette{};
     double energy_cap{};
     double energy_cost{};    ///< of one use
     double energy_regain{};  ///< per second

@@ -47,8 +47,9 @@ int main(int argc, char** argv) {
         static_cast<unsigned long long>(report.frames), static_cast<unsigned long long>(report.matches));
     std::printf(
         "late us: median %.0f, p99 %.0f, worst %.0f; tick us: median %.1f, p99 %.1f; frame ms: median %.1f, "
-        "p99 %.1f\n",
+        "p99 %.1f at quality %s\n",
         report.late_us_median, report.late_us_p99, report.late_us_worst, report.tick_us_median,
-        report.tick_us_p99, report.frame_ms_median, report.frame_ms_p99);
+        report.tick_us_p99, report.frame_ms_median, report.frame_ms_p99,
+        std::string(render::quality_names[static_cast<std::size_t>(report.quality)]).c_str());
     return result;
 }

@@ -1,5 +1,6 @@
 // Draws a moment of a bot duel to a PNG, without a display, and prints what it cost:
-//     live_shot OUT.png [TICKS [SPLIT [WIDTH HEIGHT [X Z YAW PITCH [SCALE]]]]]
+//     live_shot OUT.png [TICKS [SPLIT [WIDTH HEIGHT [X Z YAW PITCH [QUALITY]]]]]
+// QUALITY: 0 low, 1 medium (where left out), 2 high.
 // SPLIT: top_bottom, side_by_side, first, second. X Z (m), YAW PITCH (degrees): where the first camera stands instead.
 #include <algorithm>
 #include <chrono>
@@ -63,8 +64,10 @@ int main(int argc, char** argv) {
 
     auto context = must(render::Offscreen::create(size.width, size.height));
     context.make_current();
+    const double opened = now_ms();
     auto renderer = must(render::Renderer::create(find_assets()));
     const double start = now_ms();
+    std::cout << "shaders " << fixed(start - opened, 1) << " ms\n";
     const auto court = make_court(renderer, data->arena, data->wizard);
     std::cout << "court " << fixed(now_ms() - start, 1) << " ms\n";
     auto picture = make_picture();
@@ -80,7 +83,7 @@ int main(int argc, char** argv) {
     }
     FrameMemory memory;
     auto settings = settings_of(argc > 3 ? argv[3] : "top_bottom");
-    if (argc > 10) settings.internal_scale = static_cast<float>(std::atof(argv[10]));
+    settings.quality = static_cast<render::Quality>(std::clamp(number(10, 1), 0, 2));
     std::vector<double> times;
     const double cpu = cpu_ms();
     for (int i = 0; i < 30; ++i) {
@@ -94,6 +97,7 @@ int main(int argc, char** argv) {
     renderer.draw(make_frame(court, picture, settings, size, memory));
     const auto& s = renderer.statistics();
     std::cout << "frame " << fixed(times[15], 1) << " ms, " << s.triangles << " triangles, " << s.draws
-              << " draws, " << s.instances_drawn << " instances\n";
+              << " draws, " << s.shadow_draws << " for the shadow map, " << s.instances_drawn
+              << " instances\n";
     must(Expected<void>(render::write_png(out, renderer.read_pixels())).map([] { return 0; }));
 }

@@ -177,21 +177,5 @@ TEST(Mesh, GridFacesUp) {
     expect_normals_agree(mesh);
 }
 
-TEST(Mesh, AmbientDarkensCornersOnly) {
-    // A floor with a wall on it: dark at the wall's foot, untouched far off.
-    MeshData mesh = grid({4, 4}, 16, 16, fvec3(1));
-    append(mesh, box({0.5F, 1, 4}, fvec3(1)), translated({0, 1, 0}));
-    bake_ambient(mesh, 64, 2, 0.8F);
-    const auto brightness = [&](fvec2 at) {
-        const auto near = std::find_if(mesh.vertices.begin(), mesh.vertices.end(), [&](const Vertex& v) {
-            return glm::distance(v.position, fvec3(at.x, 0, at.y)) < 1e-3F && v.normal.y > 0.9F;
-        });
-        return near->colour.r;
-    };
-    EXPECT_EQ(brightness({4, 0}), 1);
-    EXPECT_LT(brightness({1, 0}), 0.95F);
-    EXPECT_GT(brightness({1, 0}), 0.2F);
-}
-
 }  // namespace
 }  // namespace thaum::render

@@ -176,6 +176,162 @@ TEST_F(Picture, LightsReachTheirRadiusAndGlowNeedsNone) {
     EXPECT_GT(brightness(), 180);
 }
 
+/// A floor below a cube, with the sun straight above and nothing else but a little light from everywhere.
+class Shadowed : public Picture {
+protected:
+    void SetUp() override {
+        Picture::SetUp();
+        if (IsSkipped()) return;
+        floor = renderer->upload(box({4, 0.1F, 4}, fvec3(1)));
+        fixed = {{.mesh = floor, .model = translated({0, -1.1F, -4})}};
+    }
+
+    /// Seen from above; the cubes in `moving` are drawn as well.
+    Frame frame_of(Quality quality) {
+        all = fixed;
+        all.insert(all.end(), moving.begin(), moving.end());
+        auto v = view(whole, all);
+        v.camera.position = {0, 5, -4};
+        v.camera.orientation = glm::angleAxis(-1.5707963F, fvec3(1, 0, 0));
+        v.environment.ambient = {fvec3(0.05F), fvec3(0.05F)};
+        // A little from the left: its shadow comes out from under the cube to the right.
+        v.environment.sun = {glm::normalize(fvec3(-1, 1, 0)), fvec3(1.5F)};
+        return {.width = width,
+                .height = height,
+                .views = {v},
+                .overlay = {},
+                .quality = quality,
+                .casters = {fixed, moving}};
+    }
+
+    /// Brightness of the floor at x m to the right of the middle; 6.1 m below the camera.
+    int brightness(Quality quality, float x) {
+        const auto image = drawn(frame_of(quality));
+        const float pixels_per_m = 0.5F * height / std::tan(0.6F) / 6.0F;
+        return at(image, width / 2 + static_cast<int>(std::lround(x * pixels_per_m)), height / 2).g;
+    }
+
+    MeshId floor{};
+    std::vector<Instance> fixed, moving, all;
+};
+
+TEST_F(Shadowed, FallsOppositeTheSunAndNowhereElse) {
+    for (const auto quality : {Quality::medium, Quality::high}) {
+        moving = {cube_at({0, 1, -4}, fvec3(1))};  // its shadow's middle is 2 m to the right
+        const int lit = brightness(quality, -1.6F), shaded = brightness(quality, 2);
+        EXPECT_GT(lit, 2 * shaded) << static_cast<int>(quality);
+        EXPECT_GT(shaded, 5) << "what comes from everywhere is left";
+        EXPECT_NEAR(brightness(quality, 3.2F), lit, 3);
+    }
+    EXPECT_NEAR(brightness(Quality::low, 2), brightness(Quality::low, -1.6F), 3) << "low has no map";
+}
+
+TEST_F(Shadowed, AShadowThatMovedOnLeavesNoTrace) {
+    moving = {cube_at({0, 1, -4}, fvec3(1))};
+    const int before = brightness(Quality::medium, 2);
+    moving[0] = cube_at({-1.5F, 1, -4}, fvec3(1));
+    const int after = brightness(Quality::medium, 2), under = brightness(Quality::medium, 0.5F);
+    EXPECT_GT(after, 2 * before);
+    EXPECT_NEAR(under, before, 3);
+    moving.clear();
+    EXPECT_NEAR(brightness(Quality::medium, 0.5F), after, 3);
+}
+
+TEST_F(Shadowed, CostsNothingWhileNothingMoves) {
+    moving = {cube_at({0, 1, -4}, fvec3(1))};
+    drawn(frame_of(Quality::medium));
+    EXPECT_EQ(renderer->statistics().shadow_draws, 2U);
+    EXPECT_EQ(renderer->statistics().shadow_triangles, 24U);
+    drawn(frame_of(Quality::medium));
+    EXPECT_EQ(renderer->statistics().shadow_draws, 0U);
+    moving[0].model[3].x += 0.01F;
+    drawn(frame_of(Quality::medium));
+    EXPECT_EQ(renderer->statistics().shadow_draws, 1U) << "what is fixed is not drawn again";
+    renderer->replace(floor, box({3, 0.1F, 3}, fvec3(1)));
+    drawn(frame_of(Quality::medium));
+    EXPECT_EQ(renderer->statistics().shadow_draws, 2U) << "a mesh has changed";
+    drawn(frame_of(Quality::low));
+    EXPECT_EQ(renderer->statistics().shadow_draws, 0U);
+}
+
+TEST_F(Shadowed, CastersThatAreNotNumbersCastNothing) {
+    moving = {cube_at({0, 1, -4}, fvec3(1)), cube_at({1, 1, -4}, fvec3(1))};
+    moving[1].model[3][1] = std::numeric_limits<float>::quiet_NaN();
+    const int shaded = brightness(Quality::medium, 2);
+    EXPECT_GT(brightness(Quality::medium, -1.6F), 2 * shaded);
+}
+
+TEST_F(Shadowed, LowGoesByWhatTheInstanceSays) {
+    moving = {cube_at({0, 0.5F, -4}, fvec3(1))};
+    const auto top = [&] { return at(drawn(frame_of(Quality::low)), width / 2, height / 2).g; };
+    const int sunny = top();
+    moving[0].sun = 0;
+    EXPECT_LT(3 * top(), sunny);
+}
+
+TEST_F(Picture, ShadesMultiplyWhatIsBelowThem) {
+    const std::vector<Instance> one{cube_at({0, 0, -2}, fvec3(1))};
+    MeshData sheet = transformed(box({0.4F, 0.4F, 0.01F}, fvec3(0.5F)), fmat4(1));
+    const auto id = renderer->upload(sheet);
+    Instance shade{.mesh = id, .model = translated({0, 0, -1.45F})};
+    Frame frame{.width = width, .height = height, .views = {view(whole, one)}, .overlay = {}};
+    const int before = at(drawn(frame), width / 2, height / 2).g;
+    frame.views[0].shades = {&shade, 1};
+    EXPECT_NEAR(at(drawn(frame), width / 2, height / 2).g, before / 2, 2);
+    shade.tint = fvec3(0);
+    EXPECT_NEAR(at(drawn(frame), width / 2, height / 2).g, before, 1);
+}
+
+TEST_F(Picture, BloomShinesBeyondWhatIsBrightAndCanBeTurnedOff) {
+    auto bright = cube_at({0, 0, -6}, fvec3(3));
+    bright.glow = 1;
+    const std::vector<Instance> one{bright};
+    Frame frame{.width = width,
+                .height = height,
+                .views = {view(whole, one)},
+                .overlay = {},
+                .quality = Quality::high};
+    const auto beside = [&] { return at(drawn(frame), width / 2 + 13, height / 2).g; };
+    const int with = beside();
+    frame.bloom = false;
+    EXPECT_GT(with, beside() + 10);
+    frame.quality = Quality::medium;
+    const auto medium = drawn(frame);
+    frame.quality = Quality::high;
+    const auto high = drawn(frame);
+    EXPECT_NEAR(at(high, 3, 3).g, at(medium, 3, 3).g, 2)
+        << "the tone curve is the same, wherever it is applied";
+    EXPECT_NEAR(at(high, width / 2, height / 2).g, at(medium, width / 2, height / 2).g, 2);
+}
+
+TEST_F(Picture, LowUsesFourLightsAndTheOthersEight) {
+    auto v = view(whole, {});
+    v.environment.ambient = {fvec3(0), fvec3(0)};
+    const std::vector<Instance> one{cube_at({0, 0, -2}, fvec3(1))};
+    v.instances = one;
+    std::vector<PointLight> lights(max_lights,
+                                   PointLight{.position = {0, 0, 0}, .colour = fvec3(0), .radius = 6});
+    lights[5].colour = fvec3(3);
+    v.lights = lights;
+    Frame frame{.width = width, .height = height, .views = {v}, .overlay = {}};
+    EXPECT_EQ(at(drawn(frame), width / 2, height / 2).g, 0);
+    for (const auto quality : {Quality::medium, Quality::high}) {
+        frame.quality = quality;
+        EXPECT_GT(at(drawn(frame), width / 2, height / 2).g, 40);
+    }
+}
+
+TEST_F(Picture, FineLinesLoseTheirContrastFarOff) {
+    auto dark = box(fvec3(0.5F), fvec3(0.2F));
+    for (auto& v : dark.vertices) v.far_away = 5;
+    const auto id = renderer->upload(dark);
+    const auto seen = [&](float distance) {
+        const std::vector<Instance> one{{.mesh = id, .model = translated({0, 0, -distance})}};
+        return at(drawn(one), width / 2, height / 2).g;
+    };
+    EXPECT_LT(seen(1.5F) + 50, seen(30));
+}
+
 TEST_F(Picture, CountsDrawsAndSkipsTheUnseen) {
     std::vector<Instance> instances;
     for (int i = 0; i < 10; ++i) instances.push_back(cube_at({0, 0, -5.0F - static_cast<float>(i)}, red));
@@ -333,8 +489,9 @@ protected:
 };
 
 TEST_F(BrokenShader, EveryFileIsNamedWhenItDoesNotCompile) {
-    for (const char* name :
-         {"mesh.vert", "mesh.frag", "tone.glsl", "sky.vert", "sky.frag", "overlay.vert", "overlay.frag"}) {
+    for (const char* name : {"mesh.vert", "mesh.frag", "light.glsl", "shadow.glsl", "tone.glsl", "sky.vert",
+                             "flat.frag", "shadow.vert", "shadow.frag", "shade.vert", "screen.vert",
+                             "bright.frag", "blur.frag", "compose.frag", "overlay.vert", "overlay.frag"}) {
         const auto path = folder / "shaders" / name;
         std::ofstream(path) << "#version 330 core\nvoid main() {\n    no such thing;\n}\n";
         const auto message = error();
@@ -347,8 +504,8 @@ TEST_F(BrokenShader, EveryFileIsNamedWhenItDoesNotCompile) {
 }
 
 TEST_F(BrokenShader, MissingFileIsNamed) {
-    std::filesystem::remove(folder / "shaders" / "sky.frag");
-    EXPECT_NE(error().find("sky.frag"), std::string::npos);
+    std::filesystem::remove(folder / "shaders" / "flat.frag");
+    EXPECT_NE(error().find("flat.frag"), std::string::npos);
 }
 
 }  // namespace

@@ -36,7 +36,8 @@ TEST(Settings, TheDocumentedFileSaysWhatTheDefaultsAre) {
     EXPECT_EQ(read->fullscreen, defaults.fullscreen);
     EXPECT_EQ(read->fov, defaults.fov);
     EXPECT_EQ(read->text_scale, defaults.text_scale);
-    EXPECT_EQ(read->internal_scale, defaults.internal_scale);
+    EXPECT_EQ(read->quality, defaults.quality);
+    EXPECT_EQ(read->bloom, defaults.bloom);
     EXPECT_EQ(read->frames_per_second, defaults.frames_per_second);
     EXPECT_EQ(read->sensitivity, defaults.sensitivity);
     EXPECT_EQ(read->turn_deg_per_s, defaults.turn_deg_per_s);
@@ -58,7 +59,8 @@ TEST(Settings, EveryKeyOfTheDefaultBindingsIsKnown) {
 TEST(Settings, FaultsNameFileLineAndKey) {
     EXPECT_EQ(refusal(""), "");
     EXPECT_EQ(refusal("colour = 1"), "settings.toml:2: unknown key 'colour'");
-    for (const auto* line : {"fov_deg = 5", "text_scale = 9.0", "logs_kept = 0", "split = \"diagonal\""}) {
+    for (const auto* line : {"fov_deg = 5", "text_scale = 9.0", "logs_kept = 0", "split = \"diagonal\"",
+                             "quality = \"ultra\"", "bloom = 1"}) {
         const auto message = refusal(line);
         const std::string key(line, std::string_view(line).find(' '));
         EXPECT_TRUE(message.starts_with("settings.toml:2:")) << message;
@@ -70,11 +72,14 @@ TEST(Settings, FaultsNameFileLineAndKey) {
 
 TEST(Settings, ChangedValuesAndBindingsAreRead) {
     const auto s = parse_settings(
-        "version = 1\nsplit = \"side_by_side\"\nsensitivity = 2.5\ninvert_y = true\n"
+        "version = 1\nquality = \"medium\"\nbloom = false\nsplit = \"side_by_side\"\nsensitivity = "
+        "2.5\ninvert_y = true\n"
         "[keyboard_mouse]\nfire = \"key x\"\n",
         "settings.toml");
     ASSERT_TRUE(s) << s.error().message;
     EXPECT_EQ(s->split, render::Split::side_by_side);
+    EXPECT_EQ(s->quality, render::Quality::medium);
+    EXPECT_FALSE(s->bloom);
     EXPECT_EQ(s->sensitivity, 2.5);
     EXPECT_TRUE(s->invert_y);
     const auto& fire = s->bindings_of(input::DeviceKind::keyboard_mouse)

@@ -20,6 +20,16 @@ Planes frustum_planes(const fmat4& view_projection) {
     return planes;
 }
 
+bool visible(const Planes& planes, const Bounds& bounds, const fmat4& model) {
+    if (bounds.radius <= 0) return false;  // an empty mesh
+    const auto there = placed(bounds, model);
+    return std::all_of(planes.begin(), planes.end(), [&](const fvec4& plane) {
+        return glm::dot(plane, fvec4(there.centre, 1)) > -there.radius;
+    });
+}
+
+}  // namespace
+
 bool finite(const fmat4& m) {
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
@@ -29,16 +39,11 @@ bool finite(const fmat4& m) {
     return true;
 }
 
-bool visible(const Planes& planes, const Bounds& bounds, const fmat4& model) {
-    if (bounds.radius <= 0) return false;  // an empty mesh
+Bounds placed(const Bounds& bounds, const fmat4& model) {
     const auto stretch = [&](int axis) { return glm::dot(fvec3(model[axis]), fvec3(model[axis])); };
-    const float radius = bounds.radius * std::sqrt(std::max({stretch(0), stretch(1), stretch(2)}));
-    const fvec4 centre = model * fvec4(bounds.centre, 1);
-    return std::all_of(planes.begin(), planes.end(),
-                       [&](const fvec4& plane) { return glm::dot(plane, centre) > -radius; });
+    return {fvec3(model * fvec4(bounds.centre, 1)),
+            bounds.radius * std::sqrt(std::max({stretch(0), stretch(1), stretch(2)}))};
 }
-
-}  // namespace
 
 fmat4 view_matrix(const Camera& camera) {
     return glm::mat4_cast(glm::conjugate(camera.orientation)) * glm::translate(fmat4(1), -camera.position);
@@ -67,7 +72,8 @@ std::size_t collect(std::span<const Instance> instances, std::span<const Bounds>
         const bool same = out.batches.size() > before && out.batches.back().mesh == mesh;
         if (!same) out.batches.push_back({mesh, out.instances.size(), 0});
         ++out.batches.back().count;
-        out.instances.push_back({instances[i].model, fvec4(instances[i].tint, instances[i].glow)});
+        const auto& seen_one = instances[i];
+        out.instances.push_back({seen_one.model, fvec4(seen_one.tint, seen_one.glow), seen_one.sun});
     }
     return out.batches.size() - before;
 }

@@ -12,6 +12,7 @@ namespace thaum::render::detail {
 struct GpuInstance {
     fmat4 model;
     fvec4 tint_glow;
+    float sun;
 };
 
 struct Batch {
@@ -32,6 +33,12 @@ struct Batches {
 fmat4 view_matrix(const Camera& camera);
 /// Of a viewport `aspect` times as wide as high.
 fmat4 projection_matrix(const Camera& camera, float aspect);
+
+/// Is every number of it one?
+bool finite(const fmat4& m);
+
+/// The mesh's sphere where the instance has it, world frame.
+Bounds placed(const Bounds& bounds, const fmat4& model);
 
 /// Appends what a view sees; returns the number of batches added.
 std::size_t collect(std::span<const Instance> instances, std::span<const Bounds> mesh_bounds,

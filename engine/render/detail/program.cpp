@@ -1,5 +1,7 @@
 #include "render/detail/program.h"
 
+#include <algorithm>
+
 #include "core/file.h"
 #include "core/text.h"
 
@@ -25,9 +27,19 @@ std::string log_of(GLuint name, Length length_of, Read read) {
     return first_line(log);
 }
 
-Expected<Shader> compile(const std::filesystem::path& file, GLenum stage) {
-    const auto source = read_text_file(file, largest_shader);
+/// Definitions go after the first line, which must be #version, and keep the numbers of the lines after them.
+std::string with_variant(const std::string& source, const std::vector<std::string_view>& variant) {
+    const auto first_end = std::min(source.find('\n'), source.size() - 1) + 1;
+    std::string out = source.substr(0, first_end);
+    for (const auto& name : variant) out += text("#define ", name, "\n");
+    return text(out, "#line 2\n", source.substr(first_end));
+}
+
+Expected<Shader> compile(const std::filesystem::path& file, GLenum stage,
+                         const std::vector<std::string_view>& variant) {
+    auto source = read_text_file(file, largest_shader);
     if (!source) return tl::unexpected(source.error());
+    if (!variant.empty() && !source->empty()) source = with_variant(*source, variant);
     Shader shader(glCreateShader(stage));
     const char* start = source->data();
     const auto length = static_cast<GLint>(source->size());
@@ -43,14 +55,15 @@ Expected<Shader> compile(const std::filesystem::path& file, GLenum stage) {
 
 }  // namespace
 
-Expected<Program> load_program(const std::vector<std::filesystem::path>& files) {
+Expected<Program> load_program(const std::vector<std::filesystem::path>& files,
+                               const std::vector<std::string_view>& variant) {
     Program program(glCreateProgram());
     std::vector<Shader> shaders;
     GLenum stage = GL_VERTEX_SHADER;
     for (const auto& file : files) {
         if (file.extension() != ".glsl")
             stage = file.extension() == ".vert" ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER;
-        auto shader = compile(file, stage);
+        auto shader = compile(file, stage, variant);
         if (!shader) return tl::unexpected(shader.error());
         glAttachShader(program.get(), shader->get());
         shaders.push_back(std::move(*shader));

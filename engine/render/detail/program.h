@@ -1,6 +1,7 @@
 // Shader programs from files.
 #pragma once
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "core/error.h"
@@ -9,8 +10,9 @@
 namespace thaum::render::detail {
 
 /// Compiles and links files. The ending tells the stage: .vert, .frag; .glsl belongs to the stage of the file before
-/// it. The error names the file and the first line of the driver's log.
-Expected<Program> load_program(const std::vector<std::filesystem::path>& files);
+/// it. Each of `variant` is defined in all files. The error names the file and the first line of the driver's log.
+Expected<Program> load_program(const std::vector<std::filesystem::path>& files,
+                               const std::vector<std::string_view>& variant = {});
 
 /// -1, which OpenGL ignores, for a uniform the driver found unused.
 GLint uniform(const Program& program, const char* name);

@@ -1,0 +1,19 @@
+#version 330 core
+// Half of a Gaussian blur: along `way`, one texel long.
+in vec2 at;
+
+uniform sampler2D picture;
+uniform vec2 way;
+
+out vec4 pixel;
+
+void main() {
+    vec3 sum = vec3(0.0);
+    float weights = 0.0;
+    for (int i = -5; i <= 5; ++i) {
+        float weight = exp(-0.12 * float(i * i));
+        sum += weight * texture(picture, at + float(i) * way).rgb;
+        weights += weight;
+    }
+    pixel = vec4(sum / weights, 1.0);
+}

@@ -1,0 +1,3 @@
+#version 330 core
+// Depth is all that is kept.
+void main() {}

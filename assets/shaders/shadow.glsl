@@ -1,0 +1,21 @@
+#version 330 core
+// How much of the sun a place gets, by the shadow map. The map compares and blends four texels by itself; SOFT looks
+// at nine such places (percentage-closer filtering, Reeves et al. 1987).
+uniform sampler2DShadow shadow_map;
+#ifdef SOFT
+uniform float shadow_texel;
+#endif
+
+float sun_share(vec3 in_map) {
+#ifdef SOFT
+    float sum = 0.0;
+    for (int y = -1; y <= 1; ++y) {
+        for (int x = -1; x <= 1; ++x) {
+            sum += texture(shadow_map, in_map + vec3(1.4 * shadow_texel * vec2(x, y), 0.0));
+        }
+    }
+    return sum / 9.0;
+#else
+    return texture(shadow_map, in_map);
+#endif
+}

@@ -1,0 +1,173 @@
+#include "render/detail/shaders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace thaum::render::detail {
+namespace {
+
+using Folder = std::filesystem::path;
+using Variant = std::vector<std::string_view>;
+
+constexpr std::size_t lights_at_low = 4;
+// A line of this width in the ground, seen from a wizard's eyes, fades from where it is less than a pixel high.
+constexpr float line_width = 0.06F, eye_height = 1.7F;  // m
+
+Variant variant_of(Quality quality) {
+    switch (quality) {
+        case Quality::low: return {};
+        case Quality::medium: return {"SHADOW"};
+        case Quality::high: return {"SHADOW", "SOFT", "PER_PIXEL", "HDR"};
+    }
+    return {};
+}
+
+Expected<MeshProgram> load_mesh_program(const Folder& shaders, Quality quality) {
+    std::vector<Folder> files{shaders / "mesh.vert"};
+    if (quality != Quality::high) files.push_back(shaders / "light.glsl");
+    files.push_back(shaders / "mesh.frag");
+    if (quality == Quality::high) files.push_back(shaders / "light.glsl");
+    if (quality != Quality::low) files.push_back(shaders / "shadow.glsl");
+    files.push_back(shaders / "tone.glsl");
+    auto program = load_program(files, variant_of(quality));
+    if (!program) return tl::unexpected(program.error());
+    MeshProgram out{.program = std::move(*program)};
+    const auto named = [&](const char* name) { return uniform(out.program, name); };
+    out.view_projection = named("view_projection");
+    out.eye = named("eye");
+    out.sun_direction = named("sun_direction");
+    out.sun_colour = named("sun_colour");
+    out.ambient_above = named("ambient_above");
+    out.ambient_below = named("ambient_below");
+    out.light_count = named("light_count");
+    out.light_position = named("light_position");
+    out.light_colour = named("light_colour");
+    out.fog_colour = named("fog_colour");
+    out.fog_rate = named("fog_rate");
+    out.detail_range = named("detail_range");
+    out.shadow_matrix = named("shadow_matrix");
+    out.shadow_lift = named("shadow_lift");
+    out.shadow_texel = named("shadow_texel");
+    glUseProgram(out.program.get());
+    glUniform1i(named("shadow_map"), shadow_unit);
+    return out;
+}
+
+Expected<SkyProgram> load_sky_program(const Folder& shaders, const Variant& variant) {
+    auto program =
+        load_program({shaders / "sky.vert", shaders / "tone.glsl", shaders / "flat.frag"}, variant);
+    if (!program) return tl::unexpected(program.error());
+    SkyProgram out{.program = std::move(*program)};
+    const auto named = [&](const char* name) { return uniform(out.program, name); };
+    out.forward = named("forward");
+    out.right = named("right");
+    out.up = named("up");
+    out.zenith = named("zenith");
+    out.horizon = named("horizon");
+    out.sun_direction = named("sun_direction");
+    out.sun_glow = named("sun_glow");
+    out.fog_colour = named("fog_colour");
+    return out;
+}
+
+Expected<SmallProgram> load_small_program(const std::vector<Folder>& files, const char* parameter) {
+    auto program = load_program(files);
+    if (!program) return tl::unexpected(program.error());
+    SmallProgram out{.program = std::move(*program)};
+    out.parameter = uniform(out.program, parameter);
+    glUseProgram(out.program.get());
+    for (const char* sampler : {"picture", "atlas"}) glUniform1i(uniform(out.program, sampler), picture_unit);
+    glUniform1i(uniform(out.program, "bloom"), bloom_unit);
+    return out;
+}
+
+/// Takes a loaded program, or keeps the first error.
+struct Loading {
+    std::optional<Error> error;
+    template <class T>
+    void take(Expected<T> loaded, T& to) {
+        if (loaded)
+            to = std::move(*loaded);
+        else if (!error)
+            error = loaded.error();
+    }
+};
+
+void set(GLint place, fvec3 v) { glUniform3f(place, v.x, v.y, v.z); }
+
+void set_lights(const MeshProgram& p, std::span<const PointLight> lights, std::size_t most) {
+    std::array<fvec4, max_lights> position{};
+    std::array<fvec3, max_lights> colour{};
+    const auto count = std::min(lights.size(), most);
+    for (std::size_t i = 0; i < count; ++i) {
+        const float radius = std::max(lights[i].radius, 1e-3F);
+        position[i] = fvec4(lights[i].position, 1 / (radius * radius));
+        colour[i] = lights[i].colour;
+    }
+    glUniform1i(p.light_count, static_cast<GLint>(count));
+    glUniform4fv(p.light_position, max_lights, &position[0].x);
+    glUniform3fv(p.light_colour, max_lights, &colour[0].x);
+}
+
+}  // namespace
+
+Expected<Programs> load_programs(const Folder& shaders) {
+    Programs out;
+    Loading loading;
+    for (std::size_t q = 0; q < qualities; ++q)
+        loading.take(load_mesh_program(shaders, static_cast<Quality>(q)), out.mesh[q]);
+    loading.take(load_sky_program(shaders, {}), out.sky);
+    loading.take(load_sky_program(shaders, {"HDR"}), out.sky_of_light);
+    const auto small = [&](const std::vector<Folder>& files, const char* parameter, SmallProgram& to) {
+        loading.take(load_small_program(files, parameter), to);
+    };
+    small({shaders / "shadow.vert", shaders / "shadow.frag"}, "view_projection", out.shadow);
+    small({shaders / "shade.vert", shaders / "flat.frag"}, "view_projection", out.shade);
+    small({shaders / "screen.vert", shaders / "bright.frag"}, "texel", out.bright);
+    small({shaders / "screen.vert", shaders / "blur.frag"}, "way", out.blur);
+    small({shaders / "screen.vert", shaders / "compose.frag", shaders / "tone.glsl"}, "bloom_strength",
+          out.compose);
+    small({shaders / "overlay.vert", shaders / "overlay.frag"}, "pixel", out.overlay);
+    if (loading.error) return tl::unexpected(*loading.error);
+    return out;
+}
+
+void use_mesh_program(const MeshProgram& p, const ViewScene& view, const fmat4& view_projection,
+                      Quality quality, const ShadowView& shadow, float pixel_angle) {
+    const auto& e = view.environment;
+    glUseProgram(p.program.get());
+    glUniformMatrix4fv(p.view_projection, 1, GL_FALSE, &view_projection[0][0]);
+    set(p.eye, view.camera.position);
+    set(p.sun_direction, e.sun.direction);
+    set(p.sun_colour, e.sun.colour);
+    set(p.ambient_above, e.ambient.above);
+    set(p.ambient_below, e.ambient.below);
+    set(p.fog_colour, e.fog.colour);
+    // exp2(-rate d^2) is exp(-(density d)^2).
+    glUniform1f(p.fog_rate, e.fog.density * e.fog.density * 1.442695F);
+    const float fade_from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
+    glUniform2f(p.detail_range, fade_from, 1 / (1.5F * fade_from));
+    set_lights(p, view.lights, quality == Quality::low ? lights_at_low : max_lights);
+    if (quality == Quality::low) return;
+    glUniformMatrix4fv(p.shadow_matrix, 1, GL_FALSE, &shadow.to_map[0][0]);
+    glUniform1f(p.shadow_lift, shadow.lift);
+    glUniform1f(p.shadow_texel, shadow.texel);
+}
+
+void use_sky_program(const SkyProgram& p, const ViewScene& view, float aspect) {
+    const auto& e = view.environment;
+    const float high = std::tan(view.camera.fov_y / 2);
+    const auto axis = [&](fvec3 v) { return view.camera.orientation * v; };
+    glUseProgram(p.program.get());
+    set(p.forward, axis({0, 0, -1}));
+    set(p.right, high * aspect * axis({1, 0, 0}));
+    set(p.up, high * axis({0, 1, 0}));
+    set(p.zenith, e.sky.zenith);
+    set(p.horizon, e.sky.horizon);
+    set(p.sun_direction, e.sun.direction);
+    set(p.sun_glow, e.sky.sun_glow);
+    set(p.fog_colour, e.fog.colour);
+}
+
+}  // namespace thaum::render::detail

@@ -1,0 +1,58 @@
+// The programs of the renderer and how a view's numbers get into them.
+#pragma once
+#include <array>
+
+#include "render/detail/program.h"
+#include "render/quality.h"
+#include "render/scene.h"
+
+namespace thaum::render::detail {
+
+// Texture units; the overlay uses the first as well.
+inline constexpr GLint picture_unit = 0, shadow_unit = 1, bloom_unit = 2;
+
+struct MeshProgram {
+    Program program;
+    GLint view_projection{}, eye{}, sun_direction{}, sun_colour{}, ambient_above{}, ambient_below{};
+    GLint light_count{}, light_position{}, light_colour{}, fog_colour{}, fog_rate{}, detail_range{};
+    GLint shadow_matrix{}, shadow_lift{}, shadow_texel{};
+};
+
+struct SkyProgram {
+    Program program;
+    GLint forward{}, right{}, up{}, zenith{}, horizon{}, sun_direction{}, sun_glow{}, fog_colour{};
+};
+
+/// A program with a matrix, or with a length in texels, and nothing else.
+struct SmallProgram {
+    Program program;
+    GLint parameter{};
+};
+
+struct Programs {
+    std::array<MeshProgram, qualities> mesh;  ///< by Quality
+    SkyProgram sky, sky_of_light;             ///< tone mapped, and for what the last pass tone maps
+    SmallProgram shadow, shade;               ///< view_projection
+    SmallProgram bright, blur;                ///< texel, way
+    SmallProgram compose;                     ///< bloom_strength
+    SmallProgram overlay;                     ///< pixel
+};
+
+/// The error names the file.
+Expected<Programs> load_programs(const std::filesystem::path& shaders);
+
+/// How the sun's map is read.
+struct ShadowView {
+    fmat4 to_map{1};  ///< world to [0, 1]
+    float lift{};     ///< m
+    float texel{};    ///< of the map's width
+};
+
+/// `pixel_angle`: rad, of one pixel in the middle of the view.
+void use_mesh_program(const MeshProgram& program, const ViewScene& view, const fmat4& view_projection,
+                      Quality quality, const ShadowView& shadow, float pixel_angle);
+void use_sky_program(const SkyProgram& program, const ViewScene& view, float aspect);
+
+inline constexpr GLsizei sky_corners = 16 * 10 * 6;  // as sky.vert has them
+
+}  // namespace thaum::render::detail

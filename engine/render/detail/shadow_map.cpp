@@ -1,0 +1,176 @@
+#include "render/detail/shadow_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/assert.h"
+#include "core/hash.h"
+
+namespace thaum::render::detail {
+namespace {
+
+constexpr GLsizei side = 2048;  // texels
+
+Texture make_depth_texture() {
+    Texture texture = make_texture();
+    glBindTexture(GL_TEXTURE_2D, texture.get());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
+                 nullptr);
+    // Comparing and blending four texels is one access.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    // Beyond the map all is in the sun.
+    constexpr GLfloat lit[] = {1, 1, 1, 1};
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit);
+    return texture;
+}
+
+Framebuffer make_depth_target(const Texture& texture) {
+    Framebuffer target = make_framebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, target.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture.get(), 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    THAUM_ASSERT(glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE, "no shadow map");
+    return target;
+}
+
+/// World to axes in which the sun stands at +z.
+glm::mat3 sun_axes(fvec3 towards_sun) {
+    const fvec3 z = glm::normalize(towards_sun);
+    const fvec3 other = std::abs(z.y) < 0.99F ? fvec3(0, 1, 0) : fvec3(1, 0, 0);
+    const fvec3 x = glm::normalize(glm::cross(other, z));
+    return glm::transpose(glm::mat3(x, glm::cross(z, x), z));
+}
+
+std::uint64_t key_of(std::span<const Instance> fixed, fvec3 towards_sun, std::uint64_t revision) {
+    std::uint64_t key = hash_combine(revision, hash_value(towards_sun));
+    for (const auto& i : fixed) key = hash_combine(key, hash_value(i.model, i.mesh));
+    return key;
+}
+
+bool same_place(const Instance& a, const Instance& b) { return a.mesh == b.mesh && a.model == b.model; }
+
+void copy_depth(GLint x0, GLint y0, GLint x1, GLint y1) {
+    glBlitFramebuffer(x0, y0, x1, y1, x0, y0, x1, y1, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
+}  // namespace
+
+void ShadowMap::make_targets() {
+    fixed_ = make_depth_texture();
+    all_ = make_depth_texture();
+    fixed_target_ = make_depth_target(fixed_);
+    all_target_ = make_depth_target(all_);
+    instances_ = make_buffer();
+    made_ = true;
+}
+
+void ShadowMap::fit(const Casters& casters, fvec3 towards_sun, std::span<const Bounds> mesh_bounds) {
+    const auto axes = sun_axes(towards_sun);
+    fvec3 low(1e9F), high(-1e9F);
+    for (const auto& i : casters.fixed) {
+        if (!finite(i.model)) continue;
+        const auto there = placed(mesh_bounds[i.mesh], i.model);
+        const fvec3 centre = axes * there.centre;
+        low = glm::min(low, centre - there.radius);
+        high = glm::max(high, centre + there.radius);
+    }
+    if (low.x > high.x) low = fvec3(-1), high = fvec3(1);
+    texel_m_ = std::max(high.x - low.x, high.y - low.y) / static_cast<float>(side);
+    to_clip_ = glm::ortho(low.x, high.x, low.y, high.y, -high.z, -low.z) * fmat4(axes);
+}
+
+ShadowMap::Counts ShadowMap::draw(std::span<const Instance> instances, std::span<const GpuMesh> meshes,
+                                  std::span<const Bounds> mesh_bounds, const SmallProgram& program) {
+    batches_.instances.clear();
+    batches_.batches.clear();
+    Counts counts;
+    counts.draws = collect(instances, mesh_bounds, to_clip_, batches_);
+    fill_buffer(GL_ARRAY_BUFFER, instances_, batches_.instances, GL_STREAM_DRAW);
+    glUseProgram(program.program.get());
+    glUniformMatrix4fv(program.parameter, 1, GL_FALSE, &to_clip_[0][0]);
+    for (const auto& batch : batches_.batches) {
+        const auto& mesh = meshes[batch.mesh];
+        draw_batch(mesh, batch, instances_);
+        counts.triangles += batch.count * static_cast<std::size_t>(mesh.index_count) / 3;
+    }
+    return counts;
+}
+
+ShadowMap::Print ShadowMap::print_of(const Bounds& there) const {
+    const fvec3 at = fvec3(to_clip_ * fvec4(there.centre, 1));
+    // Rows of the matrix: how far 1 m goes in the map.
+    const auto reach = [&](int row) {
+        const fvec3 per_m(to_clip_[0][row], to_clip_[1][row], to_clip_[2][row]);
+        return there.radius * glm::length(per_m);
+    };
+    const auto texel = [](float clip) {
+        return static_cast<GLint>(std::lround((0.5F + 0.5F * std::clamp(clip, -1.0F, 1.0F)) * float(side)));
+    };
+    const auto within = [](GLint v) { return std::clamp(v, 0, GLint{side}); };
+    return {within(texel(at.x - reach(0)) - 2), within(texel(at.y - reach(1)) - 2),
+            within(texel(at.x + reach(0)) + 2), within(texel(at.y + reach(1)) + 2)};
+}
+
+bool ShadowMap::moved(const Casters& casters) const {
+    return !std::equal(casters.moving.begin(), casters.moving.end(), moving_.begin(), moving_.end(),
+                       same_place);
+}
+
+ShadowMap::Counts ShadowMap::update(const Casters& casters, fvec3 towards_sun,
+                                    std::span<const GpuMesh> meshes, std::span<const Bounds> mesh_bounds,
+                                    std::uint64_t revision, const SmallProgram& program) {
+    if (!made_) make_targets();
+    const auto key = key_of(casters.fixed, towards_sun, revision);
+    const bool anew = key != fixed_key_;
+    if (!anew && !moved(casters)) return {};
+    glViewport(0, 0, side, side);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    // Walls have no outer faces and nothing has holes: both sides of a triangle keep the sun away.
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5F, 4);
+    // What stands between the sun and the map's near side still casts.
+    glEnable(GL_DEPTH_CLAMP);
+    Counts counts;
+    if (anew) {
+        fit(casters, towards_sun, mesh_bounds);
+        glBindFramebuffer(GL_FRAMEBUFFER, fixed_target_.get());
+        glClear(GL_DEPTH_BUFFER_BIT);
+        counts = draw(casters.fixed, meshes, mesh_bounds, program);
+        prints_.assign(1, {0, 0, side, side});
+        fixed_key_ = key;
+    }
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, fixed_target_.get());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, all_target_.get());
+    for (const auto& p : prints_) copy_depth(p.x0, p.y0, p.x1, p.y1);
+    glBindFramebuffer(GL_FRAMEBUFFER, all_target_.get());
+    const auto moving = draw(casters.moving, meshes, mesh_bounds, program);
+    moving_.assign(casters.moving.begin(), casters.moving.end());
+    prints_.clear();
+    for (const auto& i : moving_) {
+        if (finite(i.model)) prints_.push_back(print_of(placed(mesh_bounds[i.mesh], i.model)));
+    }
+    glDisable(GL_DEPTH_CLAMP);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    return {counts.draws + moving.draws, counts.triangles + moving.triangles};
+}
+
+ShadowView ShadowMap::bind() const {
+    glActiveTexture(GL_TEXTURE0 + shadow_unit);
+    glBindTexture(GL_TEXTURE_2D, all_.get());
+    glActiveTexture(GL_TEXTURE0);
+    const fmat4 to_unit = glm::translate(fmat4(1), fvec3(0.5F)) * glm::scale(fmat4(1), fvec3(0.5F));
+    return {to_unit * to_clip_, 1.5F * texel_m_, 1 / float(side)};
+}
+
+}  // namespace thaum::render::detail

@@ -1,0 +1,50 @@
+#include "render/quality.h"
+
+#include <algorithm>
+
+namespace thaum::render {
+namespace {
+
+constexpr double slow_ms = 1000.0 / 30;
+constexpr double quick_ms = 9;
+constexpr int settling = 8;  // pictures after a change that do not count: shaders and memory are new then
+constexpr int judged = 60;
+constexpr int nearly_all = 57;
+
+Quality stepped(Quality q, int by) { return static_cast<Quality>(static_cast<int>(q) + by); }
+
+AutoQuality decided(const AutoQuality& state) {
+    AutoQuality next{.now = state.now, .most = state.most};
+    if (2 * state.slow > judged && state.now != Quality::low) {
+        next.now = next.most = stepped(state.now, -1);
+    } else if (state.quick >= nearly_all && state.now < state.most) {
+        next.now = stepped(state.now, +1);
+    }
+    return next;
+}
+
+}  // namespace
+
+float internal_scale_of(Quality quality, int height) {
+    constexpr std::array lines{360.0F, 540.0F};
+    const auto level = static_cast<std::size_t>(quality);
+    if (level >= lines.size() || height <= 0) return 1;
+    return std::clamp(lines[level] / static_cast<float>(height), 0.25F, 1.0F);
+}
+
+Quality first_quality(std::string_view renderer) {
+    constexpr std::array software{"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software Rasterizer"};
+    const bool found = std::any_of(software.begin(), software.end(), [&](std::string_view name) {
+        return renderer.find(name) != std::string_view::npos;
+    });
+    return found ? Quality::medium : Quality::high;
+}
+
+AutoQuality after_frame(AutoQuality state, double frame_ms) {
+    if (++state.frames <= settling) return state;
+    state.slow += frame_ms > slow_ms;
+    state.quick += frame_ms < quick_ms;
+    return state.frames < settling + judged ? state : decided(state);
+}
+
+}  // namespace thaum::render

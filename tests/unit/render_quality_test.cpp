@@ -1,0 +1,85 @@
+// How a preset is chosen: by what draws, and by measured times, without flapping.
+#include "render/quality.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/random.h"
+
+namespace thaum::render {
+namespace {
+
+AutoQuality after(AutoQuality state, int frames, double frame_ms) {
+    for (int i = 0; i < frames; ++i) state = after_frame(state, frame_ms);
+    return state;
+}
+
+TEST(Quality, InsideSizesAreThoseOfThePresets) {
+    EXPECT_FLOAT_EQ(internal_scale_of(Quality::low, 720), 0.5F);
+    EXPECT_FLOAT_EQ(internal_scale_of(Quality::medium, 720), 0.75F);
+    EXPECT_FLOAT_EQ(internal_scale_of(Quality::high, 720), 1);
+    EXPECT_FLOAT_EQ(internal_scale_of(Quality::medium, 1080), 0.5F);
+    EXPECT_FLOAT_EQ(internal_scale_of(Quality::low, 300), 1) << "never larger than the window";
+    EXPECT_FLOAT_EQ(internal_scale_of(Quality::low, 100000), 0.25F);
+    EXPECT_FLOAT_EQ(internal_scale_of(Quality::low, 0), 1);
+}
+
+TEST(Quality, SoftwareBeginsAtMedium) {
+    EXPECT_EQ(first_quality("llvmpipe (LLVM 15.0.6, 256 bits)"), Quality::medium);
+    EXPECT_EQ(first_quality("softpipe"), Quality::medium);
+    EXPECT_EQ(first_quality("Mesa Intel(R) UHD Graphics 620 (KBL GT2)"), Quality::high);
+    EXPECT_EQ(first_quality("NVIDIA GeForce GTX 1060/PCIe/SSE2"), Quality::high);
+}
+
+TEST(AutoQuality, StaysWhereTheTimeFits) {
+    const auto s = after({.now = Quality::medium}, 10'000, 25);
+    EXPECT_EQ(s.now, Quality::medium);
+    EXPECT_EQ(s.most, Quality::high);
+}
+
+TEST(AutoQuality, StepsDownWhenMostPicturesAreLateAndNotForAFew) {
+    EXPECT_EQ(after({.now = Quality::medium}, 67, 50).now, Quality::medium) << "not before it has judged";
+    EXPECT_EQ(after({.now = Quality::medium}, 68, 50).now, Quality::low);
+    AutoQuality hiccups{.now = Quality::medium};
+    for (int i = 0; i < 3000; ++i) hiccups = after_frame(hiccups, i % 3 == 0 ? 200 : 20);
+    EXPECT_EQ(hiccups.now, Quality::medium);
+    EXPECT_EQ(after({.now = Quality::low}, 1000, 500).now, Quality::low) << "there is nothing below";
+}
+
+TEST(AutoQuality, StepsUpOnlyWithRoomForTheNext) {
+    EXPECT_EQ(after({.now = Quality::low}, 68, 5).now, Quality::medium);
+    EXPECT_EQ(after({.now = Quality::low}, 10'000, 12).now, Quality::low);
+    EXPECT_EQ(after({.now = Quality::low}, 136, 5).now, Quality::high);
+}
+
+TEST(AutoQuality, WhatProvedTooSlowIsNotTriedAgain) {
+    auto s = after({.now = Quality::medium}, 68, 50);
+    ASSERT_EQ(s.now, Quality::low);
+    s = after(s, 100'000, 1);
+    EXPECT_EQ(s.now, Quality::low);
+}
+
+TEST(AutoQuality, NeverFlapsWhateverTheTimes) {
+    Random random = random_stream(5, 1);
+    for (int run = 0; run < 50; ++run) {
+        AutoQuality s{.now = static_cast<Quality>(random.below(qualities))};
+        int changes = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            // Times that turn over every few hundred pictures.
+            const double ms = (i / 300 + run) % 2 == 0 ? random.uniform(0, 8) : random.uniform(20, 200);
+            const auto next = after_frame(s, ms);
+            changes += next.now != s.now;
+            s = next;
+        }
+        EXPECT_LE(changes, 4);
+    }
+}
+
+TEST(AutoQuality, TimesThatAreNotNumbersChangeNothing) {
+    const auto s = after({.now = Quality::medium}, 1000, std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(s.now, Quality::medium);
+}
+
+}  // namespace
+}  // namespace thaum::render
