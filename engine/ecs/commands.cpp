@@ -1,5 +1,6 @@
 #include "ecs/commands.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "core/assert.h"
@@ -10,23 +11,23 @@ namespace thaum::ecs {
 
 Commands::Pending Commands::create_empty() {
     const Pending pending{pending_++};
-    put(Kind::create, {pending.number, pending_generation}, 0, 0);
+    put(Kind::create, {pending.number, pending_generation}, 0, {});
     return pending;
 }
 
-void Commands::put(Kind kind, Entity entity, std::uint32_t type, std::uint32_t size) {
-    const Header header{kind, entity, type, size};
-    const auto bytes = std::as_bytes(std::span(&header, 1));
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+void Commands::put(Kind kind, Entity entity, std::uint32_t type, std::span<const std::byte> bytes) {
+    const Header header{kind, entity, type, static_cast<std::uint32_t>(bytes.size())};
+    const auto at = bytes_.size();
+    bytes_.resize(at + sizeof header + bytes.size());
+    std::memcpy(bytes_.data() + at, &header, sizeof header);
+    std::copy(bytes.begin(), bytes.end(), bytes_.data() + at + sizeof header);
 }
 
 void Commands::put_add(Entity entity, std::uint32_t type, std::string_view name, const void* bytes,
                        std::size_t size) {
     THAUM_ASSERT(entity.generation != pending_generation || entity.index < pending_,
                  text("a pending entity of applied commands gets component ", name));
-    put(Kind::add, entity, type, static_cast<std::uint32_t>(size));
-    const auto* from = static_cast<const std::byte*>(bytes);
-    bytes_.insert(bytes_.end(), from, from + size);
+    put(Kind::add, entity, type, {static_cast<const std::byte*>(bytes), size});
 }
 
 void Commands::apply(World& world) {

@@ -1,6 +1,7 @@
 // ecs/commands.h: structural changes asked for during iteration and made afterwards, in the order they were given.
 #pragma once
 #include <cstdint>
+#include <span>
 
 #include "core/bytes.h"
 #include "ecs/component.h"
@@ -34,9 +35,9 @@ public:
     }
     template <Component C>
     void remove(Entity entity) {
-        put(Kind::remove, entity, detail::type_number<C>, 0);
+        put(Kind::remove, entity, detail::type_number<C>, {});
     }
-    void destroy(Entity entity) { put(Kind::destroy, entity, 0, 0); }
+    void destroy(Entity entity) { put(Kind::destroy, entity, 0, {}); }
     bool empty() const { return bytes_.empty(); }
 
 private:
@@ -51,7 +52,7 @@ private:
     };
 
     Pending create_empty();
-    void put(Kind kind, Entity entity, std::uint32_t type, std::uint32_t size);
+    void put(Kind kind, Entity entity, std::uint32_t type, std::span<const std::byte> bytes);
     void put_add(Entity entity, std::uint32_t type, std::string_view name, const void* bytes,
                  std::size_t size);
     void apply(World& world);

@@ -13,6 +13,7 @@
 // name is a tag: it costs one bit an entity, and adding or removing it moves nothing.
 #pragma once
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
@@ -21,6 +22,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/assert.h"
 #include "core/maths.h"
 #include "core/random.h"
 #include "core/text.h"
@@ -169,12 +171,22 @@ constexpr std::size_t packed_size() {
     }
 }
 
-inline std::uint32_t next_type_number() {
-    static std::uint32_t next = 0;
-    return next++;
+/// How many types have a number; `closed` once a World has arrays of that size.
+struct TypeNumbers {
+    std::uint32_t count = 0;
+    std::atomic<bool> closed = false;  // Worlds may be made on several threads
+};
+inline TypeNumbers& type_numbers() {
+    static TypeNumbers numbers;
+    return numbers;
 }
 
-/// A number per type for this process, only ever a way to the World's own numbers.
+inline std::uint32_t next_type_number() {
+    THAUM_ASSERT(!type_numbers().closed, "a World was made before main: its types were not all numbered");
+    return type_numbers().count++;
+}
+
+/// A number per type for this process, given before main; only ever a way to the World's own numbers.
 template <class T>
 inline const std::uint32_t type_number = next_type_number();
 

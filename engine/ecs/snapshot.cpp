@@ -97,9 +97,9 @@ struct SnapshotAccess {
         world.tables_.clear();
         world.tables_.emplace_back();
         world.free_ = none;
-        world.counts_.assign(world.infos_.size(), 0);
-        world.queries_.clear();
-        world.packs_.clear();
+        world.counts_.fill(0);
+        for (auto& query : world.queries_) query.reset();
+        world.forget_packs();
     }
 
     static bool same_components(ByteReader& in, const World& world) {
@@ -157,15 +157,14 @@ struct SnapshotAccess {
             const auto component = in.get<std::uint32_t>();
             if (!in.ok() || component >= world.infos_.size() || world.infos_[component].size != 0)
                 return false;
-            if (table.column_of[component] != none) return false;
+            if (table.tag_of[component] != no_tag) return false;
             auto& tag = table.tag_column(component);
             const auto words = words_for(table.rows);
             if (!copy(in, reinterpret_cast<std::byte*>(tag.words.data()), words * 8)) return false;
             if (table.rows % 64 != 0 && (tag.words[words - 1] >> (table.rows % 64)) != 0) return false;
             for (std::size_t w = 0; w < words; ++w) {
-                tag.set_bits += static_cast<std::uint32_t>(std::popcount(tag.words[w]));
+                world.counts_[component] += static_cast<std::uint32_t>(std::popcount(tag.words[w]));
             }
-            world.counts_[component] += tag.set_bits;
         }
         return in.ok();
     }

@@ -11,35 +11,39 @@ void RawArray::grow(std::size_t bytes, std::size_t keep) {
     bytes_ = std::move(larger);
 }
 
+void Table::add_column(std::uint32_t component, std::uint32_t size) {
+    columns.push_back({component, size, {}});
+}
+
 void Table::reserve(std::uint32_t rows_wanted) {
     if (rows_wanted <= capacity) return;
     capacity = rows_wanted;
     entity_array.grow(std::size_t{capacity} * sizeof(Entity), std::size_t{rows} * sizeof(Entity));
     for (auto& column : columns) {
         column.array.grow(std::size_t{capacity} * column.size, std::size_t{rows} * column.size);
+        cells[column.component] = column.array.data();
     }
     for (auto& tag : tags) tag.words.resize(words_for(capacity), 0);
 }
 
 TagColumn& Table::new_tag_column(std::uint32_t component) {
-    column_of[component] = static_cast<std::uint32_t>(tags.size());
-    tags.push_back({component, 0, std::vector<std::uint64_t>(words_for(capacity), 0)});
+    tag_of[component] = static_cast<std::uint8_t>(tags.size());
+    tags.push_back({component, std::vector<std::uint64_t>(words_for(capacity), 0)});
     return tags.back();
 }
 
-void Table::copy_tags(std::uint32_t row, Table& to, std::uint32_t to_row) const {
+/// The tags of `row` become those of a fresh row of another table; the last row's tags take their place.
+void Table::move_tags(std::uint32_t row, Table& to, std::uint32_t to_row) {
     for (const auto& tag : tags) {
-        if (!tag.test(row)) continue;
-        auto& target = to.tag_column(tag.component);
-        target.set(to_row);
-        ++target.set_bits;
+        if (tag.test(row)) to.tag_column(tag.component).set(to_row);
     }
+    close_tags(row);
 }
 
+/// The last row's tags take the place of those of `row`.
 void Table::close_tags(std::uint32_t row) {
     const std::uint32_t last = rows - 1;
     for (auto& tag : tags) {
-        tag.set_bits -= tag.test(row) ? 1U : 0U;
         if (tag.test(last)) {
             tag.set(row);
         } else {

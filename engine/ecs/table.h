@@ -1,9 +1,12 @@
 // ecs/table.h: all entities with one set of data components, as plain arrays (an archetype).
 //
 // Measured (thaum bench ecs): arrays of one table iterate at the speed of raw arrays, sparse sets at a quarter of it and
-// less. The price of tables is that adding a component moves the entity to another table; it is kept low by
-// cached neighbours (`plus`, `minus`) and by copying rows without any call per component. Tags, which change most often, are
-// columns of bits instead: they never move an entity, and a view over them walks 64 rows at a time.
+// less. The price of tables is that adding a component moves the entity to another table. What keeps it low lies
+// beside the arrays and not in them, so that iteration knows nothing of it: a table remembers its neighbours (the tables with
+// one component more or less) and holds, by component, where its array is, so that two tables exchange a row in one pass
+// without any look-up; cells of common sizes move through registers; and one capacity for all arrays makes "is there room"
+// one question. Tags, which change most often, are columns of bits: they never move an entity, and a view over them
+// walks 64 rows at a time.
 //
 // A row is removed by moving the last row into it, so the order of rows follows from the history of the world alone.
 #pragma once
@@ -49,7 +52,6 @@ constexpr std::size_t words_for(std::uint32_t rows) { return (std::size_t{rows} 
 /// One bit a row; bits at and beyond `rows` are zero.
 struct TagColumn {
     std::uint32_t component{};
-    std::uint32_t set_bits{};
     std::vector<std::uint64_t> words;
 
     bool test(std::uint32_t row) const { return ((words[row / 64] >> (row % 64)) & 1U) != 0; }
@@ -57,85 +59,146 @@ struct TagColumn {
     void clear(std::uint32_t row) { words[row / 64] &= ~(std::uint64_t{1} << (row % 64)); }
 };
 
+/// A table's number for a tag that no row of it has had.
+inline constexpr std::uint8_t no_tag = 0xff;
+static_assert(max_components < no_tag);
+
 struct Table {
-    Mask mask;  ///< data components
-    std::vector<Column> columns;
+    Mask mask;                    ///< data components
+    std::vector<Column> columns;  ///< in the order of their components
     std::vector<TagColumn> tags;  ///< only those that a row here has had
     RawArray entity_array;
     std::uint32_t rows = 0;
-    std::uint32_t capacity = 0;
+    std::uint32_t capacity = 0;  ///< of every array; above 0 where there are columns
 
-    std::array<std::uint32_t, max_components> column_of;  ///< index into columns or tags; none
-    std::array<std::uint32_t, max_components> plus;  ///< table with this component more; none = not known yet
-    std::array<std::uint32_t, max_components> minus;  ///< table with this component less
+    std::array<std::byte*, max_components> cells;     ///< a data component's array; null: no such column
+    std::array<std::uint8_t, max_components> tag_of;  ///< a tag's index into tags; no_tag
+    std::array<std::uint32_t, max_components>
+        neighbour;  ///< the table with this component more, or less; none: not known yet
 
     Table() {
-        column_of.fill(none);
-        plus.fill(none);
-        minus.fill(none);
+        cells.fill(nullptr);
+        tag_of.fill(no_tag);
+        neighbour.fill(none);
     }
 
     Entity* entities() const { return reinterpret_cast<Entity*>(entity_array.data()); }
-    std::byte* cell(std::uint32_t column, std::uint32_t row) const { return columns[column].cell(row); }
+    template <class C>
+    C* cells_of(std::uint32_t component) const {
+        return reinterpret_cast<C*>(cells[component]);
+    }
+    /// Once, for a table without rows.
+    void add_column(std::uint32_t component, std::uint32_t size);
     void reserve(std::uint32_t rows_wanted);
     /// A new last row with uninitialised cells and no tags.
     std::uint32_t append(Entity entity) {
         if (rows == capacity) [[unlikely]] {
             reserve(capacity == 0 ? 16 : capacity * 2);
         }
-        entities()[rows] = entity;
-        return rows++;
+        const auto row = rows;
+        entities()[row] = entity;
+        rows = row + 1;
+        return row;
     }
     /// The last row takes the place of `row`; returns the entity that moved (the removed one if it was the last).
     Entity remove(std::uint32_t row);
+    struct Moved {
+        std::uint32_t new_row;
+        Entity filler;  ///< the entity that is in the old row now
+    };
+    /// `remove`, after the row was copied to a new last row of a neighbour. Only the cells of `kept`, the smaller of the two
+    /// tables, are touched: where it is `to`, the caller fills the hole in the one column more, whose type he may know.
+    Moved move(std::uint32_t row, Table& to, const Table& kept);
     /// The column of bits of a tag, made when it is first needed.
     TagColumn& tag_column(std::uint32_t component) {
-        const auto at = column_of[component];
-        if (at == none) [[unlikely]] {
+        const auto at = tag_of[component];
+        if (at == no_tag) [[unlikely]] {
             return new_tag_column(component);
         }
         return tags[at];
     }
 
+private:
     TagColumn& new_tag_column(std::uint32_t component);
-    /// The tags of `row` as those of a fresh row of another table.
-    void copy_tags(std::uint32_t row, Table& to, std::uint32_t to_row) const;
-    /// The last row's tags take the place of those of `row`.
+    /// The cells of the components of `kept` (the smaller of both tables): to the new row, then the last into the hole.
+    void move_cells(const Table& kept, std::uint32_t row, Table& to, std::uint32_t to_row);
+    void move_tags(std::uint32_t row, Table& to, std::uint32_t to_row);
     void close_tags(std::uint32_t row);
+    Entity close(std::uint32_t row) {
+        const std::uint32_t last = rows - 1;
+        rows = last;
+        return entities()[row] = entities()[last];
+    }
 };
 
-/// memcpy whose common sizes are single moves instead of a call.
-inline void copy_cell(std::byte* to, const std::byte* from, std::uint32_t size) {
+/// Calls f(size) with a constant for the common sizes of a cell, so that a copy is a few moves instead of a call.
+template <class F>
+[[gnu::always_inline]] inline void with_size(std::uint32_t size, F&& f) {
     switch (size) {
-        case 4: std::memcpy(to, from, 4); return;
-        case 8: std::memcpy(to, from, 8); return;
-        case 12: std::memcpy(to, from, 12); return;
-        case 16: std::memcpy(to, from, 16); return;
-        case 24: std::memcpy(to, from, 24); return;
-        case 32: std::memcpy(to, from, 32); return;
-        default: std::memcpy(to, from, size);
+        case 4: return f(std::integral_constant<std::size_t, 4>{});
+        case 8: return f(std::integral_constant<std::size_t, 8>{});
+        case 12: return f(std::integral_constant<std::size_t, 12>{});
+        case 16: return f(std::integral_constant<std::size_t, 16>{});
+        case 24: return f(std::integral_constant<std::size_t, 24>{});
+        case 32: return f(std::integral_constant<std::size_t, 32>{});
+        default: return f(std::size_t{size});
     }
 }
 
-inline Entity Table::remove(std::uint32_t row) {
+template <class Word>
+[[gnu::always_inline]] inline void copy_word(std::byte* to, const std::byte* from) {
+    Word word;
+    std::memcpy(&word, from, sizeof word);
+    std::memcpy(to, &word, sizeof word);
+}
+
+/// Word by word, so that `from` may be `to`.
+template <std::size_t size>
+[[gnu::always_inline]] inline void copy_cell(std::byte* to, const std::byte* from,
+                                             std::integral_constant<std::size_t, size>) {
+    constexpr std::size_t whole = size / 8 * 8;
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < whole; i += 8) copy_word<std::uint64_t>(to + i, from + i);
+    if constexpr (whole < size) copy_word<std::uint32_t>(to + whole, from + whole);
+}
+inline void copy_cell(std::byte* to, const std::byte* from, std::size_t size) {
+    std::memmove(to, from, size);
+}
+
+[[gnu::always_inline]] inline Entity Table::remove(std::uint32_t row) {
     const std::uint32_t last = rows - 1;
     if (row != last) {
-        for (const auto& column : columns) copy_cell(column.cell(row), column.cell(last), column.size);
+        for (const auto& column : columns) {
+            auto* hole = column.cell(row);
+            const auto* filler = column.cell(last);
+            with_size(column.size, [&](auto size) { copy_cell(hole, filler, size); });
+        }
     }
     if (!tags.empty()) close_tags(row);
-    const Entity moved = entities()[last];
-    entities()[row] = moved;
-    rows = last;
-    return moved;
+    return close(row);
 }
 
-/// Copies the cells and tags that both tables have. to_row must be fresh.
-inline void copy_row(const Table& from, std::uint32_t row, Table& to, std::uint32_t to_row) {
-    for (const auto& column : from.columns) {
-        const auto target = to.column_of[column.component];
-        if (target != none) copy_cell(to.cell(target, to_row), column.cell(row), column.size);
+[[gnu::always_inline]] inline void Table::move_cells(const Table& kept, std::uint32_t row, Table& to,
+                                                     std::uint32_t to_row) {
+    const std::uint32_t last = rows - 1;
+    for (const auto& column : kept.columns) {
+        const std::size_t width = column.size;
+        auto* array = cells[column.component];
+        auto* target = to.cells[column.component] + to_row * width;
+        auto* hole = array + row * width;
+        const auto* filler = array + last * width;
+        with_size(column.size, [&](auto size) {
+            copy_cell(target, hole, size);
+            copy_cell(hole, filler, size);
+        });
     }
-    if (!from.tags.empty()) from.copy_tags(row, to, to_row);
+}
+
+[[gnu::always_inline]] inline Table::Moved Table::move(std::uint32_t row, Table& to, const Table& kept) {
+    const auto to_row = to.append(entities()[row]);
+    move_cells(kept, row, to, to_row);
+    if (!tags.empty()) move_tags(row, to, to_row);
+    return {to_row, close(row)};
 }
 
 }  // namespace thaum::ecs

@@ -115,9 +115,8 @@ private:
         if constexpr (!detail::passed<T>) {
             return nullptr;
         } else {
-            const auto column =
-                table.column_of[world_.template known_id<typename detail::Term<T>::component>()];
-            return column == none ? nullptr : reinterpret_cast<Value*>(table.columns[column].array.data());
+            return table.template cells_of<Value>(
+                world_.template known_id<typename detail::Term<T>::component>());
         }
     }
 
@@ -128,8 +127,8 @@ private:
         const auto apply = [&]<class T>(std::type_identity<T>) {
             using Term = detail::Term<T>;
             if constexpr (Term::tag) {
-                const auto column = table.column_of[world_.template known_id<typename Term::component>()];
-                const auto bits = column == none ? 0 : table.tags[column].words[row / 64];
+                const auto at = table.tag_of[world_.template known_id<typename Term::component>()];
+                const auto bits = at == no_tag ? 0 : table.tags[at].words[row / 64];
                 word &= Term::excluded ? ~bits : bits;
             }
         };
@@ -182,7 +181,6 @@ private:
 template <class... Terms>
 View<Terms...> World::view() const {
     const auto type = detail::type_number<View<Terms...>>;
-    if (type >= queries_.size()) queries_.resize(type + 1);
     if (!queries_[type]) [[unlikely]] {
         auto made = std::make_unique<Query>();
         const auto note = [&]<class T>(std::type_identity<T>) {

@@ -5,16 +5,21 @@
 
 namespace thaum::ecs {
 
+World::World() {
+    detail::type_numbers().closed = true;
+    const auto types = detail::type_numbers().count;
+    id_of_type_.resize(types, none);
+    queries_.resize(types);
+    packs_.resize(types);
+    tables_.emplace_back();
+}
+
 void World::declare_info(ComponentInfo info, std::uint32_t type_number) {
     THAUM_ASSERT(records_.empty(), text("component ", info.name, " is declared after the first entity"));
     THAUM_ASSERT(infos_.size() < max_components, text("no room for component ", info.name));
-    if (type_number >= id_of_type_.size()) id_of_type_.resize(type_number + 1, none);
     THAUM_ASSERT(id_of_type_[type_number] == none, text("component ", info.name, " is declared twice"));
     id_of_type_[type_number] = static_cast<std::uint32_t>(infos_.size());
     infos_.push_back(std::move(info));
-    added_.emplace_back();
-    removed_.emplace_back();
-    counts_.push_back(0);
 }
 
 std::string World::component_message(std::string_view what, std::uint32_t component, Entity entity) const {
@@ -48,22 +53,27 @@ std::uint32_t World::table_with(const Mask& mask) {
     Table table;
     table.mask = mask;
     for (std::uint32_t c = 0; c < infos_.size(); ++c) {
-        if (!mask.test(c)) continue;
-        table.column_of[c] = static_cast<std::uint32_t>(table.columns.size());
-        table.columns.push_back({c, infos_[c].size, {}});
+        if (mask.test(c)) table.add_column(c, infos_[c].size);
     }
+    table.reserve(16);
     tables_.push_back(std::move(table));
     return static_cast<std::uint32_t>(tables_.size() - 1);
 }
 
-std::uint32_t World::neighbour(std::uint32_t table, std::uint32_t component, bool plus) {
-    auto& known = plus ? tables_[table].plus[component] : tables_[table].minus[component];
-    if (known != none) return known;
+std::uint32_t World::neighbour(std::uint32_t table, std::uint32_t component) {
+    const auto known = tables_[table].neighbour[component];
+    if (known != none) [[likely]] {
+        return known;
+    }
+    return find_neighbour(table, component);
+}
+
+std::uint32_t World::find_neighbour(std::uint32_t table, std::uint32_t component) {
     Mask mask = tables_[table].mask;
-    plus ? mask.set(component) : mask.clear(component);
+    mask.test(component) ? mask.clear(component) : mask.set(component);
     const auto found = table_with(mask);  // may move tables_
-    (plus ? tables_[table].plus[component] : tables_[table].minus[component]) = found;
-    (plus ? tables_[found].minus[component] : tables_[found].plus[component]) = table;
+    tables_[table].neighbour[component] = found;
+    tables_[found].neighbour[component] = table;
     return found;
 }
 
@@ -81,13 +91,13 @@ void World::note_pack(std::uint32_t type, std::span<const std::uint32_t> compone
     pack.table = table_with(data);
     for (std::size_t i = 0; i < components.size(); ++i) {
         const auto c = components[i];
-        const auto column = infos_[c].size != 0 ? tables_[pack.table].column_of[c] : 0;
-        pack.mask.set(c);
-        pack.places[i] = {static_cast<std::uint8_t>(c), static_cast<std::uint8_t>(column)};
+        pack.components[i] = static_cast<std::uint8_t>(c);
+        pack.hooked |= added_[c].call != nullptr;
     }
-    if (type >= packs_.size()) packs_.resize(type + 1);
     packs_[type] = pack;
 }
+
+void World::forget_packs() { packs_.assign(packs_.size(), {}); }
 
 std::size_t World::size() const {
     std::size_t rows = 0;
@@ -103,17 +113,15 @@ void World::call(const Hook& hook, std::uint32_t component, Entity entity) {
 
 void World::destroy(Entity entity) {
     assert_unlocked(none);
-    const auto& r = record(entity, none);
-    auto& table = tables_[r.table];
-    for (const auto& column : table.columns) removing(column.component, entity);
-    for (const auto& tag : table.tags) {
-        if (tag.test(r.row)) removing(tag.component, entity);
+    const auto row = record(entity, none).row;
+    auto& table = tables_[records_[entity.index].table];
+    if (has_remove_hooks_) [[unlikely]] {
+        removing_all(table, row);
     }
     for (const auto& column : table.columns) --counts_[column.component];
     for (const auto& tag : table.tags) {
-        if (tag.test(r.row)) --counts_[tag.component];
+        if (tag.test(row)) --counts_[tag.component];
     }
-    const auto row = r.row;
     records_[table.remove(row).index].row = row;
     auto& freed = records_[entity.index];
     ++freed.generation;
@@ -122,44 +130,46 @@ void World::destroy(Entity entity) {
     free_ = entity.index;
 }
 
+void World::removing_all(const Table& table, std::uint32_t row) {
+    const Entity entity = table.entities()[row];
+    for (const auto& column : table.columns) removing(column.component, entity);
+    for (const auto& tag : table.tags) {
+        if (tag.test(row)) removing(tag.component, entity);
+    }
+}
+
 void World::clear() {
     for (std::uint32_t i = 0; i < records_.size(); ++i) {
         if (records_[i].table != none) destroy({i, records_[i].generation});
     }
 }
 
-// Called from two places only, and hot in both.
-[[gnu::always_inline]] inline void World::move(Entity entity, std::uint32_t to) {
-    auto& r = records_[entity.index];
-    const auto row = r.row;
+World::Cell World::extend(Entity entity, std::uint32_t component) {
+    assert_unlocked(component);
+    auto& r = record(entity, component);
+    THAUM_ASSERT(tables_[r.table].cells[component] == nullptr,
+                 component_message("already has", component, entity));
+    const auto to = neighbour(r.table, component);
     auto& from = tables_[r.table];
     auto& target = tables_[to];
-    const auto new_row = target.append(entity);
-    copy_row(from, row, target, new_row);
-    records_[from.remove(row).index].row = row;
-    r.table = to;  // after the line above: the entity may itself have been the last
-    r.row = new_row;
+    moved_to(r, to, from.move(r.row, target, from));
+    return {target.cells[component], r.row};
 }
 
-std::byte* World::extend(Entity entity, std::uint32_t component) {
+World::Hole World::narrow(Entity entity, std::uint32_t component) {
     assert_unlocked(component);
-    const auto& r = record(entity, component);
-    THAUM_ASSERT(tables_[r.table].column_of[component] == none,
-                 component_message("already has", component, entity));
-    const auto known = tables_[r.table].plus[component];
-    move(entity, known != none ? known : neighbour(r.table, component, true));
-    const auto& table = tables_[r.table];
-    return table.cell(table.column_of[component], r.row);
-}
-
-void World::narrow(Entity entity, std::uint32_t component) {
-    assert_unlocked(component);
-    const auto& r = record(entity, component);
-    THAUM_ASSERT(tables_[r.table].column_of[component] != none,
-                 component_message("has no", component, entity));
-    removing(component, entity);
-    const auto known = tables_[r.table].minus[component];
-    move(entity, known != none ? known : neighbour(r.table, component, false));
+    auto& r = record(entity, component);
+    THAUM_ASSERT(tables_[r.table].cells[component] != nullptr,
+                 component_message("has no component", component, entity));
+    if (has_remove_hooks_) [[unlikely]] {
+        removing(component, entity);
+    }
+    const auto to = neighbour(r.table, component);
+    auto& from = tables_[r.table];
+    auto& target = tables_[to];
+    const auto row = r.row;
+    moved_to(r, to, from.move(row, target, target));
+    return {from.cells[component], row, from.rows};
 }
 
 void World::add_bytes(Entity entity, std::uint32_t component, const void* bytes) {
@@ -167,7 +177,9 @@ void World::add_bytes(Entity entity, std::uint32_t component, const void* bytes)
     if (infos_[component].size == 0) {
         mark(entity, component);
     } else {
-        std::memcpy(extend(entity, component), bytes, infos_[component].size);
+        const auto size = infos_[component].size;
+        const auto [array, row] = extend(entity, component);
+        std::memcpy(array + std::size_t{row} * size, bytes, size);
     }
     ++counts_[component];
     added(component, entity);
@@ -178,7 +190,9 @@ void World::remove_by_id(Entity entity, std::uint32_t component) {
     if (infos_[component].size == 0) {
         unmark(entity, component);
     } else {
-        narrow(entity, component);
+        const auto size = infos_[component].size;
+        const auto [array, row, filler] = narrow(entity, component);
+        std::memmove(array + std::size_t{row} * size, array + std::size_t{filler} * size, size);
     }
     --counts_[component];
 }
@@ -186,16 +200,13 @@ void World::remove_by_id(Entity entity, std::uint32_t component) {
 const void* World::find_bytes(Entity entity, std::uint32_t component) const {
     if (!alive(entity)) return nullptr;
     const auto& r = records_[entity.index];
-    const auto& table = tables_[r.table];
-    const auto column = table.column_of[component];
-    if (column == none) return nullptr;
-    return infos_[component].size == 0 ? nullptr : table.cell(column, r.row);
+    const auto* cells = tables_[r.table].cells[component];
+    return cells == nullptr ? nullptr : cells + std::size_t{r.row} * infos_[component].size;
 }
 
 const void* World::single_bytes(std::uint32_t component) const {
     for (const auto& table : tables_) {
-        const auto column = table.column_of[component];
-        if (column != none && infos_[component].size != 0 && table.rows > 0) return table.cell(column, 0);
+        if (table.cells[component] != nullptr && table.rows > 0) return table.cells[component];
     }
     return nullptr;
 }

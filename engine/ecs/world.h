@@ -43,7 +43,7 @@ struct Access {
 
 class World {
 public:
-    World() { tables_.emplace_back(); }
+    World();
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
@@ -63,8 +63,10 @@ public:
     /// Every entity, in order of their numbers; hooks are called. The history goes on: numbers are not used anew.
     void clear();
     bool alive(Entity entity) const {
-        return entity.index < records_.size() && records_[entity.index].generation == entity.generation &&
-               records_[entity.index].table != none;
+        // In bytes, since a number of records would be a division by their size.
+        const auto bytes = records_.size() * sizeof(Record);
+        return std::size_t{entity.index} * sizeof(Record) < bytes &&
+               records_[entity.index].generation == entity.generation && records_[entity.index].table != none;
     }
     /// How many entities there are; a sum over the tables.
     std::size_t size() const;
@@ -109,13 +111,13 @@ public:
 
     template <Component C>
     void on_add(Hook hook) {
-        const auto c = id<C>();
-        added_[c] = hook;
-        hook.call != nullptr ? add_hooks_.set(c) : add_hooks_.clear(c);
+        added_[id<C>()] = hook;
+        forget_packs();  // they know whether there is a hook
     }
     template <Component C>
     void on_remove(Hook hook) {
         removed_[id<C>()] = hook;
+        has_remove_hooks_ |= hook.call != nullptr;
     }
 
     /// Changes asked for during iteration; `apply_commands` makes them, in the order in which they were given.
@@ -148,16 +150,22 @@ private:
         std::uint32_t table = none;  // none: free, and row is the next free one
         std::uint32_t row = none;
     };
-    /// Where `create` puts the components of one of its instances. As large as a cache line.
+    /// What `create` knows of one of its instances. Half a cache line.
     struct Pack {
-        struct Place {
-            std::uint8_t component, column;  // a tag has no column
-        };
-        Mask mask;
-        std::uint32_t table = none;
-        std::array<Place, 22> places{};
+        std::uint32_t table = none;  // none: not known yet
+        bool hooked = false;         // one of the components has an `added_` hook
+        std::array<std::uint8_t, 27> components{};
     };
-    static_assert(max_components <= 256 && sizeof(Pack) == 64);
+    static_assert(max_components <= 256 && sizeof(Pack) == 32);
+    struct Cell {
+        std::byte* array;
+        std::uint32_t row;
+    };
+    /// A cell whose entity went, and the cell that must take its place: perhaps itself.
+    struct Hole {
+        std::byte* array;
+        std::uint32_t row, filler;
+    };
     struct Query {
         Mask required, excluded;
         std::uint32_t tables_seen = 0;
@@ -167,6 +175,9 @@ private:
     const Record& record(Entity entity, std::uint32_t component) const {
         THAUM_ASSERT(alive(entity), stale_message(entity, component));
         return records_[entity.index];
+    }
+    Record& record(Entity entity, std::uint32_t component) {
+        return const_cast<Record&>(std::as_const(*this).record(entity, component));
     }
     void assert_unlocked(std::uint32_t component) const {
         THAUM_ASSERT(locks_ == 0, locked_message(component));
@@ -201,8 +212,15 @@ private:
     }
     std::uint32_t new_number();
     std::uint32_t table_with(const Mask& mask);
-    std::uint32_t neighbour(std::uint32_t table, std::uint32_t component, bool plus);
-    void move(Entity entity, std::uint32_t to);
+    /// The table with this component more, or less where it has it.
+    std::uint32_t neighbour(std::uint32_t table, std::uint32_t component);
+    std::uint32_t find_neighbour(std::uint32_t table, std::uint32_t component);
+    void moved_to(Record& record, std::uint32_t to, const Table::Moved& moved) {
+        records_[moved.filler.index].row = record.row;
+        record.table = to;  // after the line above: the entity may itself have been the last
+        record.row = moved.new_row;
+    }
+    void forget_packs();
     void call(const Hook& hook, std::uint32_t component, Entity entity);
     void added(std::uint32_t component, Entity entity) {
         if (added_[component].call != nullptr) call(added_[component], component, entity);
@@ -210,10 +228,11 @@ private:
     void removing(std::uint32_t component, Entity entity) {
         if (removed_[component].call != nullptr) call(removed_[component], component, entity);
     }
+    void removing_all(const Table& table, std::uint32_t row);
     /// Moves the entity to the table with this component more; returns the cell, not yet written.
-    std::byte* extend(Entity entity, std::uint32_t component);
-    /// Calls the hook and moves the entity to the table with this component less.
-    void narrow(Entity entity, std::uint32_t component);
+    Cell extend(Entity entity, std::uint32_t component);
+    /// Calls the hook and moves the entity to the table with this component less; the hole in its column is still to be filled.
+    Hole narrow(Entity entity, std::uint32_t component);
     void mark(Entity entity, std::uint32_t tag);
     void unmark(Entity entity, std::uint32_t tag);
     /// By number, with the component's bytes: what commands and the typed calls share.
@@ -229,9 +248,9 @@ private:
 
     std::vector<ComponentInfo> infos_;
     std::vector<std::uint32_t> id_of_type_;  // type number of this process -> component of this World
-    std::vector<Hook> added_, removed_;
-    Mask add_hooks_;  // the components with an `added_` hook
-    std::vector<std::uint32_t> counts_;
+    std::array<Hook, max_components> added_{}, removed_{};
+    bool has_remove_hooks_ = false;
+    std::array<std::uint32_t, max_components> counts_{};
     std::vector<Table> tables_;  // the first one has no components
     std::vector<Record> records_;
     std::uint32_t free_ = none;
@@ -258,15 +277,15 @@ void World::declare() {
 template <Component C>
 std::uint32_t World::id() const {
     const auto type = detail::type_number<C>;
-    THAUM_ASSERT(type < id_of_type_.size() && id_of_type_[type] != none, undeclared_message(C::name));
+    THAUM_ASSERT(id_of_type_[type] != none, undeclared_message(C::name));
     return id_of_type_[type];
 }
 
 template <class... Cs>
 const World::Pack& World::pack_of() {
-    static_assert(sizeof...(Cs) <= std::tuple_size_v<decltype(Pack::places)>);
+    static_assert(sizeof...(Cs) <= std::tuple_size_v<decltype(Pack::components)>);
     const auto type = detail::type_number<detail::Pack<Cs...>>;
-    if (type >= packs_.size() || packs_[type].table == none) [[unlikely]] {
+    if (packs_[type].table == none) [[unlikely]] {
         const std::array<std::uint32_t, sizeof...(Cs)> components{id<Cs>()...};
         note_pack(type, components);
     }
@@ -278,7 +297,7 @@ const World::Pack& World::pack_of() {
 template <Component... Cs>
 [[gnu::always_inline]] inline Entity World::create(Cs... components) {
     const Pack& pack = pack_of<Cs...>();
-    THAUM_ASSERT(locks_ == 0, locked_message(sizeof...(Cs) > 0 ? pack.places[0].component : none));
+    THAUM_ASSERT(locks_ == 0, locked_message(sizeof...(Cs) > 0 ? pack.components[0] : none));
     const auto index = take_number();
     auto& record = records_[index];
     auto& table = tables_[pack.table];
@@ -286,20 +305,17 @@ template <Component... Cs>
     const auto row = table.append(entity);
     record.table = pack.table;
     record.row = row;
-    [[maybe_unused]] const auto* place = pack.places.data();
+    [[maybe_unused]] const auto* id = pack.components.data();
     [[maybe_unused]] const auto put = [&]<class C>(const C& component) {
         if constexpr (Tag<C>) {
-            auto& tag = table.tag_column(place->component);
-            tag.set(row);
-            ++tag.set_bits;
+            table.tag_column(*id).set(row);
         } else {
-            reinterpret_cast<C*>(table.columns[place->column].array.data())[row] = component;
+            table.cells_of<C>(*id)[row] = component;
         }
-        ++counts_[place->component];
-        ++place;
+        ++counts_[*id++];
     };
     (put(components), ...);
-    if (pack.mask.intersects(add_hooks_)) [[unlikely]] {
+    if (pack.hooked) [[unlikely]] {
         (added(known_id<Cs>(), entity), ...);
     }
     return entity;
@@ -311,18 +327,16 @@ inline void World::mark(Entity entity, std::uint32_t tag) {
     auto& column = tables_[r.table].tag_column(tag);
     THAUM_ASSERT(!column.test(r.row), component_message("already has", tag, entity));
     column.set(r.row);
-    ++column.set_bits;
 }
 
 inline void World::unmark(Entity entity, std::uint32_t tag) {
     assert_unlocked(tag);
     const auto& r = record(entity, tag);
     auto& table = tables_[r.table];
-    const auto at = table.column_of[tag];
-    THAUM_ASSERT(at != none && table.tags[at].test(r.row), component_message("has no", tag, entity));
+    const auto at = table.tag_of[tag];
+    THAUM_ASSERT(at != no_tag && table.tags[at].test(r.row), component_message("has no", tag, entity));
     removing(tag, entity);
     table.tags[at].clear(r.row);
-    --table.tags[at].set_bits;
 }
 
 template <Component C>
@@ -333,7 +347,8 @@ void World::add(Entity entity, const C& component) {
         mark(entity, c);
     } else {
         const C value = component;  // which may lie in a table that changes now
-        *reinterpret_cast<C*>(extend(entity, c)) = value;
+        const auto [array, row] = extend(entity, c);
+        reinterpret_cast<C*>(array)[row] = value;
     }
     ++counts_[c];
     added(c, entity);
@@ -346,7 +361,9 @@ void World::remove(Entity entity) {
     if constexpr (Tag<C>) {
         unmark(entity, c);
     } else {
-        narrow(entity, c);
+        const auto [array, row, filler] = narrow(entity, c);
+        auto* cells = reinterpret_cast<C*>(array);
+        cells[row] = cells[filler];
     }
     --counts_[c];
 }
@@ -357,11 +374,11 @@ bool World::has(Entity entity) const {
     check_read(c);
     const auto& r = record(entity, c);
     const auto& table = tables_[r.table];
-    const auto column = table.column_of[c];
     if constexpr (Tag<C>) {
-        return column != none && table.tags[column].test(r.row);
+        const auto at = table.tag_of[c];
+        return at != no_tag && table.tags[at].test(r.row);
     } else {
-        return column != none;
+        return table.cells[c] != nullptr;
     }
 }
 
@@ -371,10 +388,9 @@ const C& World::get(Entity entity) const {
     const auto c = id<C>();
     check_read(c);
     const auto& r = record(entity, c);
-    const auto& table = tables_[r.table];
-    const auto column = table.column_of[c];
-    THAUM_ASSERT(column != none, component_message("has no component", c, entity));
-    return reinterpret_cast<const C*>(table.columns[column].array.data())[r.row];
+    const auto* cells = tables_[r.table].template cells_of<const C>(c);
+    THAUM_ASSERT(cells != nullptr, component_message("has no component", c, entity));
+    return cells[r.row];
 }
 
 template <Component C>

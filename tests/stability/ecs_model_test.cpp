@@ -131,5 +131,169 @@ TEST(EcsModel, LongRandomHistoriesAgreeWithAMapAndSurviveRestore) {
     }
 }
 
+/// A component of N bytes: sizes that move through registers and sizes that do not.
+template <std::size_t N>
+struct Sized {
+    std::array<std::uint8_t, N> bytes{};
+    static constexpr std::array<char, 3> letters{'S', 'A' + N / 26, 'A' + N % 26};
+    static constexpr std::string_view name{letters.data(), letters.size()};
+    static constexpr auto fields() { return std::tuple(field("bytes", &Sized::bytes)); }
+};
+
+template <std::size_t N>
+Sized<N> sized(std::uint64_t value) {
+    Sized<N> s;
+    for (std::size_t i = 0; i < N; ++i) s.bytes[i] = static_cast<std::uint8_t>(value * 31 + i * 7);
+    return s;
+}
+
+template <std::size_t... Ns>
+struct Sizes {
+    static constexpr std::size_t count = sizeof...(Ns);
+    /// Calls f.operator()<N>() with the size of that number.
+    template <class F>
+    static void with(std::size_t number, F&& f) {
+        std::size_t i = 0;
+        ((i++ == number ? f.template operator()<Ns>() : void()), ...);
+    }
+    static void declare(World& world) { (world.declare<Sized<Ns>>(), ...); }
+};
+using AllSizes = Sizes<1, 4, 8, 12, 16, 20, 24, 32, 40, 100>;
+
+struct Churned {
+    Entity entity;
+    std::array<std::optional<std::uint64_t>, AllSizes::count> values{};
+    bool frozen = false, burning = false;
+};
+
+/// Worlds that must stay equal to the byte: one lives on, one is restored now and then and so loses all that it remembers of
+/// neighbouring tables; one gets its changes as commands and one directly.
+struct Twins {
+    World lasting, restored;
+    std::vector<Churned> all;
+    Random random;
+
+    explicit Twins(std::uint64_t seed) : random{seed} {
+        for (auto* world : {&lasting, &restored}) {
+            AllSizes::declare(*world);
+            world->declare<Frozen>();
+            world->declare<Burning>();
+        }
+    }
+
+    void create() {
+        const auto value = random.below(1000);
+        Churned c;
+        const auto both = [&](const auto&... components) {
+            c.entity = lasting.create(components...);
+            ASSERT_EQ(restored.create(components...), c.entity);
+        };
+        switch (random.below(4)) {
+            case 0: both(); break;
+            case 1:
+                both(sized<12>(value), sized<24>(value));
+                c.values[3] = c.values[6] = value;
+                break;
+            case 2:
+                both(sized<100>(value), Burning{}, sized<1>(value));
+                c.values[9] = c.values[0] = value;
+                c.burning = true;
+                break;
+            default:
+                both(sized<32>(value), sized<20>(value), sized<4>(value));
+                c.values[7] = c.values[5] = c.values[1] = value;
+        }
+        all.push_back(c);
+    }
+
+    template <class C>
+    void change(Entity e, bool add, const C& c) {
+        if (add) {
+            lasting.add(e, c);
+            restored.commands().add(e, c);
+        } else {
+            lasting.remove<C>(e);
+            restored.commands().remove<C>(e);
+        }
+        if (random.below(3) == 0) restored.apply_commands();
+    }
+
+    void toggle_one(Churned& c) {
+        const auto which = random.below(AllSizes::count + 2);
+        if (which == AllSizes::count) {
+            change(c.entity, c.frozen = !c.frozen, Frozen{});
+        } else if (which > AllSizes::count) {
+            change(c.entity, c.burning = !c.burning, Burning{});
+        } else {
+            auto& slot = c.values[which];
+            slot = slot ? std::nullopt : std::optional(random.below(1000));
+            AllSizes::with(which, [&]<std::size_t N>() {
+                change(c.entity, slot.has_value(), sized<N>(slot.value_or(0)));
+            });
+        }
+    }
+
+    void step() {
+        const auto what = random.below(16);
+        if (all.empty() || what == 0) {
+            restored.apply_commands();
+            create();
+            return;
+        }
+        const auto at = random.below(all.size());
+        if (what == 1 && all.size() > 40) {
+            lasting.destroy(all[at].entity);
+            restored.commands().destroy(all[at].entity);
+            all[at] = all.back();
+            all.pop_back();
+        } else {
+            toggle_one(all[at]);
+        }
+    }
+
+    void compare() {
+        restored.apply_commands();
+        Bytes a, b;
+        save(lasting, a);
+        save(restored, b);
+        ASSERT_EQ(a, b);
+        ASSERT_EQ(state_hash(lasting), state_hash(restored));
+        for (const auto& c : all) {
+            ASSERT_EQ(lasting.has<Frozen>(c.entity), c.frozen);
+            ASSERT_EQ(lasting.has<Burning>(c.entity), c.burning);
+            for (std::size_t i = 0; i < AllSizes::count; ++i) {
+                AllSizes::with(i, [&]<std::size_t N>() {
+                    const auto* found = lasting.find<Sized<N>>(c.entity);
+                    ASSERT_EQ(found != nullptr, c.values[i].has_value());
+                    if (found != nullptr) {
+                        ASSERT_EQ(found->bytes, sized<N>(*c.values[i]).bytes);
+                    }
+                });
+            }
+        }
+    }
+
+    /// The tables stay, but nothing that a World remembers beside its state.
+    void forget() {
+        Bytes bytes;
+        save(restored, bytes);
+        ASSERT_TRUE(restore(restored, bytes).has_value());
+    }
+};
+
+TEST(EcsModel, ChurnOverManySetsIsTheSameDirectlyByCommandsAndAfterForgettingNeighbours) {
+    for (std::uint64_t seed = 0; seed < 2; ++seed) {
+        Twins twins(seed);
+        for (int i = 0; i < 3000 && !testing::Test::HasFatalFailure(); ++i) {
+            twins.step();
+            if (i % 100 != 0) continue;
+            twins.compare();
+            if (twins.random.below(4) == 0) twins.forget();
+        }
+        twins.compare();
+        EXPECT_GT(twins.lasting.tables().size(), 200U);
+    }
+}
+
 }  // namespace
 }  // namespace thaum::ecs::test

@@ -205,6 +205,7 @@ TEST_F(EcsWorldDeath, WrongUseStopsAndNamesTheComponent) {
     World empty;
     EXPECT_DEATH(empty.create(Position{}), "component Position was not declared in this World");
     EXPECT_DEATH(world.declare<Position>(), "component Position is declared");
+    EXPECT_DEATH(detail::next_type_number(), "a World was made before main");
 }
 
 }  // namespace
