@@ -20,7 +20,7 @@ enum class SeatKind : std::uint8_t {
     keyboard_mouse,
     keyboard_half,
     pad,
-    pad_or_half,  ///< a pad where one is plugged in at the start, else half a keyboard
+    pad_or_half,  ///< a pad where one is plugged in that nobody has, else half a keyboard
     bot,
 };
 
@@ -51,12 +51,16 @@ struct LivePlan {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
     std::array<Seat, 2> seats{};
+    bool start_screen = false;  ///< asks who plays with what instead of `seats`, and again after each match
     /// A replay instead of a match: nobody plays, nothing is recorded, and the window closes soon after its end.
     game::Playback* replay = nullptr;
-    std::filesystem::path log{};  ///< empty: not recorded; a rematch goes beside it, with a number
+    std::filesystem::path log{};  ///< of the first match; the next go beside it, with a number
+    std::filesystem::path
+        logs_folder{};  ///< without `log`: where each match gets a file; empty: not recorded
     std::filesystem::path assets{};
     Settings settings{};
-    std::optional<double> seconds{};  ///< then the match ends and the window closes
+    std::filesystem::path settings_file{};  ///< where changes go; empty: they last for this run
+    std::optional<double> seconds{};        ///< then the window closes
     Stall stall{};
     LiveReport* report = nullptr;  ///< filled at the end
 };

@@ -38,32 +38,57 @@ const Picture& show(Film& film) {
     return film.shown;
 }
 
-game::HudSettings hud_settings(const LivePlan& plan, const LiveShared& shared, game::Watch watch) {
-    return {.split = shared.split.load(),
-            .watch = watch,
-            .fov = plan.settings.fov,
-            .text_scale = plan.settings.text_scale,
-            .internal_scale = static_cast<float>(plan.settings.internal_scale),
-            .can_play_again = true};
+/// Outside of a match little moves, so few pictures do: a step of the camera is less than a pixel or two.
+constexpr std::int64_t court_period_ns = 66'000'000;
+constexpr double court_seconds_a_turn = 360;
+
+double court_angle() { return 2 * pi * static_cast<double>(monotonic_ns()) * 1e-9 / court_seconds_a_turn; }
+
+/// Everything that a picture is made from.
+struct Studio {
+    const game::Court court;
+    Film film{};
+    game::FrameMemory memory{};
+    std::int64_t next_court_ns = 0;
+};
+
+const render::Frame& frame_of(Studio& studio, const Screen& screen, render::Size size) {
+    if (screen.court)
+        game::make_court_frame(studio.court, studio.film.now, court_angle(), screen.hud, size, studio.memory);
+    else
+        game::make_frame(studio.court, show(studio.film), screen.hud, size, studio.memory);
+    game::add_menu(studio.memory.frame.overlay, screen.menu, size, screen.hud.text_scale);
+    return studio.memory.frame;
 }
 
-void draw_until_stopped(const LivePlan& plan, LiveShared& shared, game::Watch watch,
-                        render::Renderer& renderer) {
-    const auto court = game::make_court(renderer, plan.data->arena, plan.data->wizard);
-    render::Pacer pacer(plan.settings.frames_per_second);
+/// Is a picture due? Of a match always.
+bool due(Studio& studio, const Screen& screen, bool changed) {
+    const auto now = monotonic_ns();
+    if (screen.court && !changed && now < studio.next_court_ns) return false;
+    studio.next_court_ns = now + court_period_ns;
+    return true;
+}
+
+void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Renderer& renderer) {
+    Studio studio{.court = game::make_court(renderer, plan.data->arena, plan.data->wizard)};
+    double frames_per_second = plan.settings.frames_per_second;
+    render::Pacer pacer(frames_per_second);
     Staller staller{plan.stall};
-    Film film;
-    game::FrameMemory memory;
     Timings times;
     shared.ready = true;
     while (!shared.stop) {
         pacer.wait();
         staller.pass(Stall::Thread::render);
-        advance(shared.pictures, film);
+        advance(shared.pictures, studio.film);
+        const bool changed = shared.screen.take();
+        const auto& screen = shared.screen.newest();
+        if (screen.frames_per_second != frames_per_second)
+            pacer = render::Pacer(frames_per_second = screen.frames_per_second);
         const auto size = shared.window.size();
-        if (!film.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) continue;
+        if (!studio.film.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) continue;
+        if (!due(studio, screen, changed)) continue;
         const auto before = monotonic_ns();
-        renderer.draw(game::make_frame(court, show(film), hud_settings(plan, shared, watch), size, memory));
+        renderer.draw(frame_of(studio, screen, size));
         shared.window.present();
         times.add(static_cast<double>(monotonic_ns() - before) * 1e-6);
         ++shared.report.frames;
@@ -74,10 +99,10 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, game::Watch wa
 
 }  // namespace
 
-void run_render(const LivePlan& plan, LiveShared& shared, game::Watch watch) {
+void run_render(const LivePlan& plan, LiveShared& shared) {
     shared.window.make_current();
     if (auto renderer = render::Renderer::create(plan.assets)) {
-        draw_until_stopped(plan, shared, watch, *renderer);
+        draw_until_stopped(plan, shared, *renderer);
     } else {
         shared.render_error = renderer.error();
         shared.stop = true;
