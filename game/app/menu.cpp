@@ -94,6 +94,15 @@ bool conflict(Slot a, Slot b) { return is_pad_sheet(a.sheet) == is_pad_sheet(b.s
 
 }  // namespace
 
+namespace {
+
+std::string label_of_key(int code) {
+    const auto words = capitalised_words(key_name_of(code));
+    return words.starts_with("Kp ") ? text("Keypad ", words.substr(3)) : words;
+}
+
+}  // namespace
+
 const std::vector<Control>& controls_of(const Settings& settings, Slot slot) {
     if (slot.sheet == session_sheet) return settings.session[slot.action];
     return settings.bindings_of(settings_hands[slot.sheet]).controls[slot.action];
@@ -144,7 +153,7 @@ std::string label_of(const Control& control) {
                                                     "RT"};
     const auto code = static_cast<std::size_t>(control.code);
     switch (control.source) {
-        case Control::Source::key: return capitalised_words(key_name_of(control.code));
+        case Control::Source::key: return label_of_key(control.code);
         case Control::Source::mouse_button: return std::string(mouse.at(code));
         case Control::Source::wheel: return control.direction > 0 ? "Wheel up" : "Wheel down";
         case Control::Source::pad_button: return std::string(buttons.at(code));
@@ -263,11 +272,10 @@ void add_setting_rows(const MenuState& s, std::vector<Row>& rows) {
     const auto settings = all_settings();
     for (std::size_t i = 0; i < settings.size(); ++i) {
         const auto& one = settings[i];
-        rows.push_back({RowKind::setting,
-                        i,
-                        {.label = text(one.label, one.next_match ? " (from the next match)" : ""),
-                         .value = shown(one, s.settings),
-                         .adjustable = true}});
+        rows.push_back(
+            {RowKind::setting,
+             i,
+             {.label = std::string(one.label), .value = shown(one, s.settings), .adjustable = true}});
     }
     rows.push_back({RowKind::back, 0, {.label = "Back"}});
 }
@@ -504,7 +512,11 @@ std::string hint_of(const MenuState& s) {
         return esc_ends_waiting(s) ? "press the new key or button    Esc: leave it as it is"
                                    : "press the new key or button";
     }
-    switch (s.pages.back().page) {
+    const auto& open = s.pages.back();
+    const auto settings = all_settings();
+    if (open.page == Page::settings && open.cursor < settings.size() && settings[open.cursor].next_match)
+        return "counts from the next match on";
+    switch (open.page) {
         case Page::start:
             return "join: any key, mouse button or pad button; keypad 0 for half a keyboard    give up a "
                    "seat: Esc, "

@@ -16,7 +16,7 @@ struct HudSettings {
     double text_scale = 1;       ///< 1 to 2.5
     float internal_scale = 1;    ///< render::Frame::internal_scale
     bool can_play_again = true;  ///< the result screen offers it
-    bool menu = false;           ///< a menu will stand over it: nothing says that the match is paused
+    bool menu = false;           ///< a menu will stand over the views: nothing else does
 };
 
 /// Memory that frames are built in; a Frame's spans point into it.

@@ -302,6 +302,7 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     const Rect window{0, 0, size.width, size.height};
     const auto views = views_of(settings, size);
     add_seam(out, settings, window);
+    if (settings.menu) return;
     float unit = 0;
     for (std::uint32_t player = 0; player < players; ++player) {
         if (views[player].width <= 0 || views[player].height <= 0) continue;
@@ -317,7 +318,7 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     }
     if (picture.phase == Phase::over) {
         announce(out, result_of(picture, settings.can_play_again), window, unit);
-    } else if (picture.paused && !settings.menu) {
+    } else if (picture.paused) {
         announce(out, pause_of(picture), window, unit);
     }
 }
