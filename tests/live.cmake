@@ -5,6 +5,10 @@ thaum_test(test_settings
     SOURCES unit/settings_test.cpp
     LINK thaum_live)
 
+thaum_test(test_menu
+    SOURCES unit/menu_test.cpp
+    LINK thaum_live)
+
 add_executable(live_shot drivers/shot.cpp)
 target_link_libraries(live_shot PRIVATE thaum_flags thaum_hud)
 add_executable(live_session drivers/live_main.cpp)

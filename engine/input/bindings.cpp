@@ -40,7 +40,6 @@ constexpr Default keyboard_mouse_defaults[] = {
     {Action::jump, "key space"},       {Action::throw_, "key f"},
     {Action::clutch, "key left_alt"},  {Action::panic, "key end"},
     {Action::pause, "key escape"},     {Action::confirm, "key enter"},
-    {Action::mark, "key f10"},
 };
 
 constexpr Default keyboard_half_defaults[] = {
@@ -154,6 +153,57 @@ Expected<Control> parse_control(std::string_view words, const KeyCodes& codes) {
                      "' (such as \"key w\", \"mouse left\", \"wheel up\", \"pad a\", \"pad left_x +\")"));
 }
 
+Expected<std::vector<Control>> parse_controls(std::string_view words, const KeyCodes& codes) {
+    std::vector<Control> controls;
+    for (std::string_view rest = words; !rest.empty();) {
+        const auto control = parse_control(take_piece(rest, ','), codes);
+        if (!control) return tl::unexpected(control.error());
+        controls.push_back(*control);
+    }
+    return controls;
+}
+
+std::string words_of(const Control& control, const KeyNames& names) {
+    const auto code = static_cast<std::size_t>(control.code);
+    switch (control.source) {
+        case Control::Source::key: return text("key ", names(control.code));
+        case Control::Source::mouse_button: return text("mouse ", mouse_names.at(code));
+        case Control::Source::wheel: return control.direction > 0 ? "wheel up" : "wheel down";
+        case Control::Source::pad_button: return text("pad ", pad_button_names.at(code));
+        case Control::Source::pad_axis:
+            return text("pad ", pad_axis_names.at(code), control.direction > 0 ? " +" : " -");
+    }
+    return {};
+}
+
+std::string words_of(const std::vector<Control>& controls, const KeyNames& names) {
+    std::string words;
+    for (const auto& control : controls) words += text(words.empty() ? "" : ", ", words_of(control, names));
+    return words;
+}
+
+namespace {
+
+/// Those of toggle_actions that are chosen, with commas.
+template <class Chosen>
+std::string toggle_words(Chosen chosen) {
+    std::string words;
+    for (const auto action : toggle_actions) {
+        if (chosen(action)) words += text(words.empty() ? "" : ", ", name_of(action));
+    }
+    return words;
+}
+
+std::string all_toggles() {
+    return toggle_words([](Action) { return true; });
+}
+
+}  // namespace
+
+std::string toggles_of(const Bindings& bindings) {
+    return toggle_words([&](Action a) { return bindings.toggled[static_cast<std::size_t>(a)]; });
+}
+
 std::vector<std::string> default_key_names() {
     std::vector<std::string> names;
     const KeyCodes collect = [&](std::string_view name) {
@@ -182,24 +232,39 @@ Bindings default_bindings(DeviceKind kind, const KeyCodes& codes) {
     return bindings;
 }
 
+namespace {
+
+void read_toggles(const ConfigTable& table, Bindings& bindings) {
+    if (!table.has("toggle")) return;
+    bindings.toggled = {};
+    const auto words = table.string("toggle");
+    for (std::string_view rest = words; !rest.empty();) {
+        const auto name = take_piece(rest, ',');
+        const auto found = std::find_if(toggle_actions.begin(), toggle_actions.end(),
+                                        [&](Action a) { return name_of(a) == name; });
+        if (found == toggle_actions.end()) {
+            table.report("toggle", text("'toggle': '", name, "' is not one of ", all_toggles()));
+            return;
+        }
+        bindings.toggled[static_cast<std::size_t>(*found)] = true;
+    }
+}
+
+}  // namespace
+
 Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCodes& codes) {
     for (std::size_t action = 0; action < actions; ++action) {
         const auto key = action_names[action];
         if (!table.has(key)) continue;
-        const auto words = table.string(key);
-        auto& controls = bindings.controls[action];
-        controls.clear();
-        for (std::string_view rest = words; !rest.empty();) {
-            const auto control = parse_control(take_piece(rest, ','), codes);
-            if (!control) {
-                table.report(key, text("'", key, "': ", control.error().message));
-                break;
-            }
-            controls.push_back(*control);
-        }
+        auto controls = parse_controls(table.string(key), codes);
+        if (controls)
+            bindings.controls[action] = std::move(*controls);
+        else
+            table.report(key, text("'", key, "': ", controls.error().message));
     }
     bindings.stick_dead_zone = table.number("stick_dead_zone", {0, 0.9}, bindings.stick_dead_zone);
     bindings.trigger_press = table.number("trigger_press", {0.15, 1}, bindings.trigger_press);
+    read_toggles(table, bindings);
     return bindings;
 }
 

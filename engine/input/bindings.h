@@ -51,6 +51,10 @@ inline constexpr std::size_t actions = 27;
 /// "fire", "next_wand", "throw", "move_left", ...: the keys of a settings table.
 std::string_view name_of(Action action);
 
+/// Actions that can be set to stay on from one press to the next (Bindings::toggled).
+inline constexpr std::array<Action, 4> toggle_actions{Action::fire, Action::trace, Action::stir,
+                                                      Action::clutch};
+
 /// Codes of mouse buttons, pad buttons and pad axes; the window layer brings its own to these.
 enum class MouseButton : std::uint8_t { left, right, middle, fourth, fifth };
 enum class PadButton : std::uint8_t {
@@ -90,10 +94,17 @@ struct Bindings {
     bool mouse_look = false;        ///< mouse motion and wheel go to this player
     double stick_dead_zone = 0.15;  ///< of the stick's radius, 0..0.9; the rest is stretched to 0..1
     double trigger_press = 0.3;     ///< an axis bound to a button presses it from here, lets go 0.1 below
+    std::array<bool, actions> toggled{};  ///< of toggle_actions: a press turns it on, the next one off
+    bool operator==(const Bindings&) const = default;
+
+    std::vector<Control>& of(Action action) { return controls[static_cast<std::size_t>(action)]; }
+    const std::vector<Control>& of(Action action) const { return controls[static_cast<std::size_t>(action)]; }
 };
 
 /// The window layer's code of a key name such as "w", "space", "kp_8"; nothing where it knows none of that name.
 using KeyCodes = std::function<std::optional<int>(std::string_view)>;
+/// The other way round; empty for a code that is no key.
+using KeyNames = std::function<std::string(int)>;
 
 /// Names of the keys that the default bindings use; a test of the window layer asks for each.
 std::vector<std::string> default_key_names();
@@ -110,6 +121,7 @@ Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
 ///     move_left = "key a, pad left_x -"
 ///     stick_dead_zone = 0.15
 ///     trigger_press = 0.3
+///     toggle = "trace, stir"                  # the toggle_actions that stay on until the next press
 ///
 /// An unknown name is reported at its key; the Config's check then fails with file, line and key.
 Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCodes& codes);
@@ -117,5 +129,14 @@ Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCod
 /// One control such as "key w", "mouse left", "wheel up", "pad a", "pad right_trigger +". The error says what is
 /// unknown.
 Expected<Control> parse_control(std::string_view words, const KeyCodes& codes);
+
+/// All controls of an action, "key space, mouse fourth"; the error says which is unknown.
+Expected<std::vector<Control>> parse_controls(std::string_view words, const KeyCodes& codes);
+
+/// What parse_control and parse_controls read.
+std::string words_of(const Control& control, const KeyNames& names);
+std::string words_of(const std::vector<Control>& controls, const KeyNames& names);
+/// The value of `toggle`.
+std::string toggles_of(const Bindings& bindings);
 
 }  // namespace thaum::input

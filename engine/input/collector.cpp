@@ -73,11 +73,19 @@ void HandsCollector::rebind(Bindings bindings) {
             bound_.push_back({static_cast<Action>(action), control});
         }
     }
+    controls_before_ = on_ = 0;
+    publish();
+}
+
+void HandsCollector::set_look(double gain, bool inverted) {
+    gain_ = gain;
+    up_sign_ = inverted ? -1 : 1;
     publish();
 }
 
 void HandsCollector::focus_lost() {
     for (auto& bound : bound_) update(bound, 0);
+    controls_before_ = on_ = 0;
     publish();
 }
 
@@ -89,8 +97,8 @@ void HandsCollector::mouse_button(int code, bool pressed) {
 
 void HandsCollector::mouse_move(double right, double down) {
     if (!bindings_.mouse_look) return;
-    right_.fetch_add(whole_steps(right, right_rest_), std::memory_order_relaxed);
-    up_.fetch_add(whole_steps(-down, up_rest_), std::memory_order_relaxed);
+    right_.fetch_add(whole_steps(gain_ * right, right_rest_), std::memory_order_relaxed);
+    up_.fetch_add(whole_steps(-up_sign_ * gain_ * down, up_rest_), std::memory_order_relaxed);
 }
 
 void HandsCollector::wheel(double steps) {
@@ -102,8 +110,12 @@ void HandsCollector::wheel(double steps) {
         const bool turned =
             bound.control.source == Control::Source::wheel && (bound.control.direction > 0) == (whole > 0);
         if (!turned || !is_button(bound.action)) continue;
-        buttons_.fetch_or(std::uint64_t{bit_of(bound.action)} << latch_shift, std::memory_order_relaxed);
+        if (toggles(bound.action))
+            flip(bit_of(bound.action));
+        else
+            buttons_.fetch_or(std::uint64_t{bit_of(bound.action)} << latch_shift, std::memory_order_relaxed);
     }
+    publish();
 }
 
 void HandsCollector::pad(const PadState& state) {
@@ -145,7 +157,15 @@ void HandsCollector::update(Bound& bound, double strength) {
     bound.pressed = strength >= threshold;
 }
 
+/// A press of an action that toggles turns it on or off.
+void HandsCollector::flip(std::uint32_t pressed) {
+    for (const auto action : toggle_actions) {
+        if (toggles(action)) on_ ^= pressed & bit_of(action);
+    }
+}
+
 double HandsCollector::strength_of(Action action) const {
+    if (toggles(action)) return (on_ & bit_of(action)) != 0 ? 1 : 0;
     double result = 0;
     for (const auto& bound : bound_) {
         if (bound.action == action) result = std::max(result, bound.strength);
@@ -154,9 +174,15 @@ double HandsCollector::strength_of(Action action) const {
 }
 
 void HandsCollector::publish() {
-    std::uint64_t held = 0;
+    std::uint32_t controls = 0;
     for (const auto& bound : bound_) {
-        if (bound.pressed && is_button(bound.action)) held |= bit_of(bound.action);
+        if (bound.pressed && is_button(bound.action)) controls |= bit_of(bound.action);
+    }
+    flip(controls & ~controls_before_);
+    controls_before_ = controls;
+    std::uint64_t held = on_;
+    for (const auto& bound : bound_) {
+        if (bound.pressed && is_button(bound.action) && !toggles(bound.action)) held |= bit_of(bound.action);
     }
     const auto pressed = held & ~std::uint64_t{held_before_};
     const auto released = std::uint64_t{held_before_} & ~held;
@@ -172,7 +198,8 @@ void HandsCollector::publish() {
     levels_.store(packed(axis(Action::move_right, Action::move_left), 0) |
                       packed(axis(Action::move_forward, Action::move_back), 1) |
                       packed(axis(Action::turn_right, Action::turn_left), 2) |
-                      packed(axis(Action::turn_up, Action::turn_down), 3) | packed(trigger, 4),
+                      packed(static_cast<int>(up_sign_) * axis(Action::turn_up, Action::turn_down), 3) |
+                      packed(trigger, 4),
                   std::memory_order_relaxed);
 }
 

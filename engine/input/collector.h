@@ -33,6 +33,9 @@ public:
     void focus_lost();
     /// Changes the bindings; lets go of all that is held.
     void rebind(Bindings bindings);
+    /// From now on the mouse counts `gain` times as much (finite, above 0), and up is down with `inverted`: for what is changed
+    /// after the DeviceSpec was made, which holds for the whole log.
+    void set_look(double gain, bool inverted);
 
     /// Simulation thread: what came in since the last call. A press shorter than that shows in one sample. Counts
     /// beyond int32 wait for the next sample.
@@ -50,11 +53,16 @@ private:
     void update(Bound& bound, double strength);
     void publish();
     double strength_of(Action action) const;
+    bool toggles(Action action) const { return bindings_.toggled[static_cast<std::size_t>(action)]; }
+    void flip(std::uint32_t pressed);
 
     // Main thread.
     Bindings bindings_;
     std::vector<Bound> bound_;
     double right_rest_ = 0, up_rest_ = 0, wheel_rest_ = 0;
+    double gain_ = 1, up_sign_ = 1;
+    std::uint32_t controls_before_ = 0;  ///< buttons whose controls were held, whatever toggles make of it
+    std::uint32_t on_ = 0;               ///< buttons that a toggle holds
     std::uint32_t held_before_ = 0;
 
     // Shared. Motion is a sum since the start, so that taking needs no reset that an event could fall into.

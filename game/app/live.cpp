@@ -6,16 +6,15 @@
 #include <ctime>
 #include <thread>
 
+#include "core/random.h"
 #include "core/text.h"
 #include "game/app/command.h"
-#include "game/app/live_shared.h"
+#include "game/app/live_desk.h"
 #include "game/bots/bot.h"
+#include "game/match/record.h"
 
 namespace thaum::app {
 
-using game::Watch;
-using input::Action;
-using input::Control;
 using input::DeviceKind;
 
 // Shared -------------------------------------------------------------------------------------------------------------------
@@ -48,6 +47,12 @@ double Timings::at(double share) {
 
 // Seats --------------------------------------------------------------------------------------------------------------------
 
+std::vector<input::DeviceSpec> devices_of(const LiveShared& shared) {
+    std::vector<input::DeviceSpec> devices;
+    for (const auto& seat : shared.seats) devices.push_back(seat.spec);
+    return devices;
+}
+
 namespace {
 
 DeviceKind device_kind(SeatKind kind) {
@@ -79,219 +84,132 @@ TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     return {seat, spec, std::make_unique<input::HandsCollector>(settings.bindings_of(spec.kind))};
 }
 
-bool is_pad(const TakenSeat& seat) { return seat.seat.kind == SeatKind::pad; }
-
-/// Who plays with a person; a bot's view is shown only where nobody plays.
-Watch watched(const LiveShared& shared) {
-    const bool first = shared.seats[0].hands != nullptr, second = shared.seats[1].hands != nullptr;
-    if (first == second) return Watch::both;
-    return first ? Watch::first : Watch::second;
+Seat seat_of(const Device& device) {
+    switch (device.kind) {
+        case DeviceKind::keyboard_mouse: return {.kind = SeatKind::keyboard_mouse};
+        case DeviceKind::keyboard_half: return {.kind = SeatKind::keyboard_half};
+        default: return {.kind = SeatKind::pad, .pad = device.pad};
+    }
 }
 
-std::optional<std::uint32_t> first_person(const LiveShared& shared) {
-    for (std::uint32_t p = 0; p < game::players; ++p) {
-        if (shared.seats[p].hands) return p;
+std::array<Seat, game::players> joined_seats(const Desk& desk) {
+    std::array<Seat, game::players> seats;
+    for (std::size_t p = 0; p < seats.size(); ++p) {
+        const auto& device = desk.menu.seats[p];
+        seats[p] = device ? seat_of(*device)
+                          : Seat{.kind = SeatKind::bot, .level = desk.facts.levels[desk.menu.level]};
+    }
+    return seats;
+}
+
+/// The plan's seats, where each pad goes to the first who wants one.
+std::array<Seat, game::players> planned_seats(Desk& desk) {
+    auto seats = desk.plan.seats;
+    const auto pads = desk.shared.window.pads();
+    int free_pad = 0;
+    for (auto& seat : seats) {
+        if (seat.kind == SeatKind::pad_or_half) {
+            const bool there = pads[static_cast<std::size_t>(free_pad)].present;
+            seat.kind = there ? SeatKind::pad : SeatKind::keyboard_half;
+        }
+        if (seat.kind == SeatKind::pad) seat.pad = free_pad++;
+    }
+    return seats;
+}
+
+// Matches ------------------------------------------------------------------------------------------------------------------
+
+/// "match.thaumlog" -> "match-2.thaumlog".
+std::filesystem::path numbered(const std::filesystem::path& path, std::uint64_t number) {
+    auto next = path;
+    return next.replace_filename(text(path.stem().string(), "-", number, path.extension().string()));
+}
+
+/// Under that name, or with the next number that is free. Only creating a file tells whether its name is: another program may
+/// look for one at the same time.
+Expected<input::LogWriter> create_beside(const std::filesystem::path& path, const input::LogHeader& header) {
+    constexpr std::uint64_t last_try = 1000;
+    auto log = input::LogWriter::create(path, header);
+    auto taken = path;
+    std::error_code error;
+    for (std::uint64_t number = 2; !log && number < last_try && std::filesystem::exists(taken, error);
+         ++number) {
+        taken = numbered(path, number);
+        log = input::LogWriter::create(taken, header);
+    }
+    return log;
+}
+
+/// Where match number `number` goes; empty: nowhere.
+Expected<std::filesystem::path> log_path(const Desk& desk, std::uint64_t number) {
+    const auto& plan = desk.plan;
+    if (!plan.log.empty()) return plan.log;
+    if (plan.logs_folder.empty()) return std::filesystem::path();
+    return new_match_log(plan.logs_folder, desk.menu.settings.logs_kept);
+}
+
+Expected<std::optional<input::LogWriter>> open_log(const Desk& desk, std::uint64_t seed,
+                                                   std::uint64_t number) {
+    const auto path = log_path(desk, number);
+    if (!path) return tl::unexpected(path.error());
+    if (path->empty()) return std::nullopt;
+    std::vector<std::string> names;
+    for (const auto& seat : desk.shared.seats)
+        names.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
+    const game::MatchSetup setup{seed, devices_of(desk.shared)};
+    const auto header = game::log_header(*desk.data, setup, std::move(names));
+    // A file that was asked for by name has this name or is an error.
+    const bool named = !desk.plan.log.empty() && number == 1;
+    auto log = named ? input::LogWriter::create(*path, header) : create_beside(*path, header);
+    if (!log) return tl::unexpected(log.error());
+    return std::move(*log);
+}
+
+void take_seats(Desk& desk) {
+    if (desk.plan.replay != nullptr) return;  // nobody sits there
+    const auto seats = desk.plan.start_screen ? joined_seats(desk) : planned_seats(desk);
+    for (std::uint32_t p = 0; p < game::players; ++p)
+        desk.shared.seats[p] = take_seat(desk.menu.settings, seats[p], p);
+}
+
+void play_match(Desk& desk, MatchStart start) {
+    auto& shared = desk.shared;
+    shared.ended = shared.end_match = shared.rematch = false;
+    shared.going = Going::playing;
+    shared.wants_pause = shared.wants_to_go_on = game::no_player;
+    for (auto& lost : shared.pad_lost) lost = false;
+    std::thread simulating([&] { run_simulation(desk.plan, shared, std::move(start)); });
+    run_desk(desk);
+    simulating.join();
+}
+
+/// Match after match, until nobody wants another.
+Expected<void> play_matches(Desk& desk) {
+    auto& shared = desk.shared;
+    auto seed = desk.plan.seed;
+    bool again = false;
+    for (std::uint64_t number = 1; !shared.stop; ++number) {
+        if (desk.plan.start_screen && !again && !run_start_screen(desk)) break;
+        take_seats(desk);
+        auto log = open_log(desk, seed, number);
+        if (!log && number == 1) return tl::unexpected(log.error());
+        if (!log) std::fprintf(stderr, "this match is not recorded: %s\n", log.error().message.c_str());
+        play_match(desk, {desk.data, seed, log ? std::move(*log) : std::nullopt});
+        again = shared.rematch;
+        if (!again && !desk.plan.start_screen) break;
+        Random next = random_stream(seed, number);
+        seed = next.next() >> 1U;
     }
     return {};
 }
 
-// The main thread ----------------------------------------------------------------------------------------------------------
-
-constexpr std::int64_t focus_flicker_ns = 150'000'000;
-
-struct Keys {
-    int escape, enter, kp_enter, q, f6, f11;
-};
-
-Keys session_keys() {
-    const auto code = [](std::string_view name) { return key_code_of(name).value_or(-2); };
-    return {code("escape"), code("enter"), code("kp_enter"), code("q"), code("f6"), code("f11")};
-}
-
-struct Desk {
-    LiveShared& shared;
-    const LivePlan& plan;
-    Keys keys = session_keys();
-    bool fullscreen = false;
-    std::int64_t unfocused_since_ns = 0;  ///< 0: has the focus, or its loss was dealt with
-    std::array<bool, game::players> pad_seen{}, rejoining{};
-    bool keyboard_pauses = false;  ///< somebody's bindings have Esc already
-};
-
-bool binds_escape(const Settings& settings, const TakenSeat& seat, int escape) {
-    if (!seat.hands) return false;
-    const auto& controls =
-        settings.bindings_of(seat.spec.kind).controls[static_cast<std::size_t>(Action::pause)];
-    return std::any_of(controls.begin(), controls.end(), [&](const Control& c) {
-        return c.source == Control::Source::key && c.code == escape;
-    });
-}
-
-void ask_for_pause(Desk& desk, std::uint32_t player) { desk.shared.wants_pause = player; }
-
-void session_key(Desk& desk, int key) {
-    auto& shared = desk.shared;
-    const auto going = shared.going.load();
-    if (key == desk.keys.escape && desk.plan.replay != nullptr) shared.stop = true;
-    if (key == desk.keys.f6) {
-        shared.split = shared.split.load() == render::Split::top_bottom ? render::Split::side_by_side
-                                                                        : render::Split::top_bottom;
-    }
-    if (key == desk.keys.f11) shared.window.set_fullscreen(desk.fullscreen = !desk.fullscreen);
-    if (key == desk.keys.q && going == Going::paused) shared.stop = true;
-    if (key == desk.keys.escape && going == Going::over) shared.stop = true;
-    if (key == desk.keys.escape && !desk.keyboard_pauses && desk.plan.replay == nullptr) {
-        const auto player = first_person(shared).value_or(0);
-        if (going == Going::playing) shared.wants_pause = player;
-        if (going == Going::paused) shared.wants_to_go_on = player;
-    }
-    if ((key == desk.keys.enter || key == desk.keys.kp_enter) && going == Going::over) shared.rematch = true;
-}
-
-template <class F>
-void each_hands(LiveShared& shared, F&& f) {
-    for (auto& seat : shared.seats) {
-        if (seat.hands) f(*seat.hands);
-    }
-}
-
-/// Events for the hands; stamped after they were told, so that the tick which takes the stamp has the event.
-template <class F>
-void input(LiveShared& shared, F&& f) {
-    const auto came = monotonic_ns();
-    each_hands(shared, f);
-    std::int64_t none = 0;
-    shared.input_came_ns.compare_exchange_strong(none, came);
-}
-
-void focus_changed(Desk& desk, bool focused) {
-    desk.unfocused_since_ns = focused ? 0 : monotonic_ns();
-    if (!focused) each_hands(desk.shared, [](auto& hands) { hands.focus_lost(); });
-}
-
-/// The focus goes and comes while a window opens or fills the screen; only a loss that lasts is one.
-void pause_without_focus(Desk& desk) {
-    const auto person = first_person(desk.shared);
-    const bool lost =
-        desk.unfocused_since_ns != 0 && monotonic_ns() > desk.unfocused_since_ns + focus_flicker_ns;
-    if (!lost || !person || !desk.shared.ready) return;
-    desk.unfocused_since_ns = 0;
-    ask_for_pause(desk, *person);
-}
-
-render::WindowEvents desk_events(Desk& desk) {
-    auto& shared = desk.shared;
-    render::WindowEvents events;
-    events.key = [&](int key, int, bool pressed) {
-        if (pressed) session_key(desk, key);
-        input(shared, [&](auto& hands) { hands.key(key, pressed); });
-    };
-    events.mouse_button = [&](int button, bool pressed) {
-        input(shared, [&](auto& hands) { hands.mouse_button(button, pressed); });
-    };
-    events.mouse_move = [&](double dx, double dy) {
-        input(shared, [&](auto& hands) { hands.mouse_move(dx, dy); });
-    };
-    events.wheel = [&](double steps) { input(shared, [&](auto& hands) { hands.wheel(steps); }); };
-    events.focus = [&](bool focused) { focus_changed(desk, focused); };
-    return events;
-}
-
-/// The window's sticks are positive downwards, the collector's upwards.
-input::PadState pad_state(const render::PadState& from) {
-    input::PadState to;
-    for (std::size_t i = 0; i < to.axes.size(); ++i) to.axes[i] = static_cast<double>(from.axes[i]);
-    to.axes[static_cast<std::size_t>(input::PadAxis::left_y)] *= -1;
-    to.axes[static_cast<std::size_t>(input::PadAxis::right_y)] *= -1;
-    to.buttons = from.buttons;
-    return to;
-}
-
-void pad_went(Desk& desk, std::uint32_t player) {
-    desk.shared.seats[player].hands->focus_lost();
-    desk.shared.pad_lost[player] = true;
-    ask_for_pause(desk, player);
-}
-
-void follow_pad(Desk& desk, std::uint32_t player, const render::PadState& pad) {
-    auto& shared = desk.shared;
-    if (!pad.present) {
-        if (desk.pad_seen[player]) pad_went(desk, player);
-        desk.pad_seen[player] = false;
-        return;
-    }
-    desk.pad_seen[player] = true;
-    if (shared.pad_lost[player]) {
-        if (pad.buttons == 0) return;
-        shared.pad_lost[player] = false;
-        shared.wants_to_go_on = player;
-        desk.rejoining[player] = true;
-    }
-    // The press that rejoins is not also one in the match.
-    if (desk.rejoining[player] && pad.buttons != 0) return;
-    desk.rejoining[player] = false;
-    shared.seats[player].hands->pad(pad_state(pad));
-}
-
-void follow_pads(Desk& desk) {
-    const auto pads = desk.shared.window.pads();
-    for (std::uint32_t p = 0; p < game::players; ++p) {
-        const auto& seat = desk.shared.seats[p];
-        if (!is_pad(seat)) continue;
-        const auto place = static_cast<std::size_t>(seat.seat.pad);
-        follow_pad(desk, p, place < pads.size() ? pads[place] : render::PadState{});
-    }
-}
-
-/// A movement now and then, at no beat of the pictures'.
-void probe(const render::WindowEvents& events, std::int64_t& next_ns) {
-    constexpr std::int64_t period_ns = 23'700'000;
-    if (monotonic_ns() < next_ns) return;
-    next_ns = monotonic_ns() + period_ns;
-    events.mouse_move(1, 0);
-}
-
-void run_desk(Desk& desk) {
-    auto& shared = desk.shared;
-    const auto events = desk_events(desk);
-    const bool pads = is_pad(shared.seats[0]) || is_pad(shared.seats[1]);
-    const bool mouse = std::any_of(shared.seats.begin(), shared.seats.end(), [](const TakenSeat& s) {
-        return s.seat.kind == SeatKind::keyboard_mouse;
-    });
-    Staller staller{desk.plan.stall};
-    // A pad that was never there is missed as well: its player cannot begin.
-    for (std::uint32_t p = 0; p < game::players; ++p) desk.pad_seen[p] = is_pad(shared.seats[p]);
-    std::int64_t next_probe_ns = 0;
-    while (!shared.stop) {
-        staller.pass(Stall::Thread::main);
-        // Pads send no events; all else does.
-        const double patience = desk.unfocused_since_ns != 0 ? 0.05 : 0.25;
-        shared.window.poll(events, pads || desk.plan.probe ? 0.004 : patience);
-        if (desk.plan.probe)
-            probe(events, next_probe_ns);
-        else
-            pause_without_focus(desk);
-        if (shared.window.should_close()) shared.stop = true;
-        if (pads) follow_pads(desk);
-        shared.window.capture_cursor(mouse && !desk.plan.probe && shared.going.load() == Going::playing);
-    }
-    shared.window.capture_cursor(false);
-}
-
-void choose_seats(const LivePlan& plan, LiveShared& shared) {
-    if (plan.replay != nullptr) return;  // nobody sits there
-    int free_pad = 0;
-    for (std::uint32_t p = 0; p < game::players; ++p) {
-        auto seat = plan.seats[p];
-        if (seat.kind == SeatKind::pad_or_half) {
-            const auto pads = shared.window.pads();
-            const bool there = pads[static_cast<std::size_t>(free_pad)].present;
-            seat.kind = there ? SeatKind::pad : SeatKind::keyboard_half;
-            seat.pad = free_pad;
-        }
-        if (seat.kind == SeatKind::pad) free_pad = seat.pad + 1;
-        shared.seats[p] = take_seat(plan.settings, seat, p);
-    }
+void fill_report(LiveShared& shared, LiveReport& report) {
+    report = shared.report;
+    report.late_us_median = shared.late.at(0.5);
+    report.late_us_p99 = shared.late.at(0.99);
+    report.late_us_worst = shared.late.at(1);
+    report.tick_us_median = shared.ticks.at(0.5);
+    report.tick_us_p99 = shared.ticks.at(0.99);
 }
 
 }  // namespace
@@ -300,24 +218,13 @@ int run_live(const LivePlan& plan) {
     auto window = render::Window::create({.fullscreen = plan.settings.fullscreen});
     if (!window) return refuse(window.error());
     LiveShared shared(*window);
-    shared.split = plan.settings.split;
-    choose_seats(plan, shared);
-    std::optional<input::LogWriter> log;
-    if (!plan.log.empty()) {
-        auto opened = open_log(plan, shared, plan.seed, 1);
-        if (!opened) return refuse(opened.error());
-        log.emplace(std::move(*opened));
-    }
-    Desk desk{.shared = shared, .plan = plan, .fullscreen = plan.settings.fullscreen};
-    for (const auto& seat : shared.seats)
-        desk.keyboard_pauses = desk.keyboard_pauses || binds_escape(plan.settings, seat, desk.keys.escape);
-
-    std::thread drawing([&] { run_render(plan, shared, watched(shared)); });
-    std::thread simulating([&] { run_simulation(plan, shared, std::move(log)); });
-    run_desk(desk);
-    simulating.join();
+    Desk desk(shared, plan);
+    std::thread drawing([&] { run_render(plan, shared); });
+    const auto played = play_matches(desk);
+    shared.stop = true;
     drawing.join();
-    if (plan.report != nullptr) *plan.report = shared.report;
+    if (plan.report != nullptr) fill_report(shared, *plan.report);
+    if (!played) return refuse(played.error());
     if (shared.render_error) return refuse(*shared.render_error);
     if (shared.simulation_error) return refuse(*shared.simulation_error);
     return done;

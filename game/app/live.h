@@ -20,7 +20,7 @@ enum class SeatKind : std::uint8_t {
     keyboard_mouse,
     keyboard_half,
     pad,
-    pad_or_half,  ///< a pad where one is plugged in at the start, else half a keyboard
+    pad_or_half,  ///< a pad where one is plugged in that nobody has, else half a keyboard
     bot,
 };
 
@@ -56,14 +56,17 @@ struct LivePlan {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
     std::array<Seat, 2> seats{};
+    bool start_screen = false;  ///< asks who plays with what instead of `seats`, and again after each match
     /// A replay instead of a match: nobody plays, nothing is recorded, and the window closes soon after its end.
     game::Playback* replay = nullptr;
     double speed = 1;             ///< of the replay, in times real time
-    std::filesystem::path log{};  ///< empty: not recorded; a rematch goes beside it, with a number
-    bool next_free_name = false;  ///< where `log` exists by then, a number is added; else that is an error
+    std::filesystem::path log{};  ///< of the first match; the next go beside it, with a number
+    std::filesystem::path
+        logs_folder{};  ///< without `log`: where each match gets a file; empty: not recorded
     std::filesystem::path assets{};
     Settings settings{};
-    std::optional<double> seconds{};  ///< then the match ends and the window closes
+    std::filesystem::path settings_file{};  ///< where changes go; empty: they last for this run
+    std::optional<double> seconds{};        ///< then the window closes
     Stall stall{};
     /// Measures itself: moves player 1's mouse as if by events, neither captures the cursor nor minds the focus.
     bool probe = false;

@@ -43,12 +43,11 @@ const Picture& show(Film& film, double speed) {
 
 /// The preset that is set, or the one that `auto` has come to.
 struct QualityChoice {
-    std::optional<render::Quality> set;
     render::Quality first{};
     render::AutoQuality found{};
     render::Size size{};
 
-    render::Quality now(render::Size window) {
+    render::Quality now(std::optional<render::Quality> set, render::Size window) {
         // Another size is another amount of work: what proved too slow may fit now.
         if (window != size) found = {.now = size == render::Size{} ? first : found.now};
         size = window;
@@ -56,51 +55,77 @@ struct QualityChoice {
     }
 };
 
-game::HudSettings hud_settings(const LivePlan& plan, const LiveShared& shared, game::Watch watch,
-                               render::Quality quality) {
-    return {.split = shared.split.load(),
-            .watch = watch,
-            .fov = plan.settings.fov,
-            .text_scale = plan.settings.text_scale,
-            .quality = quality,
-            .bloom = plan.settings.bloom,
-            .can_play_again = true};
+/// Outside of a match little moves, so few pictures do: a step of the camera is less than a pixel or two.
+constexpr std::int64_t court_period_ns = 66'000'000;
+constexpr double court_seconds_a_turn = 360;
+
+double court_angle() { return 2 * pi * static_cast<double>(monotonic_ns()) * 1e-9 / court_seconds_a_turn; }
+
+/// Everything that a picture is made from.
+struct Studio {
+    const game::Court court;
+    Film film{};
+    game::FrameMemory memory{};
+    QualityChoice quality{};
+    std::int64_t next_court_ns = 0;
+};
+
+const render::Frame& frame_of(Studio& studio, const Screen& screen, double speed, render::Size size) {
+    auto hud = screen.hud;
+    hud.quality = studio.quality.now(screen.quality, size);
+    if (screen.court)
+        game::make_court_frame(studio.court, studio.film.now, court_angle(), hud, size, studio.memory);
+    else
+        game::make_frame(studio.court, show(studio.film, speed), hud, size, studio.memory);
+    game::add_menu(studio.memory.frame.overlay, screen.menu, size, screen.hud.text_scale);
+    return studio.memory.frame;
 }
 
-void draw_until_stopped(const LivePlan& plan, LiveShared& shared, game::Watch watch,
-                        render::Renderer& renderer) {
-    const auto court = game::make_court(renderer, plan.data->arena, plan.data->wizard);
-    render::Pacer pacer(plan.settings.frames_per_second);
+/// Is a picture due? Of a match always.
+bool due(Studio& studio, const Screen& screen, bool changed) {
+    const auto now = monotonic_ns();
+    if (screen.court && !changed && now < studio.next_court_ns) return false;
+    studio.next_court_ns = now + court_period_ns;
+    return true;
+}
+
+void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Renderer& renderer) {
+    Studio studio{.court = game::make_court(renderer, plan.data->arena, plan.data->wizard)};
+    double frames_per_second = plan.settings.frames_per_second;
+    render::Pacer pacer(frames_per_second);
     Staller staller{plan.stall};
-    Film film;
-    game::FrameMemory memory;
+    studio.quality.first = render::first_quality(renderer.device());
     Timings times, inputs;
-    QualityChoice quality{plan.settings.quality, render::first_quality(renderer.device())};
     shared.ready = true;
     while (!shared.stop) {
         pacer.wait();
         staller.pass(Stall::Thread::render);
-        advance(shared.pictures, film);
+        advance(shared.pictures, studio.film);
+        const bool changed = shared.screen.take();
+        const auto& screen = shared.screen.newest();
+        if (screen.frames_per_second != frames_per_second)
+            pacer = render::Pacer(frames_per_second = screen.frames_per_second);
         const auto size = shared.window.size();
-        if (!film.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) {
+        if (!studio.film.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) {
             shared.stamps.take_due(monotonic_ns(), [](const InputStamp&) {});  // nobody saw those
             continue;
         }
+        if (!due(studio, screen, changed)) continue;
         const auto before = monotonic_ns();
-        const auto settings = hud_settings(plan, shared, watch, quality.now(size));
-        renderer.draw(game::make_frame(court, show(film, plan.speed), settings, size, memory));
+        renderer.draw(frame_of(studio, screen, plan.speed, size));
         shared.window.present();
         const auto after = monotonic_ns();
         const double frame_ms = static_cast<double>(after - before) * 1e-6;
+        auto& quality = studio.quality;
         quality.found = render::after_frame(quality.found, frame_ms);
+        shared.report.quality = studio.memory.frame.quality;
         times.add(frame_ms);
-        shared.stamps.take_due(film.shown_due_ns, [&](const InputStamp& stamp) {
+        shared.stamps.take_due(studio.film.shown_due_ns, [&](const InputStamp& stamp) {
             inputs.add(static_cast<double>(after - stamp.came_ns) * 1e-6);
             ++shared.report.inputs;
         });
         ++shared.report.frames;
     }
-    shared.report.quality = quality.now(quality.size);
     shared.report.frame_ms_median = times.at(0.5);
     shared.report.frame_ms_p99 = times.at(0.99);
     shared.report.input_ms_median = inputs.at(0.5);
@@ -109,10 +134,10 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, game::Watch wa
 
 }  // namespace
 
-void run_render(const LivePlan& plan, LiveShared& shared, game::Watch watch) {
+void run_render(const LivePlan& plan, LiveShared& shared) {
     shared.window.make_current();
     if (auto renderer = render::Renderer::create(plan.assets)) {
-        draw_until_stopped(plan, shared, watch, *renderer);
+        draw_until_stopped(plan, shared, *renderer);
     } else {
         shared.render_error = renderer.error();
         shared.stop = true;

@@ -4,7 +4,7 @@
 
 #include "game/app/live.h"
 #include "game/app/live_latest.h"
-#include "game/hud/hud.h"
+#include "game/hud/menu.h"
 #include "input/collector.h"
 #include "input/log.h"
 #include "render/context.h"
@@ -50,39 +50,13 @@ private:
     std::atomic<std::uint64_t> begin_{0}, end_{0};
 };
 
-struct LiveShared {
-    explicit LiveShared(render::Window& w) : window(w), pictures(game::make_picture()) {}
-
-    render::Window& window;
-    std::array<TakenSeat, game::players> seats;
-    Latest<game::Picture> pictures;
-    std::atomic<std::int64_t> input_came_ns{0};  ///< of the first event that no tick has taken yet; 0: none
-    InputStamps stamps;                          ///< from the simulation to the render thread
-
-    std::atomic<bool> ready{false};    ///< pictures can be drawn: the match may begin
-    std::atomic<bool> stop{false};     ///< all threads end
-    std::atomic<bool> rematch{false};  ///< asked for on the result screen
-    std::atomic<Going> going{Going::playing};
-    /// A player for whom the session presses pause (or presses it again) once, if the match is not so already;
-    /// game::no_player: nobody.
-    std::atomic<std::uint32_t> wants_pause{game::no_player}, wants_to_go_on{game::no_player};
-    std::array<std::atomic<bool>, game::players> pad_lost{};
-    std::atomic<render::Split> split{render::Split::top_bottom};
-
-    // Each written by one thread, read after it has ended.
-    std::optional<Error> simulation_error, render_error;
-    LiveReport report;
-};
-
-/// ns of the monotonic clock.
-std::int64_t monotonic_ns();
-void sleep_until_ns(std::int64_t when);
-
-/// Sleeps when a stall of that thread is due.
-struct Staller {
-    Stall stall;
-    std::int64_t next_ns = 0;
-    void pass(Stall::Thread thread);
+/// What the main thread wants shown besides the match itself.
+struct Screen {
+    game::HudSettings hud{};                   ///< but for its quality
+    std::optional<render::Quality> quality{};  ///< nothing: by measured times
+    game::MenuPicture menu{};
+    bool court = false;  ///< there is no match: the court alone, from above
+    double frames_per_second = 60;
 };
 
 /// Times as they come, for the report; keeps the newest.
@@ -105,14 +79,61 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The log of the session's match 1, 2, ...: LivePlan::log, and for a rematch a number beside it.
-Expected<input::LogWriter> open_log(const LivePlan& plan, const LiveShared& shared, std::uint64_t seed,
-                                    std::uint64_t match);
+struct LiveShared {
+    explicit LiveShared(render::Window& w) : window(w), pictures(game::make_picture()), screen(Screen{}) {}
 
-/// The simulation thread; no `first_log`: nothing is recorded. Returns when shared.stop is set, or sets it itself.
-void run_simulation(const LivePlan& plan, LiveShared& shared, std::optional<input::LogWriter> first_log);
+    render::Window& window;
+    std::array<TakenSeat, game::players> seats;  ///< changed only while no simulation thread runs
+    Latest<game::Picture> pictures;  ///< filled by the simulation thread, by main while there is none
+    Latest<Screen> screen;           ///< filled by main
+    std::atomic<std::int64_t> input_came_ns{0};  ///< of the first event that no tick has taken yet; 0: none
+    InputStamps stamps;                          ///< from the simulation to the render thread
 
-/// The render thread.
-void run_render(const LivePlan& plan, LiveShared& shared, game::Watch watch);
+    std::atomic<bool> ready{false};      ///< pictures can be drawn: the match may begin
+    std::atomic<bool> stop{false};       ///< all threads end
+    std::atomic<bool> end_match{false};  ///< the simulation thread ends
+    std::atomic<bool> ended{false};      ///< it has
+    std::atomic<bool> rematch{false};    ///< asked for on the result screen; then the match ends by itself
+    std::atomic<Going> going{Going::playing};
+    std::atomic<std::uint32_t> paused_by{game::no_player};
+    std::atomic<std::uint32_t> marks{0};  ///< presses of the session's mark key
+    /// A player for whom the session presses pause (or presses it again) once, if the match is not so already;
+    /// game::no_player: nobody.
+    std::atomic<std::uint32_t> wants_pause{game::no_player}, wants_to_go_on{game::no_player};
+    std::array<std::atomic<bool>, game::players> pad_lost{};
+
+    // Each written by one thread, read after it has ended.
+    std::optional<Error> simulation_error, render_error;
+    std::int64_t began_ns = 0;  ///< when the first match, or the start screen, began; 0: not yet
+    LiveReport report;
+    Timings late, ticks;  ///< us; of the simulation thread
+};
+
+/// ns of the monotonic clock.
+std::int64_t monotonic_ns();
+void sleep_until_ns(std::int64_t when);
+
+/// Sleeps when a stall of that thread is due.
+struct Staller {
+    Stall stall;
+    std::int64_t next_ns = 0;
+    void pass(Stall::Thread thread);
+};
+
+std::vector<input::DeviceSpec> devices_of(const LiveShared& shared);
+
+/// One match, as the simulation thread takes it over.
+struct MatchStart {
+    std::shared_ptr<const game::MatchData> data;
+    std::uint64_t seed = 1;
+    std::optional<input::LogWriter> log;  ///< none: not recorded
+};
+
+/// The simulation thread: plays one match, until shared.stop, shared.end_match or a rematch; then it sets shared.ended. Where
+/// the plan's time is up, or a replay, it sets shared.stop as well.
+void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start);
+
+/// The render thread, until shared.stop.
+void run_render(const LivePlan& plan, LiveShared& shared);
 
 }  // namespace thaum::app

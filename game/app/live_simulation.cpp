@@ -42,24 +42,16 @@ struct Round {
 struct Session {
     const LivePlan& plan;
     LiveShared& shared;
-    std::uint64_t seed;
-    std::uint64_t matches = 0;
     Round round{};
     std::int64_t start_ns = 0;  ///< the deadline of the round's tick 0
     std::int64_t tick_ns = ns_per_tick;
     Tick publish_every = publish_period, patience = most_behind;
     Tick skips_to_log = 0;
     std::int64_t skipped_at_ns = 0;
-    Timings late{}, ticks{};
+    std::uint32_t marks_seen = 0;  ///< of shared.marks
 };
 
-std::vector<input::DeviceSpec> devices_of(const LiveShared& shared) {
-    std::vector<input::DeviceSpec> devices;
-    for (const auto& seat : shared.seats) devices.push_back(seat.spec);
-    return devices;
-}
-
-bool add_bots(Session& s) {
+bool add_bots(Session& s, std::uint64_t seed) {
     for (std::uint32_t p = 0; p < game::players; ++p) {
         const auto& seat = s.shared.seats[p].seat;
         if (seat.kind != SeatKind::bot) continue;
@@ -68,24 +60,24 @@ bool add_bots(Session& s) {
             s.shared.simulation_error = skill.error();
             return false;
         }
-        s.round.bots.add(*s.round.match, p, p, *skill, s.seed + (p + 1) * bot_seed_step);
+        s.round.bots.add(*s.round.match, p, p, *skill, seed + (p + 1) * bot_seed_step);
     }
     return true;
 }
 
-bool start_round(Session& s, std::optional<input::LogWriter> log) {
-    s.round = {};
-    ++s.matches;
+bool start_round(Session& s, MatchStart start) {
+    s.marks_seen = s.shared.marks;
     if (s.plan.replay != nullptr) {
         s.round.match = &s.plan.replay->match();
         s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * s.tick_ns;
         return true;
     }
-    s.round.own = std::make_unique<Simulation>(s.plan.data, game::MatchSetup{s.seed, devices_of(s.shared)});
+    s.round.own = std::make_unique<Simulation>(std::move(start.data),
+                                               game::MatchSetup{start.seed, devices_of(s.shared)});
     s.round.match = s.round.own.get();
-    s.round.log = std::move(log);
+    s.round.log = std::move(start.log);
     s.start_ns = monotonic_ns();
-    return add_bots(s);
+    return add_bots(s, start.seed);
 }
 
 void close_log(Round& round) {
@@ -93,52 +85,6 @@ void close_log(Round& round) {
     if (const auto closed = round.log->close(game::result_line(*round.match)); !closed)
         std::fprintf(stderr, "%s\n", closed.error().message.c_str());
     round.log.reset();
-}
-
-/// "match.thaumlog" -> "match-2.thaumlog".
-std::filesystem::path numbered(const std::filesystem::path& path, std::uint64_t number) {
-    auto next = path;
-    return next.replace_filename(text(path.stem().string(), "-", number, path.extension().string()));
-}
-
-}  // namespace
-
-Expected<input::LogWriter> open_log(const LivePlan& plan, const LiveShared& shared, std::uint64_t seed,
-                                    std::uint64_t match) {
-    constexpr std::uint64_t most_tries = 1000;
-    std::vector<std::string> names;
-    for (const auto& seat : shared.seats)
-        names.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
-    const auto header = game::log_header(*plan.data, {seed, devices_of(shared)}, std::move(names));
-    auto path = match == 1 ? plan.log : numbered(plan.log, match);
-    auto log = input::LogWriter::create(path, header);
-    if (match == 1 && !plan.next_free_name) return log;
-    // Only creating a file tells whether its name is free: another program may look for one at the same time.
-    std::error_code error;
-    for (auto number = match + 1; !log && std::filesystem::exists(path, error) && number < match + most_tries;
-         ++number) {
-        path = numbered(plan.log, number);
-        log = input::LogWriter::create(path, header);
-    }
-    return log;
-}
-
-namespace {
-
-bool start_rematch(Session& s) {
-    close_log(s.round);
-    Random next = random_stream(s.seed, s.matches);
-    s.seed = next.next() >> 1U;
-    std::optional<input::LogWriter> log;
-    if (!s.plan.log.empty()) {
-        auto opened = open_log(s.plan, s.shared, s.seed, s.matches + 1);
-        if (opened)
-            log.emplace(std::move(*opened));
-        else
-            std::fprintf(stderr, "this match is not recorded: %s\n", opened.error().message.c_str());
-    }
-    s.shared.rematch = false;
-    return start_round(s, std::move(log));
 }
 
 Going going_of(const game::Match& match) {
@@ -176,6 +122,10 @@ input::InputFrame take_frame(Session& s) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
     }
     press_for_main(s.shared, going_of(s.round.match->match()), frame);
+    if (const auto marks = s.shared.marks.load(); marks != s.marks_seen) {
+        frame.devices[0].press(Button::mark);
+        s.marks_seen = marks;
+    }
     // Between two rounds of a match what would ask for another match asks for the next round.
     if (s.shared.rematch && s.round.match->match().phase == game::Phase::between)
         frame.devices[0].press(Button::confirm);
@@ -204,7 +154,9 @@ void watch_buttons(Session& s, const input::InputFrame& frame) {
     round.buttons_before = buttons;
 }
 
-void tell_going(LiveShared& shared, Going going) {
+void tell_going(LiveShared& shared, const game::Match& match) {
+    const auto going = going_of(match);
+    shared.paused_by = match.paused_by;
     if (shared.going.exchange(going) != going) shared.window.wake();
 }
 
@@ -242,7 +194,7 @@ void play_at(Session& s, double speed) {
 /// One tick of a replay; false at its end.
 bool replay_tick(Session& s) {
     if (!s.plan.replay->step()) return false;
-    tell_going(s.shared, going_of(s.round.match->match()));
+    tell_going(s.shared, s.round.match->match());
     if (s.round.match->now() % s.publish_every == 0) publish(s);
     return true;
 }
@@ -256,7 +208,7 @@ void run_tick(Session& s) {
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
     watch_buttons(s, frame);
-    tell_going(s.shared, going);
+    tell_going(s.shared, round.match->match());
     if (now % s.publish_every == 0) publish(s);
 }
 
@@ -282,16 +234,20 @@ void wait_for_next(Session& s) {
     const auto tick = s.round.match->now() + (idle ? idle_wake : 1);
     const auto deadline = s.start_ns + static_cast<std::int64_t>(tick) * s.tick_ns;
     sleep_until_ns(deadline);
-    if (!idle) s.late.add(static_cast<double>(monotonic_ns() - deadline) * 1e-3);
+    if (!idle) s.shared.late.add(static_cast<double>(monotonic_ns() - deadline) * 1e-3);
+}
+
+/// When the plan's time is up.
+std::int64_t end_of(const Session& s) {
+    return s.plan.seconds ? s.shared.began_ns + static_cast<std::int64_t>(*s.plan.seconds * 1e9)
+                          : std::numeric_limits<std::int64_t>::max();
 }
 
 void run_session(Session& s) {
     Staller staller{s.plan.stall};
-    const auto began = monotonic_ns();
-    const auto end = s.plan.seconds ? began + static_cast<std::int64_t>(*s.plan.seconds * 1e9)
-                                    : std::numeric_limits<std::int64_t>::max();
+    const auto end = end_of(s);
     publish(s);
-    while (!s.shared.stop && monotonic_ns() < end) {
+    while (!s.shared.stop && !s.shared.end_match && monotonic_ns() < end) {
         staller.pass(Stall::Thread::simulation);
         const auto behind = backlog(s);
         if (behind == 0) {
@@ -305,30 +261,29 @@ void run_session(Session& s) {
         } else if (!replay_tick(s)) {
             publish(s);
             sleep_until_ns(monotonic_ns() + last_look_ns);
-            break;
+            s.shared.stop = true;
         }
-        s.ticks.add(static_cast<double>(monotonic_ns() - before) * 1e-3);
+        s.shared.ticks.add(static_cast<double>(monotonic_ns() - before) * 1e-3);
         ++s.shared.report.ticks;
-        if (s.shared.rematch && s.round.over_at && !start_rematch(s)) break;
+        if (s.shared.rematch && s.round.over_at) break;
     }
+    if (monotonic_ns() >= end) s.shared.stop = true;
     close_log(s.round);
 }
 
 }  // namespace
 
-void run_simulation(const LivePlan& plan, LiveShared& shared, std::optional<input::LogWriter> first_log) {
+void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start) {
     while (!shared.ready && !shared.stop) sleep_until_ns(monotonic_ns() + ns_per_tick);
-    Session session{.plan = plan, .shared = shared, .seed = plan.seed};
+    if (shared.began_ns == 0) shared.began_ns = monotonic_ns();
+    Session session{.plan = plan, .shared = shared};
     if (plan.replay != nullptr) play_at(session, plan.speed);
-    if (start_round(session, std::move(first_log))) run_session(session);
-    auto& report = shared.report;
-    report.matches = session.matches;
-    report.late_us_median = session.late.at(0.5);
-    report.late_us_p99 = session.late.at(0.99);
-    report.late_us_worst = session.late.at(1);
-    report.tick_us_median = session.ticks.at(0.5);
-    report.tick_us_p99 = session.ticks.at(0.99);
-    shared.stop = true;
+    if (start_round(session, std::move(start)))
+        run_session(session);
+    else
+        shared.stop = true;
+    ++shared.report.matches;
+    shared.ended = true;
     shared.window.wake();
 }
 

@@ -1,4 +1,5 @@
 // thaum play: a match.
+#include <algorithm>
 #include <cstdio>
 #include <random>
 
@@ -15,11 +16,13 @@ constexpr std::string_view help =
     R"(usage: thaum [play] [--vs | --solo LEVEL | --demo] [OPTIONS]
 
 A duel in a window. Every match is recorded; `thaum replay` plays it again.
+Without --vs, --solo or --demo it begins with the start screen: press to join.
 
   --vs             two players: mouse and keyboard against a pad, or against the
-                   keypad where there is no pad (default)
+                   keypad where there is no pad
   --solo LEVEL     against a bot (level 1)
   --demo           two bots
+  --hands A[,B]    what players hold: mouse, half (the keypad) or pad
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
   --match NAME     quick (default): first to 3, 4 min; standard: best of 3 rounds,
@@ -35,9 +38,10 @@ A duel in a window. Every match is recorded; `thaum replay` plays it again.
 With no display it says so and plays headless.
 )";
 
-constexpr Option options[] = {{"--vs"},        {"--solo", 1},  {"--demo"},         {"--rules", 1},
-                              {"--match", 1},  {"--arena", 1}, {"--set", 1, true}, {"--seed", 1},
-                              {"--record", 1}, {"--headless"}, {"--seconds", 1},   {"--out", 1}};
+constexpr Option options[] = {{"--vs"},       {"--solo", 1},   {"--demo"},     {"--hands", 1},
+                              {"--rules", 1}, {"--match", 1},  {"--arena", 1}, {"--set", 1, true},
+                              {"--seed", 1},  {"--record", 1}, {"--headless"}, {"--seconds", 1},
+                              {"--out", 1}};
 
 /// What the words ask for, checked.
 struct Wish {
@@ -45,9 +49,34 @@ struct Wish {
     std::optional<std::uint64_t> seed;
     std::optional<double> seconds;
     std::filesystem::path record, out = "out";
-    bool headless = false, demo = false;
+    bool headless = false, demo = false, vs = false;
     std::optional<int> solo;  ///< level of the bot
+    std::vector<SeatKind> hands;
+
+    bool mode() const { return demo || vs || solo.has_value(); }
 };
+
+Expected<SeatKind> hand_of(std::string_view word) {
+    if (word == "mouse") return SeatKind::keyboard_mouse;
+    if (word == "half") return SeatKind::keyboard_half;
+    if (word == "pad") return SeatKind::pad;
+    return fail(text("--hands '", word, "': must be mouse, half or pad"));
+}
+
+Expected<std::vector<SeatKind>> hands_of(std::string_view words) {
+    std::vector<SeatKind> hands;
+    for (;;) {
+        const auto comma = std::min(words.find(','), words.size());
+        const auto hand = hand_of(words.substr(0, comma));
+        if (!hand) return tl::unexpected(hand.error());
+        hands.push_back(*hand);
+        if (comma == words.size()) break;
+        words.remove_prefix(comma + 1);
+    }
+    const bool twice = hands.size() == 2 && hands[0] == hands[1] && hands[0] != SeatKind::pad;
+    if (hands.size() > 2 || twice) return fail("--hands takes one or two, and the same only if pads");
+    return hands;
+}
 
 Expected<Wish> read_wish(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, options);
@@ -59,10 +88,17 @@ Expected<Wish> read_wish(const std::vector<std::string>& words) {
     const auto level = arguments->whole("--solo", 1, 7, 1);
     if (!level) return tl::unexpected(level.error());
     if (arguments->has("--solo")) wish.solo = static_cast<int>(*level);
-    const int ways = (arguments->has("--vs") ? 1 : 0) + (wish.demo ? 1 : 0) + (wish.solo ? 1 : 0);
+    wish.vs = arguments->has("--vs");
+    const int ways = (wish.vs ? 1 : 0) + (wish.demo ? 1 : 0) + (wish.solo ? 1 : 0);
     if (ways > 1) return fail("--vs, --solo and --demo exclude each other");
-    if (wish.headless && (arguments->has("--vs") || wish.solo))
-        return fail("--headless plays two bots: no --vs or --solo");
+    if (wish.headless && (wish.vs || wish.solo)) return fail("--headless plays two bots: no --vs or --solo");
+    if (const auto words = arguments->value("--hands")) {
+        const auto hands = hands_of(*words);
+        if (!hands) return tl::unexpected(hands.error());
+        wish.hands = *hands;
+        if (!wish.vs && !wish.solo) return fail("--hands goes with --vs or --solo");
+        if (wish.solo && wish.hands.size() > 1) return fail("--solo has one player: one hand");
+    }
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0}, 1);
     if (!seed) return tl::unexpected(seed.error());
     if (arguments->has("--seed")) wish.seed = *seed;
@@ -89,31 +125,30 @@ int play_off_screen(const Wish& wish) {
 
 std::array<Seat, 2> seats_of(const Wish& wish) {
     if (wish.demo) return {Seat{.kind = SeatKind::bot}, Seat{.kind = SeatKind::bot}};
-    const Seat first{.kind = SeatKind::keyboard_mouse};
+    const auto hand = [&](std::size_t i, SeatKind otherwise) {
+        return Seat{.kind = i < wish.hands.size() ? wish.hands[i] : otherwise};
+    };
+    const auto first = hand(0, SeatKind::keyboard_mouse);
     if (wish.solo) return {first, Seat{.kind = SeatKind::bot, .level = *wish.solo}};
-    return {first, Seat{.kind = SeatKind::pad_or_half}};
+    return {first, hand(1, SeatKind::pad_or_half)};
 }
 
 int play_in_window(const Wish& wish) {
     const auto assets = game::find_assets();
-    auto settings = load_settings(settings_file(), assets);
-    if (!settings) return refuse(settings.error());
+    auto settings = settings_to_play_with(settings_file(), assets);
     auto data = game::load_match_data(assets, wish.data);
     if (!data) return refuse(data.error());
     LivePlan plan;
     plan.data = std::make_shared<const game::MatchData>(std::move(*data));
     plan.seed = wish.seed.value_or(std::random_device{}());
     plan.seats = seats_of(wish);
+    plan.start_screen = !wish.mode();
     plan.assets = assets;
     plan.seconds = wish.seconds;
     plan.log = wish.record;
-    if (plan.log.empty()) {
-        const auto log = new_match_log(matches_folder(), settings->logs_kept);
-        if (!log) return refuse(log.error());
-        plan.log = *log;
-        plan.next_free_name = true;
-    }
-    plan.settings = std::move(*settings);
+    plan.logs_folder = matches_folder();
+    plan.settings = std::move(settings);
+    plan.settings_file = settings_file();
     return run_live(plan);
 }
 
@@ -130,6 +165,8 @@ int run(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command play_command() { return {"play", "a match: --vs, --solo LEVEL or --demo", help, run}; }
+Command play_command() {
+    return {"play", "a match: the start screen, or --vs, --solo LEVEL, --demo", help, run};
+}
 
 }  // namespace thaum::app

@@ -1,6 +1,8 @@
 #include "game/app/settings.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <tuple>
@@ -16,8 +18,10 @@ namespace {
 
 constexpr std::size_t max_settings_file = 1U << 20U;
 constexpr std::string_view log_ending = ".thaumlog";
-constexpr auto hands = {input::DeviceKind::keyboard_mouse, input::DeviceKind::keyboard_half,
-                        input::DeviceKind::pad};
+constexpr std::array<std::string_view, session_keys> session_names{"pause", "again",      "leave",
+                                                                   "split", "fullscreen", "mark"};
+constexpr std::array<std::string_view, session_keys> session_defaults{
+    "key escape", "key enter, key kp_enter", "key q", "key f6", "key f11", "key f10"};
 
 /// An XDG folder: an absolute path in the variable, else the usual place below the home folder.
 std::filesystem::path base_folder(const char* variable, const char* usual) {
@@ -27,21 +31,43 @@ std::filesystem::path base_folder(const char* variable, const char* usual) {
     return std::filesystem::path(home != nullptr && *home != '\0' ? home : ".") / usual;
 }
 
+void read_session(const ConfigTable& table, Settings& settings) {
+    for (std::size_t i = 0; i < session_keys; ++i) {
+        const auto key = session_names[i];
+        if (!table.has(key)) continue;
+        auto controls = input::parse_controls(table.string(key), key_code_of);
+        const bool only_keys = controls && std::all_of(controls->begin(), controls->end(), [](const auto& c) {
+                                   return c.source == input::Control::Source::key;
+                               });
+        if (only_keys)
+            settings.session[i] = std::move(*controls);
+        else
+            table.report(
+                key, text("'", key, "': ", controls ? "only keys can do this" : controls.error().message));
+    }
+}
+
 void read_bindings(const ConfigTable& root, Settings& settings) {
-    for (const auto kind : hands) {
-        auto& bindings = settings.bindings[static_cast<std::size_t>(kind)];
+    for (const auto kind : settings_hands) {
+        auto& bindings = settings.bindings_of(kind);
         const auto name = input::name_of(kind);
         if (root.has(name))
             bindings = input::read_bindings(root.table(name), std::move(bindings), key_code_of);
     }
+    if (root.has("session")) read_session(root.table("session"), settings);
 }
 
-std::optional<render::Quality> read_quality(const ConfigTable& root) {
-    std::vector<std::string_view> names{"auto"};
-    names.insert(names.end(), render::quality_names.begin(), render::quality_names.end());
-    const auto chosen = root.choice("quality", names, 0);
-    if (chosen == 0) return std::nullopt;
-    return static_cast<render::Quality>(chosen - 1);
+void read(const ConfigTable& root, const Setting& setting, Settings& s) {
+    if (const auto* n = std::get_if<NumberSetting>(&setting.kind))
+        s.*n->value = root.number(setting.key, {n->low, n->high}, s.*n->value);
+    if (const auto* w = std::get_if<WholeSetting>(&setting.kind)) {
+        const Range range{static_cast<double>(w->low), static_cast<double>(w->high)};
+        s.*w->value = static_cast<int>(root.integer(setting.key, range, s.*w->value));
+    }
+    if (const auto* f = std::get_if<FlagSetting>(&setting.kind))
+        s.*f->value = root.boolean(setting.key, s.*f->value);
+    if (const auto* c = std::get_if<ChoiceSetting>(&setting.kind))
+        c->set(s, root.choice(setting.key, c->names, c->get(s)));
 }
 
 std::string two_digits(int n) { return text(n < 10 ? "0" : "", n); }
@@ -102,6 +128,91 @@ void delete_oldest(const std::filesystem::path& folder, int kept) {
 Settings::Settings() {
     for (std::size_t kind = 0; kind < input::device_kinds; ++kind)
         bindings[kind] = input::default_bindings(static_cast<input::DeviceKind>(kind), key_code_of);
+    for (std::size_t i = 0; i < session_keys; ++i)
+        session[i] =
+            input::parse_controls(session_defaults[i], key_code_of).value_or(std::vector<input::Control>{});
+}
+
+std::string_view name_of(SessionKey key) { return session_names[static_cast<std::size_t>(key)]; }
+
+namespace {
+
+ChoiceSetting quality_setting() {
+    std::vector<std::string_view> names{"auto"};
+    names.insert(names.end(), render::quality_names.begin(), render::quality_names.end());
+    return {std::move(names),
+            [](const Settings& s) { return s.quality ? static_cast<std::size_t>(*s.quality) + 1 : 0; },
+            [](Settings& s, std::size_t i) {
+                s.quality.reset();
+                if (i > 0) s.quality = static_cast<render::Quality>(i - 1);
+            }};
+}
+
+}  // namespace
+
+std::span<const Setting> all_settings() {
+    static const std::vector<Setting> settings{
+        {"split", "Split",
+         ChoiceSetting{{"top_bottom", "side_by_side"},
+                       [](const Settings& s) { return s.split == render::Split::top_bottom ? 0UL : 1UL; },
+                       [](Settings& s, std::size_t i) {
+                           s.split = i == 0 ? render::Split::top_bottom : render::Split::side_by_side;
+                       }}},
+        {"fullscreen", "Full screen", FlagSetting{&Settings::fullscreen}},
+        {"fov_deg", "Field of view", NumberSetting{&Settings::fov, 60, 130, 5, 1, "\u00B0"}},
+        {"text_scale", "Text size", NumberSetting{&Settings::text_scale, 1, 2.5, 0.25, 100, " %"}},
+        {"sensitivity", "Mouse speed", NumberSetting{&Settings::sensitivity, 0.05, 20, 0.05, 1, ""}},
+        {"invert_y", "Up is down", FlagSetting{&Settings::invert_y}},
+        {"turn_deg_per_s", "Stick and arrow speed",
+         NumberSetting{&Settings::turn_deg_per_s, 20, 1000, 10, 1, "\u00B0/s"}, true},
+        {"quality", "Picture quality", quality_setting()},
+        {"bloom", "Bloom at high quality", FlagSetting{&Settings::bloom}},
+        {"frames_per_second", "Pictures a second",
+         NumberSetting{&Settings::frames_per_second, 10, 360, 5, 1, ""}},
+        {"logs_kept", "Matches kept", WholeSetting{&Settings::logs_kept, 1, 100000, 10}},
+    };
+    return settings;
+}
+
+std::string written(const Setting& setting, const Settings& s) {
+    if (const auto* n = std::get_if<NumberSetting>(&setting.kind)) return text(s.*n->value);
+    if (const auto* w = std::get_if<WholeSetting>(&setting.kind)) return text(s.*w->value);
+    if (const auto* f = std::get_if<FlagSetting>(&setting.kind)) return text(s.*f->value);
+    const auto& c = std::get<ChoiceSetting>(setting.kind);
+    return text('"', c.names[c.get(s)], '"');
+}
+
+std::string shown(const Setting& setting, const Settings& s) {
+    if (const auto* n = std::get_if<NumberSetting>(&setting.kind)) {
+        const double value = std::round(s.*n->value * n->shown_times * 100) / 100;
+        return text(value, n->unit);
+    }
+    if (const auto* f = std::get_if<FlagSetting>(&setting.kind)) return s.*f->value ? "yes" : "no";
+    if (const auto* c = std::get_if<ChoiceSetting>(&setting.kind)) {
+        std::string name(c->names[c->get(s)]);
+        std::replace(name.begin(), name.end(), '_', ' ');
+        return name;
+    }
+    return written(setting, s);
+}
+
+void change(const Setting& setting, Settings& s, int steps) {
+    if (const auto* n = std::get_if<NumberSetting>(&setting.kind)) {
+        // To a whole number of steps, divided and not multiplied: 0.3, not 0.30000000000000004.
+        const double per_unit = std::round(1 / n->step);
+        const double whole = std::round(s.*n->value / n->step) + steps;
+        const double value = n->step < 1 ? whole / per_unit : whole * n->step;
+        s.*n->value = std::clamp(value, n->low, n->high);
+    }
+    if (const auto* w = std::get_if<WholeSetting>(&setting.kind))
+        s.*w->value = std::clamp(s.*w->value + steps * w->step, w->low, w->high);
+    if (const auto* f = std::get_if<FlagSetting>(&setting.kind))
+        s.*f->value = (steps % 2 != 0) != s.*f->value;
+    if (const auto* c = std::get_if<ChoiceSetting>(&setting.kind)) {
+        const auto count = static_cast<int>(c->names.size());
+        const int at = static_cast<int>(c->get(s)) + steps % count + count;
+        c->set(s, static_cast<std::size_t>(at % count));
+    }
 }
 
 std::optional<int> key_code_of(std::string_view name) {
@@ -114,23 +225,25 @@ std::optional<int> key_code_of(std::string_view name) {
     return render::key_code(plain);
 }
 
+std::string key_name_of(int code) {
+    const auto name = render::key_name(code);
+    if (name == "Esc") return "escape";
+    std::string words;
+    for (const char c : name) {
+        const bool upper = c >= 'A' && c <= 'Z';
+        const bool after_lower = !words.empty() && words.back() >= 'a' && words.back() <= 'z';
+        if (upper && after_lower && !name.starts_with("KP_")) words += '_';
+        words += upper ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return words;
+}
+
 Expected<Settings> parse_settings(std::string_view toml, std::string name) {
     const auto file = Config::parse(toml, std::move(name), 1);
     if (!file) return tl::unexpected(file.error());
     const auto root = file->root();
     Settings s;
-    s.split = root.choice("split", {"top_bottom", "side_by_side"}, 0) == 0 ? render::Split::top_bottom
-                                                                           : render::Split::side_by_side;
-    s.fullscreen = root.boolean("fullscreen", s.fullscreen);
-    s.fov = root.number("fov_deg", {60, 130}, s.fov);
-    s.text_scale = root.number("text_scale", {0.5, 2.5}, s.text_scale);
-    s.quality = read_quality(root);
-    s.bloom = root.boolean("bloom", s.bloom);
-    s.frames_per_second = root.number("frames_per_second", {10, 360}, s.frames_per_second);
-    s.sensitivity = root.number("sensitivity", {0.05, 20}, s.sensitivity);
-    s.turn_deg_per_s = root.number("turn_deg_per_s", {20, 1000}, s.turn_deg_per_s);
-    s.invert_y = root.boolean("invert_y", s.invert_y);
-    s.logs_kept = static_cast<int>(root.integer("logs_kept", {1, 100000}, s.logs_kept));
+    for (const auto& setting : all_settings()) read(root, setting, s);
     read_bindings(root, s);
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return s;
@@ -148,6 +261,14 @@ Expected<Settings> load_settings(const std::filesystem::path& file, const std::f
     const auto source = read_text_file(file, max_settings_file);
     if (!source) return tl::unexpected(source.error());
     return parse_settings(*source, file.string());
+}
+
+Settings settings_to_play_with(const std::filesystem::path& file, const std::filesystem::path& assets) {
+    auto settings = load_settings(file, assets);
+    if (settings) return std::move(*settings);
+    std::fprintf(stderr, "%s; it is kept as it is, and the defaults hold\n",
+                 settings.error().message.c_str());
+    return {};
 }
 
 std::filesystem::path settings_file() {

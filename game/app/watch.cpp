@@ -14,14 +14,12 @@ namespace {
 
 int watch_in_window(game::Playback playback, double speed) {
     const auto assets = game::find_assets();
-    auto settings = load_settings(settings_file(), assets);
-    if (!settings) return refuse(settings.error());
     LivePlan plan;
     plan.data = std::make_shared<const game::MatchData>(playback.match().data());
     plan.replay = &playback;
     plan.speed = speed;
     plan.assets = assets;
-    plan.settings = std::move(*settings);
+    plan.settings = settings_to_play_with(settings_file(), assets);
     return run_live(plan);
 }
 

@@ -61,16 +61,23 @@ std::array<render::Rect, players> views_of(const HudSettings& settings, render::
     return render::split_window(size.width, size.height, settings.split);
 }
 
-const render::Frame& make_frame(const Court& court, const Picture& picture, const HudSettings& settings,
-                                render::Size size, FrameMemory& memory) {
+void begin_frame(const Court& court, const Picture& picture, const HudSettings& settings, render::Size size,
+                 FrameMemory& memory) {
     auto& frame = memory.frame;
     frame.width = size.width;
     frame.height = size.height;
     frame.quality = settings.quality;
     frame.bloom = settings.bloom;
     frame.internal_scale = render::internal_scale_of(settings.quality, size.height);
-    add_shadows(court, picture, memory);
     frame.views.clear();
+    frame.overlay.items.clear();
+    add_shadows(court, picture, memory);
+}
+
+const render::Frame& make_frame(const Court& court, const Picture& picture, const HudSettings& settings,
+                                render::Size size, FrameMemory& memory) {
+    begin_frame(court, picture, settings, size, memory);
+    auto& frame = memory.frame;
     const auto views = views_of(settings, size);
     for (std::uint32_t player = 0; player < players; ++player) {
         if (views[player].width > 0 && views[player].height > 0)

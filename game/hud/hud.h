@@ -17,6 +17,7 @@ struct HudSettings {
     render::Quality quality = render::Quality::medium;
     bool bloom = true;           ///< at high quality
     bool can_play_again = true;  ///< the result screen offers it
+    bool menu = false;           ///< a menu will stand over the views: nothing else does
 };
 
 /// Memory that frames are built in; a Frame's spans point into it.
@@ -26,6 +27,10 @@ struct FrameMemory {
     std::array<std::vector<render::PointLight>, players> lights;
     render::Frame frame;
 };
+
+/// What every picture of the court has, whoever looks: size, presets, shadows; no views and nothing over them yet.
+void begin_frame(const Court& court, const Picture& picture, const HudSettings& settings, render::Size size,
+                 FrameMemory& memory);
 
 /// The returned frame lives in `memory` until the next call.
 const render::Frame& make_frame(const Court& court, const Picture& picture, const HudSettings& settings,

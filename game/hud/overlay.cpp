@@ -6,6 +6,7 @@
 #include "core/text.h"
 #include "game/hud/figures.h"
 #include "game/hud/hud.h"
+#include "game/hud/overlay.h"
 
 namespace thaum::game {
 namespace {
@@ -42,28 +43,6 @@ fvec2 at(const Rect& r, float share_x, float share_y) {
 }
 
 fvec4 opaque(fvec3 c, float alpha = 1) { return {c, alpha}; }
-
-void add_text(Overlay& out, std::string words, fvec2 position, float size, fvec4 paint, Align align) {
-    // A dark copy below it, so that it can be read on anything.
-    const float shift = std::max(1.0F, size / 14);
-    out.items.emplace_back(
-        render::TextItem{words, position + fvec2(shift), size, colour(0x0A0614, 0.8F * paint.a), align});
-    out.items.emplace_back(render::TextItem{std::move(words), position, size, paint, align});
-}
-
-/// The mark of a team: ring or triangle.
-void add_mark(Overlay& out, std::uint32_t team, fvec2 centre, float radius) {
-    const auto paint = opaque(team_colours(team).light);
-    if (team == 0) {
-        out.items.emplace_back(render::ArcItem{centre, 0.58F * radius, radius, 0, 3 * third_turn, paint});
-        return;
-    }
-    const auto corner = [&](int i) {
-        const float angle = third_turn * static_cast<float>(i);
-        return centre + 1.15F * radius * fvec2(std::sin(angle), -std::cos(angle)) + fvec2(0, 0.12F * radius);
-    };
-    out.items.emplace_back(render::TriangleItem{corner(0), corner(1), corner(2), paint});
-}
 
 void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const Corner& c) {
     const float u = c.unit;
@@ -362,11 +341,32 @@ void add_seam(Overlay& out, const HudSettings& settings, const Rect& window) {
 
 }  // namespace
 
+void add_text(render::Overlay& out, std::string words, fvec2 position, float size, fvec4 paint, Align align) {
+    const float shift = std::max(1.0F, size / 14);
+    out.items.emplace_back(
+        render::TextItem{words, position + fvec2(shift), size, colour(0x0A0614, 0.8F * paint.a), align});
+    out.items.emplace_back(render::TextItem{std::move(words), position, size, paint, align});
+}
+
+void add_mark(Overlay& out, std::uint32_t team, fvec2 centre, float radius) {
+    const auto paint = opaque(team_colours(team).light);
+    if (team == 0) {
+        out.items.emplace_back(render::ArcItem{centre, 0.58F * radius, radius, 0, 3 * third_turn, paint});
+        return;
+    }
+    const auto corner = [&](int i) {
+        const float angle = third_turn * static_cast<float>(i);
+        return centre + 1.15F * radius * fvec2(std::sin(angle), -std::cos(angle)) + fvec2(0, 0.12F * radius);
+    };
+    out.items.emplace_back(render::TriangleItem{corner(0), corner(1), corner(2), paint});
+}
+
 void make_overlay(const Picture& picture, const HudSettings& settings, render::Size size, Overlay& out) {
     out.items.clear();
     const Rect window{0, 0, size.width, size.height};
     const auto views = views_of(settings, size);
     add_seam(out, settings, window);
+    if (settings.menu) return;
     float unit = 0;
     for (std::uint32_t player = 0; player < players; ++player) {
         if (views[player].width <= 0 || views[player].height <= 0) continue;

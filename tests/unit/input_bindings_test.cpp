@@ -111,5 +111,46 @@ TEST(InputBindings, UnknownNamesTellFileLineAndKey) {
     EXPECT_FALSE(read("version = 1\n[pad]\nfire = \"pad a,,pad b\"\n"));
 }
 
+/// The made-up codes of the keys used here, back to their names.
+std::string name_of_code(int code) {
+    for (const auto& name : default_key_names()) {
+        if (code_of(name) == code) return name;
+    }
+    return "";
+}
+
+TEST(InputBindings, WordsOfControlsAreReadBack) {
+    for (const auto kind : {DeviceKind::keyboard_mouse, DeviceKind::keyboard_half, DeviceKind::pad}) {
+        const auto b = default_bindings(kind, code_of);
+        for (const auto& list : b.controls) {
+            const auto words = words_of(list, name_of_code);
+            const auto again = parse_controls(words, code_of);
+            ASSERT_TRUE(again) << words;
+            EXPECT_EQ(*again, list) << words;
+        }
+    }
+    EXPECT_EQ(words_of(default_bindings(DeviceKind::pad, code_of).of(Action::panic), name_of_code),
+              "pad back, key end");
+    EXPECT_FALSE(parse_controls("key a, pad nothing", code_of));
+    EXPECT_TRUE(parse_controls("", code_of)->empty());
+}
+
+TEST(InputBindings, TogglesAreReadAndWritten) {
+    const auto read = [](const std::string& line) {
+        const auto file = Config::parse("version = 1\n[pad]\n" + line, "s", 1).value();
+        auto b = read_bindings(file.root().table("pad"), default_bindings(DeviceKind::pad, code_of), code_of);
+        return std::pair(b, file.check());
+    };
+    const auto [some, fine] = read("toggle = \"stir,fire\"\n");
+    EXPECT_TRUE(fine);
+    EXPECT_EQ(toggles_of(some), "fire, stir");
+    EXPECT_EQ(toggles_of(read("toggle = \"\"\n").first), "");
+    const auto [none, fault] = read("toggle = \"fire, jump\"\n");
+    ASSERT_FALSE(fault);
+    EXPECT_NE(fault.error().message.find("s:3: 'toggle': 'jump' is not one of fire, trace, stir, clutch"),
+              std::string::npos)
+        << fault.error().message;
+}
+
 }  // namespace
 }  // namespace thaum::input

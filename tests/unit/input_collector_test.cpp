@@ -13,7 +13,9 @@ std::optional<int> length_code_of(std::string_view name) {
     return name.size() == 1 ? std::optional<int>(name[0]) : static_cast<int>(name.size()) * 1000 + name[3];
 }
 
-HandsCollector mouse() { return HandsCollector(default_bindings(DeviceKind::keyboard_mouse, length_code_of)); }
+HandsCollector mouse() {
+    return HandsCollector(default_bindings(DeviceKind::keyboard_mouse, length_code_of));
+}
 HandsCollector pad() { return HandsCollector(default_bindings(DeviceKind::pad, length_code_of)); }
 
 constexpr int left_button = 0;
@@ -212,6 +214,73 @@ TEST(InputCollector, TwoThreadsLoseNothingAndCountNothingTwice) {
     EXPECT_EQ(wheel, events / 5);
     EXPECT_GT(presses, 0);
     EXPECT_EQ(presses_seen.load(), presses);
+}
+
+Bindings toggling(DeviceKind kind, Action action) {
+    auto b = default_bindings(kind, code_of);
+    b.toggled[static_cast<std::size_t>(action)] = true;
+    return b;
+}
+
+TEST(InputCollector, AToggleStaysOnFromOnePressToTheNext) {
+    HandsCollector hands(toggling(DeviceKind::keyboard_mouse, Action::fire));
+    for (const bool on : {true, false, true}) {
+        hands.mouse_button(left_button, true);
+        auto sample = hands.take();
+        EXPECT_EQ(sample.down(Button::fire), on);
+        hands.mouse_button(left_button, false);
+        hands.key(*code_of("a"), true);  // others do not mind
+        sample = hands.take();
+        EXPECT_EQ(sample.down(Button::fire), on);
+        EXPECT_EQ(sample.counts[hand::trigger], on ? 255 : 0);
+        EXPECT_EQ(sample.counts[hand::strafe], -127);
+        hands.key(*code_of("a"), false);
+    }
+    hands.focus_lost();
+    EXPECT_FALSE(hands.take().down(Button::fire));
+    // After that the first press turns it on again.
+    hands.mouse_button(left_button, true);
+    EXPECT_TRUE(hands.take().down(Button::fire));
+}
+
+TEST(InputCollector, ATriggerTogglesOncePerPull) {
+    HandsCollector hands(toggling(DeviceKind::pad, Action::fire));
+    for (const double pull : {0.1, 0.5, 0.9, 0.25, 0.6}) hands.pad(pad_with(PadAxis::right_trigger, pull));
+    hands.take();
+    EXPECT_EQ(hands.take().counts[hand::trigger], 255);
+    hands.pad(pad_with(PadAxis::right_trigger, 0));
+    hands.pad(pad_with(PadAxis::right_trigger, 1));
+    hands.take();
+    EXPECT_FALSE(hands.take().down(Button::fire));
+}
+
+TEST(InputCollector, AWheelStepTogglesToo) {
+    auto b = toggling(DeviceKind::keyboard_mouse, Action::trace);
+    b.of(Action::trace) = {{Control::Source::wheel, 0, 1}};
+    HandsCollector hands(b);
+    hands.wheel(1);
+    EXPECT_TRUE(hands.take().down(Button::trace));
+    EXPECT_TRUE(hands.take().down(Button::trace));
+    hands.wheel(-1);
+    EXPECT_TRUE(hands.take().down(Button::trace));
+    hands.wheel(1);
+    hands.take();
+    EXPECT_FALSE(hands.take().down(Button::trace));
+}
+
+TEST(InputCollector, LookCanBeScaledAndTurnedAround) {
+    auto hands = mouse();
+    hands.set_look(0.25, true);
+    for (int i = 0; i < 10; ++i) hands.mouse_move(2, -2);
+    auto sample = hands.take();
+    EXPECT_EQ(sample.counts[hand::look_right], 5);
+    EXPECT_EQ(sample.counts[hand::look_up], -5);
+    auto stick = pad();
+    stick.set_look(1, true);
+    stick.pad(pad_with(PadAxis::right_y, 1));
+    EXPECT_EQ(stick.take().counts[hand::turn_up], -127);
+    stick.set_look(1, false);
+    EXPECT_EQ(stick.take().counts[hand::turn_up], 127);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "core/file.h"
@@ -32,35 +33,37 @@ TEST(Settings, TheDocumentedFileSaysWhatTheDefaultsAre) {
     const auto read = parse_settings(*source, "settings.toml");
     ASSERT_TRUE(read) << read.error().message;
     const Settings defaults;
-    EXPECT_EQ(read->split, defaults.split);
-    EXPECT_EQ(read->fullscreen, defaults.fullscreen);
-    EXPECT_EQ(read->fov, defaults.fov);
-    EXPECT_EQ(read->text_scale, defaults.text_scale);
-    EXPECT_EQ(read->quality, defaults.quality);
-    EXPECT_EQ(read->bloom, defaults.bloom);
-    EXPECT_EQ(read->frames_per_second, defaults.frames_per_second);
-    EXPECT_EQ(read->sensitivity, defaults.sensitivity);
-    EXPECT_EQ(read->turn_deg_per_s, defaults.turn_deg_per_s);
-    EXPECT_EQ(read->invert_y, defaults.invert_y);
-    EXPECT_EQ(read->logs_kept, defaults.logs_kept);
-    for (std::size_t kind = 0; kind < input::device_kinds; ++kind) {
-        EXPECT_EQ(read->bindings[kind].controls, defaults.bindings[kind].controls)
-            << input::name_of(static_cast<input::DeviceKind>(kind));
-        EXPECT_EQ(read->bindings[kind].stick_dead_zone, defaults.bindings[kind].stick_dead_zone);
-        EXPECT_EQ(read->bindings[kind].trigger_press, defaults.bindings[kind].trigger_press);
-    }
+    EXPECT_EQ(changes(defaults, *read), std::vector<SettingEdit>{});
+    EXPECT_EQ(*read, defaults);
 }
 
 TEST(Settings, EveryKeyOfTheDefaultBindingsIsKnown) {
     for (const auto& name : input::default_key_names()) EXPECT_TRUE(key_code_of(name)) << name;
     EXPECT_FALSE(key_code_of("no_such_key"));
+    const Settings defaults;
+    for (std::size_t i = 0; i < session_keys; ++i) EXPECT_FALSE(defaults.session[i].empty()) << i;
+}
+
+TEST(Settings, EveryKeyHasANameThatIsReadBack) {
+    int keys = 0;
+    for (int code = 0; code < 512; ++code) {
+        const auto name = key_name_of(code);
+        if (name.empty()) continue;
+        ++keys;
+        EXPECT_EQ(key_code_of(name), code) << name;
+        EXPECT_EQ(name.find_first_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ \""), std::string::npos) << name;
+    }
+    EXPECT_GT(keys, 100);
+    EXPECT_EQ(key_name_of(*key_code_of("left_alt")), "left_alt");
+    EXPECT_EQ(key_name_of(*key_code_of("kp_add")), "kp_add");
+    EXPECT_EQ(key_name_of(*key_code_of("escape")), "escape");
 }
 
 TEST(Settings, FaultsNameFileLineAndKey) {
     EXPECT_EQ(refusal(""), "");
     EXPECT_EQ(refusal("colour = 1"), "settings.toml:2: unknown key 'colour'");
-    for (const auto* line : {"fov_deg = 5", "text_scale = 9.0", "logs_kept = 0", "split = \"diagonal\"",
-                             "quality = \"ultra\"", "bloom = 1"}) {
+    for (const auto* line : {"fov_deg = 5", "text_scale = 9.0", "text_scale = 0.9", "logs_kept = 0",
+                             "split = \"diagonal\"", "quality = \"ultra\"", "bloom = 1"}) {
         const auto message = refusal(line);
         const std::string key(line, std::string_view(line).find(' '));
         EXPECT_TRUE(message.starts_with("settings.toml:2:")) << message;
@@ -98,6 +101,183 @@ TEST(Settings, AMissingFileIsMadeAndAnExistingOneIsLeftAlone) {
     ASSERT_TRUE(read);
     EXPECT_EQ(read->fov, 100);
     EXPECT_EQ(*read_text_file(file, 1U << 20U), own);
+}
+
+// Writing ------------------------------------------------------------------------------------------------------------------
+
+/// Settings in which every value that a file can have is another one than by default.
+Settings all_different() {
+    Settings s;
+    for (const auto& setting : all_settings()) {
+        const auto before = written(setting, s);
+        change(setting, s, 1);
+        if (written(setting, s) == before) change(setting, s, -1);
+    }
+    for (const auto kind : settings_hands) {
+        auto& b = s.bindings_of(kind);
+        // Each action gets what the next one had.
+        std::rotate(b.controls.begin(), b.controls.begin() + 1, b.controls.end());
+        b.controls[3].push_back({input::Control::Source::key, *render::key_code("F9"), 0});
+        for (const auto action : input::toggle_actions) b.toggled[static_cast<std::size_t>(action)] = true;
+        b.stick_dead_zone = 0.25;
+        b.trigger_press = 0.5;
+    }
+    std::rotate(s.session.begin(), s.session.begin() + 1, s.session.end());
+    return s;
+}
+
+std::string documented() { return read_text_file(assets / "settings.toml", 1U << 20U).value(); }
+
+TEST(SettingsWriter, EveryValueIsReadBackAsItWasWritten) {
+    const auto wanted = all_different();
+    for (const auto& source : {documented(), std::string("version = 1\n"), std::string("version = 1")}) {
+        const auto edited = edit_settings(source, "settings.toml", changes({}, wanted));
+        ASSERT_TRUE(edited) << edited.error().message;
+        const auto read = parse_settings(*edited, "settings.toml");
+        ASSERT_TRUE(read) << read.error().message;
+        EXPECT_EQ(changes(*read, wanted), std::vector<SettingEdit>{});
+        // And back again: the same text as at first, where all lines were there already.
+        const auto back = edit_settings(*edited, "settings.toml", changes(wanted, {}));
+        ASSERT_TRUE(back) << back.error().message;
+        EXPECT_EQ(parse_settings(*back, "settings.toml").value(), Settings{});
+    }
+}
+
+TEST(SettingsWriter, CommentsAndOrderStay) {
+    const std::string source =
+        "# mine\nversion = 1\n\nfov_deg   = 100 # wide, as I like it\r\n"
+        "split = 'top_bottom'      # for two\n"
+        "[pad]  # ours\n# fire = \"pad b\"\n  jump = \"pad a\"   # not \"pad b\"\n\n# end\n";
+    auto wanted = parse_settings(source, "s").value();
+    wanted.fov = 75.5;
+    wanted.split = render::Split::side_by_side;
+    wanted.bindings_of(input::DeviceKind::pad).of(input::Action::jump) = {
+        {input::Control::Source::pad_axis, 1, -1}};
+    wanted.bindings_of(input::DeviceKind::pad).of(input::Action::fire) = {};
+    const auto edited = edit_settings(source, "s", changes(parse_settings(source, "s").value(), wanted));
+    ASSERT_TRUE(edited) << edited.error().message;
+    EXPECT_EQ(*edited,
+              "# mine\nversion = 1\n\nfov_deg   = 75.5 # wide, as I like it\r\n"
+              "split = \"side_by_side\"    # for two\n"
+              "[pad]  # ours\n# fire = \"pad b\"\n  jump = \"pad left_y -\" # not \"pad b\"\n"
+              "fire = \"\"\n\n# end\n");
+}
+
+TEST(SettingsWriter, WhatCannotBeChangedLineByLineIsRefused) {
+    for (const auto* source : {
+             "version = 1\nfov_deg = \"\"\"\n90\"\"\"\n",
+             "version = 1\npad = { fire = \"pad b\" }\n",
+             "version = 1\npad.fire = \"pad b\"\n",
+             "version = 2\n",
+             "version = 1\nfuture = 3\n",
+             "version = ",
+             "",
+             "fov_deg = 90\n",
+             "version = 1\n[pad]\n\"fire\" = \"pad b\"\n",
+         }) {
+        auto wanted = Settings{};
+        wanted.fov = 100;
+        wanted.bindings_of(input::DeviceKind::pad).of(input::Action::fire) = {};
+        const auto edited = edit_settings(source, "s", changes({}, wanted));
+        EXPECT_FALSE(edited) << source << "->" << *edited;
+        if (!edited) {
+            EXPECT_EQ(edited.error().message.find('\n'), std::string::npos);
+        }
+    }
+}
+
+TEST(SettingsWriter, AFileThatCannotBeReadIsKept) {
+    const auto file = fresh_folder("kept") / "settings.toml";
+    std::filesystem::create_directories(file.parent_path());
+    auto wanted = Settings{};
+    wanted.fov = 100;
+    for (const auto* source : {"version = 2\nnew_key = 7\n", "version = 1\nfov_deg = \n", "what is this"}) {
+        ASSERT_TRUE(write_text_file(file, source));
+        testing::internal::CaptureStderr();
+        EXPECT_EQ(settings_to_play_with(file, assets), Settings{});
+        const auto said = testing::internal::GetCapturedStderr();
+        EXPECT_NE(said.find("kept as it is"), std::string::npos) << said;
+        EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+        EXPECT_FALSE(save_changes(file, {}, wanted));
+        EXPECT_EQ(*read_text_file(file, 1U << 20U), source);
+    }
+    EXPECT_FALSE(save_changes(file.parent_path(), {}, wanted));
+    EXPECT_FALSE(save_changes(file.parent_path() / "none", {}, wanted));
+}
+
+TEST(SettingsWriter, ALinkStaysALink) {
+    const auto folder = fresh_folder("link");
+    std::filesystem::create_directories(folder);
+    ASSERT_TRUE(write_text_file(folder / "real.toml", documented()));
+    std::filesystem::create_symlink("real.toml", folder / "settings.toml");
+    auto wanted = Settings{};
+    wanted.invert_y = true;
+    ASSERT_TRUE(save_changes(folder / "settings.toml", {}, wanted));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "settings.toml"));
+    EXPECT_TRUE(load_settings(folder / "real.toml", assets)->invert_y);
+}
+
+/// Bytes of the documented file fall out, double or change; whatever comes of it, the editor refuses it, or changes
+/// what was asked for and nothing else.
+TEST(SettingsWriter, SpoiltFilesAreRefusedOrChangedAsAsked) {
+    const auto good = documented();
+    const auto wanted = all_different();
+    std::uint32_t dice = 12345;
+    const auto roll = [&](std::size_t n) {
+        dice = dice * 1664525U + 1013904223U;
+        return (dice >> 8U) % n;
+    };
+    int refused = 0, changed = 0;
+    for (int round = 0; round < 300; ++round) {
+        auto spoilt = good;
+        for (std::size_t n = 1 + roll(3); n > 0; --n) {
+            const auto at = roll(spoilt.size());
+            switch (roll(4)) {
+                case 0: spoilt.erase(at, 1 + roll(40)); break;
+                case 1: spoilt.insert(at, spoilt.substr(roll(spoilt.size()), roll(60))); break;
+                case 2: spoilt[at] = static_cast<char>(roll(256)); break;
+                default: spoilt.insert(at, 1, "\n\"[]=#"[roll(6)]);
+            }
+        }
+        const auto read = parse_settings(spoilt, "s");
+        const auto edited = edit_settings(spoilt, "s", changes(read.value_or(Settings{}), wanted));
+        (edited ? changed : refused)++;
+        if (!edited) continue;
+        EXPECT_TRUE(read);
+        EXPECT_EQ(changes(parse_settings(*edited, "s").value(), wanted), std::vector<SettingEdit>{})
+            << spoilt;
+    }
+    EXPECT_GT(refused, 20);
+    EXPECT_GT(changed, 20);
+}
+
+TEST(SettingsScreen, StepsStayInRangeAndRound) {
+    Settings s;
+    const auto setting = [](std::string_view key) {
+        for (const auto& one : all_settings()) {
+            if (one.key == key) return one;
+        }
+        return Setting{};
+    };
+    change(setting("sensitivity"), s, -14);
+    EXPECT_EQ(written(setting("sensitivity"), s), "0.3");
+    change(setting("sensitivity"), s, -1000);
+    EXPECT_EQ(s.sensitivity, 0.05);
+    change(setting("text_scale"), s, 1);
+    EXPECT_EQ(shown(setting("text_scale"), s), "125 %");
+    change(setting("text_scale"), s, 100);
+    EXPECT_EQ(s.text_scale, 2.5);
+    change(setting("split"), s, -1);
+    EXPECT_EQ(s.split, render::Split::side_by_side);
+    change(setting("split"), s, 1);
+    EXPECT_EQ(s.split, render::Split::top_bottom);
+    EXPECT_EQ(shown(setting("split"), s), "top bottom");
+    change(setting("fullscreen"), s, 1);
+    EXPECT_TRUE(s.fullscreen);
+    for (const auto& one : all_settings()) {
+        EXPECT_FALSE(one.label.empty());
+        EXPECT_FALSE(shown(one, s).empty());
+    }
 }
 
 TEST(MatchLogs, NamesAreNewAndOnlyTheOldestOfThemAreDeleted) {

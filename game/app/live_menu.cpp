@@ -1,0 +1,318 @@
+// What keys, mouse and pads mean while a menu is open. These keys are not bound: a menu must be reachable whatever somebody did
+// to the bindings.
+#include <algorithm>
+#include <cmath>
+
+#include "core/config.h"
+#include "core/file.h"
+#include "core/text.h"
+#include "game/app/live_desk.h"
+#include "game/bots/bot.h"
+
+namespace thaum::app {
+
+using input::Action;
+using input::Control;
+using input::DeviceKind;
+using input::PadAxis;
+using input::PadButton;
+using Kind = MenuEvent::Kind;
+
+namespace {
+
+constexpr std::int64_t repeat_after_ns = 400'000'000, repeat_every_ns = 110'000'000;
+constexpr double stick_press = 0.6;
+constexpr std::size_t max_rules_file = 1U << 20U;
+constexpr int most_levels = 7;
+
+constexpr Device keyboard{DeviceKind::keyboard_mouse, 0}, half{DeviceKind::keyboard_half, 0};
+
+struct MenuKey {
+    std::string_view name;
+    Kind kind;
+    Device device;
+};
+constexpr MenuKey menu_keys[] = {
+    {"up", Kind::up, keyboard},           {"down", Kind::down, keyboard},
+    {"left", Kind::left, keyboard},       {"right", Kind::right, keyboard},
+    {"page_up", Kind::page_up, keyboard}, {"page_down", Kind::page_down, keyboard},
+    {"enter", Kind::confirm, keyboard},   {"space", Kind::confirm, keyboard},
+    {"escape", Kind::back, keyboard},     {"kp_8", Kind::up, half},
+    {"kp_5", Kind::down, half},           {"kp_2", Kind::down, half},
+    {"kp_4", Kind::left, half},           {"kp_6", Kind::right, half},
+    {"kp_0", Kind::confirm, half},        {"kp_enter", Kind::confirm, half},
+    {"kp_multiply", Kind::back, half},
+};
+
+/// Keys that a hand on its way to another window presses, and those of the other half.
+bool means_nothing(const std::string& name) {
+    for (const auto* start : {"kp_", "left_", "right_", "caps", "scroll", "num", "print", "menu", "pause"}) {
+        if (name.starts_with(start)) return true;
+    }
+    return name.empty();
+}
+
+/// Nothing for a key that does nothing in a menu.
+std::optional<MenuEvent> event_of(int key) {
+    const auto name = key_name_of(key);
+    for (const auto& one : menu_keys) {
+        if (one.name == name) return MenuEvent{.kind = one.kind, .device = one.device};
+    }
+    if (means_nothing(name)) return {};
+    return MenuEvent{.kind = Kind::other, .device = keyboard};
+}
+
+bool repeats(Kind kind) { return kind <= Kind::right; }
+
+void start_repeat(Desk& desk, const MenuEvent& event, int key, int pad) {
+    desk.repeat = {event, key, pad, monotonic_ns() + repeat_after_ns};
+}
+
+void control_event(Desk& desk, const Device& device, const Control& control) {
+    menu_event(desk, {.kind = Kind::control, .device = device, .control = control});
+}
+
+void settings_changed(Desk& desk, const Settings& before) {
+    auto& now = desk.menu.settings;
+    if (now.fullscreen != before.fullscreen) desk.shared.window.set_fullscreen(now.fullscreen);
+    rebind_hands(desk);
+    if (desk.plan.settings_file.empty()) return;
+    if (const auto saved = save_changes(desk.plan.settings_file, before, now); !saved)
+        desk.menu.note = text("for this run only: ", saved.error().message);
+}
+
+}  // namespace
+
+void menu_event(Desk& desk, const MenuEvent& event) {
+    const auto before = desk.menu.settings;
+    desk.menu = step(std::move(desk.menu), event, desk.facts);
+    if (!(desk.menu.settings == before)) settings_changed(desk, before);
+    desk.stale = true;
+}
+
+// Keys and mouse -----------------------------------------------------------------------------------------------------------
+
+void menu_key(Desk& desk, int key, bool pressed) {
+    if (key == desk.repeat.key) desk.repeat = {};
+    if (!pressed) return;
+    const auto event = event_of(key);
+    if (desk.menu.waiting && !(event && event->kind == Kind::back && esc_ends_waiting(desk.menu))) {
+        if (!key_name_of(key).empty()) control_event(desk, keyboard, {Control::Source::key, key, 0});
+        return;
+    }
+    // In the pause the key that leaves does so at once, as after the round.
+    const bool pause = desk.menu.pages.back().page == Page::pause;
+    if (pause && is_bound(desk.menu.settings.of(SessionKey::leave), key)) return leave_match(desk);
+    if (!event) return;
+    menu_event(desk, *event);
+    if (repeats(event->kind)) start_repeat(desk, *event, key, -1);
+}
+
+void menu_cursor(Desk& desk, double x, double y) {
+    if (desk.menu.waiting) return;
+    const auto menu = picture_of(desk.menu, desk.facts);
+    const auto place = game::place_at(menu, desk.shared.window.size(), desk.menu.settings.text_scale,
+                                      {static_cast<float>(x), static_cast<float>(y)});
+    desk.mouse_at = place;
+    if (place && place->row != menu.cursor)
+        menu_event(desk, {.kind = Kind::point, .device = keyboard, .row = place->row});
+}
+
+namespace {
+
+Kind click_of(const game::MenuPlace& place) {
+    switch (place.part) {
+        case game::MenuPart::less: return Kind::left;
+        case game::MenuPart::more: return Kind::right;
+        default: return Kind::confirm;
+    }
+}
+
+}  // namespace
+
+void menu_mouse_button(Desk& desk, int button, bool pressed) {
+    constexpr int left = 0, buttons = 5;
+    if (!pressed || button >= buttons) return;
+    if (desk.menu.waiting) return control_event(desk, keyboard, {Control::Source::mouse_button, button, 0});
+    if (button == left && desk.mouse_at)
+        return menu_event(desk,
+                          {.kind = click_of(*desk.mouse_at), .device = keyboard, .row = desk.mouse_at->row});
+    const bool below = desk.menu.pages.size() > 1;
+    menu_event(desk, {.kind = button != left && below ? Kind::back : Kind::other, .device = keyboard});
+}
+
+void menu_wheel(Desk& desk, double steps) {
+    if (steps == 0) return;
+    const int way = steps > 0 ? 1 : -1;
+    if (desk.menu.waiting) return control_event(desk, keyboard, {Control::Source::wheel, 0, way});
+    menu_event(desk, {.kind = way > 0 ? Kind::up : Kind::down, .device = keyboard});
+}
+
+// Pads ---------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+double axis_of(const render::PadState& pad, PadAxis axis) {
+    return static_cast<double>(pad.axes[static_cast<std::size_t>(axis)]);
+}
+
+/// Which way a pad points in a menu: its cross, or its left stick.
+std::optional<Kind> way_of(const render::PadState& pad) {
+    const auto down = [&](PadButton b) { return (pad.buttons >> static_cast<unsigned>(b) & 1U) != 0; };
+    const double x = axis_of(pad, PadAxis::left_x), y = axis_of(pad, PadAxis::left_y);
+    const bool upright = std::abs(y) > std::abs(x);
+    if (down(PadButton::up) || (upright && y < -stick_press)) return Kind::up;
+    if (down(PadButton::down) || (upright && y > stick_press)) return Kind::down;
+    if (down(PadButton::left) || (!upright && x < -stick_press)) return Kind::left;
+    if (down(PadButton::right) || (!upright && x > stick_press)) return Kind::right;
+    return {};
+}
+
+/// Every control of the pad that was pressed since `before`.
+std::vector<Control> pressed_controls(const render::PadState& before, const render::PadState& now) {
+    std::vector<Control> controls;
+    for (unsigned b = 0; b <= static_cast<unsigned>(PadButton::left); ++b) {
+        if ((now.buttons & ~before.buttons & 1U << b) != 0)
+            controls.push_back({Control::Source::pad_button, static_cast<int>(b), 0});
+    }
+    for (std::size_t a = 0; a < input::pad_axes; ++a) {
+        const double from = static_cast<double>(before.axes[a]), to = static_cast<double>(now.axes[a]);
+        if (std::abs(from) >= stick_press || std::abs(to) < stick_press) continue;
+        // The window's sticks are positive downwards.
+        const bool upright =
+            a == static_cast<std::size_t>(PadAxis::left_y) || a == static_cast<std::size_t>(PadAxis::right_y);
+        controls.push_back({Control::Source::pad_axis, static_cast<int>(a), (to > 0) != upright ? 1 : -1});
+    }
+    return controls;
+}
+
+/// Nothing for what moves the choice, which way_of tells.
+std::optional<Kind> kind_of(const Control& control, bool start_page) {
+    if (control.source == Control::Source::pad_axis)
+        return control.code >= static_cast<int>(PadAxis::left_trigger) ? std::optional(Kind::other)
+                                                                       : std::nullopt;
+    switch (static_cast<PadButton>(control.code)) {
+        case PadButton::up:
+        case PadButton::down:
+        case PadButton::left:
+        case PadButton::right: return {};
+        case PadButton::a: return Kind::confirm;
+        case PadButton::b: return Kind::back;
+        case PadButton::start: return start_page ? Kind::other : Kind::back;
+        case PadButton::left_bumper: return start_page ? Kind::other : Kind::page_up;
+        case PadButton::right_bumper: return start_page ? Kind::other : Kind::page_down;
+        default: return Kind::other;
+    }
+}
+
+void point_by_pad(Desk& desk, const Device& device, const render::PadState& before,
+                  const render::PadState& now) {
+    const auto way = way_of(now);
+    if (way == way_of(before)) return;
+    if (desk.repeat.pad == device.pad) desk.repeat = {};
+    if (!way) return;
+    const MenuEvent event{.kind = *way, .device = device};
+    menu_event(desk, event);
+    start_repeat(desk, event, -1, device.pad);
+}
+
+}  // namespace
+
+void menu_pad(Desk& desk, int place, const render::PadState& before) {
+    const auto now = desk.pads[static_cast<std::size_t>(place)];
+    if (!now.present) {
+        if (desk.repeat.pad == place) desk.repeat = {};
+        return;
+    }
+    const Device device{DeviceKind::pad, place};
+    for (const auto& control : pressed_controls(before, now)) {
+        if (desk.menu.pages.empty()) return;
+        if (desk.menu.waiting) {
+            control_event(desk, device, control);
+            return;  // what else was pressed with it is for nothing
+        }
+        const bool start_page = desk.menu.pages.back().page == Page::start;
+        if (const auto kind = kind_of(control, start_page))
+            menu_event(desk, {.kind = *kind, .device = device});
+    }
+    if (!desk.menu.waiting && !desk.menu.pages.empty()) point_by_pad(desk, device, before, now);
+}
+
+void repeat_menu(Desk& desk) {
+    auto& repeat = desk.repeat;
+    if (desk.menu.pages.empty() || desk.menu.waiting) repeat = {};
+    if (!repeat.event || monotonic_ns() < repeat.next_ns) return;
+    repeat.next_ns = monotonic_ns() + repeat_every_ns;
+    menu_event(desk, *repeat.event);
+}
+
+// The pause ----------------------------------------------------------------------------------------------------------------
+
+void open_pause(Desk& desk) {
+    desk.menu = opened(std::move(desk.menu), Page::pause);
+    desk.mouse_at.reset();
+    desk.stale = true;
+}
+
+void tell_pause(Desk& desk) {
+    const auto& shared = desk.shared;
+    const auto by = shared.paused_by.load();
+    std::string head = "Paused", line = by < game::players ? text("by player ", by + 1) : std::string();
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        if (!shared.pad_lost[p]) continue;
+        head = text("Player ", p + 1, ": pad lost");
+        line = "press a button on it to rejoin, or keypad 0 for half of the keyboard";
+    }
+    if (desk.menu.head == head && desk.menu.line == line) return;
+    desk.menu.head = head;
+    desk.menu.line = line;
+    desk.stale = true;
+}
+
+// Facts --------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+std::string clock_of(Tick length) {
+    const auto whole = static_cast<int>(seconds(length));
+    return text(whole / 60, whole % 60 < 10 ? ":0" : ":", whole % 60);
+}
+
+std::optional<MenuFacts::Rules> rules_of(const std::filesystem::path& file) {
+    const auto source = read_text_file(file, max_rules_file);
+    if (!source) return {};
+    const auto config = Config::parse(*source, file.string(), 1);
+    if (!config) return {};
+    const auto rules = game::read_round_rules(*config);
+    if (!config->check()) return {};
+    const auto name = file.stem().string();
+    return MenuFacts::Rules{name, text(name, ": first to ", rules.kills, ", ", clock_of(rules.length))};
+}
+
+std::vector<MenuFacts::Rules> all_rules(const LivePlan& plan) {
+    std::vector<MenuFacts::Rules> all;
+    std::error_code error;
+    for (std::filesystem::directory_iterator it(plan.assets / "rules", error), end; !error && it != end;
+         it.increment(error)) {
+        if (it->path().extension() != ".toml") continue;
+        if (auto rules = rules_of(it->path())) all.push_back(std::move(*rules));
+    }
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    const auto& chosen = plan.data->choice.rules;
+    if (std::none_of(all.begin(), all.end(), [&](const auto& r) { return r.name == chosen; }))
+        all.push_back({chosen, chosen});
+    return all;
+}
+
+}  // namespace
+
+MenuFacts find_facts(const LivePlan& plan) {
+    MenuFacts facts{.rules = all_rules(plan), .ends_match = plan.start_screen};
+    for (int level = 1; level <= most_levels; ++level) {
+        if (game::load_bot_skill(plan.assets, level)) facts.levels.push_back(level);
+    }
+    if (facts.levels.empty()) facts.levels.push_back(1);  // the match will say what is wrong with it
+    return facts;
+}
+
+}  // namespace thaum::app

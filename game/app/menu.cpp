@@ -1,0 +1,562 @@
+#include "game/app/menu.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+
+namespace thaum::app {
+
+using input::Action;
+using input::Control;
+using input::DeviceKind;
+using Kind = MenuEvent::Kind;
+
+// Bindings -----------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Actions that the screen lists. The others have no control by default and nothing listens to them.
+constexpr bool listed(Action action) {
+    return action != Action::rejoin && action != Action::quit && action != Action::mark;
+}
+
+std::string capitalised_words(std::string_view name) {
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    if (!words.empty() && words[0] >= 'a' && words[0] <= 'z')
+        words[0] = static_cast<char>(words[0] - 'a' + 'A');
+    return words;
+}
+
+std::string label_of_slot(Slot slot) {
+    if (slot.sheet == session_sheet) return capitalised_words(name_of(static_cast<SessionKey>(slot.action)));
+    return capitalised_words(input::name_of(static_cast<Action>(slot.action)));
+}
+
+std::string label_of_sheet(std::size_t sheet) {
+    constexpr std::array<std::string_view, sheets> labels{"Mouse and keyboard", "Half of the keyboard", "Pad",
+                                                          "Keys for everybody"};
+    return std::string(labels[sheet]);
+}
+
+std::size_t size_of_sheet(std::size_t sheet) {
+    return sheet == session_sheet ? session_keys : input::actions;
+}
+
+std::vector<Control>& controls_to_change(Settings& settings, Slot slot) {
+    if (slot.sheet == session_sheet) return settings.session[slot.action];
+    return settings.bindings_of(settings_hands[slot.sheet]).controls[slot.action];
+}
+
+bool is_pad_sheet(std::size_t sheet) {
+    return sheet < settings_hands.size() && settings_hands[sheet] == DeviceKind::pad;
+}
+
+bool is_pad_control(const Control& c) {
+    return c.source == Control::Source::pad_button || c.source == Control::Source::pad_axis;
+}
+
+/// Can a hand of this sheet reach the control?
+bool fits(std::size_t sheet, const Control& control) {
+    if (is_pad_sheet(sheet)) return is_pad_control(control);
+    if (sheet == 0) return !is_pad_control(control);
+    return control.source == Control::Source::key;
+}
+
+bool is(Slot slot, Action action) {
+    return slot.sheet != session_sheet && slot.action == static_cast<std::size_t>(action);
+}
+bool is(Slot slot, SessionKey key) {
+    return slot.sheet == session_sheet && slot.action == static_cast<std::size_t>(key);
+}
+
+/// These act after the round only, when no other action of a hand does.
+bool acts_after_round(Slot slot) {
+    return is(slot, Action::confirm) || is(slot, SessionKey::again) || is(slot, SessionKey::leave);
+}
+bool acts_in_round(Slot slot) { return !acts_after_round(slot); }
+bool acts_always(Slot slot) { return slot.sheet == session_sheet && acts_in_round(slot); }
+
+/// May one control do both? The same thing for two players, or things that never happen at the same time.
+bool may_share(Slot a, Slot b) {
+    const bool hands = a.sheet != session_sheet && b.sheet != session_sheet;
+    if (hands && a.action == b.action)
+        return is(a, Action::panic) || is(a, Action::pause) || is(a, Action::confirm);
+    const auto either = [&](auto one, auto other) {
+        return (is(a, one) && is(b, other)) || (is(b, one) && is(a, other));
+    };
+    if (either(Action::pause, SessionKey::pause) || either(Action::confirm, SessionKey::again)) return true;
+    return acts_after_round(a) != acts_after_round(b) && !acts_always(a) && !acts_always(b);
+}
+
+/// Two pads are two people's: a control of the pad sheet is never one of another sheet.
+bool conflict(Slot a, Slot b) { return is_pad_sheet(a.sheet) == is_pad_sheet(b.sheet) && !may_share(a, b); }
+
+}  // namespace
+
+namespace {
+
+std::string label_of_key(int code) {
+    const auto words = capitalised_words(key_name_of(code));
+    return words.starts_with("Kp ") ? text("Keypad ", words.substr(3)) : words;
+}
+
+}  // namespace
+
+const std::vector<Control>& controls_of(const Settings& settings, Slot slot) {
+    if (slot.sheet == session_sheet) return settings.session[slot.action];
+    return settings.bindings_of(settings_hands[slot.sheet]).controls[slot.action];
+}
+
+std::vector<Slot> assign(Settings& settings, Slot slot, const Control& control) {
+    std::vector<Slot> losers;
+    for (std::size_t sheet = 0; sheet < sheets; ++sheet) {
+        for (std::size_t action = 0; action < size_of_sheet(sheet); ++action) {
+            const Slot other{sheet, action};
+            if (other == slot || !conflict(slot, other)) continue;
+            if (std::erase(controls_to_change(settings, other), control) > 0) losers.push_back(other);
+        }
+    }
+    controls_to_change(settings, slot) = {control};
+    return losers;
+}
+
+std::string label_of(const Control& control) {
+    constexpr std::array<std::string_view, 5> mouse{
+        "Left mouse button", "Right mouse button", "Middle mouse button", "Mouse button 4", "Mouse button 5"};
+    constexpr std::array<std::string_view, 15> buttons{"A",
+                                                       "B",
+                                                       "X",
+                                                       "Y",
+                                                       "LB",
+                                                       "RB",
+                                                       "Back",
+                                                       "Start",
+                                                       "Guide",
+                                                       "Left stick in",
+                                                       "Right stick in",
+                                                       "Pad up",
+                                                       "Pad right",
+                                                       "Pad down",
+                                                       "Pad left"};
+    constexpr std::array<std::string_view, 12> axes{"Left stick left",
+                                                    "Left stick right",
+                                                    "Left stick down",
+                                                    "Left stick up",
+                                                    "Right stick left",
+                                                    "Right stick right",
+                                                    "Right stick down",
+                                                    "Right stick up",
+                                                    "LT",
+                                                    "LT",
+                                                    "RT",
+                                                    "RT"};
+    const auto code = static_cast<std::size_t>(control.code);
+    switch (control.source) {
+        case Control::Source::key: return label_of_key(control.code);
+        case Control::Source::mouse_button: return std::string(mouse.at(code));
+        case Control::Source::wheel: return control.direction > 0 ? "Wheel up" : "Wheel down";
+        case Control::Source::pad_button: return std::string(buttons.at(code));
+        case Control::Source::pad_axis:
+            return std::string(axes.at(2 * code + (control.direction > 0 ? 1 : 0)));
+    }
+    return {};
+}
+
+std::string name_of(const Device& device, const MenuFacts& facts) {
+    if (device.kind == DeviceKind::keyboard_mouse) return "Mouse and keyboard";
+    if (device.kind == DeviceKind::keyboard_half) return "Half of the keyboard";
+    const auto& name = facts.pads.at(static_cast<std::size_t>(device.pad));
+    return name.empty() ? text("Pad ", device.pad + 1) : text("Pad ", device.pad + 1, " (", name, ")");
+}
+
+bool esc_ends_waiting(const MenuState& state) {
+    if (!state.waiting) return false;
+    return is_pad_sheet(state.waiting->sheet) ||
+           !(is(*state.waiting, Action::pause) || is(*state.waiting, SessionKey::pause));
+}
+
+// Rows ---------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+enum class RowKind : std::uint8_t {
+    duel,
+    level,
+    rules,
+    controls,
+    settings,
+    quit,
+    go_on,
+    leave,
+    sheet,
+    action,
+    toggle,
+    defaults,
+    undo,
+    setting,
+    back,
+};
+
+struct Row {
+    RowKind kind{};
+    std::size_t index = 0;
+    game::MenuRow look;
+};
+
+std::size_t joined(const MenuState& s) {
+    return static_cast<std::size_t>(
+        std::count_if(s.seats.begin(), s.seats.end(), [](const auto& seat) { return seat.has_value(); }));
+}
+
+std::string duel_label(const MenuState& s) {
+    switch (joined(s)) {
+        case 0: return "Duel: press any button to join";
+        case 1: return "Start against the bot";
+        default: return "Start the duel";
+    }
+}
+
+void add_start_rows(const MenuState& s, const MenuFacts& facts, std::vector<Row>& rows) {
+    rows.push_back({RowKind::duel, 0, {.label = duel_label(s)}});
+    const bool alone = joined(s) < game::players;
+    rows.push_back({RowKind::level,
+                    0,
+                    {.label = "Bot",
+                     .value = text("level ", facts.levels[s.level]),
+                     .adjustable = facts.levels.size() > 1,
+                     .dim = !alone}});
+    if (facts.rules.size() > 1) {
+        rows.push_back(
+            {RowKind::rules, 0, {.label = "Match", .value = facts.rules[s.rules].label, .adjustable = true}});
+    }
+    rows.push_back({RowKind::controls, 0, {.label = "Controls"}});
+    rows.push_back({RowKind::settings, 0, {.label = "Settings"}});
+    rows.push_back({RowKind::quit, 0, {.label = "Quit"}});
+}
+
+std::string labels_of(const std::vector<Control>& controls) {
+    std::string labels;
+    for (const auto& control : controls) labels += text(labels.empty() ? "" : ", ", label_of(control));
+    return labels.empty() ? "none" : labels;
+}
+
+void add_binding_rows(const MenuState& s, std::vector<Row>& rows) {
+    for (std::size_t action = 0; action < size_of_sheet(s.sheet); ++action) {
+        const Slot slot{s.sheet, action};
+        if (s.sheet != session_sheet && !listed(static_cast<Action>(action))) continue;
+        const bool waits = s.waiting == slot;
+        rows.push_back({RowKind::action,
+                        action,
+                        {.label = label_of_slot(slot),
+                         .value = waits ? (is_pad_sheet(s.sheet) ? "press it on the pad ..." : "press it ...")
+                                        : labels_of(controls_of(s.settings, slot))}});
+    }
+    if (s.sheet != session_sheet) {
+        const auto& toggled = s.settings.bindings_of(settings_hands[s.sheet]).toggled;
+        for (const auto action : input::toggle_actions) {
+            const auto index = static_cast<std::size_t>(action);
+            rows.push_back({RowKind::toggle,
+                            index,
+                            {.label = text(label_of_slot({s.sheet, index}), " while"),
+                             .value = toggled[index] ? "press and press again" : "held",
+                             .adjustable = true}});
+        }
+    }
+    rows.push_back({RowKind::undo, 0, {.label = "Undo the last change", .dim = !s.undo}});
+    rows.push_back({RowKind::defaults, 0, {.label = "All as at first"}});
+    rows.push_back({RowKind::back, 0, {.label = "Back"}});
+}
+
+void add_setting_rows(const MenuState& s, std::vector<Row>& rows) {
+    const auto settings = all_settings();
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        const auto& one = settings[i];
+        rows.push_back(
+            {RowKind::setting,
+             i,
+             {.label = std::string(one.label), .value = shown(one, s.settings), .adjustable = true}});
+    }
+    rows.push_back({RowKind::back, 0, {.label = "Back"}});
+}
+
+std::vector<Row> rows_of(const MenuState& s, const MenuFacts& facts) {
+    std::vector<Row> rows;
+    switch (s.pages.back().page) {
+        case Page::start: add_start_rows(s, facts, rows); break;
+        case Page::pause:
+            rows.push_back({RowKind::go_on, 0, {.label = "Go on"}});
+            rows.push_back({RowKind::controls, 0, {.label = "Controls"}});
+            rows.push_back({RowKind::settings, 0, {.label = "Settings"}});
+            rows.push_back({RowKind::leave, 0, {.label = facts.ends_match ? "End this match" : "Quit"}});
+            break;
+        case Page::sheets:
+            for (std::size_t i = 0; i < sheets; ++i)
+                rows.push_back({RowKind::sheet, i, {.label = label_of_sheet(i)}});
+            rows.push_back({RowKind::back, 0, {.label = "Back"}});
+            break;
+        case Page::bindings: add_binding_rows(s, rows); break;
+        case Page::settings: add_setting_rows(s, rows); break;
+    }
+    return rows;
+}
+
+// Steps --------------------------------------------------------------------------------------------------------------------
+
+std::optional<std::size_t> seat_of(const MenuState& s, const Device& device) {
+    for (std::size_t i = 0; i < s.seats.size(); ++i) {
+        if (s.seats[i] == device) return i;
+    }
+    return {};
+}
+
+void join(MenuState& s, const Device& device) {
+    for (auto& seat : s.seats) {
+        if (seat) continue;
+        seat = device;
+        return;
+    }
+    s.note = "both seats are taken";
+}
+
+/// A device's first press joins, its second one starts.
+void join_or_start(MenuState& s, const Device& device) {
+    if (seat_of(s, device))
+        s.wish = MenuWish::start;
+    else
+        join(s, device);
+}
+
+void leave_seat(MenuState& s, const Device& device) {
+    if (const auto seat = seat_of(s, device)) s.seats[*seat].reset();
+}
+
+void open(MenuState& s, Page page) { s.pages.push_back({page, 0}); }
+
+template <class T>
+void turn(std::size_t& index, const std::vector<T>& list, int way) {
+    const auto size = list.size();
+    index = (index + size + static_cast<std::size_t>(way + static_cast<int>(size))) % size;
+}
+
+void adjust(MenuState& s, const Row& row, const MenuFacts& facts, int way) {
+    switch (row.kind) {
+        case RowKind::level: turn(s.level, facts.levels, way); break;
+        case RowKind::rules: turn(s.rules, facts.rules, way); break;
+        case RowKind::setting: change(all_settings()[row.index], s.settings, way); break;
+        case RowKind::toggle: {
+            auto& toggled = s.settings.bindings_of(settings_hands[s.sheet]).toggled[row.index];
+            toggled = !toggled;
+            break;
+        }
+        default: break;
+    }
+}
+
+void set_defaults(MenuState& s) {
+    s.undo = s.settings;
+    const Settings fresh;
+    if (s.sheet == session_sheet)
+        s.settings.session = fresh.session;
+    else
+        s.settings.bindings_of(settings_hands[s.sheet]) = fresh.bindings_of(settings_hands[s.sheet]);
+    s.note = text(label_of_sheet(s.sheet), ": all controls as at first");
+}
+
+/// Brings back the bindings, not what was set elsewhere since.
+void undo(MenuState& s) {
+    if (!s.undo) return;
+    s.settings.bindings = s.undo->bindings;
+    s.settings.session = s.undo->session;
+    s.undo.reset();
+    s.note = "undone";
+}
+
+void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuFacts& facts) {
+    switch (row.kind) {
+        case RowKind::duel: join_or_start(s, event.device); break;
+        case RowKind::controls: open(s, Page::sheets); break;
+        case RowKind::settings: open(s, Page::settings); break;
+        case RowKind::quit: s.wish = MenuWish::quit; break;
+        case RowKind::go_on: s.wish = MenuWish::go_on; break;
+        case RowKind::leave: s.wish = MenuWish::leave; break;
+        case RowKind::sheet:
+            s.sheet = row.index;
+            open(s, Page::bindings);
+            break;
+        case RowKind::action: s.waiting = Slot{s.sheet, row.index}; break;
+        case RowKind::defaults: set_defaults(s); break;
+        case RowKind::undo: undo(s); break;
+        case RowKind::back: s.pages.pop_back(); break;
+        default: adjust(s, row, facts, 1);
+    }
+}
+
+void go_back(MenuState& s, const MenuEvent& event, const std::vector<Row>& rows) {
+    if (s.pages.back().page == Page::pause) {
+        s.wish = MenuWish::go_on;
+    } else if (s.pages.back().page != Page::start) {
+        s.pages.pop_back();
+    } else if (seat_of(s, event.device)) {
+        leave_seat(s, event.device);
+    } else if (event.device.kind == DeviceKind::pad) {
+        join(s, event.device);  // any button does
+    } else {
+        s.pages.back().cursor = rows.size() - 1;  // Quit
+    }
+}
+
+void take_control(MenuState& s, const MenuEvent& event) {
+    const Slot slot = *s.waiting;
+    if (!fits(slot.sheet, event.control)) {
+        s.note = is_pad_sheet(slot.sheet) ? "that is not on a pad" : "only a key can do this";
+        return;
+    }
+    const auto before = s.settings;
+    const auto losers = assign(s.settings, slot, event.control);
+    s.waiting.reset();
+    s.undo = before;
+    if (losers.empty()) return;
+    s.note = text(label_of(event.control), " is taken from:");
+    for (const auto loser : losers) {
+        s.note += text(loser == losers.front() ? " " : ", ", label_of_slot(loser));
+        if (loser.sheet != slot.sheet) s.note += text(" (", label_of_sheet(loser.sheet), ")");
+    }
+}
+
+/// While a control is waited for, nothing else happens.
+void wait_for_control(MenuState& s, const MenuEvent& event) {
+    if (event.kind == Kind::control) take_control(s, event);
+    if (event.kind == Kind::back) s.waiting.reset();
+}
+
+constexpr std::size_t page_rows = 8;
+
+void move(std::size_t& cursor, std::size_t count, Kind kind) {
+    switch (kind) {
+        case Kind::up: cursor = (cursor + count - 1) % count; break;
+        case Kind::down: cursor = (cursor + 1) % count; break;
+        case Kind::page_up: cursor -= std::min(cursor, page_rows); break;
+        case Kind::page_down: cursor = std::min(cursor + page_rows, count - 1); break;
+        default: break;
+    }
+}
+
+void act(MenuState& s, const MenuEvent& event, const MenuFacts& facts) {
+    const auto rows = rows_of(s, facts);
+    auto& cursor = s.pages.back().cursor;
+    cursor = std::min(event.row.value_or(cursor), rows.size() - 1);
+    const auto& row = rows[cursor];
+    switch (event.kind) {
+        case Kind::left: adjust(s, row, facts, -1); break;
+        case Kind::right: adjust(s, row, facts, 1); break;
+        case Kind::confirm: confirm(s, row, event, facts); break;
+        case Kind::back: go_back(s, event, rows); break;
+        case Kind::other:
+            if (s.pages.back().page == Page::start) join_or_start(s, event.device);
+            break;
+        default: move(cursor, rows.size(), event.kind);
+    }
+}
+
+}  // namespace
+
+MenuState opened(MenuState state, Page page) {
+    state.pages = {{page, 0}};
+    state.note.clear();
+    state.wish = MenuWish::none;
+    return state;
+}
+
+MenuState step(MenuState state, const MenuEvent& event, const MenuFacts& facts) {
+    state.wish = MenuWish::none;
+    // A mouse that just moves hides nothing that should be read.
+    if (event.kind != Kind::point && event.kind != Kind::gone) state.note.clear();
+    if (event.kind == Kind::gone) {
+        leave_seat(state, event.device);
+    } else if (state.pages.empty()) {
+        return state;
+    } else if (state.waiting) {
+        wait_for_control(state, event);
+    } else {
+        act(state, event, facts);
+    }
+    return state;
+}
+
+// Looks --------------------------------------------------------------------------------------------------------------------
+
+namespace {
+
+std::string title_of(const MenuState& s) {
+    switch (s.pages.back().page) {
+        case Page::start: return "Thaum";
+        case Page::pause: return s.head;
+        case Page::sheets: return "Controls";
+        case Page::bindings: return text("Controls: ", label_of_sheet(s.sheet));
+        case Page::settings: return "Settings";
+    }
+    return {};
+}
+
+std::string start_line(const MenuState& s) {
+    switch (joined(s)) {
+        case 0: return "press to join";
+        case 1: return "press again to start, or a second player joins";
+        default: return "press again to start";
+    }
+}
+
+std::string hint_of(const MenuState& s) {
+    if (s.waiting) {
+        return esc_ends_waiting(s) ? "press the new key or button    Esc: leave it as it is"
+                                   : "press the new key or button";
+    }
+    const auto& open = s.pages.back();
+    const auto settings = all_settings();
+    if (open.page == Page::settings && open.cursor < settings.size() && settings[open.cursor].next_match)
+        return "counts from the next match on";
+    switch (open.page) {
+        case Page::start:
+            return "join: any key, mouse button or pad button; keypad 0 for half a keyboard    give up a "
+                   "seat: Esc, "
+                   "B or keypad *";
+        case Page::pause: return "choose: arrows, mouse or pad    go on: Esc, Start";
+        default: return "choose: arrows, mouse or pad    back: Esc, B, right button";
+    }
+}
+
+std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuFacts& facts) {
+    std::vector<game::MenuSeat> seats;
+    for (std::size_t i = 0; i < s.seats.size(); ++i) {
+        const auto& seat = s.seats[i];
+        const bool bot = !seat && joined(s) == 1;
+        seats.push_back({.head = text("Player ", i + 1, seat ? ": joined" : ""),
+                         .device = seat  ? name_of(*seat, facts)
+                                   : bot ? text("press to join, or a bot: level ", facts.levels[s.level])
+                                         : std::string("press to join"),
+                         .taken = seat.has_value()});
+    }
+    return seats;
+}
+
+}  // namespace
+
+game::MenuPicture picture_of(const MenuState& s, const MenuFacts& facts) {
+    game::MenuPicture picture;
+    if (s.pages.empty()) return picture;
+    const auto page = s.pages.back().page;
+    picture.title = title_of(s);
+    if (page == Page::start) {
+        picture.line = start_line(s);
+        picture.seats = seats_of(s, facts);
+    }
+    if (page == Page::pause) picture.line = s.line;
+    for (auto& row : rows_of(s, facts)) picture.rows.push_back(std::move(row.look));
+    picture.cursor = std::min(s.pages.back().cursor, picture.rows.size() - 1);
+    picture.note = s.note;
+    picture.hint = hint_of(s);
+    return picture;
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,112 @@
+// game/app/menu.h: the start screen, the pause and the pages below them: plain data and one pure step, (state, event) ->
+// state. Nothing here knows a window or the match; who runs it (live_menu.cpp) looks at `wish` and at what became of the
+// settings.
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "game/app/settings.h"
+#include "game/hud/menu.h"
+
+namespace thaum::app {
+
+/// What a player has in hand: the keyboard and mouse, half of the keyboard, or one of the window's pads.
+struct Device {
+    input::DeviceKind kind{};
+    int pad = 0;
+    bool operator==(const Device&) const = default;
+};
+
+enum class Page : std::uint8_t {
+    start,
+    pause,
+    sheets,    ///< whose controls?
+    bindings,  ///< those of one sheet
+    settings,
+};
+
+struct MenuEvent {
+    enum class Kind : std::uint8_t {
+        up,
+        down,
+        page_up,
+        page_down,
+        left,
+        right,
+        confirm,
+        other,  ///< a press that means nothing in a menu: it joins, and starts
+        back,
+        point,    ///< at a row, with the mouse
+        control,  ///< any control at all, while one is waited for
+        gone,     ///< the device was unplugged
+    };
+    Kind kind{};
+    Device device{};
+    std::optional<std::size_t>
+        row{};  ///< of confirm, left, right and point: the row instead of the chosen one
+    input::Control control{};
+};
+
+/// What there is to choose from. `levels` and `rules` are not empty.
+struct MenuFacts {
+    struct Rules {
+        std::string name, label;
+    };
+    std::vector<int> levels{};
+    std::vector<Rules> rules{};
+    std::array<std::string, 4> pads{};  ///< names; empty: not plugged in
+    bool ends_match = false;  ///< leaving the pause goes to the start screen, not out of the program
+};
+
+/// One action of one sheet of bindings: sheet 0 to 2 is settings_hands, 3 the session's keys.
+struct Slot {
+    std::size_t sheet{}, action{};
+    bool operator==(const Slot&) const = default;
+};
+inline constexpr std::size_t sheets = settings_hands.size() + 1;
+inline constexpr std::size_t session_sheet = settings_hands.size();
+
+enum class MenuWish : std::uint8_t { none, start, go_on, leave, quit };
+
+struct MenuState {
+    struct Open {
+        Page page{};
+        std::size_t cursor = 0;
+    };
+    std::vector<Open> pages;  ///< the last one shows; empty: no menu
+    std::array<std::optional<Device>, game::players> seats;
+    std::size_t level = 0, rules = 0;  ///< indices of the facts' lists
+    std::size_t sheet = 0;             ///< of the bindings page
+    std::optional<Slot> waiting;       ///< for its new control
+    Settings settings;
+    std::optional<Settings> undo;  ///< the settings before the last change of bindings
+    std::string head, line;        ///< of the pause: who, and why
+    std::string note;              ///< what the last event did, or why it could not
+    MenuWish wish{};               ///< what the last event asks for
+};
+
+/// Opens a page on a menu that is closed.
+MenuState opened(MenuState state, Page page);
+
+MenuState step(MenuState state, const MenuEvent& event, const MenuFacts& facts);
+
+/// Does Esc end the wait for a control? Not where it may be the very key that is wanted: to pause.
+bool esc_ends_waiting(const MenuState& state);
+
+/// What it looks like.
+game::MenuPicture picture_of(const MenuState& state, const MenuFacts& facts);
+
+/// "Mouse and keyboard", "Half of the keyboard", "Pad 2 (Xbox 360 Controller)".
+std::string name_of(const Device& device, const MenuFacts& facts);
+
+/// "Space", "Left mouse button", "RT", "Left stick up".
+std::string label_of(const input::Control& control);
+
+const std::vector<input::Control>& controls_of(const Settings& settings, Slot slot);
+
+/// Gives the slot this control and nothing else; it is taken from whatever else it would do at the same time. Returns
+/// what lost it.
+std::vector<Slot> assign(Settings& settings, Slot slot, const input::Control& control);
+
+}  // namespace thaum::app

@@ -1,0 +1,176 @@
+// Changes of values in the text of a settings file, line by line, so that what people wrote around them stays. A line
+// editor does not know all of TOML; so what it made is read again, and only a text that says what was asked for, and
+// differs in nothing else, is used.
+#include <algorithm>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "game/app/settings.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr std::size_t max_edited_file = 1U << 20U;
+
+std::string in_quotes(std::string_view words) { return text('"', words, '"'); }
+
+void add_hand(const input::Bindings& bindings, std::vector<SettingEdit>& values) {
+    const std::string table(input::name_of(bindings.kind));
+    for (std::size_t i = 0; i < input::actions; ++i) {
+        const auto action = static_cast<input::Action>(i);
+        values.push_back({table, std::string(input::name_of(action)),
+                          in_quotes(input::words_of(bindings.controls[i], key_name_of))});
+    }
+    values.push_back({table, "toggle", in_quotes(input::toggles_of(bindings))});
+    values.push_back({table, "stick_dead_zone", text(bindings.stick_dead_zone)});
+    values.push_back({table, "trigger_press", text(bindings.trigger_press)});
+}
+
+/// All that a file can say, as it says it.
+std::vector<SettingEdit> all_values(const Settings& settings) {
+    std::vector<SettingEdit> values;
+    for (const auto& setting : all_settings())
+        values.push_back({"", std::string(setting.key), written(setting, settings)});
+    for (const auto kind : settings_hands) add_hand(settings.bindings_of(kind), values);
+    for (std::size_t i = 0; i < session_keys; ++i) {
+        const auto key = static_cast<SessionKey>(i);
+        values.push_back({"session", std::string(name_of(key)),
+                          in_quotes(input::words_of(settings.of(key), key_name_of))});
+    }
+    return values;
+}
+
+// The text -----------------------------------------------------------------------------------------------------------------
+
+std::vector<std::string> lines_of(std::string_view source) {
+    std::vector<std::string> lines;
+    while (!source.empty()) {
+        const auto end = std::min(source.find('\n'), source.size());
+        lines.emplace_back(source.substr(0, end));
+        source.remove_prefix(std::min(end + 1, source.size()));
+    }
+    return lines;
+}
+
+std::string_view without_spaces(std::string_view s) {
+    constexpr std::string_view spaces = " \t\r";
+    const auto first = s.find_first_not_of(spaces);
+    if (first == std::string_view::npos) return {};
+    return s.substr(first, s.find_last_not_of(spaces) - first + 1);
+}
+
+/// The name in "[name]  # comment"; nothing where the line is no header of a table.
+std::optional<std::string> header_of(std::string_view line) {
+    line = without_spaces(line);
+    const auto end = line.find(']');
+    if (!line.starts_with('[') || end == std::string_view::npos) return {};
+    return std::string(without_spaces(line.substr(1, end - 1)));
+}
+
+/// Where the value in `key = value` begins; nothing where the line is of another key.
+std::optional<std::size_t> value_in(std::string_view line, std::string_view key) {
+    const auto equals = line.find('=');
+    if (equals == std::string_view::npos || without_spaces(line.substr(0, equals)) != key) return {};
+    const auto at = line.find_first_not_of(" \t", equals + 1);
+    return at == std::string_view::npos ? line.size() : at;
+}
+
+std::size_t end_of_value(std::string_view line, std::size_t at) {
+    const char quote = at < line.size() ? line[at] : ' ';
+    if (quote == '"' || quote == '\'') {
+        for (auto i = at + 1; i < line.size(); ++i) {
+            if (line[i] == '\\' && quote == '"')
+                ++i;
+            else if (line[i] == quote)
+                return i + 1;
+        }
+    }
+    const auto comment = std::min(line.find('#', at), line.size());
+    const auto last = line.substr(0, comment).find_last_not_of(" \t\r");
+    return last == std::string_view::npos || last < at ? at : last + 1;
+}
+
+/// A comment behind the value stays in its column while there is room.
+void replace_value(std::string& line, std::size_t at, const std::string& value) {
+    const auto end = end_of_value(line, at);
+    const auto next = line.find_first_not_of(" \t", end);
+    const bool comment = next != std::string::npos && line[next] == '#';
+    auto room = comment ? next - at : end - at;
+    std::string put = value;
+    if (comment) put.append(room > value.size() ? room - value.size() : 1, ' ');
+    line.replace(at, room, put);
+}
+
+void apply(const SettingEdit& edit, std::vector<std::string>& lines) {
+    std::string table;
+    std::optional<std::size_t> last;  // of the table's lines that are not empty and no comments
+    if (edit.table.empty()) last = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (const auto header = header_of(lines[i])) table = *header;
+        if (table != edit.table) continue;
+        if (const auto at = value_in(lines[i], edit.key)) return replace_value(lines[i], *at, edit.value);
+        const auto words = without_spaces(lines[i]);
+        if (!words.empty() && !words.starts_with('#')) last = i + 1;
+    }
+    const auto line = text(edit.key, " = ", edit.value);
+    if (last) {
+        lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(*last), line);
+        return;
+    }
+    for (const auto& more : {std::string(), text("[", edit.table, "]"), line}) lines.push_back(more);
+}
+
+bool names(const std::vector<SettingEdit>& edits, const SettingEdit& one) {
+    return std::any_of(edits.begin(), edits.end(),
+                       [&](const SettingEdit& e) { return e.table == one.table && e.key == one.key; });
+}
+
+/// Has `now` what the edits ask for, and otherwise what `old` had?
+bool says(const Settings& old, const Settings& now, const std::vector<SettingEdit>& edits) {
+    const auto differences = changes(old, now);
+    const auto values = all_values(now);
+    return std::all_of(differences.begin(), differences.end(),
+                       [&](const auto& d) { return names(edits, d); }) &&
+           std::all_of(edits.begin(), edits.end(), [&](const auto& e) {
+               return std::find(values.begin(), values.end(), e) != values.end();
+           });
+}
+
+}  // namespace
+
+std::vector<SettingEdit> changes(const Settings& before, const Settings& after) {
+    auto old = all_values(before), edits = all_values(after);
+    std::erase_if(edits,
+                  [&](const SettingEdit& e) { return std::find(old.begin(), old.end(), e) != old.end(); });
+    return edits;
+}
+
+Expected<std::string> edit_settings(std::string_view toml, const std::string& name,
+                                    const std::vector<SettingEdit>& edits) {
+    const auto old = parse_settings(toml, name);
+    if (!old) return tl::unexpected(old.error());
+    auto lines = lines_of(toml);
+    for (const auto& edit : edits) apply(edit, lines);
+    std::string edited;
+    for (const auto& line : lines) edited += line + '\n';
+    const auto now = parse_settings(edited, name);
+    if (now && says(*old, *now, edits)) return edited;
+    return fail(text(name, ": is written in a way that cannot be changed here"));
+}
+
+Expected<void> save_changes(const std::filesystem::path& file, const Settings& before,
+                            const Settings& after) {
+    const auto edits = changes(before, after);
+    if (edits.empty()) return {};
+    std::error_code error;
+    // A link to a file elsewhere stays a link.
+    const auto real = std::filesystem::weakly_canonical(file, error);
+    const auto& target = error ? file : real;
+    const auto source = read_text_file(target, max_edited_file);
+    if (!source) return tl::unexpected(source.error());
+    const auto edited = edit_settings(*source, file.string(), edits);
+    if (!edited) return tl::unexpected(edited.error());
+    return write_text_file(target, *edited);
+}
+
+}  // namespace thaum::app

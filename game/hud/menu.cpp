@@ -1,0 +1,228 @@
+#include "game/hud/menu.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/hud/figures.h"
+#include "game/hud/overlay.h"
+
+namespace thaum::game {
+namespace {
+
+using render::Align;
+using render::colour;
+using render::Overlay;
+
+const fvec4 menu_veil = colour(0x0C0616, 0.45F);
+const fvec4 menu_panel = colour(0x1C1430, 0.88F);
+const fvec4 chosen_row = colour(0x5A3E92, 0.95F);
+const fvec4 bright = colour(0xF6F0FF, 1.0F);
+const fvec4 quiet = colour(0xCABEDC, 0.9F);
+const fvec4 faint = colour(0x8F84A6, 0.9F);
+const fvec4 gold = colour(0xFFD98A, 1.0F);
+
+/// em per character of the type face, on the wide side.
+constexpr float wide = 0.66F;
+constexpr std::size_t fewest_rows = 4;
+
+/// Everything in px. Rows from `first` are shown, `visible` of them.
+struct Layout {
+    float unit{};  ///< of 720 lines at 100 %
+    float title_top{}, line_top{}, seats_top{}, seats_height{};
+    fvec2 rows_low{0};
+    float row_width{}, row_height{};
+    std::size_t first{}, visible{};
+    float note_top{}, hint_top{}, width{};
+};
+
+/// Heights in units.
+constexpr float row_units = 27, title_units = 50, line_units = 34, seat_units = 62, foot_units = 50,
+                edge_units = 12;
+
+float head_units(const MenuPicture& menu) {
+    return edge_units + title_units + (menu.line.empty() ? 0 : line_units) +
+           (menu.seats.empty() ? 0 : seat_units + 10);
+}
+
+std::size_t rows_that_fit(const MenuPicture& menu, float height, float unit) {
+    const float left = height / unit - head_units(menu) - foot_units - 10;
+    return left <= 0 ? 0 : static_cast<std::size_t>(left / row_units);
+}
+
+Layout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
+    const float width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+    const float least = std::min(height / 720, width / 900);
+    const auto rows = menu.rows.size();
+    Layout l;
+    l.unit = std::max(least * static_cast<float>(text_scale), 0.2F);
+    // Large words leave few rows; below a handful of them the words give way.
+    while (l.unit > least && rows_that_fit(menu, height, l.unit) < std::min(rows, fewest_rows))
+        l.unit *= 0.95F;
+    const float u = l.unit;
+    l.width = 0.94F * width;
+    l.title_top = edge_units * u;
+    l.line_top = l.title_top + title_units * u;
+    l.seats_top = l.line_top + (menu.line.empty() ? 0 : line_units * u);
+    l.seats_height = seat_units * u;
+    l.visible = std::min(rows, std::max<std::size_t>(rows_that_fit(menu, height, u), 1));
+    l.first = menu.cursor < l.visible / 2 ? 0 : std::min(menu.cursor - l.visible / 2, rows - l.visible);
+    l.row_width = std::min(l.width, 620 * u);
+    l.row_height = row_units * u;
+    // The rows stand low, so that what is behind them can be seen.
+    const float head = head_units(menu) * u, foot = height - foot_units * u;
+    const float spare = foot - head - static_cast<float>(l.visible) * l.row_height;
+    l.rows_low = {(width - l.row_width) / 2, head + std::max(0.85F * spare, 0.0F)};
+    l.note_top = foot + 2 * u;
+    l.hint_top = height - 22 * u;
+    return l;
+}
+
+float fitted(std::string_view words, float size, float room) {
+    const auto count = static_cast<float>(std::max<std::size_t>(render::decode_utf8(words).size(), 1));
+    return std::max(std::min(size, room / (wide * count)), 4.0F);
+}
+
+void add_fitted(Overlay& out, const std::string& words, fvec2 position, float size, float room, fvec4 paint,
+                Align align) {
+    if (words.empty()) return;
+    const float small = fitted(words, size, room);
+    // Smaller words stand on the same line.
+    add_text(out, words, position + fvec2(0, 0.6F * (size - small)), small, paint, align);
+}
+
+void add_panel(Overlay& out, fvec2 low, fvec2 high, fvec4 paint, float corner) {
+    out.items.emplace_back(render::RectItem{low, high, paint, corner});
+}
+
+void add_seat(Overlay& out, const MenuSeat& seat, std::uint32_t team, fvec2 low, fvec2 high, float u) {
+    const auto& paint = team_colours(team);
+    add_panel(out, low, high, menu_panel, 10 * u);
+    if (seat.taken) add_panel(out, low, {low.x + 7 * u, high.y}, fvec4(paint.light, 1.0F), 3 * u);
+    const float middle = (low.y + high.y) / 2;
+    add_mark(out, team, {low.x + 32 * u, middle}, 13 * u);
+    const float left = low.x + 56 * u, room = high.x - left - 8 * u;
+    add_fitted(out, seat.head, {left, low.y + 6 * u}, 17 * u, room, fvec4(paint.light, 1.0F), Align::left);
+    add_fitted(out, seat.device, {left, low.y + 31 * u}, 17 * u, room, seat.taken ? bright : quiet,
+               Align::left);
+}
+
+void add_seats(Overlay& out, const MenuPicture& menu, const Layout& l, float window_width) {
+    const auto count = static_cast<float>(menu.seats.size());
+    const float u = l.unit, gap = 14 * u;
+    const float width = std::min(l.width, 860 * u);
+    const float each = (width - gap * (count - 1)) / std::max(count, 1.0F);
+    for (std::size_t i = 0; i < menu.seats.size(); ++i) {
+        const float left = (window_width - width) / 2 + static_cast<float>(i) * (each + gap);
+        add_seat(out, menu.seats[i], static_cast<std::uint32_t>(i), {left, l.seats_top},
+                 {left + each, l.seats_top + l.seats_height}, u);
+    }
+}
+
+/// The width of the part of a row that less and more each take at its right side.
+float arrow_width(const Layout& l) { return 30 * l.unit; }
+
+float value_width(const Layout& l) { return 0.5F * l.row_width; }
+
+void add_arrow(Overlay& out, fvec2 centre, float radius, float way) {
+    out.items.emplace_back(render::TriangleItem{centre + fvec2(way * radius, 0),
+                                                centre + fvec2(-way * radius, -radius),
+                                                centre + fvec2(-way * radius, radius), gold});
+}
+
+void add_row(Overlay& out, const MenuRow& row, bool chosen, const Layout& l, std::size_t place) {
+    const float u = l.unit;
+    const fvec2 low = l.rows_low + fvec2(0, static_cast<float>(place) * l.row_height);
+    const fvec2 high = low + fvec2(l.row_width, l.row_height);
+    if (chosen) add_panel(out, low, high, chosen_row, 7 * u);
+    const auto paint = row.dim ? faint : chosen ? bright : quiet;
+    const float top = low.y + 2 * u, size = 18 * u;
+    const float value_room = row.value.empty() ? 0 : value_width(l);
+    add_fitted(out, row.label, {low.x + 12 * u, top}, size, l.row_width - value_room - 24 * u, paint,
+               Align::left);
+    const float arrows = row.adjustable ? arrow_width(l) : 0;
+    if (!row.adjustable) {
+        add_fitted(out, row.value, {high.x - 12 * u, top}, size, value_room - 16 * u, paint, Align::right);
+        return;
+    }
+    const float middle = high.x - value_room / 2;
+    add_fitted(out, row.value, {middle, top}, size, value_room - 2 * arrows, paint, Align::centre);
+    const float y = (low.y + high.y) / 2;
+    add_arrow(out, {high.x - value_room + arrows / 2, y}, 5 * u, -1);
+    add_arrow(out, {high.x - arrows / 2, y}, 5 * u, 1);
+}
+
+/// There is more above or below.
+void add_scroll_marks(Overlay& out, const MenuPicture& menu, const Layout& l) {
+    const float x = l.rows_low.x + l.row_width + 9 * l.unit, r = 6 * l.unit;
+    const float bottom = l.rows_low.y + static_cast<float>(l.visible) * l.row_height;
+    const auto mark = [&](float y, float way) {
+        out.items.emplace_back(render::TriangleItem{{x - r, y}, {x + r, y}, {x, y + way * r}, gold});
+    };
+    if (l.first > 0) mark(l.rows_low.y + 1.5F * r, -1);
+    if (l.first + l.visible < menu.rows.size()) mark(bottom - 1.5F * r, 1);
+}
+
+}  // namespace
+
+std::optional<MenuPlace> place_at(const MenuPicture& menu, render::Size size, double text_scale,
+                                  fvec2 point) {
+    if (menu.title.empty() || menu.rows.empty()) return {};
+    const auto l = lay_out(menu, size, text_scale);
+    const fvec2 in = point - l.rows_low;
+    if (in.x < 0 || in.x >= l.row_width || in.y < 0) return {};
+    const auto place = static_cast<std::size_t>(in.y / l.row_height);
+    if (place >= l.visible) return {};
+    MenuPlace found{l.first + place, MenuPart::row};
+    if (menu.rows[found.row].adjustable && in.x >= l.row_width - value_width(l)) {
+        if (in.x >= l.row_width - arrow_width(l)) found.part = MenuPart::more;
+        if (in.x < l.row_width - value_width(l) + arrow_width(l)) found.part = MenuPart::less;
+    }
+    return found;
+}
+
+void add_menu(Overlay& out, const MenuPicture& menu, render::Size size, double text_scale) {
+    if (menu.title.empty()) return;
+    const float width = static_cast<float>(size.width), height = static_cast<float>(size.height);
+    const auto l = lay_out(menu, size, text_scale);
+    const float u = l.unit, middle = width / 2;
+    add_panel(out, {0, 0}, {width, height}, menu_veil, 0);
+    add_fitted(out, menu.title, {middle, l.title_top}, 36 * u, l.width, bright, Align::centre);
+    add_fitted(out, menu.line, {middle, l.line_top}, 24 * u, l.width, gold, Align::centre);
+    add_seats(out, menu, l, width);
+    const float rows_height = static_cast<float>(l.visible) * l.row_height;
+    add_panel(out, l.rows_low - fvec2(5 * u), l.rows_low + fvec2(l.row_width, rows_height) + fvec2(5 * u),
+              menu_panel, 10 * u);
+    for (std::size_t i = 0; i < l.visible; ++i)
+        add_row(out, menu.rows[l.first + i], l.first + i == menu.cursor, l, i);
+    add_scroll_marks(out, menu, l);
+    add_fitted(out, menu.note, {middle, l.note_top}, 17 * u, l.width, gold, Align::centre);
+    add_fitted(out, menu.hint, {middle, l.hint_top}, 14 * u, l.width, quiet, Align::centre);
+}
+
+const render::Frame& make_court_frame(const Court& court, const Picture& picture, double angle,
+                                      const HudSettings& settings, render::Size size, FrameMemory& memory) {
+    constexpr double radius = 15.5, height = 7.5;
+    const vec3 eye{radius * std::sin(angle), height, radius * std::cos(angle)};
+    begin_frame(court, picture, settings, size, memory);
+    auto& frame = memory.frame;
+    memory.instances[0].clear();
+    memory.lights[0].clear();
+    add_instances(court, picture, no_player, memory.instances[0]);
+    add_power_ups(court.power_ups, picture, eye, memory.instances[0]);
+    choose_lights(court, picture, eye, memory.lights[0]);
+    render::Camera camera;
+    camera.position = fvec3(eye);
+    camera.orientation = fquat(look_rotation(angle, -0.36));
+    camera.fov_y =
+        static_cast<float>(field_of_view(settings.fov, static_cast<double>(size.width) / size.height));
+    camera.far_plane = 160;
+    frame.views = {{.camera = camera,
+                    .viewport = {0, 0, size.width, size.height},
+                    .instances = memory.instances[0],
+                    .lights = memory.lights[0],
+                    .environment = court.environment,
+                    .shades = memory.shades}};
+    return frame;
+}
+
+}  // namespace thaum::game
