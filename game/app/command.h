@@ -25,6 +25,7 @@ Command diff_command();
 Command scenario_command();
 Command bench_command();
 Command doctor_command();
+Command plot_command();
 
 /// Is there a desktop to open a window on?
 bool display_there();
