@@ -26,6 +26,7 @@ Command shots_command();
 Command scenario_command();
 Command bench_command();
 Command doctor_command();
+Command plot_command();
 
 /// Is there a desktop to open a window on?
 bool display_there();

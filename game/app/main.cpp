@@ -11,7 +11,7 @@ namespace {
 
 std::vector<Command> commands() {
     return {play_command(),     replay_command(), diff_command(),  shots_command(),
-            scenario_command(), bench_command(),  doctor_command()};
+            scenario_command(), bench_command(), plot_command(),  doctor_command()};
 }
 
 void print_overview() {

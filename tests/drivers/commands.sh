@@ -43,6 +43,8 @@ expect 2 "replay needs one log" replay
 expect 2 "diff needs two dumps" diff
 expect 2 "no area" bench nothing
 expect 2 "no scenario 'nothing'" scenario nothing
+expect 2 "plot needs one report" plot
+expect 2 "not an ordinary file" plot "$folder"
 DISPLAY=:4242 expect 2 "cannot open a window" --demo
 mkfifo "$folder/fifo"
 expect 2 "not an ordinary file" replay "$folder/fifo" --verify

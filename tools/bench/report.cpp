@@ -5,7 +5,6 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <string_view>
 #include <thread>
 
 #include "core/text.h"
@@ -51,20 +50,6 @@ Json row_json(const Row& row) {
     for (const auto& [name, value] : row.metrics) out["metrics"][name] = value;
     if (row.hash) out["hash"] = *row.hash;
     return out;
-}
-
-/// Four significant digits.
-std::string shown(double value) {
-    std::array<char, 64> buffer{};
-    const auto end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 4).ptr;
-    return {buffer.data(), end};
-}
-
-std::string shown(const Value& value) {
-    if (const auto* s = std::get_if<std::string>(&value)) return *s;
-    if (const auto* i = std::get_if<std::int64_t>(&value)) return std::to_string(*i);
-    return shown(std::get<double>(value));
 }
 
 /// Texts by column, the first row being the headings; a row may be shorter.
@@ -138,6 +123,19 @@ std::string area_table(const Report& report, const std::string& area) {
 }
 
 }  // namespace
+
+std::string shown(double value) {
+    std::array<char, 64> buffer{};
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 4).ptr;
+    return {buffer.data(), end};
+}
+
+std::string shown(const Value& value) {
+    if (const auto* s = std::get_if<std::string>(&value)) return *s;
+    if (const auto* i = std::get_if<std::int64_t>(&value)) return std::to_string(*i);
+    return shown(std::get<double>(value));
+}
 
 Report empty_report() {
     return {THAUM_VERSION, {cpu_name(), std::thread::hardware_concurrency(), THAUM_BUILD_TYPE}, {}};

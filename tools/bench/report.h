@@ -7,9 +7,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
+
+#include "core/error.h"
 
 namespace thaum::bench {
 
@@ -60,6 +63,15 @@ void mark_fronts(std::vector<Row>& rows);
 
 /// One object, indented, with a trailing newline. Numbers that are not finite become null.
 std::string to_json(const Report& report);
+
+/// What to_json wrote, or another program in its form. null, or a value that is left out, is a number that is not finite; keys
+/// that are not known are passed over. The error names the row and the key: not JSON, no rows, a wrong type.
+Expected<Report> from_json(std::string_view json);
+
+/// Four significant digits.
+std::string shown(double value);
+/// A text as it is, an integer in full, another number by four digits.
+std::string shown(const Value& value);
 
 /// One table for each area. A column is a setting or a metric that some row of the area has; '*' marks the front, 'd' the default.
 std::string to_table(const Report& report);

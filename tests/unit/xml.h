@@ -1,0 +1,119 @@
+// Is this well-formed XML? A small strict reader for the tests of what we write: elements, attributes in double quotes, the
+// five entities; no declarations, comments or sections, since ours has none.
+#pragma once
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/text.h"
+
+namespace thaum::test {
+
+class XmlReader {
+public:
+    explicit XmlReader(std::string_view xml) : rest_(xml), whole_(xml.size()) {}
+
+    /// Empty, or what is wrong and at which byte.
+    std::string fault() {
+        while (!rest_.empty() && fault_.empty()) {
+            if (rest_.front() == '<') {
+                read_tag();
+            } else {
+                read_words(rest_.find('<'), open_.empty());
+            }
+        }
+        if (fault_.empty() && !open_.empty()) blame("an element is never closed");
+        if (fault_.empty() && roots_ != 1) blame("there must be one root");
+        return fault_;
+    }
+
+private:
+    void blame(std::string_view what) { fault_ = text(what, " at byte ", whole_ - rest_.size()); }
+
+    static bool is_name(char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+               c == '_';
+    }
+
+    std::string_view take(std::size_t n) {
+        const auto taken = rest_.substr(0, n);
+        rest_.remove_prefix(taken.size());
+        return taken;
+    }
+
+    std::string_view take_name() {
+        std::size_t n = 0;
+        while (n < rest_.size() && is_name(rest_[n])) ++n;
+        if (n == 0) blame("a name is missing");
+        return take(n);
+    }
+
+    void skip_space() { take(std::min(rest_.find_first_not_of(" \n"), rest_.size())); }
+
+    void read_words(std::size_t length, bool space_only) {
+        const auto words = rest_.substr(0, length);
+        for (std::size_t i = 0; i < words.size(); ++i) {
+            const auto c = static_cast<unsigned char>(words[i]);
+            if ((c < 0x20 && c != '\n') || c == '<') return blame("a character that XML forbids");
+            if (words.substr(i).starts_with("\xEF\xBF\xBF")) return blame("a character that XML forbids");
+            if (space_only && c != ' ' && c != '\n') return blame("words outside the root");
+            if (c == '&' && !is_entity(words.substr(i))) return blame("a bare ampersand");
+        }
+        take(words.size());
+    }
+
+    static bool is_entity(std::string_view at) {
+        for (const auto* entity : {"&amp;", "&lt;", "&gt;", "&quot;", "&apos;"}) {
+            if (at.starts_with(entity)) return true;
+        }
+        return false;
+    }
+
+    void read_tag() {
+        take(1);
+        if (rest_.starts_with('/')) return read_end();
+        const auto name = take_name();
+        if (open_.empty()) ++roots_;
+        std::vector<std::string_view> attributes;
+        for (skip_space(); fault_.empty() && !rest_.starts_with('>') && !rest_.starts_with("/>");
+             skip_space())
+            read_attribute(attributes);
+        if (!fault_.empty()) return;
+        if (take(1) == "/") {
+            take(1);
+        } else {
+            open_.push_back(name);
+        }
+    }
+
+    void read_attribute(std::vector<std::string_view>& seen) {
+        const auto name = take_name();
+        if (!fault_.empty()) return;
+        for (const auto other : seen) {
+            if (other == name) return blame("an attribute is given twice");
+        }
+        seen.push_back(name);
+        if (take(2) != "=\"") return blame("an attribute without a value");
+        read_words(std::min(rest_.find('"'), rest_.size()), false);
+        if (fault_.empty() && take(1) != "\"") blame("quotes that do not end");
+    }
+
+    void read_end() {
+        take(1);
+        const auto name = take_name();
+        if (open_.empty() || open_.back() != name || take(1) != ">")
+            return blame("an end that closes nothing");
+        open_.pop_back();
+    }
+
+    std::string_view rest_;
+    std::size_t whole_;
+    std::vector<std::string_view> open_;
+    std::size_t roots_ = 0;
+    std::string fault_;
+};
+
+inline std::string xml_fault(std::string_view xml) { return XmlReader(xml).fault(); }
+
+}  // namespace thaum::test

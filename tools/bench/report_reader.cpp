@@ -1,0 +1,191 @@
+// Reports come from other machines and other versions, so nothing in one is believed before it was looked at. What costs
+// more than its length to read or to print, such as a table of a thousand columns, is refused as well.
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/text.h"
+#include "tools/bench/report.h"
+
+namespace thaum::bench {
+namespace {
+
+using Json = nlohmann::json;  // its objects are sorted; the ordered kind is slow with many keys
+
+constexpr std::size_t most_rows = 200'000;
+constexpr std::size_t most_names = 128;  ///< settings and metrics, in a whole report
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+const Json& member(const Json& object, const char* key) {
+    static const Json nothing;
+    const auto found = object.find(key);
+    return found == object.end() ? nothing : *found;
+}
+
+Expected<std::string> word(const Json& object, const char* key) {
+    const Json& value = member(object, key);
+    if (!value.is_string()) return fail(text("'", key, "' must be a text"));
+    return value.get<std::string>();
+}
+
+/// Absent is false.
+Expected<bool> mark(const Json& object, const char* key) {
+    const Json& value = member(object, key);
+    if (value.is_null()) return false;
+    if (!value.is_boolean()) return fail(text("'", key, "' must be true or false"));
+    return value.get<bool>();
+}
+
+Expected<double> number(const Json& value, std::string_view key) {
+    if (value.is_null()) return no_number;
+    if (!value.is_number()) return fail(text("'", key, "' must be a number"));
+    return value.get<double>();
+}
+
+Expected<Value> setting(const Json& value, const std::string& key) {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_boolean()) return std::string(value.get<bool>() ? "true" : "false");
+    const bool fits = !value.is_number_unsigned() ||
+                      value.get<std::uint64_t>() <= std::uint64_t{std::numeric_limits<std::int64_t>::max()};
+    if (value.is_number_integer() && fits) return value.get<std::int64_t>();
+    const auto real = number(value, key);
+    if (!real) return tl::unexpected(real.error());
+    return *real;
+}
+
+/// An object, or nothing at all.
+Expected<const Json*> object(const Json& row, const char* key) {
+    const Json& value = member(row, key);
+    if (!value.is_null() && !value.is_object()) return fail(text("'", key, "' must be an object"));
+    return &value;
+}
+
+Expected<void> read_times(const Json& from, Row& row) {
+    const auto times = object(from, "time_us");
+    if (!times) return tl::unexpected(times.error());
+    if ((*times)->is_null()) return {};
+    row.time_us.emplace();
+    for (const auto& [key, to] : {std::pair{"min", &row.time_us->min},
+                                  {"median", &row.time_us->median},
+                                  {"p99", &row.time_us->p99}}) {
+        const auto value = number(member(**times, key), text("time_us.", key));
+        if (!value) return tl::unexpected(value.error());
+        *to = *value;
+    }
+    return {};
+}
+
+Expected<void> read_error(const Json& from, Row& row) {
+    const auto error = object(from, "error");
+    if (!error) return tl::unexpected(error.error());
+    if ((*error)->is_null()) return {};
+    const auto name = word(**error, "name");
+    if (!name) return tl::unexpected(Error{text("error.", name.error().message)});
+    const auto value = number(member(**error, "value"), "error.value");
+    if (!value) return tl::unexpected(value.error());
+    row.error = ErrorMeasure{*name, *value};
+    return {};
+}
+
+Expected<void> read_settings(const Json& from, Row& row) {
+    const auto settings = object(from, "setting");
+    if (!settings) return tl::unexpected(settings.error());
+    for (const auto& item : (*settings)->items()) {
+        const auto value = setting(item.value(), text("setting.", item.key()));
+        if (!value) return tl::unexpected(value.error());
+        row.setting.emplace_back(item.key(), *value);
+    }
+    return {};
+}
+
+Expected<void> read_metrics(const Json& from, Row& row) {
+    const auto metrics = object(from, "metrics");
+    if (!metrics) return tl::unexpected(metrics.error());
+    for (const auto& item : (*metrics)->items()) {
+        const auto value = number(item.value(), text("metrics.", item.key()));
+        if (!value) return tl::unexpected(value.error());
+        row.metrics.emplace_back(item.key(), *value);
+    }
+    return {};
+}
+
+Expected<void> read_marks(const Json& from, Row& row) {
+    const auto front = mark(from, "front");
+    if (!front) return tl::unexpected(front.error());
+    const auto is_default = mark(from, "default");
+    if (!is_default) return tl::unexpected(is_default.error());
+    row.front = *front;
+    row.is_default = *is_default;
+    if (member(from, "hash").is_null()) return {};
+    const auto hash = word(from, "hash");
+    if (!hash) return tl::unexpected(hash.error());
+    row.hash = *hash;
+    return {};
+}
+
+Expected<Row> read_row(const Json& from) {
+    if (!from.is_object()) return fail("it must be an object");
+    Row row;
+    const auto area = word(from, "area");
+    if (!area) return tl::unexpected(area.error());
+    const auto name = word(from, "case");
+    if (!name) return tl::unexpected(name.error());
+    row.area = *area;
+    row.name = *name;
+    for (const auto read : {read_settings, read_times, read_error, read_metrics, read_marks}) {
+        if (const auto done = read(from, row); !done) return tl::unexpected(done.error());
+    }
+    return row;
+}
+
+/// What is missing of it stays unknown: the figures matter, not where they came from.
+Machine read_machine(const Json& json) {
+    Machine machine{"unknown", 0, "unknown"};
+    const auto from = object(json, "machine");
+    if (!from || (*from)->is_null()) return machine;
+    if (const auto cpu = word(**from, "cpu")) machine.cpu = *cpu;
+    if (const auto build = word(**from, "build")) machine.build = *build;
+    const Json& cores = member(**from, "cores");
+    if (cores.is_number_unsigned() && cores.get<std::uint64_t>() < 1'000'000)
+        machine.cores = cores.get<unsigned>();
+    return machine;
+}
+
+void note_names(const Row& row, std::set<std::string>& names) {
+    for (const auto& item : row.setting) names.insert(item.first);
+    for (const auto& item : row.metrics) names.insert(item.first);
+}
+
+Expected<Json> parse(std::string_view json) {
+    try {
+        return Json::parse(json);
+    } catch (const Json::parse_error& error) {
+        return fail(text("is not JSON from byte ", error.byte, " on"));
+    } catch (const Json::out_of_range&) {
+        return fail("is not JSON: it has a number beyond all bounds");
+    }
+}
+
+}  // namespace
+
+Expected<Report> from_json(std::string_view json) {
+    const auto parsed = parse(json);
+    if (!parsed) return tl::unexpected(parsed.error());
+    if (!parsed->is_object() || !member(*parsed, "rows").is_array())
+        return fail("is no report of `thaum bench`: it has no list 'rows'");
+    const Json& rows = member(*parsed, "rows");
+    if (rows.size() > most_rows) return fail(text("has more than ", most_rows, " rows"));
+    Report report{word(*parsed, "thaum").value_or("unknown"), read_machine(*parsed), {}};
+    std::set<std::string> names;
+    for (const Json& from : rows) {
+        auto row = read_row(from);
+        if (!row) return fail(text("row ", report.rows.size(), ": ", row.error().message));
+        note_names(*row, names);
+        if (names.size() > most_names)
+            return fail(text("has more than ", most_names, " different settings and metrics"));
+        report.rows.push_back(std::move(*row));
+    }
+    return report;
+}
+
+}  // namespace thaum::bench
