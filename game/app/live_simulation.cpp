@@ -145,7 +145,6 @@ void publish(Session& s) {
     game::take_picture(*s.round.match, picture);
     picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * ns_per_tick;
     picture.overloaded = s.skipped_at_ns != 0 && monotonic_ns() < s.skipped_at_ns + notice_ns;
-    for (std::size_t p = 0; p < game::players; ++p) picture.wizards[p].pad_lost = s.shared.pad_lost[p];
     s.shared.pictures.publish();
 }
 

@@ -233,14 +233,10 @@ void announce(Overlay& out, const Announcement& a, const Rect& window, float u) 
     add_text(out, a.keys, middle + u * fvec2(0, 32), 17 * u, soft, Align::centre);
 }
 
+/// Of a replay; a match has a menu.
 Announcement pause_of(const Picture& picture) {
-    constexpr auto keys = "Esc: go on    Q: quit";
-    for (std::uint32_t p = 0; p < players; ++p) {
-        if (picture.wizards[p].pad_lost)
-            return {text("Player ", p + 1, ": pad lost"), "press a button on it to rejoin", keys};
-    }
     const bool known = picture.paused_by < players;
-    return {"Paused", known ? text("by player ", picture.paused_by + 1) : std::string(), keys};
+    return {"Paused", known ? text("by player ", picture.paused_by + 1) : std::string(), "Esc: leave"};
 }
 
 Announcement result_of(const Picture& picture, bool can_play_again) {
@@ -250,7 +246,7 @@ Announcement result_of(const Picture& picture, bool can_play_again) {
     const bool draw = picture.winner >= players;
     a.head = draw ? "A draw" : text("Player ", picture.winner + 1, " (", team_name(picture.winner), ") wins");
     a.line = text(how, "  \u2014  ", picture.wizards[0].kills, " : ", picture.wizards[1].kills);
-    a.keys = can_play_again ? "Enter: again    Esc: quit" : "Esc: quit";
+    a.keys = can_play_again ? "Enter, A: again    Esc, B: leave" : "Esc: leave";
     if (!draw) a.paint = opaque(team_colours(picture.winner).light);
     return a;
 }

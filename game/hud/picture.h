@@ -55,7 +55,6 @@ struct PlayerPicture {
     double returns_in_s{};  ///< while dead
     double since_hit_s{};   ///< since this player last hurt the other
     double since_dry_s{};   ///< since the wand last had too little energy
-    bool pad_lost{};        ///< filled by the session
     std::uint32_t hurts{};  ///< of `marks`
     std::array<HurtMark, 6> marks{};
 };
