@@ -53,7 +53,8 @@ DeviceKind kind_in_hand(const Desk& desk, std::uint32_t player) {
 Desk::Desk(LiveShared& s, const LivePlan& p)
     : shared(s), plan(p), data(p.data), facts(find_facts(p)), seated(p.settings) {
     menu.settings = p.settings;
-    const auto chosen = [&](const MenuFacts::Rules& r) { return r.name == p.data->choice.rules; };
+    auto choice = p.data->choice;
+    const auto chosen = [&](const MenuFacts::Rules& r) { return r.name == length_of(choice); };
     const auto found = std::find_if(facts.rules.begin(), facts.rules.end(), chosen);
     if (found != facts.rules.end()) menu.rules = static_cast<std::size_t>(found - facts.rules.begin());
     publish_screen(*this);
@@ -419,9 +420,10 @@ void follow_plugs(Desk& desk) {
 
 /// The data of the match that was chosen; a fault shows on the screen.
 bool load_chosen(Desk& desk) {
-    auto choice = desk.plan.data->choice;
-    choice.rules = desk.facts.rules[desk.menu.rules].name;
-    if (choice.rules == desk.data->choice.rules) return true;
+    auto choice = desk.data->choice;
+    const auto& name = desk.facts.rules[desk.menu.rules].name;
+    if (length_of(choice) == name) return true;
+    length_of(choice) = name;
     auto data = game::load_match_data(desk.plan.assets, choice);
     if (!data) {
         desk.menu.note = data.error().message;

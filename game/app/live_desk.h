@@ -40,6 +40,9 @@ struct Desk {
     std::int64_t over_since_ns = 0;       ///< 0: the round is not over
 };
 
+/// The part of the choice of data that says how long a match is: a file in assets/rules.
+inline std::string& length_of(game::DataChoice& choice) { return choice.rules; }
+
 /// Until somebody starts a match (true) or leaves the program.
 bool run_start_screen(Desk& desk);
 

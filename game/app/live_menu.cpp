@@ -298,7 +298,8 @@ std::vector<MenuFacts::Rules> all_rules(const LivePlan& plan) {
         if (auto rules = rules_of(it->path())) all.push_back(std::move(*rules));
     }
     std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
-    const auto& chosen = plan.data->choice.rules;
+    auto choice = plan.data->choice;
+    const auto& chosen = length_of(choice);
     if (std::none_of(all.begin(), all.end(), [&](const auto& r) { return r.name == chosen; }))
         all.push_back({chosen, chosen});
     return all;

@@ -180,7 +180,6 @@ void publish(Session& s) {
     picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * s.tick_ns;
     picture.mark = recent_mark(s);
     picture.overloaded = s.skipped_at_ns != 0 && monotonic_ns() < s.skipped_at_ns + notice_ns;
-    for (std::size_t p = 0; p < game::players; ++p) picture.wizards[p].pad_lost = s.shared.pad_lost[p];
     s.shared.pictures.publish();
 }
 

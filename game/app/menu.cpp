@@ -518,9 +518,7 @@ std::string hint_of(const MenuState& s) {
         return "counts from the next match on";
     switch (open.page) {
         case Page::start:
-            return "join: any key, mouse button or pad button; keypad 0 for half a keyboard    give up a "
-                   "seat: Esc, "
-                   "B or keypad *";
+            return "join: any key, mouse or pad button; keypad 0    give up a seat: Esc, B, keypad *";
         case Page::pause: return "choose: arrows, mouse or pad    go on: Esc, Start";
         default: return "choose: arrows, mouse or pad    back: Esc, B, right button";
     }
@@ -533,7 +531,7 @@ std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuFacts& facts)
         const bool bot = !seat && joined(s) == 1;
         seats.push_back({.head = text("Player ", i + 1, seat ? ": joined" : ""),
                          .device = seat  ? name_of(*seat, facts)
-                                   : bot ? text("press to join, or a bot: level ", facts.levels[s.level])
+                                   : bot ? text("press to join, or bot level ", facts.levels[s.level])
                                          : std::string("press to join"),
                          .taken = seat.has_value()});
     }

@@ -275,14 +275,10 @@ void add_deeds(Overlay& out, const std::vector<ResultRow>& rows, fvec2 top, floa
     }
 }
 
+/// Of a replay; a match has a menu.
 Announcement pause_of(const Picture& picture) {
-    constexpr auto keys = "Esc: go on    Q: quit";
-    for (std::uint32_t p = 0; p < players; ++p) {
-        if (picture.wizards[p].pad_lost)
-            return {text("Player ", p + 1, ": pad lost"), "press a button on it to rejoin", keys};
-    }
     const bool known = picture.paused_by < players;
-    return {"Paused", known ? text("by player ", picture.paused_by + 1) : std::string(), keys};
+    return {"Paused", known ? text("by player ", picture.paused_by + 1) : std::string(), "Esc: leave"};
 }
 
 std::string name_of_winner(std::uint32_t player) {
@@ -305,9 +301,9 @@ Announcement result_of(const Picture& picture, bool can_play_again) {
     a.line = text(how, "  \u2014  ", picture.wizards[0].kills, " : ", picture.wizards[1].kills);
     if (picture.rounds > 1) a.line += text("  \u2014  ", rounds_line(picture));
     const auto next =
-        last ? std::string("Enter: again")
-             : text("Enter: next round (in ", static_cast<int>(std::ceil(picture.next_round_in_s)), " s)");
-    a.keys = can_play_again ? text(next, "    Esc: quit") : "Esc: quit";
+        last ? std::string("Enter, A: again")
+             : text("Enter, A: next round (in ", static_cast<int>(std::ceil(picture.next_round_in_s)), " s)");
+    a.keys = can_play_again ? text(next, "    Esc, B: leave") : "Esc: leave";
     return a;
 }
 

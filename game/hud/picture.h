@@ -69,7 +69,6 @@ struct PlayerPicture {
     double since_gift_s{};  ///< since this player last picked something up
     PowerUpKind gift{};
     double gift_amount{};   ///< HP or energy
-    bool pad_lost{};        ///< filled by the session
     std::uint32_t hurts{};  ///< of `marks`
     std::array<HurtMark, 6> marks{};
 };

@@ -25,6 +25,10 @@ expect 2 "unknown option '--frobnicate'" --frobnicate
 expect 2 "unknown command 'lab'" lab
 expect 2 "must be a number from 1 to 7" --solo 9
 expect 2 "exclude each other" --vs --demo
+expect 2 "must be mouse, half or pad" --vs --hands mouse,foot
+expect 2 "--hands takes one or two" --vs --hands mouse,mouse
+expect 2 "--hands goes with" --hands pad
+expect 2 "one hand" --solo 1 --hands pad,pad
 expect 2 "needs a display" --solo 1
 expect 2 "is given twice" --seed 1 --seed 2
 expect 2 "needs 1 value" --headless --seconds

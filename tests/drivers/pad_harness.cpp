@@ -1,7 +1,8 @@
 // A make-believe Xbox 360 pad (045e:028e) for a program, by umockdev; needs no /dev/uinput:
 //     umockdev-wrapper pad_harness 'SCRIPT' PROGRAM ARGS...
 // SCRIPT is "SECONDS WHAT VALUE; ...": WHAT is a button (a, b, x, y, lb, rb, back, start) with 1 or 0, an axis (lx, ly, rx,
-// ry: -32768 to 32767, down and right +; lt, rt: 0 to 255), or `plugged` with 1 or 0. Returns the program's exit code.
+// ry: -32768 to 32767, down and right +; lt, rt: 0 to 255), or `plugged` with 1 or 0. With "-" for SCRIPT steps come from
+// standard input, one "WHAT VALUE" a line, and happen at once. Returns the program's exit code.
 #include <linux/input.h>
 #include <sys/wait.h>
 #include <umockdev.h>
@@ -15,6 +16,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <iostream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -147,17 +149,26 @@ void plug(const Pad& pad, bool in) {
     umockdev_testbed_uevent(pad.testbed, "/sys/devices/virtual/input/input0/event0", in ? "add" : "remove");
 }
 
+void perform(const Pad& pad, const std::string& what, int value) {
+    if (what == "plugged")
+        plug(pad, value != 0);
+    else if (const auto part = parts.find(what); part != parts.end())
+        report(pad, part->second, value);
+    else
+        std::fprintf(stderr, "pad: no part '%s'\n", what.c_str());
+}
+
 void perform(const Pad& pad, const std::vector<Step>& steps) {
     const auto start = std::chrono::steady_clock::now();
     for (const auto& step : steps) {
         std::this_thread::sleep_until(start + std::chrono::duration<double>(step.at_s));
-        if (step.what == "plugged")
-            plug(pad, step.value != 0);
-        else if (const auto part = parts.find(step.what); part != parts.end())
-            report(pad, part->second, step.value);
-        else
-            std::fprintf(stderr, "pad: no part '%s'\n", step.what.c_str());
+        perform(pad, step.what, step.value);
     }
+}
+
+void perform_as_told(const Pad& pad) {
+    std::string what;
+    for (int value = 0; std::cin >> what >> value;) perform(pad, what, value);
 }
 
 Pad make_pad() {
@@ -186,7 +197,10 @@ int main(int argc, char** argv) {
         std::perror(argv[2]);
         _exit(127);
     }
-    perform(pad, parse(argv[1]));
+    if (std::strcmp(argv[1], "-") == 0)
+        perform_as_told(pad);
+    else
+        perform(pad, parse(argv[1]));
     int status = 0;
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;

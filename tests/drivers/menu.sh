@@ -1,0 +1,138 @@
+#!/usr/bin/env bash
+# tests/drivers/menu.sh THAUM PAD_HARNESS LOG_PROBE: the start screen, pause and settings as people use them, under Xvfb with
+# keys and mouse by xdotool and a pad by umockdev. A keyboard and a pad join and start a duel with three presses; a key is
+# bound anew on the screen, acts, and does so after a restart; the pad is pulled out, its player goes on with the keypad and
+# then with the pad again; a broken settings file is kept. Exits 77 where a tool is missing.
+set -euo pipefail
+. "$(dirname "$0")/screen.sh"
+thaum=$1 harness=$2 probe=$3
+need Xvfb xdotool import convert umockdev-wrapper
+open_screen 1280x720
+settings=$XDG_CONFIG_HOME/thaum/settings.toml
+matches=$XDG_DATA_HOME/thaum/matches
+fail() { echo "failed: $1"; import -window root "${SHOTS:-$folder}/failed.png"; exit 1; }
+
+# eventually WHAT COMMAND...: waits until the command succeeds.
+eventually() {
+    local what=$1
+    shift
+    for _ in $(seq 300); do
+        "$@" && return
+        sleep 0.05
+    done
+    fail "$what"
+}
+# bright X Y LOW HIGH: is the mean of this pixel's red, green and blue within LOW to HIGH percent?
+bright() {
+    local level
+    level=$(import -window root -crop "1x1+$1+$2" -colorspace Gray -format '%[fx:int(100*u)]' info: 2>/dev/null) || return 1
+    [ "$level" -ge "$3" ] && [ "$level" -le "$4" ]
+}
+drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
+seat_taken() { bright "$1" 127 45 100; }       # the bar at the left of a seat is in its team's light colour
+pause_menu() { is_row 900 505; }
+is_row() { import -window root -crop "1x1+$1+$2" -depth 8 txt: 2>/dev/null | grep -q '#5[0-9A-F]3[0-9A-F][89][0-9A-F]'; }
+no_pause_menu() { ! pause_menu; }
+logs() { find "$matches" -name '*.thaumlog' 2>/dev/null | wc -l; }
+has_logs() { [ "$(logs)" -ge "$1" ]; }
+# presses KEY...: one after the other; X keeps their order.
+presses() { local key; for key in "$@"; do xdotool key --delay 30 "$key"; done; }
+pad() { echo "$@" >&4; }
+field() { sed -n "s/^device $1:.* $2 \\(.*\\)/\\1/p" <<<"$seen" | cut -d' ' -f1; }
+
+# 1. Keyboard and pad join; the second press of one of them starts.
+mkfifo "$folder/pad"
+umockdev-wrapper "$harness" - "$thaum" 4>&- <"$folder/pad" >"$folder/said" 2>&1 &
+game=$!
+exec 4>"$folder/pad"
+eventually "no start screen" drawn
+presses w
+eventually "the keyboard did not join" seat_taken 213
+pad a 1
+eventually "the pad did not join" seat_taken 650
+pad a 0
+[ "$(logs)" = 0 ] || fail "a match before anybody started one"
+presses w
+eventually "no match after three presses" has_logs 1
+
+# 2. The pad is pulled out: pause; its player goes on with the keypad, then with the pad again.
+xdotool keydown w
+pad rt 255
+sleep 0.5
+pad rt 0
+xdotool keyup w
+pad plugged 0
+eventually "no pause when the pad was pulled out" pause_menu
+presses KP_0
+eventually "the keypad did not rejoin" no_pause_menu
+xdotool keydown KP_8
+sleep 0.5
+xdotool keyup KP_8
+pad plugged 1
+sleep 0.3
+pad b 1
+sleep 0.2
+pad b 0
+pad lx 32767
+sleep 0.5
+pad lx 0
+
+# 3. In the pause: another key for "move forward" (row 18), and the other split.
+presses Escape
+eventually "no pause" pause_menu
+presses Down Return Return $(yes Down | head -18) Return i
+eventually "the new key is not in the settings" grep -q '^move_forward = "key i"$' "$settings"
+presses Escape Escape Down Return Right
+eventually "the split is not in the settings" grep -q '^split = "side_by_side" ' "$settings"
+grep -q '# F11 changes it while playing\|F11 changes it' "$settings" || fail "the comments are lost"
+presses Escape Escape
+eventually "Esc did not go on" no_pause_menu
+presses Escape
+eventually "no second pause" pause_menu
+presses q
+eventually "no start screen after the match" seat_taken 213
+# Quit is the last row; both are joined, so Esc gives the seat up first.
+presses Escape Escape Return
+exec 4>&-
+wait "$game" || fail "the program's exit code"
+seen=$("$probe" "$(find "$matches" -name '*.thaumlog')")
+echo "$seen"
+grep -q 'replay same' <<<"$seen" || fail "the log does not play again"
+[ "$(field 0 forward)" = 0..127 ] || fail "the key W"
+[ "$(field 1 trigger)" = 255 ] || fail "the pad's trigger"
+[ "$(field 1 forward)" = 0..127 ] || fail "the keypad's 8 after the pad was lost"
+[ "$(field 1 strafe)" = 0..127 ] || fail "the pad's stick after it came back"
+
+# 4. After a restart the new key acts.
+"$thaum" --solo 1 --seconds 12 --record "$folder/log" 2>"$folder/said" &
+game=$!
+eventually "no window" drawn
+xdotool keydown i
+sleep 1
+xdotool keyup i
+presses Escape
+eventually "no pause" pause_menu
+presses q
+wait "$game" || fail "the exit code after Q"
+seen=$("$probe" "$folder/log")
+[ "$(field 0 forward)" = 0..127 ] || fail "the new key after a restart"
+
+# 5. A settings file of another version: said in one line, kept, and one can play and change things.
+printf 'version = 9\nfuture = 1\n' >"$settings"
+cp "$settings" "$folder/kept"
+"$thaum" 2>"$folder/said" &
+game=$!
+eventually "no start screen with broken settings" drawn
+presses Down Down Down Return Right
+sleep 0.3
+presses Escape Up Up Up Return Return
+eventually "no match with broken settings" has_logs 2
+presses Escape
+eventually "no pause" pause_menu
+presses q
+eventually "no start screen after the match" seat_taken 213
+presses Escape Escape Return
+wait "$game" || fail "the exit code with broken settings"
+cmp "$settings" "$folder/kept" || fail "the broken settings were written over"
+[ "$(grep -c . "$folder/said")" = 1 ] && grep -q 'kept as it is' "$folder/said" || fail "said: $(cat "$folder/said")"
+echo "start screen, pause, settings and a lost pad work"
