@@ -28,6 +28,8 @@ thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
 thaum_driver_test(stalled ${CMAKE_CURRENT_SOURCE_DIR}/drivers/stalled.sh
     $<TARGET_FILE:live_session> $<TARGET_FILE:live_log_probe>)
+thaum_driver_test(input_delay ${CMAKE_CURRENT_SOURCE_DIR}/drivers/input_delay.sh
+    $<TARGET_FILE:live_session> $<TARGET_FILE:thaum>)
 # A hundred times, by hand: kill_recording 100
 add_executable(kill_recording drivers/kill_recording.cpp)
 target_link_libraries(kill_recording PRIVATE thaum_flags thaum_duel)

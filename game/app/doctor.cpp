@@ -25,7 +25,9 @@ constexpr std::string_view help =
 
 Says what is there and what is missing: processor, data files, OpenGL, display,
 pads and their permissions, how well a 1 kHz clock is kept, where settings and
-logs go. Sound and haptic devices are not used by this version.
+logs go. Sound and haptic devices are not used by this version. Where there is
+a display, a match is shown for three seconds, and how long a movement takes to
+be in a picture is measured.
 
   --json FILE   the findings as JSON; - for standard output
 
@@ -38,8 +40,11 @@ struct Finding {
     std::string what;
     State state{};
     std::string detail;
-    std::string advice;  ///< what to do; empty: nothing
+    std::string advice;                                     ///< what to do; empty: nothing
+    std::vector<std::pair<std::string, double>> metrics{};  ///< the names carry the unit
 };
+
+using Data = std::shared_ptr<const game::MatchData>;
 
 std::string first_value(const char* file, std::string_view key) {
     std::ifstream in(file);
@@ -64,20 +69,40 @@ Finding mathematics() {
     return {"mathematics", State::good, text("probe ", hex(physics::libm_probe()), " (logs carry it)"), ""};
 }
 
-Finding data_files(const std::filesystem::path& assets) {
-    const auto data = game::load_match_data(assets, {});
+Finding data_files(const std::filesystem::path& assets, const Expected<Data>& data) {
     if (data)
-        return {"data files", State::good, text(assets.string(), ", ", data->files.size(), " files"), ""};
+        return {"data files", State::good, text(assets.string(), ", ", (*data)->files.size(), " files"), ""};
     return {"data files", State::missing, data.error().message,
             "start thaum from its folder or set THAUM_ASSETS"};
 }
 
-Finding opengl(const std::filesystem::path& assets) {
-    const auto data = game::load_match_data(assets, {});
+Finding opengl(const std::filesystem::path& assets, const Expected<Data>& data) {
     if (!data) return {"OpenGL", State::note, "not tried without data files", ""};
-    const auto still = Still::create(*data, assets, {320, 180});
+    const auto still = Still::create(**data, assets, {320, 180});
     if (still) return {"OpenGL", State::good, "3.3 core, pictures in memory work", ""};
     return {"OpenGL", State::missing, still.error().message, "apt-get install libgl1-mesa-dri"};
+}
+
+/// A short match in a window, with a mouse that moves by itself.
+Finding input_to_picture(const std::filesystem::path& assets, const Expected<Data>& data) {
+    const std::string what = "input delay";
+    if (!data || !display_there())
+        return {what, State::note, "not measured without data files and display", ""};
+    LiveReport report;
+    LivePlan plan{.data = *data, .assets = assets, .seconds = 3, .probe = true, .report = &report};
+    plan.seats = {Seat{.kind = SeatKind::keyboard_mouse}, Seat{.kind = SeatKind::bot}};
+    if (run_live(plan) != done || report.inputs == 0)
+        return {what, State::note, "not measured: no window", ""};
+    return {what,
+            State::good,
+            text(fixed(report.input_ms_median, 0), " ms in the middle, ", fixed(report.input_ms_p99, 0),
+                 " ms at 99 % of ", report.inputs,
+                 " movements, from their arrival in this program to the picture handed over; the delays of "
+                 "mouse and display come on top"),
+            "",
+            {{"input_to_picture_ms_median", report.input_ms_median},
+             {"input_to_picture_ms_p99", report.input_ms_p99},
+             {"inputs", static_cast<double>(report.inputs)}}};
 }
 
 Finding display() {
@@ -154,9 +179,14 @@ Finding folder(const std::string& what, const std::filesystem::path& path, const
 
 std::vector<Finding> examine() {
     const auto assets = game::find_assets();
-    std::vector<Finding> findings{processor(), mathematics(), data_files(assets), opengl(assets), display()};
+    const Expected<Data> data = game::load_match_data(assets, {}).map([](game::MatchData&& loaded) {
+        return std::make_shared<const game::MatchData>(std::move(loaded));
+    });
+    std::vector<Finding> findings{processor(), mathematics(), data_files(assets, data), opengl(assets, data),
+                                  display()};
     add_pads(findings);
     findings.push_back(tick_clock());
+    findings.push_back(input_to_picture(assets, data));
     findings.push_back(folder("settings", settings_file().parent_path(), "XDG_CONFIG_HOME"));
     findings.push_back(folder("match logs", matches_folder(), "XDG_DATA_HOME"));
     return findings;
@@ -171,6 +201,7 @@ std::string as_json(const std::vector<Finding>& findings) {
     for (const auto& f : findings) {
         report["findings"].push_back(
             {{"what", f.what}, {"state", word(f.state)}, {"detail", f.detail}, {"advice", f.advice}});
+        for (const auto& [name, value] : f.metrics) report["findings"].back()["metrics"][name] = value;
     }
     return report.dump(2) + "\n";
 }

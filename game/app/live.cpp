@@ -155,6 +155,15 @@ void each_hands(LiveShared& shared, F&& f) {
     }
 }
 
+/// Events for the hands; stamped after they were told, so that the tick which takes the stamp has the event.
+template <class F>
+void input(LiveShared& shared, F&& f) {
+    const auto came = monotonic_ns();
+    each_hands(shared, f);
+    std::int64_t none = 0;
+    shared.input_came_ns.compare_exchange_strong(none, came);
+}
+
 void focus_changed(Desk& desk, bool focused) {
     desk.unfocused_since_ns = focused ? 0 : monotonic_ns();
     if (!focused) each_hands(desk.shared, [](auto& hands) { hands.focus_lost(); });
@@ -175,15 +184,15 @@ render::WindowEvents desk_events(Desk& desk) {
     render::WindowEvents events;
     events.key = [&](int key, int, bool pressed) {
         if (pressed) session_key(desk, key);
-        each_hands(shared, [&](auto& hands) { hands.key(key, pressed); });
+        input(shared, [&](auto& hands) { hands.key(key, pressed); });
     };
     events.mouse_button = [&](int button, bool pressed) {
-        each_hands(shared, [&](auto& hands) { hands.mouse_button(button, pressed); });
+        input(shared, [&](auto& hands) { hands.mouse_button(button, pressed); });
     };
     events.mouse_move = [&](double dx, double dy) {
-        each_hands(shared, [&](auto& hands) { hands.mouse_move(dx, dy); });
+        input(shared, [&](auto& hands) { hands.mouse_move(dx, dy); });
     };
-    events.wheel = [&](double steps) { each_hands(shared, [&](auto& hands) { hands.wheel(steps); }); };
+    events.wheel = [&](double steps) { input(shared, [&](auto& hands) { hands.wheel(steps); }); };
     events.focus = [&](bool focused) { focus_changed(desk, focused); };
     return events;
 }
@@ -234,6 +243,14 @@ void follow_pads(Desk& desk) {
     }
 }
 
+/// A movement now and then, at no beat of the pictures'.
+void probe(const render::WindowEvents& events, std::int64_t& next_ns) {
+    constexpr std::int64_t period_ns = 23'700'000;
+    if (monotonic_ns() < next_ns) return;
+    next_ns = monotonic_ns() + period_ns;
+    events.mouse_move(1, 0);
+}
+
 void run_desk(Desk& desk) {
     auto& shared = desk.shared;
     const auto events = desk_events(desk);
@@ -244,15 +261,19 @@ void run_desk(Desk& desk) {
     Staller staller{desk.plan.stall};
     // A pad that was never there is missed as well: its player cannot begin.
     for (std::uint32_t p = 0; p < game::players; ++p) desk.pad_seen[p] = is_pad(shared.seats[p]);
+    std::int64_t next_probe_ns = 0;
     while (!shared.stop) {
         staller.pass(Stall::Thread::main);
         // Pads send no events; all else does.
         const double patience = desk.unfocused_since_ns != 0 ? 0.05 : 0.25;
-        shared.window.poll(events, pads ? 0.004 : patience);
-        pause_without_focus(desk);
+        shared.window.poll(events, pads || desk.plan.probe ? 0.004 : patience);
+        if (desk.plan.probe)
+            probe(events, next_probe_ns);
+        else
+            pause_without_focus(desk);
         if (shared.window.should_close()) shared.stop = true;
         if (pads) follow_pads(desk);
-        shared.window.capture_cursor(mouse && shared.going.load() == Going::playing);
+        shared.window.capture_cursor(mouse && !desk.plan.probe && shared.going.load() == Going::playing);
     }
     shared.window.capture_cursor(false);
 }

@@ -45,6 +45,10 @@ struct LiveReport {
         late_us_worst{};                       ///< wake-ups of the simulation thread after their deadline
     double tick_us_median{}, tick_us_p99{};    ///< one tick, its record and picture
     double frame_ms_median{}, frame_ms_p99{};  ///< building, drawing and presenting one picture
+    /// From an event's arrival in this program to the end of presenting the first picture that contains the tick which took
+    /// it, while playing. What mouse, keyboard and display add is not in it.
+    double input_ms_median{}, input_ms_p99{};
+    std::uint64_t inputs{};  ///< that were timed: of several events in one tick the first
 };
 
 struct LivePlan {
@@ -60,6 +64,8 @@ struct LivePlan {
     Settings settings{};
     std::optional<double> seconds{};  ///< then the match ends and the window closes
     Stall stall{};
+    /// Measures itself: moves player 1's mouse as if by events, neither captures the cursor nor minds the focus.
+    bool probe = false;
     LiveReport* report = nullptr;  ///< filled at the end
 };
 

@@ -16,6 +16,7 @@ constexpr double delay_ms = 6;
 /// The last two pictures, and what lies between them now.
 struct Film {
     Picture before = game::make_picture(), now = game::make_picture(), shown = game::make_picture();
+    std::int64_t shown_due_ns = 0;  ///< all ticks due by then are in `shown`
     bool any = false;
 };
 
@@ -32,9 +33,11 @@ const Picture& show(Film& film, double speed) {
     const double since_due_ms = static_cast<double>(monotonic_ns() - b.due_ns) * 1e-6;
     const double shown_tick = static_cast<double>(b.tick) + (since_due_ms - delay_ms) * speed;
     const bool follows = a.tick < b.tick;
-    const double alpha =
+    const double wanted =
         follows ? (shown_tick - static_cast<double>(a.tick)) / static_cast<double>(b.tick - a.tick) : 1;
-    game::interpolate(a, b, std::clamp(alpha, 0.0, 1.0), film.shown);
+    const double alpha = std::clamp(wanted, 0.0, 1.0);
+    game::interpolate(a, b, alpha, film.shown);
+    film.shown_due_ns = b.due_ns - std::llround((1 - alpha) * static_cast<double>(b.due_ns - a.due_ns));
     return film.shown;
 }
 
@@ -54,23 +57,33 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, game::Watch wa
     Staller staller{plan.stall};
     Film film;
     game::FrameMemory memory;
-    Timings times;
+    Timings times, inputs;
     shared.ready = true;
     while (!shared.stop) {
         pacer.wait();
         staller.pass(Stall::Thread::render);
         advance(shared.pictures, film);
         const auto size = shared.window.size();
-        if (!film.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) continue;
+        if (!film.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) {
+            shared.stamps.take_due(monotonic_ns(), [](const InputStamp&) {});  // nobody saw those
+            continue;
+        }
         const auto before = monotonic_ns();
         renderer.draw(
             game::make_frame(court, show(film, plan.speed), hud_settings(plan, shared, watch), size, memory));
         shared.window.present();
-        times.add(static_cast<double>(monotonic_ns() - before) * 1e-6);
+        const auto after = monotonic_ns();
+        times.add(static_cast<double>(after - before) * 1e-6);
+        shared.stamps.take_due(film.shown_due_ns, [&](const InputStamp& stamp) {
+            inputs.add(static_cast<double>(after - stamp.came_ns) * 1e-6);
+            ++shared.report.inputs;
+        });
         ++shared.report.frames;
     }
     shared.report.frame_ms_median = times.at(0.5);
     shared.report.frame_ms_p99 = times.at(0.99);
+    shared.report.input_ms_median = inputs.at(0.5);
+    shared.report.input_ms_p99 = inputs.at(0.99);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ constexpr Tick publish_period = 4;        ///< in real time
 constexpr Tick idle_wake = 8;             ///< ticks at once, in a pause and after the end
 constexpr Tick log_after_end = 500;       ///< ticks of the result that are still recorded
 constexpr Tick rematch_not_before = 800;  ///< ticks, so that who was just shooting does not ask for one
+constexpr Tick mark_shown = 1500;         ///< ticks
 constexpr std::int64_t notice_ns = 3'000'000'000;
 constexpr std::int64_t last_look_ns = 2'000'000'000;  ///< at the last picture of a replay
 /// Of a bot match; a person's own look is not foreseeable anyway.
@@ -35,6 +36,7 @@ struct Round {
     std::optional<Tick> over_at;
     std::uint32_t buttons_before = 0;
     std::uint32_t marks = 0;
+    Tick marked_at = 0;
 };
 
 struct Session {
@@ -158,7 +160,16 @@ void press_for_main(LiveShared& shared, Going going, input::InputFrame& frame) {
     press(shared.wants_to_go_on, Going::playing);
 }
 
+/// Which tick takes the input that has come; asked before the hands are, so that it holds all of it.
+void stamp_input(Session& s) {
+    const auto came = s.shared.input_came_ns.exchange(0);
+    const auto tick = static_cast<std::int64_t>(s.round.match->now() + 1);
+    if (came != 0 && going_of(s.round.match->match()) == Going::playing)
+        s.shared.stamps.push({came, s.start_ns + tick * s.tick_ns});
+}
+
 input::InputFrame take_frame(Session& s) {
+    stamp_input(s);
     input::InputFrame frame;
     s.round.bots.sample(*s.round.match, frame);
     for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
@@ -180,7 +191,10 @@ void watch_buttons(Session& s, const input::InputFrame& frame) {
     const auto pressed = [&](Button b) {
         return (buttons & ~round.buttons_before & static_cast<std::uint32_t>(b)) != 0;
     };
-    if (pressed(Button::mark) && round.log) round.log->mark(++round.marks);
+    if (pressed(Button::mark) && round.log) {
+        round.log->mark(++round.marks);
+        round.marked_at = round.match->now();
+    }
     const bool may = round.over_at && round.match->now() >= *round.over_at + rematch_not_before;
     if (may && pressed(Button::confirm)) s.shared.rematch = true;
     if (!round.over_at) s.shared.rematch = false;
@@ -191,10 +205,25 @@ void tell_going(LiveShared& shared, Going going) {
     if (shared.going.exchange(going) != going) shared.window.wake();
 }
 
+/// The number of a mark made just now, or found there in the log that is replayed; 0: none.
+std::uint32_t recent_mark(const Session& s) {
+    const auto now = s.round.match->now();
+    if (s.plan.replay == nullptr)
+        return s.round.marks > 0 && now < s.round.marked_at + mark_shown ? s.round.marks : 0;
+    const auto& marks = s.plan.replay->log().marks();
+    auto mark = std::upper_bound(marks.begin(), marks.end(), now,
+                                 [](Tick tick, const input::Mark& m) { return tick < m.tick; });
+    while (mark != marks.begin() && now < (--mark)->tick + mark_shown) {
+        if (mark->kind == input::MarkKind::user) return mark->number;
+    }
+    return 0;
+}
+
 void publish(Session& s) {
     auto& picture = s.shared.pictures.to_fill();
     game::take_picture(*s.round.match, picture);
     picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * s.tick_ns;
+    picture.mark = recent_mark(s);
     picture.overloaded = s.skipped_at_ns != 0 && monotonic_ns() < s.skipped_at_ns + notice_ns;
     for (std::size_t p = 0; p < game::players; ++p) picture.wizards[p].pad_lost = s.shared.pad_lost[p];
     s.shared.pictures.publish();

@@ -316,6 +316,10 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
                  at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 70) * unit), 14 * unit, red,
                  Align::centre);
     }
+    if (picture.mark != 0) {
+        add_text(out, text("mark ", picture.mark), middle + fvec2(0, 32 * unit), 15 * unit, soft,
+                 Align::centre);
+    }
     if (picture.phase == Phase::over) {
         announce(out, result_of(picture, settings.can_play_again), window, unit);
     } else if (picture.paused) {

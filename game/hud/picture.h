@@ -84,6 +84,7 @@ struct Picture {
     std::uint32_t feed_lines{};  ///< of `feed`, the oldest first
     std::array<FeedLine, 4> feed{};
     std::uint32_t skipped{};  ///< samples left out so far
+    std::uint32_t mark{};     ///< number of a mark made just now; 0: none; filled by the session
     bool overloaded{};        ///< samples were left out just now; filled by the session
 };
 

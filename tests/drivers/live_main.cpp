@@ -1,6 +1,6 @@
 // A live session with few words, for tests of drivers and of time:
 //     live_session LOG SECONDS [SEAT SEAT [STALLED_THREAD EVERY_MS MS]]
-// SEAT: mouse, half, pad, bot. Prints how well time was kept.
+// SEAT: mouse, half, pad, bot, or probe: a mouse that moves by itself. Prints how well time was kept.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -13,7 +13,7 @@ using namespace thaum::app;
 namespace {
 
 Seat seat_of(std::string_view word) {
-    if (word == "mouse") return {.kind = SeatKind::keyboard_mouse};
+    if (word == "mouse" || word == "probe") return {.kind = SeatKind::keyboard_mouse};
     if (word == "half") return {.kind = SeatKind::keyboard_half};
     if (word == "pad") return {.kind = SeatKind::pad};
     return {.kind = SeatKind::bot};
@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
                   .seconds = std::atof(argv[2]),
                   .report = &report};
     plan.seats = {seat_of(argc > 4 ? argv[3] : "bot"), seat_of(argc > 4 ? argv[4] : "bot")};
+    plan.probe = argc > 4 && std::string_view(argv[3]) == "probe";
     if (argc > 7) plan.stall = {thread_of(argv[5]), std::atoi(argv[6]), std::atoi(argv[7])};
     const int result = run_live(plan);
     std::printf(
@@ -50,5 +51,7 @@ int main(int argc, char** argv) {
         "p99 %.1f\n",
         report.late_us_median, report.late_us_p99, report.late_us_worst, report.tick_us_median,
         report.tick_us_p99, report.frame_ms_median, report.frame_ms_p99);
+    std::printf("input ms: median %.1f, p99 %.1f of %llu\n", report.input_ms_median, report.input_ms_p99,
+                static_cast<unsigned long long>(report.inputs));
     return result;
 }

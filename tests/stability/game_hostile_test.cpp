@@ -1,6 +1,6 @@
 // A match under hands that do anything at all: whatever comes in, all stays finite and in bounds. And logs that are not ours to
 // play.
-#include "game/match/record.h"
+#include "game/match/playback.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -92,6 +92,36 @@ TEST(GameHostile, ALogOfOtherRulesOrOtherDataIsRefusedInOneLineThatNamesWhatDiff
     ++other.maths_probe;
     EXPECT_NE(probe_warning(other), "");
     EXPECT_EQ(probe_warning(header), "");
+}
+
+/// tests/scenario.cmake goes by the names.
+TEST(ReplayCorpus, EveryNameSaysTheRulesVersionOfItsHeaderAndThisVersionIsAmongThem) {
+    bool current = false;
+    for (const auto& entry : std::filesystem::directory_iterator(THAUM_SOURCE_DIR "/tests/replays")) {
+        const auto header = input::read_log_header(entry.path());
+        ASSERT_TRUE(header.has_value()) << header.error().message;
+        EXPECT_TRUE(entry.path().stem().string().ends_with(text("_rules_", header->rules_version)))
+            << entry.path();
+        EXPECT_LE(header->rules_version, rules_version) << entry.path();
+        current = current || header->rules_version == rules_version;
+    }
+    EXPECT_TRUE(current) << "record one: see tests/scenario.cmake";
+}
+
+/// An older log that is whole otherwise: the header says all that is needed to refuse it, in one line.
+TEST(ReplayCorpus, ALogOfAnOlderRulesVersionIsRefusedByName) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "older_rules.thaumlog";
+    std::filesystem::remove(file);
+    auto header = log_header(*duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}}, {"bot 1", "bot 1"});
+    header.rules_version = rules_version - 1;
+    header.program = "0.0.9";
+    ASSERT_TRUE(input::LogWriter::create(file, header)->close("").has_value());
+    const auto playback = Playback::open(file, assets());
+    ASSERT_FALSE(playback.has_value());
+    EXPECT_EQ(playback.error().message,
+              text(file.string(), ": recorded under rules version ", rules_version - 1,
+                   ", this program plays version ", rules_version, "; replay it with Thaum 0.0.9"));
+    std::filesystem::remove(file);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
 #include <random>
 
@@ -151,6 +152,35 @@ inline std::vector<BlockPlace> blocks_of(const Bytes& log) {
         tick += ticks;
     }
     return places;
+}
+
+inline std::uint64_t salt_of(const Bytes& log) {
+    return ByteReader(std::span(log).subspan(16)).get<std::uint64_t>();
+}
+
+template <class T>
+void put_at(Bytes& bytes, std::size_t at, T value) {
+    std::memcpy(bytes.data() + at, &value, sizeof value);
+}
+
+/// The block at `at` with a payload of the caller's; its checksums and sizes are right.
+inline Bytes signed_block(const Bytes& log, std::size_t at, std::span<const std::byte> payload,
+                          std::size_t raw_size) {
+    Bytes block(log.begin() + static_cast<std::ptrdiff_t>(at),
+                log.begin() + static_cast<std::ptrdiff_t>(at + detail::block_header_size));
+    put_at(block, 8, static_cast<std::uint32_t>(raw_size));
+    put_at(block, 12, static_cast<std::uint32_t>(payload.size()));
+    put_at(block, 24, hash_bytes(payload, salt_of(log)));
+    put_at(block, 32, hash_bytes(std::span(block).first(32), salt_of(log)));
+    block.insert(block.end(), payload.begin(), payload.end());
+    return block;
+}
+
+inline Bytes with_block(const Bytes& log, const BlockPlace& place, const Bytes& block) {
+    Bytes result(log.begin(), log.begin() + static_cast<std::ptrdiff_t>(place.begin));
+    result.insert(result.end(), block.begin(), block.end());
+    result.insert(result.end(), log.begin() + static_cast<std::ptrdiff_t>(place.end), log.end());
+    return result;
 }
 
 }  // namespace thaum::input::samples

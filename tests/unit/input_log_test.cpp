@@ -6,6 +6,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <zstd.h>
 
 #include <atomic>
 #include <chrono>
@@ -318,6 +319,24 @@ TEST(InputLog, ChangedAfterOpeningIsDamage) {
     EXPECT_FALSE(reader.next(frame));
     EXPECT_FALSE(reader.next(frame));
     EXPECT_EQ(reader.ending(), LogEnding::damaged);
+}
+
+/// 100 MiB of zeros in a few kilobytes, signed and said to be small: only the promised size is unpacked.
+TEST(InputLog, AZipBombIsRefused) {
+    const Folder folder;
+    const auto log = samples::small_log(folder);
+    const auto place = blocks_of(log)[0];
+    const Bytes zeros(100U << 20U);
+    Bytes packed(ZSTD_compressBound(zeros.size()));
+    packed.resize(ZSTD_compress(packed.data(), packed.size(), zeros.data(), zeros.size(), 19));
+    for (const std::size_t said : {std::size_t{1000}, detail::raw_limit, zeros.size()}) {
+        ASSERT_TRUE(write_file(
+            folder / "bomb",
+            samples::with_block(log, place, samples::signed_block(log, place.begin, packed, said))));
+        const auto reader = LogReader::open(folder / "bomb").value();
+        EXPECT_EQ(reader.ending(), LogEnding::damaged);
+        EXPECT_EQ(reader.ticks(), 0U);
+    }
 }
 
 // A file size limit fails `write` as a full disk does: part of a block is written, then an error comes.

@@ -7,7 +7,7 @@ namespace thaum::bench {
 std::span<const Area> areas() {
     static constexpr std::array list{
         Area{"ecs", ecs},
-        Area{"tick", tick},
+        Area{"tick", tick, soak},
         Area{"replay", replay},
         Area{"skip", skip},
     };

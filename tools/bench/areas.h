@@ -7,6 +7,8 @@ namespace thaum::bench {
 void ecs(const Options& options, Report& report);
 void tick(const Options& options, Report& report);
 void replay(const Options& options, Report& report);
+/// The stress of `tick`.
+void soak(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
 
 }  // namespace thaum::bench

@@ -52,12 +52,21 @@ int run(const Options& options) {
             return 2;
         }
     }
+    for (const auto& name : options.areas) {
+        if (options.stress && area_named(name)->stress == nullptr) {
+            print(stderr, text("bench: ", name, " has no stress\n"));
+            return 2;
+        }
+    }
     auto report = empty_report();
     for (const auto& area : areas()) {
-        if (wanted(options, area)) area.run(options, report);
+        const auto run = options.stress ? area.stress : area.run;
+        if (wanted(options, area) && run != nullptr) run(options, report);
     }
     mark_fronts(report.rows);
-    return publish(options, report);
+    const int published = publish(options, report);
+    for (const auto& fault : report.faults) print(stderr, text("bench: ", fault, "\n"));
+    return report.faults.empty() ? published : 1;
 }
 
 }  // namespace thaum::bench

@@ -8,22 +8,32 @@ namespace thaum::app {
 namespace {
 
 constexpr std::string_view help =
-    R"(usage: thaum bench [AREA ...] [--quick] [--json FILE]
+    R"(usage: thaum bench [AREA ...] [--quick | --stress [--ticks N]] [--json FILE]
 
 Measures and prints one row for each setting of a case. Areas: ecs, tick,
 replay, skip; without one, all.
 
   --quick       at most 20 s an area: every case, at smaller sizes
+  --stress      the long attack instead: tick plays ten million ticks of the best
+                bots, alone and on two threads, and looks at hashes, bounds, memory
+  --ticks N     so many instead
   --json FILE   the report as JSON; - for standard output
 )";
 
 int run(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--quick"}, {"--json", 1}};
+    static constexpr Option options[] = {{"--quick"}, {"--stress"}, {"--ticks", 1}, {"--json", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     bench::Options chosen;
     chosen.areas = arguments->plain();
     chosen.quick = arguments->has("--quick");
+    chosen.stress = arguments->has("--stress");
+    const auto ticks = arguments->whole("--ticks", 1, 1'000'000'000'000, 1);
+    if (!ticks) return refuse(ticks.error());
+    if (arguments->has("--ticks")) {
+        if (!chosen.stress) return refuse({"--ticks needs --stress"});
+        chosen.ticks = *ticks;
+    }
     if (const auto json = arguments->value("--json")) chosen.json = *json;
     return bench::run(chosen);
 }

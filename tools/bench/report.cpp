@@ -157,6 +157,7 @@ std::string to_json(const Report& report) {
              {"machine", {{"cpu", m.cpu}, {"cores", m.cores}, {"build", m.build}}},
              {"rows", Json::array()}};
     for (const auto& row : report.rows) out["rows"].push_back(row_json(row));
+    if (!report.faults.empty()) out["faults"] = report.faults;
     return out.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

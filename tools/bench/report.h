@@ -48,7 +48,8 @@ struct Machine {
 struct Report {
     std::string version;
     Machine machine;
-    std::vector<Row> rows;
+    std::vector<Row> rows{};
+    std::vector<std::string> faults{};  ///< what a stress found that must not be, a line each
 };
 
 /// No rows yet; this program's version, this machine.

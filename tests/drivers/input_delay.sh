@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# tests/drivers/input_delay.sh SESSION THAUM: how long a movement takes to be in a picture, measured under Xvfb. The figure is
+# there and possible; a render thread that is held up shows in it; doctor tells it.
+set -euo pipefail
+. "$(dirname "$0")/screen.sh"
+session=$1 thaum=$2
+need Xvfb
+open_screen 640x360
+
+# delay NAME [STALL...]: sets median and p99 in whole ms.
+delay() {
+    local name=$1 said
+    shift
+    said=$("$session" "$folder/$name" 4 probe bot "$@" | grep '^input ms')
+    echo "$name: $said"
+    read -r median p99 inputs < <(sed 's/.*median \([0-9]*\).*p99 \([0-9]*\).* of \([0-9]*\).*/\1 \2 \3/' <<<"$said")
+    ((inputs > 20)) || { echo "failed: $name: only $inputs movements were timed"; exit 1; }
+}
+delay free
+# A picture is 6 ms old by design, and a second would be seen by anybody.
+((median >= 6 && median < 1000)) || { echo "failed: the delay cannot be $median ms"; exit 1; }
+delay stalled render 300 250
+((p99 >= 200)) || { echo "failed: a stall of 250 ms does not show"; exit 1; }
+
+XDG_CONFIG_HOME=$folder/config "$thaum" doctor --json "$folder/doctor.json" | grep 'input delay'
+grep -q '"input_to_picture_ms_p99": [0-9]' "$folder/doctor.json" || { echo "failed: doctor --json lacks it"; exit 1; }
+echo "the delay is measured"

@@ -1,0 +1,94 @@
+// Data files and settings: what is accepted must make a match that runs.
+#include "core/file.h"
+#include "fuzz/fuzz.h"
+#include "game/app/settings.h"
+#include "game/bots/duel.h"
+
+namespace thaum::fuzz {
+namespace {
+
+constexpr Tick played = 40;
+
+std::string must_read(const std::filesystem::path& file) {
+    auto content = read_text_file(file, 1U << 20U);
+    return content ? std::move(*content) : std::string();
+}
+
+/// A match with both players walking, jumping and shooting; a fault is an assertion or a crash.
+void play(game::MatchData data) {
+    game::Simulation match(std::make_shared<const game::MatchData>(std::move(data)),
+                           {1, {game::bot_device(0, 1), game::bot_device(1, 1)}});
+    input::InputFrame frame;
+    for (std::size_t d = 0; d < game::players; ++d) {
+        frame.devices[d].counts[input::hand::forward] = 127;
+        frame.devices[d].counts[input::hand::trigger] = 255;
+        frame.devices[d].press(input::Button::fire);
+        frame.devices[d].press(input::Button::jump);
+    }
+    for (Tick t = 0; t < played; ++t) match.tick(frame);
+}
+
+/// `input` in the place of a data file for as long as `use` runs.
+template <class Use>
+Outcome with_file(const std::filesystem::path& file, const std::string& input, Use use) {
+    const auto original = must_read(file);
+    if (!write_text_file(file, input)) return {.fault = "the scratch folder cannot be written"};
+    const Outcome outcome = use();
+    if (!write_text_file(file, original)) return {.fault = "the scratch folder cannot be written"};
+    return outcome;
+}
+
+Outcome read_match_file(const char* name, const std::string& input, const Places& places) {
+    return with_file(places.assets / name, input, [&]() -> Outcome {
+        auto data = game::load_match_data(places.assets, {});
+        if (!data) return {.refusal = data.error().message};
+        play(std::move(*data));
+        return {.accepted = true};
+    });
+}
+
+constexpr const char *arena = "arenas/boiling_court.toml", *rules = "rules/quick.toml",
+                     *wizard = "wizards/wizard.toml", *wand = "wands/bolt.toml", *bot = "bots/level_1.toml";
+
+template <const char* const& name>
+std::vector<std::string> shipped(const Places& places) {
+    return {must_read(places.assets / name)};
+}
+
+template <const char* const& name>
+Outcome read_as(const std::string& input, const Places& places) {
+    return read_match_file(name, input, places);
+}
+
+Outcome read_bot(const std::string& input, const Places& places) {
+    return with_file(places.assets / bot, input, [&]() -> Outcome {
+        auto data = game::load_match_data(places.assets, {});
+        if (!data) return {.fault = data.error().message};
+        auto duel = game::make_bot_duel(places.assets,
+                                        std::make_shared<const game::MatchData>(std::move(*data)), {1, 1}, 1);
+        if (!duel) return {.refusal = duel.error().message};
+        duel->run(played);
+        return {.accepted = true};
+    });
+}
+
+std::vector<std::string> shipped_settings(const Places& places) {
+    return {must_read(places.assets / "settings.toml")};
+}
+
+Outcome read_settings(const std::string& input, const Places&) {
+    const auto settings = app::parse_settings(input, "settings.toml");
+    if (!settings) return {.refusal = settings.error().message};
+    return {.accepted = true};
+}
+
+}  // namespace
+
+const Reader arena_reader{"arena", shipped<arena>, mutate_text, read_as<arena>};
+const Reader rules_reader{"rules", shipped<rules>, mutate_text, read_as<rules>};
+const Reader wizard_reader{"wizard", shipped<wizard>, mutate_text, read_as<wizard>};
+const Reader wand_reader{"wand", shipped<wand>, mutate_text, read_as<wand>};
+const Reader bot_reader{"bot", shipped<bot>, mutate_text, read_bot};
+const Reader settings_reader{"settings", shipped_settings, mutate_text, read_settings};
+
+}  // namespace thaum::fuzz

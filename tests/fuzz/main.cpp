@@ -1,0 +1,233 @@
+// Runs the inputs in a child, so that a crash, a hang or too much memory has a number: that of the run, which makes the same
+// input again.
+#include <signal.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+#include <optional>
+#include <thread>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "fuzz/fuzz.h"
+#include "game/match/data.h"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define THAUM_HAS_ASAN 1
+extern "C" const char* __asan_default_options();
+extern "C" const char* __asan_default_options() {
+    return "max_allocation_size_mb=512:hard_rss_limit_mb=2048";
+}
+#else
+#define THAUM_HAS_ASAN 0
+#endif
+
+namespace thaum::fuzz {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr auto most_time = std::chrono::seconds(10);  ///< for one input, on a busy machine under sanitizers
+constexpr rlim_t most_memory = rlim_t{1} << 30U;      ///< of address space, where there is no sanitizer
+constexpr std::uint64_t proof = 200;                  ///< runs that must reach both sides of the reader
+
+/// What the child tells.
+struct Progress {
+    std::atomic<std::uint64_t> done{0}, accepted{0}, refused{0}, slowest_us{0};
+    std::array<char, 1000> fault{};
+};
+
+struct Wish {
+    const Reader* reader{};
+    std::uint64_t runs = 10'000, seed = 1, from = 0;
+};
+
+std::string input_of(const Wish& wish, const std::vector<std::string>& seeds, std::uint64_t run) {
+    Random random = random_stream(wish.seed, run);
+    return wish.reader->mutate(seeds, random);
+}
+
+/// A message is one line of text that a terminal can show.
+std::string fault_of(const Outcome& outcome) {
+    if (!outcome.fault.empty()) return outcome.fault;
+    if (!outcome.accepted && outcome.refusal.empty()) return "refused without a word";
+    if (outcome.refusal.size() > 2000) return text("a message of ", outcome.refusal.size(), " bytes");
+    const bool plain = std::none_of(outcome.refusal.begin(), outcome.refusal.end(),
+                                    [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+    return plain ? "" : text("not one line of text: ", outcome.refusal);
+}
+
+void limit_memory() {
+    if (THAUM_HAS_ASAN) return;  // its shadow is terabytes of address space; see __asan_default_options
+    const rlimit limit{most_memory, most_memory};
+    ::setrlimit(RLIMIT_AS, &limit);
+}
+
+void run_all(const Wish& wish, const std::vector<std::string>& seeds, const Places& places,
+             Progress& progress) {
+    limit_memory();
+    for (auto run = wish.from; run < wish.from + wish.runs; ++run) {
+        const auto input = input_of(wish, seeds, run);
+        const auto before = Clock::now();
+        const auto outcome = wish.reader->read(input, places);
+        const auto took =
+            std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - before).count();
+        progress.slowest_us = std::max(progress.slowest_us.load(), static_cast<std::uint64_t>(took));
+        (outcome.accepted ? progress.accepted : progress.refused)++;
+        if (const auto fault = fault_of(outcome); !fault.empty()) {
+            std::strncpy(progress.fault.data(), fault.c_str(), progress.fault.size() - 1);
+            std::exit(1);
+        }
+        ++progress.done;
+    }
+    std::exit(0);
+}
+
+/// What went wrong with the child; empty: nothing.
+std::string watch(pid_t child, const Progress& progress, long& peak_mib) {
+    auto seen = progress.done.load();
+    auto since = Clock::now();
+    for (;;) {
+        int status = 0;
+        rusage use{};
+        const auto ended = ::wait4(child, &status, WNOHANG, &use);
+        if (ended == child) {
+            peak_mib = use.ru_maxrss / 1024;
+            if (WIFSIGNALED(status)) return text("killed by signal ", WTERMSIG(status));
+            if (progress.fault[0] != '\0') return progress.fault.data();
+            return WEXITSTATUS(status) == 0 ? "" : text("ended with exit code ", WEXITSTATUS(status));
+        }
+        if (progress.done != seen) {
+            seen = progress.done;
+            since = Clock::now();
+        }
+        if (Clock::now() - since > most_time) {
+            ::kill(child, SIGKILL);
+            ::waitpid(child, &status, 0);
+            return "took too long";
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+}
+
+int report(const Wish& wish, const std::vector<std::string>& seeds, const Progress& progress,
+           const std::string& fault, long peak_mib) {
+    const auto name = std::string(wish.reader->name);
+    if (!fault.empty()) {
+        const auto run = wish.from + progress.done;
+        const auto file = text("fuzz_", name, "_", wish.seed, "_", run);
+        (void)write_text_file(file, input_of(wish, seeds, run));
+        std::printf(
+            "%s: run %llu: %s\n  its input is in ./%s; again: thaum_fuzz %s --seed %llu --from %llu --runs "
+            "1\n",
+            name.c_str(), static_cast<unsigned long long>(run), fault.c_str(), file.c_str(), name.c_str(),
+            static_cast<unsigned long long>(wish.seed), static_cast<unsigned long long>(run));
+        return 1;
+    }
+    std::printf("%s: %llu runs, %llu accepted, %llu refused in one line; slowest %.1f ms, at most %ld MiB\n",
+                name.c_str(), static_cast<unsigned long long>(wish.runs),
+                static_cast<unsigned long long>(progress.accepted),
+                static_cast<unsigned long long>(progress.refused),
+                static_cast<double>(progress.slowest_us) / 1e3, peak_mib);
+    const bool proves =
+        wish.runs < proof || (progress.accepted > wish.runs / 100 && progress.refused > wish.runs / 100);
+    if (!proves) std::printf("%s: nearly all on one side: this proves little\n", name.c_str());
+    return proves ? 0 : 1;
+}
+
+Places make_places(const std::filesystem::path& folder) {
+    const Places places{folder / "assets", folder / "scratch"};
+    std::filesystem::create_directories(places.scratch);
+    std::filesystem::copy(std::filesystem::path(THAUM_SOURCE_DIR) / "assets", places.assets,
+                          std::filesystem::copy_options::recursive);
+    return places;
+}
+
+std::vector<std::string> seeds_of(const Reader& reader, const Places& places) {
+    auto seeds = reader.seeds(places);
+    const auto folder = std::filesystem::path(THAUM_SOURCE_DIR) / "tests/fuzz/seeds" / reader.name;
+    std::vector<std::filesystem::path> files;
+    std::error_code none;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none)) files.push_back(entry.path());
+    if (seeds.empty()) return seeds;  // without a real one nothing is tested
+    std::sort(files.begin(), files.end());
+    for (const auto& file : files) {
+        if (auto content = read_text_file(file, 1U << 20U)) seeds.push_back(std::move(*content));
+    }
+    // A mutant of a whole file gets further than one of a scrap.
+    constexpr std::size_t most_of_them = 6;
+    const auto& whole = *std::max_element(seeds.begin(), seeds.end(),
+                                          [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    seeds.resize(seeds.size() + most_of_them, std::string(whole));
+    return seeds;
+}
+
+int run(const Wish& wish) {
+    std::string folder = (std::filesystem::temp_directory_path() / "thaum-fuzz-XXXXXX").string();
+    if (::mkdtemp(folder.data()) == nullptr) return std::perror("thaum_fuzz"), 2;
+    const auto places = make_places(folder);
+    const auto seeds = seeds_of(*wish.reader, places);
+    void* shared =
+        ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (seeds.empty() || shared == MAP_FAILED)
+        return std::fprintf(stderr, "thaum_fuzz: nothing to start from\n"), 2;
+    auto& progress = *new (shared) Progress;
+    const auto child = ::fork();
+    if (child < 0) return std::perror("thaum_fuzz"), 2;
+    if (child == 0) run_all(wish, seeds, places, progress);
+    long peak_mib = 0;
+    const auto fault = watch(child, progress, peak_mib);
+    std::filesystem::remove_all(folder);
+    return report(wish, seeds, progress, fault, peak_mib);
+}
+
+std::optional<Wish> read_wish(std::span<char*> words) {
+    Wish wish;
+    for (const auto& reader : readers()) {
+        if (!words.empty() && reader.name == words[0]) wish.reader = &reader;
+    }
+    if (wish.reader == nullptr || words.size() % 2 == 0) return {};
+    for (std::size_t i = 1; i + 1 < words.size(); i += 2) {
+        const std::string_view name = words[i], value = words[i + 1];
+        auto* number = name == "--runs"   ? &wish.runs
+                       : name == "--seed" ? &wish.seed
+                       : name == "--from" ? &wish.from
+                                          : nullptr;
+        if (number == nullptr) return {};
+        const auto end = value.data() + value.size();
+        if (std::from_chars(value.data(), end, *number).ptr != end) return {};
+    }
+    return wish;
+}
+
+}  // namespace
+
+std::span<const Reader> readers() {
+    static const std::array list{log_reader,   scenario_reader, settings_reader, arena_reader,
+                                 rules_reader, wizard_reader,   wand_reader,     bot_reader};
+    return list;
+}
+
+}  // namespace thaum::fuzz
+
+int main(int argc, char** argv) {
+    const auto wish = thaum::fuzz::read_wish({argv + 1, argv + argc});
+    if (!wish) {
+        std::fprintf(stderr, "usage: thaum_fuzz READER [--runs N] [--seed S] [--from I]\nreaders:");
+        for (const auto& reader : thaum::fuzz::readers())
+            std::fprintf(stderr, " %s", std::string(reader.name).c_str());
+        std::fprintf(stderr, "\n");
+        return 2;
+    }
+    return thaum::fuzz::run(*wish);
+}

@@ -1,0 +1,178 @@
+// The long attack on the tick: the best bots there are, match after match, for as many ticks as asked for; then the same again on
+// two threads at once. All three runs must come to the same states, everything must stay finite and in bounds, and the
+// memory must not grow.
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <thread>
+
+#include "core/hash.h"
+#include "core/text.h"
+#include "game/bots/duel.h"
+#include "tools/bench/areas.h"
+
+namespace thaum::bench {
+namespace {
+
+constexpr Tick usual_ticks = 10'000'000;
+constexpr Tick check_interval = 1000;
+constexpr Tick hash_every = 1U << 14U;
+constexpr int highest_level = 99;  ///< that is looked for
+constexpr double farthest_m = 200, fastest_m_s = 250, may_grow_mib = 8;
+
+double rss_mib() {
+    std::ifstream statm("/proc/self/statm");
+    double size = 0, resident = 0;
+    statm >> size >> resident;
+    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) / (1U << 20U);
+}
+
+int best_level(const std::filesystem::path& assets) {
+    int best = 1;
+    for (int level = 1; level <= highest_level; ++level) {
+        if (game::load_bot_skill(assets, level)) best = level;
+    }
+    return best;
+}
+
+/// What is out of bounds; empty: nothing.
+std::string disorder(const game::Simulation& match) {
+    std::string wrong;
+    const auto& world = match.world();
+    world.view<const game::Motion>().each([&](ecs::Entity e, const game::Motion& m) {
+        if (!is_finite(m.position) || !is_finite(m.velocity) || !is_finite(m.spin))
+            wrong = text("entity ", e.index, " is not finite");
+        else if (glm::length(m.position) > farthest_m || glm::length(m.velocity) > fastest_m_s)
+            wrong = text("entity ", e.index, " has left the arena");
+    });
+    world.view<const game::Health, const game::Gaze>().each([&](const game::Health& h, const game::Gaze& g) {
+        if (!(h.points >= -match.data().wizard.health_cap && h.points <= match.data().wizard.health_cap))
+            wrong = text("health ", h.points);
+        if (!(std::abs(g.yaw) <= pi && std::abs(g.pitch) <= pi / 2))
+            wrong = text("gaze ", g.yaw, " ", g.pitch);
+    });
+    world.view<const game::WandBelt>().each([&](const game::WandBelt& belt) {
+        for (const auto& wand : match.data().wands) {
+            const double energy = belt.energy[wand.stats.slot];
+            if (!(energy >= 0 && energy <= wand.stats.energy_cap)) wrong = text("energy ", energy);
+        }
+    });
+    return wrong;
+}
+
+struct Course {
+    std::shared_ptr<const game::MatchData> data{};
+    std::filesystem::path assets{};
+    int level{};
+    Tick ticks{};
+    const char* name = nullptr;  ///< for the lines that tell how far it is; null: silent
+};
+
+struct Soaked {
+    std::uint64_t hash = 0;  ///< of the states at every hash_every ticks
+    std::uint64_t matches = 0, kills = 0;
+    double first_mib = 0, most_mib = 0;  ///< after a tenth, and from there on
+    std::string fault{};
+};
+
+void count_kills(const game::Simulation& match, Soaked& soaked) {
+    match.world().view<const game::Score>().each(
+        [&](const game::Score& s) { soaked.kills += static_cast<std::uint64_t>(s.deaths); });
+}
+
+void look_at_memory(const Course& course, Tick tick, Soaked& soaked) {
+    const double now = rss_mib();
+    if (tick <= course.ticks / 10) soaked.first_mib = now;
+    soaked.most_mib = std::max(soaked.most_mib, now);
+    if (course.name != nullptr) {
+        std::fprintf(stderr, "soak %s: %llu of %llu ticks, %llu matches, %.1f MiB\n", course.name,
+                     static_cast<unsigned long long>(tick), static_cast<unsigned long long>(course.ticks),
+                     static_cast<unsigned long long>(soaked.matches), now);
+    }
+}
+
+Soaked soak_once(const Course& course) {
+    Soaked soaked;
+    std::optional<game::BotDuel> duel;
+    const auto look_every = std::max<Tick>(course.ticks / 20, 1);
+    for (Tick t = 0; t < course.ticks && soaked.fault.empty(); ++t) {
+        if (!duel || duel->match->match().phase == game::Phase::over) {
+            if (duel) count_kills(*duel->match, soaked);
+            duel.reset();
+            auto made = game::make_bot_duel(course.assets, course.data, {course.level, course.level},
+                                            ++soaked.matches);
+            if (!made) return soaked.fault = made.error().message, soaked;
+            duel.emplace(std::move(*made));
+        }
+        duel->run(1);
+        if (t % check_interval == 0) soaked.fault = disorder(*duel->match);
+        if (!soaked.fault.empty()) soaked.fault += text(" at tick ", t, " of match ", soaked.matches);
+        if (t % hash_every == 0) soaked.hash = hash_combine(soaked.hash, duel->match->state_hash());
+        if ((t + 1) % look_every == 0) look_at_memory(course, t + 1, soaked);
+    }
+    if (duel) {
+        count_kills(*duel->match, soaked);
+        soaked.hash = hash_combine(soaked.hash, duel->match->state_hash());
+    }
+    return soaked;
+}
+
+double seconds_of(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void add_row(const Course& course, std::int64_t threads, const Soaked& soaked, double took_s,
+             Report& report) {
+    report.rows.push_back({.area = "tick",
+                           .name = "soak",
+                           .setting = {{"threads", threads}, {"level", std::int64_t{course.level}}},
+                           .metrics = {{"ticks", static_cast<double>(course.ticks)},
+                                       {"matches", static_cast<double>(soaked.matches)},
+                                       {"kills", static_cast<double>(soaked.kills)},
+                                       {"us_per_tick", took_s * 1e6 / static_cast<double>(course.ticks)},
+                                       {"memory_after_a_tenth_mib", soaked.first_mib},
+                                       {"memory_growth_mib", soaked.most_mib - soaked.first_mib}},
+                           .hash = hex(soaked.hash)});
+    if (!soaked.fault.empty()) report.faults.push_back(text("soak: ", soaked.fault));
+}
+
+}  // namespace
+
+void soak(const Options& options, Report& report) {
+    Course course{
+        .assets = game::find_assets(), .ticks = options.ticks.value_or(usual_ticks), .name = "alone"};
+    auto data = game::load_match_data(course.assets, {});
+    if (!data) return report.faults.push_back(text("soak: ", data.error().message));
+    course.data = std::make_shared<const game::MatchData>(std::move(*data));
+    course.level = best_level(course.assets);
+
+    Soaked alone;
+    const double alone_s = seconds_of([&] { alone = soak_once(course); });
+    add_row(course, 1, alone, alone_s, report);
+    if (alone.most_mib - alone.first_mib > may_grow_mib)
+        report.faults.push_back(
+            text("soak: memory grew by ", fixed(alone.most_mib - alone.first_mib, 1), " MiB"));
+
+    std::array<Soaked, 2> beside;
+    const double beside_s = seconds_of([&] {
+        course.name = "one of two";
+        auto silent = course;
+        silent.name = nullptr;
+        std::thread other([&] { beside[1] = soak_once(silent); });
+        beside[0] = soak_once(course);
+        other.join();
+    });
+    for (const auto& soaked : beside) {
+        add_row(course, 2, soaked, beside_s, report);
+        if (soaked.hash != alone.hash)
+            report.faults.push_back("soak: two threads came to another state than one");
+    }
+}
+
+}  // namespace thaum::bench
