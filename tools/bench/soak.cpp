@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <thread>
 
 #include "core/hash.h"
@@ -64,8 +65,8 @@ std::string disorder(const game::Simulation& match) {
 }
 
 struct Course {
-    std::shared_ptr<const game::MatchData> data;
-    std::filesystem::path assets;
+    std::shared_ptr<const game::MatchData> data{};
+    std::filesystem::path assets{};
     int level{};
     Tick ticks{};
     const char* name = nullptr;  ///< for the lines that tell how far it is; null: silent
@@ -161,11 +162,9 @@ void soak(const Options& options, Report& report) {
     std::array<Soaked, 2> beside;
     const double beside_s = seconds_of([&] {
         course.name = "one of two";
-        std::thread other([&beside, silent = [&] {
-            auto p = course;
-            p.name = nullptr;
-            return p;
-        }()] { beside[1] = soak_once(silent); });
+        auto silent = course;
+        silent.name = nullptr;
+        std::thread other([&] { beside[1] = soak_once(silent); });
         beside[0] = soak_once(course);
         other.join();
     });
