@@ -8,5 +8,6 @@ void ecs(const Options& options, Report& report);
 void tick(const Options& options, Report& report);
 void replay(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
+void render(const Options& options, Report& report);
 
 }  // namespace thaum::bench
