@@ -1,6 +1,9 @@
 thaum_test(test_hud
     SOURCES unit/hud_test.cpp
     LINK thaum_hud)
+thaum_test(test_pictures
+    SOURCES unit/hud_pictures_test.cpp
+    LINK thaum_hud)
 thaum_test(test_settings
     SOURCES unit/settings_test.cpp
     LINK thaum_live)

@@ -179,10 +179,14 @@ void add(const Court::Meshes& meshes, const fmat4& model, std::vector<Instance>&
         out.push_back({.mesh = *meshes.glowing, .model = model, .tint = fvec3(meshes.glow), .glow = 0.85F});
 }
 
-const Court::Meshes* find_meshes(const Court& court, const ThingPicture& thing) {
+const Court::Meshes* find_solid(const Court& court, const ThingPicture& thing) {
     for (const auto& solid : court.solids) {
         if (thing.fixed && solid.key == thing.key && solid.position == thing.position) return &solid.meshes;
     }
+    return nullptr;
+}
+
+const Court::Meshes* find_kind(const Court& court, const ThingPicture& thing) {
     for (const auto& kind : court.kinds) {
         if (kind.key == thing.key) return &kind.meshes;
     }
@@ -242,24 +246,26 @@ void add_contact_shade(const Court& court, vec3 centre, double radius, double ha
     out.push_back({.mesh = court.contact, .model = m, .tint = fvec3(strength)});
 }
 
-/// What moves has no baked light; where there is no shadow map, it is in the sun or not.
+/// What is not baked where it stands is in the sun or not, where there is no shadow map.
 void set_sun(const Court& court, vec3 at, std::span<Instance> of) {
     const float sun = sees_sun(court.shade, at) ? 1.0F : 0.0F;
     for (auto& instance : of) instance.sun = sun;
 }
 
 void add_thing(const Court& court, const ThingPicture& thing, std::vector<Instance>& out) {
-    const auto model = placed(thing.position, thing.orientation);
-    if (thing.key.surface == Surface::pad)
-        return add(thing.team < players ? court.teams[thing.team].plate : court.neutral_plate, model, out);
-    if (thing.key.surface == Surface::anchor)
-        return add(court.anchor, glm::scale(model, fvec3(fvec3(thing.key.size).x)), out);
     const auto first = out.size();
-    if (const auto* meshes = find_meshes(court, thing))
-        add(*meshes, model, out);
+    auto model = placed(thing.position, thing.orientation);
+    if (const auto* solid = find_solid(court, thing)) return add(*solid, model, out);
+    if (thing.key.surface == Surface::pad)
+        add(thing.team < players ? court.teams[thing.team].plate : court.neutral_plate, model, out);
+    else if (thing.key.surface == Surface::anchor)
+        add(court.anchor, glm::scale(model, fvec3(fvec3(thing.key.size).x)), out);
+    else if (const auto* kind = find_kind(court, thing))
+        add(*kind, model, out);
     else
         add_unknown(court, thing, out);
-    if (!thing.fixed) set_sun(court, thing.position, std::span(out).subspan(first));
+    // A hand's breadth up: what lies flat is within the ground.
+    set_sun(court, thing.position + vec3(0, 0.1, 0), std::span(out).subspan(first));
 }
 
 fmat4 turned(double yaw, double pitch) { return glm::mat4_cast(fquat(look_rotation(yaw, pitch))); }

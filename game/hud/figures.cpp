@@ -251,14 +251,21 @@ MeshData own_arm(std::uint32_t number) {
 }
 
 MeshData wand_mesh(Silhouette silhouette) {
+    // What is flat is seen neither from the side nor from ahead as a mere line.
+    const fmat4 aslant = rotated({0, 0, 1}, 0.7F);
+    const auto made = [](void (*add_part)(MeshData&)) {
+        MeshData part;
+        add_part(part);
+        return part;
+    };
     MeshData mesh;
     add_grip(mesh);
     switch (silhouette) {
         case Silhouette::needle: add_needle(mesh); break;
-        case Silhouette::forked: add_fork(mesh); break;
+        case Silhouette::forked: append(mesh, made(add_fork), aslant); break;
         case Silhouette::hooked: add_hook(mesh); break;
         case Silhouette::stubby: add_stub(mesh); break;
-        case Silhouette::sling: add_sling(mesh); break;
+        case Silhouette::sling: append(mesh, made(add_sling), aslant); break;
     }
     return mesh;
 }

@@ -121,10 +121,10 @@ struct Cell {
     float u0{}, u1{}, v0{}, v1{};
 };
 
-/// Higher than anybody stands, m: blocks there have joints but no bevels.
+/// Higher than anybody stands, m: blocks there have painted joints.
 constexpr float out_of_reach = 3.1F;
-/// Of the bevel: how deep the core lies that shows in joints and at edges.
-constexpr float core_depth = 0.8F;
+/// Of the bevel: how deep the core lies, just below the joints; it shows where a face was left out.
+constexpr float core_depth = 1.25F;
 
 std::uint32_t add_vertex(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 normal, fvec3 shade) {
     mesh.vertices.push_back({face.corner + at.x * face.u + at.y * face.v + at.z * face.n, normal, shade});
@@ -146,19 +146,10 @@ void add_quad(MeshData& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c,
     mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
 }
 
-void add_flat_block(MeshData& mesh, const Face& face, const Stonework& work, const Cell& cell, fvec3 shade) {
-    const float gap = 0.5F * work.bevel;
-    const auto a = add_vertex(mesh, face, {cell.u0 + gap, cell.v0 + gap, 0}, face.n, shade);
-    add_vertex(mesh, face, {cell.u1 - gap, cell.v0 + gap, 0}, face.n, shade);
-    add_vertex(mesh, face, {cell.u1 - gap, cell.v1 - gap, 0}, face.n, shade);
-    add_vertex(mesh, face, {cell.u0 + gap, cell.v1 - gap, 0}, face.n, shade);
-    add_quad(mesh, a, a + 1, a + 2, a + 3);
-}
-
-/// A slab that one walks on. There are many, and nobody sees their edges from the side: the joint is painted, on two
-/// sides, since the neighbours have it on theirs.
-void add_slab(MeshData& mesh, const Face& face, const Stonework& work, const Cell& cell, fvec3 shade) {
-    const float b = 1.7F * work.bevel;
+/// A block whose edges nobody sees from the side, such as a slab that one walks on: the joint is painted, on two sides,
+/// since the neighbours have it on theirs.
+void add_flat_block(MeshData& mesh, const Face& face, const Stonework& work, const Cell& cell, fvec3 shade,
+                    float b) {
     const auto put = [&](float u, float v, float joint) {
         return add_joint(mesh, face, {u, v, 0}, face.n, shade, joint);
     };
@@ -232,9 +223,9 @@ void add(MeshData& mesh, double height, const Face& face, const Stonework& work,
     const fvec3 tone = any_shade(work, random);
     const auto sunk = static_cast<float>(random.uniform(0, 0.3)) * work.bevel;
     if (face.n.y > 0.5F && work.block_u > 1)
-        add_slab(mesh, face, work, cell, tone);
+        add_flat_block(mesh, face, work, cell, tone, 1.7F * work.bevel);
     else if (height > out_of_reach)
-        add_flat_block(mesh, face, work, cell, tone);
+        add_flat_block(mesh, face, work, cell, tone, work.bevel);
     else
         add_block(mesh, face, work, cell, tone, sunk);
 }
@@ -334,10 +325,7 @@ MeshData masonry_box(const Shade& shade, const Thing& thing) {
     // Last, so that the blocks in front of it are drawn first.
     const auto work = work_of(thing.surface, face_of(fvec3(thing.body.size), 0, 1));
     const fvec3 core = fvec3(thing.body.size) - core_depth * work.bevel;
-    constexpr float core_joint = 0.3F;
-    auto dark = render::box(core, core_joint * work.colours[0]);
-    for (auto& v : dark.vertices) v.far_away = far_joint / core_joint;
-    render::append(mesh, dark);
+    render::append(mesh, render::box(core, 0.3F * work.colours[0]));
     bake(shade, thing.position, mesh);
     return mesh;
 }

@@ -148,10 +148,23 @@ std::string_view cause(EventKind how) {
     return index < causes.size() ? causes[index].name : "magic";
 }
 
+/// Large text in a small view: the corners reach the score, and what else is in them must make room.
+bool crowded(const Corner& c) { return static_cast<float>(c.view.width) < 530 * c.unit; }
+
+/// From the top of the view, in units: below the score where that is in the way.
+float top_of_feed(const Corner& c) {
+    if (!crowded(c)) return 12;
+    const bool flat = static_cast<float>(c.view.height) < 200 * c.unit;  // one of two stacked views
+    if (!flat) return 66;
+    return c.view.y > 0 ? 34 : 12;
+}
+
 void add_feed(Overlay& out, const Picture& picture, const Corner& c) {
     const float u = c.unit;
-    fvec2 right = at(c.view, 1, 0) + u * fvec2(-14, 12);
-    for (std::uint32_t i = 0; i < picture.feed_lines; ++i) {
+    fvec2 right = at(c.view, 1, 0) + u * fvec2(-14, top_of_feed(c));
+    const std::uint32_t most = crowded(c) ? 2 : picture.feed_lines;
+    for (std::uint32_t i = picture.feed_lines - std::min(most, picture.feed_lines); i < picture.feed_lines;
+         ++i) {
         const auto& line = picture.feed[i];
         const bool own = line.by >= players || line.by == line.victim;
         const auto words =
@@ -165,7 +178,7 @@ void add_feed(Overlay& out, const Picture& picture, const Corner& c) {
 
 void add_name(Overlay& out, std::uint32_t player, const Corner& c) {
     const float u = c.unit;
-    const fvec2 left = at(c.view, 0, 1) + u * fvec2(90, -30);
+    const fvec2 left = at(c.view, 0, 1) + u * (crowded(c) ? fvec2(8, -100) : fvec2(90, -30));
     add_text(out, text("Player ", player + 1), left, 15 * u, opaque(team_colours(player).light), Align::left);
 }
 

@@ -10,6 +10,7 @@ std::span<const Area> areas() {
         Area{"tick", tick, soak},
         Area{"replay", replay},
         Area{"skip", skip},
+        Area{"render", render},
     };
     return list;
 }

@@ -10,5 +10,6 @@ void replay(const Options& options, Report& report);
 /// The stress of `tick`.
 void soak(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
+void render(const Options& options, Report& report);
 
 }  // namespace thaum::bench

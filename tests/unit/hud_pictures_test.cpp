@@ -1,0 +1,266 @@
+// Fixed scenes against stored pictures, by perceptual distance. Every stored picture has been looked at; after a change
+// that is meant, look at the new ones and keep them:
+//     THAUM_KEEP_PICTURES=tests/pictures build/release/tests/test_pictures
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <optional>
+
+#include "core/text.h"
+#include "game/bots/bot.h"
+#include "game/hud/figures.h"
+#include "game/hud/hud.h"
+#include "render/context.h"
+#include "render/perceptual.h"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace thaum::game {
+namespace {
+
+using render::Image;
+using render::Quality;
+
+const std::filesystem::path source = THAUM_SOURCE_DIR;
+constexpr render::Size window{1278, 720};
+constexpr int reduced_by = 3;
+// Another processor rounds differently and moves an edge by a pixel here and there; a missing thing is far beyond.
+constexpr double most_mean = 1, most_worst = 7;
+
+/// Each pixel is the mean of 3 x 3.
+Image reduced(const Image& in) {
+    Image out{in.width / reduced_by, in.height / reduced_by, {}};
+    for (int y = 0; y < out.height; ++y) {
+        for (int x = 0; x < out.width; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                int sum = 0;
+                for (int k = 0; k < reduced_by * reduced_by; ++k) {
+                    const int from_y = reduced_by * y + k / reduced_by,
+                              from_x = reduced_by * x + k % reduced_by;
+                    sum += in.rgb[static_cast<std::size_t>(3 * (from_y * in.width + from_x) + c)];
+                }
+                out.rgb.push_back(static_cast<std::uint8_t>(sum / (reduced_by * reduced_by)));
+            }
+        }
+    }
+    return out;
+}
+
+std::optional<Image> stored(const std::string& name) {
+    const auto path = source / "tests/pictures" / (name + ".png");
+    int w = 0, h = 0, channels = 0;
+    stbi_uc* read = stbi_load(path.c_str(), &w, &h, &channels, 3);
+    if (read == nullptr) return {};
+    Image image{w, h, std::vector<std::uint8_t>(read, read + 3 * w * h)};
+    stbi_image_free(read);
+    return image;
+}
+
+struct Scene {
+    Picture picture;
+    HudSettings settings;
+};
+
+class StoredPictures : public testing::Test {
+protected:
+    void SetUp() override {
+        auto made = render::Offscreen::create(window.width, window.height);
+        if (!made) GTEST_SKIP() << made.error().message;
+        context.emplace(std::move(*made));
+        context->make_current();
+        auto created = render::Renderer::create(source / "assets");
+        ASSERT_TRUE(created) << created.error().message;
+        renderer.emplace(std::move(*created));
+        auto loaded = load_match_data(source / "assets", {});
+        ASSERT_TRUE(loaded) << loaded.error().message;
+        data = std::make_shared<const MatchData>(std::move(*loaded));
+        court = make_court(*renderer, data->arena, data->wizard);
+        Simulation match(data, MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}});
+        start = make_picture();
+        take_picture(match, start);
+    }
+
+    /// Puts a wizard there, looking at a point.
+    void stand(Picture& p, std::uint32_t player, vec3 feet, vec3 at) const {
+        auto& w = p.wizards[player];
+        w.centre = feet + vec3(0, data->wizard.height / 2, 0);
+        w.eye = eye_of(data->wizard, w.centre);
+        const vec3 d = at - w.eye;
+        w.yaw = std::atan2(-d.x, -d.z);
+        w.pitch = std::atan2(d.y, std::hypot(d.x, d.z));
+    }
+
+    Image drawn(const Scene& scene) {
+        renderer->draw(make_frame(court, scene.picture, scene.settings, window, memory));
+        return reduced(renderer->read_pixels());
+    }
+
+    void expect_stored(const std::string& name, const Image& image) {
+        if (const char* keep = std::getenv("THAUM_KEEP_PICTURES"); keep != nullptr) {
+            ASSERT_TRUE(render::write_png(source / keep / (name + ".png"), image));
+            return;
+        }
+        const auto known = stored(name);
+        ASSERT_TRUE(known) << "tests/pictures/" << name << ".png is missing";
+        ASSERT_EQ(known->width, image.width);
+        ASSERT_EQ(known->height, image.height);
+        const auto d = render::distance(*known, image);
+        EXPECT_LT(d.mean, most_mean) << name;
+        EXPECT_LT(d.worst, most_worst) << name;
+        if (d.mean < most_mean && d.worst < most_worst) return;
+        const auto seen = std::filesystem::path(testing::TempDir()) / (name + "_drawn.png");
+        EXPECT_TRUE(render::write_png(seen, image));
+        ADD_FAILURE() << "look at " << seen;
+    }
+
+    void expect_stored(const std::string& name, Scene scene, std::initializer_list<Quality> qualities) {
+        for (const auto quality : qualities) {
+            scene.settings.quality = quality;
+            const auto level = render::quality_names[static_cast<std::size_t>(quality)];
+            expect_stored(text(name, "_", level), drawn(scene));
+        }
+    }
+
+    /// Face to face in the sun, each seen by the other.
+    Scene duel() const {
+        Scene scene{start, {.split = render::Split::side_by_side}};
+        stand(scene.picture, 0, {-9, 0, 1.3}, {-9, 1.1, -1.3});
+        stand(scene.picture, 1, {-9, 0, -1.3}, {-9, 1.1, 1.3});
+        return scene;
+    }
+
+    Scene cauldron() const {
+        Scene scene{start, {.watch = Watch::first}};
+        stand(scene.picture, 0, {-4.2, 0, 2.6}, {0, 0.9, 0});
+        stand(scene.picture, 1, {3.5, 0, -2}, {-4, 1.5, 2.6});
+        return scene;
+    }
+
+    /// In the shade, where a bolt on its way is what there is of light.
+    Scene night_corner() const {
+        Scene scene{start, {.watch = Watch::first}};
+        stand(scene.picture, 0, {13.5, 0, -12.5}, {20, 1.2, -19});
+        stand(scene.picture, 1, {18, 0, -16.5}, {13, 1.6, -12});
+        scene.picture.missiles.push_back(
+            {.entity = {}, .player = 1, .position = {17, 1.3, -17.6}, .velocity = {-20, 0, 20}});
+        return scene;
+    }
+
+    std::optional<render::Offscreen> context;
+    std::optional<render::Renderer> renderer;
+    std::shared_ptr<const MatchData> data;
+    Court court;
+    Picture start;
+    FrameMemory memory;
+};
+
+TEST_F(StoredPictures, StartOfTheDuelInBothSplits) {
+    expect_stored("start_stacked", {start, {.split = render::Split::top_bottom}},
+                  {Quality::low, Quality::medium, Quality::high});
+    expect_stored("start_beside", {start, {.split = render::Split::side_by_side}}, {Quality::medium});
+}
+
+TEST_F(StoredPictures, BothWizardsWithTheirMarks) { expect_stored("wizards", duel(), {Quality::medium}); }
+
+TEST_F(StoredPictures, TheCauldronIsTheBrightestThing) {
+    expect_stored("cauldron", cauldron(), {Quality::low, Quality::high});
+    auto scene = cauldron();
+    for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
+        scene.settings.quality = quality;
+        const auto image = drawn(scene);
+        int best = 0, best_x = 0, best_y = 0;
+        // The mean of 8 x 8 pixels, away from the numbers of the HUD.
+        for (int y = 50; y + 8 < 180; y += 4) {
+            for (int x = 0; x + 8 < image.width; x += 4) {
+                int sum = 0;
+                for (int k = 0; k < 64; ++k) {
+                    const int at = 3 * ((y + k / 8) * image.width + x + k % 8);
+                    for (int c = 0; c < 3; ++c) sum += image.rgb[static_cast<std::size_t>(at + c)];
+                }
+                if (sum > best) best = sum, best_x = x + 4, best_y = y + 4;
+            }
+        }
+        // The rim of 1.5 m, 5 m off, in the middle of the picture.
+        EXPECT_NEAR(best_x, image.width / 2, 80);
+        EXPECT_NEAR(best_y, image.height / 2, 40);
+    }
+}
+
+TEST_F(StoredPictures, ABoltLightsTheDark) {
+    expect_stored("night", night_corner(), {Quality::low});
+    auto dark = night_corner();
+    dark.settings.quality = Quality::medium;
+    const auto with = drawn(dark);
+    dark.picture.missiles.clear();
+    EXPECT_GT(render::distance(with, drawn(dark)).mean, most_mean);
+}
+
+TEST_F(StoredPictures, AllFiveWandsAsShadowsAndInTheLight) {
+    std::vector<render::Instance> instances, fixed, moving;
+    add_instances(court, start, no_player, instances);
+    add_casters(court, start, fixed, moving);
+    for (std::size_t i = 0; i < court.wands.size(); ++i) {
+        // One above the other before a wall in the sun, the tips to the left.
+        const auto place = render::translated({-19.4F, 2.95F - 0.44F * static_cast<float>(i), 9.7F}) *
+                           render::rotated({0, 1, 0}, 3.1415926F);
+        moving.push_back({.mesh = court.wands[i], .model = place});
+        instances.push_back(moving.back());
+    }
+    render::ViewScene view;
+    view.viewport = {0, 0, window.width, window.height};
+    view.instances = instances;
+    view.environment = court.environment;
+    view.camera.position = {-17.6F, 1.9F, 10};
+    view.camera.orientation = fquat(look_rotation(pi / 2, 0));
+    view.camera.fov_y = 1.15F;
+    render::Frame frame{.width = window.width,
+                        .height = window.height,
+                        .views = {view},
+                        .overlay = {},
+                        .quality = Quality::high,
+                        .casters = {fixed, moving}};
+    renderer->draw(frame);
+    expect_stored("wands_high", reduced(renderer->read_pixels()));
+}
+
+TEST_F(StoredPictures, TheLargestTextInBothSplits) {
+    auto scene = duel();
+    scene.settings.text_scale = 2.5;
+    scene.picture.wizards[0].since_dry_s = 0;
+    scene.picture.feed_lines = 1;
+    scene.picture.feed[0] = {.age_s = 1, .victim = 0, .by = 1, .how = EventKind::bolt_hit};
+    expect_stored("text_beside", scene, {Quality::medium});
+    scene.settings.split = render::Split::top_bottom;
+    expect_stored("text_stacked", scene, {Quality::medium});
+}
+
+/// What must not pass: each is a change that somebody would notice.
+TEST_F(StoredPictures, AChangedSceneIsRefused) {
+    const auto differs = [&](const Scene& a, const Scene& b) {
+        const auto d = render::distance(drawn(a), drawn(b));
+        return d.mean >= most_mean || d.worst >= most_worst;
+    };
+    for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
+        auto whole = duel();
+        whole.settings.quality = quality;
+        EXPECT_FALSE(differs(whole, whole));
+        auto removed = whole;
+        stand(removed.picture, 1, {0, -50, 0}, {0, -50, 1});
+        removed.picture.wizards[1].eye = whole.picture.wizards[1].eye;
+        removed.picture.wizards[1].yaw = whole.picture.wizards[1].yaw;
+        removed.picture.wizards[1].pitch = whole.picture.wizards[1].pitch;
+        EXPECT_TRUE(differs(whole, removed)) << "a wizard is missing";
+        auto other_wand = whole;
+        for (auto& w : other_wand.picture.wizards) w.silhouette = Silhouette::stubby;
+        EXPECT_TRUE(differs(whole, other_wand)) << "another wand in the hand";
+    }
+}
+
+}  // namespace
+}  // namespace thaum::game
