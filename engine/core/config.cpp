@@ -21,6 +21,7 @@ struct ParserLost {};
 #include <toml++/toml.h>
 #pragma GCC diagnostic pop
 
+#include "core/one_line.h"
 #include "core/text.h"
 
 namespace thaum {
@@ -34,8 +35,8 @@ struct Config::State {
     void report(const toml::node* where, std::string_view what) {
         if (fault) return;
         fault = where != nullptr && where->source().begin
-                    ? text(name, ":", where->source().begin.line, ": ", what)
-                    : text(name, ": ", what);
+                    ? text(name, ":", where->source().begin.line, ": ", in_one_line(what))
+                    : text(name, ": ", in_one_line(what));
     }
 };
 
@@ -94,15 +95,6 @@ std::size_t overdotted_line(std::string_view source) {
         ++number;
     }
     return 0;
-}
-
-/// The parser quotes what it found, which may be a line break.
-std::string in_one_line(std::string_view message) {
-    std::string result(message);
-    for (auto& c : result) {
-        if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-    }
-    return result;
 }
 
 Expected<toml::table> parse_toml(std::string_view source, const std::string& name) {

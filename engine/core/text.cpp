@@ -1,6 +1,7 @@
 #include "core/text.h"
 
 #include "core/assert.h"
+#include "core/one_line.h"
 
 namespace thaum {
 
@@ -16,6 +17,14 @@ std::string hex(unsigned long long value) {
     std::string out(16, '0');
     for (std::size_t i = 16; i-- > 0; value >>= 4) out[i] = "0123456789abcdef"[value & 15U];
     return out;
+}
+
+std::string in_one_line(std::string_view message) {
+    std::string line(message);
+    for (auto& c : line) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+    }
+    return line;
 }
 
 }  // namespace thaum

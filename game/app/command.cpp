@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/one_line.h"
+
 namespace thaum::app {
 
 bool display_there() {
@@ -14,7 +16,7 @@ bool display_there() {
 }
 
 int refuse(const Error& error) {
-    std::fprintf(stderr, "thaum: %s\n", error.message.c_str());
+    std::fprintf(stderr, "thaum: %s\n", in_one_line(error.message).c_str());
     return wrong_use;
 }
 

@@ -1,5 +1,6 @@
 #include "game/match/playback.h"
 
+#include "core/one_line.h"
 #include "core/text.h"
 
 namespace thaum::game {
@@ -8,7 +9,7 @@ Expected<Playback> Playback::open(const std::filesystem::path& log, const std::f
     auto reader = input::LogReader::open(log);
     if (!reader) return tl::unexpected(reader.error());
     auto match = match_of_log(reader->header(), assets);
-    if (!match) return fail(text(log.string(), ": ", match.error().message));
+    if (!match) return fail(text(log.string(), ": ", in_one_line(match.error().message)));
     Playback playback;
     playback.log_ = std::make_unique<input::LogReader>(std::move(*reader));
     playback.match_ = std::move(*match);

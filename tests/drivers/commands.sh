@@ -2,7 +2,7 @@
 # tests/drivers/commands.sh THAUM: what people type wrong, and files that are none. Each gives one line that says what is
 # wrong, and the right exit code; nothing hangs, nothing is left half-written.
 set -uo pipefail
-thaum=$1
+thaum=$(readlink -f "$1")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 unset DISPLAY WAYLAND_DISPLAY
@@ -64,6 +64,20 @@ log=$folder/out/duel.thaumlog
 expect 2 "never written over" --headless --seconds 1 --record "$log" --out "$folder/out"
 expect 2 "the log has 5000 ticks" replay "$log" --dump 5001 "$folder/dump"
 expect 2 "the log has 5.0 s" replay "$log" --at 6
+expect 2 "there are mark, shot" replay "$log" --shots shots --shot-on nothing
+expect 2 "must be like 1280x720" replay "$log" --shots shots --size 3x3
+expect 2 "--size needs --shots" replay "$log" --size 640x360
+expect 2 "--shot-at '9': must be a number from 0 to 5" replay "$log" --shots shots --shot-at 9
+expect 2 "--every needs --state" replay "$log" --every 5
+expect 2 "--at does not go with" replay "$log" --verify --at 3
+expect 2 "must be a number from 0.25 to 16" replay "$log" --speed 40
+expect 2 "shots needs one log" shots "$log"
+expect 2 "ecs has no stress" bench ecs --stress
+for run in 1 2; do
+    "$thaum" replay "$log" --verify --shots "$folder/shots$run" --shot-every 2 --shot-at 0.5 --size 320x180 >/dev/null
+done
+[[ $(cd "$folder/shots1" && echo *) == "shot_00000000.png shot_00000500.png shot_00002000.png shot_00004000.png" ]] || { echo "failed: the pictures of a replay: $(ls "$folder/shots1")"; failures=$((failures + 1)); }
+diff -r "$folder/shots1" "$folder/shots2" || { echo "failed: the same replay gave other pictures"; failures=$((failures + 1)); }
 "$thaum" replay "$log" --verify >/dev/null || { echo "failed: its own log differs"; failures=$((failures + 1)); }
 head -c 4000 "$log" >"$folder/cut"
 expect 0 "cut off after tick" replay "$folder/cut" --verify
@@ -85,7 +99,7 @@ said=$("$thaum" diff "$folder/a.dump" "$folder/b.dump")
 "$thaum" diff "$log" --exe "$thaum" | grep -q 'no difference in 5000 ticks' || { echo "failed: diff --exe"; failures=$((failures + 1)); }
 "$thaum" diff "$log" --threads 1,2 | grep -q 'no difference' || { echo "failed: diff --threads"; failures=$((failures + 1)); }
 
-for command in play replay diff scenario bench doctor; do
+for command in play replay shots diff scenario bench doctor; do
     lines=$("$thaum" "$command" --help | wc -l)
     [[ $lines -gt 2 && $lines -le 24 ]] || { echo "failed: the help of $command has $lines lines"; failures=$((failures + 1)); }
 done

@@ -17,8 +17,8 @@ delay() {
     ((inputs > 20)) || { echo "failed: $name: only $inputs movements were timed"; exit 1; }
 }
 delay free
-# A picture is 6 ms old by design, and a second would be seen by anybody.
-((median >= 6 && median < 1000)) || { echo "failed: the delay cannot be $median ms"; exit 1; }
+# A picture is 6 ms old by design, and three seconds would be seen on any machine.
+((median >= 6 && median < 3000)) || { echo "failed: the delay cannot be $median ms"; exit 1; }
 delay stalled render 300 250
 ((p99 >= 200)) || { echo "failed: a stall of 250 ms does not show"; exit 1; }
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tools/bench/allocations.h"
+#include "tools/bench/areas.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/measure.h"
 
@@ -147,6 +148,25 @@ TEST(BenchAllocations, EveryKindIsCountedInEveryThread) {
 
     std::thread([] { do_not_optimise(std::make_unique<int>(2).get()); }).join();
     EXPECT_GT(allocation_count(), before + 4);
+}
+
+TEST(BenchRun, AStressThatAnAreaDoesNotHaveIsRefused) {
+    Options options;
+    options.areas = {"ecs"};
+    options.stress = true;
+    EXPECT_EQ(run(options), 2);
+}
+
+TEST(BenchRun, ASoakComesToTheSameStatesAloneAndSideBySide) {
+    auto report = empty_report();
+    Options options;
+    options.ticks = 3000;
+    soak(options, report);
+    ASSERT_EQ(report.rows.size(), 3U);
+    for (const auto& row : report.rows) EXPECT_EQ(row.hash, report.rows[0].hash);
+    EXPECT_TRUE(report.faults.empty()) << report.faults[0];
+    report.faults = {"something"};
+    EXPECT_EQ(nlohmann::json::parse(to_json(report))["faults"], nlohmann::json({"something"}));
 }
 
 TEST(BenchRun, AnUnknownAreaIsRefused) {

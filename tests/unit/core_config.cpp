@@ -322,5 +322,16 @@ TEST(CoreConfigFuzz, AMegabyteOfGarbage) {
     for (const char c : fuzz_bits) survive(std::string(1 << 20, c));
 }
 
+/// A terminal would obey them.
+TEST(CoreConfig, ControlCharactersOfAFileDoNotReachAMessage) {
+    const auto file = Config::parse("version = 1\nkind = \"a\\tb\\u001B[2J\\u007F\"\n", "f.toml", 1);
+    ASSERT_TRUE(file.has_value());
+    const auto kind = file->root().string("kind");
+    file->root().report("kind", "unknown kind '" + kind + "'");
+    const auto checked = file->check();
+    ASSERT_FALSE(checked.has_value());
+    EXPECT_EQ(checked.error().message, "f.toml:2: unknown kind 'a b [2J '");
+}
+
 }  // namespace
 }  // namespace thaum
