@@ -20,7 +20,8 @@ std::string hex(unsigned long long value) {
 }
 
 std::string in_one_line(std::string_view message) {
-    std::string line(message);
+    constexpr std::size_t most = 1000;
+    auto line = message.size() > most ? text(message.substr(0, most), "...") : std::string(message);
     for (auto& c : line) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
     }

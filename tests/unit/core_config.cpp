@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/one_line.h"
 #include "core/random.h"
 #include "core/text.h"
 
@@ -331,6 +332,7 @@ TEST(CoreConfig, ControlCharactersOfAFileDoNotReachAMessage) {
     const auto checked = file->check();
     ASSERT_FALSE(checked.has_value());
     EXPECT_EQ(checked.error().message, "f.toml:2: unknown kind 'a b [2J '");
+    EXPECT_EQ(in_one_line(std::string(100'000, 'x')), std::string(1000, 'x') + "...");
 }
 
 }  // namespace
