@@ -123,6 +123,8 @@ struct Cell {
 
 /// Higher than anybody stands, m: blocks there have painted joints.
 constexpr float out_of_reach = 3.1F;
+/// So high that joints have faded before one sees them (Vertex::far_away), m.
+constexpr float out_of_sight = 6;
 /// Of the bevel: how deep the core lies, just below the joints; it shows where a face was left out.
 constexpr float core_depth = 1.25F;
 
@@ -144,6 +146,15 @@ std::uint32_t add_joint(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 no
 
 void add_quad(MeshData& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
     mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
+}
+
+/// A block told from its neighbours by its shade alone.
+void add_bare_block(MeshData& mesh, const Face& face, const Cell& cell, fvec3 shade) {
+    const auto a = add_vertex(mesh, face, {cell.u0, cell.v0, 0}, face.n, shade);
+    add_vertex(mesh, face, {cell.u1, cell.v0, 0}, face.n, shade);
+    add_vertex(mesh, face, {cell.u1, cell.v1, 0}, face.n, shade);
+    add_vertex(mesh, face, {cell.u0, cell.v1, 0}, face.n, shade);
+    add_quad(mesh, a, a + 1, a + 2, a + 3);
 }
 
 /// A block whose edges nobody sees from the side, such as a slab that one walks on: the joint is painted, on two sides,
@@ -224,6 +235,8 @@ void add(MeshData& mesh, double height, const Face& face, const Stonework& work,
     const auto sunk = static_cast<float>(random.uniform(0, 0.3)) * work.bevel;
     if (face.n.y > 0.5F && work.block_u > 1)
         add_flat_block(mesh, face, work, cell, tone, 1.7F * work.bevel);
+    else if (height > out_of_sight)
+        add_bare_block(mesh, face, cell, tone);
     else if (height > out_of_reach)
         add_flat_block(mesh, face, work, cell, tone, work.bevel);
     else

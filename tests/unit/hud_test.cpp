@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "core/text.h"
 #include "game/bots/bot.h"
 #include "render/context.h"
 
@@ -330,6 +331,51 @@ TEST_F(Drawn, EveryThingOfTheArenaHasAMeshOfItsOwnKind) {
         for (const auto plain : court.unit_shapes) EXPECT_NE(instance.mesh, plain);
     }
     EXPECT_LE(court.lights.size(), render::max_lights);
+}
+
+TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
+    picture.things.clear();
+    picture.wizards[1].dead = true;
+    const auto shades_at = [&](vec3 feet) {
+        picture.wizards[0].centre = feet + vec3(0, match_data()->wizard.height / 2, 0);
+        std::vector<render::Instance> out;
+        add_contact_shades(court, picture, out);
+        return out;
+    };
+    const auto level = shades_at({-15, 0, 15});
+    ASSERT_EQ(level.size(), 1U);
+    EXPECT_EQ(level[0].model[0].y, 0);
+    EXPECT_NEAR(level[0].tint.r, 1, 1e-3);
+    // The ramp out of the pit falls from 0 at x = 8 to -5 m at x = 0.
+    const auto tilted = shades_at({4, -2.5, 9});
+    ASSERT_EQ(tilted.size(), 1U);
+    EXPECT_NEAR(tilted[0].model[0].y / tilted[0].model[0].x, 5.0 / 8, 1e-5);
+    EXPECT_NEAR(tilted[0].model[3].y, -2.5, 0.05);
+    const auto edge = shades_at({-5, 0, 5.6});  // 0.4 m from the pit
+    ASSERT_EQ(edge.size(), 1U);
+    EXPECT_LT(glm::length(edge[0].model[2]), 0.4F);
+    EXPECT_LT(shades_at({-15, 1.5, 15})[0].tint.r, 0.5F) << "weaker in a jump";
+    EXPECT_TRUE(shades_at({-15, 3, 15}).empty());
+}
+
+TEST(Silhouettes, AWandsFileNamesOneOfFive) {
+    const auto read = [](const std::string& name) {
+        const auto source =
+            text("version = 1\nslot = 1\nsilhouette = \"", name,
+                 "\"\n[energy]\ncap = 1\ncost = 1\nregain_per_s = 1\n[shot]\nper_s = 8\ndamage = "
+                 "6\nspeed_m_s = 40\nspread_deg = 0.6\nlife_s = 2\nimpulse_n_s = 3\n");
+        const auto file = Config::parse(source, "bolt.toml", 1);
+        EXPECT_TRUE(file);
+        const auto wand = read_wand(wand_kinds().front(), *file);
+        const auto checked = file->check();
+        return std::pair(wand.stats.silhouette, checked ? std::string() : checked.error().message);
+    };
+    for (std::size_t i = 0; i < silhouette_names.size(); ++i) {
+        const auto [shape, fault] = read(std::string(silhouette_names[i]));
+        EXPECT_EQ(fault, "");
+        EXPECT_EQ(shape, static_cast<Silhouette>(i));
+    }
+    EXPECT_NE(read("banana").second.find("bolt.toml:3"), std::string::npos);
 }
 
 TEST_F(Drawn, TrianglesStayWithinTheBudget) {
