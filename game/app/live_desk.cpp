@@ -180,14 +180,15 @@ void rejoin(Desk& desk, std::uint32_t player) {
     if (all) shared.wants_to_go_on = player;
 }
 
-/// Who lost a pad may go on with half of the keyboard, if nobody has it: with the key that uses the wand.
+/// Who has no pad (any more) may take half of the keyboard, if nobody has it: with the key that uses the wand.
 bool take_half(Desk& desk, int key) {
     if (!half_is_free(desk)) return false;
     const auto& half = desk.menu.settings.bindings_of(DeviceKind::keyboard_half);
     if (!is_bound(half.of(Action::fire), key)) return false;
     for (std::uint32_t p = 0; p < game::players; ++p) {
-        if (!desk.shared.pad_lost[p]) continue;
-        desk.grips[p].half = true;
+        auto& grip = desk.grips[p];
+        if (!is_pad(desk.shared.seats[p]) || grip.seen || grip.half) continue;
+        grip.half = true;
         rejoin(desk, p);
         return true;
     }
@@ -371,7 +372,12 @@ void run_desk(Desk& desk) {
         return s.hands && s.seat.kind == SeatKind::keyboard_mouse;
     });
     // What started the match is not also a shot in it.
-    for (auto& grip : desk.grips) grip = {.let_go_first = true};
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        const auto place = static_cast<std::size_t>(shared.seats[p].seat.pad);
+        const bool seen = place < desk.pads.size() && desk.pads[place].present;
+        desk.grips[p] = {.seen = seen, .let_go_first = true, .half = desk.grips[p].half};
+    }
+    rebind_hands(desk);
     Staller staller{desk.plan.stall};
     std::int64_t next_probe_ns = 0;
     while (!shared.stop && !shared.ended) {
@@ -408,7 +414,7 @@ void show_court(Desk& desk) {
 
 void follow_plugs(Desk& desk) {
     for (std::size_t i = 0; i < desk.pads.size(); ++i) {
-        const std::string name = desk.pads[i].present ? desk.pads[i].name : "";
+        const std::string name = desk.pads[i].present ? desk.pads[i].name : std::string();
         if (name == desk.facts.pads[i]) continue;
         desk.facts.pads[i] = name;
         desk.stale = true;
@@ -444,6 +450,7 @@ bool out_of_time(const Desk& desk) {
 bool run_start_screen(Desk& desk) {
     auto& shared = desk.shared;
     for (auto& seat : shared.seats) seat = {};
+    desk.grips = {};
     if (shared.began_ns == 0) shared.began_ns = monotonic_ns();
     show_court(desk);
     desk.menu = opened(std::move(desk.menu), Page::start);

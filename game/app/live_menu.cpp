@@ -255,12 +255,14 @@ void open_pause(Desk& desk) {
 }
 
 void tell_pause(Desk& desk) {
+    constexpr std::array<std::string_view, game::players> pad_lost_heads{"Player 1: pad lost",
+                                                                         "Player 2: pad lost"};
     const auto& shared = desk.shared;
     const auto by = shared.paused_by.load();
-    std::string head = "Paused", line = by < game::players ? text("by player ", by + 1) : std::string();
+    auto head = text("Paused"), line = by < game::players ? text("by player ", by + 1) : std::string();
     for (std::uint32_t p = 0; p < game::players; ++p) {
         if (!shared.pad_lost[p]) continue;
-        head = text("Player ", p + 1, ": pad lost");
+        head = pad_lost_heads[p];
         line = "press a button on it to rejoin, or keypad 0 for half of the keyboard";
     }
     if (desk.menu.head == head && desk.menu.line == line) return;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 
+#include "core/file.h"
 #include "core/random.h"
+#include "game/app/live_desk.h"
 #include "render/font.h"
 
 namespace thaum::app {
@@ -133,6 +135,35 @@ TEST(StartScreen, OneSetOfRulesIsNoChoice) {
     auto few = facts();
     few.rules.resize(1);
     for (const auto& row : picture_of(start_page(), few).rows) EXPECT_NE(row.label, "Match");
+}
+
+TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
+    const std::filesystem::path source = THAUM_SOURCE_DIR "/assets";
+    const auto folder = std::filesystem::path(testing::TempDir()) / "thaum_menu_assets";
+    std::filesystem::remove_all(folder);
+    std::filesystem::copy(source, folder, std::filesystem::copy_options::recursive);
+    auto data = game::load_match_data(folder, {});
+    ASSERT_TRUE(data) << data.error().message;
+    LivePlan plan;
+    plan.data = std::make_shared<const game::MatchData>(std::move(*data));
+    plan.assets = folder;
+    const auto before = find_facts(plan);
+    ASSERT_FALSE(before.rules.empty());
+    EXPECT_EQ(before.levels.front(), 1);
+
+    // A longer match, one that is no match, and a level that is broken.
+    auto rules = read_text_file(source / "rules" / "quick.toml", 1U << 16U).value();
+    const auto at = rules.find("seconds = 240");
+    ASSERT_NE(at, std::string::npos);
+    ASSERT_TRUE(
+        write_text_file(folder / "rules" / "a_long_one.toml", rules.replace(at, 13, "seconds = 665")));
+    ASSERT_TRUE(write_text_file(folder / "rules" / "broken.toml", "version = 1\nkills = \"many\"\n"));
+    ASSERT_TRUE(write_text_file(folder / "bots" / "level_6.toml", "version = 1\n"));
+    const auto after = find_facts(plan);
+    EXPECT_EQ(after.levels, before.levels);
+    ASSERT_EQ(after.rules.size(), before.rules.size() + 1);
+    EXPECT_EQ(after.rules[0].name, "a_long_one");
+    EXPECT_EQ(after.rules[0].label, "a_long_one: first to 3, 11:05");
 }
 
 // The pause ----------------------------------------------------------------------------------------------------------------
