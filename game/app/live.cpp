@@ -140,8 +140,8 @@ Expected<input::LogWriter> create_beside(const std::filesystem::path& path, cons
     return log;
 }
 
-/// Where match number `number` goes; empty: nowhere.
-Expected<std::filesystem::path> log_path(const Desk& desk, std::uint64_t number) {
+/// Where a match goes; empty: nowhere.
+Expected<std::filesystem::path> log_path(const Desk& desk) {
     const auto& plan = desk.plan;
     if (!plan.log.empty()) return plan.log;
     if (plan.logs_folder.empty()) return std::filesystem::path();
@@ -150,7 +150,7 @@ Expected<std::filesystem::path> log_path(const Desk& desk, std::uint64_t number)
 
 Expected<std::optional<input::LogWriter>> open_log(const Desk& desk, std::uint64_t seed,
                                                    std::uint64_t number) {
-    const auto path = log_path(desk, number);
+    const auto path = log_path(desk);
     if (!path) return tl::unexpected(path.error());
     if (path->empty()) return std::nullopt;
     std::vector<std::string> names;

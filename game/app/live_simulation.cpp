@@ -202,7 +202,6 @@ void run_tick(Session& s) {
     auto& round = s.round;
     const auto frame = take_frame(s);
     game::tick_and_record(*round.match, frame, round.log ? &*round.log : nullptr);
-    const auto going = going_of(round.match->match());
     const auto now = round.match->now();
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
