@@ -35,7 +35,7 @@ struct Desk {
     std::array<render::PadState, 4> pads{};
     std::array<Grip, game::players> grips{};
     Repeat repeat{};
-    std::optional<game::MenuPlace> mouse_at{};
+    std::optional<fvec2> mouse{};         ///< px; where it was last, while a menu was open
     std::int64_t unfocused_since_ns = 0;  ///< 0: has the focus, or its loss was dealt with
     std::int64_t over_since_ns = 0;       ///< 0: the round is not over
 };

@@ -108,13 +108,20 @@ void menu_key(Desk& desk, int key, bool pressed) {
     if (repeats(event->kind)) start_repeat(desk, *event, key, -1);
 }
 
+namespace {
+
+std::optional<game::MenuPlace> place_of_mouse(const Desk& desk) {
+    if (!desk.mouse) return {};
+    return game::place_at(picture_of(desk.menu, desk.facts), desk.shared.window.size(),
+                          desk.menu.settings.text_scale, *desk.mouse);
+}
+
+}  // namespace
+
 void menu_cursor(Desk& desk, double x, double y) {
-    if (desk.menu.waiting) return;
-    const auto menu = picture_of(desk.menu, desk.facts);
-    const auto place = game::place_at(menu, desk.shared.window.size(), desk.menu.settings.text_scale,
-                                      {static_cast<float>(x), static_cast<float>(y)});
-    desk.mouse_at = place;
-    if (place && place->row != menu.cursor)
+    desk.mouse = fvec2(x, y);
+    const auto place = place_of_mouse(desk);
+    if (place && !desk.menu.waiting && place->row != desk.menu.pages.back().cursor)
         menu_event(desk, {.kind = Kind::point, .device = keyboard, .row = place->row});
 }
 
@@ -134,9 +141,9 @@ void menu_mouse_button(Desk& desk, int button, bool pressed) {
     constexpr int left = 0, buttons = 5;
     if (!pressed || button >= buttons) return;
     if (desk.menu.waiting) return control_event(desk, keyboard, {Control::Source::mouse_button, button, 0});
-    if (button == left && desk.mouse_at)
-        return menu_event(desk,
-                          {.kind = click_of(*desk.mouse_at), .device = keyboard, .row = desk.mouse_at->row});
+    const auto place = place_of_mouse(desk);
+    if (button == left && place)
+        return menu_event(desk, {.kind = click_of(*place), .device = keyboard, .row = place->row});
     const bool below = desk.menu.pages.size() > 1;
     menu_event(desk, {.kind = button != left && below ? Kind::back : Kind::other, .device = keyboard});
 }
@@ -250,7 +257,7 @@ void repeat_menu(Desk& desk) {
 
 void open_pause(Desk& desk) {
     desk.menu = opened(std::move(desk.menu), Page::pause);
-    desk.mouse_at.reset();
+    desk.mouse.reset();  // it was caught: where it is now is not known yet
     desk.stale = true;
 }
 
