@@ -41,7 +41,7 @@ struct Desk {
 };
 
 /// The part of the choice of data that says how long a match is: a file in assets/rules.
-inline std::string& length_of(game::DataChoice& choice) { return choice.rules; }
+inline std::string& length_of(game::DataChoice& choice) { return choice.match; }
 
 /// Until somebody starts a match (true) or leaves the program.
 bool run_start_screen(Desk& desk);
