@@ -295,7 +295,9 @@ std::optional<MenuFacts::Rules> rules_of(const std::filesystem::path& file) {
     const auto rules = game::read_round_rules(*config);
     if (!config->check()) return {};
     const auto name = file.stem().string();
-    return MenuFacts::Rules{name, text(name, ": first to ", rules.kills, ", ", clock_of(rules.length))};
+    const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, " rounds, each ") : std::string();
+    return MenuFacts::Rules{name,
+                            text(name, ": ", rounds, "first to ", rules.kills, ", ", clock_of(rules.length))};
 }
 
 std::vector<MenuFacts::Rules> all_rules(const LivePlan& plan) {

@@ -217,7 +217,7 @@ TEST(InputCollector, TwoThreadsLoseNothingAndCountNothingTwice) {
 }
 
 Bindings toggling(DeviceKind kind, Action action) {
-    auto b = default_bindings(kind, code_of);
+    auto b = default_bindings(kind, length_code_of);
     b.toggled[static_cast<std::size_t>(action)] = true;
     return b;
 }
@@ -229,12 +229,12 @@ TEST(InputCollector, AToggleStaysOnFromOnePressToTheNext) {
         auto sample = hands.take();
         EXPECT_EQ(sample.down(Button::fire), on);
         hands.mouse_button(left_button, false);
-        hands.key(*code_of("a"), true);  // others do not mind
+        hands.key(*length_code_of("a"), true);  // others do not mind
         sample = hands.take();
         EXPECT_EQ(sample.down(Button::fire), on);
         EXPECT_EQ(sample.counts[hand::trigger], on ? 255 : 0);
         EXPECT_EQ(sample.counts[hand::strafe], -127);
-        hands.key(*code_of("a"), false);
+        hands.key(*length_code_of("a"), false);
     }
     hands.focus_lost();
     EXPECT_FALSE(hands.take().down(Button::fire));
