@@ -23,6 +23,7 @@ Command play_command();
 Command replay_command();
 Command diff_command();
 Command scenario_command();
+Command league_command();
 Command bench_command();
 Command doctor_command();
 

@@ -7,6 +7,7 @@
 #include "game/app/command.h"
 #include "game/app/live.h"
 #include "game/app/offscreen_duel.h"
+#include "game/bots/bot.h"
 
 namespace thaum::app {
 namespace {
@@ -18,8 +19,9 @@ A duel in a window. Every match is recorded; `thaum replay` plays it again.
 
   --vs             two players: mouse and keyboard against a pad, or against the
                    keypad where there is no pad (default)
-  --solo LEVEL     against a bot (level 1)
+  --solo LEVEL     against a bot of level 1, 2 or 3
   --demo           two bots
+  --bots A,B       their levels, of --demo and --headless (1,1)
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
   --match NAME     quick (default): first to 3, 4 min; standard: best of 3 rounds,
@@ -35,9 +37,10 @@ A duel in a window. Every match is recorded; `thaum replay` plays it again.
 With no display it says so and plays headless.
 )";
 
-constexpr Option options[] = {{"--vs"},        {"--solo", 1},  {"--demo"},         {"--rules", 1},
-                              {"--match", 1},  {"--arena", 1}, {"--set", 1, true}, {"--seed", 1},
-                              {"--record", 1}, {"--headless"}, {"--seconds", 1},   {"--out", 1}};
+constexpr Option options[] = {{"--vs"},       {"--solo", 1},   {"--demo"},     {"--bots", 1},
+                              {"--rules", 1}, {"--match", 1},  {"--arena", 1}, {"--set", 1, true},
+                              {"--seed", 1},  {"--record", 1}, {"--headless"}, {"--seconds", 1},
+                              {"--out", 1}};
 
 /// What the words ask for, checked.
 struct Wish {
@@ -47,7 +50,19 @@ struct Wish {
     std::filesystem::path record, out = "out";
     bool headless = false, demo = false;
     std::optional<int> solo;  ///< level of the bot
+    std::array<int, game::players> bots{1, 1};
 };
+
+/// "2,3": the levels of two bots.
+Expected<std::array<int, game::players>> read_bots(std::string_view words) {
+    const auto comma = words.find(',');
+    if (comma == std::string_view::npos) return fail("--bots needs two levels, such as 2,3");
+    const auto first = parse_whole(words.substr(0, comma), "--bots", 1, game::bot_levels);
+    if (!first) return tl::unexpected(first.error());
+    const auto second = parse_whole(words.substr(comma + 1), "--bots", 1, game::bot_levels);
+    if (!second) return tl::unexpected(second.error());
+    return std::array{static_cast<int>(*first), static_cast<int>(*second)};
+}
 
 Expected<Wish> read_wish(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, options);
@@ -56,13 +71,18 @@ Expected<Wish> read_wish(const std::vector<std::string>& words) {
     Wish wish;
     wish.headless = arguments->has("--headless");
     wish.demo = arguments->has("--demo");
-    const auto level = arguments->whole("--solo", 1, 7, 1);
+    const auto level = arguments->whole("--solo", 1, game::bot_levels, 1);
     if (!level) return tl::unexpected(level.error());
     if (arguments->has("--solo")) wish.solo = static_cast<int>(*level);
     const int ways = (arguments->has("--vs") ? 1 : 0) + (wish.demo ? 1 : 0) + (wish.solo ? 1 : 0);
     if (ways > 1) return fail("--vs, --solo and --demo exclude each other");
     if (wish.headless && (arguments->has("--vs") || wish.solo))
         return fail("--headless plays two bots: no --vs or --solo");
+    const auto bots = read_bots(arguments->value("--bots").value_or("1,1"));
+    if (!bots) return tl::unexpected(bots.error());
+    wish.bots = *bots;
+    if (arguments->has("--bots") && (arguments->has("--vs") || wish.solo))
+        return fail("--bots is for --demo and --headless");
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0}, 1);
     if (!seed) return tl::unexpected(seed.error());
     if (arguments->has("--seed")) wish.seed = *seed;
@@ -84,11 +104,14 @@ int play_off_screen(const Wish& wish) {
                                 .log = wish.record,
                                 .data = wish.data,
                                 .seed = wish.seed.value_or(1),
+                                .levels = wish.bots,
                                 .seconds = wish.seconds.value_or(60)});
 }
 
 std::array<Seat, 2> seats_of(const Wish& wish) {
-    if (wish.demo) return {Seat{.kind = SeatKind::bot}, Seat{.kind = SeatKind::bot}};
+    if (wish.demo)
+        return {Seat{.kind = SeatKind::bot, .level = wish.bots[0]},
+                Seat{.kind = SeatKind::bot, .level = wish.bots[1]}};
     const Seat first{.kind = SeatKind::keyboard_mouse};
     if (wish.solo) return {first, Seat{.kind = SeatKind::bot, .level = *wish.solo}};
     return {first, Seat{.kind = SeatKind::pad_or_half}};
