@@ -24,6 +24,7 @@ Command replay_command();
 Command diff_command();
 Command shots_command();
 Command scenario_command();
+Command league_command();
 Command bench_command();
 Command doctor_command();
 Command plot_command();

@@ -8,6 +8,7 @@
 #include "game/app/command.h"
 #include "game/app/live.h"
 #include "game/app/offscreen_duel.h"
+#include "game/bots/bot.h"
 
 namespace thaum::app {
 namespace {
@@ -20,9 +21,10 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
 
   --vs             two players: mouse and keyboard against a pad, or against the
                    keypad where there is no pad
-  --solo LEVEL     against a bot (level 1)
+  --solo LEVEL     against a bot of level 1, 2 or 3
   --demo           two bots
   --hands A[,B]    what players hold: mouse, half (the keypad) or pad
+  --bots A,B       levels of the bots of --demo and --headless (1,1)
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
   --match NAME     quick (default): first to 3, 4 min; standard: best of 3 rounds,
@@ -38,10 +40,10 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
 With no display it says so and plays headless.
 )";
 
-constexpr Option options[] = {{"--vs"},       {"--solo", 1},   {"--demo"},     {"--hands", 1},
-                              {"--rules", 1}, {"--match", 1},  {"--arena", 1}, {"--set", 1, true},
-                              {"--seed", 1},  {"--record", 1}, {"--headless"}, {"--seconds", 1},
-                              {"--out", 1}};
+constexpr Option options[] = {{"--vs"},           {"--solo", 1},  {"--demo"},      {"--hands", 1},
+                              {"--bots", 1},      {"--rules", 1}, {"--match", 1},  {"--arena", 1},
+                              {"--set", 1, true}, {"--seed", 1},  {"--record", 1}, {"--headless"},
+                              {"--seconds", 1},   {"--out", 1}};
 
 /// What the words ask for, checked.
 struct Wish {
@@ -54,6 +56,7 @@ struct Wish {
     std::vector<SeatKind> hands;
 
     bool mode() const { return demo || vs || solo.has_value(); }
+    std::array<int, game::players> bots{1, 1};
 };
 
 Expected<SeatKind> hand_of(std::string_view word) {
@@ -78,6 +81,17 @@ Expected<std::vector<SeatKind>> hands_of(std::string_view words) {
     return hands;
 }
 
+/// "2,3": the levels of two bots.
+Expected<std::array<int, game::players>> read_bots(std::string_view words) {
+    const auto comma = words.find(',');
+    if (comma == std::string_view::npos) return fail("--bots needs two levels, such as 2,3");
+    const auto first = parse_whole(words.substr(0, comma), "--bots", 1, game::bot_levels);
+    if (!first) return tl::unexpected(first.error());
+    const auto second = parse_whole(words.substr(comma + 1), "--bots", 1, game::bot_levels);
+    if (!second) return tl::unexpected(second.error());
+    return std::array{static_cast<int>(*first), static_cast<int>(*second)};
+}
+
 Expected<Wish> read_wish(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return tl::unexpected(arguments.error());
@@ -85,7 +99,7 @@ Expected<Wish> read_wish(const std::vector<std::string>& words) {
     Wish wish;
     wish.headless = arguments->has("--headless");
     wish.demo = arguments->has("--demo");
-    const auto level = arguments->whole("--solo", 1, 7, 1);
+    const auto level = arguments->whole("--solo", 1, game::bot_levels, 1);
     if (!level) return tl::unexpected(level.error());
     if (arguments->has("--solo")) wish.solo = static_cast<int>(*level);
     wish.vs = arguments->has("--vs");
@@ -99,6 +113,11 @@ Expected<Wish> read_wish(const std::vector<std::string>& words) {
         if (!wish.vs && !wish.solo) return fail("--hands goes with --vs or --solo");
         if (wish.solo && wish.hands.size() > 1) return fail("--solo has one player: one hand");
     }
+    const auto bots = read_bots(arguments->value("--bots").value_or("1,1"));
+    if (!bots) return tl::unexpected(bots.error());
+    wish.bots = *bots;
+    if (arguments->has("--bots") && (wish.vs || wish.solo))
+        return fail("--bots is for --demo and --headless");
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0}, 1);
     if (!seed) return tl::unexpected(seed.error());
     if (arguments->has("--seed")) wish.seed = *seed;
@@ -120,11 +139,14 @@ int play_off_screen(const Wish& wish) {
                                 .log = wish.record,
                                 .data = wish.data,
                                 .seed = wish.seed.value_or(1),
+                                .levels = wish.bots,
                                 .seconds = wish.seconds.value_or(60)});
 }
 
 std::array<Seat, 2> seats_of(const Wish& wish) {
-    if (wish.demo) return {Seat{.kind = SeatKind::bot}, Seat{.kind = SeatKind::bot}};
+    if (wish.demo)
+        return {Seat{.kind = SeatKind::bot, .level = wish.bots[0]},
+                Seat{.kind = SeatKind::bot, .level = wish.bots[1]}};
     const auto hand = [&](std::size_t i, SeatKind otherwise) {
         return Seat{.kind = i < wish.hands.size() ? wish.hands[i] : otherwise};
     };

@@ -6,7 +6,10 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "ecs/snapshot.h"
+#include "game/bots/errands.h"
+#include "game/bots/mind.h"
 #include "game/bots/nav.h"
+#include "game/bots/senses.h"
 
 // Every gameplay tick a bot looks, chooses an aim and a way, and spreads its turn over the ticks until the next look.
 namespace thaum::game {
@@ -16,102 +19,11 @@ using input::Button;
 namespace hand = input::hand;
 
 constexpr double rad_per_count = 0.001;  ///< of a bot's mouse
-constexpr std::size_t memory = 128;      ///< glimpses; at 8 ms one second
 constexpr double reached = 1.2;          ///< m from a goal
 constexpr double stuck_speed = 0.4;      ///< m/s
+constexpr double bolt_speed = 40;        ///< m/s; what bots take a bolt's speed to be
+constexpr double near_share = 0.7;       ///< of the distance it likes: there it spares no energy
 constexpr Tick forget_after = ticks(4.0);
-
-/// What the eye saw at one look.
-struct Glimpse {
-    vec3 chest{};  ///< of the foe, m
-    std::uint64_t seen{};
-    static constexpr auto fields() {
-        return std::tuple(field("chest", &Glimpse::chest), field("seen", &Glimpse::seen));
-    }
-};
-
-/// Who it is and how good.
-struct Seat {
-    std::uint64_t device{};
-    std::uint32_t player{};
-    std::uint32_t level{};
-    Tick reaction{};
-    double aim_error{}, turn_speed{}, view_cos{};
-    Tick burst{}, rest{};
-    double keep{};
-    static constexpr std::string_view name = "Seat";
-    static constexpr auto fields() {
-        return std::tuple(field("device", &Seat::device), field("player", &Seat::player),
-                          field("level", &Seat::level), field("reaction", &Seat::reaction),
-                          field("aim_error", &Seat::aim_error), field("turn_speed", &Seat::turn_speed),
-                          field("view_cos", &Seat::view_cos), field("burst", &Seat::burst),
-                          field("rest", &Seat::rest), field("keep", &Seat::keep));
-    }
-};
-
-struct Eyes {
-    std::uint64_t looks{};
-    std::array<Glimpse, memory> glimpses{};
-    static constexpr std::string_view name = "Eyes";
-    static constexpr auto fields() {
-        return std::tuple(field("looks", &Eyes::looks), field("glimpses", &Eyes::glimpses));
-    }
-};
-
-struct Mind {
-    Random random;
-    vec3 foe{};                        ///< where it believes the foe's chest to be, m
-    Tick foe_seen_at{};                ///< 0: never
-    double error_right{}, error_up{};  ///< rad, how far its aim is off just now
-    vec3 goal{};                       ///< m
-    Tick goal_until{};
-    Tick fire_from{}, fire_until{};
-    Tick strafe_until{};
-    std::int32_t strafe{};
-    std::int32_t wishes_to_move{};
-    Tick slow_since{};  ///< when it began to be slower than it wished
-    Tick dodge_until{};
-    std::int32_t right_left{}, up_left{};  ///< counts still to be given before the next look
-    std::int32_t move_strafe{}, move_forward{};
-    std::uint32_t buttons{};
-    std::uint32_t spare{};
-    static constexpr std::string_view name = "Mind";
-    static constexpr auto fields() {
-        return std::tuple(field("random", &Mind::random), field("foe", &Mind::foe),
-                          field("foe_seen_at", &Mind::foe_seen_at), field("error_right", &Mind::error_right),
-                          field("error_up", &Mind::error_up), field("goal", &Mind::goal),
-                          field("goal_until", &Mind::goal_until), field("fire_from", &Mind::fire_from),
-                          field("fire_until", &Mind::fire_until), field("strafe_until", &Mind::strafe_until),
-                          field("strafe", &Mind::strafe), field("wishes_to_move", &Mind::wishes_to_move),
-                          field("slow_since", &Mind::slow_since), field("dodge_until", &Mind::dodge_until),
-                          field("right_left", &Mind::right_left), field("up_left", &Mind::up_left),
-                          field("move_strafe", &Mind::move_strafe),
-                          field("move_forward", &Mind::move_forward), field("buttons", &Mind::buttons),
-                          field("spare", &Mind::spare));
-    }
-};
-
-/// The bot's own wizard, as it knows itself.
-struct Self {
-    vec3 centre{}, eye{}, velocity{};
-    double yaw{}, pitch{};
-    std::uint32_t key{};
-    bool alive = false;
-};
-
-Self self_of(const Simulation& match, std::uint32_t player) {
-    const auto& world = match.world();
-    const auto wizard = wizard_of(world, player);
-    const auto& motion = world.get<Motion>(wizard);
-    const auto& gaze = world.get<Gaze>(wizard);
-    return {motion.position,
-            eye_of(match.data().wizard, motion.position),
-            motion.velocity,
-            gaze.yaw,
-            gaze.pitch,
-            wizard.index,
-            !world.has<Dead>(wizard)};
-}
 
 /// A number with mean 0 and standard deviation 1 (the sum of twelve uniform ones).
 double normal(Random& random) {
@@ -120,41 +32,12 @@ double normal(Random& random) {
     return sum;
 }
 
-Glimpse look(const Simulation& match, const Self& self, const Seat& seat) {
-    const auto& world = match.world();
-    const auto foe = wizard_of(world, 1 - seat.player);
-    if (world.has<Dead>(foe)) return {};
-    const vec3 chest = world.get<Motion>(foe).position + vec3(0, 0.2, 0);
-    const vec3 to = chest - self.eye;
-    const double distance = glm::length(to);
-    const vec3 ahead = look_rotation(self.yaw, self.pitch) * vec3(0, 0, -1);
-    if (distance < 1e-6 || glm::dot(to / distance, ahead) < seat.view_cos) return {};
-    const auto hit = match.physics().ray(self.eye, chest, physics::all_layers, self.key);
-    if (hit && hit->key != foe.index) return {};
-    return {chest, 1};
-}
-
-/// What it sees, a reaction time ago.
-void perceive(const Simulation& match, const Self& self, const Seat& seat, Eyes& eyes, Mind& mind,
-              Tick tick) {
-    eyes.glimpses[eyes.looks % memory] = look(match, self, seat);
-    const auto delay = std::min<std::uint64_t>(seat.reaction / gameplay_period, memory - 1);
-    if (eyes.looks >= delay) {
-        const auto& then = eyes.glimpses[(eyes.looks - delay) % memory];
-        if (then.seen != 0) {
-            mind.foe = then.chest;
-            mind.foe_seen_at = tick;
-        }
-    }
-    ++eyes.looks;
-}
-
 /// The aim wanders slowly, with the skill's standard deviation.
 void wander_aim(const Seat& seat, Mind& mind) {
     constexpr double keep = 0.98;
     const double fresh = std::sqrt(1 - keep * keep);
-    mind.error_right = keep * mind.error_right + fresh * seat.aim_error * normal(mind.random);
-    mind.error_up = keep * mind.error_up + fresh * 0.5 * seat.aim_error * normal(mind.random);
+    mind.error_right = keep * mind.error_right + fresh * seat.skill.aim_error * normal(mind.random);
+    mind.error_up = keep * mind.error_up + fresh * 0.5 * seat.skill.aim_error * normal(mind.random);
 }
 
 double angle_between(double from, double to) {
@@ -175,24 +58,38 @@ Aim aim_at(vec3 eye, vec3 target) {
 
 /// Counts for the next ticks; at most what the wrist can do in a gameplay tick.
 void turn_towards(const Self& self, const Seat& seat, Aim aim, Mind& mind) {
-    const double limit = seat.turn_speed * gameplay_dt;
+    const double limit = seat.skill.turn_speed * gameplay_dt;
     const double left = std::clamp(0.25 * angle_between(self.yaw, aim.yaw), -limit, limit);
     const double up = std::clamp(0.25 * (aim.pitch - self.pitch), -limit, limit);
     mind.right_left = static_cast<std::int32_t>(std::lround(-left / rad_per_count));
     mind.up_left = static_cast<std::int32_t>(std::lround(up / rad_per_count));
 }
 
+/// Where the foe will be when the bolt is there, as far as the bot allows for that.
+vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind) {
+    const double flight = glm::distance(self.eye, mind.foe) / bolt_speed;
+    vec3 moved = mind.foe_velocity * (seat.skill.lead * (seconds(seat.skill.reaction) + flight));
+    moved.y = 0;  // jumps end soon
+    return mind.foe + moved;
+}
+
+bool worth_a_shot(const Self& self, const Seat& seat, const Mind& mind) {
+    const double distance = glm::distance(self.eye, mind.foe);
+    const bool near = distance < near_share * seat.skill.keep;
+    return self.can_shoot && distance < seat.skill.range && (near || self.energy_share > seat.skill.reserve);
+}
+
 void choose_fire(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick) {
     mind.buttons &= ~static_cast<std::uint32_t>(Button::fire);
     const bool fresh = mind.foe_seen_at != 0 && tick - mind.foe_seen_at <= ticks(0.3);
+    if (!fresh || !worth_a_shot(self, seat, mind)) return;
     const bool aimed = std::abs(angle_between(self.yaw, wanted.yaw)) < 0.15;
-    if (fresh && aimed && tick >= mind.fire_until + seat.rest) {
+    if (aimed && tick >= mind.fire_until + seat.skill.rest) {
         mind.fire_from = tick;
-        mind.fire_until = tick + seat.burst;
+        mind.fire_until = tick + seat.skill.burst;
     }
-    if (fresh && tick >= mind.fire_from && tick < mind.fire_until) {
+    if (tick >= mind.fire_from && tick < mind.fire_until)
         mind.buttons |= static_cast<std::uint32_t>(Button::fire);
-    }
 }
 
 /// A walkable place anywhere in the court.
@@ -222,31 +119,77 @@ void unstick(const Self& self, Mind& mind, Tick tick) {
     if (!slow || mind.wishes_to_move == 0) mind.slow_since = tick;
     if (tick - mind.slow_since < ticks(0.4)) return;
     mind.slow_since = tick;
-    mind.dodge_until = tick + ticks(0.5);
-    mind.strafe = mind.random.below(2) == 0 ? -127 : 127;
+    if (mind.random.below(2) == 0) {  // else straight on: it may be a ledge that one can jump onto
+        mind.dodge_until = tick + ticks(0.5);
+        mind.strafe = mind.random.below(2) == 0 ? -1 : 1;
+    }
     mind.buttons |= static_cast<std::uint32_t>(Button::jump);
 }
 
-/// In sight: keep the distance and sidestep. Out of sight: where the foe was, then anywhere.
-vec3 choose_way(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& mind, WalkGrid::Ways& ways,
-                Tick tick) {
-    const bool knows = mind.foe_seen_at != 0 && tick - mind.foe_seen_at < forget_after;
+void choose_step(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Tick tick) {
+    if (tick >= mind.strafe_until) {
+        const bool steps = mind.random.uniform() < seat.skill.strafe;
+        mind.strafe = !steps ? 0 : mind.random.below(2) == 0 ? -1 : 1;
+        mind.strafe_until = tick + ticks(seconds(seat.skill.strafe_step) * mind.random.uniform(0.6, 1.4));
+    }
+    const auto aside = seat.skill.dodges != 0 ? step_aside(match, self, seat, mind) : 0;
+    if (aside == 0) return;
+    mind.strafe = aside;
+    mind.strafe_until = tick + ticks(0.25);
+}
+
+vec3 unit_or_zero(vec3 v) {
+    const double length = glm::length(v);
+    return length > 1e-6 ? v / length : vec3(0);
+}
+
+/// To the middle of the next cell on the way; zero at its end, or where there is none.
+vec3 next_step(const Self& self, const WalkGrid& grid, vec3 goal, WalkGrid::Ways& ways) {
+    const int to = WalkGrid::cell_at(goal);
+    if (ways.goal != to) grid.find_ways(to, ways);
+    const int cell = WalkGrid::cell_at(self.centre);
+    const int next = grid.next(cell, ways);
+    return next == cell ? vec3(0) : WalkGrid::centre_of(next) - vec3(self.centre.x, 0, self.centre.z);
+}
+
+/// The next piece of the way to mind.goal; nothing where there is none.
+vec3 way_to_goal(const Self& self, const WalkGrid& grid, Mind& mind, WalkGrid::Ways& ways, Tick tick) {
+    const vec3 step = next_step(self, grid, mind.goal, ways);
+    if (glm::length(step) > 0) return step;
+    mind.goal_until = tick;  // there, or no way to it
+    const vec3 last = vec3(mind.goal.x, 0, mind.goal.z) - vec3(self.centre.x, 0, self.centre.z);
+    const bool same_cell = WalkGrid::cell_at(mind.goal) == WalkGrid::cell_at(self.centre);
+    return same_cell && glm::length(last) > 0.3 ? last : vec3(0, 0, 0);
+}
+
+/// Comes nearer by the ways there are, keeps its distance, steps sideways; never over an edge.
+vec3 way_in_a_fight(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& mind,
+                    WalkGrid::Ways& ways) {
     const vec3 to_foe = vec3(mind.foe.x - self.centre.x, 0, mind.foe.z - self.centre.z);
     const double distance = glm::length(to_foe);
-    if (knows && tick - mind.foe_seen_at < ticks(0.5) && distance > 1e-6) {
-        if (tick >= mind.strafe_until) {
-            mind.strafe = static_cast<std::int32_t>(mind.random.below(3)) - 1;
-            mind.strafe_until = tick + ticks(mind.random.uniform(0.4, 1.2));
-        }
-        const vec3 ahead = to_foe / distance;
-        const vec3 right = glm::cross(ahead, vec3(0, 1, 0));
-        const double closer = distance > 1.3 * seat.keep ? 1.0 : distance < 0.6 * seat.keep ? -1.0 : 0.0;
-        const vec3 way = ahead * closer + right * static_cast<double>(std::clamp(mind.strafe, -1, 1));
-        const double length = glm::length(way);
-        if (length < 1e-6) return {0, 0, 0};
-        const bool safe = grid.straight(self.centre, self.centre + way / length * 1.2);  // never over an edge
-        return safe ? way : vec3(0, 0, 0);
+    if (distance < 1e-6) return {0, 0, 0};
+    const double keep = seat.skill.keep;
+    vec3 way{0, 0, 0};
+    if (distance > 1.3 * keep) way = unit_or_zero(next_step(self, grid, mind.foe, ways));
+    if (distance < 0.6 * keep) way = -to_foe / distance;
+    const vec3 right = glm::cross(to_foe / distance, vec3(0, 1, 0)) * static_cast<double>(mind.strafe);
+    const auto safe = [&](vec3 by) {
+        return glm::length(by) > 1e-6 && grid.straight(self.centre, self.centre + unit_or_zero(by) * 1.2);
+    };
+    if (safe(way + right)) return way + right;
+    if (safe(way - right)) {
+        mind.strafe = -mind.strafe;
+        return way - right;
     }
+    return safe(way) ? way : vec3(0, 0, 0);
+}
+
+/// What it needs comes first; in sight of the foe it fights; else it goes where the foe was, then anywhere.
+vec3 choose_way(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& mind, WalkGrid::Ways& ways,
+                Tick tick) {
+    if (mind.errand != Errand::none) return way_to_goal(self, grid, mind, ways, tick);
+    const bool knows = mind.foe_seen_at != 0 && tick - mind.foe_seen_at < forget_after;
+    if (knows && tick - mind.foe_seen_at < ticks(0.5)) return way_in_a_fight(self, seat, grid, mind, ways);
     const bool there =
         glm::distance(vec2(mind.goal.x, mind.goal.z), vec2(self.centre.x, self.centre.z)) < reached;
     if (there || tick >= mind.goal_until) {
@@ -254,32 +197,43 @@ vec3 choose_way(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& 
         mind.goal_until = tick + ticks(8.0);
         if (knows) mind.foe_seen_at = tick - std::min(tick, forget_after);  // looked for once
     }
-    const int goal = WalkGrid::cell_at(mind.goal);
-    if (ways.goal != goal) grid.find_ways(goal, ways);
-    const int cell = WalkGrid::cell_at(self.centre);
-    const int next = grid.next(cell, ways);
-    if (next == cell) {
-        mind.goal_until = tick;  // there, or no way to it
-        return {0, 0, 0};
-    }
-    return WalkGrid::centre_of(next) - vec3(self.centre.x, 0, self.centre.z);
+    return way_to_goal(self, grid, mind, ways, tick);
+}
+
+/// The ways that a bot has in mind: to its goal, and from where it is.
+struct BotWays {
+    WalkGrid::Ways to_goal, from_here;
+};
+
+/// Nothing of what it knew is true any more.
+void begin_anew(const Match& match, Eyes& eyes, Mind& mind) {
+    eyes.looks = 0;
+    eyes.back_at = {};
+    mind = {.random = mind.random, .round = match.round};
+}
+
+void rest(Eyes& eyes, Mind& mind) {
+    eyes.looks = 0;
+    mind.right_left = mind.up_left = mind.move_strafe = mind.move_forward = 0;
+    mind.buttons = 0;
+    mind.foe_seen_at = 0;
+    mind.errand = Errand::none;
 }
 
 void think(const Simulation& match, const Seat& seat, Eyes& eyes, Mind& mind, const WalkGrid& grid,
-           WalkGrid::Ways& ways) {
+           BotWays& ways) {
     const Tick tick = match.match().played;
+    if (mind.round != match.match().round) begin_anew(match.match(), eyes, mind);
     const auto self = self_of(match, seat.player);
-    if (!self.alive || match.match().phase != Phase::playing) {
-        mind.right_left = mind.up_left = mind.move_strafe = mind.move_forward = 0;
-        mind.buttons = 0;
-        mind.foe_seen_at = 0;
-        return;
-    }
-    perceive(match, self, seat, eyes, mind, tick);
+    if (!self.alive) return rest(eyes, mind);
+    see_foe(match, self, seat, eyes, mind, tick);
+    see_power_ups(match, self, seat, eyes);
     wander_aim(seat, mind);
-    const vec3 way = choose_way(self, seat, grid, mind, ways, tick);
+    choose_errand(match, self, seat, eyes, grid, ways.from_here, mind, tick);
+    choose_step(match, self, seat, mind, tick);
+    const vec3 way = choose_way(self, seat, grid, mind, ways.to_goal, tick);
     const bool watches = mind.foe_seen_at != 0 && tick - mind.foe_seen_at < ticks(1.5);
-    auto aim = watches ? aim_at(self.eye, mind.foe) : aim_at(self.eye, self.eye + way);
+    auto aim = watches ? aim_at(self.eye, aim_point(self, seat, mind)) : aim_at(self.eye, self.eye + way);
     if (!watches) aim.pitch = 0;
     const auto wanted = aim;
     aim.yaw += mind.error_right;
@@ -302,25 +256,33 @@ std::int32_t share(std::int32_t& left, Tick ticks_left) {
 }  // namespace
 
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level) {
+    if (level < 1 || level > bot_levels)
+        return fail(text("there is no bot of level ", level, ", only 1 to ", bot_levels));
     const auto name = text("bots/level_", level, ".toml");
-    const auto path = assets / name;
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored))
-        return fail(text("there is no bot of level ", level, " (", path.string(), ")"));
-    const auto source = read_text_file(path, 1U << 16U);
+    const auto source = read_text_file(assets / name, 1U << 16U);
     if (!source) return tl::unexpected(source.error());
     const auto file = Config::parse(*source, name, 1);
     if (!file) return tl::unexpected(file.error());
     const auto root = file->root();
+    const Range share{0, 1}, health{0, 1000}, distance{0, 40};
     BotSkill skill;
     skill.level = static_cast<std::uint32_t>(level);
-    skill.reaction = ticks(root.number("reaction_s", {0, seconds((memory - 1) * gameplay_period)}));
+    skill.reaction = ticks(root.number("reaction_s", {0, 0.9}));
     skill.aim_error = root.number("aim_error_deg", {0, 90}) * radians_per_degree;
     skill.turn_speed = root.number("turn_deg_per_s", {1, 3600}) * radians_per_degree;
     skill.view_cos = det::cos(root.number("view_deg", {1, 360}) / 2 * radians_per_degree);
     skill.burst = ticks(root.number("burst_s", {0.01, 60}));
     skill.rest = ticks(root.number("rest_s", {0, 60}));
-    skill.keep = root.number("keep_m", {0, 40});
+    skill.keep = root.number("keep_m", distance);
+    skill.range = root.number("range_m", {0, 100});
+    skill.lead = root.number("lead", {0, 2});
+    skill.strafe = root.number("strafe", share);
+    skill.strafe_step = ticks(root.number("strafe_step_s", {0.05, 10}));
+    skill.dodges = root.boolean("dodges", false) ? 1 : 0;
+    skill.vial_below = root.number("vial_below_hp", health);
+    skill.spark_below = root.number("spark_below", share);
+    skill.reserve = root.number("reserve", share);
+    skill.cover_below = root.number("cover_below_hp", health);
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return skill;
 }
@@ -335,7 +297,7 @@ input::DeviceSpec bot_device(std::uint32_t player, int level) {
 struct Bots::Inside {
     ecs::World minds;
     std::unique_ptr<WalkGrid> grid;
-    std::vector<WalkGrid::Ways> ways;  // a cache: the ways to a goal, by the bot's entity number
+    std::vector<BotWays> ways;  // a cache, by the bot's entity number
 
     Inside() {
         minds.declare<Seat>();
@@ -353,25 +315,17 @@ void Bots::add(const Simulation& match, std::size_t device, std::uint32_t player
                std::uint64_t seed) {
     auto& in = *inside_;
     if (!in.grid) in.grid = std::make_unique<WalkGrid>(match.physics());
-    const Seat seat{.device = device,
-                    .player = player,
-                    .level = skill.level,
-                    .reaction = skill.reaction,
-                    .aim_error = skill.aim_error,
-                    .turn_speed = skill.turn_speed,
-                    .view_cos = skill.view_cos,
-                    .burst = skill.burst,
-                    .rest = skill.rest,
-                    .keep = skill.keep};
+    const Seat seat{.device = device, .player = player, .skill = skill};
     in.minds.create(seat, Eyes{}, Mind{.random = random_stream(seed, 100 + player)});
     in.ways.emplace_back();
-    in.grid->find_ways(0, in.ways.back());  // so that no memory is asked for during the match
+    in.grid->find_ways(0, in.ways.back().from_here);
+    in.grid->find_ways(0, in.ways.back().to_goal);  // so that no memory is asked for during the match
 }
 
 bool Bots::empty() const { return inside_->minds.size() == 0; }
 
 void Bots::sample(const Simulation& match, input::InputFrame& frame) {
-    if (match.match().paused != 0) return;
+    if (match.match().paused != 0 || match.match().phase != Phase::playing) return;
     const Tick phase = match.match().played % gameplay_period;
     auto& in = *inside_;
     in.minds.view<const Seat, Eyes, Mind>().each(

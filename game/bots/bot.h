@@ -12,17 +12,41 @@
 
 namespace thaum::game {
 
-/// From assets/bots/level_N.toml.
+/// Levels go from 1 to this.
+inline constexpr int bot_levels = 3;
+
+/// From assets/bots/level_N.toml, which says what each number does.
 struct BotSkill {
     std::uint32_t level{};
-    Tick reaction{};       ///< ticks from light to hand
-    double aim_error{};    ///< rad, one standard deviation
-    double turn_speed{};   ///< rad/s
-    double view_cos{};     ///< cosine of half its field of view
-    Tick burst{}, rest{};  ///< ticks of fire, and between
-    double keep{};         ///< m, the distance it likes
+    std::uint32_t dodges{};  ///< 1: steps out of the way of bolts that it sees coming
+    Tick reaction{};         ///< ticks from light to hand
+    double aim_error{};      ///< rad, one standard deviation
+    double turn_speed{};     ///< rad/s
+    double view_cos{};       ///< cosine of half its field of view
+    Tick burst{}, rest{};    ///< ticks of fire, and between
+    double keep{}, range{};  ///< m: the distance it likes, and up to which it shoots
+    double lead{};           ///< share of the foe's motion that its aim allows for
+    double strafe{};         ///< share of a fight in which it steps sideways
+    Tick strafe_step{};      ///< ticks after which it may change its step
+    double vial_below{};     ///< HP: health is worth a walk below that
+    double spark_below{};    ///< share of the wand's energy: a spark is worth a walk below that
+    double reserve{};        ///< share of the energy that it keeps for a foe who is near
+    double cover_below{};    ///< HP: it hides below that, where there is nothing to fetch
+    static constexpr auto fields() {
+        using S = BotSkill;
+        return std::tuple(
+            ecs::field("level", &S::level), ecs::field("dodges", &S::dodges),
+            ecs::field("reaction", &S::reaction), ecs::field("aim_error", &S::aim_error),
+            ecs::field("turn_speed", &S::turn_speed), ecs::field("view_cos", &S::view_cos),
+            ecs::field("burst", &S::burst), ecs::field("rest", &S::rest), ecs::field("keep", &S::keep),
+            ecs::field("range", &S::range), ecs::field("lead", &S::lead), ecs::field("strafe", &S::strafe),
+            ecs::field("strafe_step", &S::strafe_step), ecs::field("vial_below", &S::vial_below),
+            ecs::field("spark_below", &S::spark_below), ecs::field("reserve", &S::reserve),
+            ecs::field("cover_below", &S::cover_below));
+    }
 };
 
+/// The error is one line: a level that does not exist, or what is wrong with its file.
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level);
 
 /// How a bot's device counts: as a mouse's.

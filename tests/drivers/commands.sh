@@ -23,7 +23,7 @@ expect() {
 
 expect 2 "unknown option '--frobnicate'" --frobnicate
 expect 2 "unknown command 'lab'" lab
-expect 2 "must be a number from 1 to 7" --solo 9
+expect 2 "must be a number from 1 to 3" --solo 4
 expect 2 "exclude each other" --vs --demo
 expect 2 "must be mouse, half or pad" --vs --hands mouse,foot
 expect 2 "--hands takes one or two" --vs --hands mouse,mouse
@@ -46,6 +46,15 @@ expect 2 "not an ordinary file" replay "$folder" --verify
 expect 2 "replay needs one log" replay
 expect 2 "diff needs two dumps" diff
 expect 2 "no area" bench nothing
+expect 2 "--bots needs two levels" --headless --bots 2
+expect 2 "must be a number from 1 to 3" --headless --bots 2,x
+expect 2 "is for --demo" --vs --bots 1,2
+expect 2 "two or more different levels" league --levels 2
+expect 2 "two or more different levels" league --levels 2,2
+expect 2 "must be a number from 1 to 3" league --levels 1,4
+expect 2 "must be a number" league --matches 0
+expect 2 "no rule set" league --rules none
+expect 1 "the median round takes 3 s" league --levels 1,2 --matches 2 --set quick.seconds=3 --check
 expect 2 "no scenario 'nothing'" scenario nothing
 expect 2 "plot needs one report" plot
 expect 2 "not an ordinary file" plot "$folder"
@@ -99,9 +108,13 @@ said=$("$thaum" diff "$folder/a.dump" "$folder/b.dump")
 "$thaum" diff "$log" --exe "$thaum" | grep -q 'no difference in 5000 ticks' || { echo "failed: diff --exe"; failures=$((failures + 1)); }
 "$thaum" diff "$log" --threads 1,2 | grep -q 'no difference' || { echo "failed: diff --threads"; failures=$((failures + 1)); }
 
-for command in play replay shots diff scenario bench doctor; do
+# A league is the same whoever plays it.
+league=(league --levels 1,3 --matches 3 --set quick.seconds=12 --json -)
+[[ $("$thaum" "${league[@]}" --jobs 1) == "$("$thaum" "${league[@]}" --jobs 3)" ]] || { echo "failed: league --jobs"; failures=$((failures + 1)); }
+
+for command in play replay shots diff scenario league bench plot doctor; do
     lines=$("$thaum" "$command" --help | wc -l)
-    [[ $lines -gt 2 && $lines -le 24 ]] || { echo "failed: the help of $command has $lines lines"; failures=$((failures + 1)); }
+    [[ $lines -gt 2 && $lines -le 26 ]] || { echo "failed: the help of $command has $lines lines"; failures=$((failures + 1)); }
 done
 ((failures == 0)) && echo "all said what is wrong"
 exit $((failures > 0))

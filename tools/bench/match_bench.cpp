@@ -36,10 +36,13 @@ std::shared_ptr<const game::MatchData> duel_data() {
     return there(data, "duel") ? std::make_shared<const game::MatchData>(std::move(*data)) : nullptr;
 }
 
+/// The bots that think most.
+constexpr int heaviest = game::bot_levels;
+
 Expected<game::BotDuel> duel() {
     auto data = duel_data();
     if (!data) return fail("no data");
-    return game::make_bot_duel(game::find_assets(), data, {1, 1}, 1);
+    return game::make_bot_duel(game::find_assets(), data, {heaviest, heaviest}, 1);
 }
 
 double mean(const std::vector<double>& samples) {
@@ -75,7 +78,9 @@ void tick_duel(const Options& options, Report& report) {
     report.rows.push_back(
         {.area = "tick",
          .name = "duel",
-         .setting = {{"bots", std::int64_t{2}}, {"physics_period", std::int64_t{game::physics_period}}},
+         .setting = {{"bots", std::int64_t{2}},
+                     {"level", std::int64_t{heaviest}},
+                     {"physics_period", std::int64_t{game::physics_period}}},
          .time_us = times(samples),
          .is_default = true,
          .metrics = {{"mean_us", mean(samples)},
@@ -130,7 +135,8 @@ Expected<Verified> record_and_verify(Tick length) {
     const auto file = std::filesystem::temp_directory_path() /
                       text("thaum-bench-", static_cast<long>(now_us()), ".thaumlog");
     auto log = input::LogWriter::create(
-        file, game::log_header(match.data(), match.setup(), {"bot 1", "bot 1"}), input::WhenBehind::wait);
+        file, game::log_header(match.data(), match.setup(), {text("bot ", heaviest), text("bot ", heaviest)}),
+        input::WhenBehind::wait);
     if (!log) return tl::unexpected(log.error());
     double ticking_us = 0;
     for (Tick t = 0; t < length; ++t) {

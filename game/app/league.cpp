@@ -1,0 +1,314 @@
+// thaum league: bots of all levels against each other, to see whether a higher level is a better one and whether matches
+// are as long as they should be. A match is a function of its data and seed, so it does not matter which process plays it.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "game/app/arguments.h"
+#include "game/app/command.h"
+#include "game/bots/league.h"
+
+namespace thaum::app {
+namespace {
+
+using game::LeagueMatch;
+
+constexpr std::string_view help =
+    R"(usage: thaum league [OPTIONS]
+
+Every two of the levels play matches; each seed twice, with the sides swapped.
+
+  --levels A,B,..  (1,2,3)
+  --matches N      of each two levels (20)
+  --rules NAME, --match NAME, --arena NAME, --set KEY=VALUE   as in `thaum play`
+  --seed N         of the first match (1)
+  --jobs N         processes; default: the processor's cores
+  --json FILE      the table as JSON; - for standard output
+  --check          exit code 1 unless each level wins 60 to 85 % against the next
+                   lower one and the median round takes 100 to 240 s
+
+Same options, same table, whatever the number of processes. The JSON:
+{"league": {rules, match, seed}, "pairs": [{low, high, matches, low_wins,
+high_wins, draws, high_share}], "levels": [{level, shots, hits, kills, deaths,
+dry_share}], "rounds": {count, median_s, p10_s, p90_s, time_out_share},
+"kills": {bolt, blow, fall, own}}: counts, shares of 1; a draw is half a win
+for each; dry: alive without the energy for a shot; own: nobody's kill.
+)";
+
+constexpr Option options[] = {{"--levels", 1}, {"--matches", 1},   {"--rules", 1}, {"--match", 1},
+                              {"--arena", 1},  {"--set", 1, true}, {"--seed", 1},  {"--jobs", 1},
+                              {"--json", 1},   {"--check"}};
+
+struct Plan {
+    std::vector<int> levels{1, 2, 3};
+    std::uint64_t matches = 20, seed = 1, jobs = 1;
+    game::DataChoice choice{};
+    std::string json;
+    bool check = false;
+};
+
+Expected<std::vector<int>> read_levels(std::string_view words) {
+    std::vector<int> levels;
+    while (true) {
+        const auto comma = words.find(',');
+        const auto level = parse_whole(words.substr(0, comma), "--levels", 1, game::bot_levels);
+        if (!level) return tl::unexpected(level.error());
+        levels.push_back(static_cast<int>(*level));
+        if (comma == std::string_view::npos) break;
+        words.remove_prefix(comma + 1);
+    }
+    std::sort(levels.begin(), levels.end());
+    const bool twice = std::adjacent_find(levels.begin(), levels.end()) != levels.end();
+    if (twice || levels.size() < 2) return fail("--levels needs two or more different levels, such as 1,2,3");
+    return levels;
+}
+
+Expected<Plan> read_plan(const std::vector<std::string>& words) {
+    const auto arguments = Arguments::parse(words, options);
+    if (!arguments) return tl::unexpected(arguments.error());
+    if (!arguments->plain().empty()) return fail(text("league takes no '", arguments->plain()[0], "'"));
+    Plan plan;
+    const auto levels = read_levels(arguments->value("--levels").value_or("1,2,3"));
+    if (!levels) return tl::unexpected(levels.error());
+    plan.levels = *levels;
+    const auto matches = arguments->whole("--matches", 1, 100'000, plan.matches);
+    if (!matches) return tl::unexpected(matches.error());
+    plan.matches = *matches;
+    const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0} / 2, plan.seed);
+    if (!seed) return tl::unexpected(seed.error());
+    plan.seed = *seed;
+    const auto jobs = arguments->whole("--jobs", 1, 256, std::max(1U, std::thread::hardware_concurrency()));
+    if (!jobs) return tl::unexpected(jobs.error());
+    plan.jobs = *jobs;
+    plan.choice.rules = arguments->value("--rules").value_or(plan.choice.rules);
+    plan.choice.match = arguments->value("--match").value_or(plan.choice.match);
+    plan.choice.arena = arguments->value("--arena").value_or(plan.choice.arena);
+    plan.choice.overrides = arguments->values("--set");
+    plan.json = arguments->value("--json").value_or("");
+    plan.check = arguments->has("--check");
+    return plan;
+}
+
+// Playing ----------------------------------------------------------------------------------------------------------------
+
+struct Fixture {
+    std::array<int, game::players> levels{};
+    std::uint64_t seed{};
+};
+
+std::vector<Fixture> fixtures_of(const Plan& plan) {
+    std::vector<Fixture> fixtures;
+    for (std::size_t low = 0; low < plan.levels.size(); ++low) {
+        for (std::size_t high = low + 1; high < plan.levels.size(); ++high) {
+            for (std::uint64_t i = 0; i < plan.matches; ++i) {
+                Fixture f{{plan.levels[low], plan.levels[high]}, plan.seed + i / 2};
+                if (i % 2 == 1) std::swap(f.levels[0], f.levels[1]);
+                fixtures.push_back(f);
+            }
+        }
+    }
+    return fixtures;
+}
+
+bool write_all(int to, const LeagueMatch& match) {
+    const auto* bytes = reinterpret_cast<const char*>(&match);
+    for (std::size_t done = 0; done < sizeof match;) {
+        const auto written = ::write(to, bytes + done, sizeof match - done);
+        if (written <= 0) return false;
+        done += static_cast<std::size_t>(written);
+    }
+    return true;
+}
+
+bool read_all(int from, LeagueMatch& match) {
+    auto* bytes = reinterpret_cast<char*>(&match);
+    for (std::size_t done = 0; done < sizeof match;) {
+        const auto got = ::read(from, bytes + done, sizeof match - done);
+        if (got <= 0) return false;
+        done += static_cast<std::size_t>(got);
+    }
+    return true;
+}
+
+using Data = std::shared_ptr<const game::MatchData>;
+
+/// A child process: every `jobs`-th match, sent to the parent one after another.
+[[noreturn]] void work(const Plan& plan, const Data& data, const std::vector<Fixture>& fixtures,
+                       std::size_t job, int to) {
+    const auto assets = game::find_assets();
+    for (std::size_t i = job; i < fixtures.size(); i += plan.jobs) {
+        const auto match = game::play_league_match(assets, data, fixtures[i].levels, fixtures[i].seed);
+        if (!match || !write_all(to, *match)) ::_exit(does_not_hold);
+    }
+    ::_exit(done);
+}
+
+struct Worker {
+    pid_t process{};
+    int from{};
+};
+
+Expected<Worker> start(const Plan& plan, const Data& data, const std::vector<Fixture>& fixtures,
+                       std::size_t job) {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) return fail("league: no pipe to a process");
+    const auto process = ::fork();
+    if (process < 0) return fail("league: cannot start a process; try fewer --jobs");
+    if (process == 0) {
+        ::close(ends[0]);
+        work(plan, data, fixtures, job, ends[1]);
+    }
+    ::close(ends[1]);
+    return Worker{process, ends[0]};
+}
+
+Expected<std::vector<LeagueMatch>> play(const Plan& plan, const Data& data) {
+    const auto fixtures = fixtures_of(plan);
+    const auto jobs = std::min<std::size_t>(plan.jobs, fixtures.size());
+    std::fflush(nullptr);  // else each process would write what waits here
+    std::vector<Worker> workers;
+    std::optional<Error> error;
+    Plan shared = plan;
+    shared.jobs = jobs;
+    for (std::size_t job = 0; job < jobs && !error; ++job) {
+        auto worker = start(shared, data, fixtures, job);
+        if (worker)
+            workers.push_back(*worker);
+        else
+            error = worker.error();
+    }
+    std::vector<LeagueMatch> matches(fixtures.size());
+    for (std::size_t job = 0; job < workers.size(); ++job) {
+        for (std::size_t i = job; i < fixtures.size() && !error; i += jobs) {
+            if (!read_all(workers[job].from, matches[i]))
+                error = Error{text("league: the process that played match ", i + 1, " has failed")};
+        }
+        ::close(workers[job].from);
+    }
+    for (const auto& worker : workers) ::waitpid(worker.process, nullptr, 0);
+    if (error) return tl::unexpected(*error);
+    return matches;
+}
+
+// Telling ----------------------------------------------------------------------------------------------------------------
+
+double at_share(const std::vector<double>& sorted, double share) {
+    return sorted.empty() ? 0
+                          : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+std::string percent(double share) { return text(fixed(100 * share, 0), " %"); }
+
+double time_out_share(const game::LeagueSummary& s) {
+    return ratio(s.timed_out, static_cast<double>(s.round_s.size()));
+}
+
+std::string table(const Plan& plan, const game::LeagueSummary& s) {
+    std::string lines = text("league   rules ", plan.choice.rules, ", match ", plan.choice.match, ", ",
+                             plan.matches, " matches of each two, seeds from ", plan.seed, "\n");
+    for (const auto& p : s.pairs) {
+        lines += text("level ", p.high, " against ", p.low, "   won ", p.high_wins, ", lost ", p.low_wins,
+                      ", drew ", p.matches - p.high_wins - p.low_wins, ": ", percent(p.high_share()), "\n");
+    }
+    for (const auto& l : s.levels) {
+        lines += text("level ", l.level, "   ", l.kills, " kills, ", l.deaths, " deaths, ",
+                      percent(ratio(l.hits, l.shots)), " of ", l.shots, " shots hit, dry for ",
+                      percent(ratio(seconds(l.dry), seconds(l.alive))), " of its life\n");
+    }
+    lines += text("rounds   ", s.round_s.size(), ", median ", fixed(s.median_round_s(), 0), " s, ",
+                  percent(time_out_share(s)), " ended by time\nkills    ");
+    double all = s.own_deaths;
+    for (const auto kills : s.kills) all += kills;
+    for (std::size_t cause = 0; cause < game::causes.size(); ++cause)
+        lines += text(game::causes[cause].name, " ", percent(ratio(s.kills[cause], all)), ", ");
+    return lines + text("own ", percent(ratio(s.own_deaths, all)), "\n");
+}
+
+nlohmann::ordered_json json_of(const Plan& plan, const game::LeagueSummary& s) {
+    nlohmann::ordered_json json;
+    json["league"] = {{"rules", plan.choice.rules}, {"match", plan.choice.match}, {"seed", plan.seed}};
+    json["pairs"] = nlohmann::ordered_json::array();
+    for (const auto& p : s.pairs) {
+        json["pairs"].push_back({{"low", p.low},
+                                 {"high", p.high},
+                                 {"matches", p.matches},
+                                 {"low_wins", p.low_wins},
+                                 {"high_wins", p.high_wins},
+                                 {"draws", p.matches - p.low_wins - p.high_wins},
+                                 {"high_share", p.high_share()}});
+    }
+    json["levels"] = nlohmann::ordered_json::array();
+    for (const auto& l : s.levels) {
+        json["levels"].push_back({{"level", l.level},
+                                  {"shots", l.shots},
+                                  {"hits", l.hits},
+                                  {"kills", l.kills},
+                                  {"deaths", l.deaths},
+                                  {"dry_share", ratio(seconds(l.dry), seconds(l.alive))}});
+    }
+    json["rounds"] = {{"count", s.round_s.size()},
+                      {"median_s", s.median_round_s()},
+                      {"p10_s", at_share(s.round_s, 0.1)},
+                      {"p90_s", at_share(s.round_s, 0.9)},
+                      {"time_out_share", time_out_share(s)}};
+    for (std::size_t cause = 0; cause < game::causes.size(); ++cause)
+        json["kills"][std::string(game::causes[cause].name)] = s.kills[cause];
+    json["kills"]["own"] = s.own_deaths;
+    return json;
+}
+
+/// What is not as it should be; empty: nothing.
+std::string complaint(const Plan& plan, const game::LeagueSummary& s) {
+    std::string words;
+    for (const auto& p : s.pairs) {
+        const auto low = std::find(plan.levels.begin(), plan.levels.end(), p.low);
+        const bool neighbours = low + 1 != plan.levels.end() && *(low + 1) == p.high;
+        if (neighbours && (p.high_share() < 0.6 || p.high_share() > 0.85))
+            words += text("level ", p.high, " wins ", percent(p.high_share()), " against ", p.low,
+                          ", not 60 to 85 %; ");
+    }
+    const double median = s.median_round_s();
+    if (median < 100 || median > 240)
+        words += text("the median round takes ", fixed(median, 0), " s, not 100 to 240; ");
+    if (!words.empty()) words.resize(words.size() - 2);
+    return words;
+}
+
+int run(const std::vector<std::string>& words) {
+    const auto plan = read_plan(words);
+    if (!plan) return refuse(plan.error());
+    auto loaded = game::load_match_data(game::find_assets(), plan->choice);
+    if (!loaded) return refuse(loaded.error());
+    for (const int level : plan->levels) {  // so that it is said here, and not in a process
+        if (const auto skill = game::load_bot_skill(game::find_assets(), level); !skill)
+            return refuse(skill.error());
+    }
+    const auto matches = play(*plan, std::make_shared<const game::MatchData>(std::move(*loaded)));
+    if (!matches) return refuse(matches.error());
+    const auto summary = game::summarise(*matches);
+    const auto json = json_of(*plan, summary).dump(1) + "\n";
+    std::printf("%s", plan->json == "-" ? json.c_str() : table(*plan, summary).c_str());
+    if (!plan->json.empty() && plan->json != "-") {
+        if (const auto written = write_text_file(plan->json, json); !written) return refuse(written.error());
+    }
+    const auto wrong = plan->check ? complaint(*plan, summary) : std::string();
+    if (wrong.empty()) return done;
+    std::fprintf(stderr, "thaum: %s\n", wrong.c_str());
+    return does_not_hold;
+}
+
+}  // namespace
+
+Command league_command() {
+    return {"league", "bots of all levels against each other: who wins, how long it takes", help, run};
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,103 @@
+#include "game/bots/errands.h"
+
+#include <algorithm>
+#include <cmath>
+
+// What a power-up is worth to a bot: how badly it needs what it gives, over the time to get there. Who sees the foe and
+// can shoot at it goes only for what is worth twice as much.
+namespace thaum::game {
+namespace {
+
+constexpr Tick choice_period = 256;   ///< ticks; a multiple of gameplay_period
+constexpr double least_worth = 0.05;  ///< of full need, per second
+constexpr double in_a_fight = 0.45;   ///< what is fetched is worth so much less while one could shoot
+constexpr double time_lost = 2;       ///< s, for turning away and back
+constexpr double walk_speed = 4;      ///< m/s along a way, corners included
+constexpr int hiding_places_tried = 10;
+constexpr double hiding_within = 9;  ///< m
+constexpr Tick hiding_time = ticks(2.5);
+
+bool sees_foe(const Mind& mind, Tick tick) {
+    return mind.foe_seen_at != 0 && tick - mind.foe_seen_at < ticks(0.5);
+}
+
+/// 0: no need; 1: nothing left of it.
+double need(double have, double below) {
+    return below > 0 ? std::clamp((below - have) / below, 0.0, 1.0) : 0;
+}
+
+double worth(const Simulation& match, const Self& self, const Seat& seat, PowerUpKind kind) {
+    const auto& gives = match.data().rules.power_ups[static_cast<std::size_t>(kind)];
+    const double health = gives.health > 0 ? need(self.health, seat.skill.vial_below) : 0;
+    const double energy = gives.energy_share > 0 ? need(self.energy_share, seat.skill.spark_below) : 0;
+    return health * std::sqrt(gives.health / 25) + energy * gives.energy_share * 2;
+}
+
+struct Choice {
+    double worth = least_worth;
+    vec3 place{};
+    bool found = false;
+};
+
+Choice best_to_fetch(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
+                     const WalkGrid& grid, WalkGrid::Ways& from_here, bool fights, Tick tick) {
+    Choice best;
+    bool ways_known = false;
+    const auto& power_ups = match.data().arena.power_ups;
+    for (std::size_t i = 0; i < std::min(power_ups.size(), most_power_ups); ++i) {
+        const double wanted = worth(match, self, seat, power_ups[i].kind) * (fights ? in_a_fight : 1.0);
+        if (wanted / time_lost <= best.worth) continue;
+        if (!ways_known) grid.find_ways(WalkGrid::cell_at(self.centre), from_here);
+        ways_known = true;
+        const auto steps =
+            from_here.steps[static_cast<std::size_t>(WalkGrid::cell_at(power_ups[i].position))];
+        if (steps == WalkGrid::unreachable) continue;
+        const double way = steps / walk_speed;
+        const double wait = eyes.back_at[i] > tick ? seconds(eyes.back_at[i] - tick) : 0;
+        const double value = wanted / (time_lost + std::max(way, wait));
+        if (value > best.worth) best = {value, power_ups[i].position, true};
+    }
+    return best;
+}
+
+/// A place near by that the foe does not see from where it is believed to be.
+Choice hiding_place(const Simulation& match, const Self& self, const WalkGrid& grid, Mind& mind) {
+    Choice best;
+    double nearest = hiding_within;
+    for (int i = 0; i < hiding_places_tried; ++i) {
+        const vec3 off{mind.random.uniform(-hiding_within, hiding_within), 0,
+                       mind.random.uniform(-hiding_within, hiding_within)};
+        const vec3 place = WalkGrid::centre_of(WalkGrid::cell_at(self.centre + off));
+        const double distance = glm::distance(vec2(place.x, place.z), vec2(self.centre.x, self.centre.z));
+        if (distance >= nearest || !grid.walkable(WalkGrid::cell_at(place))) continue;
+        const vec3 chest{place.x, self.centre.y + 0.2, place.z};
+        if (!match.physics().ray(mind.foe, chest, layer::ground)) continue;
+        nearest = distance;
+        best = {1, place, true};
+    }
+    return best;
+}
+
+}  // namespace
+
+void choose_errand(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
+                   const WalkGrid& grid, WalkGrid::Ways& from_here, Mind& mind, Tick tick) {
+    // The two players' bots choose at different ticks, so that their work does not fall together.
+    if (tick % choice_period / gameplay_period != seat.player * (choice_period / gameplay_period / 2)) return;
+    const bool fights = sees_foe(mind, tick) && self.can_shoot && self.energy_share > seat.skill.reserve;
+    const auto fetch = best_to_fetch(match, self, seat, eyes, grid, from_here, fights, tick);
+    if (fetch.found) {
+        mind.errand = Errand::fetch;
+        mind.goal = fetch.place;
+        return;
+    }
+    if (mind.errand == Errand::hide && tick < mind.errand_until) return;
+    const bool hurt = self.health < seat.skill.cover_below;
+    const auto hide = hurt && sees_foe(mind, tick) ? hiding_place(match, self, grid, mind) : Choice{};
+    mind.errand = hide.found ? Errand::hide : Errand::none;
+    if (!hide.found) return;
+    mind.goal = hide.place;
+    mind.errand_until = tick + hiding_time;
+}
+
+}  // namespace thaum::game

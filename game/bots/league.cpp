@@ -1,0 +1,104 @@
+#include "game/bots/league.h"
+
+#include <algorithm>
+
+#include "game/wands/belt.h"
+
+namespace thaum::game {
+namespace {
+
+void note_round_end(const Match& match, LeagueMatch& result) {
+    result.lengths[result.rounds] = match.played - match.round_began;
+    result.timed_out[result.rounds] = match.ending == Ending::time ? 1 : 0;
+    ++result.rounds;
+}
+
+/// Who lives, and who cannot shoot; each look stands for a gameplay tick.
+void note_energy(const Simulation& match, LeagueMatch& result) {
+    match.world().view<const Wizard, const WandBelt, ecs::Without<Dead>>().each(
+        [&](const Wizard& wizard, const WandBelt& belt) {
+            result.alive[wizard.player] += gameplay_period;
+            const auto* wand = wand_in_hand(match.data(), belt);
+            const bool dry = wand != nullptr && belt.energy[wand->stats.slot] < wand->stats.energy_cost;
+            if (dry) result.dry[wizard.player] += gameplay_period;
+        });
+}
+
+template <class Row, class Same>
+Row& row_of(std::vector<Row>& rows, const Row& fresh, Same same) {
+    const auto found = std::find_if(rows.begin(), rows.end(), same);
+    return found == rows.end() ? rows.emplace_back(fresh) : *found;
+}
+
+void add_to_pair(const LeagueMatch& match, LeagueSummary& summary) {
+    const auto low = std::min(match.levels[0], match.levels[1]);
+    const auto high = std::max(match.levels[0], match.levels[1]);
+    auto& pair = row_of(summary.pairs, LeaguePair{.low = low, .high = high},
+                        [&](const LeaguePair& p) { return p.low == low && p.high == high; });
+    ++pair.matches;
+    if (match.winner >= players) return;
+    // Of two equal ones the first counts as the low one.
+    const bool high_won = low == high ? match.winner == 1 : match.levels[match.winner] == high;
+    high_won ? ++pair.high_wins : ++pair.low_wins;
+}
+
+void add_to_level(const LeagueMatch& match, std::uint32_t player, LeagueSummary& summary) {
+    const auto level = match.levels[player];
+    auto& row = row_of(summary.levels, LeagueLevel{.level = level},
+                       [&](const LeagueLevel& l) { return l.level == level; });
+    row.alive += match.alive[player];
+    row.dry += match.dry[player];
+    for (std::size_t cause = 0; cause < causes.size(); ++cause) {
+        const auto& own = match.deeds[player][cause];
+        row.shots += own.shots;
+        row.hits += own.shots > 0 ? own.hits : 0;
+        row.kills += own.kills;
+        row.deaths += own.own_deaths + match.deeds[1 - player][cause].kills;
+        summary.kills[cause] += own.kills;
+        summary.own_deaths += own.own_deaths;
+    }
+}
+
+}  // namespace
+
+Expected<LeagueMatch> play_league_match(const std::filesystem::path& assets,
+                                        std::shared_ptr<const MatchData> data,
+                                        std::array<int, players> levels, std::uint64_t seed) {
+    auto duel = make_bot_duel(assets, std::move(data), levels, seed);
+    if (!duel) return tl::unexpected(duel.error());
+    const auto& match = *duel->match;
+    LeagueMatch result{.levels = {levels[0], levels[1]}, .seed = seed};
+    while (match.match().phase != Phase::over) {
+        const bool played = match.match().phase == Phase::playing;
+        duel->match->tick(duel->next_frame());
+        if (!played) continue;
+        if (match.match().phase != Phase::playing) note_round_end(match.match(), result);
+        if (match.match().played % gameplay_period == 0) note_energy(match, result);
+    }
+    result.winner = ahead(match.match());
+    result.deeds = match.world().single<Chronicle>().deeds;
+    return result;
+}
+
+double LeagueSummary::median_round_s() const { return round_s.empty() ? 0 : round_s[round_s.size() / 2]; }
+
+LeagueSummary summarise(std::span<const LeagueMatch> matches) {
+    LeagueSummary summary;
+    for (const auto& match : matches) {
+        add_to_pair(match, summary);
+        for (std::uint32_t player = 0; player < players; ++player) add_to_level(match, player, summary);
+        for (std::uint32_t round = 0; round < match.rounds; ++round) {
+            summary.round_s.push_back(seconds(match.lengths[round]));
+            summary.timed_out += match.timed_out[round];
+        }
+    }
+    std::sort(summary.round_s.begin(), summary.round_s.end());
+    std::sort(summary.levels.begin(), summary.levels.end(),
+              [](const auto& a, const auto& b) { return a.level < b.level; });
+    std::sort(summary.pairs.begin(), summary.pairs.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+    });
+    return summary;
+}
+
+}  // namespace thaum::game

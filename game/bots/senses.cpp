@@ -1,0 +1,124 @@
+#include "game/bots/senses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/wands/belt.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr std::uint64_t stride = 12;    ///< looks between the two glimpses that tell the foe's velocity
+constexpr double noticed_within = 2.0;  ///< m; what lies at one's feet is felt rather than seen
+constexpr double bolt_reach = 0.9;      ///< m; a bolt that passes farther away misses
+constexpr double bolt_soon = 0.7;       ///< s; later ones are left for later
+
+bool in_view(const Self& self, const Seat& seat, vec3 place) {
+    const vec3 to = place - self.eye;
+    const double distance = glm::length(to);
+    const vec3 ahead = look_rotation(self.yaw, self.pitch) * vec3(0, 0, -1);
+    return distance > 1e-6 && glm::dot(to / distance, ahead) >= seat.skill.view_cos;
+}
+
+Glimpse look(const Simulation& match, const Self& self, const Seat& seat) {
+    const auto& world = match.world();
+    const auto foe = wizard_of(world, 1 - seat.player);
+    if (world.has<Dead>(foe)) return {};
+    const vec3 chest = world.get<Motion>(foe).position + vec3(0, 0.2, 0);
+    if (!in_view(self, seat, chest)) return {};
+    const auto hit = match.physics().ray(self.eye, chest, physics::all_layers, self.key);
+    if (hit && hit->key != foe.index) return {};
+    return {chest, 1};
+}
+
+/// A bolt that comes at the bot: how it will pass.
+struct Threat {
+    const Self& self;
+    const Seat& seat;
+    const Mind& mind;
+    double soonest = bolt_soon;
+    std::int32_t step = 0;
+};
+
+void judge(const Missile& missile, Threat& threat) {
+    const double speed = glm::length(missile.velocity);
+    if (missile.player == threat.seat.player || speed < 1) return;
+    // Only what has been in the air for a reaction time can have been seen, and understood.
+    const double flown = glm::distance(missile.position, threat.mind.foe) / speed;
+    if (flown < seconds(threat.seat.skill.reaction) || !in_view(threat.self, threat.seat, missile.position))
+        return;
+    const vec3 way = missile.velocity / speed;
+    const vec3 to_self = threat.self.centre - missile.position;
+    const double ahead = glm::dot(to_self, way);
+    const double when = ahead / speed;
+    if (when <= 0 || when >= threat.soonest) return;
+    const vec3 off = to_self - way * ahead;
+    if (glm::length(off) > bolt_reach) return;
+    const vec3 right = look_rotation(threat.self.yaw, 0) * vec3(1, 0, 0);
+    threat.soonest = when;
+    threat.step = glm::dot(off, right) >= 0 ? 1 : -1;
+}
+
+}  // namespace
+
+Self self_of(const Simulation& match, std::uint32_t player) {
+    const auto& world = match.world();
+    const auto wizard = wizard_of(world, player);
+    const auto& motion = world.get<Motion>(wizard);
+    const auto& gaze = world.get<Gaze>(wizard);
+    const auto& belt = world.get<WandBelt>(wizard);
+    Self self{.centre = motion.position,
+              .eye = eye_of(match.data().wizard, motion.position),
+              .velocity = motion.velocity,
+              .yaw = gaze.yaw,
+              .pitch = gaze.pitch,
+              .health = world.get<Health>(wizard).points,
+              .key = wizard.index,
+              .alive = !world.has<Dead>(wizard)};
+    if (const auto* wand = wand_in_hand(match.data(), belt)) {
+        const auto& stats = wand->stats;
+        const double energy = belt.energy[stats.slot];
+        self.can_shoot = energy >= stats.energy_cost;
+        self.energy_share = stats.energy_cap > 0 ? energy / stats.energy_cap : 1;
+    }
+    return self;
+}
+
+void see_foe(const Simulation& match, const Self& self, const Seat& seat, Eyes& eyes, Mind& mind, Tick tick) {
+    eyes.glimpses[eyes.looks % bot_memory] = look(match, self, seat);
+    const auto delay =
+        std::min<std::uint64_t>(seat.skill.reaction / gameplay_period, bot_memory - 1 - stride);
+    if (eyes.looks >= delay + stride) {
+        const auto& then = eyes.glimpses[(eyes.looks - delay) % bot_memory];
+        const auto& before = eyes.glimpses[(eyes.looks - delay - stride) % bot_memory];
+        if (then.seen != 0) {
+            mind.foe = then.chest;
+            mind.foe_seen_at = tick;
+            const vec3 moved = then.chest - before.chest;
+            mind.foe_velocity = before.seen != 0 ? moved / (stride * gameplay_dt) : vec3(0);
+        }
+    }
+    ++eyes.looks;
+}
+
+void see_power_ups(const Simulation& match, const Self& self, const Seat& seat, Eyes& eyes) {
+    const auto count = std::min(match.data().arena.power_ups.size(), most_power_ups);
+    if (count == 0) return;
+    const auto number = static_cast<std::uint32_t>(eyes.looks % count);
+    const vec3 place = match.data().arena.power_ups[number].position + vec3(0, 0.5, 0);
+    const bool near = glm::distance(place, self.centre) < noticed_within;
+    if (!near && (!in_view(self, seat, place) || match.physics().ray(self.eye, place, layer::ground))) return;
+    match.world().view<const PowerUp>().each([&](const PowerUp& p) {
+        if (p.number == number) eyes.back_at[number] = p.back_at;
+    });
+}
+
+std::int32_t step_aside(const Simulation& match, const Self& self, const Seat& seat, const Mind& mind) {
+    Threat threat{.self = self, .seat = seat, .mind = mind};
+    for (const auto& wand : match.data().wands) {
+        wand.kind->show(match.world(), [&threat](const Missile& missile) { judge(missile, threat); });
+    }
+    return threat.step;
+}
+
+}  // namespace thaum::game

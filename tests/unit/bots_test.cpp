@@ -1,0 +1,231 @@
+// Bots: each skill does what its number says, and what many matches come to.
+#include "game/bots/league.h"
+#include "unit/game_duel.h"
+
+namespace thaum::game::test {
+namespace {
+
+BotSkill skill_of(int level) {
+    const auto skill = load_bot_skill(assets(), level);
+    EXPECT_TRUE(skill) << skill.error().message;
+    return skill.value();
+}
+
+/// A bot (player 0) and somebody who does as the test says (player 1).
+struct Scene {
+    explicit Scene(const BotSkill& skill, std::vector<std::string> overrides = {}, std::uint64_t seed = 3)
+        : match(duel_data(std::move(overrides)), {seed, {bot_device(0, 1), bot_device(1, 1)}}) {
+        bots.add(match, 0, 0, skill, seed);
+    }
+
+    void put(std::uint32_t player, vec3 feet, double yaw_degrees) {
+        auto& world = match.world_to_change();
+        const auto wizard = wizard_of(world, player);
+        world.get<Motion>(wizard).position = feet + vec3(0, match.data().wizard.height / 2, 0);
+        world.get<Gaze>(wizard) = {yaw_degrees * radians_per_degree, 0};
+        match.physics().set_state(wizard.index, std::as_const(world).get<Motion>(wizard));
+    }
+
+    template <class Foe>
+    void run(double duration, Foe&& foe) {
+        for (Tick t = 0; t < ticks(duration); ++t) {
+            input::InputFrame frame;
+            bots.sample(match, frame);
+            foe(t, frame.devices[1]);
+            match.tick(frame);
+        }
+    }
+
+    const Deeds& bolts_of(std::uint32_t player) const {
+        return match.world().single<Chronicle>().deeds[player][cause_of(EventKind::bolt_hit)];
+    }
+
+    std::optional<PowerUpKind> picked_up() const {
+        const auto& chronicle = match.world().single<Chronicle>();
+        for (const auto& event : chronicle.events) {
+            if (event.kind == EventKind::power_up && event.subject == 0)
+                return static_cast<PowerUpKind>(event.detail);
+        }
+        return {};
+    }
+
+    Simulation match;
+    Bots bots;
+};
+
+void stands_still(Tick, input::DeviceSample&) {}
+
+TEST(BotSkill, EveryLevelHasItsFileAndAnyOtherIsRefusedInOneLine) {
+    BotSkill before;
+    for (int level = 1; level <= bot_levels; ++level) {
+        const auto skill = skill_of(level);
+        EXPECT_EQ(skill.level, static_cast<std::uint32_t>(level));
+        if (level > 1) {
+            EXPECT_LT(skill.reaction, before.reaction);
+            EXPECT_LT(skill.aim_error, before.aim_error);
+            EXPECT_GT(skill.turn_speed, before.turn_speed);
+        }
+        before = skill;
+    }
+    for (const int level : {0, -1, bot_levels + 1}) {
+        const auto skill = load_bot_skill(assets(), level);
+        ASSERT_FALSE(skill);
+        EXPECT_NE(skill.error().message.find(text("no bot of level ", level)), std::string::npos);
+    }
+}
+
+TEST(Bot, FetchesHealthWhenHurtAndEnergyWhenDry) {
+    for (int level = 1; level <= bot_levels; ++level) {
+        const auto skill = skill_of(level);
+        Scene hurt(skill);
+        auto& world = hurt.match.world_to_change();
+        world.get<Health>(wizard_of(world, 0)).points = 0.2 * skill.vial_below;
+        hurt.put(1, {15, 0, -15}, 0);
+        hurt.run(12, stands_still);
+        EXPECT_EQ(hurt.picked_up(), PowerUpKind::vial) << level;
+    }
+    for (int level = 1; level <= bot_levels; ++level) {
+        Scene dry(skill_of(level), {"bolt.energy.regain_per_s=0"});
+        auto& world = dry.match.world_to_change();
+        world.get<WandBelt>(wizard_of(world, 0)).energy.fill(0);
+        dry.put(1, {15, 0, -15}, 0);
+        dry.run(12, stands_still);
+        EXPECT_EQ(dry.picked_up(), PowerUpKind::spark) << level;
+    }
+}
+
+/// Bolts of 40 s of a bot at 10 m from a foe who walks to and fro.
+Deeds shots_at_a_walker(double lead) {
+    auto skill = skill_of(3);
+    skill.lead = lead;
+    skill.aim_error = 0;
+    skill.reserve = skill.vial_below = skill.spark_below = 0;
+    Scene scene(skill, {"bolt.energy.regain_per_s=100", "bolt.shot.damage=0.01", "bolt.shot.spread_deg=0"});
+    scene.put(0, {-14, 0, 9}, -90);
+    scene.put(1, {-14, 0, -1}, 180);
+    scene.run(40, [](Tick t, input::DeviceSample& foe) {
+        foe.counts[input::hand::strafe] = t / 1500 % 2 == 0 ? 127 : -127;
+    });
+    return scene.bolts_of(0);
+}
+
+TEST(Bot, WhoAllowsForTheFoesMotionHitsMore) {
+    const auto plain = shots_at_a_walker(0), leading = shots_at_a_walker(1);
+    ASSERT_GT(plain.shots, 40U);
+    ASSERT_GT(leading.shots, 40U);
+    const double before = plain.hits / static_cast<double>(plain.shots);
+    const double after = leading.hits / static_cast<double>(leading.shots);
+    EXPECT_GT(after, 1.3 * before) << plain.hits << "/" << plain.shots << " " << leading.hits << "/"
+                                   << leading.shots;
+}
+
+/// Hits in 30 s on a bot that stands 28 m from a foe who shoots straight at where it first stood.
+std::uint32_t hits_on_a_target(std::uint32_t dodges) {
+    auto skill = skill_of(3);
+    skill.dodges = dodges;
+    skill.strafe = 0;
+    skill.range = skill.reserve = skill.vial_below = skill.spark_below = skill.cover_below = 0;
+    skill.keep = 28;
+    skill.reaction = ticks(0.2);
+    Scene scene(skill, {"bolt.energy.regain_per_s=100", "bolt.shot.damage=0.01", "bolt.shot.spread_deg=0"});
+    scene.put(0, {-14.5, 0, 14}, 0);
+    scene.put(1, {-14.5, 0, -14}, 180);
+    scene.run(30, [](Tick, input::DeviceSample& foe) { foe.press(input::Button::fire); });
+    return scene.bolts_of(1).hits;
+}
+
+TEST(Bot, WhoDodgesIsHitLess) {
+    const auto stands = hits_on_a_target(0), dodges = hits_on_a_target(1);
+    EXPECT_GT(stands, 100U);
+    EXPECT_LT(dodges, stands / 2);
+}
+
+TEST(Bot, KeepsItsReserveForAFoeWhoIsNear) {
+    auto skill = skill_of(3);
+    skill.aim_error = 0;
+    skill.reserve = 0.5;
+    skill.spark_below = skill.vial_below = 0;
+    Scene scene(skill, {"bolt.energy.regain_per_s=0", "bolt.shot.damage=0.01", "quick.seconds=60"});
+    scene.put(0, {-14, 0, 9}, 0);
+    scene.put(1, {-14, 0, -2}, 180);
+    scene.run(20, stands_still);
+    const double far = scene.match.world().get<WandBelt>(wizard_of(scene.match.world(), 0)).energy[0];
+    EXPECT_NEAR(far, 30, 1.5) << "half of 60 is kept";
+    for (int i = 0; i < 40; ++i) {  // comes near again and again, wherever the bot goes
+        const auto& world = scene.match.world();
+        const auto bot = world.get<Motion>(wizard_of(world, 0)).position;
+        const auto yaw = world.get<Gaze>(wizard_of(world, 0)).yaw;
+        const vec3 near = bot + look_rotation(yaw, 0) * vec3(0, 0, -3);
+        if (std::abs(near.x) < 19 && std::abs(near.z) < 19) scene.put(1, {near.x, 0, near.z}, 0);
+        scene.run(0.5, stands_still);
+    }
+    EXPECT_LT(scene.match.world().get<WandBelt>(wizard_of(scene.match.world(), 0)).energy[0], 25);
+}
+
+TEST(Bot, SavedAndRestoredItGoesOnAsItWould) {
+    auto duel = make_bot_duel(assets(), duel_data(), {2, 3}, 11).value();
+    duel.run(4 * keyframe_interval);
+    Bytes world, minds;
+    duel.match->save(world);
+    duel.bots.save(minds);
+    auto again = make_bot_duel(assets(), duel_data(), {2, 3}, 11).value();
+    ASSERT_TRUE(again.match->restore(world, 4 * keyframe_interval));
+    ASSERT_TRUE(again.bots.restore(minds));
+    duel.run(6000);
+    again.run(6000);
+    EXPECT_EQ(again.match->state_hash(), duel.match->state_hash());
+}
+
+// The league ------------------------------------------------------------------------------------------------------------
+
+TEST(League, AMatchIsToldAsItWas) {
+    const auto data = duel_data({"quick.seconds=20"});
+    const auto first = play_league_match(assets(), data, {1, 3}, 5);
+    const auto second = play_league_match(assets(), data, {1, 3}, 5);
+    ASSERT_TRUE(first && second);
+    EXPECT_EQ(first->rounds, 1U);
+    EXPECT_LE(first->lengths[0], ticks(20.01));
+    EXPECT_EQ(first->lengths, second->lengths);
+    for (std::uint32_t p = 0; p < players; ++p) {
+        EXPECT_EQ(first->deeds[p][0].shots, second->deeds[p][0].shots);
+        EXPECT_GT(first->alive[p], ticks(10.0));
+        EXPECT_LE(first->alive[p], ticks(20.01));
+        EXPECT_LE(first->dry[p], first->alive[p]);
+    }
+    EXPECT_FALSE(play_league_match(assets(), data, {1, 9}, 5));
+}
+
+TEST(League, TheSummaryCountsBySidesAndLevels) {
+    std::vector<LeagueMatch> matches(4);
+    for (auto& m : matches) m.levels = {1, 2};
+    matches[1].levels = {2, 1};  // sides swapped
+    matches[0].winner = 1;       // 2 wins
+    matches[1].winner = 0;       // 2 wins
+    matches[2].winner = 0;       // 1 wins
+    matches[0].rounds = 1, matches[0].lengths[0] = ticks(100.0);
+    matches[1].rounds = 2, matches[1].lengths[0] = ticks(50.0), matches[1].lengths[1] = ticks(240.0);
+    matches[1].timed_out[1] = 1;
+    matches[0].deeds[1][0] = {.shots = 10, .hits = 5, .kills = 3};
+    matches[1].deeds[0][0] = {.shots = 10, .hits = 1, .kills = 1};
+    matches[1].deeds[1][2] = {.own_deaths = 2};
+    matches[0].alive = {ticks(100.0), ticks(80.0)};
+    matches[0].dry = {ticks(10.0), ticks(20.0)};
+    const auto s = summarise(matches);
+    ASSERT_EQ(s.pairs.size(), 1U);
+    EXPECT_EQ(s.pairs[0].high_wins, 2U);
+    EXPECT_EQ(s.pairs[0].low_wins, 1U);
+    EXPECT_EQ(s.pairs[0].high_share(), 2.5 / 4) << "a draw is half a win";
+    EXPECT_EQ(s.median_round_s(), 100);
+    EXPECT_EQ(s.timed_out, 1U);
+    EXPECT_EQ(s.kills[0], 4U);
+    EXPECT_EQ(s.own_deaths, 2U);
+    ASSERT_EQ(s.levels.size(), 2U);
+    EXPECT_EQ(s.levels[1].shots, 20U);
+    EXPECT_EQ(s.levels[1].hits, 6U);
+    EXPECT_EQ(s.levels[0].deaths, 6U);
+    EXPECT_EQ(s.levels[0].dry, ticks(10.0));
+    EXPECT_EQ(s.levels[1].dry, ticks(20.0));
+}
+
+}  // namespace
+}  // namespace thaum::game::test
