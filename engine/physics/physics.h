@@ -108,6 +108,7 @@ struct Settings {
     double sleep_speed{0.15};  ///< m/s; slower than both for 2 s is asleep
     double sleep_spin{0.3};    ///< rad/s
     bool skip_asleep{true};    ///< a step in which nothing can change returns at once; off only to prove that
+    bool exact_flight{true};   ///< see step(); off only to measure what it is worth
 };
 
 struct Counters {
@@ -151,7 +152,8 @@ public:
     /// The sleepers that may touch this body.
     void wake_touching(Key);
 
-    /// One step of dt seconds, > 0. Returns at once where all sleep and nothing was touched since.
+    /// One step of dt seconds, > 0. Returns at once where all sleep and nothing was touched since. A body on which nothing
+    /// but gravity and damping acted is where the law of motion puts it, whatever dt; the others move by semi-implicit Euler.
     void step(double dt);
 
     /// Of the last step, sorted by (a, b); empty after a skipped step or a rebuild. Valid until the next call that is not const.

@@ -170,5 +170,47 @@ TEST(PhysicsStability, AWizardAmongHostileProps) {
     EXPECT_LT(std::max({p.x, p.y, p.z}), 10.1);
 }
 
+TEST(PhysicsStability, FreeFlightAtAnyStepAndSpeed) {
+    for (const double step : {1e-12, 1e-6, 0.001, 1.0, 1e6}) {
+        for (const double speed : {0.0, 1e-300, 199.0, 1e9, 1e300}) {
+            Physics physics;
+            BodyDesc damped = ball(0.1, 1);
+            damped.linear_damping = 0.999;
+            physics.add(2, ball(0.1, 1), at({}, {speed, 0, 0}));
+            physics.add(3, damped, at({0, 100, 0}, {0, -speed, 0}));
+            for (int i = 0; i < 5; ++i) {
+                physics.step(step);
+                for (const Key key : {2U, 3U}) {
+                    ASSERT_TRUE(is_finite(physics.state(key).position)) << step << ' ' << speed;
+                    ASSERT_LE(glm::length(physics.velocity(key)), physics.settings().max_speed * (1 + 1e-9));
+                }
+            }
+        }
+    }
+}
+
+TEST(PhysicsStability, ASweptBallFallingFastStillStopsAtAThinFloor) {
+    Physics physics;
+    physics.add(1, box({5, 0.005, 5}, 0), at({0, 0, 0}));
+    BodyDesc desc = ball(0.05, 1);
+    desc.swept = 1;
+    for (Key i = 0; i < 50; ++i)
+        physics.add(10 + i, desc, at({-4.0 + 0.16 * i, 3 + 0.013 * i, 0}, {0, -190, 0}));
+    for (int i = 0; i < 500; ++i) physics.step(0.001);
+    for (Key i = 0; i < 50; ++i) EXPECT_GT(physics.state(10 + i).position.y, 0) << i;
+}
+
+TEST(PhysicsStability, ThousandsFlyExactlyBesideEachOther) {
+    constexpr Key count = 2000;
+    Physics physics({.max_bodies = count});
+    const auto start = [](Key i) { return vec3(i % 13, 2.0 * (i / 13 % 13), 2.0 * (i / 169)); };
+    for (Key i = 0; i < count; ++i) physics.add(i, ball(0.1, 1), at(start(i), {0, 0.001 * i, 1}));
+    for (int i = 0; i < 100; ++i) physics.step(0.001);
+    for (Key i = 0; i < count; ++i) {
+        const vec3 exact = start(i) + vec3(0, 0.0001 * i - 9.81 * 0.01 / 2, 0.1);
+        ASSERT_LT(glm::length(physics.state(i).position - exact), 1e-11) << i;
+    }
+}
+
 }  // namespace
 }  // namespace thaum::physics

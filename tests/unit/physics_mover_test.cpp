@@ -68,8 +68,7 @@ TEST(Mover, JumpsToItsApex) {
         w.tick({});
         apex = std::max(apex, w.position().y - ground);
     }
-    EXPECT_NEAR(apex, 1.1 - w.settings.jump_speed * dt / 2,
-                2e-4);  // Bullet's first-order error, below the law
+    EXPECT_NEAR(apex, 1.1, 2e-4);
     EXPECT_NEAR(w.landing, w.settings.jump_speed, 0.1);
 }
 

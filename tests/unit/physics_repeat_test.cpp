@@ -206,7 +206,7 @@ TEST(PhysicsRepeat, ASpoiltBitIsSeen) {
 
 // The same at -O0, -O3 and under sanitizers. A change of rules may change it: then look why, and record the new one.
 constexpr std::uint64_t recorded_probe = 0x1b11758d0f57a623ULL;
-constexpr std::uint64_t recorded_hash = 0x54b0f54d2cb40ae1ULL;
+constexpr std::uint64_t recorded_hash = 0x8d94fc8aec8d3152ULL;
 
 TEST(PhysicsRepeat, EveryBuildGivesTheRecordedHash) {
     Drama a;
