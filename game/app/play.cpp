@@ -54,9 +54,9 @@ struct Wish {
     bool headless = false, demo = false, vs = false;
     std::optional<int> solo;  ///< level of the bot
     std::vector<SeatKind> hands;
+    std::array<int, game::players> bots{1, 1};
 
     bool mode() const { return demo || vs || solo.has_value(); }
-    std::array<int, game::players> bots{1, 1};
 };
 
 Expected<SeatKind> hand_of(std::string_view word) {
@@ -116,7 +116,7 @@ Expected<Wish> read_wish(const std::vector<std::string>& words) {
     const auto bots = read_bots(arguments->value("--bots").value_or("1,1"));
     if (!bots) return tl::unexpected(bots.error());
     wish.bots = *bots;
-    if (arguments->has("--bots") && (wish.vs || wish.solo))
+    if (arguments->has("--bots") && !wish.demo && !wish.headless)
         return fail("--bots is for --demo and --headless");
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0}, 1);
     if (!seed) return tl::unexpected(seed.error());
