@@ -100,6 +100,8 @@ void tick_alloc(const Options& options, Report& report) {
     if (!there(scene, "tick")) return;
     constexpr Tick warm_up = 10'000;
     const Tick counted = options.quick ? 20'000 : 60'000;
+    // The first death makes the tables that the dead live in; once for each match.
+    scene->match->world_to_change().view<game::Health>().each([](game::Health& h) { h.points = 0; });
     scene->run(warm_up);
     const auto before = allocation_count();
     scene->run(counted);
