@@ -6,10 +6,8 @@ namespace thaum::bench {
 
 std::span<const Area> areas() {
     static constexpr std::array list{
-        Area{"ecs", ecs},
-        Area{"tick", tick},
-        Area{"replay", replay},
-        Area{"skip", skip},
+        Area{"ecs", ecs},       Area{"tick", tick}, Area{"physics", physics},
+        Area{"replay", replay}, Area{"skip", skip},
     };
     return list;
 }

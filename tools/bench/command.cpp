@@ -11,7 +11,7 @@ constexpr std::string_view help =
     R"(usage: thaum bench [AREA ...] [--quick] [--json FILE]
 
 Measures and prints one row for each setting of a case. Areas: ecs, tick,
-replay, skip; without one, all.
+physics, replay, skip; without one, all.
 
   --quick       at most 20 s an area: every case, at smaller sizes
   --json FILE   the report as JSON; - for standard output
