@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -177,6 +179,40 @@ TEST(BenchRun, AnUnknownAreaIsRefused) {
     const auto message = testing::internal::GetCapturedStderr();
     EXPECT_NE(message.find("no_such_area"), std::string::npos);
     EXPECT_NE(message.find("ecs"), std::string::npos);
+}
+
+// ---- physics ------------------------------------------------------------------------------------------------------
+
+template <class T>
+T setting(const Row& row, std::string_view name) {
+    for (const auto& item : row.setting) {
+        if (item.first == name) return std::get<T>(item.second);
+    }
+    return T{};
+}
+
+TEST(BenchPhysics, TheShippedStepIsOnTheFrontOfError) {
+    Report report = empty_report();
+    Options options;
+    options.quick = true;
+    physics(options, report);
+    std::map<std::string, const Row*> shipped;
+    for (const auto& row : report.rows) {
+        if (!row.is_default) continue;
+        ASSERT_TRUE(shipped.emplace(row.name, &row).second) << row.name;
+    }
+    ASSERT_EQ(shipped.size(), 4U);
+    EXPECT_LT(shipped.at("free_fall")->error->value, 1e-9);
+    EXPECT_LT(shipped.at("projectile")->error->value, 1e-9);
+    for (const auto& row : report.rows) {
+        const Row& ours = *shipped.at(row.name);
+        ASSERT_TRUE(std::isfinite(row.error->value)) << row.name;
+        if (setting<std::int64_t>(row, "iterations") > setting<std::int64_t>(ours, "iterations"))
+            continue;  // dearer
+        EXPECT_LE(ours.error->value, row.error->value + 1e-9)
+            << row.name << ' ' << setting<std::string>(row, "scheme") << ' '
+            << setting<std::int64_t>(row, "dt_ms");
+    }
 }
 
 }  // namespace

@@ -1,0 +1,252 @@
+// Rigid bodies: run time against error, over the step and over what is done about Bullet's first-order step.
+//
+// Scheme "bullet" is semi-implicit Euler as Bullet has it; "half_start" the same, the caller giving every body the velocity of
+// half a step earlier (which makes a free fall exact and is what one can do from outside); "exact_flight" is what ships. Solutions
+// to compare with: closed forms, and for the pendulum Runge and Kutta's method with a step at which it has converged.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "core/hash.h"
+#include "core/text.h"
+#include "physics/physics.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/measure.h"
+
+namespace thaum::bench {
+namespace {
+
+using physics::BodyDesc;
+using physics::BodyState;
+using physics::Key;
+using physics::Physics;
+using physics::Shape;
+
+constexpr double g = 9.81;  // m/s^2, Physics' own
+constexpr std::array schemes{"bullet", "half_start", "exact_flight"};
+constexpr std::array<std::int64_t, 4> steps_ms{1, 2, 4, 8};
+constexpr std::int64_t shipped_step_ms = 1;
+constexpr int shipped_iterations = physics::Settings{}.solver_iterations;
+
+/// A world with its clock.
+struct Run {
+    std::string scheme;
+    double dt;  ///< s
+    Physics physics;
+
+    Run(const std::string& name, std::int64_t step_ms, int iterations = shipped_iterations)
+        : scheme(name),
+          dt(static_cast<double>(step_ms) * 1e-3),
+          physics({.solver_iterations = iterations, .exact_flight = name == "exact_flight"}) {}
+
+    /// Of a body that starts with it under gravity.
+    vec3 starting(vec3 velocity) const {
+        return scheme == "half_start" ? velocity + vec3(0, g * dt / 2, 0) : velocity;
+    }
+    int steps_in(double seconds) const { return static_cast<int>(std::lround(seconds / dt)); }
+};
+
+struct Outcome {
+    double error{};  ///< m
+    std::vector<std::pair<std::string, double>> metrics{};
+    std::uint64_t hash{};
+};
+
+BodyDesc ball() { return {.shape = Shape::sphere, .size = {0.1, 0, 0}, .mass = 1}; }
+
+// ---- free flight --------------------------------------------------------------------------------------------------
+
+/// How far from the closed form after 2 s.
+Outcome flight(Run& run, vec3 velocity) {
+    constexpr double seconds = 2;
+    const vec3 from{0, 100, 0};
+    run.physics.add(1, ball(), {.position = from, .velocity = run.starting(velocity)});
+    for (int i = run.steps_in(seconds); i > 0; --i) run.physics.step(run.dt);
+    const vec3 exact = from + velocity * seconds - vec3(0, g * seconds * seconds / 2, 0);
+    const BodyState& state = run.physics.state(1);
+    return {.error = glm::length(state.position - exact), .hash = hash_value(state)};
+}
+
+// ---- pendulum -----------------------------------------------------------------------------------------------------
+
+constexpr double swing_seconds = 10;
+constexpr double rod = 1;  // m
+
+/// Angle from hanging and angular speed, released at rest at 90 degrees, after swing_seconds: theta'' = -(g / rod) sin theta.
+std::array<double, 2> exact_swing() {
+    constexpr int steps = 100'000;  // twice as many change the angle by less than 1e-12 rad
+    constexpr double h = swing_seconds / steps;
+    double angle = pi / 2, speed = 0;
+    const auto pull = [](double a) { return -g / rod * std::sin(a); };
+    for (int i = 0; i < steps; ++i) {
+        const double k1 = speed, l1 = pull(angle);
+        const double k2 = speed + h / 2 * l1, l2 = pull(angle + h / 2 * k1);
+        const double k3 = speed + h / 2 * l2, l3 = pull(angle + h / 2 * k2);
+        const double k4 = speed + h * l3, l4 = pull(angle + h * k3);
+        angle += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+        speed += h / 6 * (l1 + 2 * l2 + 2 * l3 + l4);
+    }
+    return {angle, speed};
+}
+
+/// Where a step without the rod would end, for the scheme.
+vec3 free_end(const Run& run, const BodyState& s) {
+    const double gravity_path = run.scheme == "exact_flight" ? g * run.dt * run.dt / 2 : g * run.dt * run.dt;
+    return s.position + s.velocity * run.dt - vec3(0, gravity_path, 0);
+}
+
+/// One impulse per step, as a game's coupling gives it: along the rod, and such that the bob ends the step at the rod's length
+/// (SHAKE). The pivot is the origin.
+void hold_by_rod(Run& run) {
+    const BodyState& s = run.physics.state(1);
+    const vec3 along = s.position / rod;
+    const vec3 end = free_end(run, s);
+    // |end + push along|^2 = rod^2, the root near zero.
+    const double half = glm::dot(end, along);
+    const double push = -half + std::sqrt(half * half - glm::dot(end, end) + rod * rod);
+    run.physics.set_velocity(1, s.velocity + along * (push / run.dt));
+}
+
+/// J of 1 kg. What the rod will take from the velocity at once is not counted.
+double energy(const Run& run) {
+    const BodyState& s = run.physics.state(1);
+    // Without exact flight the velocity is that of half a step before.
+    const vec3 velocity = run.scheme == "exact_flight" ? s.velocity : s.velocity - vec3(0, g * run.dt / 2, 0);
+    const vec3 along = glm::normalize(s.position);
+    const vec3 across = velocity - along * glm::dot(velocity, along);
+    return glm::dot(across, across) / 2 + g * s.position.y;
+}
+
+Outcome pendulum(Run& run) {
+    static const auto exact = exact_swing();
+    run.physics.add(1, ball(), {.position = {rod, 0, 0}, .velocity = run.starting({})});
+    for (int i = run.steps_in(swing_seconds); i > 0; --i) {
+        hold_by_rod(run);
+        run.physics.step(run.dt);
+    }
+    const BodyState& state = run.physics.state(1);
+    const vec3 there = rod * vec3(std::sin(exact[0]), -std::cos(exact[0]), 0);
+    return {.error = glm::length(state.position - there),
+            .metrics = {{"energy_drift_j", energy(run)},  // it began with none
+                        {"rod_error_m", std::abs(glm::length(state.position) - rod)}},
+            .hash = hash_value(state)};
+}
+
+// ---- stack --------------------------------------------------------------------------------------------------------
+
+/// Four stacks of eight boxes of 0.4 m, each turned otherwise, since where one stack drifts is chance: how far their tops
+/// are from where rigid boxes would keep them, root mean square, after 5 s.
+Outcome stacks(Run& run) {
+    constexpr Key stacks = 4, boxes = 8;
+    constexpr double half = 0.2;
+    run.physics.add(0, {.size = {20, 1, 20}}, {.position = {0, -1, 0}});
+    const auto key = [](Key stack, Key level) { return 1 + stack * boxes + level; };
+    const auto place = [](Key stack, Key level) { return vec3(3.0 * stack, half + 2 * half * level, 0); };
+    for (Key s = 0; s < stacks; ++s) {
+        for (Key i = 0; i < boxes; ++i) {
+            run.physics.add(key(s, i), {.size = vec3(half), .mass = 5},
+                            {.position = place(s, i), .orientation = rotation({0, 1, 0}, 0.2 * s)});
+        }
+    }
+    int awake_steps = 0;
+    for (int i = run.steps_in(5); i > 0; --i) {
+        run.physics.step(run.dt);
+        if (run.physics.counters().awake > 0) ++awake_steps;
+    }
+    std::uint64_t hash = 0;
+    double sunk = 0, off = 0;
+    for (Key s = 0; s < stacks; ++s) {
+        for (Key i = 0; i < boxes; ++i) {
+            const BodyState& state = run.physics.state(key(s, i));
+            hash = hash_combine(hash, hash_value(state));
+            sunk = std::max(sunk, place(s, i).y - state.position.y);
+        }
+        const vec3 top = run.physics.state(key(s, boxes - 1)).position - place(s, boxes - 1);
+        off += glm::dot(top, top) / stacks;
+    }
+    return {.error = std::sqrt(off),
+            .metrics = {{"sunk_m", sunk}, {"settled_s", awake_steps * run.dt}},
+            .hash = hash};
+}
+
+// ---- rows ---------------------------------------------------------------------------------------------------------
+
+struct Case {
+    std::string name;
+    std::string error_name;
+    double seconds;  ///< simulated
+    std::function<Outcome(Run&)> play;
+    bool has_iterations = false;
+};
+
+struct Setting {
+    std::string scheme;
+    std::int64_t step_ms;
+    int iterations;
+    bool shipped() const {
+        return scheme == "exact_flight" && step_ms == shipped_step_ms && iterations == shipped_iterations;
+    }
+};
+
+std::vector<Setting> settings_of(const Case& one) {
+    std::vector<Setting> result;
+    const std::vector<int> iterations =
+        one.has_iterations ? std::vector{4, shipped_iterations, 40} : std::vector{shipped_iterations};
+    for (const auto* scheme : schemes) {
+        if (one.has_iterations && scheme == std::string_view("half_start"))
+            continue;  // a start at rest has none
+        for (const auto step : steps_ms) {
+            for (const int count : iterations) result.push_back({scheme, step, count});
+        }
+    }
+    return result;
+}
+
+Row row_of(const Case& one, const Setting& setting, const Outcome& outcome, std::vector<double> samples_us) {
+    for (double& us : samples_us) us /= one.seconds;
+    Row row{.area = "physics",
+            .name = one.name,
+            .setting = {{"scheme", setting.scheme}, {"dt_ms", setting.step_ms}},
+            .time_us = times(samples_us),
+            .error = ErrorMeasure{one.error_name, outcome.error},
+            .is_default = setting.shipped(),
+            .metrics = outcome.metrics,
+            .hash = hex(outcome.hash)};
+    if (one.has_iterations) row.setting.emplace_back("iterations", std::int64_t{setting.iterations});
+    row.metrics.emplace_back("real_time_factor", 1e6 / row.time_us->median);
+    return row;
+}
+
+void measure_case(const Case& one, const Options& options, Report& report) {
+    const auto settings = settings_of(one);
+    std::vector<Outcome> outcomes(settings.size());
+    std::vector<Contestant> contestants;
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        contestants.push_back({{}, [&one, &outcome = outcomes[i], &setting = settings[i]] {
+                                   Run run(setting.scheme, setting.step_ms, setting.iterations);
+                                   outcome = one.play(run);
+                               }});
+    }
+    const auto samples =
+        measure(contestants, {.seconds = options.quick ? 2.0 : 15.0, .least = options.quick ? 1U : 11U});
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        report.rows.push_back(row_of(one, settings[i], outcomes[i], samples[i]));
+}
+
+}  // namespace
+
+void physics(const Options& options, Report& report) {
+    const std::vector<Case> cases{
+        {"free_fall", "position_m_after_2_s", 2, [](Run& run) { return flight(run, {}); }},
+        {"projectile", "position_m_after_2_s", 2,
+         [](Run& run) {
+             return flight(run, {12, 9, -5});
+         }},
+        {"pendulum", "position_m_after_10_s", swing_seconds, pendulum},
+        {"stack", "top_off_its_place_m_after_5_s", 5, stacks, true},
+    };
+    for (const auto& one : cases) measure_case(one, options, report);
+}
+
+}  // namespace thaum::bench
