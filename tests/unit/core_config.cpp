@@ -9,7 +9,6 @@
 namespace thaum {
 namespace {
 
-
 Config parsed(std::string_view body) {
     auto config = Config::parse(text("version = 1\n", body), "wand.toml", 1);
     EXPECT_TRUE(config.has_value()) << (config ? "" : config.error().message);

@@ -399,14 +399,14 @@ TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {
     make_overlay(p, {}, size, overlay);
     EXPECT_TRUE(has_text(overlay, "Player 2 (Tide) wins round 2"));
     EXPECT_TRUE(has_text(overlay, "rounds 1 : 1"));
-    EXPECT_TRUE(has_text(overlay, "Enter: next round (in 5 s)"));
+    EXPECT_TRUE(has_text(overlay, "Enter, A: next round (in 5 s)    Esc, B: leave"));
     EXPECT_TRUE(has_text(overlay, "4 of 10 hit (40 %), 24 HP, 1 kill"));
     p.phase = Phase::over;
     p.match_winner = 0;
     p.rounds_won = {2, 1};
     make_overlay(p, {}, size, overlay);
     EXPECT_TRUE(has_text(overlay, "Player 1 (Ember) wins"));
-    EXPECT_TRUE(has_text(overlay, "Enter: again"));
+    EXPECT_TRUE(has_text(overlay, "Enter, A: again    Esc, B: leave"));
     make_overlay(p, {.can_play_again = false}, size, overlay);
     EXPECT_FALSE(has_text(overlay, "Enter"));
 }

@@ -1,4 +1,6 @@
 // Pictures drawn without a display, judged by their pixels.
+#include <unistd.h>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -485,7 +487,8 @@ protected:
         EXPECT_FALSE(made);
         return made ? "" : made.error().message;
     }
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "thaum_broken_assets";
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / ("thaum_broken_assets_" + std::to_string(::getpid()));
 };
 
 TEST_F(BrokenShader, EveryFileIsNamedWhenItDoesNotCompile) {

@@ -155,7 +155,8 @@ TEST(Sandbox, EndlessLoopsAreStopped) {
              "::again:: goto again",
          }) {
         const auto message = error_of(source);
-        EXPECT_TRUE(mentions(message, "steps") || mentions(message, "C stack overflow")) << source << "\n" << message;
+        EXPECT_TRUE(mentions(message, "steps") || mentions(message, "C stack overflow")) << source << "\n"
+                                                                                         << message;
     }
 }
 

@@ -100,7 +100,8 @@ std::vector<fvec2> rounded_corners(const RectItem& r, float radius) {
     for (std::size_t corner = 0; corner < 4; ++corner) {
         for (int i = 0; i <= steps; ++i) {
             const float angle =
-                full_turn / 4 * (static_cast<float>(corner) + static_cast<float>(i) / static_cast<float>(steps));
+                full_turn / 4 *
+                (static_cast<float>(corner) + static_cast<float>(i) / static_cast<float>(steps));
             out.push_back(centres[corner] + radius * clockwise(angle));
         }
     }
