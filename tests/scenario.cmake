@@ -12,7 +12,8 @@ endforeach()
 # After a change of rules or data: thaum --headless --seed 2 --seconds 30 --record tests/replays/bots_rules_N.thaumlog, and
 # say why it changed. Logs of older versions stay.
 file(STRINGS ${PROJECT_SOURCE_DIR}/game/match/simulation.h rules_line REGEX "rules_version = [0-9]+;")
-string(REGEX REPLACE ".*rules_version = ([0-9]+);.*" "\\1" rules_version "${rules_line}")
+string(REGEX MATCH "rules_version = ([0-9]+)" rules_line "${rules_line}")
+set(rules_version ${CMAKE_MATCH_1})
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/game/match/simulation.h)
 file(GLOB replays CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/replays/*.thaumlog)
 foreach(log ${replays})

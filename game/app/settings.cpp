@@ -251,7 +251,8 @@ Expected<Settings> parse_settings(std::string_view toml, std::string name) {
 
 Expected<Settings> load_settings(const std::filesystem::path& file, const std::filesystem::path& assets) {
     std::error_code error;
-    if (!std::filesystem::exists(file, error)) {
+    // A link that leads nowhere is there as well.
+    if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
         const auto defaults = read_text_file(assets / "settings.toml", max_settings_file);
         if (!defaults) return tl::unexpected(defaults.error());
         std::filesystem::create_directories(file.parent_path(), error);
