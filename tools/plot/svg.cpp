@@ -198,12 +198,14 @@ std::string label_of(const Point& p) {
 }
 
 /// Beside a mark at (x, y), in order of liking.
-std::array<Rect, 4> places_beside(double x, double y, double width) {
+std::array<Rect, 6> places_beside(double x, double y, double width) {
     const double gap = 2 * mark_px + 2;
     return {{{x + gap, y - line_px, width, line_px},
              {x + gap, y + 2, width, line_px},
              {x - gap - width, y - line_px, width, line_px},
-             {x - gap - width, y + 2, width, line_px}}};
+             {x - gap - width, y + 2, width, line_px},
+             {x - width / 2, y - gap - line_px, width, line_px},
+             {x - width / 2, y + gap, width, line_px}}};
 }
 
 /// Defaults first, then the front; each takes the first place that meets neither a label nor a mark of the front.
