@@ -31,7 +31,11 @@ keys() {
         sed 's/.*"command": "\(.*\) -o .*/\1/' | sort -u; } | sha256sum | cut -c1-16)
     dependencies | sort -u >"$cache/dependencies"
     # One hash per file, then per source a hash of the hashes.
-    cut -f2 "$cache/dependencies" | sort -u | xargs -r -d '\n' sha256sum >"$cache/hashes"
+    # Objects of sources that are gone still lie in the build folder.
+    cut -f2 "$cache/dependencies" | sort -u | while IFS= read -r file; do
+        if [[ -f $file ]]; then printf '%s\n' "$file"; fi
+    done |
+        xargs -r -d '\n' sha256sum >"$cache/hashes"
     awk -F '\t' -v common="$common" '
         NR == FNR { hash[substr($0, 67)] = substr($0, 1, 64); next }
         { all[$1] = all[$1] hash[$2] }

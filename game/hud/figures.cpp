@@ -130,7 +130,7 @@ fmat4 held(fvec3 hand) {
 
 // Wands, along -z. `z` counts from the grip to the tip.
 
-const fvec3 pale_wood = colour(0x8A5E3A), iron = colour(0x5A5868), leather = colour(0x6A3E28);
+const fvec3 pale_wood = colour(0x8A5E3A), dark_iron = colour(0x5A5868), leather = colour(0x6A3E28);
 
 fvec3 ahead(float z, float x = 0, float y = 0) { return {x, y, -z}; }
 
@@ -180,8 +180,8 @@ void add_hook(MeshData& mesh) {
 
 /// A short, thick barrel with a flared mouth.
 void add_stub(MeshData& mesh) {
-    append(mesh, limb(ahead(0.11F), ahead(0.36F), 0.05F, 0.055F, 10, iron));
-    append(mesh, limb(ahead(0.36F), ahead(0.46F), 0.055F, 0.1F, 10, iron));
+    append(mesh, limb(ahead(0.11F), ahead(0.36F), 0.05F, 0.055F, 10, dark_iron));
+    append(mesh, limb(ahead(0.36F), ahead(0.46F), 0.055F, 0.1F, 10, dark_iron));
     for (const float z : {0.16F, 0.34F})
         append(mesh, limb(ahead(z), ahead(z + 0.03F), 0.063F, 0.063F, 10, gold));
     append(mesh, limb(ahead(0.455F), ahead(0.475F), 0.108F, 0.108F, 10, gold));

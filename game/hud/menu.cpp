@@ -19,7 +19,7 @@ const fvec4 chosen_row = colour(0x5A3E92, 0.95F);
 const fvec4 bright = colour(0xF6F0FF, 1.0F);
 const fvec4 quiet = colour(0xCABEDC, 0.9F);
 const fvec4 faint = colour(0x8F84A6, 0.9F);
-const fvec4 gold = colour(0xFFD98A, 1.0F);
+const fvec4 bright_gold = colour(0xFFD98A, 1.0F);
 
 /// em per character of the type face, on the wide side.
 constexpr float wide = 0.66F;
@@ -126,7 +126,7 @@ float value_width(const Layout& l) { return 0.5F * l.row_width; }
 void add_arrow(Overlay& out, fvec2 centre, float radius, float way) {
     out.items.emplace_back(render::TriangleItem{centre + fvec2(way * radius, 0),
                                                 centre + fvec2(-way * radius, -radius),
-                                                centre + fvec2(-way * radius, radius), gold});
+                                                centre + fvec2(-way * radius, radius), bright_gold});
 }
 
 void add_row(Overlay& out, const MenuRow& row, bool chosen, const Layout& l, std::size_t place) {
@@ -156,7 +156,7 @@ void add_scroll_marks(Overlay& out, const MenuPicture& menu, const Layout& l) {
     const float x = l.rows_low.x + l.row_width + 9 * l.unit, r = 6 * l.unit;
     const float bottom = l.rows_low.y + static_cast<float>(l.visible) * l.row_height;
     const auto mark = [&](float y, float way) {
-        out.items.emplace_back(render::TriangleItem{{x - r, y}, {x + r, y}, {x, y + way * r}, gold});
+        out.items.emplace_back(render::TriangleItem{{x - r, y}, {x + r, y}, {x, y + way * r}, bright_gold});
     };
     if (l.first > 0) mark(l.rows_low.y + 1.5F * r, -1);
     if (l.first + l.visible < menu.rows.size()) mark(bottom - 1.5F * r, 1);
@@ -187,7 +187,7 @@ void add_menu(Overlay& out, const MenuPicture& menu, render::Size size, double t
     const float u = l.unit, middle = width / 2;
     add_panel(out, {0, 0}, {width, height}, menu_veil, 0);
     add_fitted(out, menu.title, {middle, l.title_top}, 36 * u, l.width, bright, Align::centre);
-    add_fitted(out, menu.line, {middle, l.line_top}, 24 * u, l.width, gold, Align::centre);
+    add_fitted(out, menu.line, {middle, l.line_top}, 24 * u, l.width, bright_gold, Align::centre);
     add_seats(out, menu, l, width);
     const float rows_height = static_cast<float>(l.visible) * l.row_height;
     add_panel(out, l.rows_low - fvec2(5 * u), l.rows_low + fvec2(l.row_width, rows_height) + fvec2(5 * u),
@@ -195,7 +195,7 @@ void add_menu(Overlay& out, const MenuPicture& menu, render::Size size, double t
     for (std::size_t i = 0; i < l.visible; ++i)
         add_row(out, menu.rows[l.first + i], l.first + i == menu.cursor, l, i);
     add_scroll_marks(out, menu, l);
-    add_fitted(out, menu.note, {middle, l.note_top}, 17 * u, l.width, gold, Align::centre);
+    add_fitted(out, menu.note, {middle, l.note_top}, 17 * u, l.width, bright_gold, Align::centre);
     add_fitted(out, menu.hint, {middle, l.hint_top}, 14 * u, l.width, quiet, Align::centre);
 }
 

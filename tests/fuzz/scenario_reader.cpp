@@ -46,7 +46,7 @@ std::string mutate_tokens(const std::vector<std::string>& seeds, Random& random)
     return source;
 }
 
-std::string mutate(const std::vector<std::string>& seeds, Random& random) {
+std::string mutate_script(const std::vector<std::string>& seeds, Random& random) {
     return random.below(4) == 0 ? mutate_text(seeds, random) : mutate_tokens(seeds, random);
 }
 
@@ -69,7 +69,7 @@ std::vector<std::string> scripts(const Places& places) {
 }
 
 /// Accepted is what reaches the match.
-Outcome read(const std::string& input, const Places& places) {
+Outcome read_script(const std::string& input, const Places& places) {
     const auto options = options_of(places);
     const auto result = game::run_scenario_source(input, "mutant", options);
     Outcome outcome{.accepted = result.ticks > 0, .refusal = result.message};
@@ -81,6 +81,6 @@ Outcome read(const std::string& input, const Places& places) {
 
 }  // namespace
 
-const Reader scenario_reader{"scenario", scripts, mutate, read};
+const Reader scenario_reader{"scenario", scripts, mutate_script, read_script};
 
 }  // namespace thaum::fuzz

@@ -87,13 +87,14 @@ Moment moment_of(const Simulation& match, std::uint32_t player) {
             world.has<Dead>(e)};
 }
 
-constexpr Tick length = 12'000;
+constexpr Tick recorded_ticks = 12'000;
 constexpr Tick state_every = 500;
 
 /// A duel with a pause, samples left out and two marks, its log, and what happened in it.
-class Recorded {
+class TableRecording {
 public:
-    Recorded() : file_(std::filesystem::path(testing::TempDir()) / text("tables_", ::getpid(), ".thaumlog")) {
+    TableRecording()
+        : file_(std::filesystem::path(testing::TempDir()) / text("tables_", ::getpid(), ".thaumlog")) {
         std::filesystem::remove(file_);
         auto duel = make_bot_duel(assets(), duel_data({"bolt.shot.damage=40"}), {1, 1}, 2).value();
         auto& match = *duel.match;
@@ -103,7 +104,7 @@ public:
                 .value();
         note_state(match);
         std::uint64_t events = 0;
-        for (Tick t = 0; t < length; ++t) {
+        for (Tick t = 0; t < recorded_ticks; ++t) {
             auto frame = duel.next_frame();
             if (t == 4000 || t == 4600) frame.devices[1].press(input::Button::pause);
             if (t == 7000) frame.devices[0].skips = 300;
@@ -116,9 +117,9 @@ public:
         }
         EXPECT_TRUE(log.close("a \"close\" end, of sorts").has_value());
     }
-    ~Recorded() { std::filesystem::remove(file_); }
-    Recorded(const Recorded&) = delete;
-    Recorded& operator=(const Recorded&) = delete;
+    ~TableRecording() { std::filesystem::remove(file_); }
+    TableRecording(const TableRecording&) = delete;
+    TableRecording& operator=(const TableRecording&) = delete;
 
     Playback play() const { return Playback::open(file_, assets()).value(); }
 
@@ -132,8 +133,8 @@ private:
     std::filesystem::path file_;
 };
 
-const Recorded& recorded() {
-    static const Recorded match;
+const TableRecording& table_recording() {
+    static const TableRecording match;
     return match;
 }
 
@@ -153,9 +154,9 @@ Tables tables_of(Playback playback) {
 }
 
 TEST(GameTables, EveryEventOfTheMatchIsThereWithItsBits) {
-    const Csv csv(tables_of(recorded().play()).events);
+    const Csv csv(tables_of(table_recording().play()).events);
     std::size_t row = 0, placed = 0, deaths = 0;
-    for (const auto& [tick, event] : recorded().seen) {
+    for (const auto& [tick, event] : table_recording().seen) {
         while (csv.at(row, "kind") == "pause" || csv.at(row, "kind") == "resume" ||
                csv.at(row, "kind") == "skip" || csv.at(row, "kind") == "mark")
             ++row;
@@ -190,7 +191,7 @@ TEST(GameTables, EveryEventOfTheMatchIsThereWithItsBits) {
 }
 
 TEST(GameTables, PausesSkipsMarksAndTheEndAreRows) {
-    const Csv csv(tables_of(recorded().play()).events);
+    const Csv csv(tables_of(table_recording().play()).events);
     std::vector<std::string> lines;
     for (std::size_t row = 0; row < csv.size(); ++row) {
         const auto& kind = csv.at(row, "kind");
@@ -207,10 +208,10 @@ TEST(GameTables, PausesSkipsMarksAndTheEndAreRows) {
 }
 
 TEST(GameTables, TheStateHasTheBitsThatTheMatchHad) {
-    const Csv csv(tables_of(recorded().play()).state);
-    ASSERT_EQ(csv.size(), recorded().states.size());
+    const Csv csv(tables_of(table_recording().play()).state);
+    ASSERT_EQ(csv.size(), table_recording().states.size());
     std::size_t row = 0;
-    for (const auto& [tick, wizards] : recorded().states) {
+    for (const auto& [tick, wizards] : table_recording().states) {
         EXPECT_EQ(csv.at(row, "tick"), text(tick));
         EXPECT_EQ(csv.at(row, "paused"), tick > 4000 && tick <= 4600 ? "1" : "0");
         for (std::size_t p = 0; p < players; ++p) {
@@ -228,8 +229,8 @@ TEST(GameTables, TheStateHasTheBitsThatTheMatchHad) {
 }
 
 TEST(GameTables, EveryRunGivesTheSameBytes) {
-    const auto first = tables_of(recorded().play());
-    const auto second = tables_of(recorded().play());
+    const auto first = tables_of(table_recording().play());
+    const auto second = tables_of(table_recording().play());
     EXPECT_EQ(first.events, second.events);
     EXPECT_EQ(first.state, second.state);
 }

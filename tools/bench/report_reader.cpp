@@ -10,39 +10,39 @@
 namespace thaum::bench {
 namespace {
 
-using Json = nlohmann::json;  // its objects are sorted; the ordered kind is slow with many keys
+using SortedJson = nlohmann::json;  // its objects are sorted; the ordered kind is slow with many keys
 
 constexpr std::size_t most_rows = 200'000;
 constexpr std::size_t most_names = 128;  ///< settings and metrics, in a whole report
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-const Json& member(const Json& object, const char* key) {
-    static const Json nothing;
+const SortedJson& member(const SortedJson& object, const char* key) {
+    static const SortedJson nothing;
     const auto found = object.find(key);
     return found == object.end() ? nothing : *found;
 }
 
-Expected<std::string> word(const Json& object, const char* key) {
-    const Json& value = member(object, key);
+Expected<std::string> word(const SortedJson& object, const char* key) {
+    const SortedJson& value = member(object, key);
     if (!value.is_string()) return fail(text("'", key, "' must be a text"));
     return value.get<std::string>();
 }
 
 /// Absent is false.
-Expected<bool> mark(const Json& object, const char* key) {
-    const Json& value = member(object, key);
+Expected<bool> mark(const SortedJson& object, const char* key) {
+    const SortedJson& value = member(object, key);
     if (value.is_null()) return false;
     if (!value.is_boolean()) return fail(text("'", key, "' must be true or false"));
     return value.get<bool>();
 }
 
-Expected<double> number(const Json& value, std::string_view key) {
+Expected<double> number(const SortedJson& value, std::string_view key) {
     if (value.is_null()) return no_number;
     if (!value.is_number()) return fail(text("'", key, "' must be a number"));
     return value.get<double>();
 }
 
-Expected<Value> setting(const Json& value, const std::string& key) {
+Expected<Value> setting(const SortedJson& value, const std::string& key) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_boolean()) return std::string(value.get<bool>() ? "true" : "false");
     const bool fits = !value.is_number_unsigned() ||
@@ -54,13 +54,13 @@ Expected<Value> setting(const Json& value, const std::string& key) {
 }
 
 /// An object, or nothing at all.
-Expected<const Json*> object(const Json& row, const char* key) {
-    const Json& value = member(row, key);
+Expected<const SortedJson*> object(const SortedJson& row, const char* key) {
+    const SortedJson& value = member(row, key);
     if (!value.is_null() && !value.is_object()) return fail(text("'", key, "' must be an object"));
     return &value;
 }
 
-Expected<void> read_times(const Json& from, Row& row) {
+Expected<void> read_times(const SortedJson& from, Row& row) {
     const auto times = object(from, "time_us");
     if (!times) return tl::unexpected(times.error());
     if ((*times)->is_null()) return {};
@@ -75,7 +75,7 @@ Expected<void> read_times(const Json& from, Row& row) {
     return {};
 }
 
-Expected<void> read_error(const Json& from, Row& row) {
+Expected<void> read_error(const SortedJson& from, Row& row) {
     const auto error = object(from, "error");
     if (!error) return tl::unexpected(error.error());
     if ((*error)->is_null()) return {};
@@ -87,7 +87,7 @@ Expected<void> read_error(const Json& from, Row& row) {
     return {};
 }
 
-Expected<void> read_settings(const Json& from, Row& row) {
+Expected<void> read_settings(const SortedJson& from, Row& row) {
     const auto settings = object(from, "setting");
     if (!settings) return tl::unexpected(settings.error());
     for (const auto& item : (*settings)->items()) {
@@ -98,7 +98,7 @@ Expected<void> read_settings(const Json& from, Row& row) {
     return {};
 }
 
-Expected<void> read_metrics(const Json& from, Row& row) {
+Expected<void> read_metrics(const SortedJson& from, Row& row) {
     const auto metrics = object(from, "metrics");
     if (!metrics) return tl::unexpected(metrics.error());
     for (const auto& item : (*metrics)->items()) {
@@ -109,7 +109,7 @@ Expected<void> read_metrics(const Json& from, Row& row) {
     return {};
 }
 
-Expected<void> read_marks(const Json& from, Row& row) {
+Expected<void> read_marks(const SortedJson& from, Row& row) {
     const auto front = mark(from, "front");
     if (!front) return tl::unexpected(front.error());
     const auto is_default = mark(from, "default");
@@ -123,7 +123,7 @@ Expected<void> read_marks(const Json& from, Row& row) {
     return {};
 }
 
-Expected<Row> read_row(const Json& from) {
+Expected<Row> read_row(const SortedJson& from) {
     if (!from.is_object()) return fail("it must be an object");
     Row row;
     const auto area = word(from, "area");
@@ -139,13 +139,13 @@ Expected<Row> read_row(const Json& from) {
 }
 
 /// What is missing of it stays unknown: the figures matter, not where they came from.
-Machine read_machine(const Json& json) {
+Machine read_machine(const SortedJson& json) {
     Machine machine{"unknown", 0, "unknown"};
     const auto from = object(json, "machine");
     if (!from || (*from)->is_null()) return machine;
     if (const auto cpu = word(**from, "cpu")) machine.cpu = *cpu;
     if (const auto build = word(**from, "build")) machine.build = *build;
-    const Json& cores = member(**from, "cores");
+    const SortedJson& cores = member(**from, "cores");
     if (cores.is_number_unsigned() && cores.get<std::uint64_t>() < 1'000'000)
         machine.cores = cores.get<unsigned>();
     return machine;
@@ -156,12 +156,12 @@ void note_names(const Row& row, std::set<std::string>& names) {
     for (const auto& item : row.metrics) names.insert(item.first);
 }
 
-Expected<Json> parse(std::string_view json) {
+Expected<SortedJson> parse(std::string_view json) {
     try {
-        return Json::parse(json);
-    } catch (const Json::parse_error& error) {
+        return SortedJson::parse(json);
+    } catch (const SortedJson::parse_error& error) {
         return fail(text("is not JSON from byte ", error.byte, " on"));
-    } catch (const Json::out_of_range&) {
+    } catch (const SortedJson::out_of_range&) {
         return fail("is not JSON: it has a number beyond all bounds");
     }
 }
@@ -173,11 +173,11 @@ Expected<Report> from_json(std::string_view json) {
     if (!parsed) return tl::unexpected(parsed.error());
     if (!parsed->is_object() || !member(*parsed, "rows").is_array())
         return fail("is no report of `thaum bench`: it has no list 'rows'");
-    const Json& rows = member(*parsed, "rows");
+    const SortedJson& rows = member(*parsed, "rows");
     if (rows.size() > most_rows) return fail(text("has more than ", most_rows, " rows"));
     Report report{word(*parsed, "thaum").value_or("unknown"), read_machine(*parsed), {}};
     std::set<std::string> names;
-    for (const Json& from : rows) {
+    for (const SortedJson& from : rows) {
         auto row = read_row(from);
         if (!row) return fail(text("row ", report.rows.size(), ": ", row.error().message));
         note_names(*row, names);
