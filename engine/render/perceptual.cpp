@@ -49,9 +49,10 @@ Light blurred_along(const Light& in, const std::vector<float>& weights, int dx, 
     auto* to = out.rgb.data();
     for (int y = 0; y < in.height; ++y) {
         for (int x = 0; x < in.width; ++x, to += 3) {
+            const float* tap = weights.data();
             for (int i = -reach; i <= reach; ++i) {
                 const float* from = in.at(x + i * dx, y + i * dy);
-                const float weight = weights[static_cast<std::size_t>(i + reach)];
+                const float weight = *tap++;
                 for (int c = 0; c < 3; ++c) to[c] += weight * from[c];
             }
         }

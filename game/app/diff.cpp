@@ -19,7 +19,7 @@ extern char** environ;
 namespace thaum::app {
 namespace {
 
-constexpr std::string_view help =
+constexpr std::string_view diff_help =
     R"(usage: thaum diff A.dump B.dump
        thaum diff LOG --exe OTHER_THAUM
        thaum diff LOG --threads N,M
@@ -148,7 +148,7 @@ int bisect(const Sides& sides, Tick length) {
     return compare(*a, *b);
 }
 
-int run(const std::vector<std::string>& words) {
+int run_diff(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--exe", 1}, {"--threads", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
@@ -183,6 +183,6 @@ int run(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command diff_command() { return {"diff", "say where two states or two replays part", help, run}; }
+Command diff_command() { return {"diff", "say where two states or two replays part", diff_help, run_diff}; }
 
 }  // namespace thaum::app

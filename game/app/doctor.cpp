@@ -20,7 +20,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::string_view help =
+constexpr std::string_view doctor_help =
     R"(usage: thaum doctor [--json FILE]
 
 Says what is there and what is missing: processor, data files, OpenGL, display,
@@ -213,7 +213,7 @@ void print(const std::vector<Finding>& findings) {
     }
 }
 
-int run(const std::vector<std::string>& words) {
+int run_doctor(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--json", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
@@ -236,6 +236,8 @@ int run(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command doctor_command() { return {"doctor", "say what this machine has and what is missing", help, run}; }
+Command doctor_command() {
+    return {"doctor", "say what this machine has and what is missing", doctor_help, run_doctor};
+}
 
 }  // namespace thaum::app

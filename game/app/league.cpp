@@ -19,7 +19,7 @@ namespace {
 
 using game::LeagueMatch;
 
-constexpr std::string_view help =
+constexpr std::string_view league_help =
     R"(usage: thaum league [OPTIONS]
 
 Every two of the levels play matches; each seed twice, with the sides swapped.
@@ -41,9 +41,9 @@ dry_share}], "rounds": {count, median_s, p10_s, p90_s, time_out_share},
 for each; dry: alive without the energy for a shot; own: nobody's kill.
 )";
 
-constexpr Option options[] = {{"--levels", 1}, {"--matches", 1},   {"--rules", 1}, {"--match", 1},
-                              {"--arena", 1},  {"--set", 1, true}, {"--seed", 1},  {"--jobs", 1},
-                              {"--json", 1},   {"--check"}};
+constexpr Option league_options[] = {{"--levels", 1}, {"--matches", 1},   {"--rules", 1}, {"--match", 1},
+                                     {"--arena", 1},  {"--set", 1, true}, {"--seed", 1},  {"--jobs", 1},
+                                     {"--json", 1},   {"--check"}};
 
 struct Plan {
     std::vector<int> levels{1, 2, 3};
@@ -70,7 +70,7 @@ Expected<std::vector<int>> read_levels(std::string_view words) {
 }
 
 Expected<Plan> read_plan(const std::vector<std::string>& words) {
-    const auto arguments = Arguments::parse(words, options);
+    const auto arguments = Arguments::parse(words, league_options);
     if (!arguments) return tl::unexpected(arguments.error());
     if (!arguments->plain().empty()) return fail(text("league takes no '", arguments->plain()[0], "'"));
     Plan plan;
@@ -282,7 +282,7 @@ std::string complaint(const Plan& plan, const game::LeagueSummary& s) {
     return words;
 }
 
-int run(const std::vector<std::string>& words) {
+int run_league(const std::vector<std::string>& words) {
     const auto plan = read_plan(words);
     if (!plan) return refuse(plan.error());
     auto loaded = game::load_match_data(game::find_assets(), plan->choice);
@@ -308,7 +308,8 @@ int run(const std::vector<std::string>& words) {
 }  // namespace
 
 Command league_command() {
-    return {"league", "bots of all levels against each other: who wins, how long it takes", help, run};
+    return {"league", "bots of all levels against each other: who wins, how long it takes", league_help,
+            run_league};
 }
 
 }  // namespace thaum::app

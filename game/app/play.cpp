@@ -13,7 +13,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::string_view help =
+constexpr std::string_view play_help =
     R"(usage: thaum [play] [--vs | --solo LEVEL | --demo] [OPTIONS]
 
 A duel in a window. Every match is recorded; `thaum replay` plays it again.
@@ -40,10 +40,10 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
 With no display it says so and plays headless.
 )";
 
-constexpr Option options[] = {{"--vs"},           {"--solo", 1},  {"--demo"},      {"--hands", 1},
-                              {"--bots", 1},      {"--rules", 1}, {"--match", 1},  {"--arena", 1},
-                              {"--set", 1, true}, {"--seed", 1},  {"--record", 1}, {"--headless"},
-                              {"--seconds", 1},   {"--out", 1}};
+constexpr Option play_options[] = {{"--vs"},           {"--solo", 1},  {"--demo"},      {"--hands", 1},
+                                   {"--bots", 1},      {"--rules", 1}, {"--match", 1},  {"--arena", 1},
+                                   {"--set", 1, true}, {"--seed", 1},  {"--record", 1}, {"--headless"},
+                                   {"--seconds", 1},   {"--out", 1}};
 
 /// What the words ask for, checked.
 struct Wish {
@@ -93,7 +93,7 @@ Expected<std::array<int, game::players>> read_bots(std::string_view words) {
 }
 
 Expected<Wish> read_wish(const std::vector<std::string>& words) {
-    const auto arguments = Arguments::parse(words, options);
+    const auto arguments = Arguments::parse(words, play_options);
     if (!arguments) return tl::unexpected(arguments.error());
     if (!arguments->plain().empty()) return fail(text("play takes no '", arguments->plain()[0], "'"));
     Wish wish;
@@ -174,7 +174,7 @@ int play_in_window(const Wish& wish) {
     return run_live(plan);
 }
 
-int run(const std::vector<std::string>& words) {
+int run_play(const std::vector<std::string>& words) {
     const auto wish = read_wish(words);
     if (!wish) return refuse(wish.error());
     if (!wish->headless && !display_there()) {
@@ -188,7 +188,7 @@ int run(const std::vector<std::string>& words) {
 }  // namespace
 
 Command play_command() {
-    return {"play", "a match: the start screen, or --vs, --solo LEVEL, --demo", help, run};
+    return {"play", "a match: the start screen, or --vs, --solo LEVEL, --demo", play_help, run_play};
 }
 
 }  // namespace thaum::app

@@ -15,7 +15,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::string_view help =
+constexpr std::string_view replay_help =
     R"(usage: thaum replay LOG [OPTIONS]
 
 Replays a recorded match. The log holds what came from the devices; everything
@@ -252,7 +252,7 @@ int watch_from(const Arguments& arguments, game::Playback playback) {
     return watch(std::move(playback), *speed, arguments.value("--out").value_or("out"));
 }
 
-int run(const std::vector<std::string>& words) {
+int run_replay(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--verify"},          {"--at", 1},         {"--speed", 1},
                                          {"--dump", 2},         {"--out", 1},        {"--events", 1},
                                          {"--state", 1},        {"--every", 1},      {"--shots", 1},
@@ -275,6 +275,8 @@ int run(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command replay_command() { return {"replay", "play a recorded match again, or check it", help, run}; }
+Command replay_command() {
+    return {"replay", "play a recorded match again, or check it", replay_help, run_replay};
+}
 
 }  // namespace thaum::app

@@ -11,7 +11,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::string_view help =
+constexpr std::string_view scenario_help =
     R"(usage: thaum scenario [NAME|FILE ...] [--json FILE] [--out DIR]
 
 Plays scenarios (Lua scripts) through the players' own devices, faster than real
@@ -54,12 +54,12 @@ private:
     const game::MatchData* painted_ = nullptr;
 };
 
-void print(const game::ScenarioResult& result) {
+void print_result(const game::ScenarioResult& result) {
     std::printf("%-6s %-28s %8llu ticks  %s\n", result.passed ? "passed" : "FAILED", result.name.c_str(),
                 static_cast<unsigned long long>(result.ticks), result.message.c_str());
 }
 
-int run(const std::vector<std::string>& words) {
+int run_scenario(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--json", 1}, {"--out", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
@@ -72,7 +72,8 @@ int run(const std::vector<std::string>& words) {
     chosen.take_picture = [&](const auto& match, auto split, const auto& file) {
         return painter.take(match, split, file);
     };
-    const auto results = game::run_scenarios(arguments->plain(), chosen, json == "-" ? nullptr : print);
+    const auto results =
+        game::run_scenarios(arguments->plain(), chosen, json == "-" ? nullptr : print_result);
     if (!results) return refuse(results.error());
     const auto report = game::scenario_report(*results);
     if (json == "-") {
@@ -89,7 +90,7 @@ int run(const std::vector<std::string>& words) {
 }  // namespace
 
 Command scenario_command() {
-    return {"scenario", "play gameplay scenarios and check what they find", help, run};
+    return {"scenario", "play gameplay scenarios and check what they find", scenario_help, run_scenario};
 }
 
 }  // namespace thaum::app

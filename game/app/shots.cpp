@@ -69,7 +69,7 @@ Expected<void> Shots::follow(const game::Playback& playback) {
 
 namespace {
 
-constexpr std::string_view help =
+constexpr std::string_view shots_help =
     R"(usage: thaum shots LOG --out DIR
 
 Makes the README's pictures from a recorded match; needs no display.
@@ -87,7 +87,7 @@ Expected<Highlight> find_highlight(const std::string& log) {
     return best;
 }
 
-int run(const std::vector<std::string>& words) {
+int run_shots(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--out", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
@@ -112,6 +112,8 @@ int run(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command shots_command() { return {"shots", "make the README's pictures from a replay", help, run}; }
+Command shots_command() {
+    return {"shots", "make the README's pictures from a replay", shots_help, run_shots};
+}
 
 }  // namespace thaum::app

@@ -187,7 +187,7 @@ void add_gift(Overlay& out, const PlayerPicture& p, const Corner& c) {
     if (p.since_gift_s > gift_seconds) return;
     const bool energy = p.gift == PowerUpKind::spark;
     const auto name = capitalised(power_up_names[static_cast<std::size_t>(p.gift)]);
-    add_text(out, text(name, "  +", static_cast<int>(p.gift_amount + 0.5), energy ? " energy" : " health"),
+    add_text(out, text(name, "  +", std::lround(p.gift_amount), energy ? " energy" : " health"),
              at(c.view, 0.5F, 0.72F), 18 * c.unit, white, Align::centre);
 }
 

@@ -33,7 +33,7 @@ template <class Use>
 Outcome with_file(const std::filesystem::path& file, const std::string& input, Use use) {
     const auto original = must_read(file);
     if (!write_text_file(file, input)) return {.fault = "the scratch folder cannot be written"};
-    const Outcome outcome = use();
+    Outcome outcome = use();
     if (!write_text_file(file, original)) return {.fault = "the scratch folder cannot be written"};
     return outcome;
 }

@@ -124,7 +124,7 @@ Outcome read_to_the_end(input::LogReader& reader) {
 
 Outcome read(const std::string& input, const Places& places) {
     const samples::Scratch file(places.scratch / "log");
-    const auto outcome = [&]() -> Outcome {
+    auto outcome = [&]() -> Outcome {
         if (!file.set(std::as_bytes(std::span(input))))
             return {.fault = "the scratch folder cannot be written"};
         auto reader = input::LogReader::open(file.path);

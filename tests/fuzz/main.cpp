@@ -146,7 +146,7 @@ int report(const Wish& wish, const std::vector<std::string>& seeds, const Progre
 }
 
 Places make_places(const std::filesystem::path& folder) {
-    const Places places{folder / "assets", folder / "scratch"};
+    Places places{folder / "assets", folder / "scratch"};
     std::filesystem::create_directories(places.scratch);
     std::filesystem::copy(std::filesystem::path(THAUM_SOURCE_DIR) / "assets", places.assets,
                           std::filesystem::copy_options::recursive);

@@ -203,7 +203,10 @@ TEST(PhysicsStability, ASweptBallFallingFastStillStopsAtAThinFloor) {
 TEST(PhysicsStability, ThousandsFlyExactlyBesideEachOther) {
     constexpr Key count = 2000;
     Physics physics({.max_bodies = count});
-    const auto start = [](Key i) { return vec3(i % 13, 2.0 * (i / 13 % 13), 2.0 * (i / 169)); };
+    const auto start = [](Key i) {
+        const Key column = i % 13, layer = i / 13 % 13, row = i / 169;
+        return vec3(column, 2.0 * layer, 2.0 * row);
+    };
     for (Key i = 0; i < count; ++i) physics.add(i, ball(0.1, 1), at(start(i), {0, 0.001 * i, 1}));
     for (int i = 0; i < 100; ++i) physics.step(0.001);
     for (Key i = 0; i < count; ++i) {

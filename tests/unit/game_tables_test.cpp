@@ -211,11 +211,12 @@ TEST(GameTables, TheStateHasTheBitsThatTheMatchHad) {
     const Csv csv(tables_of(table_recording().play()).state);
     ASSERT_EQ(csv.size(), table_recording().states.size());
     std::size_t row = 0;
-    for (const auto& [tick, wizards] : table_recording().states) {
+    for (const auto& state : table_recording().states) {
+        const Tick tick = state.first;
         EXPECT_EQ(csv.at(row, "tick"), text(tick));
         EXPECT_EQ(csv.at(row, "paused"), tick > 4000 && tick <= 4600 ? "1" : "0");
         for (std::size_t p = 0; p < players; ++p) {
-            const auto& m = wizards[p];
+            const auto& m = state.second[p];
             const auto is = [&](const char* column, double value) {
                 EXPECT_EQ(csv.value(row, text("p", p + 1, "_", column)), value) << tick << column;
             };

@@ -43,7 +43,8 @@ Image reduced(const Image& in) {
                 for (int k = 0; k < reduced_by * reduced_by; ++k) {
                     const int from_y = reduced_by * y + k / reduced_by,
                               from_x = reduced_by * x + k % reduced_by;
-                    sum += in.rgb[static_cast<std::size_t>(3 * (from_y * in.width + from_x) + c)];
+                    const int from = 3 * (from_y * in.width + from_x) + c;
+                    sum += in.rgb[static_cast<std::size_t>(from)];
                 }
                 out.rgb.push_back(static_cast<std::uint8_t>(sum / (reduced_by * reduced_by)));
             }
@@ -180,15 +181,16 @@ TEST_F(StoredPictures, TheCauldronIsTheBrightestThing) {
             for (int x = 0; x + 8 < image.width; x += 4) {
                 int sum = 0;
                 for (int k = 0; k < 64; ++k) {
-                    const int at = 3 * ((y + k / 8) * image.width + x + k % 8);
-                    for (int c = 0; c < 3; ++c) sum += image.rgb[static_cast<std::size_t>(at + c)];
+                    const int pixel = (y + k / 8) * image.width + x + k % 8;
+                    const auto at = 3 * static_cast<std::size_t>(pixel);
+                    for (std::size_t c = 0; c < 3; ++c) sum += image.rgb[at + c];
                 }
                 if (sum > best) best = sum, best_x = x + 4, best_y = y + 4;
             }
         }
         // The rim of 1.5 m, 5 m off, in the middle of the picture.
-        EXPECT_NEAR(best_x, image.width / 2, 80);
-        EXPECT_NEAR(best_y, image.height / 2, 40);
+        EXPECT_NEAR(best_x, 0.5 * image.width, 80);
+        EXPECT_NEAR(best_y, 0.5 * image.height, 40);
     }
 }
 

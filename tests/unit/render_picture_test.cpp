@@ -36,6 +36,8 @@ Pixel at(const Image& image, int x, int y) {
     return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
 }
 
+Pixel middle(const Image& image) { return at(image, image.width / 2, image.height / 2); }
+
 bool reddish(Pixel p) { return p.r > 80 && p.g < p.r / 3 && p.b < p.r / 3; }
 bool greenish(Pixel p) { return p.g > 80 && p.r < p.g / 3 && p.b < p.g / 3; }
 
@@ -136,7 +138,7 @@ TEST_F(Picture, NearHidesFar) {
     const auto near = cube_at({0, 0, -2}, red), far = cube_at({0, 0, -6}, green);
     for (const auto& order : {std::vector{near, far}, std::vector{far, near}}) {
         const auto image = drawn(order);
-        EXPECT_TRUE(reddish(at(image, width / 2, height / 2)));
+        EXPECT_TRUE(reddish(middle(image)));
         EXPECT_EQ(count(image, whole, greenish), 0);
     }
 }
@@ -147,10 +149,10 @@ TEST_F(Picture, FogHidesWhatIsFar) {
     v.camera.fov_y = 0.1F;
     v.environment.fog = {.colour = fvec3(0.2F), .density = 0.001F};
     const auto clear = drawn({.width = width, .height = height, .views = {v}, .overlay = {}});
-    EXPECT_TRUE(reddish(at(clear, width / 2, height / 2)));
+    EXPECT_TRUE(reddish(middle(clear)));
     v.environment.fog.density = 0.3F;
     const auto foggy = drawn({.width = width, .height = height, .views = {v}, .overlay = {}});
-    const auto fog = at(foggy, width / 2, height / 2), sky = at(foggy, 2, 2);
+    const auto fog = middle(foggy), sky = at(foggy, 2, 2);
     EXPECT_NEAR(fog.r, sky.r, 2);
     EXPECT_NEAR(fog.g, sky.g, 2);
 }
@@ -265,7 +267,7 @@ TEST_F(Shadowed, CastersThatAreNotNumbersCastNothing) {
 
 TEST_F(Shadowed, LowGoesByWhatTheInstanceSays) {
     moving = {cube_at({0, 0.5F, -4}, fvec3(1))};
-    const auto top = [&] { return at(drawn(frame_of(Quality::low)), width / 2, height / 2).g; };
+    const auto top = [&] { return middle(drawn(frame_of(Quality::low))).g; };
     const int sunny = top();
     moving[0].sun = 0;
     EXPECT_LT(3 * top(), sunny);
@@ -277,11 +279,11 @@ TEST_F(Picture, ShadesMultiplyWhatIsBelowThem) {
     const auto id = renderer->upload(sheet);
     Instance shade{.mesh = id, .model = translated({0, 0, -1.45F})};
     Frame frame{.width = width, .height = height, .views = {view(whole, one)}, .overlay = {}};
-    const int before = at(drawn(frame), width / 2, height / 2).g;
+    const int before = middle(drawn(frame)).g;
     frame.views[0].shades = {&shade, 1};
-    EXPECT_NEAR(at(drawn(frame), width / 2, height / 2).g, before / 2, 2);
+    EXPECT_NEAR(middle(drawn(frame)).g, 0.5 * before, 2);
     shade.tint = fvec3(0);
-    EXPECT_NEAR(at(drawn(frame), width / 2, height / 2).g, before, 1);
+    EXPECT_NEAR(middle(drawn(frame)).g, before, 1);
 }
 
 TEST_F(Picture, BloomShinesBeyondWhatIsBrightAndCanBeTurnedOff) {
@@ -303,7 +305,7 @@ TEST_F(Picture, BloomShinesBeyondWhatIsBrightAndCanBeTurnedOff) {
     const auto high = drawn(frame);
     EXPECT_NEAR(at(high, 3, 3).g, at(medium, 3, 3).g, 2)
         << "the tone curve is the same, wherever it is applied";
-    EXPECT_NEAR(at(high, width / 2, height / 2).g, at(medium, width / 2, height / 2).g, 2);
+    EXPECT_NEAR(middle(high).g, middle(medium).g, 2);
 }
 
 TEST_F(Picture, LowUsesFourLightsAndTheOthersEight) {
@@ -316,10 +318,10 @@ TEST_F(Picture, LowUsesFourLightsAndTheOthersEight) {
     lights[5].colour = fvec3(3);
     v.lights = lights;
     Frame frame{.width = width, .height = height, .views = {v}, .overlay = {}};
-    EXPECT_EQ(at(drawn(frame), width / 2, height / 2).g, 0);
+    EXPECT_EQ(middle(drawn(frame)).g, 0);
     for (const auto quality : {Quality::medium, Quality::high}) {
         frame.quality = quality;
-        EXPECT_GT(at(drawn(frame), width / 2, height / 2).g, 40);
+        EXPECT_GT(middle(drawn(frame)).g, 40);
     }
 }
 
@@ -329,7 +331,7 @@ TEST_F(Picture, FineLinesLoseTheirContrastFarOff) {
     const auto id = renderer->upload(dark);
     const auto seen = [&](float distance) {
         const std::vector<Instance> one{{.mesh = id, .model = translated({0, 0, -distance})}};
-        return at(drawn(one), width / 2, height / 2).g;
+        return middle(drawn(one)).g;
     };
     EXPECT_LT(seen(1.5F) + 50, seen(30));
 }

@@ -7,7 +7,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::string_view help =
+constexpr std::string_view bench_help =
     R"(usage: thaum bench [AREA ...] [--quick | --stress [--ticks N]] [--json FILE]
 
 Measures and prints one row for each setting of a case. Areas: ecs, tick,
@@ -20,7 +20,7 @@ physics, replay, skip, render; without one, all.
   --json FILE   the report as JSON; - for standard output
 )";
 
-int run(const std::vector<std::string>& words) {
+int run_bench(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--quick"}, {"--stress"}, {"--ticks", 1}, {"--json", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
@@ -40,6 +40,6 @@ int run(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command bench_command() { return {"bench", "measure time against error", help, run}; }
+Command bench_command() { return {"bench", "measure time against error", bench_help, run_bench}; }
 
 }  // namespace thaum::app

@@ -10,7 +10,7 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::string_view help =
+constexpr std::string_view plot_help =
     R"(usage: thaum plot REPORT.json [--out DIR]
 
 Draws what `thaum bench --json REPORT.json` wrote: run time against error with
@@ -22,7 +22,7 @@ error, as SVG files; and one page, index.html, with all tables and figures.
 
 constexpr std::size_t longest_report = std::size_t{256} << 20U;
 
-int run(const std::vector<std::string>& words) {
+int run_plot(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--out", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
@@ -42,6 +42,6 @@ int run(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command plot_command() { return {"plot", "draw a benchmark's report", help, run}; }
+Command plot_command() { return {"plot", "draw a benchmark's report", plot_help, run_plot}; }
 
 }  // namespace thaum::app

@@ -256,7 +256,7 @@ Expected<void> write_page(const Page& page, const std::filesystem::path& folder)
     std::filesystem::create_directories(folder, failed);
     if (failed) return fail(text(folder.string(), ": cannot create: ", failed.message()));
     for (const auto& figure : page.figures) {
-        if (const auto written = write_text_file(folder / figure.name, figure.svg); !written) return written;
+        if (auto written = write_text_file(folder / figure.name, figure.svg); !written) return written;
     }
     return write_text_file(folder / "index.html", page.html);
 }
