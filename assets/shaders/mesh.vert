@@ -2,6 +2,7 @@
 // A mesh in the court. Colours are linear. Variants:
 //   PER_PIXEL  the fragment shader does the lighting; without it, it is done here for each vertex
 //   SHADOW     the sun's light is kept apart, so that the shadow map can take it away
+//   SHADED     fog and tone curve too are done here, so that a pixel costs next to nothing
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 colour;
@@ -17,13 +18,21 @@ uniform vec3 sun_direction;
 uniform vec3 sun_colour;
 uniform vec2 detail_range;  // m: where fine lines begin to fade, and 1 / the way until they are gone
 
+#ifdef SHADED
+out vec3 shade;
+
+uniform vec3 fog_colour;
+uniform float fog_rate;  // 1/m^2
+vec3 tone_mapped(vec3 light);
+#else
 out vec3 from_eye;
+#endif
 #ifdef PER_PIXEL
 out vec3 normal_there;
 out vec3 surface;
 out vec3 emitted;
 out float open_sky;
-#else
+#elif !defined(SHADED)
 out vec3 radiance;
 #endif
 #ifdef SHADOW
@@ -44,7 +53,11 @@ void main() {
     mat3 linear = mat3(model);
     vec3 stretch = vec3(dot(linear[0], linear[0]), dot(linear[1], linear[1]), dot(linear[2], linear[2]));
     vec3 n = normalize(linear * (normal / stretch));
+#ifdef SHADED
+    vec3 from_eye = world.xyz - eye, radiance;
+#else
     from_eye = world.xyz - eye;
+#endif
     gl_Position = view_projection * world;
 
     float far = clamp((length(from_eye) - detail_range.x) * detail_range.y, 0.0, 1.0);
@@ -65,5 +78,8 @@ void main() {
     in_map = (shadow_matrix * vec4(world.xyz + shadow_lift * n, 1.0)).xyz;
 #else
     radiance += sun * (detail.x * instance_sun);
+#endif
+#ifdef SHADED
+    shade = tone_mapped(mix(fog_colour, radiance, exp2(-fog_rate * dot(from_eye, from_eye))));
 #endif
 }

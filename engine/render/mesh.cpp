@@ -1,8 +1,10 @@
 #include "render/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
+#include <map>
 
 #include "core/assert.h"
 
@@ -52,6 +54,34 @@ void append(MeshData& to, const MeshData& part, const fmat4& placed) {
 MeshData painted(MeshData mesh, fvec3 colour) {
     for (auto& v : mesh.vertices) v.colour = colour;
     return mesh;
+}
+
+std::vector<MeshData> split(const MeshData& mesh, float cell) {
+    constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
+    std::map<std::pair<int, int>, std::vector<std::size_t>> cells;  // the first index of each triangle
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        fvec3 middle(0);
+        for (std::size_t k = 0; k < 3; ++k) middle += mesh.vertices[mesh.indices[i + k]].position / 3.0F;
+        cells[{static_cast<int>(std::floor(middle.x / cell)), static_cast<int>(std::floor(middle.z / cell))}]
+            .push_back(i);
+    }
+    std::vector<MeshData> parts;
+    std::vector<std::uint32_t> number(mesh.vertices.size(), unused);
+    for (const auto& [place, triangles] : cells) {
+        auto& part = parts.emplace_back();
+        for (const auto first : triangles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto old = mesh.indices[first + k];
+                if (number[old] == unused) {
+                    number[old] = static_cast<std::uint32_t>(part.vertices.size());
+                    part.vertices.push_back(mesh.vertices[old]);
+                }
+                part.indices.push_back(number[old]);
+            }
+        }
+        std::fill(number.begin(), number.end(), unused);
+    }
+    return parts;
 }
 
 MeshData flat_shaded(const MeshData& mesh) {

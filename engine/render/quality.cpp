@@ -32,12 +32,14 @@ float internal_scale_of(Quality quality, int height) {
     return std::clamp(lines[level] / static_cast<float>(height), 0.25F, 1.0F);
 }
 
+bool is_software(std::string_view renderer) {
+    constexpr std::array known{"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software Rasterizer"};
+    return std::any_of(known.begin(), known.end(),
+                       [&](std::string_view name) { return renderer.find(name) != std::string_view::npos; });
+}
+
 Quality first_quality(std::string_view renderer) {
-    constexpr std::array software{"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software Rasterizer"};
-    const bool found = std::any_of(software.begin(), software.end(), [&](std::string_view name) {
-        return renderer.find(name) != std::string_view::npos;
-    });
-    return found ? Quality::medium : Quality::high;
+    return is_software(renderer) ? Quality::medium : Quality::high;
 }
 
 AutoQuality after_frame(AutoQuality state, double frame_ms) {

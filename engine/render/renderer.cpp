@@ -9,6 +9,7 @@
 #include "render/detail/shaders.h"
 #include "render/detail/shadow_map.h"
 #include "render/detail/shapes2d.h"
+#include "render/detail/software_memory.h"
 #include "render/detail/targets.h"
 
 namespace thaum::render {
@@ -144,6 +145,7 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .drawn_width = 0,
                                                .drawn_height = 0});
     Renderer renderer(std::move(state));
+    if (is_software(renderer.device())) keep_freed_memory();
     warm_up(renderer);
     return renderer;
 }

@@ -18,6 +18,7 @@ using render::PointLight;
 
 constexpr int embers = 36, bubbles = 14;
 constexpr float brew_glow = 1.7F;    // the brightest thing in the court
+constexpr float part_size = 14;      // m: the court is three parts wide
 constexpr double shade_reach = 2.5;  // m above the ground, where contact shade is gone
 
 // Making ---------------------------------------------------------------------------------------------------------------
@@ -27,8 +28,16 @@ std::optional<render::MeshId> upload(render::Renderer& renderer, const MeshData&
     return renderer.upload(mesh);
 }
 
+std::vector<render::MeshId> upload_parts(render::Renderer& renderer, const MeshData& mesh) {
+    std::vector<render::MeshId> parts;
+    for (const auto& part : render::split(mesh, part_size)) parts.push_back(renderer.upload(part));
+    return parts;
+}
+
 Court::Meshes upload(render::Renderer& renderer, const FurnitureMesh& mesh) {
-    return {.lit = upload(renderer, mesh.lit), .glowing = upload(renderer, mesh.glowing)};
+    Court::Meshes meshes{.lit = {}, .glowing = upload(renderer, mesh.glowing)};
+    if (const auto lit = upload(renderer, mesh.lit)) meshes.lit.push_back(*lit);
+    return meshes;
 }
 
 ShapeKey key_of(const Thing& thing) {
@@ -47,9 +56,9 @@ Court::Solid make_solid(render::Renderer& renderer, const Shade& shade, const Ar
         solid.meshes = upload(renderer, cauldron(arena.meshes[thing.body.mesh]));
         solid.meshes.glow = brew_glow;
     } else if (thing.body.shape == physics::Shape::mesh) {
-        solid.meshes.lit = upload(renderer, masonry_ramp(shade, thing, arena.meshes[thing.body.mesh]));
+        solid.meshes.lit = upload_parts(renderer, masonry_ramp(shade, thing, arena.meshes[thing.body.mesh]));
     } else if (is_masonry(thing)) {
-        solid.meshes.lit = upload(renderer, masonry_box(shade, thing));
+        solid.meshes.lit = upload_parts(renderer, masonry_box(shade, thing));
     } else {
         auto mesh = furniture(solid.key);
         bake(shade, thing.position, mesh.lit);
@@ -146,7 +155,7 @@ Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRul
     court.power_ups = make_power_up_meshes(renderer);
     court.anchor = upload(renderer, anchor());
     court.neutral_plate = upload(renderer, start_plate(no_player));
-    court.decoration = {.lit = upload(renderer, decoration(shade)),
+    court.decoration = {.lit = upload_parts(renderer, decoration(shade)),
                         .glowing = upload(renderer, lamps(shade))};
     court.skyline = renderer.upload(skyline());
     for (std::size_t i = 0; i < court.wands.size(); ++i)
@@ -174,7 +183,7 @@ fmat4 placed(vec3 position, quat orientation) {
 }
 
 void add(const Court::Meshes& meshes, const fmat4& model, std::vector<Instance>& out) {
-    if (meshes.lit) out.push_back({.mesh = *meshes.lit, .model = model});
+    for (const auto part : meshes.lit) out.push_back({.mesh = part, .model = model});
     if (meshes.glowing)
         out.push_back({.mesh = *meshes.glowing, .model = model, .tint = fvec3(meshes.glow), .glow = 0.85F});
 }
@@ -390,7 +399,7 @@ void add_contact_shades(const Court& court, const Picture& picture, std::vector<
 
 void add_casters(const Court& court, const Picture& picture, std::vector<Instance>& fixed,
                  std::vector<Instance>& moving) {
-    if (court.decoration.lit) fixed.push_back({.mesh = *court.decoration.lit});
+    for (const auto part : court.decoration.lit) fixed.push_back({.mesh = part});
     for (const auto& thing : picture.things) add_thing(court, thing, thing.fixed ? fixed : moving);
     for (std::uint32_t player = 0; player < players; ++player)
         add_figure(court, player, picture.wizards[player], moving);

@@ -14,8 +14,9 @@ namespace thaum::game {
 
 struct Court {
     struct Meshes {
-        std::optional<render::MeshId> lit, glowing;
-        float glow = 1;  ///< how much brighter than its colours the second one shines
+        std::vector<render::MeshId> lit;  ///< in parts, so that those out of sight are not drawn
+        std::optional<render::MeshId> glowing;
+        float glow = 1;  ///< how much brighter than its colours it shines
     };
     struct Kind {
         ShapeKey key;

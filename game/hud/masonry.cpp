@@ -398,10 +398,11 @@ fmat4 facing(const Wall& wall, fvec3 place) {
     return render::translated(place) * render::rotated({0, 1, 0}, angle);
 }
 
+/// Plain boxes: nobody comes so near that a bevel would show.
 void add_merlons(MeshData& mesh, const Wall& wall, float half, float top) {
     for (float at = -half + 1; at < half; at += 2.5F) {
         const fvec3 place = wall.middle + at * wall.along + fvec3(0, top + 0.5F, 0) - 0.5F * wall.inwards;
-        render::append(mesh, render::box(half_along(wall, 0.7F, 0.55F, 0.5F), colour(0x6E5662), 0.08F),
+        render::append(mesh, render::box(half_along(wall, 0.7F, 0.55F, 0.5F), colour(0x6E5662)),
                        render::translated(place));
     }
 }

@@ -154,6 +154,27 @@ TEST(Mesh, AppendAddsVolumes) {
     expect_closed(mesh);
 }
 
+TEST(Mesh, PartsHaveEveryTriangleOnceAndStayInTheirCells) {
+    MeshData mesh;
+    for (const float i : {-3.0F, -2.0F, -1.0F, 0.0F, 1.0F, 2.0F, 3.0F})
+        append(mesh, box(fvec3(0.4F), grey), translated({4 * i + 1, 0.5F * i, 1 - 4 * i}));
+    const auto parts = split(mesh, 2);
+    EXPECT_EQ(parts.size(), 7);
+    std::size_t triangles = 0;
+    double total = 0;
+    for (const auto& part : parts) {
+        expect_closed(part);
+        expect_normals_agree(part);
+        EXPECT_LT(bounds(part).radius, 1);
+        triangles += part.indices.size() / 3;
+        total += volume(part);
+    }
+    EXPECT_EQ(3 * triangles, mesh.indices.size());
+    EXPECT_NEAR(total, volume(mesh), 1e-5);
+    EXPECT_TRUE(split({}, 2).empty());
+    EXPECT_EQ(split(mesh, 100).size(), 3);  // three of the quarters round the origin
+}
+
 TEST(Mesh, FlatShadingGivesEachTriangleItsOwnNormal) {
     const auto mesh = flat_shaded(sphere(1, 8, grey));
     EXPECT_EQ(mesh.vertices.size(), mesh.indices.size());

@@ -16,21 +16,27 @@ constexpr float line_width = 0.06F, eye_height = 1.7F;  // m
 
 Variant variant_of(Quality quality) {
     switch (quality) {
-        case Quality::low: return {};
+        case Quality::low: return {"SHADED"};
         case Quality::medium: return {"SHADOW"};
         case Quality::high: return {"SHADOW", "SOFT", "PER_PIXEL", "HDR"};
     }
     return {};
 }
 
+/// A .glsl belongs to the stage of the file before it: light and tone curve are where the variant uses them.
+std::vector<Folder> mesh_files(const Folder& shaders, Quality quality) {
+    const auto vert = shaders / "mesh.vert", frag = shaders / "mesh.frag", light = shaders / "light.glsl",
+               tone = shaders / "tone.glsl", shadow = shaders / "shadow.glsl";
+    switch (quality) {
+        case Quality::low: return {vert, light, tone, shaders / "flat.frag"};
+        case Quality::medium: return {vert, light, frag, shadow, tone};
+        case Quality::high: return {vert, frag, light, shadow, tone};
+    }
+    return {};
+}
+
 Expected<MeshProgram> load_mesh_program(const Folder& shaders, Quality quality) {
-    std::vector<Folder> files{shaders / "mesh.vert"};
-    if (quality != Quality::high) files.push_back(shaders / "light.glsl");
-    files.push_back(shaders / "mesh.frag");
-    if (quality == Quality::high) files.push_back(shaders / "light.glsl");
-    if (quality != Quality::low) files.push_back(shaders / "shadow.glsl");
-    files.push_back(shaders / "tone.glsl");
-    auto program = load_program(files, variant_of(quality));
+    auto program = load_program(mesh_files(shaders, quality), variant_of(quality));
     if (!program) return tl::unexpected(program.error());
     MeshProgram out{.program = std::move(*program)};
     const auto named = [&](const char* name) { return uniform(out.program, name); };
