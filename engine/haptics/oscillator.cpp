@@ -1,5 +1,6 @@
 #include "haptics/oscillator.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/maths.h"
@@ -11,17 +12,34 @@ namespace {
 
 constexpr double most_x_of_series = 1.5;  // then z > 1 wherever q <= 1 and the series is not used
 
-/// q <= 1, x small: S's Taylor series and its integrals, term by term. 40 terms are for x = 1.5; most calls need 8.
+constexpr int most_terms = 40;  // for x = 1.5; most calls need 8
+
+/// 1 / ((n + 1) n), 1 / (n + 2), 1 / ((n + 2) (n + 3)): a division takes as long as all the rest of a term.
+struct Reciprocals {
+    std::array<double, most_terms + 1> term{}, once{}, twice{};
+    constexpr Reciprocals() {
+        for (std::size_t i = 1; i < term.size(); ++i) {
+            const auto n = static_cast<double>(i);
+            term[i] = 1 / ((n + 1) * n);
+            once[i] = 1 / (n + 2);
+            twice[i] = 1 / ((n + 2) * (n + 3));
+        }
+    }
+};
+constexpr Reciprocals reciprocals;
+
+/// q <= 1, x small: S's Taylor series and its integrals, term by term.
 Response by_series(double x, double q) {
     Response r{.t = 1, .s = 1, .s1 = 0.5, .s2 = 1.0 / 6};
-    double before = 0, term = 1;
-    for (int n = 1; n <= 40; ++n) {
-        const double next = -(2 * x * n * term + q * before) / ((n + 1.0) * n);
+    double before = 0, term = 1, factor = 0;
+    for (std::size_t n = 1; n <= most_terms; ++n) {
+        factor += 2 * x;  // 2 x n
+        const double next = -(factor * term + q * before) * reciprocals.term[n];
         before = term;
         term = next;
         r.s += term;
-        r.s1 += term / (n + 2.0);
-        r.s2 += term / ((n + 2.0) * (n + 3.0));
+        r.s1 += term * reciprocals.once[n];
+        r.s2 += term * reciprocals.twice[n];
         if (std::abs(term) + std::abs(before) < 1e-19) break;
     }
     return r;
