@@ -7,7 +7,9 @@
 // integrated exactly over the step (haptics/oscillator.h) while the HIP moves at constant velocity, so it is right at any
 // stiffness, mass ratio and step, and cannot be unstable: it does what the continuous spring would.
 //
-// Data flow: settings, masses and dt -> CouplingStep (once) -> couple() each step -> an impulse for the physics.
+// Data flow: settings, masses and dt -> CouplingStep (once) -> couple() each step -> an impulse for the physics. A physics
+// that moves a body by its new velocity is off in position by half the impulse times dt; one that is given displacement / dt
+// for the step, and after it what is missing to velocity + velocity_change, follows the spring exactly and still collides.
 #pragma once
 #include "core/maths.h"
 #include "haptics/oscillator.h"
@@ -50,7 +52,7 @@ struct CouplingResult {
     vec3 mean_force{};       ///< N, impulse / dt
     vec3 drag_impulse{};     ///< N s, on the object
     vec3 velocity_change{};  ///< m/s, of the object, from coupling, drag and other forces together
-    vec3 displacement{};     ///< m, of the object over the step
+    vec3 displacement{};     ///< m, of the object over the step, where nothing else touches it
 };
 
 /// Exact to rounding; finite for finite input that does not overflow.

@@ -13,7 +13,6 @@
 namespace thaum::bench {
 namespace {
 
-using haptics::Coupling;
 using haptics::coupling_step;
 using haptics::CouplingState;
 
