@@ -9,13 +9,27 @@
 #include "core/assert.h"
 
 namespace thaum::render {
+namespace {
+
+struct Extent {
+    fvec3 low{0}, high{0};
+};
+
+Extent extent(const MeshData& mesh) {
+    if (mesh.vertices.empty()) return {};
+    Extent out{mesh.vertices[0].position, mesh.vertices[0].position};
+    for (const auto& v : mesh.vertices) {
+        out.low = glm::min(out.low, v.position);
+        out.high = glm::max(out.high, v.position);
+    }
+    return out;
+}
+
+}  // namespace
+
 Bounds bounds(const MeshData& mesh) {
     if (mesh.vertices.empty()) return {};
-    fvec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
-    for (const auto& v : mesh.vertices) {
-        low = glm::min(low, v.position);
-        high = glm::max(high, v.position);
-    }
+    const auto [low, high] = extent(mesh);
     Bounds out{0.5F * (low + high), 0};
     for (const auto& v : mesh.vertices) {
         out.radius = std::max(out.radius, glm::distance(out.centre, v.position));
@@ -56,14 +70,33 @@ MeshData painted(MeshData mesh, fvec3 colour) {
     return mesh;
 }
 
-std::vector<MeshData> split(const MeshData& mesh, float cell) {
+namespace {
+
+/// Cuts from `low` to `high` evenly into pieces not longer than `size`.
+struct Cuts {
+    float low{}, length{};
+    int pieces = 1;
+
+    Cuts(float from, float to, float size)
+        : low(from), length(to - from), pieces(std::max(1, static_cast<int>(std::ceil(length / size)))) {}
+    int piece_of(float at) const {
+        if (pieces == 1) return 0;
+        const float share = (at - low) / length;
+        return std::clamp(static_cast<int>(share * static_cast<float>(pieces)), 0, pieces - 1);
+    }
+};
+
+}  // namespace
+
+std::vector<MeshData> split(const MeshData& mesh, float size) {
     constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
+    const auto [low, high] = extent(mesh);
+    const Cuts along_x(low.x, high.x, size), along_z(low.z, high.z, size);
     std::map<std::pair<int, int>, std::vector<std::size_t>> cells;  // the first index of each triangle
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         fvec3 middle(0);
         for (std::size_t k = 0; k < 3; ++k) middle += mesh.vertices[mesh.indices[i + k]].position / 3.0F;
-        cells[{static_cast<int>(std::floor(middle.x / cell)), static_cast<int>(std::floor(middle.z / cell))}]
-            .push_back(i);
+        cells[{along_x.piece_of(middle.x), along_z.piece_of(middle.z)}].push_back(i);
     }
     std::vector<MeshData> parts;
     std::vector<std::uint32_t> number(mesh.vertices.size(), unused);

@@ -50,9 +50,9 @@ fmat4 scaled(fvec3 by);
 MeshData transformed(MeshData mesh, const fmat4& by);
 void append(MeshData& to, const MeshData& part, const fmat4& placed = fmat4(1));
 MeshData painted(MeshData mesh, fvec3 colour);
-/// The mesh in parts that can be left out of the picture by themselves: cells of a level grid, by the middle of each triangle.
-/// Triangles keep their order within a part. `cell` in m, > 0.
-std::vector<MeshData> split(const MeshData& mesh, float cell);
+/// The mesh in parts that can be left out of the picture by themselves: its box cut evenly, in x and in z, into pieces not
+/// longer than `size` (m, > 0); a triangle belongs where its middle is. Triangles keep their order within a part.
+std::vector<MeshData> split(const MeshData& mesh, float size);
 /// Each triangle gets vertices and a normal of its own.
 MeshData flat_shaded(const MeshData& mesh);
 

@@ -154,12 +154,12 @@ TEST(Mesh, AppendAddsVolumes) {
     expect_closed(mesh);
 }
 
-TEST(Mesh, PartsHaveEveryTriangleOnceAndStayInTheirCells) {
+TEST(Mesh, PartsHaveEveryTriangleOnceAndAreNoLongerThanAsked) {
     MeshData mesh;
-    for (const float i : {-3.0F, -2.0F, -1.0F, 0.0F, 1.0F, 2.0F, 3.0F})
-        append(mesh, box(fvec3(0.4F), grey), translated({4 * i + 1, 0.5F * i, 1 - 4 * i}));
-    const auto parts = split(mesh, 2);
-    EXPECT_EQ(parts.size(), 7);
+    for (const float i : {0.0F, 1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F})
+        append(mesh, box(fvec3(0.4F), grey), translated({4 * i, 0.5F * i, -4 * i}));
+    const auto parts = split(mesh, 3.6F);  // 24.8 m into 7
+    ASSERT_EQ(parts.size(), 7);
     std::size_t triangles = 0;
     double total = 0;
     for (const auto& part : parts) {
@@ -171,8 +171,18 @@ TEST(Mesh, PartsHaveEveryTriangleOnceAndStayInTheirCells) {
     }
     EXPECT_EQ(3 * triangles, mesh.indices.size());
     EXPECT_NEAR(total, volume(mesh), 1e-5);
+}
+
+TEST(Mesh, WhatIsSmallStaysWhole) {
     EXPECT_TRUE(split({}, 2).empty());
-    EXPECT_EQ(split(mesh, 100).size(), 3);  // three of the quarters round the origin
+    for (const float half : {0.1F, 0.99F}) {
+        const auto whole = box(fvec3(half), grey);
+        const auto parts = split(whole, 2);
+        ASSERT_EQ(parts.size(), 1) << "wherever it stands";
+        EXPECT_EQ(parts[0].indices.size(), whole.indices.size());
+    }
+    // A sheet has no height, and nothing to cut across.
+    EXPECT_EQ(split(grid({5, 0}, 10, 1, grey), 2.5F).size(), 4);
 }
 
 TEST(Mesh, FlatShadingGivesEachTriangleItsOwnNormal) {
