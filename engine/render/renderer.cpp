@@ -56,8 +56,9 @@ float aspect_of(const Rect& r) {
     return r.height > 0 ? static_cast<float>(r.width) / static_cast<float>(r.height) : 1;
 }
 
-/// What one view draws: batches of the frame's, from `first` on.
+/// What one view draws, and from where: batches of the frame's, from `first` on.
 struct ViewBatches {
+    fmat4 matrix{1};  // to clip space
     std::size_t first{}, solid{}, shades{};
 };
 
@@ -251,7 +252,7 @@ ShadowView Renderer::State::update_shadow(const Frame& frame) {
 
 ViewBatches Renderer::State::collect_view(const ViewScene& view) {
     const fmat4 matrix = projection_matrix(view.camera, aspect_of(view.viewport)) * view_matrix(view.camera);
-    ViewBatches its{.first = batches.batches.size()};
+    ViewBatches its{.matrix = matrix, .first = batches.batches.size()};
     its.solid = collect(view.instances, mesh_bounds, matrix, batches);
     its.shades = collect(view.shades, mesh_bounds, matrix, batches);
     return its;
@@ -276,15 +277,14 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     glDepthMask(GL_TRUE);
     glEnable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    const float aspect = aspect_of(view.viewport);
-    const fmat4 matrix = projection_matrix(view.camera, aspect) * view_matrix(view.camera);
     const float pixel_angle = 2 * std::tan(view.camera.fov_y / 2) / static_cast<float>(at.height);
-    use_mesh_program(programs.mesh[static_cast<std::size_t>(quality)], view, matrix, quality, shadow,
+    use_mesh_program(programs.mesh[static_cast<std::size_t>(quality)], view, its.matrix, quality, shadow,
                      pixel_angle);
     draw_batches(its.first, its.solid);
     // After all that is solid, so that only pixels that nothing covers are paid for.
     glBindVertexArray(no_attributes.get());
-    use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view, aspect);
+    use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view,
+                    aspect_of(view.viewport));
     glDrawArrays(GL_TRIANGLES, 0, sky_corners);
     ++statistics.draws;
     if (its.shades == 0) return;
@@ -292,7 +292,7 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     glEnable(GL_BLEND);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glUseProgram(programs.shade.program.get());
-    glUniformMatrix4fv(programs.shade.parameter, 1, GL_FALSE, &matrix[0][0]);
+    glUniformMatrix4fv(programs.shade.parameter, 1, GL_FALSE, &its.matrix[0][0]);
     draw_batches(its.first + its.solid, its.shades);
 }
 

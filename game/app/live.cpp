@@ -1,9 +1,7 @@
 #include "game/app/live.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <ctime>
 #include <thread>
 
 #include "core/random.h"
@@ -18,17 +16,6 @@ namespace thaum::app {
 using input::DeviceKind;
 
 // Shared -------------------------------------------------------------------------------------------------------------------
-
-std::int64_t monotonic_ns() {
-    timespec t{};
-    ::clock_gettime(CLOCK_MONOTONIC, &t);
-    return t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec;
-}
-
-void sleep_until_ns(std::int64_t when) {
-    const timespec t{when / 1'000'000'000, when % 1'000'000'000};
-    while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, nullptr) == EINTR) {}
-}
 
 void Staller::pass(Stall::Thread thread) {
     if (stall.thread != thread) return;

@@ -2,6 +2,7 @@
 #pragma once
 #include <atomic>
 
+#include "core/clock.h"
 #include "game/app/live.h"
 #include "game/app/live_latest.h"
 #include "game/hud/menu.h"
@@ -108,10 +109,6 @@ struct LiveShared {
     LiveReport report;
     Timings late, ticks;  ///< us; of the simulation thread
 };
-
-/// ns of the monotonic clock.
-std::int64_t monotonic_ns();
-void sleep_until_ns(std::int64_t when);
 
 /// Sleeps when a stall of that thread is due.
 struct Staller {

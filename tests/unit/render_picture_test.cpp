@@ -11,14 +11,7 @@
 
 #include "render/context.h"
 #include "render/renderer.h"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
+#include "unit/read_png.h"
 
 namespace thaum::render {
 namespace {
@@ -456,13 +449,11 @@ TEST_F(Picture, PngComesBackAsItWas) {
     const auto path = std::filesystem::path(testing::TempDir()) / "thaum_render_test.png";
     const auto written = write_png(path, image);
     ASSERT_TRUE(written) << written.error().message;
-    int w = 0, h = 0, channels = 0;
-    stbi_uc* read = stbi_load(path.c_str(), &w, &h, &channels, 3);
-    ASSERT_NE(read, nullptr);
-    EXPECT_EQ(w, width);
-    EXPECT_EQ(h, height);
-    EXPECT_TRUE(std::equal(image.rgb.begin(), image.rgb.end(), read));
-    stbi_image_free(read);
+    const auto read = read_png(path);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->width, width);
+    EXPECT_EQ(read->height, height);
+    EXPECT_EQ(read->rgb, image.rgb);
     std::filesystem::remove(path);
 }
 
