@@ -44,7 +44,9 @@ enum class SafetyCause : std::uint32_t {
     panic,       ///< until re-armed
 };
 
-inline constexpr std::size_t thermal_bins = 21;  ///< of half a second each: the window and one that fills
+/// Of half a second each: the window, one that fills, and one that has left the window and fades, so that the force does not
+/// jump up where half a second of heat is forgotten.
+inline constexpr std::size_t thermal_bins = 22;
 
 /// All that a tick leaves behind; no padding.
 struct SafetyState {
@@ -56,12 +58,13 @@ struct SafetyState {
     std::uint32_t slewing{};                  ///< 1 until the output has come to what is wanted
     std::uint32_t fast_ticks{};               ///< left before an over-speed cut-out may end
     std::uint32_t latched{};                  ///< SafetyCause shut_off or panic; 0
-    std::uint32_t excess_ticks{};             ///< since the last tick of excess, up to a limit
-    std::uint32_t excess_count{};             ///< episodes of it that still count
+    std::uint32_t excess_ticks{};             ///< left before excess begins another episode
+    std::uint32_t excess_count{};             ///< episodes of it that still count, at most two
     std::uint32_t cause{};                    ///< SafetyCause of the last tick
-    std::uint32_t spare{};
+    std::uint32_t stale_ticks{};              ///< without a fresh model, up to the end of the ramp
+    std::array<std::uint32_t, 2> episodes{};  ///< ticks since they began, the older one first
 };
-static_assert(sizeof(SafetyState) == (3 + thermal_bins) * sizeof(double) + 10 * sizeof(std::uint32_t));
+static_assert(sizeof(SafetyState) == (3 + thermal_bins) * sizeof(double) + 12 * sizeof(std::uint32_t));
 
 /// One tick.
 struct SafetyInput {
