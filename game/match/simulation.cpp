@@ -2,6 +2,7 @@
 
 #include "ecs/snapshot.h"
 #include "game/match/bodies.h"
+#include "game/match/carry_over.h"
 #include "game/match/life.h"
 #include "game/match/power_ups.h"
 #include "game/match/round.h"
@@ -71,6 +72,13 @@ Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at)
     rebuild_physics(*stage_);
     now_ = at;
     return {};
+}
+
+std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {
+    auto next = std::make_unique<Simulation>(std::move(data), setup_);
+    carry_over(*stage_, *next->stage_);
+    next->now_ = now_;
+    return next;
 }
 
 void Simulation::save(Bytes& out) const { ecs::save(stage_->world, out); }
