@@ -437,7 +437,7 @@ TEST_F(RangeFilesTest, SeveralChangesAtOnceAreOneReading) {
     replace("wands/bolt.toml", "damage = 8", "damage = 9");
     replace("wizards/wizard.toml", "start = 100", "start = 120");
     replace("rules/quick.toml", "respawn_s = 3.0", "respawn_s = 0.5");
-    replace("range.toml", "stride_m = 2.5", "stride_m = 1");
+    replace("range.toml", "stride_m = 2.2", "stride_m = 1");
     EXPECT_EQ(half_a_second(), "read rules/quick.toml, wizards/wizard.toml, wands/bolt.toml, range.toml");
     EXPECT_EQ(damage(), 9);
     EXPECT_EQ(range_->match->data().wizard.health, 120);
@@ -469,7 +469,7 @@ TEST_F(RangeFilesTest, ThePlayerStaysWhereHeIsWithHisAim) {
 
 TEST_F(RangeFilesTest, EveryNumberOfTheRangeIsChecked) {
     for (const auto& [from, to, said] :
-         {std::array<const char*, 3>{"stride_m = 2.5", "stride_m = -1", "range.toml:14: 'stride_m'"},
+         {std::array<const char*, 3>{"stride_m = 2.2", "stride_m = -1", "range.toml:14: 'stride_m'"},
           {"burst_s = 0.4", "burst_m = 0.4", "range.toml:16: key 'burst_s' is missing"},
           {"yaw_deg = 0", "yaw_deg = 900", "range.toml:8: 'yaw_deg' is 900"}}) {
         const auto whole = text_of("range.toml");
