@@ -9,7 +9,7 @@ namespace thaum::game {
 namespace {
 
 constexpr double step_ahead = 1.2;   ///< m in front of the feet that must be safe to walk on
-constexpr double held_up_below = 1;  ///< m/s; who wishes to walk and is slower has met something
+constexpr double held_up_below = 0.3;  ///< m/s; who wishes to walk and is slower has met something
 constexpr Tick held_up_for = ticks(0.25);
 constexpr Tick turns_not_before =
     ticks(0.4);  ///< since the last turn, so that it does not tremble at an obstacle
@@ -29,14 +29,13 @@ Dummy::Dummy(const Simulation& match, std::uint32_t player, DummyKind kind, cons
 void Dummy::become(DummyKind kind) {
     if (kind == kind_) return;
     kind_ = kind;
-    home_.reset();
+    begins_ = true;
 }
 
 void Dummy::adopt(const Simulation& match, const DummyRules& rules) {
     rules_ = rules;
     seat_.skill = rules.skill;
     grid_ = WalkGrid(match.physics());
-    home_.reset();
 }
 
 /// Turns back at the end of its stride, where the ground ends, and at what stands in its way.
@@ -66,17 +65,24 @@ void Dummy::shoot(const Simulation& match, const Self& self, Tick tick) {
     choose_fire(self, seat_, wanted, mind_, tick);
 }
 
+void Dummy::begin(Tick tick) {
+    eyes_ = {};
+    mind_ = {.random = mind_.random};
+    way_ = 1;
+    walked_at_ = turned_at_ = tick;
+}
+
 void Dummy::think(const Simulation& match) {
     const Tick tick = match.match().played;
     const auto self = self_of(match, seat_.player);
-    if (!self.alive) home_.reset();
-    if (!self.alive || !home_) {
-        eyes_ = {};
-        mind_ = {.random = mind_.random};
-        walked_at_ = turned_at_ = tick;
+    begins_ = begins_ || !self.alive;
+    if (begins_) begin(tick);
+    if (!self.alive) {
+        home_.reset();
+        return;
     }
-    if (!self.alive) return;
     if (!home_) home_ = self.centre;
+    begins_ = false;
     if (kind_ == DummyKind::strafing) walk_to_and_fro(self, tick);
     if (kind_ == DummyKind::shooting) shoot(match, self, tick);
 }

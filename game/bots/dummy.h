@@ -33,6 +33,7 @@ public:
     input::DeviceSample sample(const Simulation& match);
 
 private:
+    void begin(Tick tick);
     void think(const Simulation& match);
     void walk_to_and_fro(const Self& self, Tick tick);
     void shoot(const Simulation& match, const Self& self, Tick tick);
@@ -43,6 +44,7 @@ private:
     Eyes eyes_{};
     Mind mind_{};
     WalkGrid grid_;
+    bool begins_ = true;          ///< has forgotten what it did
     std::optional<vec3> home_{};  ///< where it came to life; nothing while it is dead
     std::int32_t way_ = 1;        ///< 1: to its right, -1: to its left
     Tick walked_at_{};            ///< when it last got on

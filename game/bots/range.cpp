@@ -40,7 +40,7 @@ Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& 
     const auto root = file->root();
     match.arena.pads = {read_place(root.table("player"), practising),
                         read_place(root.table("dummy"), dummys)};
-    const DummyRules dummy{.stride = root.table("strafing").number("stride_m", {0, 40}),
+    const DummyRules dummy{.stride = root.table("strafing").number("stride_m", {0.5, 40}),
                            .skill = read_skill(root.table("shooting"))};
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return dummy;

@@ -129,6 +129,20 @@ TEST(Range, AStrafingDummyTurnsBackAtAPitAndAtAWall) {
     EXPECT_EQ(of<Health>(range, dummys).points, 100);
 }
 
+TEST(Range, AStrafingDummyKeepsItsBoundsWhenDataIsReadOnTheWay) {
+    auto range = range_with(DummyKind::strafing);
+    const auto home = place(range, dummys);
+    const double stride = range_data().dummy.stride;
+    for (int i = 0; i < 12; ++i) {
+        run(range, 0.4 + 0.05 * i);
+        range.adopt(range_data());
+        EXPECT_LT(glm::distance(home, place(range, dummys)), stride + 0.4);
+    }
+    run(range, 1);
+    const auto again = watch_strafing(range, 5);
+    EXPECT_NEAR(again.east - again.west, 2 * stride, 0.8);
+}
+
 TEST(Range, AShootingDummyStandsAndHitsSometimes) {
     auto range = range_with(DummyKind::shooting, {"bolt.shot.damage=0.01"});
     const auto before = place(range, dummys);
