@@ -71,6 +71,13 @@ struct Studio {
     std::int64_t next_court_ns = 0;
 };
 
+/// The menu that is open, with the match's caption where it has a note: nothing else stands over the views then.
+game::MenuPicture menu_of(const Screen& screen, const Picture& shown) {
+    auto menu = screen.menu;
+    if (!screen.court && menu.note.empty()) menu.note = shown.caption.words;
+    return menu;
+}
+
 const render::Frame& frame_of(Studio& studio, const Screen& screen, double speed, render::Size size) {
     auto hud = screen.hud;
     hud.quality = studio.quality.now(screen.quality, size);
@@ -78,9 +85,8 @@ const render::Frame& frame_of(Studio& studio, const Screen& screen, double speed
         game::make_court_frame(studio.court, studio.film.now, court_angle(), hud, size, studio.memory);
     else
         game::make_frame(studio.court, show(studio.film, speed), hud, size, studio.memory);
-    auto& overlay = studio.memory.frame.overlay;
-    game::add_menu(overlay, screen.menu, size, screen.hud.text_scale);
-    if (!screen.court) game::add_caption(studio.film.shown, hud, size, overlay);
+    game::add_menu(studio.memory.frame.overlay, menu_of(screen, studio.film.shown), size,
+                   screen.hud.text_scale);
     return studio.memory.frame;
 }
 

@@ -40,10 +40,6 @@ const render::Frame& make_frame(const Court& court, const Picture& picture, cons
 void make_overlay(const Picture& picture, const HudSettings& settings, render::Size size,
                   render::Overlay& out);
 
-/// The session's line; to be called last, so that it stands over a menu as well.
-void add_caption(const Picture& picture, const HudSettings& settings, render::Size size,
-                 render::Overlay& out);
-
 /// Where each player's view is; of no size where it is not shown.
 std::array<render::Rect, players> views_of(const HudSettings& settings, render::Size size);
 

@@ -265,6 +265,12 @@ void add_practice(Overlay& out, const PracticePicture& practice, fvec2 middle, c
     add_line(out, practice.dummy, middle + u * fvec2(0, 8), 13 * u, soft, window);
 }
 
+void add_caption(Overlay& out, const Caption& caption, float top, const Rect& window, float u) {
+    if (caption.words.empty()) return;
+    add_line(out, caption.words, at(window, 0.5F, 0) + fvec2(0, top), 16 * u, caption.fault ? red : white,
+             window);
+}
+
 struct Announcement {
     std::string head, line, keys;
     fvec4 paint{white};
@@ -406,6 +412,7 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
         add_practice(out, picture.practice, middle, window, unit);
     else
         add_score(out, picture, middle, unit);
+    add_caption(out, picture.caption, middle.y + 42 * unit, window, unit);
     if (picture.overloaded) {
         add_text(out, text("This machine is too slow: ", picture.skipped, " ms of input left out"),
                  at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 70) * unit), 14 * unit, red,
@@ -420,17 +427,6 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     } else if (picture.paused) {
         announce(out, pause_of(picture), window, unit);
     }
-}
-
-void add_caption(const Picture& picture, const HudSettings& settings, render::Size size, Overlay& out) {
-    if (picture.caption.words.empty()) return;
-    const Rect window{0, 0, size.width, size.height};
-    const float unit = unit_of(window, window, settings.text_scale);
-    // Below the score; below the title where a menu is open.
-    const float top =
-        place_of_score({.watch = Watch::first}, window, unit).y + (settings.menu ? 60 : 42) * unit;
-    add_line(out, picture.caption.words, at(window, 0.5F, 0) + fvec2(0, top), 16 * unit,
-             picture.caption.fault ? red : white, window);
 }
 
 }  // namespace thaum::game
