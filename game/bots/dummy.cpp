@@ -8,7 +8,7 @@
 namespace thaum::game {
 namespace {
 
-constexpr double step_ahead = 1.2;   ///< m in front of the feet that must be safe to walk on
+constexpr double step_ahead = 1.2;     ///< m in front of the feet that must be safe to walk on
 constexpr double held_up_below = 0.3;  ///< m/s; who wishes to walk and is slower has met something
 constexpr Tick held_up_for = ticks(0.25);
 constexpr Tick turns_not_before =

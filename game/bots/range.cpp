@@ -75,7 +75,8 @@ input::DeviceSpec dummy_device() {
     return device;
 }
 
-RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind, std::uint64_t seed) {
+RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
+                      std::uint64_t seed) {
     auto match = std::make_unique<Simulation>(data.match,
                                               MatchSetup{.seed = seed, .devices = {device, dummy_device()}});
     Dummy dummy(*match, dummys, kind, data.dummy, seed);

@@ -32,7 +32,8 @@ struct RangeMatch {
     void adopt(const RangeData& data);
 };
 
-RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind, std::uint64_t seed);
+RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
+                      std::uint64_t seed);
 
 /// What who practises has done since the scores were last wiped.
 struct RangeScore {
