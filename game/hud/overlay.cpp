@@ -300,6 +300,31 @@ void add_score(Overlay& out, const Picture& picture, fvec2 middle, float u) {
     add_text(out, goal_line(picture), middle + u * fvec2(0, 7), 11 * u, soft, Align::centre);
 }
 
+/// Words on a panel that is as wide as they are, by the widest type; long ones shrink until the window holds them.
+void add_line(Overlay& out, const std::string& words, fvec2 top, float size, fvec4 paint,
+              const Rect& window) {
+    constexpr float em_per_character = 0.6F, most_of_window = 0.94F;
+    const float em = em_per_character * static_cast<float>(words.size());
+    const float fits = most_of_window * static_cast<float>(window.width) / std::max(em, 1.0F);
+    size = std::min(size, fits);
+    const fvec2 half(0.5F * em * size + 0.5F * size, 0.85F * size), middle = top + fvec2(0, 0.6F * size);
+    out.items.emplace_back(
+        render::RectItem{middle - half, middle + half, colour(0x140E22, 0.8F), 0.5F * size});
+    add_text(out, words, top, size, paint, Align::centre);
+}
+
+/// What one has done, and to whom.
+void add_practice(Overlay& out, const PracticePicture& practice, fvec2 middle, const Rect& window, float u) {
+    add_line(out, practice.score, middle + u * fvec2(0, -22), 17 * u, white, window);
+    add_line(out, practice.dummy, middle + u * fvec2(0, 8), 13 * u, soft, window);
+}
+
+void add_caption(Overlay& out, const Caption& caption, float top, const Rect& window, float u) {
+    if (caption.words.empty()) return;
+    add_line(out, caption.words, at(window, 0.5F, 0) + fvec2(0, top), 16 * u, caption.fault ? red : white,
+             window);
+}
+
 struct Announcement {
     std::string head, line, keys;
     fvec4 paint{white};
@@ -438,7 +463,11 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
         if (settings.forces) add_force_plot(out, picture.wizards[player].force, {views[player], unit});
     }
     const auto middle = place_of_score(settings, window, unit);
-    add_score(out, picture, middle, unit);
+    if (picture.practice.on)
+        add_practice(out, picture.practice, middle, window, unit);
+    else
+        add_score(out, picture, middle, unit);
+    add_caption(out, picture.caption, middle.y + 42 * unit, window, unit);
     if (picture.overloaded) {
         add_text(out, text("This machine is too slow: ", picture.skipped, " ms of input left out"),
                  at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 70) * unit), 14 * unit, red,

@@ -2,6 +2,7 @@
 // match goes on while another thread draws. Taking a picture into the same Picture again allocates nothing.
 #pragma once
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -91,6 +92,18 @@ struct FeedLine {
     EventKind how{};
 };
 
+/// Of the range, instead of score and clock; filled by the session.
+struct PracticePicture {
+    bool on = false;
+    std::string score, dummy;  ///< ready to be shown
+};
+
+/// One line for whoever plays; filled by the session.
+struct Caption {
+    std::string words;
+    bool fault = false;
+};
+
 struct Picture {
     Tick tick{};            ///< Simulation::now
     std::int64_t due_ns{};  ///< the wall clock's time of that tick; filled by the session
@@ -116,6 +129,8 @@ struct Picture {
     std::uint32_t skipped{};  ///< samples left out so far
     std::uint32_t mark{};     ///< number of a mark made just now; 0: none; filled by the session
     bool overloaded{};        ///< samples were left out just now; filled by the session
+    PracticePicture practice{};
+    Caption caption{};
 };
 
 /// Memory for a busy match, so that no later picture needs more.

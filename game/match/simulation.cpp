@@ -2,6 +2,7 @@
 
 #include "ecs/snapshot.h"
 #include "game/match/bodies.h"
+#include "game/match/carry_over.h"
 #include "game/match/life.h"
 #include "game/match/power_ups.h"
 #include "game/match/round.h"
@@ -84,6 +85,16 @@ Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at)
 }
 
 const ForceTrace& Simulation::felt(std::uint32_t player) const { return stage_->felt[player]; }
+
+std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {
+    auto next = std::make_unique<Simulation>(std::move(data), setup_);
+    carry_over(*stage_, *next->stage_);
+    next->now_ = now_;
+    next->force_hash_ = force_hash_;
+    next->stage_->felt = stage_->felt;
+    return next;
+}
+
 void Simulation::save(Bytes& out) const { ecs::save(stage_->world, out); }
 std::uint64_t Simulation::state_hash() const { return ecs::state_hash(stage_->world); }
 const ecs::World& Simulation::world() const { return stage_->world; }

@@ -53,6 +53,9 @@ public:
     void save(Bytes& out) const;
     /// Goes on from a state that another Simulation of the same data and setup saved at tick `at`, a keyframe.
     Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
+    /// A match that goes on from here by other data (game/match/carry_over.h). Its state is then no longer what its own data,
+    /// seed and input would have come to: not for a match that is logged.
+    std::unique_ptr<Simulation> continued_with(std::shared_ptr<const MatchData> data) const;
 
     /// The systems with their counts; `always` run in a pause as well.
     ecs::Schedule& always() { return always_; }
