@@ -21,7 +21,8 @@ constexpr std::uint32_t calm_ticks = 100;  // below half the speed before an ove
 constexpr std::uint32_t apart_ticks = 20;  // without excess between two episodes of it
 constexpr std::uint32_t episode_ticks = 10'000;
 constexpr std::uint32_t bin_ticks = 500;
-constexpr double warm_from = 0.8;  // of the thermal budget
+constexpr double almost_there = 1 + 1e-9;  // else rounding may leave a slew one tick short of its end
+constexpr double warm_from = 0.8;          // of the thermal budget
 static_assert((thermal_bins - 2) * bin_ticks == ticks(thermal_window));
 
 bool latched(const SafetyState& state, SafetyCause cause) {
@@ -99,7 +100,9 @@ bool note_age(SafetyState& state, std::uint32_t age) {
 
 /// Nobody is met by a large force at the start (003): the first one to be let through is in range.
 void note_gate(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
-    if (is_finite(wanted) && glm::length(wanted) <= limits.cap) state.gate_open = 1;
+    if (state.gate_open != 0 || !is_finite(wanted) || !(glm::length(wanted) <= limits.cap)) return;
+    state.gate_open = 1;
+    state.slewing = 1;
 }
 
 /// Takes in the whole input, whatever acts, so that no condition hides another. The gravest one that stops the force.
@@ -152,14 +155,20 @@ void add_heat(SafetyState& state, vec3 force) {
 
 // ---- the force ----------------------------------------------------------------------------------------------------
 
+/// The cap shrinks with warmth too: else a long slew from a large force would overrun the budget.
+double ceiling(const SafetyLimits& limits, const Warmth& warm) {
+    return std::min(limits.cap * warm.scale, warm.most);
+}
+
 /// After a switch the force walks to where it should be; from then on it follows freely, for a delay inside a passive source
-/// would make that source create energy.
-vec3 walked(const SafetyLimits& limits, SafetyState& state, vec3 target) {
+/// would make that source create energy. It walks from what the last output could be now: the cap may have come down.
+vec3 walked(const SafetyLimits& limits, const Warmth& warm, SafetyState& state, vec3 target) {
     if (state.slewing == 0) return target;
+    const vec3 from = shortened(state.output, ceiling(limits, warm));
     const double step = limits.slew * tick_seconds;
-    const vec3 gap = target - state.output;
+    const vec3 gap = target - from;
     const double distance = glm::length(gap);
-    if (distance > step) return state.output + gap * (step / distance);
+    if (distance > step * almost_there) return from + gap * (step / distance);
     state.slewing = 0;
     return target;
 }
@@ -175,9 +184,8 @@ SafetyCause shortening(const SafetyLimits& limits, const Warmth& warm, vec3 want
     return glm::length(wanted) <= limits.cap ? SafetyCause::none : SafetyCause::capped;
 }
 
-/// The cap shrinks with warmth too: else a long slew from a large force would overrun the budget.
 vec3 last_word(const SafetyLimits& limits, const Warmth& warm, vec3 force) {
-    const vec3 last = shortened(force, std::min(limits.cap * warm.scale, warm.most));
+    const vec3 last = shortened(force, ceiling(limits, warm));
     return is_finite(last) ? last : vec3(0);
 }
 
@@ -200,7 +208,7 @@ vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput
 
     vec3 force{};
     if (cause == SafetyCause::none) {
-        force = walked(limits, state, warm.scale * shortened(wanted, limits.cap));
+        force = walked(limits, warm, state, warm.scale * shortened(wanted, limits.cap));
         cause = shortening(limits, warm, wanted);
     } else if (cause == SafetyCause::stale) {
         force = ramped_down(state);
