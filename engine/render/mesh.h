@@ -34,6 +34,18 @@ struct MeshData {
     std::vector<std::uint32_t> indices;
 };
 
+/// A piece of something big that never changes: left out of the picture or drawn plainly by itself.
+struct Patch {
+    MeshData full;
+    /// The same with fewer triangles, for where what it lacks is less than a pixel and has faded (Vertex::far_away); empty:
+    /// there is none.
+    MeshData plain{};
+    float detail{};  ///< m: the size of what `plain` lacks
+};
+
+/// Drawn in one call, what is near first.
+using Patchwork = std::vector<Patch>;
+
 /// A sphere that holds the mesh, for culling.
 struct Bounds {
     fvec3 centre{0};
@@ -50,9 +62,6 @@ fmat4 scaled(fvec3 by);
 MeshData transformed(MeshData mesh, const fmat4& by);
 void append(MeshData& to, const MeshData& part, const fmat4& placed = fmat4(1));
 MeshData painted(MeshData mesh, fvec3 colour);
-/// The mesh in parts that can be left out of the picture by themselves: its box cut evenly, in x and in z, into pieces not
-/// longer than `size` (m, > 0); a triangle belongs where its middle is. Triangles keep their order within a part.
-std::vector<MeshData> split(const MeshData& mesh, float size);
 /// Each triangle gets vertices and a normal of its own.
 MeshData flat_shaded(const MeshData& mesh);
 

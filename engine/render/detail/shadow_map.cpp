@@ -88,17 +88,14 @@ void ShadowMap::fit(const Casters& casters, fvec3 towards_sun, std::span<const B
 
 ShadowMap::Counts ShadowMap::draw(std::span<const Instance> instances, std::span<const GpuMesh> meshes,
                                   std::span<const Bounds> mesh_bounds, const SmallProgram& program) {
-    batches_.instances.clear();
-    batches_.batches.clear();
+    batches_.clear();
     Counts counts;
     counts.draws = collect(instances, mesh_bounds, to_clip_, batches_);
     fill_buffer(GL_ARRAY_BUFFER, instances_, batches_.instances, GL_STREAM_DRAW);
     glUseProgram(program.program.get());
     glUniformMatrix4fv(program.parameter, 1, GL_FALSE, &to_clip_[0][0]);
     for (const auto& batch : batches_.batches) {
-        const auto& mesh = meshes[batch.mesh];
-        draw_batch(mesh, batch, instances_);
-        counts.triangles += batch.count * static_cast<std::size_t>(mesh.index_count) / 3;
+        counts.triangles += draw_batch(meshes[batch.mesh], batch, instances_);
     }
     return counts;
 }
