@@ -241,14 +241,21 @@ render::Patch bevelled_block(const Face& face, const Stonework& work, const Cell
     return patch;
 }
 
+/// One walks on it.
+bool is_slab(const Face& face, const Stonework& work) { return face.n.y > 0.5F && work.block_u > 1; }
+
+bool is_bevelled(double height, const Face& face, const Stonework& work) {
+    return !is_slab(face, work) && height <= out_of_reach;
+}
+
 /// One block of a course at that height.
 render::Patch block(double height, const Face& face, const Stonework& work, const Cell& cell,
                     Random& random) {
     const fvec3 tone = any_shade(work, random);
     const auto sunk = static_cast<float>(random.uniform(0, 0.3)) * work.bevel;
     render::Patch patch;
-    const bool slab = face.n.y > 0.5F && work.block_u > 1;
-    if (!slab && height <= out_of_reach) return bevelled_block(face, work, cell, tone, sunk);
+    if (is_bevelled(height, face, work)) return bevelled_block(face, work, cell, tone, sunk);
+    const bool slab = is_slab(face, work);
     if (!slab && height > out_of_sight) {
         add_bare_block(patch.full, face, cell, tone);
         return patch;
@@ -298,20 +305,39 @@ void set_up(const Shade& shade, vec3 position, render::Patch patch, render::Patc
     out.push_back(std::move(patch));
 }
 
+/// What is behind the blocks of a face: it shows in the joints from far off, and where a face was left out.
+void add_core(const Shade& shade, vec3 position, Face face, const Stonework& work, const Cell& behind,
+              render::Patchwork& out) {
+    if (behind.u0 >= behind.u1) return;
+    face.corner -= core_depth * work.bevel * face.n;
+    const float b = work.bevel / 2;
+    render::Patch patch;
+    add_bare_block(patch.full, face, {behind.u0 + b, behind.u1 - b, behind.v0 + b, behind.v1 - b},
+                   core_shade * work.colours[0]);
+    set_up(shade, position, std::move(patch), out);
+}
+
+Cell around(const Cell& a, const Cell& b) {
+    return {std::min(a.u0, b.u0), std::max(a.u1, b.u1), std::min(a.v0, b.v0), std::max(a.v1, b.v1)};
+}
+
 void lay(render::Patchwork& out, const Shade& shade, vec3 position, const Face& face, const Stonework& work) {
     Random random = random_stream(work.seed, 7);
     const int courses = std::max(1, static_cast<int>(std::lround(face.length_v / work.block_v)));
     const float height = face.length_v / static_cast<float>(courses);
+    Cell bevelled{face.length_u, 0, face.length_v, 0};
     for (int row = 0; row < courses; ++row) {
         const auto edges = course(face.length_u, work.block_u, row % 2 == 1, random);
         for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
             const Cell cell{edges[i], edges[i + 1], static_cast<float>(row) * height,
                             static_cast<float>(row + 1) * height};
-            if (!hidden(shade, position, face, cell))
-                set_up(shade, position,
-                       block(position.y + at(face, {cell.u0, cell.v0}).y, face, work, cell, random), out);
+            if (hidden(shade, position, face, cell)) continue;
+            const double up = position.y + at(face, {cell.u0, cell.v0}).y;
+            set_up(shade, position, block(up, face, work, cell, random), out);
+            if (is_bevelled(up, face, work)) bevelled = around(bevelled, cell);
         }
     }
+    add_core(shade, position, face, work, bevelled, out);
 }
 
 /// The face of a box across `axis`, seen from outside. Courses of upright faces are level.
@@ -367,25 +393,6 @@ Stonework work_of(Surface surface, const Face& face) {
 
 }  // namespace
 
-namespace {
-
-/// What is behind the blocks, in case one sees between them.
-void add_core(const Shade& shade, const Thing& thing, render::Patchwork& out) {
-    const auto work = work_of(thing.surface, face_of(fvec3(thing.body.size), 0, 1));
-    const fvec3 half = fvec3(thing.body.size) - core_depth * work.bevel;
-    for (int axis = 0; axis < 3; ++axis) {
-        for (const float side : {-1.0F, 1.0F}) {
-            const auto face = face_of(half, axis, side);
-            render::Patch patch;
-            add_bare_block(patch.full, face, {0, face.length_u, 0, face.length_v},
-                           core_shade * work.colours[0]);
-            set_up(shade, thing.position, std::move(patch), out);
-        }
-    }
-}
-
-}  // namespace
-
 void add_masonry_box(const Shade& shade, const Thing& thing, render::Patchwork& out) {
     for (int axis = 0; axis < 3; ++axis) {
         for (const float side : {-1.0F, 1.0F}) {
@@ -396,7 +403,6 @@ void add_masonry_box(const Shade& shade, const Thing& thing, render::Patchwork& 
             lay(out, shade, thing.position, face, work);
         }
     }
-    add_core(shade, thing, out);
 }
 
 void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::TriangleMesh& solid,
