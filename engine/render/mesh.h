@@ -41,6 +41,7 @@ struct Patch {
     /// there is none.
     MeshData plain{};
     float detail{};  ///< m: the size of what `plain` lacks
+    bool sunless{};  ///< no sun ever gets there: nobody need look into the shadow map
 };
 
 /// Drawn in one call, what is near first.

@@ -98,7 +98,8 @@ struct Renderer::State {
     ViewBatches collect_view(const ViewScene& view, const Rect& at);
     void draw_view(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow,
                    const Rect& at, int height);
-    void draw_batches(std::size_t first, std::size_t count);
+    void draw_batches(std::size_t first, std::size_t count, bool sunless_too);
+    void draw_sunless(const ViewScene& view, const ViewBatches& its);
     void draw_overlay(const Frame& frame);
     void send_atlas();
 };
@@ -258,6 +259,8 @@ void Renderer::State::draw_views(const Frame& frame) {
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         const auto at = scaled_rect(frame.views[i].viewport, scale);
         draw_view(frame.views[i], of_views[i], frame.quality, shadow, at, height);
+        // A software rasteriser fills this view on its threads while this one works out the corners of the next.
+        glFlush();
     }
     if (straight) return;
     if (of_light) {
@@ -291,15 +294,29 @@ ViewBatches Renderer::State::collect_view(const ViewScene& view, const Rect& at)
     return its;
 }
 
-void Renderer::State::draw_batches(std::size_t first, std::size_t count) {
+void Renderer::State::draw_batches(std::size_t first, std::size_t count, bool sunless_too) {
     for (std::size_t i = first; i < first + count; ++i) {
         const auto& batch = batches.batches[i];
         const auto& mesh = meshes[batch.mesh];
         const bool patchwork = !mesh_patches[batch.mesh].patches.empty();
-        statistics.triangles += patchwork ? draw_patches(mesh, batch, instance_buffer, patch_buffer)
+        const auto which = sunless_too ? batch.patches.all() : batch.patches.sunlit;
+        statistics.triangles += patchwork ? draw_patches(mesh, batch, which, instance_buffer, patch_buffer)
                                           : draw_batch(mesh, batch, instance_buffer);
     }
     statistics.draws += count;
+}
+
+/// What the sun never reaches, at medium: as low does, which has no shadow map, but with all lights.
+void Renderer::State::draw_sunless(const ViewScene& view, const ViewBatches& its) {
+    use_mesh_program(programs.mesh[static_cast<std::size_t>(Quality::low)], view, its.sight, Quality::medium,
+                     {});
+    for (std::size_t i = its.first; i < its.first + its.solid; ++i) {
+        const auto& batch = batches.batches[i];
+        if (batch.patches.sunless.count == 0) continue;
+        statistics.triangles +=
+            draw_patches(meshes[batch.mesh], batch, batch.patches.sunless, instance_buffer, patch_buffer);
+        ++statistics.draws;
+    }
 }
 
 void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Quality quality,
@@ -312,7 +329,8 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     glEnable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     use_mesh_program(programs.mesh[static_cast<std::size_t>(quality)], view, its.sight, quality, shadow);
-    draw_batches(its.first, its.solid);
+    draw_batches(its.first, its.solid, quality != Quality::medium);
+    if (quality == Quality::medium) draw_sunless(view, its);
     // After all that is solid, so that only pixels that nothing covers are paid for.
     glBindVertexArray(no_attributes.get());
     use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view,
@@ -325,7 +343,7 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glUseProgram(programs.shade.program.get());
     glUniformMatrix4fv(programs.shade.parameter, 1, GL_FALSE, &its.sight.to_clip[0][0]);
-    draw_batches(its.first + its.solid, its.shades);
+    draw_batches(its.first + its.solid, its.shades, true);
 }
 
 void Renderer::State::send_atlas() {

@@ -130,6 +130,7 @@ constexpr float out_of_sight = 6;
 constexpr float core_depth = 1.25F;
 /// Of a stone's colour: what a joint looks like from far off.
 constexpr float core_shade = 0.9F;
+constexpr float core_piece = 3, core_overlap = 0.3F;  // m
 
 std::uint32_t add_vertex(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 normal, fvec3 shade) {
     mesh.vertices.push_back({face.corner + at.x * face.u + at.y * face.v + at.z * face.n, normal, shade});
@@ -305,20 +306,44 @@ void set_up(const Shade& shade, vec3 position, render::Patch patch, render::Patc
     out.push_back(std::move(patch));
 }
 
-/// What is behind the blocks of a face: it shows in the joints from far off, and where a face was left out.
-void add_core(const Shade& shade, vec3 position, Face face, const Stonework& work, const Cell& behind,
+/// What is behind the bevelled blocks of a face: it shows where one looks past their edges, and from far off as joints. In
+/// pieces, so that it is dark close by and lighter far off. Some way up behind blocks without a bevel as well.
+void add_core(const Shade& shade, vec3 position, Face face, const Stonework& work, Cell behind,
               render::Patchwork& out) {
     if (behind.u0 >= behind.u1) return;
     face.corner -= core_depth * work.bevel * face.n;
-    const float b = work.bevel / 2;
-    render::Patch patch;
-    add_bare_block(patch.full, face, {behind.u0 + b, behind.u1 - b, behind.v0 + b, behind.v1 - b},
-                   core_shade * work.colours[0]);
-    set_up(shade, position, std::move(patch), out);
+    behind.v1 = std::min(behind.v1 + core_overlap, face.length_v - work.bevel / 2);
+    const float low = behind.u0 + work.bevel / 2, high = behind.u1 - work.bevel / 2;
+    const int pieces = std::max(1, static_cast<int>(std::ceil((high - low) / core_piece)));
+    const auto edge = [&](int i) {
+        return glm::mix(low, high, static_cast<float>(i) / static_cast<float>(pieces));
+    };
+    for (int i = 0; i < pieces; ++i) {
+        render::Patch patch;
+        add_bare_block(patch.full, face, {edge(i), edge(i + 1), behind.v0, behind.v1},
+                       work.joint * core_shade * work.colours[0]);
+        for (auto& v : patch.full.vertices) v.far_away = 1 / work.joint;
+        set_up(shade, position, std::move(patch), out);
+    }
 }
 
 Cell around(const Cell& a, const Cell& b) {
     return {std::min(a.u0, b.u0), std::max(a.u1, b.u1), std::min(a.v0, b.v0), std::max(a.v1, b.v1)};
+}
+
+/// Neither at a vertex nor anywhere between does the sun arrive, nor a little beyond the edges.
+bool is_sunless(const Shade& shade, vec3 position, const Face& face, const Cell& cell,
+                const render::Patch& patch) {
+    const auto sunny = [](const render::Vertex& v) { return v.sun > 0; };
+    if (std::any_of(patch.full.vertices.begin(), patch.full.vertices.end(), sunny)) return false;
+    if (glm::dot(face.n, shade.sun) <= 0) return true;
+    for (const float u : {-0.1F, 0.1F, 0.3F, 0.5F, 0.7F, 0.9F, 1.1F}) {
+        for (const float v : {-0.1F, 0.1F, 0.3F, 0.5F, 0.7F, 0.9F, 1.1F}) {
+            const fvec2 place(glm::mix(cell.u0, cell.u1, u), glm::mix(cell.v0, cell.v1, v));
+            if (sees_sun(shade, position + at(face, place) + 0.06 * vec3(face.n))) return false;
+        }
+    }
+    return true;
 }
 
 void lay(render::Patchwork& out, const Shade& shade, vec3 position, const Face& face, const Stonework& work) {
@@ -334,6 +359,7 @@ void lay(render::Patchwork& out, const Shade& shade, vec3 position, const Face& 
             if (hidden(shade, position, face, cell)) continue;
             const double up = position.y + at(face, {cell.u0, cell.v0}).y;
             set_up(shade, position, block(up, face, work, cell, random), out);
+            out.back().sunless = is_sunless(shade, position, face, cell, out.back());
             if (is_bevelled(up, face, work)) bevelled = around(bevelled, cell);
         }
     }

@@ -71,6 +71,20 @@ TEST(Patches, NearOnesFirstAndSmallOnesBeforeASheetAroundThem) {
     EXPECT_EQ(indices[12] / 4, 1U);
 }
 
+TEST(Patches, WhatTheSunNeverReachesIsApart) {
+    const auto table =
+        joined({{.full = sheet(-5), .sunless = true}, {.full = sheet(-9)}, {.full = sheet(-7)}}).table;
+    std::vector<std::uint32_t> out(2);
+    PatchOrder order;
+    const auto all = choose_patches(table, sight_from(fvec3(0)), order, out);
+    EXPECT_EQ(all.sunlit.first, 2U);
+    EXPECT_EQ(all.sunlit.count, 12U);
+    EXPECT_EQ(out[2] / 4, 2U) << "near first within each";
+    EXPECT_EQ(all.sunless.first, 14U);
+    EXPECT_EQ(all.sunless.count, 6U);
+    EXPECT_EQ(all.all().count, 18U);
+}
+
 TEST(Patches, WhatIsOutOfViewOrShowsItsBackIsLeftOut) {
     const auto table = joined({{.full = sheet(-5)}}).table;
     EXPECT_EQ(chosen(table, sight_from(fvec3(0))).size(), 6U);

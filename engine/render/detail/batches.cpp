@@ -84,9 +84,7 @@ void arrange(std::size_t first, std::span<const PatchTable> tables, const Sight&
         const auto& model = out.instances[batch.first].model;
         const Sight own{world.to_clip * model, fvec3(glm::inverse(model) * fvec4(world.eye, 1)),
                         world.pixel_angle};
-        const auto start = static_cast<std::uint32_t>(out.patch_indices.size());
-        const auto count = choose_patches(table, own, out.order, out.patch_indices);
-        batch.patches = {start, static_cast<std::uint32_t>(count)};
+        batch.patches = choose_patches(table, own, out.order, out.patch_indices);
         batch.distance = far_off;
     }
     std::sort(out.batches.begin() + static_cast<std::ptrdiff_t>(first), out.batches.end(),

@@ -20,7 +20,7 @@ struct Batch {
     MeshId mesh{};
     std::size_t first{}, count{};  // in Batches::instances
     float distance{};              // m ahead, of the nearest
-    IndexRange patches{};          // of a patchwork, in Batches::patch_indices
+    ChosenPatches patches{};       // of a patchwork, in Batches::patch_indices
 };
 
 /// All views of one frame share one buffer of instances and one of patches, so that each is sent once.

@@ -63,13 +63,13 @@ std::size_t draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& in
     return batch.count * static_cast<std::size_t>(mesh.index_count) / 3;
 }
 
-std::size_t draw_patches(const GpuMesh& mesh, const Batch& batch, const Buffer& instances,
+std::size_t draw_patches(const GpuMesh& mesh, const Batch& batch, IndexRange which, const Buffer& instances,
                          const Buffer& indices) {
     use_instances(mesh, batch, instances);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.get());
-    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(batch.patches.count), GL_UNSIGNED_INT,
-                            offset(batch.patches.first * sizeof(std::uint32_t)), 1);
-    return batch.patches.count / 3;
+    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(which.count), GL_UNSIGNED_INT,
+                            offset(which.first * sizeof(std::uint32_t)), 1);
+    return which.count / 3;
 }
 
 }  // namespace thaum::render::detail

@@ -60,12 +60,33 @@ bool shows_backs(const PlacedPatch& patch, fvec3 eye) {
     return glm::dot(to, patch.axis) >= patch.backs * glm::length(to);
 }
 
+IndexRange append_chosen(const PatchTable& table, const Sight& sight, const PatchOrder& order, bool sunless,
+                         std::vector<std::uint32_t>& out) {
+    const float gone = fading_of(sight.pixel_angle).gone;
+    const auto before = out.size();
+    for (const auto& [farthest, i] : order.near_first) {
+        const auto& patch = table.patches[i];
+        if (patch.sunless != sunless) continue;
+        const float distance = farthest - 2 * patch.bounds.radius;
+        const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;
+        const auto& range = fine && patch.plain.count > 0 ? patch.plain : patch.full;
+        const auto first = table.indices.begin() + range.first;
+        out.insert(out.end(), first, first + range.count);
+    }
+    return {static_cast<std::uint32_t>(before), static_cast<std::uint32_t>(out.size() - before)};
+}
+
 }  // namespace
+
+Fading fading_of(float pixel_angle) {
+    const float from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
+    return {from, 2.5F * from};
+}
 
 JoinedPatches joined(const Patchwork& patchwork) {
     JoinedPatches out;
     for (const auto& patch : patchwork) {
-        PlacedPatch placed{.bounds = bounds(patch.full), .detail = patch.detail};
+        PlacedPatch placed{.bounds = bounds(patch.full), .detail = patch.detail, .sunless = patch.sunless};
         fit_cone(patch.full, placed);
         placed.full = append_part(patch.full, out);
         out.table.patches.push_back(placed);
@@ -77,13 +98,8 @@ JoinedPatches joined(const Patchwork& patchwork) {
     return out;
 }
 
-Fading fading_of(float pixel_angle) {
-    const float from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
-    return {from, 2.5F * from};
-}
-
-std::size_t choose_patches(const PatchTable& table, const Sight& sight, PatchOrder& order,
-                           std::vector<std::uint32_t>& out) {
+ChosenPatches choose_patches(const PatchTable& table, const Sight& sight, PatchOrder& order,
+                             std::vector<std::uint32_t>& out) {
     const auto planes = frustum_planes(sight.to_clip);
     auto& near_first = order.near_first;
     near_first.clear();
@@ -94,17 +110,10 @@ std::size_t choose_patches(const PatchTable& table, const Sight& sight, PatchOrd
         near_first.emplace_back(glm::distance(patch.bounds.centre, sight.eye) + patch.bounds.radius, i);
     }
     std::sort(near_first.begin(), near_first.end());
-    const float gone = fading_of(sight.pixel_angle).gone;
-    const auto before = out.size();
-    for (const auto& [farthest, i] : near_first) {
-        const auto& patch = table.patches[i];
-        const float distance = farthest - 2 * patch.bounds.radius;
-        const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;
-        const auto& range = fine && patch.plain.count > 0 ? patch.plain : patch.full;
-        const auto first = table.indices.begin() + range.first;
-        out.insert(out.end(), first, first + range.count);
-    }
-    return out.size() - before;
+    ChosenPatches chosen;
+    chosen.sunlit = append_chosen(table, sight, order, false, out);
+    chosen.sunless = append_chosen(table, sight, order, true, out);
+    return chosen;
 }
 
 }  // namespace thaum::render::detail

@@ -18,13 +18,20 @@ struct IndexRange {
     std::uint32_t first{}, count{};
 };
 
+/// What a view sees of a patchwork: those that the sun may reach, and directly after them the others.
+struct ChosenPatches {
+    IndexRange sunlit{}, sunless{};
+    IndexRange all() const { return {sunlit.first, sunlit.count + sunless.count}; }
+};
+
 struct PlacedPatch {
     Bounds bounds;
     /// Seen from a point p, all triangles of the patch show their backs if the angle between p - apex and -axis has a
     /// cosine of at least `backs` (a cone of normals; > 1 where they face all ways).
     fvec3 apex{0}, axis{0};
     float backs = 2;
-    float detail{};              ///< m
+    float detail{};  ///< m
+    bool sunless{};
     IndexRange full{}, plain{};  ///< `plain` may be empty
 };
 
@@ -53,8 +60,7 @@ struct PatchOrder {
 };
 
 /// Appends the indices of what is seen, what is near first, so that it hides what is far before that is paid for.
-/// Returns how many.
-std::size_t choose_patches(const PatchTable& table, const Sight& sight, PatchOrder& order,
-                           std::vector<std::uint32_t>& out);
+ChosenPatches choose_patches(const PatchTable& table, const Sight& sight, PatchOrder& order,
+                             std::vector<std::uint32_t>& out);
 
 }  // namespace thaum::render::detail
