@@ -9,6 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "core/maths.h"
 #include "core/units.h"
@@ -43,6 +44,9 @@ enum class SafetyCause : std::uint32_t {
     shut_off,    ///< repeated excess: until re-armed
     panic,       ///< until re-armed
 };
+
+inline constexpr std::array<std::string_view, 9> safety_cause_names{
+    "none", "capped", "warm", "waiting", "stale", "over_speed", "off", "shut_off", "panic"};
 
 /// Of half a second each: the window, one that fills, and one that has left the window and fades, so that the force does not
 /// jump up where half a second of heat is forgotten.

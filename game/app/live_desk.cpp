@@ -85,6 +85,7 @@ void publish_screen(Desk& desk) {
                   .text_scale = settings.text_scale,
                   .bloom = settings.bloom,
                   .can_play_again = desk.plan.replay == nullptr,
+                  .forces = desk.forces,
                   .menu = menu_open(desk)};
     screen.quality = settings.quality;
     screen.menu = picture_of(desk.menu, desk.facts);
@@ -146,7 +147,9 @@ bool session_key(Desk& desk, int key) {
     if (is(SessionKey::split)) turn_split(desk);
     if (is(SessionKey::fullscreen)) toggle_fullscreen(desk);
     if (is(SessionKey::mark)) ++desk.shared.marks;
-    return is(SessionKey::split) || is(SessionKey::fullscreen) || is(SessionKey::mark);
+    if (is(SessionKey::forces)) desk.forces = !desk.forces, desk.stale = true;
+    return is(SessionKey::split) || is(SessionKey::fullscreen) || is(SessionKey::mark) ||
+           is(SessionKey::forces);
 }
 
 void match_key(Desk& desk, int key) {

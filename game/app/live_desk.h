@@ -29,8 +29,9 @@ struct Desk {
     std::shared_ptr<const game::MatchData> data;  ///< of the next match
     MenuState menu;                               ///< its settings are those that hold
     MenuFacts facts;
-    Settings seated;    ///< the settings that the DeviceSpecs were made from
-    bool stale = true;  ///< shared.screen is not as it should be
+    Settings seated;      ///< the settings that the DeviceSpecs were made from
+    bool stale = true;    ///< shared.screen is not as it should be
+    bool forces = false;  ///< the views show what hands feel
 
     std::array<render::PadState, 4> pads{};
     std::array<Grip, game::players> grips{};

@@ -314,7 +314,8 @@ void add_glow(const Court& court, std::uint32_t number, const PlayerPicture& p, 
 void add_own_arm(const Court& court, std::uint32_t number, const PlayerPicture& p,
                  std::vector<Instance>& out) {
     const auto first = out.size();
-    const auto eye = render::translated(fvec3(p.eye)) * turned(p.yaw, p.pitch);
+    const auto eye =
+        render::translated(fvec3(p.eye)) * turned(p.yaw, p.pitch) * render::translated(fvec3(p.wand_reach));
     out.push_back({.mesh = court.teams[number].own_arm, .model = eye});
     if (!p.wand.empty()) {
         out.push_back(

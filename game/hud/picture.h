@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "game/match/result.h"
+#include "haptics/safety.h"
 
 namespace thaum::game {
 
@@ -51,6 +52,14 @@ struct HurtMark {
     vec3 towards{};  ///< unit, world: from the victim to where it came from; zero where that is unknown
 };
 
+/// What a player's hand has felt.
+struct ForcePicture {
+    haptics::SafetyCause cause{};  ///< why it feels less than it should
+    double cap{};                  ///< N, the most it can feel
+    /// N, the strongest of each 16 ticks, the oldest first.
+    std::array<float, std::tuple_size_v<ForceTrace> / 16> strongest{};
+};
+
 struct PlayerPicture {
     vec3 centre{};  ///< of the body, m
     vec3 eye{};     ///< m
@@ -68,7 +77,9 @@ struct PlayerPicture {
     double since_dry_s{};   ///< since the wand last had too little energy
     double since_gift_s{};  ///< since this player last picked something up
     PowerUpKind gift{};
-    double gift_amount{};   ///< HP or energy
+    double gift_amount{};  ///< HP or energy
+    vec3 wand_reach{};     ///< m, in the frame of the eye: how far the hand has moved the wand's tip
+    ForcePicture force{};
     std::uint32_t hurts{};  ///< of `marks`
     std::array<HurtMark, 6> marks{};
 };
