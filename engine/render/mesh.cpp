@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <limits>
-#include <map>
 
 #include "core/assert.h"
 
@@ -68,53 +66,6 @@ void append(MeshData& to, const MeshData& part, const fmat4& placed) {
 MeshData painted(MeshData mesh, fvec3 colour) {
     for (auto& v : mesh.vertices) v.colour = colour;
     return mesh;
-}
-
-namespace {
-
-/// Cuts from `low` to `high` evenly into pieces not longer than `size`.
-struct Cuts {
-    float low{}, length{};
-    int pieces = 1;
-
-    Cuts(float from, float to, float size)
-        : low(from), length(to - from), pieces(std::max(1, static_cast<int>(std::ceil(length / size)))) {}
-    int piece_of(float at) const {
-        if (pieces == 1) return 0;
-        const float share = (at - low) / length;
-        return std::clamp(static_cast<int>(share * static_cast<float>(pieces)), 0, pieces - 1);
-    }
-};
-
-}  // namespace
-
-std::vector<MeshData> split(const MeshData& mesh, float size) {
-    constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
-    const auto [low, high] = extent(mesh);
-    const Cuts along_x(low.x, high.x, size), along_z(low.z, high.z, size);
-    std::map<std::pair<int, int>, std::vector<std::size_t>> cells;  // the first index of each triangle
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        fvec3 middle(0);
-        for (std::size_t k = 0; k < 3; ++k) middle += mesh.vertices[mesh.indices[i + k]].position / 3.0F;
-        cells[{along_x.piece_of(middle.x), along_z.piece_of(middle.z)}].push_back(i);
-    }
-    std::vector<MeshData> parts;
-    std::vector<std::uint32_t> number(mesh.vertices.size(), unused);
-    for (const auto& [place, triangles] : cells) {
-        auto& part = parts.emplace_back();
-        for (const auto first : triangles) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const auto old = mesh.indices[first + k];
-                if (number[old] == unused) {
-                    number[old] = static_cast<std::uint32_t>(part.vertices.size());
-                    part.vertices.push_back(mesh.vertices[old]);
-                }
-                part.indices.push_back(number[old]);
-            }
-        }
-        std::fill(number.begin(), number.end(), unused);
-    }
-    return parts;
 }
 
 MeshData flat_shaded(const MeshData& mesh) {

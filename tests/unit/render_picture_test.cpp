@@ -251,6 +251,24 @@ TEST_F(Shadowed, CostsNothingWhileNothingMoves) {
     EXPECT_EQ(renderer->statistics().shadow_draws, 0U);
 }
 
+TEST_F(Shadowed, OnlyWhatMovedAndWhatStoodInItsPlaceIsDrawnAgain) {
+    const auto near = cube_at({0, 1, -4}, fvec3(1));
+    moving = {near, cube_at({0.2F, 1.2F, -4}, fvec3(1)), cube_at({-2.5F, 1, -4}, fvec3(1))};
+    drawn(frame_of(Quality::medium));
+    const int shaded = brightness(Quality::medium, 2);
+    moving[2].model[3].x += 0.01F;
+    drawn(frame_of(Quality::medium));
+    EXPECT_EQ(renderer->statistics().shadow_triangles, 12U);
+    moving[1].model[3].x += 5;
+    drawn(frame_of(Quality::medium));
+    EXPECT_EQ(renderer->statistics().shadow_triangles, 24U) << "it has left the first one's place";
+    EXPECT_NEAR(brightness(Quality::medium, 2), shaded, 3);
+    moving = {near};
+    EXPECT_NEAR(brightness(Quality::medium, 2), shaded, 3);
+    moving = {};
+    EXPECT_GT(brightness(Quality::medium, 2), 2 * shaded);
+}
+
 TEST_F(Shadowed, CastersThatAreNotNumbersCastNothing) {
     moving = {cube_at({0, 1, -4}, fvec3(1)), cube_at({1, 1, -4}, fvec3(1))};
     moving[1].model[3][1] = std::numeric_limits<float>::quiet_NaN();
