@@ -149,7 +149,7 @@ void add_heat(SafetyState& state, vec3 force) {
     state.heat[state.bin] += glm::dot(force, force) * tick_seconds;
     if (++state.tick < bin_ticks) return;
     state.tick = 0;
-    state.bin = (state.bin + 1) % thermal_bins;
+    state.bin = static_cast<std::uint32_t>((state.bin + 1) % thermal_bins);
     state.heat[state.bin] = 0;
 }
 
