@@ -106,7 +106,6 @@ TEST(Touch, TheHashOfForcesSeesAForceThatTheStateNoLongerShows) {
     one.hold(64, 0);
     two.hold(64, 0);
     const auto two_wizard = wizard_of(two.match.world(), 0);
-    const auto kept = std::as_const(two.match).world().get<Grip>(two_wizard);
     two.match.world_to_change().get<Grip>(two_wizard).kick = {vec3(0, 0, 0.1), 1, 7};
     one.hold(1, 0);
     two.hold(1, 0);
