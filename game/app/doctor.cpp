@@ -15,6 +15,7 @@
 #include "game/app/live_shared.h"
 #include "game/app/settings.h"
 #include "game/app/still.h"
+#include "haptics/safety.h"
 #include "physics/probe.h"
 #include "render/context.h"
 
@@ -25,10 +26,10 @@ constexpr std::string_view doctor_help =
     R"(usage: thaum doctor [--json FILE]
 
 Says what is there and what is missing: processor, data files, OpenGL, display,
-pads and their permissions, how well a 1 kHz clock is kept, where settings and
-logs go. Sound and haptic devices are not used by this version. Where there is
-a display, a match is shown for three seconds, and how long a movement takes to
-be in a picture is measured.
+what hands hold, pads and their permissions, how well a 1 kHz clock is kept,
+where settings and logs go. Sound and real haptic devices are not used by this
+version. Where there is a display, a match is shown for three seconds, and how
+long a movement takes to be in a picture is measured.
 
   --json FILE   the findings as JSON; - for standard output
 
@@ -75,6 +76,16 @@ Finding data_files(const std::filesystem::path& assets, const Expected<Data>& da
         return {"data files", State::good, text(assets.string(), ", ", (*data)->files.size(), " files"), ""};
     return {"data files", State::missing, data.error().message,
             "start thaum from its folder or set THAUM_ASSETS"};
+}
+
+Finding hands(const Expected<Data>& data) {
+    if (!data) return {"hands", State::note, "not known without data files", ""};
+    const auto& device = (*data)->device;
+    const double cap = haptics::safety_limits(device, (*data)->touch.share).cap;
+    return {"hands", State::good,
+            text("each holds a simulated ", device.name, " of ", fixed(device.peak_force, 1), " N; at most ",
+                 fixed(cap, 2), " N reach the hand"),
+            ""};
 }
 
 Finding opengl(const std::filesystem::path& assets, const Expected<Data>& data) {
@@ -183,8 +194,8 @@ std::vector<Finding> examine() {
     const Expected<Data> data = game::load_match_data(assets, {}).map([](game::MatchData&& loaded) {
         return std::make_shared<const game::MatchData>(std::move(loaded));
     });
-    std::vector<Finding> findings{processor(), mathematics(), data_files(assets, data), opengl(assets, data),
-                                  display()};
+    std::vector<Finding> findings{processor(), mathematics(),        data_files(assets, data),
+                                  hands(data), opengl(assets, data), display()};
     add_pads(findings);
     findings.push_back(tick_clock());
     findings.push_back(input_to_picture(assets, data));
