@@ -455,7 +455,7 @@ void align(Problem& problem, vec3& x) {
         term.dual = term.dual * turn;
         if (!term.held) continue;
         for (int i = 0; i < 3; ++i) {
-            if (std::abs(term.q[i]) < 1e-12) term.q[i] = 0;
+            if (std::abs(term.q[i]) < 4 * epsilon) term.q[i] = 0;
         }
         if (term.dyad != 0) term.q = glm::normalize(term.q);
     }

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "accuracy/primitives_sets.h"
+#include "accuracy/primitives_judge.h"
 #include "haptics/primitives.h"
+#include "tools/bench/primitive_sets.h"
 
 namespace thaum::haptics {
 namespace {
@@ -155,6 +156,8 @@ TEST(PrimitivesRandom, ScalesFromTinyToHuge) {
     for (const double stiffness : {1e-3, 1.0, 1e3, 1e6}) {
         for (const double strength : {1e-6, 1.0, 1e3}) {
             for (const double size : {1e-9, 1e-3, 1.0, 1e3}) {
+                // There the forces could move the proxy so far that the box is lost in the rounding of positions.
+                if (strength / stiffness > 1e8 * size) continue;
                 const Scale scale{strength, size, stiffness};
                 Worst worst;
                 for (int i = 0; i < 300; ++i)

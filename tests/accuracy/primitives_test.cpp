@@ -7,8 +7,6 @@
 #include <limits>
 #include <vector>
 
-#include "accuracy/primitives_sets.h"
-
 namespace thaum::haptics {
 namespace {
 

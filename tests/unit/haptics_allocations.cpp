@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "accuracy/primitives_sets.h"
+#include "accuracy/primitives_judge.h"
 
 namespace {
 std::atomic<std::size_t> haptics_count{0};
