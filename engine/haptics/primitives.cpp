@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <string>
 
 // The method. A plane is a directed force of s/2 and s/2 |q.(x - p)|, so all kinks are of one form, s |P (x - p)| with an
@@ -67,20 +68,35 @@ vec3 solve(const Symmetric& m, vec3 b, double least) {
 
 /// strength |P x - offset|, in the problem's frame; P = identity I + dyad q q^T.
 struct Term {
-    vec3 q{};
-    double identity{}, dyad{};
-    double strength{};
-    vec3 position{}, direction{};  ///< world
-    vec3 offset{};
-    vec3 dual{};           ///< y: the term pulls with -y; |y| <= strength
-    vec3 distance{};       ///< m = P x - offset where it was last asked for
-    std::size_t source{};  ///< index in the set
-    bool held = false;     ///< x is taken to lie on its kink
+    vec3 q;
+    double identity, dyad;
+    double strength;
+    vec3 position, direction;  ///< world
+    vec3 offset;
+    vec3 dual;           ///< y: the term pulls with -y; |y| <= strength
+    vec3 distance;       ///< m = P x - offset where it was last asked for
+    std::size_t source;  ///< index in the set
+    bool held;           ///< x is taken to lie on its kink
+};
+
+/// Copies and clears no more than there are, for these are 4 KB and are copied at each guess.
+struct Terms {
+    std::array<Term, primitive_capacity> items;
+    std::size_t count = 0;
+
+    Terms() {}  // NOLINT(modernize-use-equals-default): that would clear the items
+    Terms(const Terms& other) : count(other.count) { std::copy_n(other.items.begin(), count, items.begin()); }
+    Terms& operator=(const Terms& other) {
+        if (this == &other) return *this;
+        count = other.count;
+        std::copy_n(other.items.begin(), count, items.begin());
+        return *this;
+    }
+    ~Terms() = default;
 };
 
 struct Problem {
-    std::array<Term, primitive_capacity> terms{};
-    std::size_t count{};
+    Terms terms{};
     double stiffness{};
     vec3 centre{};      ///< world
     vec3 load{};        ///< N, constant forces
@@ -91,13 +107,10 @@ struct Problem {
     double rounding{};  ///< m: of positions; what is nearer touches
 };
 
-struct Range {
-    Term* first;
-    Term* last;
-    Term* begin() const { return first; }
-    Term* end() const { return last; }
-};
-Range terms_of(Problem& problem) { return {problem.terms.data(), problem.terms.data() + problem.count}; }
+std::span<Term> terms_of(Problem& problem) { return {problem.terms.items.data(), problem.terms.count}; }
+std::span<const Term> terms_of(const Problem& problem) {
+    return {problem.terms.items.data(), problem.terms.count};
+}
 
 vec3 project(const Term& term, vec3 v) {
     return term.identity * v + term.dyad * glm::dot(term.q, v) * term.q;
@@ -119,11 +132,11 @@ void set_origin(Problem& problem, vec3 origin) {
 }
 
 Term term_of(const Primitive& primitive, std::size_t source) {
-    Term term{.q = primitive.direction,
-              .strength = primitive.strength,
-              .position = primitive.position,
-              .direction = primitive.direction,
-              .source = source};
+    Term term{};
+    term.q = term.direction = primitive.direction;
+    term.strength = primitive.strength;
+    term.position = primitive.position;
+    term.source = source;
     switch (primitive.kind) {
         case PrimitiveKind::point:
             term.q = term.direction = {};
@@ -145,7 +158,7 @@ Problem problem_of(const PrimitiveSet& set, const Spring& spring) {
         if (primitive.kind == PrimitiveKind::directed) {
             problem.load += primitive.strength * primitive.direction;
         } else if (primitive.strength > 0) {
-            Term& term = problem.terms[problem.count++];
+            Term& term = problem.terms.items[problem.terms.count++];
             term = term_of(primitive, source);
             if (primitive.kind == PrimitiveKind::plane) problem.load += term.strength * term.q;
             problem.strength += term.strength;
@@ -155,13 +168,17 @@ Problem problem_of(const PrimitiveSet& set, const Spring& spring) {
     return problem;
 }
 
+void limit_dual(Term& term) {
+    const double square = glm::dot(term.dual, term.dual);
+    if (square > term.strength * term.strength) term.dual *= term.strength / std::sqrt(square);
+}
+
 // ---- 1: the smoothed problem ---------------------------------------------------------------------------------------
 
 /// The smoothed problem's slope along the step, at the part t of it; N m.
 double slope_along(const Problem& problem, vec3 x, double smoothing, vec3 step, double t) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
-    for (std::size_t i = 0; i < problem.count; ++i) {
-        const Term& term = problem.terms[i];
+    for (const Term& term : terms_of(problem)) {
         const vec3 moved = project(term, step);
         const vec3 m = term.distance + t * moved;
         slope += term.strength * glm::dot(m, moved) / std::sqrt(glm::dot(m, m) + smoothing * smoothing);
@@ -171,9 +188,9 @@ double slope_along(const Problem& problem, vec3 x, double smoothing, vec3 step, 
 
 /// Where on the step between low and high a kink is nearest: there the slope jumps. The middle where there is none.
 double next_try(const Problem& problem, vec3 step, double low, double high) {
-    for (std::size_t i = 0; i < problem.count; ++i) {
-        const vec3 moved = project(problem.terms[i], step);
-        const double t = -glm::dot(problem.terms[i].distance, moved) / glm::dot(moved, moved);
+    for (const Term& term : terms_of(problem)) {
+        const vec3 moved = project(term, step);
+        const double t = -glm::dot(term.distance, moved) / glm::dot(moved, moved);
         if (t > low && t < high) return t;
     }
     return 0.5 * (low + high);
@@ -224,8 +241,7 @@ bool smoothed_step(Problem& problem, vec3& x, double smoothing) {
         const vec3 m = term.distance;
         const double over = inverse[i++];
         term.dual = over * (term.strength * (m + moved) - glm::dot(m, moved) * over * term.dual);
-        const double square = glm::dot(term.dual, term.dual);
-        if (square > term.strength * term.strength) term.dual *= term.strength / std::sqrt(square);
+        limit_dual(term);
         term.distance = project(term, x) - term.offset;
         if (part.short_ && glm::dot(term.distance, term.distance) > smoothing * smoothing)
             term.dual =
@@ -347,11 +363,6 @@ double spread_of_held(Problem& problem, vec3 x) {
     }
     spread = std::sqrt(spread);
     return spread <= problem.rounding ? 0 : spread;
-}
-
-void limit_dual(Term& term) {
-    const double square = glm::dot(term.dual, term.dual);
-    if (square > term.strength * term.strength) term.dual *= term.strength / std::sqrt(square);
 }
 
 /// Spreads what is missing over the held terms by the room each has left, and again what did not fit. What is left, N.
@@ -568,7 +579,7 @@ Answer solved(Problem problem, int& steps) {
     set_origin(problem, problem.centre);
     const vec3 x = problem.load / problem.stiffness;
     measure_distances(problem, x);
-    if (problem.count == 0) return {problem, x, 0};
+    if (problem.terms.count == 0) return {problem, x, 0};
     problem.rounding = rounding_of(problem);
     const double accepted = 256 * epsilon * (problem.strength + glm::length(problem.load));
     Answer best;
