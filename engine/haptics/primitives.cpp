@@ -551,6 +551,10 @@ void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& 
     double length = length_of(problem);
     x = start_of(problem, x);
     measure_distances(problem, x);
+    // Often the best start is held where it is.
+    const Answer first = settled(problem, x, 4 * problem.rounding * problem.rounding, accepted, steps);
+    if (first.residual < best.residual) best = first;
+    if (best.residual <= accepted) return;
     double smoothing = 0.3 * length;
     for (int round = 0; round < pace.rounds; ++round) {
         if (problem.strength > 1e6 * problem.stiffness * smoothing) {
@@ -560,7 +564,7 @@ void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& 
         }
         const bool good = smoothed_step(problem, x, smoothing);
         ++steps;
-        if (round >= 2) {
+        if (round >= 3) {
             const double square = smoothing * std::max(length, 9 * smoothing);
             const Answer answer = settled(problem, x, square, accepted, steps);
             if (answer.residual < best.residual) best = answer;
