@@ -17,7 +17,8 @@
 //  3. Can the held ones exert what is missing? If so, the sum is zero with forces that each can exert, which only the
 //     one minimum allows: the proof does not depend on how the guess was made. If not, on with 1.
 //
-// Why not descend from kink to kink: it needs the steepest direction where several kinks meet, which is this problem again.
+// The best kink to start from is tried before 1, which settles most small sets. Where 1 fails at two paces, the proxy descends
+// from kink to kink. Why not always: that needs the steepest direction where several kinks meet, which is this problem again.
 // Coordinates are relative to a point on the nearest kink, since a unit vector m / |m| is only as good as m.
 
 namespace thaum::haptics {
@@ -198,8 +199,8 @@ double next_try(const Problem& problem, vec3 step, double low, double high) {
 
 struct Part {
     double taken = 1;
-    bool good = false;    ///< all of it, and the slope is small there
-    bool short_ = false;  ///< all of it, and it falls on
+    bool good = false;      ///< all of it, and the slope is small there
+    bool falls_on = false;  ///< all of it, and it falls on
 };
 
 /// How much of the step to take: all of it, unless the smoothed problem rises there more steeply than a quarter of its fall
@@ -243,7 +244,7 @@ bool smoothed_step(Problem& problem, vec3& x, double smoothing) {
         term.dual = over * (term.strength * (m + moved) - glm::dot(m, moved) * over * term.dual);
         limit_dual(term);
         term.distance = project(term, x) - term.offset;
-        if (part.short_ && glm::dot(term.distance, term.distance) > smoothing * smoothing)
+        if (part.falls_on && glm::dot(term.distance, term.distance) > smoothing * smoothing)
             term.dual =
                 term.distance *
                 (term.strength / std::sqrt(glm::dot(term.distance, term.distance) + smoothing * smoothing));

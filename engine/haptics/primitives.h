@@ -86,13 +86,17 @@ struct Balance {
     vec3 proxy{};  ///< x, m
     vec3 force{};  ///< of the primitives on the proxy, so of the spring on the hand; N
     std::array<vec3, primitive_capacity> primitive{};  ///< what each of them adds to it, N
-    /// N: what is left of the sum of all forces, each of them being one that its primitive can exert at x. Solved where
-    /// it is <= 1e-9. It bounds the error of force and stiffness * proxy. Infinite where the spring is out of range.
+    /// N: what is left of the sum of all forces, each of them being one that its primitive can exert at x. It bounds
+    /// the error of force and of stiffness * proxy. Infinite where the spring is out of range.
+    ///
+    /// Solved where it is <= 1e-9, as in 5 million random sets, half of them degenerate, at the scale of a hand
+    /// (0.01 m, 3 N, 300 N/m). Kinks that miss each other by 1e-10 of their distances may leave more, most of all where
+    /// the spring is weak beside them (1 mN/m beside 1 kN: a few in a million): so look at it.
     double residual{};
     int steps{};  ///< Newton steps, for statistics
 };
 
-/// Balances spring and primitives (eq. 8). What lies closer to x than the rounding of its position (1e-14 of the
+/// Balances spring and primitives (eq. 8). What lies closer to x than positions are rounded to (4e-15 of the
 /// coordinates) counts as touched.
 Balance balance(const PrimitiveSet& set, const Spring& spring) noexcept;
 
