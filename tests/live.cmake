@@ -12,6 +12,10 @@ thaum_test(test_menu
     SOURCES unit/menu_test.cpp
     LINK thaum_live)
 
+thaum_test(test_practice
+    SOURCES unit/practice_test.cpp
+    LINK thaum_live)
+
 add_executable(live_shot drivers/shot.cpp)
 target_link_libraries(live_shot PRIVATE thaum_flags thaum_hud)
 add_executable(live_session drivers/live_main.cpp)
@@ -35,6 +39,7 @@ thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
 thaum_driver_test(stalled ${CMAKE_CURRENT_SOURCE_DIR}/drivers/stalled.sh
     $<TARGET_FILE:live_session> $<TARGET_FILE:live_log_probe>)
+thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh $<TARGET_FILE:thaum>)
 thaum_driver_test(input_delay ${CMAKE_CURRENT_SOURCE_DIR}/drivers/input_delay.sh
     $<TARGET_FILE:live_session> $<TARGET_FILE:thaum>)
 # A hundred times, by hand: kill_recording 100

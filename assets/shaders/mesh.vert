@@ -1,6 +1,7 @@
 #version 330 core
 // A mesh in the court. Colours are linear. Variants:
-//   PER_PIXEL  the fragment shader does the lighting; without it, it is done here for each vertex
+//   PER_PIXEL  the fragment shader does light, fog and tone curve; without it, all that is done here for each vertex, so that
+//              a pixel costs next to nothing
 //   SHADOW     the sun's light is kept apart, so that the shadow map can take it away
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -17,14 +18,18 @@ uniform vec3 sun_direction;
 uniform vec3 sun_colour;
 uniform vec2 detail_range;  // m: where fine lines begin to fade, and 1 / the way until they are gone
 
-out vec3 from_eye;
 #ifdef PER_PIXEL
+out vec3 from_eye;
 out vec3 normal_there;
 out vec3 surface;
 out vec3 emitted;
 out float open_sky;
 #else
-out vec3 radiance;
+out vec3 shade;
+
+uniform vec3 fog_colour;
+uniform float fog_rate;  // 1/m^2
+vec3 tone_mapped(vec3 light);
 #endif
 #ifdef SHADOW
 uniform mat4 shadow_matrix;  // to the map, all three in [0, 1]
@@ -44,6 +49,9 @@ void main() {
     mat3 linear = mat3(model);
     vec3 stretch = vec3(dot(linear[0], linear[0]), dot(linear[1], linear[1]), dot(linear[2], linear[2]));
     vec3 n = normalize(linear * (normal / stretch));
+#ifndef PER_PIXEL
+    vec3 from_eye;
+#endif
     from_eye = world.xyz - eye;
     gl_Position = view_projection * world;
 
@@ -57,13 +65,19 @@ void main() {
     surface = paint * matt;
     emitted = own;
     open_sky = baked.a;
+    sunlight = sun;
 #else
-    radiance = own + paint * matt * light_at(world.xyz, n, baked.a);
+    vec3 radiance = own + paint * matt * light_at(world.xyz, n, baked.a);
+    float clear = exp2(-fog_rate * dot(from_eye, from_eye));
+#ifdef SHADOW
+    // As pixels, in the shade and in the sun: what the map tells lies between the two.
+    shade = tone_mapped(mix(fog_colour, radiance, clear));
+    sunlight = tone_mapped(mix(fog_colour, radiance + sun, clear)) - shade;
+#else
+    shade = tone_mapped(mix(fog_colour, radiance + sun * (detail.x * instance_sun), clear));
+#endif
 #endif
 #ifdef SHADOW
-    sunlight = sun;
     in_map = (shadow_matrix * vec4(world.xyz + shadow_lift * n, 1.0)).xyz;
-#else
-    radiance += sun * (detail.x * instance_sun);
 #endif
 }

@@ -68,15 +68,29 @@ struct FieldInfo {
     Scalar scalar{};
 };
 
+/// Names its fields itself, or a function beside it does: what belongs to a part that knows nothing of components.
 template <class T>
-concept Described = requires {
+concept NamesFields = requires {
     T::fields();
+};
+template <class T>
+concept Described = NamesFields<T> || requires {
+    fields_of(static_cast<const T*>(nullptr));
 };
 
 template <class T>
 concept Tag = std::is_empty_v<T>;
 
 namespace detail {
+
+template <Described T>
+constexpr auto fields() {
+    if constexpr (NamesFields<T>) {
+        return T::fields();
+    } else {
+        return fields_of(static_cast<const T*>(nullptr));
+    }
+}
 
 template <class T>
 inline constexpr bool is_array = false;
@@ -146,7 +160,7 @@ constexpr std::size_t for_each_scalar(const std::string& prefix, std::size_t off
                       offset + offset_of(f.member), visit)),
                  ...);
             },
-            T::fields());
+            fields<T>());
         return sum;
     } else {
         visit(prefix, offset, scalar_of<T>());
@@ -165,7 +179,7 @@ constexpr std::size_t packed_size() {
                 return (std::size_t{0} + ... +
                         packed_size<std::remove_cvref_t<decltype(std::declval<T>().*f.member)>>());
             },
-            T::fields());
+            fields<T>());
     } else {
         return sizeof(T);
     }

@@ -1,16 +1,10 @@
 #include "ecs/schedule.h"
 
 #include <bit>
-#include <chrono>
+
+#include "core/clock.h"
 
 namespace thaum::ecs {
-namespace {
-
-std::uint64_t now_ns() {
-    return static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count());
-}
-
-}  // namespace
 
 void Schedule::add(System system) {
     THAUM_ASSERT(system.period > 0 && system.phase < system.period,
@@ -39,13 +33,13 @@ void Schedule::run(World& world, Tick tick) {
             continue;
         }
         const Access access{system.reads, system.writes, system.name};
-        const auto start = timing ? now_ns() : 0;
+        const auto start = timing ? monotonic_ns() : 0;
         world.set_access(&access);
         system.run(world, tick);
         world.set_access(nullptr);
         world.apply_commands();
         ++counts_[i].calls;
-        if (timing) counts_[i].time_ns += now_ns() - start;
+        if (timing) counts_[i].time_ns += monotonic_ns() - start;
     }
 }
 

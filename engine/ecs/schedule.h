@@ -26,7 +26,7 @@ struct System {
 struct SystemCount {
     std::uint64_t calls = 0;
     std::uint64_t skipped = 0;  ///< due, but something it needs was empty
-    std::uint64_t time_ns = 0;  ///< only while timing
+    std::int64_t time_ns = 0;   ///< only while timing
 };
 
 class Schedule {

@@ -44,9 +44,9 @@ struct SnapshotAccess {
     static std::size_t size_of_state(const World& world) {
         std::size_t bytes = world.records_.size() * sizeof(World::Record) + 64;
         for (const auto& table : world.tables_) {
-            bytes += 64 + std::size_t{table.rows} * sizeof(Entity);
-            for (const auto& column : table.columns) bytes += std::size_t{table.rows} * column.size;
-            bytes += table.tags.size() * (4 + words_for(table.rows) * 8);
+            bytes += 64 + std::size_t{table->rows} * sizeof(Entity);
+            for (const auto& column : table->columns) bytes += std::size_t{table->rows} * column.size;
+            bytes += table->tags.size() * (4 + words_for(table->rows) * 8);
         }
         return bytes;
     }
@@ -63,7 +63,7 @@ struct SnapshotAccess {
         body.put_bytes(raw(world.records_.data(), world.records_.size()));
         body.put(world.free_);
         body.put(static_cast<std::uint32_t>(world.tables_.size()));
-        for (const auto& table : world.tables_) put_table(body, table);
+        for (const auto& table : world.tables_) put_table(body, *table);
     }
 
     static void put_table(ByteWriter& out, const Table& table) {
@@ -81,12 +81,12 @@ struct SnapshotAccess {
     static std::uint64_t hash(const World& world) {
         auto h = hash_bytes(raw(world.records_.data(), world.records_.size()), world.free_);
         for (const auto& table : world.tables_) {
-            h = hash_combine(h, table.mask.words[0]);
-            h = hash_combine(h, table.mask.words[1] ^ table.rows);
-            h = hash_combine(h, hash_bytes(raw(table.entities(), table.rows)));
-            for (const auto& column : table.columns) h = hash_combine(h, hash_bytes(cells(table, column)));
-            for (const auto& tag : table.tags) {
-                h = hash_combine(h, hash_bytes(raw(tag.words.data(), words_for(table.rows)), tag.component));
+            h = hash_combine(h, table->mask.words[0]);
+            h = hash_combine(h, table->mask.words[1] ^ table->rows);
+            h = hash_combine(h, hash_bytes(raw(table->entities(), table->rows)));
+            for (const auto& column : table->columns) h = hash_combine(h, hash_bytes(cells(*table, column)));
+            for (const auto& tag : table->tags) {
+                h = hash_combine(h, hash_bytes(raw(tag.words.data(), words_for(table->rows)), tag.component));
             }
         }
         return h;
@@ -94,8 +94,9 @@ struct SnapshotAccess {
 
     static void reset(World& world) {
         world.records_.clear();
+        world.last_edge_ = &world.no_edge_;
         world.tables_.clear();
-        world.tables_.emplace_back();
+        world.tables_.push_back(std::make_unique<Table>());
         world.free_ = none;
         world.counts_.fill(0);
         for (auto& query : world.queries_) query.reset();
@@ -138,7 +139,7 @@ struct SnapshotAccess {
             if (mask.test(c) && (c >= world.infos_.size() || world.infos_[c].size == 0)) return false;
         }
         if (world.table_with(mask) != number) return false;  // a duplicate, or not the empty one first
-        auto& table = world.tables_[number];
+        auto& table = *world.tables_[number];
         if (in.left() < std::size_t{rows} * sizeof(Entity)) return false;
         table.reserve(rows);
         table.rows = rows;
@@ -179,7 +180,7 @@ struct SnapshotAccess {
     static bool consistent(World& world) {
         std::size_t rows = 0;
         for (std::uint32_t t = 0; t < world.tables_.size(); ++t) {
-            const auto& table = world.tables_[t];
+            const auto& table = *world.tables_[t];
             rows += table.rows;
             for (std::uint32_t row = 0; row < table.rows; ++row) {
                 const Entity e = table.entities()[row];

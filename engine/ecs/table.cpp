@@ -24,6 +24,43 @@ void Table::reserve(std::uint32_t rows_wanted) {
         cells[column.component] = column.array.data();
     }
     for (auto& tag : tags) tag.words.resize(words_for(capacity), 0);
+    for (auto* edge : incident) edge->aim();
+}
+
+void Edge::aim() {
+    for (auto* list : {&lanes, &odd_lanes}) {
+        for (auto& lane : *list) {
+            lane.from = from->cells[lane.component];
+            lane.to = to->cells[lane.component];
+        }
+    }
+}
+
+void Table::join(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component) {
+    auto edge = std::make_unique<Edge>();
+    edge->key = edge_key(number, component, !mask.test(component));
+    edge->from = this;
+    edge->to = &other;
+    edge->to_number = other_number;
+    for (const auto& column : columns) {
+        if (column.component == component) continue;
+        auto& list = through_registers(column.size) ? edge->lanes : edge->odd_lanes;
+        list.push_back({nullptr, nullptr, column.size, column.component});
+    }
+    edge->aim();
+    incident.push_back(edge.get());
+    other.incident.push_back(edge.get());
+    edges[component] = std::move(edge);
+}
+
+void Table::move_odd_cells(std::span<const Lane> lanes, std::uint32_t row, std::uint32_t last,
+                           std::uint32_t to_row) {
+    for (const auto& lane : lanes) {
+        const std::size_t size = lane.size;
+        auto* hole = lane.from + row * size;
+        copy_cell(lane.to + to_row * size, hole, size);
+        copy_cell(hole, lane.from + last * size, size);
+    }
 }
 
 TagColumn& Table::new_tag_column(std::uint32_t component) {

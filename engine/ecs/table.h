@@ -2,10 +2,9 @@
 //
 // Measured (thaum bench ecs): arrays of one table iterate at the speed of raw arrays, sparse sets at a quarter of it and
 // less. The price of tables is that adding a component moves the entity to another table. What keeps it low lies
-// beside the arrays and not in them, so that iteration knows nothing of it: a table remembers its neighbours (the tables with
-// one component more or less) and holds, by component, where its array is, so that two tables exchange a row in one pass
-// without any look-up; cells of common sizes move through registers; and one capacity for all arrays makes "is there room"
-// one question. Tags, which change most often, are columns of bits: they never move an entity, and a view over them
+// beside the arrays and not in them, so that iteration knows nothing of it: an edge joins two tables that differ in one
+// component and knows the arrays between which a row moves, so that it moves in one pass without any look-up; cells of
+// common sizes move through registers; and one capacity for all arrays makes "is there room" one question. Tags, which change most often, are columns of bits: they never move an entity, and a view over them
 // walks 64 rows at a time.
 //
 // A row is removed by moving the last row into it, so the order of rows follows from the history of the world alone.
@@ -15,6 +14,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "ecs/component.h"
@@ -63,6 +63,39 @@ struct TagColumn {
 inline constexpr std::uint8_t no_tag = 0xff;
 static_assert(max_components < no_tag);
 
+struct Table;
+
+/// Whether cells of so many bytes are copied by a few moves instead of a call.
+constexpr bool through_registers(std::uint32_t size) {
+    return size == 4 || size == 8 || size == 12 || size == 16 || size == 24 || size == 32;
+}
+
+/// Two arrays of one component, between which its cells move.
+struct Lane {
+    std::byte* from;
+    std::byte* to;
+    std::uint32_t size;  ///< of a cell, bytes
+    std::uint32_t component;
+};
+
+/// From one table to that with one component more, or less.
+struct Edge {
+    std::uint64_t key = ~std::uint64_t{0};  ///< edge_key; no table has the number in this one
+    Table* from = nullptr;
+    Table* to = nullptr;
+    std::uint32_t to_number = none;
+    std::vector<Lane> lanes;      ///< of what both have; those whose cells go through registers
+    std::vector<Lane> odd_lanes;  ///< and the others
+
+    /// Finds the arrays anew.
+    void aim();
+};
+
+/// What a change of one entity asks for, in one word: from which table, which component, more or less of it.
+constexpr std::uint64_t edge_key(std::uint32_t table, std::uint32_t component, bool more) {
+    return (std::uint64_t{table} << 32U) | (component << 1U) | (more ? 1U : 0U);
+}
+
 struct Table {
     Mask mask;                    ///< data components
     std::vector<Column> columns;  ///< in the order of their components
@@ -73,13 +106,13 @@ struct Table {
 
     std::array<std::byte*, max_components> cells;     ///< a data component's array; null: no such column
     std::array<std::uint8_t, max_components> tag_of;  ///< a tag's index into tags; no_tag
-    std::array<std::uint32_t, max_components>
-        neighbour;  ///< the table with this component more, or less; none: not known yet
+    /// The way to the table with this component more, or less; null: not known yet.
+    std::array<std::unique_ptr<Edge>, max_components> edges;
+    std::vector<Edge*> incident;  ///< from here or to here: they hold the addresses of this table's arrays
 
     Table() {
         cells.fill(nullptr);
         tag_of.fill(no_tag);
-        neighbour.fill(none);
     }
 
     Entity* entities() const { return reinterpret_cast<Entity*>(entity_array.data()); }
@@ -102,13 +135,12 @@ struct Table {
     }
     /// The last row takes the place of `row`; returns the entity that moved (the removed one if it was the last).
     Entity remove(std::uint32_t row);
-    struct Moved {
-        std::uint32_t new_row;
-        Entity filler;  ///< the entity that is in the old row now
-    };
-    /// `remove`, after the row was copied to a new last row of a neighbour. Only the cells of `kept`, the smaller of the two
-    /// tables, are touched: where it is `to`, the caller fills the hole in the one column more, whose type he may know.
-    Moved move(std::uint32_t row, Table& to, const Table& kept);
+    /// `remove`, after the row was copied to row `to_row` of the neighbour at the end of one of this table's edges. Only
+    /// cells that both have are touched: where `to` has one column less, the caller fills the hole in it, whose type he may
+    /// know. Returns the entity that is in the old row now.
+    Entity move(std::uint32_t row, std::uint32_t to_row, const Edge& edge);
+    /// Once, for two tables that differ in this component.
+    void join(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component);
     /// The column of bits of a tag, made when it is first needed.
     TagColumn& tag_column(std::uint32_t component) {
         const auto at = tag_of[component];
@@ -120,8 +152,8 @@ struct Table {
 
 private:
     TagColumn& new_tag_column(std::uint32_t component);
-    /// The cells of the components of `kept` (the smaller of both tables): to the new row, then the last into the hole.
-    void move_cells(const Table& kept, std::uint32_t row, Table& to, std::uint32_t to_row);
+    static void move_odd_cells(std::span<const Lane> lanes, std::uint32_t row, std::uint32_t last,
+                               std::uint32_t to_row);
     void move_tags(std::uint32_t row, Table& to, std::uint32_t to_row);
     void close_tags(std::uint32_t row);
     Entity close(std::uint32_t row) {
@@ -131,7 +163,7 @@ private:
     }
 };
 
-/// Calls f(size) with a constant for the common sizes of a cell, so that a copy is a few moves instead of a call.
+/// Calls f(size), with a constant where cells of that size go through registers.
 template <class F>
 [[gnu::always_inline]] inline void with_size(std::uint32_t size, F&& f) {
     switch (size) {
@@ -178,27 +210,42 @@ inline void copy_cell(std::byte* to, const std::byte* from, std::size_t size) {
     return close(row);
 }
 
-[[gnu::always_inline]] inline void Table::move_cells(const Table& kept, std::uint32_t row, Table& to,
-                                                     std::uint32_t to_row) {
-    const std::uint32_t last = rows - 1;
-    for (const auto& column : kept.columns) {
-        const std::size_t width = column.size;
-        auto* array = cells[column.component];
-        auto* target = to.cells[column.component] + to_row * width;
-        auto* hole = array + row * width;
-        const auto* filler = array + last * width;
-        with_size(column.size, [&](auto size) {
-            copy_cell(target, hole, size);
-            copy_cell(hole, filler, size);
-        });
-    }
+/// The cell of `row` goes to `to_row` over there, the last into the hole.
+template <std::size_t size>
+[[gnu::always_inline]] inline void move_cell(const Lane& lane, std::size_t row, std::size_t last,
+                                             std::size_t to_row) {
+    constexpr std::integral_constant<std::size_t, size> constant{};
+    auto* hole = lane.from + row * size;
+    copy_cell(lane.to + to_row * size, hole, constant);
+    copy_cell(hole, lane.from + last * size, constant);
 }
 
-[[gnu::always_inline]] inline Table::Moved Table::move(std::uint32_t row, Table& to, const Table& kept) {
-    const auto to_row = to.append(entities()[row]);
-    move_cells(kept, row, to, to_row);
-    if (!tags.empty()) move_tags(row, to, to_row);
-    return {to_row, close(row)};
+// No calls in the loop, so that nothing need be kept on the stack through it, and comparisons instead of a jump table, which
+// makes every address wait for the jump.
+[[gnu::always_inline]] inline Entity Table::move(std::uint32_t row, std::uint32_t to_row, const Edge& edge) {
+    const std::uint32_t last = rows - 1;
+    for (const auto& lane : edge.lanes) {
+        if (lane.size == 12) {
+            move_cell<12>(lane, row, last, to_row);
+        } else if (lane.size == 24) {
+            move_cell<24>(lane, row, last, to_row);
+        } else if (lane.size == 8) {
+            move_cell<8>(lane, row, last, to_row);
+        } else if (lane.size == 4) {
+            move_cell<4>(lane, row, last, to_row);
+        } else if (lane.size == 16) {
+            move_cell<16>(lane, row, last, to_row);
+        } else {
+            move_cell<32>(lane, row, last, to_row);
+        }
+    }
+    if (!edge.odd_lanes.empty()) [[unlikely]] {
+        move_odd_cells(edge.odd_lanes, row, last, to_row);
+    }
+    if (!tags.empty()) [[unlikely]] {
+        move_tags(row, *edge.to, to_row);
+    }
+    return close(row);
 }
 
 }  // namespace thaum::ecs

@@ -73,7 +73,7 @@ public:
     void each(F&& f) const {
         const Lock lock(world_);
         for (const auto t : query_.tables) {
-            const auto& table = world_.tables_[t];
+            const auto& table = *world_.tables_[t];
             if (table.rows > 0) each_in(table, f);
         }
     }
@@ -88,7 +88,7 @@ public:
     /// The first match, or `nobody`.
     Entity first() const {
         for (const auto t : query_.tables) {
-            const auto& table = world_.tables_[t];
+            const auto& table = *world_.tables_[t];
             for (std::uint32_t row = 0; row < table.rows; row += 64) {
                 const auto word = matching(table, row);
                 if (word != 0)

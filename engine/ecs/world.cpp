@@ -11,7 +11,7 @@ World::World() {
     id_of_type_.resize(types, none);
     queries_.resize(types);
     packs_.resize(types);
-    tables_.emplace_back();
+    tables_.push_back(std::make_unique<Table>());
 }
 
 void World::declare_info(ComponentInfo info, std::uint32_t type_number) {
@@ -48,33 +48,43 @@ void World::check_access(std::uint32_t component, bool write) const {
 
 std::uint32_t World::table_with(const Mask& mask) {
     for (std::uint32_t t = 0; t < tables_.size(); ++t) {
-        if (tables_[t].mask == mask) return t;
+        if (tables_[t]->mask == mask) return t;
     }
-    Table table;
+    auto made = std::make_unique<Table>();
+    auto& table = *made;
     table.mask = mask;
     for (std::uint32_t c = 0; c < infos_.size(); ++c) {
         if (mask.test(c)) table.add_column(c, infos_[c].size);
     }
     table.reserve(16);
-    tables_.push_back(std::move(table));
+    tables_.push_back(std::move(made));
     return static_cast<std::uint32_t>(tables_.size() - 1);
 }
 
-std::uint32_t World::neighbour(std::uint32_t table, std::uint32_t component) {
-    const auto known = tables_[table].neighbour[component];
-    if (known != none) [[likely]] {
-        return known;
-    }
-    return find_neighbour(table, component);
+const Edge& World::edge_to_more(std::uint32_t table, std::uint32_t component, Entity entity) {
+    THAUM_ASSERT(tables_[table]->cells[component] == nullptr,
+                 component_message("already has", component, entity));
+    return edge_from(table, component);
 }
 
-std::uint32_t World::find_neighbour(std::uint32_t table, std::uint32_t component) {
-    Mask mask = tables_[table].mask;
-    mask.test(component) ? mask.clear(component) : mask.set(component);
-    const auto found = table_with(mask);  // may move tables_
-    tables_[table].neighbour[component] = found;
-    tables_[found].neighbour[component] = table;
-    return found;
+const Edge& World::edge_to_less(std::uint32_t table, std::uint32_t component, Entity entity) {
+    THAUM_ASSERT(tables_[table]->cells[component] != nullptr,
+                 component_message("has no component", component, entity));
+    return edge_from(table, component);
+}
+
+const Edge& World::edge_from(std::uint32_t table, std::uint32_t component) {
+    auto& from = *tables_[table];
+    if (from.edges[component] == nullptr) [[unlikely]] {
+        Mask mask = from.mask;
+        mask.test(component) ? mask.clear(component) : mask.set(component);
+        const auto number = table_with(mask);
+        auto& other = *tables_[number];
+        from.join(table, other, number, component);
+        other.join(number, from, table, component);
+    }
+    last_edge_ = from.edges[component].get();
+    return *last_edge_;
 }
 
 std::uint32_t World::new_number() {
@@ -101,7 +111,7 @@ void World::forget_packs() { packs_.assign(packs_.size(), {}); }
 
 std::size_t World::size() const {
     std::size_t rows = 0;
-    for (const auto& table : tables_) rows += table.rows;
+    for (const auto& table : tables_) rows += table->rows;
     return rows;
 }
 
@@ -114,7 +124,7 @@ void World::call(const Hook& hook, std::uint32_t component, Entity entity) {
 void World::destroy(Entity entity) {
     assert_unlocked(none);
     const auto row = record(entity, none).row;
-    auto& table = tables_[records_[entity.index].table];
+    auto& table = *tables_[records_[entity.index].table];
     if (has_remove_hooks_) [[unlikely]] {
         removing_all(table, row);
     }
@@ -142,34 +152,6 @@ void World::clear() {
     for (std::uint32_t i = 0; i < records_.size(); ++i) {
         if (records_[i].table != none) destroy({i, records_[i].generation});
     }
-}
-
-World::Cell World::extend(Entity entity, std::uint32_t component) {
-    assert_unlocked(component);
-    auto& r = record(entity, component);
-    THAUM_ASSERT(tables_[r.table].cells[component] == nullptr,
-                 component_message("already has", component, entity));
-    const auto to = neighbour(r.table, component);
-    auto& from = tables_[r.table];
-    auto& target = tables_[to];
-    moved_to(r, to, from.move(r.row, target, from));
-    return {target.cells[component], r.row};
-}
-
-World::Hole World::narrow(Entity entity, std::uint32_t component) {
-    assert_unlocked(component);
-    auto& r = record(entity, component);
-    THAUM_ASSERT(tables_[r.table].cells[component] != nullptr,
-                 component_message("has no component", component, entity));
-    if (has_remove_hooks_) [[unlikely]] {
-        removing(component, entity);
-    }
-    const auto to = neighbour(r.table, component);
-    auto& from = tables_[r.table];
-    auto& target = tables_[to];
-    const auto row = r.row;
-    moved_to(r, to, from.move(row, target, target));
-    return {from.cells[component], row, from.rows};
 }
 
 void World::add_bytes(Entity entity, std::uint32_t component, const void* bytes) {
@@ -200,20 +182,20 @@ void World::remove_by_id(Entity entity, std::uint32_t component) {
 const void* World::find_bytes(Entity entity, std::uint32_t component) const {
     if (!alive(entity)) return nullptr;
     const auto& r = records_[entity.index];
-    const auto* cells = tables_[r.table].cells[component];
+    const auto* cells = tables_[r.table]->cells[component];
     return cells == nullptr ? nullptr : cells + std::size_t{r.row} * infos_[component].size;
 }
 
 const void* World::single_bytes(std::uint32_t component) const {
     for (const auto& table : tables_) {
-        if (table.cells[component] != nullptr && table.rows > 0) return table.cells[component];
+        if (table->cells[component] != nullptr && table->rows > 0) return table->cells[component];
     }
     return nullptr;
 }
 
 void World::refresh(Query& query) const {
     for (; query.tables_seen < tables_.size(); ++query.tables_seen) {
-        const auto& mask = tables_[query.tables_seen].mask;
+        const auto& mask = tables_[query.tables_seen]->mask;
         if (mask.contains(query.required) && !mask.intersects(query.excluded)) {
             query.tables.push_back(query.tables_seen);
         }

@@ -54,7 +54,7 @@ public:
     void reserve_entities(std::uint32_t count) { records_.reserve(count); }
     template <Component... Cs>
     void reserve(std::uint32_t rows) {
-        tables_[pack_of<Cs...>().table].reserve(rows);
+        tables_[pack_of<Cs...>().table]->reserve(rows);
     }
 
     template <Component... Cs>
@@ -134,7 +134,7 @@ public:
         return m;
     }
     std::span<const ComponentInfo> components() const { return infos_; }
-    std::span<const Table> tables() const { return tables_; }
+    std::span<const std::unique_ptr<Table>> tables() const { return tables_; }
     std::uint32_t count(std::uint32_t component) const { return counts_[component]; }
     /// While set, every access is checked against what the system declared; null turns the check off.
     void set_access(const Access* access) { access_ = access; }
@@ -212,14 +212,12 @@ private:
     }
     std::uint32_t new_number();
     std::uint32_t table_with(const Mask& mask);
-    /// The table with this component more, or less where it has it.
-    std::uint32_t neighbour(std::uint32_t table, std::uint32_t component);
-    std::uint32_t find_neighbour(std::uint32_t table, std::uint32_t component);
-    void moved_to(Record& record, std::uint32_t to, const Table::Moved& moved) {
-        records_[moved.filler.index].row = record.row;
-        record.table = to;  // after the line above: the entity may itself have been the last
-        record.row = moved.new_row;
-    }
+    /// The edge to the table with this component more (less); the entity is for the assertion that it has none (one).
+    const Edge& edge_to_more(std::uint32_t table, std::uint32_t component, Entity entity);
+    const Edge& edge_to_less(std::uint32_t table, std::uint32_t component, Entity entity);
+    const Edge& edge_from(std::uint32_t table, std::uint32_t component);
+    /// Moves the entity along the edge; returns its new row.
+    std::uint32_t follow(const Edge& edge, Record& record, Entity entity);
     void forget_packs();
     void call(const Hook& hook, std::uint32_t component, Entity entity);
     void added(std::uint32_t component, Entity entity) {
@@ -251,7 +249,11 @@ private:
     std::array<Hook, max_components> added_{}, removed_{};
     bool has_remove_hooks_ = false;
     std::array<std::uint32_t, max_components> counts_{};
-    std::vector<Table> tables_;  // the first one has no components
+    std::vector<std::unique_ptr<Table>> tables_;  // the first one has no components
+    const Edge no_edge_{};
+    // The one that was last taken, since the same change often follows for many entities: then what it leads to is known before
+    // the entity is.
+    const Edge* last_edge_ = &no_edge_;
     std::vector<Record> records_;
     std::uint32_t free_ = none;
     Commands commands_;
@@ -300,7 +302,7 @@ template <Component... Cs>
     THAUM_ASSERT(locks_ == 0, locked_message(sizeof...(Cs) > 0 ? pack.components[0] : none));
     const auto index = take_number();
     auto& record = records_[index];
-    auto& table = tables_[pack.table];
+    auto& table = *tables_[pack.table];
     const Entity entity{index, record.generation};
     const auto row = table.append(entity);
     record.table = pack.table;
@@ -324,7 +326,7 @@ template <Component... Cs>
 inline void World::mark(Entity entity, std::uint32_t tag) {
     assert_unlocked(tag);
     const auto& r = record(entity, tag);
-    auto& column = tables_[r.table].tag_column(tag);
+    auto& column = tables_[r.table]->tag_column(tag);
     THAUM_ASSERT(!column.test(r.row), component_message("already has", tag, entity));
     column.set(r.row);
 }
@@ -332,15 +334,52 @@ inline void World::mark(Entity entity, std::uint32_t tag) {
 inline void World::unmark(Entity entity, std::uint32_t tag) {
     assert_unlocked(tag);
     const auto& r = record(entity, tag);
-    auto& table = tables_[r.table];
+    auto& table = *tables_[r.table];
     const auto at = table.tag_of[tag];
     THAUM_ASSERT(at != no_tag && table.tags[at].test(r.row), component_message("has no", tag, entity));
     removing(tag, entity);
     table.tags[at].clear(r.row);
 }
 
+[[gnu::always_inline]] inline std::uint32_t World::follow(const Edge& edge, Record& record, Entity entity) {
+    const auto row = record.row;
+    const auto to_row = edge.to->append(entity);
+    const auto filler = edge.from->move(row, to_row, edge);
+    records_[filler.index].row = row;
+    record.table = edge.to_number;  // after the line above: the entity may itself have been the last
+    record.row = to_row;
+    return to_row;
+}
+
+[[gnu::always_inline]] inline World::Cell World::extend(Entity entity, std::uint32_t component) {
+    assert_unlocked(component);
+    auto& r = record(entity, component);
+    const auto* edge = last_edge_;
+    if (edge->key != edge_key(r.table, component, true)) [[unlikely]] {
+        edge = &edge_to_more(r.table, component, entity);
+    }
+    const auto row = follow(*edge, r, entity);
+    return {edge->to->cells[component], row};
+}
+
+[[gnu::always_inline]] inline World::Hole World::narrow(Entity entity, std::uint32_t component) {
+    assert_unlocked(component);
+    auto& r = record(entity, component);
+    const auto* edge = last_edge_;
+    if (edge->key != edge_key(r.table, component, false)) [[unlikely]] {
+        edge = &edge_to_less(r.table, component, entity);
+    }
+    if (has_remove_hooks_) [[unlikely]] {
+        removing(component, entity);
+    }
+    const auto row = r.row;
+    follow(*edge, r, entity);
+    return {edge->from->cells[component], row, edge->from->rows};
+}
+
+// Inlined, as `create` is.
 template <Component C>
-void World::add(Entity entity, const C& component) {
+[[gnu::always_inline]] inline void World::add(Entity entity, const C& component) {
     const auto c = id<C>();
     check_write(c);
     if constexpr (Tag<C>) {
@@ -355,7 +394,7 @@ void World::add(Entity entity, const C& component) {
 }
 
 template <Component C>
-void World::remove(Entity entity) {
+[[gnu::always_inline]] inline void World::remove(Entity entity) {
     const auto c = id<C>();
     check_write(c);
     if constexpr (Tag<C>) {
@@ -373,7 +412,7 @@ bool World::has(Entity entity) const {
     const auto c = id<C>();
     check_read(c);
     const auto& r = record(entity, c);
-    const auto& table = tables_[r.table];
+    const auto& table = *tables_[r.table];
     if constexpr (Tag<C>) {
         const auto at = table.tag_of[c];
         return at != no_tag && table.tags[at].test(r.row);
@@ -388,7 +427,7 @@ const C& World::get(Entity entity) const {
     const auto c = id<C>();
     check_read(c);
     const auto& r = record(entity, c);
-    const auto* cells = tables_[r.table].template cells_of<const C>(c);
+    const auto* cells = tables_[r.table]->template cells_of<const C>(c);
     THAUM_ASSERT(cells != nullptr, component_message("has no component", c, entity));
     return cells[r.row];
 }

@@ -787,7 +787,7 @@ Expected<PrimitiveSet> checked(std::span<const Primitive> primitives) {
     return set;
 }
 
-Spring effective_spring(const Coupling& coupling, vec3 probe, vec3 probe_velocity, vec3 proxy_before,
+Spring effective_spring(const ProxyCoupling& coupling, vec3 probe, vec3 probe_velocity, vec3 proxy_before,
                         double period) noexcept {
     const double damper = coupling.damping / period;
     const double stiffness = coupling.stiffness + damper;

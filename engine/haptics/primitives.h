@@ -71,14 +71,14 @@ struct Spring {
 };
 
 /// Spring and damper between probe and proxy (eq. 3).
-struct Coupling {
+struct ProxyCoupling {
     double stiffness{};  ///< k, N/m, > 0
     double damping{};    ///< D, N s/m, >= 0
 };
 
 /// The coupling's force k (probe - x) + D (probe_velocity - v) with the backward difference v = (x - proxy_before) / period
 /// is that of one spring: the damper only stiffens and moves it. Metres, m/s, s.
-Spring effective_spring(const Coupling& coupling, vec3 probe, vec3 probe_velocity, vec3 proxy_before,
+Spring effective_spring(const ProxyCoupling& coupling, vec3 probe, vec3 probe_velocity, vec3 proxy_before,
                         double period) noexcept;
 
 /// Where the proxy is, and how well that is known.

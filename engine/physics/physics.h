@@ -58,6 +58,7 @@ struct BodyDesc {
     Layers collides_with{all_layers};  ///< two bodies collide when each is in a layer of the other's set
     std::uint32_t upright{};           ///< 1: never rotates (a wizard's capsule)
     std::uint32_t swept{};  ///< 1: a fast, small body is stopped at walls thinner than its path in a step
+    bool operator==(const BodyDesc&) const = default;
 };
 static_assert(std::is_trivially_copyable_v<BodyDesc> && std::has_unique_object_representations_v<Shape>);
 static_assert(sizeof(BodyDesc) == 6 * sizeof(std::uint32_t) + 3 * sizeof(double) + 6 * sizeof(double));
@@ -79,6 +80,7 @@ static_assert(sizeof(BodyState) == 14 * sizeof(double) + 2 * sizeof(std::uint32_
 struct TriangleMesh {
     std::vector<vec3> vertices;  ///< m, body frame
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    bool operator==(const TriangleMesh&) const = default;
 };
 
 /// Two bodies that pressed on each other in the last step.

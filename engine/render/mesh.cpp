@@ -1,19 +1,33 @@
 #include "render/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <limits>
 
 #include "core/assert.h"
 
 namespace thaum::render {
+namespace {
+
+struct Extent {
+    fvec3 low{0}, high{0};
+};
+
+Extent extent(const MeshData& mesh) {
+    if (mesh.vertices.empty()) return {};
+    Extent out{mesh.vertices[0].position, mesh.vertices[0].position};
+    for (const auto& v : mesh.vertices) {
+        out.low = glm::min(out.low, v.position);
+        out.high = glm::max(out.high, v.position);
+    }
+    return out;
+}
+
+}  // namespace
+
 Bounds bounds(const MeshData& mesh) {
     if (mesh.vertices.empty()) return {};
-    fvec3 low(std::numeric_limits<float>::max()), high(std::numeric_limits<float>::lowest());
-    for (const auto& v : mesh.vertices) {
-        low = glm::min(low, v.position);
-        high = glm::max(high, v.position);
-    }
+    const auto [low, high] = extent(mesh);
     Bounds out{0.5F * (low + high), 0};
     for (const auto& v : mesh.vertices) {
         out.radius = std::max(out.radius, glm::distance(out.centre, v.position));

@@ -4,7 +4,7 @@
 //   MeshData robe = cone(0.35F, 0.12F, 1.2F, 16, violet);
 //   append(robe, sphere(0.14F, 12, skin), translated({0, 0.75F, 0}));   // robe = robe + head
 //
-// Lengths in m. Every generator's mesh is closed (but for `grid`), wound counter-clockwise seen from outside, and
+// Lengths in m. Every generator's mesh is closed (but for `grid` and `flat_frame`), wound counter-clockwise seen from outside, and
 // centred on the origin of its bounding box with +y as its axis, as physics shapes are, unless it says otherwise.
 #pragma once
 #include <cstdint>
@@ -33,6 +33,19 @@ struct MeshData {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
 };
+
+/// A piece of something big that never changes: left out of the picture or drawn plainly by itself.
+struct Patch {
+    MeshData full;
+    /// The same with fewer triangles, for where what it lacks is less than a pixel and has faded (Vertex::far_away); empty:
+    /// there is none.
+    MeshData plain{};
+    float detail{};  ///< m: the size of what `plain` lacks
+    bool sunless{};  ///< no sun ever gets there: nobody need look into the shadow map
+};
+
+/// Drawn in one call, what is near first.
+using Patchwork = std::vector<Patch>;
 
 /// A sphere that holds the mesh, for culling.
 struct Bounds {
@@ -73,6 +86,8 @@ MeshData revolve(std::span<const fvec2> profile, int segments, fvec3 colour, flo
 
 /// A frame of `sides` sides, one corner up, that faces +z: the ring mark has many sides, the triangle mark three.
 MeshData frame(int sides, float outer_radius, float inner_radius, float thickness, fvec3 colour);
+/// Only the side that faces +z, at z = 0, for what lies flush on something; not closed.
+MeshData flat_frame(int sides, float outer_radius, float inner_radius, fvec3 colour);
 MeshData ring_mark(float radius, fvec3 colour);      ///< team ember
 MeshData triangle_mark(float radius, fvec3 colour);  ///< team tide
 

@@ -1,25 +1,12 @@
 #include "render/pace.h"
 
-#include <cerrno>
-#include <ctime>
-
 #include "core/assert.h"
+#include "core/clock.h"
 
 namespace thaum::render {
 namespace {
 
 constexpr std::int64_t second = 1'000'000'000;
-
-std::int64_t monotonic_now() {
-    timespec t{};
-    ::clock_gettime(CLOCK_MONOTONIC, &t);
-    return t.tv_sec * second + t.tv_nsec;
-}
-
-void sleep_until(std::int64_t deadline) {
-    const timespec t{deadline / second, deadline % second};
-    while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, nullptr) == EINTR) {}
-}
 
 }  // namespace
 
@@ -37,12 +24,12 @@ Pacer::Pacer(double frames_per_second) {
 double Pacer::wait() {
     const bool first = last_ == 0;
     if (period_ > 0) {
-        const auto now = monotonic_now();
+        const auto now = monotonic_ns();
         deadline_ = first ? now : next_deadline(deadline_, now, period_);
-        if (deadline_ > now) sleep_until(deadline_);
+        if (deadline_ > now) sleep_until_ns(deadline_);
     }
     const auto before = last_;
-    last_ = monotonic_now();
+    last_ = monotonic_ns();
     return first ? 0 : static_cast<double>(last_ - before) / static_cast<double>(second);
 }
 

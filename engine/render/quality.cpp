@@ -26,18 +26,20 @@ AutoQuality decided(const AutoQuality& state) {
 }  // namespace
 
 float internal_scale_of(Quality quality, int height) {
-    constexpr std::array lines{360.0F, 540.0F};
-    const auto level = static_cast<std::size_t>(quality);
-    if (level >= lines.size() || height <= 0) return 1;
-    return std::clamp(lines[level] / static_cast<float>(height), 0.25F, 1.0F);
+    // Drawing so many at once takes a software rasteriser no longer than drawing a quarter of the pixels and enlarging them.
+    constexpr float lines = 720;
+    if (quality == Quality::high || height <= 0) return 1;
+    return std::clamp(lines / static_cast<float>(height), 0.25F, 1.0F);
+}
+
+bool is_software(std::string_view renderer) {
+    constexpr std::array known{"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software Rasterizer"};
+    return std::any_of(known.begin(), known.end(),
+                       [&](std::string_view name) { return renderer.find(name) != std::string_view::npos; });
 }
 
 Quality first_quality(std::string_view renderer) {
-    constexpr std::array software{"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software Rasterizer"};
-    const bool found = std::any_of(software.begin(), software.end(), [&](std::string_view name) {
-        return renderer.find(name) != std::string_view::npos;
-    });
-    return found ? Quality::medium : Quality::high;
+    return is_software(renderer) ? Quality::medium : Quality::high;
 }
 
 AutoQuality after_frame(AutoQuality state, double frame_ms) {

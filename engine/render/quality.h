@@ -1,8 +1,8 @@
 // render/quality.h: how much work a picture is, in three presets:
 //
 //              inside       point lights      sun's shadow             colours
-//   low        360 lines    4, each vertex    baked into the vertices  tone mapped as they are drawn
-//   medium     540 lines    8, each vertex    map, one bilinear tap    the same
+//   low        720 lines    4, each vertex    baked into the vertices  fog and tone curve at each vertex
+//   medium     720 lines    8, each vertex    map, one bilinear tap    the same, in the sun and in the shade
 //   high       the window's 8, each pixel     map, nine taps           16-bit floats, tone mapped at the end, bloom
 //
 // `auto` is not a preset but a way to choose one: it begins by what draws (a processor or a graphics card) and goes by
@@ -20,6 +20,9 @@ inline constexpr std::array<std::string_view, qualities> quality_names{"low", "m
 
 /// Frame::internal_scale for a window so many px high.
 float internal_scale_of(Quality quality, int height);
+
+/// Whether the processor draws. `renderer` is OpenGL's GL_RENDERER.
+bool is_software(std::string_view renderer);
 
 /// Where `auto` begins. `renderer` is OpenGL's GL_RENDERER: a software rasteriser begins at medium.
 Quality first_quality(std::string_view renderer);

@@ -9,6 +9,7 @@
 #include "render/detail/shaders.h"
 #include "render/detail/shadow_map.h"
 #include "render/detail/shapes2d.h"
+#include "render/detail/software_memory.h"
 #include "render/detail/targets.h"
 
 namespace thaum::render {
@@ -55,8 +56,19 @@ float aspect_of(const Rect& r) {
     return r.height > 0 ? static_cast<float>(r.width) / static_cast<float>(r.height) : 1;
 }
 
-/// What one view draws: batches of the frame's, from `first` on.
+/// Whether the views cover the window and have fog of one colour: then the window is cleared to it.
+bool share_fog(const Frame& frame) {
+    int covered = 0;
+    for (const auto& view : frame.views) {
+        covered += view.viewport.width * view.viewport.height;
+        if (view.environment.fog.colour != frame.views[0].environment.fog.colour) return false;
+    }
+    return !frame.views.empty() && covered == frame.width * frame.height;
+}
+
+/// What one view draws, and from where: batches of the frame's, from `first` on.
 struct ViewBatches {
+    Sight sight;
     std::size_t first{}, solid{}, shades{};
 };
 
@@ -67,9 +79,10 @@ struct Renderer::State {
     Font font;
     Atlas atlas;
     std::vector<GpuMesh> meshes;
-    std::vector<Bounds> mesh_bounds;  // by mesh, as `meshes`
-    std::uint64_t mesh_revision{};    // counts changes of meshes
-    Buffer instance_buffer;
+    std::vector<Bounds> mesh_bounds;       // by mesh, as `meshes`
+    std::vector<PatchTable> mesh_patches;  // by mesh
+    std::uint64_t mesh_revision{};         // counts changes of meshes
+    Buffer instance_buffer, patch_buffer;
     VertexArray no_attributes;
     OverlayBuffers overlay;
     Target pixels, light;  // smaller than the window; for Quality::high
@@ -78,13 +91,15 @@ struct Renderer::State {
     Batches batches;
     DrawStatistics statistics;
     int drawn_width{}, drawn_height{};  // what read_pixels reads
+    bool cleared_to_fog{};              // this frame
 
     void draw_views(const Frame& frame);
     ShadowView update_shadow(const Frame& frame);
-    ViewBatches collect_view(const ViewScene& view);
+    ViewBatches collect_view(const ViewScene& view, const Rect& at);
     void draw_view(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow,
                    const Rect& at, int height);
-    void draw_batches(std::size_t first, std::size_t count);
+    void draw_batches(std::size_t first, std::size_t count, bool sunless_too);
+    void draw_sunless(const ViewScene& view, const ViewBatches& its);
     void draw_overlay(const Frame& frame);
     void send_atlas();
 };
@@ -131,8 +146,10 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .atlas = {},
                                                .meshes = {},
                                                .mesh_bounds = {},
+                                               .mesh_patches = {},
                                                .mesh_revision = 0,
                                                .instance_buffer = make_buffer(),
+                                               .patch_buffer = make_buffer(),
                                                .no_attributes = make_vertex_array(),
                                                .overlay = make_overlay_buffers(),
                                                .pixels = {},
@@ -142,8 +159,10 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .batches = {},
                                                .statistics = {},
                                                .drawn_width = 0,
-                                               .drawn_height = 0});
+                                               .drawn_height = 0,
+                                               .cleared_to_fog = false});
     Renderer renderer(std::move(state));
+    if (is_software(renderer.device())) keep_freed_memory();
     warm_up(renderer);
     return renderer;
 }
@@ -157,8 +176,18 @@ MeshId Renderer::upload(const MeshData& mesh) {
     auto& s = *state_;
     s.meshes.push_back(make_mesh());
     s.mesh_bounds.emplace_back();
+    s.mesh_patches.emplace_back();
     const auto id = static_cast<MeshId>(s.meshes.size() - 1);
     replace(id, mesh);
+    return id;
+}
+
+MeshId Renderer::upload(const Patchwork& patchwork) {
+    auto all = joined(patchwork);
+    const auto id = upload(all.mesh);
+    auto& s = *state_;
+    s.meshes[id].index_count = static_cast<GLsizei>(all.table.full_count);
+    s.mesh_patches[id] = std::move(all.table);
     return id;
 }
 
@@ -166,6 +195,7 @@ void Renderer::replace(MeshId id, const MeshData& mesh) {
     auto& s = *state_;
     THAUM_ASSERT(id < s.meshes.size(), "a mesh that was never uploaded cannot be replaced");
     fill_mesh(s.meshes[id], mesh);
+    s.mesh_patches[id] = {};
     s.mesh_bounds[id] = bounds(mesh);
     ++s.mesh_revision;
 }
@@ -210,21 +240,27 @@ void Renderer::State::draw_views(const Frame& frame) {
     glBindFramebuffer(GL_FRAMEBUFFER, straight ? 0 : target.framebuffer.get());
     glViewport(0, 0, width, height);
     glDepthMask(GL_TRUE);
-    glClearColor(0, 0, 0, 1);
+    cleared_to_fog = share_fog(frame);
+    const fvec3 fog = cleared_to_fog ? frame.views[0].environment.fog.colour : fvec3(0);
+    const fvec3 behind = of_light ? fog : tone_mapped(fog);
+    glClearColor(behind.r, behind.g, behind.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-    batches.instances.clear();
-    batches.batches.clear();
-    batches.culled = 0;
+    batches.clear();
     std::vector<ViewBatches> of_views;
-    for (const auto& view : frame.views) of_views.push_back(collect_view(view));
+    for (const auto& view : frame.views)
+        of_views.push_back(collect_view(view, scaled_rect(view.viewport, scale)));
     fill_buffer(GL_ARRAY_BUFFER, instance_buffer, batches.instances, GL_STREAM_DRAW);
+    // Not as what it is: that would belong to some mesh's vertex array.
+    fill_buffer(GL_ARRAY_BUFFER, patch_buffer, batches.patch_indices, GL_STREAM_DRAW);
     statistics.instances_drawn = batches.instances.size();
     statistics.instances_culled = batches.culled;
 
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         const auto at = scaled_rect(frame.views[i].viewport, scale);
         draw_view(frame.views[i], of_views[i], frame.quality, shadow, at, height);
+        // A software rasteriser fills this view on its threads while this one works out the corners of the next.
+        glFlush();
     }
     if (straight) return;
     if (of_light) {
@@ -247,22 +283,40 @@ ShadowView Renderer::State::update_shadow(const Frame& frame) {
     return shadow_map.bind();
 }
 
-ViewBatches Renderer::State::collect_view(const ViewScene& view) {
-    const fmat4 matrix = projection_matrix(view.camera, aspect_of(view.viewport)) * view_matrix(view.camera);
-    ViewBatches its{.first = batches.batches.size()};
+ViewBatches Renderer::State::collect_view(const ViewScene& view, const Rect& at) {
+    const auto& camera = view.camera;
+    const fmat4 matrix = projection_matrix(camera, aspect_of(view.viewport)) * view_matrix(camera);
+    const float pixel_angle = 2 * std::tan(camera.fov_y / 2) / static_cast<float>(std::max(at.height, 1));
+    ViewBatches its{.sight = {matrix, camera.position, pixel_angle}, .first = batches.batches.size()};
     its.solid = collect(view.instances, mesh_bounds, matrix, batches);
+    arrange(its.first, mesh_patches, its.sight, batches);
     its.shades = collect(view.shades, mesh_bounds, matrix, batches);
     return its;
 }
 
-void Renderer::State::draw_batches(std::size_t first, std::size_t count) {
+void Renderer::State::draw_batches(std::size_t first, std::size_t count, bool sunless_too) {
     for (std::size_t i = first; i < first + count; ++i) {
         const auto& batch = batches.batches[i];
         const auto& mesh = meshes[batch.mesh];
-        draw_batch(mesh, batch, instance_buffer);
-        statistics.triangles += batch.count * static_cast<std::size_t>(mesh.index_count) / 3;
+        const bool patchwork = !mesh_patches[batch.mesh].patches.empty();
+        const auto which = sunless_too ? batch.patches.all() : batch.patches.sunlit;
+        statistics.triangles += patchwork ? draw_patches(mesh, batch, which, instance_buffer, patch_buffer)
+                                          : draw_batch(mesh, batch, instance_buffer);
     }
     statistics.draws += count;
+}
+
+/// What the sun never reaches, at medium: as low does, which has no shadow map, but with all lights.
+void Renderer::State::draw_sunless(const ViewScene& view, const ViewBatches& its) {
+    use_mesh_program(programs.mesh[static_cast<std::size_t>(Quality::low)], view, its.sight, Quality::medium,
+                     {});
+    for (std::size_t i = its.first; i < its.first + its.solid; ++i) {
+        const auto& batch = batches.batches[i];
+        if (batch.patches.sunless.count == 0) continue;
+        statistics.triangles +=
+            draw_patches(meshes[batch.mesh], batch, batch.patches.sunless, instance_buffer, patch_buffer);
+        ++statistics.draws;
+    }
 }
 
 void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Quality quality,
@@ -274,15 +328,13 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     glDepthMask(GL_TRUE);
     glEnable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    const float aspect = aspect_of(view.viewport);
-    const fmat4 matrix = projection_matrix(view.camera, aspect) * view_matrix(view.camera);
-    const float pixel_angle = 2 * std::tan(view.camera.fov_y / 2) / static_cast<float>(at.height);
-    use_mesh_program(programs.mesh[static_cast<std::size_t>(quality)], view, matrix, quality, shadow,
-                     pixel_angle);
-    draw_batches(its.first, its.solid);
+    use_mesh_program(programs.mesh[static_cast<std::size_t>(quality)], view, its.sight, quality, shadow);
+    draw_batches(its.first, its.solid, quality != Quality::medium);
+    if (quality == Quality::medium) draw_sunless(view, its);
     // After all that is solid, so that only pixels that nothing covers are paid for.
     glBindVertexArray(no_attributes.get());
-    use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view, aspect);
+    use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view,
+                    aspect_of(view.viewport), cleared_to_fog);
     glDrawArrays(GL_TRIANGLES, 0, sky_corners);
     ++statistics.draws;
     if (its.shades == 0) return;
@@ -290,8 +342,8 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     glEnable(GL_BLEND);
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glUseProgram(programs.shade.program.get());
-    glUniformMatrix4fv(programs.shade.parameter, 1, GL_FALSE, &matrix[0][0]);
-    draw_batches(its.first + its.solid, its.shades);
+    glUniformMatrix4fv(programs.shade.parameter, 1, GL_FALSE, &its.sight.to_clip[0][0]);
+    draw_batches(its.first + its.solid, its.shades, true);
 }
 
 void Renderer::State::send_atlas() {

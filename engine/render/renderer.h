@@ -38,6 +38,8 @@ public:
     ~Renderer();
 
     MeshId upload(const MeshData& mesh);
+    /// An instance of it stands in one place for each view.
+    MeshId upload(const Patchwork& patchwork);
     /// New triangles for a mesh that changes, such as a surface; may be empty.
     void replace(MeshId id, const MeshData& mesh);
 

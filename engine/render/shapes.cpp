@@ -265,8 +265,24 @@ MeshData frame(int sides, float outer_radius, float inner_radius, float thicknes
     return mesh;
 }
 
+MeshData flat_frame(int sides, float outer_radius, float inner_radius, fvec3 colour) {
+    THAUM_ASSERT(sides >= 3, "a frame needs three sides");
+    MeshData mesh;
+    const auto count = static_cast<std::uint32_t>(sides);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const float angle = turn * (0.25F + static_cast<float>(i) / static_cast<float>(sides));
+        const fvec3 way(std::cos(angle), std::sin(angle), 0);
+        const auto outer = add(mesh, outer_radius * way, {0, 0, 1}, colour);
+        const auto inner = add(mesh, inner_radius * way, {0, 0, 1}, colour);
+        const auto next = 2 * ((i + 1) % count);
+        triangle(mesh, outer, next, next + 1);
+        triangle(mesh, outer, next + 1, inner);
+    }
+    return mesh;
+}
+
 MeshData ring_mark(float radius, fvec3 colour) {
-    return frame(24, radius, 0.68F * radius, 0.15F * radius, colour);
+    return frame(16, radius, 0.68F * radius, 0.15F * radius, colour);
 }
 
 MeshData triangle_mark(float radius, fvec3 colour) {

@@ -20,6 +20,7 @@ struct Command {
 };
 
 Command play_command();
+Command range_command();
 Command replay_command();
 Command diff_command();
 Command shots_command();

@@ -1,9 +1,7 @@
 #include "game/app/live.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <ctime>
 #include <thread>
 
 #include "core/random.h"
@@ -18,17 +16,6 @@ namespace thaum::app {
 using input::DeviceKind;
 
 // Shared -------------------------------------------------------------------------------------------------------------------
-
-std::int64_t monotonic_ns() {
-    timespec t{};
-    ::clock_gettime(CLOCK_MONOTONIC, &t);
-    return t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec;
-}
-
-void sleep_until_ns(std::int64_t when) {
-    const timespec t{when / 1'000'000'000, when % 1'000'000'000};
-    while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, nullptr) == EINTR) {}
-}
 
 void Staller::pass(Stall::Thread thread) {
     if (stall.thread != thread) return;
@@ -47,6 +34,13 @@ double Timings::at(double share) {
 
 // Seats --------------------------------------------------------------------------------------------------------------------
 
+Expected<SeatKind> seat_kind_of(std::string_view word) {
+    if (word == "mouse") return SeatKind::keyboard_mouse;
+    if (word == "half") return SeatKind::keyboard_half;
+    if (word == "pad") return SeatKind::pad;
+    return fail(text("--hands '", word, "': must be mouse, half or pad"));
+}
+
 std::vector<input::DeviceSpec> devices_of(const LiveShared& shared) {
     std::vector<input::DeviceSpec> devices;
     for (const auto& seat : shared.seats) devices.push_back(seat.spec);
@@ -59,7 +53,8 @@ DeviceKind device_kind(SeatKind kind) {
     switch (kind) {
         case SeatKind::keyboard_mouse: return DeviceKind::keyboard_mouse;
         case SeatKind::keyboard_half: return DeviceKind::keyboard_half;
-        case SeatKind::bot: return DeviceKind::bot;
+        case SeatKind::bot:
+        case SeatKind::dummy: return DeviceKind::bot;
         default: return DeviceKind::pad;
     }
 }
@@ -74,6 +69,7 @@ std::string device_name(const Seat& seat) {
 
 TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     if (seat.kind == SeatKind::bot) return {seat, game::bot_device(player, seat.level), nullptr};
+    if (seat.kind == SeatKind::dummy) return {seat, game::dummy_device(), nullptr};
     input::DeviceSpec spec;
     spec.player = player;
     spec.kind = device_kind(seat.kind);
@@ -99,6 +95,7 @@ std::array<Seat, game::players> joined_seats(const Desk& desk) {
         seats[p] = device ? seat_of(*device)
                           : Seat{.kind = SeatKind::bot, .level = desk.facts.levels[desk.menu.level]};
     }
+    if (desk.range) seats[game::dummys] = {.kind = SeatKind::dummy};
     return seats;
 }
 
@@ -165,6 +162,19 @@ Expected<std::optional<input::LogWriter>> open_log(const Desk& desk, std::uint64
     return std::move(*log);
 }
 
+/// The range's files go along with its one match: no log is opened beside them.
+Expected<Keeping> keeping_of(Desk& desk, std::uint64_t seed, std::uint64_t number) {
+    if (desk.range) {
+        Keeping files(std::move(*desk.range));
+        desk.range.reset();
+        return files;
+    }
+    auto log = open_log(desk, seed, number);
+    if (!log) return tl::unexpected(log.error());
+    if (!*log) return Keeping();
+    return Keeping(std::move(**log));
+}
+
 void take_seats(Desk& desk) {
     if (desk.plan.replay != nullptr) return;  // nobody sits there
     const auto seats = desk.plan.start_screen ? joined_seats(desk) : planned_seats(desk);
@@ -188,13 +198,18 @@ Expected<void> play_matches(Desk& desk) {
     auto& shared = desk.shared;
     auto seed = desk.plan.seed;
     bool again = false;
+    if (desk.plan.practice) {
+        if (auto opened = open_range(desk); !opened) return opened;
+    }
     for (std::uint64_t number = 1; !shared.stop; ++number) {
         if (desk.plan.start_screen && !again && !run_start_screen(desk)) break;
         take_seats(desk);
-        auto log = open_log(desk, seed, number);
-        if (!log && number == 1) return tl::unexpected(log.error());
-        if (!log) std::fprintf(stderr, "this match is not recorded: %s\n", log.error().message.c_str());
-        play_match(desk, {desk.data, seed, log ? std::move(*log) : std::nullopt});
+        desk.facts.practice = desk.range.has_value();
+        auto keeping = keeping_of(desk, seed, number);
+        if (!keeping && number == 1) return tl::unexpected(keeping.error());
+        if (!keeping)
+            std::fprintf(stderr, "this match is not recorded: %s\n", keeping.error().message.c_str());
+        play_match(desk, {desk.data, seed, keeping ? std::move(*keeping) : Keeping()});
         again = shared.rematch;
         if (!again && !desk.plan.start_screen) break;
         Random next = random_stream(seed, number);

@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "game/app/settings.h"
+#include "game/bots/dummy.h"
 #include "game/match/playback.h"
 
 namespace thaum::app {
@@ -22,7 +23,11 @@ enum class SeatKind : std::uint8_t {
     pad,
     pad_or_half,  ///< a pad where one is plugged in that nobody has, else half a keyboard
     bot,
+    dummy,  ///< of the range
 };
+
+/// What --hands calls mouse, half or pad.
+Expected<SeatKind> seat_kind_of(std::string_view word);
 
 struct Seat {
     SeatKind kind{};
@@ -57,6 +62,9 @@ struct LivePlan {
     std::uint64_t seed = 1;
     std::array<Seat, 2> seats{};
     bool start_screen = false;  ///< asks who plays with what instead of `seats`, and again after each match
+    /// The range instead of a match: the first seat practises on such a dummy, nothing is recorded, and data files that
+    /// change are read again.
+    std::optional<game::DummyKind> practice{};
     /// A replay instead of a match: nobody plays, nothing is recorded, and the window closes soon after its end.
     game::Playback* replay = nullptr;
     double speed = 1;             ///< of the replay, in times real time

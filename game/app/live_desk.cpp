@@ -53,6 +53,8 @@ DeviceKind kind_in_hand(const Desk& desk, std::uint32_t player) {
 Desk::Desk(LiveShared& s, const LivePlan& p)
     : shared(s), plan(p), data(p.data), facts(find_facts(p)), seated(p.settings) {
     menu.settings = p.settings;
+    menu.dummy = static_cast<std::size_t>(p.practice.value_or(game::DummyKind::still));
+    shared.dummy = p.practice.value_or(game::DummyKind::still);
     auto choice = p.data->choice;
     const auto chosen = [&](const MenuFacts::Rules& r) { return r.name == length_of(choice); };
     const auto found = std::find_if(facts.rules.begin(), facts.rules.end(), chosen);
@@ -85,6 +87,7 @@ void publish_screen(Desk& desk) {
                   .text_scale = settings.text_scale,
                   .bloom = settings.bloom,
                   .can_play_again = desk.plan.replay == nullptr,
+                  .forces = desk.forces,
                   .menu = menu_open(desk)};
     screen.quality = settings.quality;
     screen.menu = picture_of(desk.menu, desk.facts);
@@ -146,7 +149,9 @@ bool session_key(Desk& desk, int key) {
     if (is(SessionKey::split)) turn_split(desk);
     if (is(SessionKey::fullscreen)) toggle_fullscreen(desk);
     if (is(SessionKey::mark)) ++desk.shared.marks;
-    return is(SessionKey::split) || is(SessionKey::fullscreen) || is(SessionKey::mark);
+    if (is(SessionKey::forces)) desk.forces = !desk.forces, desk.stale = true;
+    return is(SessionKey::split) || is(SessionKey::fullscreen) || is(SessionKey::mark) ||
+           is(SessionKey::forces);
 }
 
 void match_key(Desk& desk, int key) {
@@ -424,20 +429,22 @@ void follow_plugs(Desk& desk) {
     }
 }
 
-/// The data of the match that was chosen; a fault shows on the screen.
-bool load_chosen(Desk& desk) {
+/// A fault shows on the screen.
+bool note_fault(Desk& desk, const Expected<void>& result) {
+    if (result) return true;
+    desk.menu.note = result.error().message;
+    desk.stale = true;
+    return false;
+}
+
+/// The data of the match that was chosen, as the files are now: they may have been changed on the range.
+Expected<void> load_chosen(Desk& desk) {
     auto choice = desk.data->choice;
-    const auto& name = desk.facts.rules[desk.menu.rules].name;
-    if (length_of(choice) == name) return true;
-    length_of(choice) = name;
+    length_of(choice) = desk.facts.rules[desk.menu.rules].name;
     auto data = game::load_match_data(desk.plan.assets, choice);
-    if (!data) {
-        desk.menu.note = data.error().message;
-        desk.stale = true;
-        return false;
-    }
+    if (!data) return tl::unexpected(data.error());
     desk.data = std::make_shared<const game::MatchData>(std::move(*data));
-    return true;
+    return {};
 }
 
 bool out_of_time(const Desk& desk) {
@@ -446,6 +453,13 @@ bool out_of_time(const Desk& desk) {
 }
 
 }  // namespace
+
+Expected<void> open_range(Desk& desk) {
+    auto files = game::RangeFiles::open(desk.plan.assets, desk.data->choice);
+    if (!files) return tl::unexpected(files.error());
+    desk.range = std::move(*files);
+    return {};
+}
 
 bool run_start_screen(Desk& desk) {
     auto& shared = desk.shared;
@@ -463,7 +477,8 @@ bool run_start_screen(Desk& desk) {
         follow_plugs(desk);
         repeat_menu(desk);
         const auto wish = std::exchange(desk.menu.wish, MenuWish::none);
-        if (wish == MenuWish::start && load_chosen(desk)) return true;
+        if (wish == MenuWish::start && note_fault(desk, load_chosen(desk))) return true;
+        if (wish == MenuWish::range && note_fault(desk, open_range(desk))) return true;
         if (wish == MenuWish::quit || shared.window.should_close() || out_of_time(desk)) shared.stop = true;
     }
     return false;

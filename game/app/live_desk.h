@@ -27,10 +27,12 @@ struct Desk {
     LiveShared& shared;
     const LivePlan& plan;
     std::shared_ptr<const game::MatchData> data;  ///< of the next match
+    std::optional<game::RangeFiles> range;        ///< the next match is practice, with these
     MenuState menu;                               ///< its settings are those that hold
     MenuFacts facts;
-    Settings seated;    ///< the settings that the DeviceSpecs were made from
-    bool stale = true;  ///< shared.screen is not as it should be
+    Settings seated;      ///< the settings that the DeviceSpecs were made from
+    bool stale = true;    ///< shared.screen is not as it should be
+    bool forces = false;  ///< the views show what hands feel
 
     std::array<render::PadState, 4> pads{};
     std::array<Grip, game::players> grips{};
@@ -45,6 +47,9 @@ inline std::string& length_of(game::DataChoice& choice) { return choice.match; }
 
 /// Until somebody starts a match (true) or leaves the program.
 bool run_start_screen(Desk& desk);
+
+/// The next match is practice. The error names file, line and key.
+Expected<void> open_range(Desk& desk);
 
 /// Until the match has ended.
 void run_desk(Desk& desk);

@@ -87,6 +87,7 @@ void menu_event(Desk& desk, const MenuEvent& event) {
     const auto before = desk.menu.settings;
     desk.menu = step(std::move(desk.menu), event, desk.facts);
     if (!(desk.menu.settings == before)) settings_changed(desk, before);
+    desk.shared.dummy = static_cast<game::DummyKind>(desk.menu.dummy);
     desk.stale = true;
 }
 

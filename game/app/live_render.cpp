@@ -63,12 +63,20 @@ double court_angle() { return 2 * pi * static_cast<double>(monotonic_ns()) * 1e-
 
 /// Everything that a picture is made from.
 struct Studio {
-    const game::Court court;
+    std::shared_ptr<const game::MatchData> scene;  ///< that the court was made from
+    game::Court court;
     Film film{};
     game::FrameMemory memory{};
     QualityChoice quality{};
     std::int64_t next_court_ns = 0;
 };
+
+/// The menu that is open, with the match's caption where it has a note: nothing else stands over the views then.
+game::MenuPicture menu_of(const Screen& screen, const Picture& shown) {
+    auto menu = screen.menu;
+    if (!screen.court && menu.note.empty()) menu.note = shown.caption.words;
+    return menu;
+}
 
 const render::Frame& frame_of(Studio& studio, const Screen& screen, double speed, render::Size size) {
     auto hud = screen.hud;
@@ -77,7 +85,8 @@ const render::Frame& frame_of(Studio& studio, const Screen& screen, double speed
         game::make_court_frame(studio.court, studio.film.now, court_angle(), hud, size, studio.memory);
     else
         game::make_frame(studio.court, show(studio.film, speed), hud, size, studio.memory);
-    game::add_menu(studio.memory.frame.overlay, screen.menu, size, screen.hud.text_scale);
+    game::add_menu(studio.memory.frame.overlay, menu_of(screen, studio.film.shown), size,
+                   screen.hud.text_scale);
     return studio.memory.frame;
 }
 
@@ -89,8 +98,31 @@ bool due(Studio& studio, const Screen& screen, bool changed) {
     return true;
 }
 
+game::Court court_of(render::Renderer& renderer, const game::MatchData& data) {
+    return game::make_court(renderer, data.arena, data.wizard);
+}
+
+/// Do they make the same court?
+bool same_scenery(const game::MatchData& a, const game::MatchData& b) {
+    return a.arena.things == b.arena.things && a.arena.meshes == b.arena.meshes &&
+           a.wizard.height == b.wizard.height;
+}
+
+/// The court of the newest scene. Meshes cannot be given back, so another court needs another renderer: that takes a moment, but
+/// happens only when somebody writes an arena.
+void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& renderer, Studio& studio) {
+    if (!shared.scene.take()) return;
+    const auto scene = shared.scene.newest();
+    if (same_scenery(*scene, *studio.scene)) return;
+    auto fresh = render::Renderer::create(plan.assets);
+    if (!fresh) return;
+    renderer = std::move(*fresh);
+    studio.court = court_of(renderer, *scene);
+    studio.scene = scene;
+}
+
 void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Renderer& renderer) {
-    Studio studio{.court = game::make_court(renderer, plan.data->arena, plan.data->wizard)};
+    Studio studio{.scene = plan.data, .court = court_of(renderer, *plan.data)};
     double frames_per_second = plan.settings.frames_per_second;
     render::Pacer pacer(frames_per_second);
     Staller staller{plan.stall};
@@ -101,6 +133,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Render
         pacer.wait();
         staller.pass(Stall::Thread::render);
         advance(shared.pictures, studio.film);
+        follow_scene(plan, shared, renderer, studio);
         const bool changed = shared.screen.take();
         const auto& screen = shared.screen.newest();
         if (screen.frames_per_second != frames_per_second)

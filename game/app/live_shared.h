@@ -1,9 +1,12 @@
 // game/app/live_shared.h: what the three threads of a live session share. All of it is lock-free.
 #pragma once
 #include <atomic>
+#include <variant>
 
+#include "core/clock.h"
 #include "game/app/live.h"
 #include "game/app/live_latest.h"
+#include "game/bots/range_files.h"
 #include "game/hud/menu.h"
 #include "input/collector.h"
 #include "input/log.h"
@@ -86,6 +89,8 @@ struct LiveShared {
     std::array<TakenSeat, game::players> seats;  ///< changed only while no simulation thread runs
     Latest<game::Picture> pictures;  ///< filled by the simulation thread, by main while there is none
     Latest<Screen> screen;           ///< filled by main
+    /// Where the pictures are; filled by the simulation thread.
+    Latest<std::shared_ptr<const game::MatchData>> scene{nullptr};
     std::atomic<std::int64_t> input_came_ns{0};  ///< of the first event that no tick has taken yet; 0: none
     InputStamps stamps;                          ///< from the simulation to the render thread
 
@@ -96,7 +101,8 @@ struct LiveShared {
     std::atomic<bool> rematch{false};    ///< asked for on the result screen; then the match ends by itself
     std::atomic<Going> going{Going::playing};
     std::atomic<std::uint32_t> paused_by{game::no_player};
-    std::atomic<std::uint32_t> marks{0};  ///< presses of the session's mark key
+    std::atomic<std::uint32_t> marks{0};                         ///< presses of the session's mark key
+    std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< what the range's is to be
     /// A player for whom the session presses pause (or presses it again) once, if the match is not so already;
     /// game::no_player: nobody.
     std::atomic<std::uint32_t> wants_pause{game::no_player}, wants_to_go_on{game::no_player};
@@ -109,10 +115,6 @@ struct LiveShared {
     Timings late, ticks;  ///< us; of the simulation thread
 };
 
-/// ns of the monotonic clock.
-std::int64_t monotonic_ns();
-void sleep_until_ns(std::int64_t when);
-
 /// Sleeps when a stall of that thread is due.
 struct Staller {
     Stall stall;
@@ -122,11 +124,15 @@ struct Staller {
 
 std::vector<input::DeviceSpec> devices_of(const LiveShared& shared);
 
+/// A match is recorded, or it is practice by data that may change on the way, or neither. No value is both: what a log's
+/// header says of the data stays true.
+using Keeping = std::variant<std::monostate, input::LogWriter, game::RangeFiles>;
+
 /// One match, as the simulation thread takes it over.
 struct MatchStart {
-    std::shared_ptr<const game::MatchData> data;
+    std::shared_ptr<const game::MatchData> data;  ///< but for practice, which has its own
     std::uint64_t seed = 1;
-    std::optional<input::LogWriter> log;  ///< none: not recorded
+    Keeping keeping;
 };
 
 /// The simulation thread: plays one match, until shared.stop, shared.end_match or a rematch; then it sets shared.ended. Where

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "core/text.h"
+#include "game/app/live_practice.h"
 #include "game/app/live_shared.h"
 #include "game/bots/bot.h"
 #include "game/match/record.h"
@@ -27,12 +28,12 @@ constexpr std::int64_t last_look_ns = 2'000'000'000;  ///< at the last picture o
 /// Of a bot match; a person's own look is not foreseeable anyway.
 constexpr std::uint64_t bot_seed_step = 0x9e3779b97f4a7c15ULL;
 
-/// One match with its bots and its log.
+/// One match with its bots, and its log or what the range has instead.
 struct Round {
     std::unique_ptr<Simulation> own;
-    Simulation* match = nullptr;  ///< `own`, or the replay's
+    Simulation* match = nullptr;  ///< `own`, the practice's or the replay's
     game::Bots bots;
-    std::optional<input::LogWriter> log;
+    std::variant<std::monostate, input::LogWriter, Practice> kept;  ///< as Keeping
     std::optional<Tick> over_at;
     std::uint32_t buttons_before = 0;
     std::uint32_t marks = 0;
@@ -50,6 +51,22 @@ struct Session {
     std::int64_t skipped_at_ns = 0;
     std::uint32_t marks_seen = 0;  ///< of shared.marks
 };
+
+/// Null: it is not recorded.
+input::LogWriter* log_of(Round& round) { return std::get_if<input::LogWriter>(&round.kept); }
+Practice* practice_of(Round& round) { return std::get_if<Practice>(&round.kept); }
+
+void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data) {
+    shared.scene.to_fill() = std::move(data);
+    shared.scene.publish();
+}
+
+void start_practice(Session& s, game::RangeFiles files, std::uint64_t seed) {
+    show_scene(s.shared, files.data().match);
+    const auto& device = s.shared.seats[game::practising].spec;
+    auto& practice = s.round.kept.emplace<Practice>(std::move(files), device, s.shared.dummy, seed);
+    s.round.match = &practice.match();
+}
 
 bool add_bots(Session& s, std::uint64_t seed) {
     for (std::uint32_t p = 0; p < game::players; ++p) {
@@ -72,19 +89,40 @@ bool start_round(Session& s, MatchStart start) {
         s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * s.tick_ns;
         return true;
     }
-    s.round.own = std::make_unique<Simulation>(std::move(start.data),
-                                               game::MatchSetup{start.seed, devices_of(s.shared)});
-    s.round.match = s.round.own.get();
-    s.round.log = std::move(start.log);
+    if (auto* files = std::get_if<game::RangeFiles>(&start.keeping)) {
+        start_practice(s, std::move(*files), start.seed);
+    } else {
+        show_scene(s.shared, start.data);
+        s.round.own = std::make_unique<Simulation>(std::move(start.data),
+                                                   game::MatchSetup{start.seed, devices_of(s.shared)});
+        s.round.match = s.round.own.get();
+    }
+    if (auto* log = std::get_if<input::LogWriter>(&start.keeping)) s.round.kept = std::move(*log);
     s.start_ns = monotonic_ns();
     return add_bots(s, start.seed);
 }
 
 void close_log(Round& round) {
-    if (!round.log) return;
-    if (const auto closed = round.log->close(game::result_line(*round.match)); !closed)
+    auto* log = log_of(round);
+    if (log == nullptr) return;
+    if (const auto closed = log->close(game::result_line(*round.match)); !closed)
         std::fprintf(stderr, "%s\n", closed.error().message.c_str());
-    round.log.reset();
+    round.kept = std::monostate{};
+}
+
+void tell_score(Round& round) {
+    if (auto* practice = practice_of(round)) std::printf("range: %s\n", practice->score().c_str());
+}
+
+/// What the menu and the data files say takes effect between two ticks.
+void follow_practice(Session& s) {
+    auto* practice = practice_of(s.round);
+    if (practice == nullptr) return;
+    practice->set_dummy(s.shared.dummy);
+    const auto reloaded = practice->adopt_reload();
+    if (!reloaded) return;
+    s.round.match = &practice->match();
+    show_scene(s.shared, reloaded->match);
 }
 
 Going going_of(const game::Match& match) {
@@ -118,6 +156,7 @@ input::InputFrame take_frame(Session& s) {
     stamp_input(s);
     input::InputFrame frame;
     s.round.bots.sample(*s.round.match, frame);
+    if (auto* practice = practice_of(s.round)) frame.devices[game::dummys] = practice->dummy_sample();
     for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
     }
@@ -144,8 +183,8 @@ void watch_buttons(Session& s, const input::InputFrame& frame) {
     const auto pressed = [&](Button b) {
         return (buttons & ~round.buttons_before & static_cast<std::uint32_t>(b)) != 0;
     };
-    if (pressed(Button::mark) && round.log) {
-        round.log->mark(++round.marks);
+    if (auto* log = log_of(round); pressed(Button::mark) && log != nullptr) {
+        log->mark(++round.marks);
         round.marked_at = round.match->now();
     }
     const bool may = round.over_at && round.match->now() >= *round.over_at + rematch_not_before;
@@ -179,6 +218,9 @@ void publish(Session& s) {
     game::take_picture(*s.round.match, picture);
     picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * s.tick_ns;
     picture.mark = recent_mark(s);
+    picture.practice = {};
+    picture.caption = {};
+    if (auto* practice = practice_of(s.round)) practice->show(picture);
     picture.overloaded = s.skipped_at_ns != 0 && monotonic_ns() < s.skipped_at_ns + notice_ns;
     s.shared.pictures.publish();
 }
@@ -200,8 +242,9 @@ bool replay_tick(Session& s) {
 
 void run_tick(Session& s) {
     auto& round = s.round;
+    follow_practice(s);
     const auto frame = take_frame(s);
-    game::tick_and_record(*round.match, frame, round.log ? &*round.log : nullptr);
+    game::tick_and_record(*round.match, frame, log_of(round));
     const auto now = round.match->now();
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
@@ -267,6 +310,7 @@ void run_session(Session& s) {
     }
     if (monotonic_ns() >= end) s.shared.stop = true;
     close_log(s.round);
+    tell_score(s.round);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "game/bots/dummy.h"
 
 namespace thaum::app {
 
@@ -184,6 +185,8 @@ enum class RowKind : std::uint8_t {
     duel,
     level,
     rules,
+    range,
+    dummy,
     controls,
     settings,
     quit,
@@ -230,9 +233,24 @@ void add_start_rows(const MenuState& s, const MenuFacts& facts, std::vector<Row>
         rows.push_back(
             {RowKind::rules, 0, {.label = "Match", .value = facts.rules[s.rules].label, .adjustable = true}});
     }
+    rows.push_back({RowKind::range, 0, {.label = "Range: practise on a dummy"}});
     rows.push_back({RowKind::controls, 0, {.label = "Controls"}});
     rows.push_back({RowKind::settings, 0, {.label = "Settings"}});
     rows.push_back({RowKind::quit, 0, {.label = "Quit"}});
+}
+
+void add_pause_rows(const MenuState& s, const MenuFacts& facts, std::vector<Row>& rows) {
+    rows.push_back({RowKind::go_on, 0, {.label = "Go on"}});
+    if (facts.practice) {
+        rows.push_back(
+            {RowKind::dummy,
+             0,
+             {.label = "Dummy", .value = std::string(game::dummy_names[s.dummy]), .adjustable = true}});
+    }
+    rows.push_back({RowKind::controls, 0, {.label = "Controls"}});
+    rows.push_back({RowKind::settings, 0, {.label = "Settings"}});
+    const auto* leave = facts.practice ? "Leave the range" : "End this match";
+    rows.push_back({RowKind::leave, 0, {.label = facts.ends_match ? leave : "Quit"}});
 }
 
 std::string labels_of(const std::vector<Control>& controls) {
@@ -284,12 +302,7 @@ std::vector<Row> rows_of(const MenuState& s, const MenuFacts& facts) {
     std::vector<Row> rows;
     switch (s.pages.back().page) {
         case Page::start: add_start_rows(s, facts, rows); break;
-        case Page::pause:
-            rows.push_back({RowKind::go_on, 0, {.label = "Go on"}});
-            rows.push_back({RowKind::controls, 0, {.label = "Controls"}});
-            rows.push_back({RowKind::settings, 0, {.label = "Settings"}});
-            rows.push_back({RowKind::leave, 0, {.label = facts.ends_match ? "End this match" : "Quit"}});
-            break;
+        case Page::pause: add_pause_rows(s, facts, rows); break;
         case Page::sheets:
             for (std::size_t i = 0; i < sheets; ++i)
                 rows.push_back({RowKind::sheet, i, {.label = label_of_sheet(i)}});
@@ -327,14 +340,20 @@ void join_or_start(MenuState& s, const Device& device) {
         join(s, device);
 }
 
+/// Whoever asks for the range is alone there.
+void practise(MenuState& s, const Device& device) {
+    s.seats = {device};
+    s.wish = MenuWish::range;
+}
+
 void leave_seat(MenuState& s, const Device& device) {
     if (const auto seat = seat_of(s, device)) s.seats[*seat].reset();
 }
 
 void open(MenuState& s, Page page) { s.pages.push_back({page, 0}); }
 
-template <class T>
-void turn(std::size_t& index, const std::vector<T>& list, int way) {
+template <class List>
+void turn(std::size_t& index, const List& list, int way) {
     const auto size = list.size();
     index = (index + size + static_cast<std::size_t>(way + static_cast<int>(size))) % size;
 }
@@ -343,6 +362,7 @@ void adjust(MenuState& s, const Row& row, const MenuFacts& facts, int way) {
     switch (row.kind) {
         case RowKind::level: turn(s.level, facts.levels, way); break;
         case RowKind::rules: turn(s.rules, facts.rules, way); break;
+        case RowKind::dummy: turn(s.dummy, game::dummy_names, way); break;
         case RowKind::setting: change(all_settings()[row.index], s.settings, way); break;
         case RowKind::toggle: {
             auto& toggled = s.settings.bindings_of(settings_hands[s.sheet]).toggled[row.index];
@@ -375,6 +395,7 @@ void undo(MenuState& s) {
 void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuFacts& facts) {
     switch (row.kind) {
         case RowKind::duel: join_or_start(s, event.device); break;
+        case RowKind::range: practise(s, event.device); break;
         case RowKind::controls: open(s, Page::sheets); break;
         case RowKind::settings: open(s, Page::settings); break;
         case RowKind::quit: s.wish = MenuWish::quit; break;

@@ -56,6 +56,7 @@ struct MenuFacts {
     std::vector<int> levels{};
     std::vector<Rules> rules{};
     std::array<std::string, 4> pads{};  ///< names; empty: not plugged in
+    bool practice = false;              ///< the pause is one of the range
     bool ends_match = false;  ///< leaving the pause goes to the start screen, not out of the program
 };
 
@@ -67,7 +68,7 @@ struct Slot {
 inline constexpr std::size_t sheets = settings_hands.size() + 1;
 inline constexpr std::size_t session_sheet = settings_hands.size();
 
-enum class MenuWish : std::uint8_t { none, start, go_on, leave, quit };
+enum class MenuWish : std::uint8_t { none, start, range, go_on, leave, quit };
 
 struct MenuState {
     struct Open {
@@ -77,6 +78,7 @@ struct MenuState {
     std::vector<Open> pages;  ///< the last one shows; empty: no menu
     std::array<std::optional<Device>, game::players> seats;
     std::size_t level = 0, rules = 0;  ///< indices of the facts' lists
+    std::size_t dummy = 0;             ///< game::DummyKind of the range
     std::size_t sheet = 0;             ///< of the bindings page
     std::optional<Slot> waiting;       ///< for its new control
     Settings settings;

@@ -59,18 +59,11 @@ struct Wish {
     bool mode() const { return demo || vs || solo.has_value(); }
 };
 
-Expected<SeatKind> hand_of(std::string_view word) {
-    if (word == "mouse") return SeatKind::keyboard_mouse;
-    if (word == "half") return SeatKind::keyboard_half;
-    if (word == "pad") return SeatKind::pad;
-    return fail(text("--hands '", word, "': must be mouse, half or pad"));
-}
-
 Expected<std::vector<SeatKind>> hands_of(std::string_view words) {
     std::vector<SeatKind> hands;
     for (;;) {
         const auto comma = std::min(words.find(','), words.size());
-        const auto hand = hand_of(words.substr(0, comma));
+        const auto hand = seat_kind_of(words.substr(0, comma));
         if (!hand) return tl::unexpected(hand.error());
         hands.push_back(*hand);
         if (comma == words.size()) break;

@@ -28,6 +28,7 @@ else is computed again, without bots and devices.
   --events FILE.csv   everything that happened, a row each
   --state FILE.csv    place, speed, health, energy and gaze of both players
   --every N             at every Nth tick (1)
+  --forces FILE.csv   each hand's device, a row a tick of play: where, what force
   --shots DIR         pictures (PNG), by default every 10 s
   --shot-every S        every S seconds
   --shot-at S           at second S; may be repeated
@@ -35,17 +36,17 @@ else is computed again, without bots and devices.
   --size WxH            in px (1280x720)
   --dump TICK FILE    write the whole state at a tick, for `thaum diff`
 
---verify, --events, --state and --shots go together in one pass.
+--verify, --events, --state, --forces and --shots go together in one pass.
 )";
 
 /// What one pass over the log is to give.
 struct Pass {
     bool verify = false;
-    std::optional<std::filesystem::path> events{}, state{};
+    std::optional<std::filesystem::path> events{}, state{}, forces{};
     Tick state_every = 1;
     std::optional<ShotPlan> shots{};
 
-    bool any() const { return verify || events || state || shots; }
+    bool any() const { return verify || events || state || forces || shots; }
 };
 
 void warn(const std::string& line) {
@@ -73,7 +74,8 @@ struct Table {
 };
 
 struct Outputs {
-    Table events{}, state{};
+    Table events{}, state{}, forces{};
+    Tick felt = 0;  ///< ticks of play of which the forces are written
     game::EventTable what_happened{};
     std::optional<Shots> shots{};
 };
@@ -83,6 +85,8 @@ Expected<Outputs> open_outputs(const Pass& pass, const game::Playback& playback)
     if (auto opened = out.events.open(pass.events, game::EventTable::header()); !opened)
         return tl::unexpected(opened.error());
     if (auto opened = out.state.open(pass.state, game::state_header(playback.match())); !opened)
+        return tl::unexpected(opened.error());
+    if (auto opened = out.forces.open(pass.forces, game::forces_header()); !opened)
         return tl::unexpected(opened.error());
     if (pass.shots) {
         auto shots = Shots::create(*pass.shots, playback.match().data(), game::find_assets());
@@ -99,6 +103,10 @@ Expected<void> put_outputs(const Pass& pass, const game::Playback& playback, Out
     if (out.state.file && playback.match().now() % pass.state_every == 0)
         game::append_state(playback.match(), out.state.rows);
     out.state.put();
+    const auto played = playback.match().match().played;
+    if (out.forces.file && out.felt != played) game::append_forces(playback.match(), out.forces.rows);
+    out.felt = played;
+    out.forces.put();
     return out.shots ? out.shots->follow(playback) : Expected<void>();
 }
 
@@ -106,13 +114,16 @@ Expected<void> close_outputs(const game::Playback& playback, Outputs& out) {
     if (out.events.file) out.what_happened.finish(playback, out.events.rows);
     out.events.put();
     if (auto closed = out.events.close(); !closed) return closed;
-    return out.state.close();
+    if (auto closed = out.state.close(); !closed) return closed;
+    return out.forces.close();
 }
 
 void print_difference(const input::HashRecord& wrong, const game::Playback& playback) {
-    std::printf("tick %llu: state differs: the log has %s, here it is %s\n",
-                static_cast<unsigned long long>(wrong.tick), hex(wrong.state).c_str(),
-                hex(playback.match().state_hash()).c_str());
+    const auto& match = playback.match();
+    const bool state = wrong.state != match.state_hash();
+    std::printf("tick %llu: %s: the log has %s, here it is %s\n", static_cast<unsigned long long>(wrong.tick),
+                state ? "state differs" : "forces differ", hex(state ? wrong.state : wrong.force).c_str(),
+                hex(state ? match.state_hash() : match.force_hash()).c_str());
 }
 
 /// From the first tick to the last. Where the replay turns out wrong the files are not written: what they would say did
@@ -218,7 +229,7 @@ Expected<void> check_company(const Arguments& arguments, const Pass& pass) {
     if (arguments.has("--every") && !pass.state) return fail("--every needs --state");
     for (const auto* word : {"--at", "--speed", "--out", "--dump"}) {
         if (arguments.has(word) && pass.any())
-            return fail(text(word, " does not go with --verify, --events, --state and --shots"));
+            return fail(text(word, " does not go with --verify, --events, --state, --forces and --shots"));
     }
     return {};
 }
@@ -228,6 +239,7 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
     pass.verify = arguments.has("--verify");
     if (const auto file = arguments.value("--events")) pass.events = *file;
     if (const auto file = arguments.value("--state")) pass.state = *file;
+    if (const auto file = arguments.value("--forces")) pass.forces = *file;
     const auto every = arguments.whole("--every", 1, Tick{1} << 27U, 1);
     if (!every) return tl::unexpected(every.error());
     pass.state_every = *every;
@@ -253,11 +265,10 @@ int watch_from(const Arguments& arguments, game::Playback playback) {
 }
 
 int run_replay(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--verify"},          {"--at", 1},         {"--speed", 1},
-                                         {"--dump", 2},         {"--out", 1},        {"--events", 1},
-                                         {"--state", 1},        {"--every", 1},      {"--shots", 1},
-                                         {"--size", 1},         {"--shot-every", 1}, {"--shot-at", 1, true},
-                                         {"--shot-on", 1, true}};
+    static constexpr Option options[] = {
+        {"--verify"},    {"--at", 1},         {"--speed", 1},         {"--dump", 2},         {"--out", 1},
+        {"--events", 1}, {"--state", 1},      {"--forces", 1},        {"--every", 1},        {"--shots", 1},
+        {"--size", 1},   {"--shot-every", 1}, {"--shot-at", 1, true}, {"--shot-on", 1, true}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1)

@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::size_t max_settings_file = 1U << 20U;
 constexpr std::string_view log_ending = ".thaumlog";
-constexpr std::array<std::string_view, session_keys> session_names{"pause", "again",      "leave",
-                                                                   "split", "fullscreen", "mark"};
+constexpr std::array<std::string_view, session_keys> session_names{"pause",      "again", "leave", "split",
+                                                                   "fullscreen", "mark",  "forces"};
 constexpr std::array<std::string_view, session_keys> session_defaults{
-    "key escape", "key enter, key kp_enter", "key q", "key f6", "key f11", "key f10"};
+    "key escape", "key enter, key kp_enter", "key q", "key f6", "key f11", "key f10", "key f3"};
 
 /// An XDG folder: an absolute path in the variable, else the usual place below the home folder.
 std::filesystem::path base_folder(const char* variable, const char* usual) {

@@ -17,8 +17,8 @@
 namespace thaum::app {
 
 /// Keys that act on the session, whoever plays with what.
-enum class SessionKey : std::uint8_t { pause, again, leave, split, fullscreen, mark };
-inline constexpr std::size_t session_keys = 6;
+enum class SessionKey : std::uint8_t { pause, again, leave, split, fullscreen, mark, forces };
+inline constexpr std::size_t session_keys = 7;
 /// "pause", "again", ...: the keys of the table [session].
 std::string_view name_of(SessionKey key);
 

@@ -15,11 +15,13 @@ struct Thing {
     Surface surface{};
     vec3 position{};
     bool prop = false;
+    bool operator==(const Thing&) const = default;
 };
 
 struct PowerUpPlace {
     PowerUpKind kind{};
     vec3 position{};  ///< m, on the ground
+    bool operator==(const PowerUpPlace&) const = default;
 };
 
 struct Arena {
@@ -29,6 +31,7 @@ struct Arena {
     std::vector<vec3> anchors;
     std::vector<Pad> pads;
     std::vector<PowerUpPlace> power_ups;
+    bool operator==(const Arena&) const = default;
 };
 
 /// Reads `[[solid]]`, `[[anchor]]`, `[[pad]]`, `[[prop]]` and `[[power_up]]`; faults stay in the Config (core/config.h).

@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "ecs/snapshot.h"
+#include "game/bots/aim.h"
 #include "game/bots/errands.h"
 #include "game/bots/mind.h"
 #include "game/bots/nav.h"
@@ -18,79 +19,9 @@ namespace {
 using input::Button;
 namespace hand = input::hand;
 
-constexpr double rad_per_count = 0.001;  ///< of a bot's mouse
-constexpr double reached = 1.2;          ///< m from a goal
-constexpr double stuck_speed = 0.4;      ///< m/s
-constexpr double bolt_speed = 40;        ///< m/s; what bots take a bolt's speed to be
-constexpr double near_share = 0.7;       ///< of the distance it likes: there it spares no energy
+constexpr double reached = 1.2;      ///< m from a goal
+constexpr double stuck_speed = 0.4;  ///< m/s
 constexpr Tick forget_after = ticks(4.0);
-
-/// A number with mean 0 and standard deviation 1 (the sum of twelve uniform ones).
-double normal(Random& random) {
-    double sum = -6;
-    for (int i = 0; i < 12; ++i) sum += random.uniform();
-    return sum;
-}
-
-/// The aim wanders slowly, with the skill's standard deviation.
-void wander_aim(const Seat& seat, Mind& mind) {
-    constexpr double keep = 0.98;
-    const double fresh = std::sqrt(1 - keep * keep);
-    mind.error_right = keep * mind.error_right + fresh * seat.skill.aim_error * normal(mind.random);
-    mind.error_up = keep * mind.error_up + fresh * 0.5 * seat.skill.aim_error * normal(mind.random);
-}
-
-double angle_between(double from, double to) {
-    double d = std::fmod(to - from, 2 * pi);
-    if (d > pi) d -= 2 * pi;
-    if (d < -pi) d += 2 * pi;
-    return d;
-}
-
-struct Aim {
-    double yaw{}, pitch{};
-};
-
-Aim aim_at(vec3 eye, vec3 target) {
-    const vec3 d = target - eye;
-    return {det::atan2(-d.x, -d.z), det::atan2(d.y, std::sqrt(d.x * d.x + d.z * d.z))};
-}
-
-/// Counts for the next ticks; at most what the wrist can do in a gameplay tick.
-void turn_towards(const Self& self, const Seat& seat, Aim aim, Mind& mind) {
-    const double limit = seat.skill.turn_speed * gameplay_dt;
-    const double left = std::clamp(0.25 * angle_between(self.yaw, aim.yaw), -limit, limit);
-    const double up = std::clamp(0.25 * (aim.pitch - self.pitch), -limit, limit);
-    mind.right_left = static_cast<std::int32_t>(std::lround(-left / rad_per_count));
-    mind.up_left = static_cast<std::int32_t>(std::lround(up / rad_per_count));
-}
-
-/// Where the foe will be when the bolt is there, as far as the bot allows for that.
-vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind) {
-    const double flight = glm::distance(self.eye, mind.foe) / bolt_speed;
-    vec3 moved = mind.foe_velocity * (seat.skill.lead * (seconds(seat.skill.reaction) + flight));
-    moved.y = 0;  // jumps end soon
-    return mind.foe + moved;
-}
-
-bool worth_a_shot(const Self& self, const Seat& seat, const Mind& mind) {
-    const double distance = glm::distance(self.eye, mind.foe);
-    const bool near = distance < near_share * seat.skill.keep;
-    return self.can_shoot && distance < seat.skill.range && (near || self.energy_share > seat.skill.reserve);
-}
-
-void choose_fire(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick) {
-    mind.buttons &= ~static_cast<std::uint32_t>(Button::fire);
-    const bool fresh = mind.foe_seen_at != 0 && tick - mind.foe_seen_at <= ticks(0.3);
-    if (!fresh || !worth_a_shot(self, seat, mind)) return;
-    const bool aimed = std::abs(angle_between(self.yaw, wanted.yaw)) < 0.15;
-    if (aimed && tick >= mind.fire_until + seat.skill.rest) {
-        mind.fire_from = tick;
-        mind.fire_until = tick + seat.skill.burst;
-    }
-    if (tick >= mind.fire_from && tick < mind.fire_until)
-        mind.buttons |= static_cast<std::uint32_t>(Button::fire);
-}
 
 /// A walkable place anywhere in the court.
 vec3 random_place(const WalkGrid& grid, Random& random) {
@@ -246,13 +177,6 @@ void think(const Simulation& match, const Seat& seat, Eyes& eyes, Mind& mind, co
     if (tick < mind.dodge_until) mind.move_strafe = mind.strafe > 0 ? 127 : -127;
 }
 
-/// The part of the planned turn that belongs to this tick.
-std::int32_t share(std::int32_t& left, Tick ticks_left) {
-    const auto part = left / static_cast<std::int32_t>(ticks_left);
-    left -= part;
-    return part;
-}
-
 }  // namespace
 
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level) {
@@ -333,8 +257,7 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
             if (phase == 0) think(match, seat, eyes, mind, *in.grid, in.ways[e.index]);
             auto& sample = frame.devices[seat.device];
             sample = {};
-            sample.counts[hand::look_right] = share(mind.right_left, gameplay_period - phase);
-            sample.counts[hand::look_up] = share(mind.up_left, gameplay_period - phase);
+            turn_hand(mind, gameplay_period - phase, sample);
             sample.counts[hand::strafe] = mind.move_strafe;
             sample.counts[hand::forward] = mind.move_forward;
             sample.buttons = mind.buttons;

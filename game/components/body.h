@@ -11,6 +11,7 @@ using ecs::field;
 
 /// What the body is. Changed only by removing and adding it.
 struct Body : physics::BodyDesc {
+    bool operator==(const Body&) const = default;
     static constexpr std::string_view name = "Body";
     static constexpr auto fields() {
         return std::tuple(
@@ -93,6 +94,7 @@ struct Pad {
     double yaw{};            ///< rad, facing
     std::uint32_t player{};  ///< who starts here: 0, 1, or 2 for nobody
     std::uint32_t number{};
+    bool operator==(const Pad&) const = default;
     static constexpr std::string_view name = "Pad";
     static constexpr auto fields() {
         return std::tuple(field("feet", &Pad::feet), field("yaw", &Pad::yaw), field("player", &Pad::player),

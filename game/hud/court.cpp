@@ -17,6 +17,7 @@ using render::MeshData;
 using render::PointLight;
 
 constexpr int embers = 36, bubbles = 14;
+constexpr float glow_share = 0.85F;  // of what shines by itself and is lit a little as well
 constexpr float brew_glow = 1.7F;    // the brightest thing in the court
 constexpr double shade_reach = 2.5;  // m above the ground, where contact shade is gone
 
@@ -40,16 +41,17 @@ bool is_masonry(const Thing& thing) {
     return !thing.prop && thing.body.shape == physics::Shape::box && thing.surface != Surface::crystal;
 }
 
+/// Masonry goes into `stone`.
 Court::Solid make_solid(render::Renderer& renderer, const Shade& shade, const Arena& arena,
-                        const Thing& thing) {
+                        const Thing& thing, render::Patchwork& stone) {
     Court::Solid solid{key_of(thing), thing.position, {}};
     if (thing.surface == Surface::bowl) {
         solid.meshes = upload(renderer, cauldron(arena.meshes[thing.body.mesh]));
         solid.meshes.glow = brew_glow;
     } else if (thing.body.shape == physics::Shape::mesh) {
-        solid.meshes.lit = upload(renderer, masonry_ramp(shade, thing, arena.meshes[thing.body.mesh]));
+        add_masonry_ramp(shade, thing, arena.meshes[thing.body.mesh], stone);
     } else if (is_masonry(thing)) {
-        solid.meshes.lit = upload(renderer, masonry_box(shade, thing));
+        add_masonry_box(shade, thing, stone);
     } else {
         auto mesh = furniture(solid.key);
         bake(shade, thing.position, mesh.lit);
@@ -133,11 +135,12 @@ Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRul
     court.wizard_height = rules.height;
     court.shade = make_shade(arena, court.environment.sun.direction);
     const auto& shade = court.shade;
+    render::Patchwork stone;
     for (const auto& thing : arena.things) {
         if (thing.prop)
             add_kind(renderer, key_of(thing), court);
         else
-            court.solids.push_back(make_solid(renderer, shade, arena, thing));
+            court.solids.push_back(make_solid(renderer, shade, arena, thing, stone));
         add_light_of(thing, court);
         if (thing.surface == Surface::floor || thing.surface == Surface::pit)
             court.grounds.push_back(ground_of(thing, arena));
@@ -146,8 +149,9 @@ Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRul
     court.power_ups = make_power_up_meshes(renderer);
     court.anchor = upload(renderer, anchor());
     court.neutral_plate = upload(renderer, start_plate(no_player));
-    court.decoration = {.lit = upload(renderer, decoration(shade)),
-                        .glowing = upload(renderer, lamps(shade))};
+    add_decoration(shade, stone);
+    court.stone = renderer.upload(stone);
+    court.lamps = renderer.upload(lamps(shade));
     court.skyline = renderer.upload(skyline());
     for (std::size_t i = 0; i < court.wands.size(); ++i)
         court.wands[i] = renderer.upload(wand_mesh(static_cast<Silhouette>(i)));
@@ -176,7 +180,8 @@ fmat4 placed(vec3 position, quat orientation) {
 void add(const Court::Meshes& meshes, const fmat4& model, std::vector<Instance>& out) {
     if (meshes.lit) out.push_back({.mesh = *meshes.lit, .model = model});
     if (meshes.glowing)
-        out.push_back({.mesh = *meshes.glowing, .model = model, .tint = fvec3(meshes.glow), .glow = 0.85F});
+        out.push_back(
+            {.mesh = *meshes.glowing, .model = model, .tint = fvec3(meshes.glow), .glow = glow_share});
 }
 
 const Court::Meshes* find_solid(const Court& court, const ThingPicture& thing) {
@@ -309,7 +314,8 @@ void add_glow(const Court& court, std::uint32_t number, const PlayerPicture& p, 
 void add_own_arm(const Court& court, std::uint32_t number, const PlayerPicture& p,
                  std::vector<Instance>& out) {
     const auto first = out.size();
-    const auto eye = render::translated(fvec3(p.eye)) * turned(p.yaw, p.pitch);
+    const auto eye =
+        render::translated(fvec3(p.eye)) * turned(p.yaw, p.pitch) * render::translated(fvec3(p.wand_reach));
     out.push_back({.mesh = court.teams[number].own_arm, .model = eye});
     if (!p.wand.empty()) {
         out.push_back(
@@ -390,7 +396,7 @@ void add_contact_shades(const Court& court, const Picture& picture, std::vector<
 
 void add_casters(const Court& court, const Picture& picture, std::vector<Instance>& fixed,
                  std::vector<Instance>& moving) {
-    if (court.decoration.lit) fixed.push_back({.mesh = *court.decoration.lit});
+    fixed.push_back({.mesh = court.stone});
     for (const auto& thing : picture.things) add_thing(court, thing, thing.fixed ? fixed : moving);
     for (std::uint32_t player = 0; player < players; ++player)
         add_figure(court, player, picture.wizards[player], moving);
@@ -398,7 +404,8 @@ void add_casters(const Court& court, const Picture& picture, std::vector<Instanc
 
 void add_instances(const Court& court, const Picture& picture, std::uint32_t viewer,
                    std::vector<Instance>& out) {
-    add(court.decoration, fmat4(1), out);
+    out.push_back({.mesh = court.stone});
+    out.push_back({.mesh = court.lamps, .glow = glow_share});
     out.push_back({.mesh = court.skyline});
     if (court.bowl) {
         const auto* ground = ground_below(court, *court.bowl);

@@ -15,13 +15,14 @@ namespace thaum::game {
 struct Court {
     struct Meshes {
         std::optional<render::MeshId> lit, glowing;
-        float glow = 1;  ///< how much brighter than its colours the second one shines
+        float glow = 1;  ///< how much brighter than its colours it shines
     };
     struct Kind {
         ShapeKey key;
         Meshes meshes;
     };
-    /// Masonry has the light of its own place in it, so it is known by its place as well.
+    /// What never moves has the light of its own place in it, so it is known by its place as well. The meshes of masonry are
+    /// empty: it is in `stone`.
     struct Solid {
         ShapeKey key;
         vec3 position{};
@@ -45,7 +46,7 @@ struct Court {
     std::array<Team, players> teams{};
     Meshes neutral_plate;
     Meshes anchor;                                                ///< of radius 1 m
-    Meshes decoration;                                            ///< world frame
+    render::MeshId stone{}, lamps{};                              ///< masonry and decoration; world frame
     std::array<render::MeshId, silhouette_names.size()> wands{};  ///< by Silhouette
     render::MeshId skyline{}, runes{}, ember{}, bubble{};
     render::MeshId contact{};                     ///< shade below whatever stands or lies

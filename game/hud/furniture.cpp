@@ -83,9 +83,11 @@ MeshData barrel(float radius, float half_height) {
         for (std::size_t k = 0; k < 3; ++k)
             mesh.vertices[i + k].colour = stave % 2 == 0 ? colour(0x9A6038) : colour(0x7E4A2A);
     }
+    const float thick = 0.07F * half_height;
     for (const float at : {-0.72F, -0.3F, 0.3F, 0.72F}) {
         const float r = radius * (1.03F - 0.2F * at * at);
-        append(mesh, render::cylinder(r, 0.07F * half_height * 2, 14, iron),
+        // No lids: the wood is within.
+        append(mesh, render::revolve(std::array{fvec2(r, -thick), fvec2(r, thick)}, 14, iron),
                translated({0, at * half_height, 0}));
     }
     return mesh;
@@ -270,34 +272,33 @@ FurnitureMesh anchor() {
 
 FurnitureMesh start_plate(std::uint32_t team) {
     FurnitureMesh out;
-    const auto flat = rotated({1, 0, 0}, -quarter);
+    const auto lying = translated({0, 0.065F, 0}) * rotated({1, 0, 0}, -quarter);
     const fvec3 stone = colour(0x8A8698);
     append(out.lit, render::cone(1.15F, 1.08F, 0.06F, 18, 0.7F * stone), translated({0, 0.02F, 0}));
     if (team >= players) {
-        append(out.glowing, render::frame(18, 0.95F, 0.86F, 0.02F, colour(0x9A90B0)),
-               translated({0, 0.055F, 0}) * flat);
+        append(out.glowing, render::flat_frame(18, 0.95F, 0.86F, colour(0x9A90B0)), lying);
         return out;
     }
     const auto& colours = team_colours(team);
-    append(out.glowing, render::frame(18, 1.0F, 0.9F, 0.02F, colours.glow),
-           translated({0, 0.055F, 0}) * flat);
-    const auto mark = team == 0 ? render::frame(14, 0.55F, 0.38F, 0.02F, colours.glow)
-                                : render::frame(3, 0.75F, 0.4F, 0.02F, colours.glow);
-    append(out.glowing, mark, translated({0, 0.055F, 0}) * flat);
+    append(out.glowing, render::flat_frame(18, 1.0F, 0.9F, colours.glow), lying);
+    const auto mark = team == 0 ? render::flat_frame(14, 0.55F, 0.38F, colours.glow)
+                                : render::flat_frame(3, 0.75F, 0.4F, colours.glow);
+    append(out.glowing, mark, lying);
     return out;
 }
 
 MeshData rune_circle(float radius) {
     const auto flat = rotated({1, 0, 0}, -quarter);
     const fvec3 ember = colour(0xD87028);
+    constexpr float above = 0.017F;  // m, the ground
     MeshData mesh;
-    append(mesh, render::frame(28, radius, radius - 0.05F, 0.01F, ember), translated({0, 0.012F, 0}) * flat);
-    append(mesh, render::frame(28, radius + 0.75F, radius + 0.7F, 0.01F, ember),
-           translated({0, 0.012F, 0}) * flat);
+    append(mesh, render::flat_frame(28, radius, radius - 0.05F, ember), translated({0, above, 0}) * flat);
+    append(mesh, render::flat_frame(28, radius + 0.75F, radius + 0.7F, ember),
+           translated({0, above, 0}) * flat);
     for (int i = 0; i < 12; ++i) {
         const float angle = whole * static_cast<float>(i) / 12;
-        const fmat4 place = rotated({0, 1, 0}, angle) * translated({radius + 0.36F, 0.012F, 0}) * flat;
-        append(mesh, render::frame(3 + i % 3, 0.24F, 0.15F, 0.01F, ember), place);
+        const fmat4 place = rotated({0, 1, 0}, angle) * translated({radius + 0.36F, above, 0}) * flat;
+        append(mesh, render::flat_frame(3 + i % 3, 0.24F, 0.15F, ember), place);
     }
     return mesh;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/random.h"
 #include "render/colour.h"
@@ -127,20 +128,21 @@ constexpr float out_of_reach = 3.1F;
 constexpr float out_of_sight = 6;
 /// Of the bevel: how deep the core lies, just below the joints; it shows where a face was left out.
 constexpr float core_depth = 1.25F;
+/// Of a stone's colour: what a joint looks like from far off.
+constexpr float core_shade = 0.9F;
+constexpr float core_piece = 3, core_overlap = 0.3F;  // m
 
 std::uint32_t add_vertex(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 normal, fvec3 shade) {
     mesh.vertices.push_back({face.corner + at.x * face.u + at.y * face.v + at.z * face.n, normal, shade});
     return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
-/// How much of a joint's darkness is left far off, where it is finer than a pixel and would flicker.
-constexpr float far_joint = 0.92F;
-
-/// A vertex of a joint: `joint` of the shade close by.
+/// A vertex of a joint: `joint` of the shade close by, and all of it far off, where a joint is finer than a pixel and would
+/// flicker.
 std::uint32_t add_joint(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 normal, fvec3 shade,
                         float joint) {
     const auto index = add_vertex(mesh, face, at, normal, joint * shade);
-    mesh.vertices.back().far_away = joint < 1 ? far_joint / joint : 1;
+    mesh.vertices.back().far_away = 1 / joint;
     return index;
 }
 
@@ -229,18 +231,39 @@ bool hidden(const Shade& shade, vec3 point, vec3 normal) {
     });
 }
 
-void add(MeshData& mesh, double height, const Face& face, const Stonework& work, const Cell& cell,
-         Random& random) {
+/// A block whose edges are seen from the side. Far off only its top is drawn, and the core shows between the blocks as a
+/// joint would.
+render::Patch bevelled_block(const Face& face, const Stonework& work, const Cell& cell, fvec3 tone,
+                             float sunk) {
+    render::Patch patch{.full = {}, .detail = work.bevel};
+    add_block(patch.full, face, work, cell, tone, sunk);
+    const float b = work.bevel / 2;
+    add_bare_block(patch.plain, face, {cell.u0 + b, cell.u1 - b, cell.v0 + b, cell.v1 - b}, tone);
+    return patch;
+}
+
+/// One walks on it.
+bool is_slab(const Face& face, const Stonework& work) { return face.n.y > 0.5F && work.block_u > 1; }
+
+bool is_bevelled(double height, const Face& face, const Stonework& work) {
+    return !is_slab(face, work) && height <= out_of_reach;
+}
+
+/// One block of a course at that height.
+render::Patch block(double height, const Face& face, const Stonework& work, const Cell& cell,
+                    Random& random) {
     const fvec3 tone = any_shade(work, random);
     const auto sunk = static_cast<float>(random.uniform(0, 0.3)) * work.bevel;
-    if (face.n.y > 0.5F && work.block_u > 1)
-        add_flat_block(mesh, face, work, cell, tone, 1.7F * work.bevel);
-    else if (height > out_of_sight)
-        add_bare_block(mesh, face, cell, tone);
-    else if (height > out_of_reach)
-        add_flat_block(mesh, face, work, cell, tone, work.bevel);
-    else
-        add_block(mesh, face, work, cell, tone, sunk);
+    render::Patch patch;
+    if (is_bevelled(height, face, work)) return bevelled_block(face, work, cell, tone, sunk);
+    const bool slab = is_slab(face, work);
+    if (!slab && height > out_of_sight) {
+        add_bare_block(patch.full, face, cell, tone);
+        return patch;
+    }
+    add_flat_block(patch.full, face, work, cell, tone, slab ? 1.7F * work.bevel : work.bevel);
+    add_bare_block(patch.plain, face, cell, tone);
+    return patch;
 }
 
 vec3 at(const Face& face, fvec2 place) { return vec3(face.corner + place.x * face.u + place.y * face.v); }
@@ -256,19 +279,91 @@ bool hidden(const Shade& shade, vec3 position, const Face& face, const Cell& cel
     return true;
 }
 
-void lay(MeshData& mesh, const Shade& shade, vec3 position, const Face& face, const Stonework& work) {
+/// Each vertex takes the baked light of the nearest one that faces the same way, so that nothing changes its shade where one
+/// mesh takes the place of the other.
+void take_light(const MeshData& from, MeshData& to) {
+    for (auto& v : to.vertices) {
+        float least = std::numeric_limits<float>::max();
+        for (const auto& f : from.vertices) {
+            const float apart =
+                glm::distance(f.position, v.position) + 10 * glm::distance(f.normal, v.normal);
+            if (apart >= least) continue;
+            least = apart;
+            v.lamps = f.lamps;
+            v.open = f.open;
+            v.sun = f.sun;
+        }
+    }
+}
+
+/// Where it stands, with the light it has there.
+void set_up(const Shade& shade, vec3 position, render::Patch patch, render::Patchwork& out) {
+    bake(shade, position, patch.full);
+    take_light(patch.full, patch.plain);
+    for (auto* mesh : {&patch.full, &patch.plain}) {
+        for (auto& v : mesh->vertices) v.position += fvec3(position);
+    }
+    out.push_back(std::move(patch));
+}
+
+/// What is behind the bevelled blocks of a face: it shows where one looks past their edges, and from far off as joints. In
+/// pieces, so that it is dark close by and lighter far off. Some way up behind blocks without a bevel as well.
+void add_core(const Shade& shade, vec3 position, Face face, const Stonework& work, Cell behind,
+              render::Patchwork& out) {
+    if (behind.u0 >= behind.u1) return;
+    face.corner -= core_depth * work.bevel * face.n;
+    behind.v1 = std::min(behind.v1 + core_overlap, face.length_v - work.bevel / 2);
+    const float low = behind.u0 + work.bevel / 2, high = behind.u1 - work.bevel / 2;
+    const int pieces = std::max(1, static_cast<int>(std::ceil((high - low) / core_piece)));
+    const auto edge = [&](int i) {
+        return glm::mix(low, high, static_cast<float>(i) / static_cast<float>(pieces));
+    };
+    for (int i = 0; i < pieces; ++i) {
+        render::Patch patch;
+        add_bare_block(patch.full, face, {edge(i), edge(i + 1), behind.v0, behind.v1},
+                       work.joint * core_shade * work.colours[0]);
+        for (auto& v : patch.full.vertices) v.far_away = 1 / work.joint;
+        set_up(shade, position, std::move(patch), out);
+    }
+}
+
+Cell around(const Cell& a, const Cell& b) {
+    return {std::min(a.u0, b.u0), std::max(a.u1, b.u1), std::min(a.v0, b.v0), std::max(a.v1, b.v1)};
+}
+
+/// Neither at a vertex nor anywhere between does the sun arrive, nor a little beyond the edges.
+bool is_sunless(const Shade& shade, vec3 position, const Face& face, const Cell& cell,
+                const render::Patch& patch) {
+    const auto sunny = [](const render::Vertex& v) { return v.sun > 0; };
+    if (std::any_of(patch.full.vertices.begin(), patch.full.vertices.end(), sunny)) return false;
+    if (glm::dot(face.n, shade.sun) <= 0) return true;
+    for (const float u : {-0.1F, 0.1F, 0.3F, 0.5F, 0.7F, 0.9F, 1.1F}) {
+        for (const float v : {-0.1F, 0.1F, 0.3F, 0.5F, 0.7F, 0.9F, 1.1F}) {
+            const fvec2 place(glm::mix(cell.u0, cell.u1, u), glm::mix(cell.v0, cell.v1, v));
+            if (sees_sun(shade, position + at(face, place) + 0.06 * vec3(face.n))) return false;
+        }
+    }
+    return true;
+}
+
+void lay(render::Patchwork& out, const Shade& shade, vec3 position, const Face& face, const Stonework& work) {
     Random random = random_stream(work.seed, 7);
     const int courses = std::max(1, static_cast<int>(std::lround(face.length_v / work.block_v)));
     const float height = face.length_v / static_cast<float>(courses);
+    Cell bevelled{face.length_u, 0, face.length_v, 0};
     for (int row = 0; row < courses; ++row) {
         const auto edges = course(face.length_u, work.block_u, row % 2 == 1, random);
         for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
             const Cell cell{edges[i], edges[i + 1], static_cast<float>(row) * height,
                             static_cast<float>(row + 1) * height};
-            if (!hidden(shade, position, face, cell))
-                add(mesh, position.y + at(face, {cell.u0, cell.v0}).y, face, work, cell, random);
+            if (hidden(shade, position, face, cell)) continue;
+            const double up = position.y + at(face, {cell.u0, cell.v0}).y;
+            set_up(shade, position, block(up, face, work, cell, random), out);
+            out.back().sunless = is_sunless(shade, position, face, cell, out.back());
+            if (is_bevelled(up, face, work)) bevelled = around(bevelled, cell);
         }
     }
+    add_core(shade, position, face, work, bevelled, out);
 }
 
 /// The face of a box across `axis`, seen from outside. Courses of upright faces are level.
@@ -324,26 +419,20 @@ Stonework work_of(Surface surface, const Face& face) {
 
 }  // namespace
 
-MeshData masonry_box(const Shade& shade, const Thing& thing) {
-    MeshData mesh;
+void add_masonry_box(const Shade& shade, const Thing& thing, render::Patchwork& out) {
     for (int axis = 0; axis < 3; ++axis) {
         for (const float side : {-1.0F, 1.0F}) {
             if (axis == 1 && side < 0) continue;
             const auto face = face_of(fvec3(thing.body.size), axis, side);
             auto work = work_of(thing.surface, face);
             work.seed = seed_of(thing.position, axis * 2 + (side > 0 ? 1 : 0));
-            lay(mesh, shade, thing.position, face, work);
+            lay(out, shade, thing.position, face, work);
         }
     }
-    // Last, so that the blocks in front of it are drawn first.
-    const auto work = work_of(thing.surface, face_of(fvec3(thing.body.size), 0, 1));
-    const fvec3 core = fvec3(thing.body.size) - core_depth * work.bevel;
-    render::append(mesh, render::box(core, 0.3F * work.colours[0]));
-    bake(shade, thing.position, mesh);
-    return mesh;
 }
 
-MeshData masonry_ramp(const Shade& shade, const Thing& thing, const physics::TriangleMesh& solid) {
+void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::TriangleMesh& solid,
+                      render::Patchwork& out) {
     fvec3 half(0);
     for (const auto& v : solid.vertices) half = glm::max(half, glm::abs(fvec3(v)));
     // The high edge is the one with vertices at the top.
@@ -367,10 +456,7 @@ MeshData masonry_ramp(const Shade& shade, const Thing& thing, const physics::Tri
     work.block_u = 1.5F;
     work.block_v = 0.8F;
     work.seed = seed_of(thing.position, 6);
-    MeshData mesh;
-    lay(mesh, shade, thing.position, slope, work);
-    bake(shade, thing.position, mesh);
-    return mesh;
+    lay(out, shade, thing.position, slope, work);
 }
 
 // Decoration -----------------------------------------------------------------------------------------------------------
@@ -393,33 +479,39 @@ fvec3 half_along(const Wall& wall, float along, float up, float deep) {
 }
 
 /// Turns what faces +z towards the court.
-fmat4 facing(const Wall& wall, fvec3 place) {
-    const float angle = std::atan2(wall.inwards.x, wall.inwards.z);
-    return render::translated(place) * render::rotated({0, 1, 0}, angle);
+fmat4 facing(const Wall& wall) {
+    return render::rotated({0, 1, 0}, std::atan2(wall.inwards.x, wall.inwards.z));
 }
 
-void add_merlons(MeshData& mesh, const Wall& wall, float half, float top) {
+/// Plain boxes: nobody comes so near that a bevel would show.
+void add_merlons(const Shade& shade, const Wall& wall, float half, float top, render::Patchwork& out) {
     for (float at = -half + 1; at < half; at += 2.5F) {
         const fvec3 place = wall.middle + at * wall.along + fvec3(0, top + 0.5F, 0) - 0.5F * wall.inwards;
-        render::append(mesh, render::box(half_along(wall, 0.7F, 0.55F, 0.5F), colour(0x6E5662), 0.08F),
-                       render::translated(place));
+        set_up(shade, vec3(place),
+               {.full = render::box(half_along(wall, 0.7F, 0.55F, 0.5F), colour(0x6E5662))}, out);
     }
 }
 
-void add_pilasters(MeshData& mesh, const Wall& wall, float half, float top) {
+/// A bevelled box.
+void add_ashlar(const Shade& shade, fvec3 place, fvec3 half, fvec3 paint, float bevel,
+                render::Patchwork& out) {
+    set_up(shade, vec3(place),
+           {.full = render::box(half, paint, bevel), .plain = render::box(half, paint), .detail = bevel},
+           out);
+}
+
+void add_pilasters(const Shade& shade, const Wall& wall, float half, float top, render::Patchwork& out) {
     for (const float share : {-0.75F, -0.25F, 0.25F, 0.75F}) {
         const fvec3 foot = wall.middle + share * half * wall.along + 0.06F * wall.inwards;
-        const auto shaft = half_along(wall, 0.55F, top / 2, 0.12F);
-        render::append(mesh, render::box(shaft, colour(0x5E566C), 0.05F),
-                       render::translated(foot + fvec3(0, top / 2, 0)));
-        const auto capital = half_along(wall, 0.75F, 0.25F, 0.22F);
-        render::append(mesh, render::box(capital, colour(0x746A7C), 0.06F),
-                       render::translated(foot + fvec3(0, 0.8F * top, 0)));
+        add_ashlar(shade, foot + fvec3(0, top / 2, 0), half_along(wall, 0.55F, top / 2, 0.12F),
+                   colour(0x5E566C), 0.05F, out);
+        add_ashlar(shade, foot + fvec3(0, 0.8F * top, 0), half_along(wall, 0.75F, 0.25F, 0.22F),
+                   colour(0x746A7C), 0.06F, out);
     }
 }
 
 /// The banner of a team, with its mark, so that both ends of the court can be told apart.
-void add_banner(MeshData& mesh, const Wall& wall, float at, std::uint32_t team) {
+void add_banner(const Shade& shade, const Wall& wall, float at, std::uint32_t team, render::Patchwork& out) {
     const fvec3 cloth = team == 0 ? colour(0xB8481A) : colour(0x1E5FA8);
     const fvec3 light = team == 0 ? colour(0xFFC27A) : colour(0x9ED4FF);
     const fvec3 place = wall.middle + at * wall.along + fvec3(0, 6.2F, 0) + 0.1F * wall.inwards;
@@ -429,11 +521,12 @@ void add_banner(MeshData& mesh, const Wall& wall, float at, std::uint32_t team) 
                    render::translated({0, 2.35F, 0}));
     const auto mark =
         team == 0 ? render::frame(14, 0.75F, 0.51F, 0.1F, light) : render::triangle_mark(0.85F, light);
-    render::append(mesh, banner, facing(wall, place));
-    render::append(mesh, mark, facing(wall, place + fvec3(0, 0.35F, 0) + 0.06F * wall.inwards));
+    render::append(banner, mark, render::translated({0, 0.35F, 0.06F}));
+    set_up(shade, vec3(place), {.full = render::transformed(std::move(banner), facing(wall))}, out);
 }
 
-void add_tower(MeshData& mesh, fvec3 foot, float radius, float height) {
+MeshData tower_mesh(fvec3 foot, float radius, float height) {
+    MeshData mesh;
     const fvec3 stone = colour(0x4E4466), roof = colour(0x3A2C58);
     const std::array shaft{fvec2(0, 0),
                            fvec2(radius, 0),
@@ -445,6 +538,7 @@ void add_tower(MeshData& mesh, fvec3 foot, float radius, float height) {
     const std::array cap{fvec2(0, height + 2), fvec2(1.35F * radius, height + 2),
                          fvec2(0.5F * radius, height + 6), fvec2(0, height + 13)};
     render::append(mesh, render::revolve(cap, 10, roof), render::translated(foot));
+    return mesh;
 }
 
 struct Tower {
@@ -457,26 +551,24 @@ constexpr std::array<Tower, 6> towers{Tower{{-34, 0, -46}, 5, 30}, {{14, 0, -58}
 
 }  // namespace
 
-MeshData decoration(const Shade& shade) {
+void add_decoration(const Shade& shade, render::Patchwork& out) {
     const auto half = static_cast<float>(shade.half), top = static_cast<float>(shade.wall_top);
-    MeshData mesh;
     const auto all = walls(shade);
     for (const auto& wall : all) {
-        add_merlons(mesh, wall, half, top);
-        add_pilasters(mesh, wall, half, top);
+        add_merlons(shade, wall, half, top, out);
+        add_pilasters(shade, wall, half, top, out);
     }
     for (const float at : {-10.0F, 0.0F, 10.0F}) {
-        add_banner(mesh, all[0], at, 0);
-        add_banner(mesh, all[1], at, 1);
+        add_banner(shade, all[0], at, 0, out);
+        add_banner(shade, all[1], at, 1, out);
     }
-    bake(shade, vec3(0), mesh);
-    return mesh;
 }
 
-MeshData skyline() {
-    MeshData mesh;
-    for (const auto& tower : towers) add_tower(mesh, tower.foot, tower.radius, tower.height);
-    return mesh;
+render::Patchwork skyline() {
+    render::Patchwork out;
+    for (const auto& tower : towers)
+        out.push_back({.full = tower_mesh(tower.foot, tower.radius, tower.height)});
+    return out;
 }
 
 MeshData lamps(const Shade& shade) {

@@ -35,16 +35,21 @@ bool sees_sun(const Shade& shade, vec3 point);
 /// The baked light of all vertices of a mesh that stands there.
 void bake(const Shade& shade, vec3 position, render::MeshData& mesh);
 
-/// A box of masonry, in the box's own frame, lit as it stands in the arena. Faces that nobody can see are left out.
-render::MeshData masonry_box(const Shade& shade, const Thing& thing);
+// Still stone in the world's frame; the first three are added to what is there already. A patch is a block, or a piece of
+// decoration.
 
-/// The sloping top and the sides of a ramp.
-render::MeshData masonry_ramp(const Shade& shade, const Thing& thing, const physics::TriangleMesh& solid);
+/// A box of masonry, lit as it stands in the arena. Faces that nobody can see are left out.
+void add_masonry_box(const Shade& shade, const Thing& thing, render::Patchwork& out);
 
-/// Merlons on the walls, banners and lamps; world frame.
-render::MeshData decoration(const Shade& shade);
+/// The sloping top of a ramp.
+void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::TriangleMesh& solid,
+                      render::Patchwork& out);
+
+/// Merlons on the walls, pilasters and banners.
+void add_decoration(const Shade& shade, render::Patchwork& out);
+
 /// The towers beyond; they are too far off to cast a shadow here.
-render::MeshData skyline();
+render::Patchwork skyline();
 /// What of both shines by itself.
 render::MeshData lamps(const Shade& shade);
 

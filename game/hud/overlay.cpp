@@ -195,6 +195,59 @@ void add_veil(Overlay& out, const Rect& r, fvec4 paint) {
     out.items.emplace_back(render::RectItem{at(r, 0, 0), at(r, 1, 1), paint, 0});
 }
 
+/// From green over yellow to red, as the force comes to the most that the hand can feel.
+fvec4 paint_of_force(float share) {
+    const fvec3 green(0.25F, 0.85F, 0.35F), yellow(0.95F, 0.85F, 0.25F), crimson(1.0F, 0.29F, 0.23F);
+    const float s = std::clamp(share, 0.0F, 1.0F);
+    return opaque(s < 0.5F ? glm::mix(green, yellow, 2 * s) : glm::mix(yellow, crimson, 2 * s - 1));
+}
+
+/// The last two seconds of what the hand felt, newest at the right.
+void add_force_plot(Overlay& out, const ForcePicture& force, const Corner& c) {
+    const float u = c.unit;
+    const float column = 1.4F * u, high = 46 * u;
+    const auto columns = static_cast<float>(force.strongest.size());
+    const fvec2 low = at(c.view, 1, 0.5F) + fvec2(-14 * u - columns * column, 0.5F * high);
+    const fvec2 margin = u * fvec2(6, 6);
+    out.items.emplace_back(render::RectItem{low - fvec2(0, high + 18 * u) - margin,
+                                            low + fvec2(columns * column, 0) + margin, panel, 6 * u});
+    const auto cap = static_cast<float>(std::max(force.cap, 1e-6));
+    for (std::size_t i = 0; i < force.strongest.size(); ++i) {
+        const float share = std::min(force.strongest[i] / cap, 1.0F);
+        const fvec2 foot = low + fvec2(static_cast<float>(i) * column, 0);
+        if (share > 0)
+            out.items.emplace_back(render::RectItem{foot - fvec2(0, std::max(1.0F, share * high)),
+                                                    foot + fvec2(column, 0), paint_of_force(share), 0});
+    }
+    const float now = *std::max_element(force.strongest.end() - 8, force.strongest.end());
+    add_text(out, text("hand ", fixed(static_cast<double>(now), 2), " N of ", fixed(force.cap, 2)),
+             low - fvec2(0, high + 17 * u), 12 * u, white, Align::left);
+}
+
+/// Empty where there is nothing to say.
+std::string_view caption_of(haptics::SafetyCause cause) {
+    using haptics::SafetyCause;
+    switch (cause) {
+        case SafetyCause::warm: return "Forces are weaker for a while: the device is warm";
+        case SafetyCause::stale: return "Forces fade: the game is late";
+        case SafetyCause::over_speed: return "Forces wait until the hand is slower";
+        case SafetyCause::shut_off:
+            return "Forces are shut off after a fault: the panic key brings them back";
+        case SafetyCause::panic: return "All forces off: the panic key brings yours back";
+        case SafetyCause::none:
+        case SafetyCause::capped:
+        case SafetyCause::waiting:
+        case SafetyCause::off: break;
+    }
+    return {};
+}
+
+void add_caption(Overlay& out, const PlayerPicture& p, const Corner& c) {
+    const auto words = caption_of(p.force.cause);
+    if (!words.empty())
+        add_text(out, std::string(words), at(c.view, 0.5F, 0.82F), 15 * c.unit, white, Align::centre);
+}
+
 void add_death(Overlay& out, const PlayerPicture& p, const Corner& c) {
     add_veil(out, c.view, colour(0x0C0616, 0.5F));
     const fvec2 centre = at(c.view, 0.5F, 0.5F);
@@ -210,6 +263,7 @@ void add_player(Overlay& out, const Picture& picture, std::uint32_t player, cons
         add_hurt_marks(out, p, c);
         add_gift(out, p, c);
     }
+    add_caption(out, p, c);
     add_health(out, p, player, c);
     add_wand(out, p, player, c);
     add_feed(out, picture, c);
@@ -244,6 +298,31 @@ void add_score(Overlay& out, const Picture& picture, fvec2 middle, float u) {
              opaque(team_colours(1).light), Align::centre);
     add_text(out, clock(picture.left_s), middle + u * fvec2(0, -19), 19 * u, white, Align::centre);
     add_text(out, goal_line(picture), middle + u * fvec2(0, 7), 11 * u, soft, Align::centre);
+}
+
+/// Words on a panel that is as wide as they are, by the widest type; long ones shrink until the window holds them.
+void add_line(Overlay& out, const std::string& words, fvec2 top, float size, fvec4 paint,
+              const Rect& window) {
+    constexpr float em_per_character = 0.6F, most_of_window = 0.94F;
+    const float em = em_per_character * static_cast<float>(words.size());
+    const float fits = most_of_window * static_cast<float>(window.width) / std::max(em, 1.0F);
+    size = std::min(size, fits);
+    const fvec2 half(0.5F * em * size + 0.5F * size, 0.85F * size), middle = top + fvec2(0, 0.6F * size);
+    out.items.emplace_back(
+        render::RectItem{middle - half, middle + half, colour(0x140E22, 0.8F), 0.5F * size});
+    add_text(out, words, top, size, paint, Align::centre);
+}
+
+/// What one has done, and to whom.
+void add_practice(Overlay& out, const PracticePicture& practice, fvec2 middle, const Rect& window, float u) {
+    add_line(out, practice.score, middle + u * fvec2(0, -22), 17 * u, white, window);
+    add_line(out, practice.dummy, middle + u * fvec2(0, 8), 13 * u, soft, window);
+}
+
+void add_caption(Overlay& out, const Caption& caption, float top, const Rect& window, float u) {
+    if (caption.words.empty()) return;
+    add_line(out, caption.words, at(window, 0.5F, 0) + fvec2(0, top), 16 * u, caption.fault ? red : white,
+             window);
 }
 
 struct Announcement {
@@ -381,9 +460,14 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
         if (views[player].width <= 0 || views[player].height <= 0) continue;
         unit = unit_of(views[player], window, settings.text_scale);
         add_player(out, picture, player, {views[player], unit});
+        if (settings.forces) add_force_plot(out, picture.wizards[player].force, {views[player], unit});
     }
     const auto middle = place_of_score(settings, window, unit);
-    add_score(out, picture, middle, unit);
+    if (picture.practice.on)
+        add_practice(out, picture.practice, middle, window, unit);
+    else
+        add_score(out, picture, middle, unit);
+    add_caption(out, picture.caption, middle.y + 42 * unit, window, unit);
     if (picture.overloaded) {
         add_text(out, text("This machine is too slow: ", picture.skipped, " ms of input left out"),
                  at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 70) * unit), 14 * unit, red,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/match/touch.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {
@@ -65,14 +66,28 @@ void take_belt(const MatchData& data, const WandBelt& belt, PlayerPicture& out) 
     out.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;
 }
 
+void take_force(const Simulation& match, std::uint32_t player, const Grip& grip, ForcePicture& out) {
+    constexpr std::size_t together =
+        std::tuple_size_v<ForceTrace> / std::tuple_size_v<decltype(out.strongest)>;
+    const auto& trace = match.felt(player);
+    out.cause = static_cast<haptics::SafetyCause>(grip.servo.safety.cause);
+    out.cap = match.data().device.peak_force * match.data().touch.share;
+    // Whole columns, so that they move on and do not change; the one that still fills is left out.
+    const auto oldest = match.match().played / together * together;
+    for (std::size_t i = 0; i < out.strongest.size(); ++i) {
+        const auto* from = &trace[(oldest + i * together) % trace.size()];
+        out.strongest[i] = *std::max_element(from, from + together);
+    }
+}
+
 void take_wizards(const Simulation& match, Picture& out) {
     const auto& rules = match.data().wizard;
     const auto& state = match.match();
     match.world()
-        .view<const Wizard, const Motion, const Gaze, const Health, const WandBelt, const Score,
+        .view<const Wizard, const Motion, const Gaze, const Health, const WandBelt, const Grip, const Score,
               ecs::Maybe<const Dead>>()
         .each([&](const Wizard& wizard, const Motion& motion, const Gaze& gaze, const Health& health,
-                  const WandBelt& belt, const Score& score, const Dead* dead) {
+                  const WandBelt& belt, const Grip& grip, const Score& score, const Dead* dead) {
             auto& p = out.wizards[wizard.player];
             p = {};
             p.centre = motion.position;
@@ -91,6 +106,8 @@ void take_wizards(const Simulation& match, Picture& out) {
             if (dead != nullptr && dead->returns_at > state.played)
                 p.returns_in_s = seconds(dead->returns_at - state.played);
             take_belt(match.data(), belt, p);
+            p.wand_reach = wand_tip_of(match.data().touch, grip.device.position) - wand_tip;
+            take_force(match, wizard.player, grip, p.force);
         });
 }
 
@@ -196,6 +213,7 @@ void interpolate_wizard(const PlayerPicture& from, double alpha, double dt, Play
     to.eye = glm::mix(from.eye, to.eye, alpha);
     to.yaw = turned(from.yaw, to.yaw, alpha);
     to.pitch = glm::mix(from.pitch, to.pitch, alpha);
+    to.wand_reach = glm::mix(from.wand_reach, to.wand_reach, alpha);
 }
 
 }  // namespace

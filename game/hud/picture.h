@@ -2,10 +2,12 @@
 // match goes on while another thread draws. Taking a picture into the same Picture again allocates nothing.
 #pragma once
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "game/match/result.h"
+#include "haptics/safety.h"
 
 namespace thaum::game {
 
@@ -51,6 +53,14 @@ struct HurtMark {
     vec3 towards{};  ///< unit, world: from the victim to where it came from; zero where that is unknown
 };
 
+/// What a player's hand has felt.
+struct ForcePicture {
+    haptics::SafetyCause cause{};  ///< why it feels less than it should
+    double cap{};                  ///< N, the most it can feel
+    /// N, the strongest of each 16 ticks, the oldest first.
+    std::array<float, std::tuple_size_v<ForceTrace> / 16> strongest{};
+};
+
 struct PlayerPicture {
     vec3 centre{};  ///< of the body, m
     vec3 eye{};     ///< m
@@ -68,7 +78,9 @@ struct PlayerPicture {
     double since_dry_s{};   ///< since the wand last had too little energy
     double since_gift_s{};  ///< since this player last picked something up
     PowerUpKind gift{};
-    double gift_amount{};   ///< HP or energy
+    double gift_amount{};  ///< HP or energy
+    vec3 wand_reach{};     ///< m, in the frame of the eye: how far the hand has moved the wand's tip
+    ForcePicture force{};
     std::uint32_t hurts{};  ///< of `marks`
     std::array<HurtMark, 6> marks{};
 };
@@ -78,6 +90,18 @@ struct FeedLine {
     double age_s{};
     std::uint32_t victim{}, by{no_player};
     EventKind how{};
+};
+
+/// Of the range, instead of score and clock; filled by the session.
+struct PracticePicture {
+    bool on = false;
+    std::string score, dummy;  ///< ready to be shown
+};
+
+/// One line for whoever plays; filled by the session.
+struct Caption {
+    std::string words;
+    bool fault = false;
 };
 
 struct Picture {
@@ -105,6 +129,8 @@ struct Picture {
     std::uint32_t skipped{};  ///< samples left out so far
     std::uint32_t mark{};     ///< number of a mark made just now; 0: none; filled by the session
     bool overloaded{};        ///< samples were left out just now; filled by the session
+    PracticePicture practice{};
+    Caption caption{};
 };
 
 /// Memory for a busy match, so that no later picture needs more.

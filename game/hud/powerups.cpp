@@ -54,11 +54,9 @@ MeshData star(fvec3 paint) {
 }
 
 MeshData ring(fvec3 paint) {
-    const std::array<fvec2, 5> profile{fvec2{0.9F * ring_radius, 0},
-                                       {ring_radius, 0},
-                                       {ring_radius, 0.03F},
-                                       {0.9F * ring_radius, 0.03F},
-                                       {0.9F * ring_radius, 0}};
+    // Nobody sees it from below.
+    const std::array<fvec2, 4> profile{
+        fvec2{ring_radius, 0}, {ring_radius, 0.03F}, {0.9F * ring_radius, 0.03F}, {0.9F * ring_radius, 0}};
     return render::revolve(profile, 24, paint);
 }
 

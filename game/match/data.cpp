@@ -108,6 +108,13 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     data.rules = loader.load("rules/" + choice.rules + ".toml", read_rule_set);
     data.round = loader.load("rules/" + choice.match + ".toml", read_round_rules);
     data.wizard = loader.load("wizards/wizard.toml", read_wizard_rules);
+    data.touch = loader.load("haptics.toml", read_touch_rules);
+    if (!loader.error && !plain_name(data.touch.device))
+        return fail(
+            text("haptics.toml: device '", data.touch.device, "' is no name of a device (a-z, 0-9, _)"));
+    auto device = loader.load("devices/" + data.touch.device + ".toml", haptics::read_device);
+    if (!device) return tl::unexpected(device.error());
+    data.device = std::move(*device);
     for (const auto& kind : wand_kinds()) {
         data.wands.push_back(loader.load(text("wands/", kind.name, ".toml"),
                                          [&](const Config& file) { return read_wand(kind, file); }));

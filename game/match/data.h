@@ -7,6 +7,7 @@
 #include "game/arena/arena.h"
 #include "game/match/rules.h"
 #include "game/wands/wand.h"
+#include "haptics/device.h"
 
 namespace thaum::game {
 
@@ -29,6 +30,8 @@ struct MatchData {
     RoundRules round;  ///< with what the rule set switches
     RuleSet rules;
     WizardRules wizard;
+    TouchRules touch;
+    haptics::DeviceSpec device;     ///< that hands hold
     std::vector<LoadedWand> wands;  ///< by name of kind; with what the rule set switches
     std::vector<DataFile> files;
 };

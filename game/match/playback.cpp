@@ -31,8 +31,9 @@ bool Playback::play_to(Tick tick) {
 
 std::optional<input::HashRecord> Playback::mismatch() const {
     const auto recorded = log_->hash_at(match_->now());
-    if (!recorded || recorded->state == match_->state_hash()) return std::nullopt;
-    return recorded;
+    if (!recorded) return std::nullopt;
+    const bool same = recorded->state == match_->state_hash() && recorded->force == match_->force_hash();
+    return same ? std::nullopt : recorded;
 }
 
 }  // namespace thaum::game

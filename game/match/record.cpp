@@ -48,8 +48,8 @@ void tick_and_record(Simulation& match, const input::InputFrame& frame, input::L
     match.tick(frame);
     if (log == nullptr) return;
     log->append(frame);
-    // Forces come with the haptic devices; until then there are none to hash.
-    if (match.now() % hash_interval == 0) log->append_hash(match.now(), match.state_hash(), 0);
+    if (match.now() % hash_interval == 0)
+        log->append_hash(match.now(), match.state_hash(), match.force_hash());
     if (match.now() % keyframe_interval == 0) {
         log->mark(static_cast<std::uint32_t>(match.now() / keyframe_interval), input::MarkKind::keyframe);
     }

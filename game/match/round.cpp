@@ -1,6 +1,7 @@
 #include "game/match/round.h"
 
 #include "game/arena/spawn.h"
+#include "game/match/touch.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 
@@ -31,7 +32,7 @@ void spawn_wizards(Stage& stage) {
         const auto e =
             world.create(Wizard{player}, Controls{}, Gaze{pad.yaw, 0}, Stance{},
                          Health{.points = rules.health, .hurt_by = no_player}, Blows{}, full_belt(stage.data),
-                         Score{}, Look{Surface::wizard}, standing_at(rules, pad.feet));
+                         empty_grip(), Score{}, Look{Surface::wizard}, standing_at(rules, pad.feet));
         for (const auto& wand : stage.data.wands) wand.kind->outfit(world, e);
         world.add(e, wizard_body(rules));
     }

@@ -60,4 +60,19 @@ WizardRules read_wizard_rules(const Config& file) {
     return rules;
 }
 
+TouchRules read_touch_rules(const Config& file) {
+    constexpr double micrometres = 1e6;
+    const auto root = file.root();
+    TouchRules rules;
+    rules.device = root.string("device");
+    rules.share = root.number("share", {0, 1});
+    const auto hand = root.table("hand");
+    rules.wand_per_hand = hand.number("wand_m_per_m", {0, 100});
+    rules.clutch_per_count =
+        static_cast<std::int32_t>(std::lround(micrometres * hand.number("clutch_m_per_count", {0, 0.01})));
+    rules.clutch_per_tick = static_cast<std::int32_t>(
+        std::lround(micrometres * tick_seconds * hand.number("clutch_m_per_s", {0, 10})));
+    return rules;
+}
+
 }  // namespace thaum::game

@@ -1,6 +1,7 @@
 // game/match/rules.h: the numbers of a match, each from a data file (assets/rules, assets/wizards).
 #pragma once
 #include <array>
+#include <string>
 
 #include "core/config.h"
 #include "core/units.h"
@@ -44,8 +45,18 @@ struct WizardRules {
     double pitch_limit{};  ///< rad
 };
 
+/// What hands hold and feel: assets/haptics.toml.
+struct TouchRules {
+    std::string device;               ///< a model in assets/devices
+    double share{};                   ///< of its peak force, at most
+    double wand_per_hand{};           ///< m of the wand's tip for a metre of the hand
+    std::int32_t clutch_per_count{};  ///< um of the hand for a count of the mouse
+    std::int32_t clutch_per_tick{};   ///< um of the hand in a tick, with a stick fully pushed
+};
+
 RoundRules read_round_rules(const Config& file);
 RuleSet read_rule_set(const Config& file);
 WizardRules read_wizard_rules(const Config& file);
+TouchRules read_touch_rules(const Config& file);
 
 }  // namespace thaum::game

@@ -2,9 +2,11 @@
 
 #include "ecs/snapshot.h"
 #include "game/match/bodies.h"
+#include "game/match/carry_over.h"
 #include "game/match/life.h"
 #include "game/match/power_ups.h"
 #include "game/match/round.h"
+#include "game/match/touch.h"
 #include "game/player/controls.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
@@ -16,11 +18,17 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
     world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, Chronicle{});
 }
 
+Touch touch_of(const MatchData& data) {
+    return {.device = haptics::simulated_device(data.device, haptics::Hand{}),
+            .servo = {haptics::safety_limits(data.device, data.touch.share)}};
+}
+
 }  // namespace
 
 Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     : data_(std::move(data)), setup_(std::move(setup)) {
-    stage_.reset(new Stage{{}, physics::Physics({}, data_->arena.meshes), *data_, setup_.devices, {}});
+    stage_.reset(new Stage{
+        {}, physics::Physics({}, data_->arena.meshes), *data_, touch_of(*data_), setup_.devices, {}});
     auto& stage = *stage_;
     declare_components(stage.world);
     stage.world.reserve_entities(1024);
@@ -32,6 +40,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_interval_system(stage, always_);
     add_pause_system(stage, always_);
 
+    add_touch_system(stage, live_);
     add_walk_system(stage, live_);
     add_body_systems(stage, live_);
     add_missile_systems(stage, live_);
@@ -47,6 +56,7 @@ Simulation::~Simulation() = default;
 
 void Simulation::tick(const input::InputFrame& frame) {
     if (now_ % keyframe_interval == 0 && now_ != 0) keyframe();
+    if (now_ % hash_interval == 0) force_hash_ = 0;
     stage_->frame = frame;
     auto& world = stage_->world;
     always_.run(world, now_);
@@ -54,6 +64,7 @@ void Simulation::tick(const input::InputFrame& frame) {
     const auto& match = std::as_const(world).single<Match>();
     if (match.paused == 0 && match.phase == Phase::playing) {
         live_.run(world, match.played);
+        force_hash_ = chained_force_hash(world, force_hash_);
         ++world.single<Match>().played;
     }
     for (const auto& device : frame.devices) world.single<Match>().skipped += device.skips;
@@ -71,6 +82,17 @@ Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at)
     rebuild_physics(*stage_);
     now_ = at;
     return {};
+}
+
+const ForceTrace& Simulation::felt(std::uint32_t player) const { return stage_->felt[player]; }
+
+std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {
+    auto next = std::make_unique<Simulation>(std::move(data), setup_);
+    carry_over(*stage_, *next->stage_);
+    next->now_ = now_;
+    next->force_hash_ = force_hash_;
+    next->stage_->felt = stage_->felt;
+    return next;
 }
 
 void Simulation::save(Bytes& out) const { ecs::save(stage_->world, out); }

@@ -16,7 +16,7 @@
 namespace thaum::game {
 
 /// Changes whenever the same input would lead to another state (and says why in the history of this line's file).
-inline constexpr std::uint32_t rules_version = 2;
+inline constexpr std::uint32_t rules_version = 3;
 
 struct MatchSetup {
     std::uint64_t seed = 1;
@@ -45,10 +45,17 @@ public:
     const Match& match() const { return world().single<Match>(); }
 
     std::uint64_t state_hash() const;
+    /// Of the forces that devices were told since the last multiple of hash_interval.
+    std::uint64_t force_hash() const { return force_hash_; }
+    /// Length of the force on a player's hand, N, at tick t of play in place t mod size.
+    const ForceTrace& felt(std::uint32_t player) const;
     /// The World's snapshot (ecs/snapshot.h). Restorable only where now() is a multiple of keyframe_interval.
     void save(Bytes& out) const;
     /// Goes on from a state that another Simulation of the same data and setup saved at tick `at`, a keyframe.
     Expected<void> restore(std::span<const std::byte> snapshot, Tick at);
+    /// A match that goes on from here by other data (game/match/carry_over.h). Its state is then no longer what its own data,
+    /// seed and input would have come to: not for a match that is logged.
+    std::unique_ptr<Simulation> continued_with(std::shared_ptr<const MatchData> data) const;
 
     /// The systems with their counts; `always` run in a pause as well.
     ecs::Schedule& always() { return always_; }
@@ -62,6 +69,7 @@ private:
     std::unique_ptr<Stage> stage_;
     ecs::Schedule always_, live_;
     Tick now_ = 0;
+    std::uint64_t force_hash_ = 0;
 };
 
 }  // namespace thaum::game

@@ -1,5 +1,7 @@
 #include "game/match/stage.h"
 
+#include "game/components/grip.h"
+
 namespace thaum::game {
 namespace {
 
@@ -38,6 +40,7 @@ void declare_components(ecs::World& world) {
     world.declare<Dead>();
     world.declare<Blows>();
     world.declare<WandBelt>();
+    world.declare<Grip>();
     world.declare<Score>();
     world.declare<Match>();
     world.declare<Dice>();

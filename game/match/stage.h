@@ -5,6 +5,8 @@
 #include "game/components/match.h"
 #include "game/components/power_up.h"
 #include "game/match/data.h"
+#include "haptics/servo.h"
+#include "haptics/simulated.h"
 #include "input/frame.h"
 #include "physics/physics.h"
 
@@ -16,13 +18,24 @@ inline constexpr Tick gameplay_period = 8;
 inline constexpr double physics_dt = seconds(physics_period);
 inline constexpr double gameplay_dt = seconds(gameplay_period);
 
+/// What hands hold in this match, prepared.
+struct Touch {
+    haptics::SimulatedDevice device;
+    haptics::Servo servo;
+};
+
+/// N, of each of the last ticks.
+using ForceTrace = std::array<float, 2048>;
+
 struct Stage {
     ecs::World world;
     physics::Physics physics;
     const MatchData& data;
+    Touch touch;
     std::vector<input::DeviceSpec> devices;
-    input::InputFrame frame;  ///< of the tick that runs
-    bool moved = true;        ///< the physics made a step in this tick, or was not asked yet
+    input::InputFrame frame;                 ///< of the tick that runs
+    bool moved = true;                       ///< the physics made a step in this tick, or was not asked yet
+    std::array<ForceTrace, players> felt{};  ///< for the picture: no state, and starts anew with a restore
 };
 
 /// All components of a match, declared in their one order.

@@ -1,6 +1,7 @@
 #include "game/match/tables.h"
 
 #include "core/text.h"
+#include "game/components/grip.h"
 #include "game/components/power_up.h"
 #include "game/wands/belt.h"
 
@@ -237,6 +238,27 @@ void append_state(const Simulation& match, std::string& out) {
     append_text(out, text(match.now(), ",", in_seconds(match.now()), ",", in_seconds(state.played), ",",
                           state.paused != 0 ? 1 : 0));
     for (std::uint32_t player = 0; player < players; ++player) append_player(match, player, out);
+    out += '\n';
+}
+
+std::string forces_header() {
+    std::string out = "tick,time_s";
+    for (std::uint32_t player = 1; player <= players; ++player) {
+        for (const auto* column : {"x_m", "y_m", "z_m", "fx_n", "fy_n", "fz_n", "cause"})
+            append_text(out, text(",p", player, "_", column));
+    }
+    return out + "\n";
+}
+
+void append_forces(const Simulation& match, std::string& out) {
+    append_text(out, text(match.now(), ",", in_seconds(match.now())));
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const auto& world = match.world();
+        const auto& grip = world.get<Grip>(wizard_of(world, player));
+        const vec3 at = grip.device.position, force = grip.servo.safety.output;
+        append_numbers(out, {at.x, at.y, at.z, force.x, force.y, force.z});
+        append_text(out, text(",", haptics::safety_cause_names[grip.servo.safety.cause]));
+    }
     out += '\n';
 }
 

@@ -1,7 +1,8 @@
-// game/match/tables.h: a match as two tables for people who compute with it.
+// game/match/tables.h: a match as three tables for people who compute with it.
 //
 //     events   one row for each thing that happened: what the match records, pauses, samples left out, marks, the log's end
 //     state    one row for every N ticks: both players' place, speed, health, energy and gaze
+//     forces   one row for every tick: where each hand's device was and what it was told
 //
 // CSV as of RFC 4180 but for the line ends, which are LF; the first row names the columns with their units. Numbers are
 // the shortest that read back to the same bits, so a table says exactly what the simulation had, and the same log gives
@@ -59,5 +60,13 @@ private:
 std::string state_header(const Simulation& match);
 /// One row of the state now.
 void append_state(const Simulation& match, std::string& out);
+
+/// The columns of `append_forces`: tick, time_s, and for each player pN_x_m, pN_y_m, pN_z_m (of the device's tip after the tick, in
+/// its own frame: x right, y up, z to the user), pN_fx_n ... (what it was told in the tick) and pN_cause (why it was told less than
+/// was asked for: none, capped, warm, waiting, stale, over_speed, off, shut_off, panic). The sum of F dx over the rows is the
+/// work done on the hand.
+std::string forces_header();
+/// One row of the tick that was just played.
+void append_forces(const Simulation& match, std::string& out);
 
 }  // namespace thaum::game

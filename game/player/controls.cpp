@@ -9,6 +9,9 @@ namespace {
 using input::Button;
 namespace hand = input::hand;
 
+/// More in a tick than any mouse gives, and no product of it overflows.
+constexpr std::int32_t most_counts = 10'000;
+
 double wrapped(double angle) {
     if (angle > pi) return angle - 2 * pi;
     if (angle < -pi) return angle + 2 * pi;
@@ -26,6 +29,18 @@ void turn(const input::DeviceSample& sample, const input::DeviceSpec& spec, doub
     gaze.pitch = std::clamp(gaze.pitch + up, -pitch_limit, pitch_limit);
 }
 
+/// The clutch held, mouse and stick move the hand, and the view stands still.
+void move_hand(const input::DeviceSample& sample, const TouchRules& rules, Controls& controls) {
+    const auto& counts = sample.counts;
+    const auto moved = [&](std::size_t look, std::size_t turn_) {
+        const double stick = rules.clutch_per_tick * stick_curve(counts[turn_]);
+        return std::clamp(counts[look], -most_counts, most_counts) * rules.clutch_per_count +
+               static_cast<std::int32_t>(std::lround(stick));
+    };
+    controls.hand_right = moved(hand::look_right, hand::turn_right);
+    controls.hand_up = moved(hand::look_up, hand::turn_up);
+}
+
 void take(const input::DeviceSample& sample, Controls& controls) {
     controls.pressed |= sample.buttons & ~controls.held;
     controls.held = sample.buttons;
@@ -33,6 +48,7 @@ void take(const input::DeviceSample& sample, Controls& controls) {
     controls.strafe = std::clamp(counts[hand::strafe], -127, 127);
     controls.forward = std::clamp(counts[hand::forward], -127, 127);
     controls.trigger = std::clamp(counts[hand::trigger], 0, 255);
+    controls.hand_right = controls.hand_up = 0;
     controls.wheel = std::clamp(controls.wheel + std::clamp(counts[hand::wheel], -100, 100), -100, 100);
 }
 
@@ -57,7 +73,9 @@ void add_controls_system(Stage& stage, ecs::Schedule& schedule) {
                               for (std::size_t d = 0; d < stage.devices.size(); ++d) {
                                   if (stage.devices[d].player != wizard.player) continue;
                                   take(stage.frame.devices[d], controls);
-                                  if (live) {
+                                  if (live && (controls.held & bit(Button::clutch)) != 0) {
+                                      move_hand(stage.frame.devices[d], stage.data.touch, controls);
+                                  } else if (live) {
                                       turn(stage.frame.devices[d], stage.devices[d],
                                            stage.data.wizard.pitch_limit, gaze);
                                   }

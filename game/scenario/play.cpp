@@ -5,6 +5,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "game/components/grip.h"
 
 namespace thaum::game {
 namespace {
@@ -196,6 +197,18 @@ constexpr Column columns[] = {
          return belt.energy[belt.selected];
      },
      nullptr},
+    {"hand_x", "hand_x_m", [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).device.position.x; },
+     nullptr},
+    {"hand_y", "hand_y_m", [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).device.position.y; },
+     nullptr},
+    {"hand_z", "hand_z_m", [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).device.position.z; },
+     nullptr},
+    {"force_x", "force_x_n",
+     [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).servo.safety.output.x; }, nullptr},
+    {"force_y", "force_y_n",
+     [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).servo.safety.output.y; }, nullptr},
+    {"force_z", "force_z_n",
+     [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).servo.safety.output.z; }, nullptr},
     {"shots", "shots",
      [](const Play& p, std::uint32_t i) { return static_cast<double>(part<WandBelt>(p, i).fired); }, nullptr},
 };

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "core/assert.h"
+#include "core/one_line.h"
 #include "core/text.h"
 #include "game/scenario/detail/sandbox_state.h"
 
@@ -98,11 +99,7 @@ std::string message_of(lua_State* lua) {
     std::size_t size = 0;
     const char* const message = lua_type(lua, -1) == LUA_TSTRING ? lua_tolstring(lua, -1, &size) : nullptr;
     if (message == nullptr) return text("an error that is no text but a ", luaL_typename(lua, -1));
-    std::string line(message, size);
-    for (auto& c : line) {
-        if (c == '\n' || c == '\r') c = ' ';
-    }
-    return line;
+    return in_one_line({message, size});
 }
 
 /// Loads text, never compiled code, as a function on top of the stack.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "game/components/grip.h"
 #include "game/player/walk.h"
 #include "game/scenario/detail/prelude.h"
 #include "game/scenario/detail/verb.h"
@@ -218,6 +219,16 @@ constexpr WizardReader wizard_readers[] = {
     {"energy", [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushnumber(lua, energy(p, i)); }},
     {"shots", [](lua_State* lua, const Play& p,
                  std::uint32_t i) { lua_pushinteger(lua, part<WandBelt>(p, i).fired); }},
+    // Of the device in the hand, in its own frame (x right, y up, z to the user): where its tip is, m, what it is told, N, and why
+    // that is less than was asked for.
+    {"hand", [](lua_State* lua, const Play& p,
+                std::uint32_t i) { arg::push_place(lua, part<Grip>(p, i).device.position); }},
+    {"force", [](lua_State* lua, const Play& p,
+                 std::uint32_t i) { arg::push_place(lua, part<Grip>(p, i).servo.safety.output); }},
+    {"force_cause",
+     [](lua_State* lua, const Play& p, std::uint32_t i) {
+         lua_pushstring(lua, haptics::safety_cause_names[part<Grip>(p, i).servo.safety.cause].data());
+     }},
     {"kills",
      [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushinteger(lua, part<Score>(p, i).kills); }},
     {"deaths",

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "game/match/stage.h"
+#include "game/match/touch.h"
 #include "game/wands/wand.h"
 
 namespace thaum::game {
@@ -21,6 +22,8 @@ struct BoltData {
     double spread{};  ///< rad, half angle
     Tick life{};
     double impulse{};  ///< N s
+    double recoil{};   ///< N, at its peak
+    Tick recoil_length{};
 };
 
 /// A bolt in flight.
@@ -54,6 +57,9 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
     data.spread = shot.number("spread_deg", {0, 45}) * radians_per_degree;
     data.life = ticks(shot.number("life_s", {0.001, 60}));
     data.impulse = shot.number("impulse_n_s", {0, 1e4});
+    const auto recoil = root.table("recoil");
+    data.recoil = recoil.number("force_n", {0, 100});
+    data.recoil_length = std::max<Tick>(1, ticks(recoil.number("length_s", {0.001, 10})));
     return std::make_shared<BoltData>(data);
 }
 
@@ -78,7 +84,8 @@ void shoot(const WandUse& use, const BoltData& data) {
     const auto seen = use.stage.physics.ray(eye, eye + ahead * aim_reach, physics::all_layers, key);
     const double depth = std::max(nearest_aim, seen ? seen->fraction * aim_reach : aim_reach);
     // The bolt leaves at the wand's tip, unless something stands between eye and tip.
-    vec3 tip = eye + looking * wand_tip;
+    const vec3 hand = now.get<Grip>(use.wizard).device.position;
+    vec3 tip = eye + looking * wand_tip_of(use.stage.data.touch, hand);
     if (use.stage.physics.ray(eye, tip, physics::all_layers, key)) tip = eye;
     const vec3 aim = glm::normalize(eye + ahead * depth - tip);
     auto& dice = world.single<Dice>();
@@ -94,6 +101,7 @@ void shoot(const WandUse& use, const BoltData& data) {
                    .by = player,
                    .detail = static_cast<std::uint32_t>(EventKind::bolt_hit),
                    .place = tip});
+    kick(use.stage, use.wizard, data.recoil, data.recoil_length);
 }
 
 void use(const WandUse& use) {
@@ -162,7 +170,7 @@ const WandRegistration registration({
         },
     .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, BoltHand{}); },
     .use = use,
-    .writes = [](const ecs::World& world) { return world.mask<BoltHand, Dice, Chronicle, Health>(); },
+    .writes = [](const ecs::World& world) { return world.mask<BoltHand, Dice, Chronicle, Health, Grip>(); },
     .add_systems = add_systems,
     .show =
         [](const ecs::World& world, const std::function<void(const Missile&)>& show) {

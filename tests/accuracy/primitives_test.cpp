@@ -118,7 +118,7 @@ TEST(Primitives, OnTheEdgeOfCaptureTheProxyIsExact) {
 }
 
 TEST(Primitives, ADamperIsAShiftedStifferSpring) {
-    const Coupling coupling{.stiffness = 300, .damping = 2};
+    const ProxyCoupling coupling{.stiffness = 300, .damping = 2};
     const vec3 probe(0.1, 0.2, 0.3), velocity(0.01, -0.3, 0), before(0.1, 0.19, 0.31);
     const Spring spring = effective_spring(coupling, probe, velocity, before, 1e-3);
     EXPECT_NEAR(spring.stiffness, 2300, 1e-9);

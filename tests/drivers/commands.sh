@@ -30,6 +30,12 @@ expect 2 "--hands takes one or two" --vs --hands mouse,mouse
 expect 2 "--hands goes with" --hands pad
 expect 2 "one hand" --solo 1 --hands pad,pad
 expect 2 "needs a display" --solo 1
+expect 2 "range needs a display" range
+expect 2 "must be still, strafing or shooting" range --headless --dummy dead
+expect 2 "must be mouse, half or pad" range --hands mouse,pad
+expect 2 "no --hands" range --headless --hands pad
+expect 2 "unknown option '--record'" range --headless --record "$folder/log"
+expect 2 "'damage' is -3" range --headless --set bolt.shot.damage=-3
 expect 2 "is given twice" --seed 1 --seed 2
 expect 2 "needs 1 value" --headless --seconds
 expect 2 "must be a number" --headless --seconds nan
@@ -112,7 +118,7 @@ said=$("$thaum" diff "$folder/a.dump" "$folder/b.dump")
 league=(league --levels 1,3 --matches 3 --set quick.seconds=12 --json -)
 [[ $("$thaum" "${league[@]}" --jobs 1) == "$("$thaum" "${league[@]}" --jobs 3)" ]] || { echo "failed: league --jobs"; failures=$((failures + 1)); }
 
-for command in play replay shots diff scenario league bench plot doctor; do
+for command in play range replay shots diff scenario league bench plot doctor; do
     lines=$("$thaum" "$command" --help | wc -l)
     [[ $lines -gt 2 && $lines -le 26 ]] || { echo "failed: the help of $command has $lines lines"; failures=$((failures + 1)); }
 done

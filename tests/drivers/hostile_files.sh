@@ -72,6 +72,11 @@ for kind in empty huge directory fifo device itself noise zeros long_line deep; 
         rm -rf "$folder/assets/$file"
         mv "$folder/kept" "$folder/assets/$file"
     done
+    mv "$folder/assets/range.toml" "$folder/kept"
+    put "$kind" "$folder/assets/range.toml"
+    THAUM_ASSETS=$folder/assets refused "$kind range.toml" range --headless --seconds 1
+    rm -rf "$folder/assets/range.toml"
+    mv "$folder/kept" "$folder/assets/range.toml"
     mkdir -p "$folder/config/thaum"
     put "$kind" "$folder/config/thaum/settings.toml"
     kept "$kind settings"

@@ -3,7 +3,6 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/clock.h"
 #include "core/random.h"
 #include "core/text.h"
 #include "game/bots/duel.h"
@@ -31,17 +31,6 @@ struct Runner {
     std::int64_t kill_at_ns = 0;
 };
 
-std::int64_t now_ns() {
-    timespec t{};
-    ::clock_gettime(CLOCK_MONOTONIC, &t);
-    return t.tv_sec * std::int64_t{1'000'000'000} + t.tv_nsec;
-}
-
-void sleep_until(std::int64_t when) {
-    const timespec t{when / 1'000'000'000, when % 1'000'000'000};
-    while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, nullptr) == EINTR) {}
-}
-
 [[noreturn]] void record_until_killed(const Runner& runner, std::uint64_t seed) {
     const auto assets = game::find_assets();
     auto data = game::load_match_data(assets, {});
@@ -53,11 +42,11 @@ void sleep_until(std::int64_t when) {
     auto log = input::LogWriter::create(runner.log,
                                         game::log_header(match.data(), match.setup(), {"bot 1", "bot 1"}));
     if (!log) std::abort();
-    const auto start = now_ns();
+    const auto start = monotonic_ns();
     for (;;) {
         game::tick_and_record(match, duel->next_frame(), &*log);
         *runner.done = match.now();
-        sleep_until(start + static_cast<std::int64_t>(match.now()) * ns_per_tick);
+        sleep_until_ns(start + static_cast<std::int64_t>(match.now()) * ns_per_tick);
     }
 }
 
@@ -65,7 +54,7 @@ void start(Runner& runner, std::uint64_t seed, std::int64_t life_ns) {
     *runner.done = 0;
     runner.process = ::fork();
     if (runner.process == 0) record_until_killed(runner, seed);
-    runner.kill_at_ns = now_ns() + life_ns;
+    runner.kill_at_ns = monotonic_ns() + life_ns;
 }
 
 /// Empty: the log holds what it must and replays.
@@ -83,7 +72,7 @@ std::string fault_of(const Runner& runner, Tick killed_at, Tick& kept) {
 
 /// Kills it when it is due and looks at what is left; true where all is well.
 bool end(Runner& runner, int run, Tick& most_lost) {
-    sleep_until(runner.kill_at_ns);
+    sleep_until_ns(runner.kill_at_ns);
     ::kill(runner.process, SIGKILL);
     int status = 0;
     ::waitpid(runner.process, &status, 0);

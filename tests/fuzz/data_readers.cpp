@@ -3,6 +3,7 @@
 #include "fuzz/fuzz.h"
 #include "game/app/settings.h"
 #include "game/bots/duel.h"
+#include "game/bots/range.h"
 
 namespace thaum::fuzz {
 namespace {
@@ -48,7 +49,8 @@ Outcome read_match_file(const char* name, const std::string& input, const Places
 }
 
 constexpr const char *arena = "arenas/boiling_court.toml", *rules = "rules/quick.toml",
-                     *wizard = "wizards/wizard.toml", *wand = "wands/bolt.toml", *bot = "bots/level_1.toml";
+                     *wizard = "wizards/wizard.toml", *wand = "wands/bolt.toml", *bot = "bots/level_1.toml",
+                     *range = "range.toml";
 
 template <const char* const& name>
 std::vector<std::string> shipped(const Places& places) {
@@ -72,6 +74,27 @@ Outcome read_bot(const std::string& input, const Places& places) {
     });
 }
 
+/// All dummies on one range after the other, which then goes on by the shipped data.
+Outcome read_range(const std::string& input, const Places& places) {
+    const auto sound = game::load_range(std::filesystem::path(THAUM_SOURCE_DIR) / "assets", {});
+    if (!sound) return {.fault = sound.error().message};
+    return with_file(places.assets / range, input, [&]() -> Outcome {
+        const auto data = game::load_range(places.assets, {});
+        if (!data) return {.refusal = data.error().message};
+        auto match =
+            game::make_range(*data, game::bot_device(game::practising, 1), game::DummyKind::still, 1);
+        input::DeviceSample sample;
+        sample.press(input::Button::fire);
+        for (Tick t = 0; t < 3 * played; ++t) {
+            match.dummy.become(static_cast<game::DummyKind>(t / played));
+            match.tick(sample);
+        }
+        match.adopt(*sound);
+        match.tick(sample);
+        return {.accepted = true};
+    });
+}
+
 std::vector<std::string> shipped_settings(const Places& places) {
     return {must_read(places.assets / "settings.toml")};
 }
@@ -89,6 +112,7 @@ const Reader rules_reader{"rules", shipped<rules>, mutate_text, read_as<rules>};
 const Reader wizard_reader{"wizard", shipped<wizard>, mutate_text, read_as<wizard>};
 const Reader wand_reader{"wand", shipped<wand>, mutate_text, read_as<wand>};
 const Reader bot_reader{"bot", shipped<bot>, mutate_text, read_bot};
+const Reader range_reader{"range", shipped<range>, mutate_text, read_range};
 const Reader settings_reader{"settings", shipped_settings, mutate_text, read_settings};
 
 }  // namespace thaum::fuzz

@@ -3,6 +3,16 @@ match {set = {"wizard.health.start=3.5", "bolt.shot.damage=1", "bolt.shot.spread
 local me, foe = wizard(1), wizard(2)
 local pit = {-5, 1.6, -9}
 
+-- The foe walks into the pit.
+local function fall()
+    foe:place {-11, 0, -9}
+    foe:face(-90)
+    foe:move(0, 1)
+    local death = expect_event {kind = "death", subject = 2, within = 5}
+    foe:stop()
+    return death
+end
+
 -- One hit leaves 2.5 HP; the pit of 5 m costs 3.6.
 me:aim(foe)
 wait(0.5)
@@ -22,11 +32,7 @@ expect_near(deeds(2, "fall").own_deaths, 0, 0)
 
 -- Without a shot it is a deed of one's own.
 wait(5)
-foe:place {-11, 0, -9}
-foe:face(-90)
-foe:move(0, 1)
-death = expect_event {kind = "death", subject = 2, within = 5}
-foe:stop()
+death = fall()
 expect(death.by == nil, "nobody's deed")
 expect_near(me:kills(), 1, 0)
 expect_near(foe:kills(), -1, 0, "it costs one")
@@ -40,11 +46,7 @@ wait(0.5)
 me:press("fire")
 expect_event {kind = "bolt_hit", subject = 2, by = 1, within = 2}
 wait(5)
-foe:place {-11, 0, -9}
-foe:face(-90)
-foe:move(0, 1)
-death = expect_event {kind = "death", subject = 2, within = 5}
-foe:stop()
+death = fall()
 expect(death.by == nil, "too long ago")
 expect_near(foe:kills(), -2, 0)
 

@@ -229,6 +229,24 @@ TEST(CoreConfig, LongListsOfNumbersAreFine) {
 /// A file on which toml++ 3.3 itself stops with an assertion.
 TEST(CoreConfig, AWrongTimeIsAFault) { EXPECT_NE(parse_fault("version = 1\nx = 1:.2\ny = :1.5:"), ""); }
 
+std::string utf8(unsigned code) {
+    const auto byte = [](unsigned value) { return std::string(1, static_cast<char>(value)); };
+    if (code < 0x800) return byte(0xc0 | code >> 6) + byte(0x80 | (code & 0x3f));
+    return byte(0xe0 | code >> 12) + byte(0x80 | (code >> 6 & 0x3f)) + byte(0x80 | (code & 0x3f));
+}
+
+/// Where toml++ 3.3 itself goes astray: it takes for impossible that a letter stands where white space may.
+TEST(CoreConfig, ALetterOfAnyScriptBesideAValueIsAFault) {
+    for (unsigned code = 0xa1; code < 0xfeff; code += 13) {
+        if (code >= 0xd800 && code < 0xe000) continue;  // no characters
+        const auto letter = utf8(code);
+        ASSERT_NE(parse_fault("version = 1\nx = " + letter + "1"), "") << code;
+        ASSERT_NE(parse_fault("version = 1\nx = 1" + letter), "") << code;
+        ASSERT_NE(parse_fault(letter + "version = 1"), "") << code;
+    }
+    EXPECT_EQ(parse_fault("version = 1\nx = '\u00e9'  # \u00e9"), "");
+}
+
 // ---- fuzz ---------------------------------------------------------------------------------------------------------
 
 constexpr std::string_view fuzz_seed = R"(version = 1

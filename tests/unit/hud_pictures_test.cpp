@@ -12,14 +12,7 @@
 #include "game/hud/hud.h"
 #include "render/context.h"
 #include "render/perceptual.h"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
+#include "unit/read_png.h"
 
 namespace thaum::game {
 namespace {
@@ -54,13 +47,7 @@ Image reduced(const Image& in) {
 }
 
 std::optional<Image> stored(const std::string& name) {
-    const auto path = source / "tests/pictures" / (name + ".png");
-    int w = 0, h = 0, channels = 0;
-    stbi_uc* read = stbi_load(path.c_str(), &w, &h, &channels, 3);
-    if (read == nullptr) return {};
-    Image image{w, h, std::vector<std::uint8_t>(read, read + 3 * w * h)};
-    stbi_image_free(read);
-    return image;
+    return render::read_png(source / "tests/pictures" / (name + ".png"));
 }
 
 struct Scene {

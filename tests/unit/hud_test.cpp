@@ -380,8 +380,8 @@ TEST(Silhouettes, AWandsFileNamesOneOfFive) {
 
 TEST_F(Drawn, TrianglesStayWithinTheBudget) {
     draw({});
-    EXPECT_LT(renderer->statistics().triangles, 2U * 45000U);
-    EXPECT_LT(renderer->statistics().draws, 220U);
+    EXPECT_LT(renderer->statistics().triangles, 2U * 26000U);
+    EXPECT_LT(renderer->statistics().draws, 90U);
 }
 
 TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {

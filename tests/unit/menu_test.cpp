@@ -131,6 +131,18 @@ TEST(StartScreen, ShowsSeatsLevelsAndRules) {
     EXPECT_EQ(s.wish, MenuWish::none);
 }
 
+TEST(StartScreen, OnePressOnTheRangeStartsItForWhoPressed) {
+    const auto s = choose(start_page(), "Range: practise on a dummy");
+    EXPECT_EQ(s.wish, MenuWish::range);
+    EXPECT_EQ(s.seats[0], keyboard);
+    const auto row = row_named(start_page(), "Range: practise on a dummy");
+    auto joined = with(with(start_page(), Kind::other, keyboard), Kind::other, first_pad);
+    joined = step(joined, {.kind = Kind::confirm, .device = first_pad, .row = row}, facts());
+    EXPECT_EQ(joined.wish, MenuWish::range);
+    EXPECT_EQ(joined.seats[0], first_pad) << "whoever else had joined";
+    EXPECT_FALSE(joined.seats[1]);
+}
+
 TEST(StartScreen, OneSetOfRulesIsNoChoice) {
     auto few = facts();
     few.rules.resize(1);
@@ -181,6 +193,21 @@ TEST(PauseMenu, GoesOnLeavesAndComesBackFromPagesBelow) {
     ASSERT_EQ(below.pages.size(), 1U);
     EXPECT_EQ(below.wish, MenuWish::none);
     EXPECT_EQ(picture_of(below, facts()).cursor, 1U);
+}
+
+TEST(PauseMenu, OnTheRangeItChangesTheDummy) {
+    auto range = facts();
+    range.practice = true;
+    auto s = opened({}, Page::pause);
+    const auto dummy = [&] { return picture_of(s, range).rows[1]; };
+    EXPECT_EQ(dummy().label, "Dummy");
+    EXPECT_EQ(dummy().value, "still");
+    for (const auto* kind : {"strafing", "shooting", "still"}) {
+        s = step(std::move(s), {.kind = Kind::right, .device = keyboard, .row = 1}, range);
+        EXPECT_EQ(dummy().value, kind);
+    }
+    EXPECT_EQ(picture_of(s, range).rows.back().label, "Leave the range");
+    for (const auto& row : picture_of(s, facts()).rows) EXPECT_NE(row.label, "Dummy");
 }
 
 // Bindings -----------------------------------------------------------------------------------------------------------------

@@ -94,7 +94,7 @@ std::vector<Shape> shapes() {
         {"wedge", wedge({1, 2, 3}, grey), 24},
         {"bowl", revolve(bowl_profile(), 24, grey), 0},
         {"loop", revolve(loop, 20, grey), 0.2 * (1.44 - 1) * polygon(20)},
-        {"ring mark", ring_mark(1, grey), (1 - 0.68 * 0.68) * 0.15 * polygon(24)},
+        {"ring mark", ring_mark(1, grey), (1 - 0.68 * 0.68) * 0.15 * polygon(16)},
         {"triangle mark", triangle_mark(1, grey), (1 - 0.45 * 0.45) * 0.15 * polygon(3)},
     };
 }
@@ -152,6 +152,13 @@ TEST(Mesh, AppendAddsVolumes) {
     append(mesh, sphere(0.5F, 12, grey), translated({3, 0, 0}));
     EXPECT_NEAR(volume(mesh), 1 + volume(sphere(0.5F, 12, grey)), 1e-5);
     expect_closed(mesh);
+}
+
+TEST(Mesh, AFlatFrameFacesForward) {
+    const auto mesh = flat_frame(6, 2, 1, grey);
+    EXPECT_EQ(mesh.indices.size(), 3U * 12);
+    expect_normals_agree(mesh);
+    for (const auto& v : mesh.vertices) EXPECT_EQ(v.normal, fvec3(0, 0, 1));
 }
 
 TEST(Mesh, FlatShadingGivesEachTriangleItsOwnNormal) {

@@ -11,14 +11,7 @@
 
 #include "render/context.h"
 #include "render/renderer.h"
-
-#define STB_IMAGE_IMPLEMENTATION
-#define STB_IMAGE_STATIC
-#define STBI_ONLY_PNG
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"
-#include <stb/stb_image.h>
-#pragma GCC diagnostic pop
+#include "unit/read_png.h"
 
 namespace thaum::render {
 namespace {
@@ -258,6 +251,24 @@ TEST_F(Shadowed, CostsNothingWhileNothingMoves) {
     EXPECT_EQ(renderer->statistics().shadow_draws, 0U);
 }
 
+TEST_F(Shadowed, OnlyWhatMovedAndWhatStoodInItsPlaceIsDrawnAgain) {
+    const auto near = cube_at({0, 1, -4}, fvec3(1));
+    moving = {near, cube_at({0.2F, 1.2F, -4}, fvec3(1)), cube_at({-2.5F, 1, -4}, fvec3(1))};
+    drawn(frame_of(Quality::medium));
+    const int shaded = brightness(Quality::medium, 2);
+    moving[2].model[3].x += 0.01F;
+    drawn(frame_of(Quality::medium));
+    EXPECT_EQ(renderer->statistics().shadow_triangles, 12U);
+    moving[1].model[3].x += 5;
+    drawn(frame_of(Quality::medium));
+    EXPECT_EQ(renderer->statistics().shadow_triangles, 24U) << "it has left the first one's place";
+    EXPECT_NEAR(brightness(Quality::medium, 2), shaded, 3);
+    moving = {near};
+    EXPECT_NEAR(brightness(Quality::medium, 2), shaded, 3);
+    moving = {};
+    EXPECT_GT(brightness(Quality::medium, 2), 2 * shaded);
+}
+
 TEST_F(Shadowed, CastersThatAreNotNumbersCastNothing) {
     moving = {cube_at({0, 1, -4}, fvec3(1)), cube_at({1, 1, -4}, fvec3(1))};
     moving[1].model[3][1] = std::numeric_limits<float>::quiet_NaN();
@@ -456,13 +467,11 @@ TEST_F(Picture, PngComesBackAsItWas) {
     const auto path = std::filesystem::path(testing::TempDir()) / "thaum_render_test.png";
     const auto written = write_png(path, image);
     ASSERT_TRUE(written) << written.error().message;
-    int w = 0, h = 0, channels = 0;
-    stbi_uc* read = stbi_load(path.c_str(), &w, &h, &channels, 3);
-    ASSERT_NE(read, nullptr);
-    EXPECT_EQ(w, width);
-    EXPECT_EQ(h, height);
-    EXPECT_TRUE(std::equal(image.rgb.begin(), image.rgb.end(), read));
-    stbi_image_free(read);
+    const auto read = read_png(path);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->width, width);
+    EXPECT_EQ(read->height, height);
+    EXPECT_EQ(read->rgb, image.rgb);
     std::filesystem::remove(path);
 }
 

@@ -16,10 +16,10 @@ AutoQuality after(AutoQuality state, int frames, double frame_ms) {
 }
 
 TEST(Quality, InsideSizesAreThoseOfThePresets) {
-    EXPECT_FLOAT_EQ(internal_scale_of(Quality::low, 720), 0.5F);
-    EXPECT_FLOAT_EQ(internal_scale_of(Quality::medium, 720), 0.75F);
+    EXPECT_FLOAT_EQ(internal_scale_of(Quality::low, 720), 1);
+    EXPECT_FLOAT_EQ(internal_scale_of(Quality::medium, 720), 1);
     EXPECT_FLOAT_EQ(internal_scale_of(Quality::high, 720), 1);
-    EXPECT_FLOAT_EQ(internal_scale_of(Quality::medium, 1080), 0.5F);
+    EXPECT_FLOAT_EQ(internal_scale_of(Quality::medium, 1080), 2 / 3.0F);
     EXPECT_FLOAT_EQ(internal_scale_of(Quality::low, 300), 1) << "never larger than the window";
     EXPECT_FLOAT_EQ(internal_scale_of(Quality::low, 100000), 0.25F);
     EXPECT_FLOAT_EQ(internal_scale_of(Quality::low, 0), 1);

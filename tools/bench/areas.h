@@ -12,6 +12,9 @@ void replay(const Options& options, Report& report);
 /// The stress of `tick`.
 void soak(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
+/// The virtual coupling.
+void coupling(const Options& options, Report& report);
+void haptics(const Options& options, Report& report);
 void render(const Options& options, Report& report);
 
 }  // namespace thaum::bench

@@ -1,31 +1,25 @@
 #include "render/detail/batches.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 
 #include "core/assert.h"
+#include "render/detail/frustum.h"
 
 namespace thaum::render::detail {
 namespace {
 
-using Planes = std::array<fvec4, 6>;
-
-/// The six sides of what the camera sees, normals inwards (Gribb and Hartmann 2001).
-Planes frustum_planes(const fmat4& view_projection) {
-    const fmat4 rows = glm::transpose(view_projection);
-    Planes planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
-                  rows[3] - rows[1], rows[3] + rows[2], rows[3] - rows[2]};
-    for (auto& p : planes) p /= glm::length(fvec3(p));
-    return planes;
-}
-
 bool visible(const Planes& planes, const Bounds& bounds, const fmat4& model) {
     if (bounds.radius <= 0) return false;  // an empty mesh
-    const auto there = placed(bounds, model);
-    return std::all_of(planes.begin(), planes.end(), [&](const fvec4& plane) {
-        return glm::dot(plane, fvec4(there.centre, 1)) > -there.radius;
-    });
+    return within(planes, placed(bounds, model));
+}
+
+constexpr float far_off = std::numeric_limits<float>::max();
+
+/// m along the way the camera looks.
+float ahead(const fmat4& view_projection, const Bounds& there) {
+    return (view_projection * fvec4(there.centre, 1)).w - there.radius;
 }
 
 }  // namespace
@@ -70,12 +64,40 @@ std::size_t collect(std::span<const Instance> instances, std::span<const Bounds>
     const auto before = out.batches.size();
     for (const auto& [mesh, i] : seen) {
         const bool same = out.batches.size() > before && out.batches.back().mesh == mesh;
-        if (!same) out.batches.push_back({mesh, out.instances.size(), 0});
-        ++out.batches.back().count;
+        if (!same) out.batches.push_back({mesh, out.instances.size(), 0, far_off, {}});
         const auto& seen_one = instances[i];
+        auto& batch = out.batches.back();
+        ++batch.count;
+        batch.distance =
+            std::min(batch.distance, ahead(view_projection, placed(mesh_bounds[mesh], seen_one.model)));
         out.instances.push_back({seen_one.model, fvec4(seen_one.tint, seen_one.glow), seen_one.sun});
     }
     return out.batches.size() - before;
+}
+
+void arrange(std::size_t first, std::span<const PatchTable> tables, const Sight& world, Batches& out) {
+    for (std::size_t b = first; b < out.batches.size(); ++b) {
+        auto& batch = out.batches[b];
+        const auto& table = tables[batch.mesh];
+        if (table.patches.empty()) continue;
+        THAUM_ASSERT(batch.count == 1, "a patchwork stands in one place");
+        const auto& model = out.instances[batch.first].model;
+        const Sight own{world.to_clip * model, fvec3(glm::inverse(model) * fvec4(world.eye, 1)),
+                        world.pixel_angle};
+        batch.patches = choose_patches(table, own, out.order, out.patch_indices);
+        batch.distance = far_off;
+    }
+    std::sort(out.batches.begin() + static_cast<std::ptrdiff_t>(first), out.batches.end(),
+              [](const Batch& a, const Batch& b) {
+                  return std::pair(a.distance, a.mesh) < std::pair(b.distance, b.mesh);
+              });
+}
+
+void Batches::clear() {
+    instances.clear();
+    batches.clear();
+    patch_indices.clear();
+    culled = 0;
 }
 
 }  // namespace thaum::render::detail

@@ -40,7 +40,9 @@ void fill_mesh(GpuMesh& mesh, const MeshData& data) {
     mesh.index_count = static_cast<GLsizei>(data.indices.size());
 }
 
-void draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& instances) {
+namespace {
+
+void use_instances(const GpuMesh& mesh, const Batch& batch, const Buffer& instances) {
     glBindVertexArray(mesh.array.get());
     glBindBuffer(GL_ARRAY_BUFFER, instances.get());
     const auto start = batch.first * sizeof(GpuInstance);
@@ -49,8 +51,25 @@ void draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& instances
     }
     attribute(at_tint, 4, sizeof(GpuInstance), start + offsetof(GpuInstance, tint_glow));
     attribute(at_instance_sun, 1, sizeof(GpuInstance), start + offsetof(GpuInstance, sun));
+}
+
+}  // namespace
+
+std::size_t draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& instances) {
+    use_instances(mesh, batch, instances);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.get());
     glDrawElementsInstanced(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr,
                             static_cast<GLsizei>(batch.count));
+    return batch.count * static_cast<std::size_t>(mesh.index_count) / 3;
+}
+
+std::size_t draw_patches(const GpuMesh& mesh, const Batch& batch, IndexRange which, const Buffer& instances,
+                         const Buffer& indices) {
+    use_instances(mesh, batch, instances);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.get());
+    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(which.count), GL_UNSIGNED_INT,
+                            offset(which.first * sizeof(std::uint32_t)), 1);
+    return which.count / 3;
 }
 
 }  // namespace thaum::render::detail

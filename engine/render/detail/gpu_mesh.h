@@ -12,14 +12,17 @@ namespace thaum::render::detail {
 struct GpuMesh {
     VertexArray array;
     Buffer vertices, indices;
-    GLsizei index_count{};
+    GLsizei index_count{};  ///< of a patchwork: of all in full detail
 };
 
 GpuMesh make_mesh();
 void fill_mesh(GpuMesh& mesh, const MeshData& data);
 
-/// One draw call; the program is in use, and `instances` holds what the batch counts in.
-void draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& instances);
+/// One draw call of a whole mesh; the program is in use, and `instances` holds what the batch counts in. Returns the triangles.
+std::size_t draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& instances);
+/// The same of some patches that the batch has chosen; `indices` holds Batches::patch_indices.
+std::size_t draw_patches(const GpuMesh& mesh, const Batch& batch, IndexRange which, const Buffer& instances,
+                         const Buffer& indices);
 
 /// A float attribute of the array that is bound, `start` bytes into the buffer that is bound.
 void attribute(GLuint index, GLint floats, std::size_t stride, std::size_t start);

@@ -11,26 +11,30 @@ using Folder = std::filesystem::path;
 using Variant = std::vector<std::string_view>;
 
 constexpr std::size_t lights_at_low = 4;
-// A line of this width in the ground, seen from a wizard's eyes, fades from where it is less than a pixel high.
-constexpr float line_width = 0.06F, eye_height = 1.7F;  // m
 
 Variant variant_of(Quality quality) {
     switch (quality) {
         case Quality::low: return {};
         case Quality::medium: return {"SHADOW"};
-        case Quality::high: return {"SHADOW", "SOFT", "PER_PIXEL", "HDR"};
+        case Quality::high: return {"SHADOW", "SOFT", "PER_PIXEL"};
+    }
+    return {};
+}
+
+/// A .glsl belongs to the stage of the file before it: light and tone curve are where the variant uses them.
+std::vector<Folder> mesh_files(const Folder& shaders, Quality quality) {
+    const auto vert = shaders / "mesh.vert", light = shaders / "light.glsl", tone = shaders / "tone.glsl",
+               shadow = shaders / "shadow.glsl";
+    switch (quality) {
+        case Quality::low: return {vert, light, tone, shaders / "flat.frag"};
+        case Quality::medium: return {vert, light, tone, shaders / "shaded.frag", shadow};
+        case Quality::high: return {vert, shaders / "mesh.frag", light, shadow};
     }
     return {};
 }
 
 Expected<MeshProgram> load_mesh_program(const Folder& shaders, Quality quality) {
-    std::vector<Folder> files{shaders / "mesh.vert"};
-    if (quality != Quality::high) files.push_back(shaders / "light.glsl");
-    files.push_back(shaders / "mesh.frag");
-    if (quality == Quality::high) files.push_back(shaders / "light.glsl");
-    if (quality != Quality::low) files.push_back(shaders / "shadow.glsl");
-    files.push_back(shaders / "tone.glsl");
-    auto program = load_program(files, variant_of(quality));
+    auto program = load_program(mesh_files(shaders, quality), variant_of(quality));
     if (!program) return tl::unexpected(program.error());
     MeshProgram out{.program = std::move(*program)};
     const auto named = [&](const char* name) { return uniform(out.program, name); };
@@ -68,6 +72,7 @@ Expected<SkyProgram> load_sky_program(const Folder& shaders, const Variant& vari
     out.sun_direction = named("sun_direction");
     out.sun_glow = named("sun_glow");
     out.fog_colour = named("fog_colour");
+    out.cleared_to_fog = named("cleared_to_fog");
     return out;
 }
 
@@ -118,7 +123,7 @@ Expected<Programs> load_programs(const Folder& shaders) {
     for (std::size_t q = 0; q < qualities; ++q)
         loading.take(load_mesh_program(shaders, static_cast<Quality>(q)), out.mesh[q]);
     loading.take(load_sky_program(shaders, {}), out.sky);
-    loading.take(load_sky_program(shaders, {"HDR"}), out.sky_of_light);
+    loading.take(load_sky_program(shaders, {"LINEAR"}), out.sky_of_light);
     const auto small = [&](const std::vector<Folder>& files, const char* parameter, SmallProgram& to) {
         loading.take(load_small_program(files, parameter), to);
     };
@@ -133,12 +138,12 @@ Expected<Programs> load_programs(const Folder& shaders) {
     return out;
 }
 
-void use_mesh_program(const MeshProgram& p, const ViewScene& view, const fmat4& view_projection,
-                      Quality quality, const ShadowView& shadow, float pixel_angle) {
+void use_mesh_program(const MeshProgram& p, const ViewScene& view, const Sight& sight, Quality quality,
+                      const ShadowView& shadow) {
     const auto& e = view.environment;
     glUseProgram(p.program.get());
-    glUniformMatrix4fv(p.view_projection, 1, GL_FALSE, &view_projection[0][0]);
-    set(p.eye, view.camera.position);
+    glUniformMatrix4fv(p.view_projection, 1, GL_FALSE, &sight.to_clip[0][0]);
+    set(p.eye, sight.eye);
     set(p.sun_direction, e.sun.direction);
     set(p.sun_colour, e.sun.colour);
     set(p.ambient_above, e.ambient.above);
@@ -146,8 +151,8 @@ void use_mesh_program(const MeshProgram& p, const ViewScene& view, const fmat4& 
     set(p.fog_colour, e.fog.colour);
     // exp2(-rate d^2) is exp(-(density d)^2).
     glUniform1f(p.fog_rate, e.fog.density * e.fog.density * 1.442695F);
-    const float fade_from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
-    glUniform2f(p.detail_range, fade_from, 1 / (1.5F * fade_from));
+    const auto fading = fading_of(sight.pixel_angle);
+    glUniform2f(p.detail_range, fading.from, 1 / (fading.gone - fading.from));
     set_lights(p, view.lights, quality == Quality::low ? lights_at_low : max_lights);
     if (quality == Quality::low) return;
     glUniformMatrix4fv(p.shadow_matrix, 1, GL_FALSE, &shadow.to_map[0][0]);
@@ -155,7 +160,7 @@ void use_mesh_program(const MeshProgram& p, const ViewScene& view, const fmat4& 
     glUniform1f(p.shadow_texel, shadow.texel);
 }
 
-void use_sky_program(const SkyProgram& p, const ViewScene& view, float aspect) {
+void use_sky_program(const SkyProgram& p, const ViewScene& view, float aspect, bool cleared_to_fog) {
     const auto& e = view.environment;
     const float high = std::tan(view.camera.fov_y / 2);
     const auto axis = [&](fvec3 v) { return view.camera.orientation * v; };
@@ -168,6 +173,12 @@ void use_sky_program(const SkyProgram& p, const ViewScene& view, float aspect) {
     set(p.sun_direction, e.sun.direction);
     set(p.sun_glow, e.sky.sun_glow);
     set(p.fog_colour, e.fog.colour);
+    glUniform1i(p.cleared_to_fog, cleared_to_fog ? 1 : 0);
+}
+
+fvec3 tone_mapped(fvec3 light) {
+    const fvec3 x = glm::max(light - 0.004F, fvec3(0));
+    return (x * (6.2F * x + 0.5F)) / (x * (6.2F * x + 1.7F) + 0.06F);
 }
 
 }  // namespace thaum::render::detail

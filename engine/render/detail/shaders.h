@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 
+#include "render/detail/patches.h"
 #include "render/detail/program.h"
 #include "render/quality.h"
 #include "render/scene.h"
@@ -20,7 +21,8 @@ struct MeshProgram {
 
 struct SkyProgram {
     Program program;
-    GLint forward{}, right{}, up{}, zenith{}, horizon{}, sun_direction{}, sun_glow{}, fog_colour{};
+    GLint forward{}, right{}, up{}, zenith{}, horizon{}, sun_direction{}, sun_glow{}, fog_colour{},
+        cleared_to_fog{};
 };
 
 /// A program with a matrix, or with a length in texels, and nothing else.
@@ -48,10 +50,13 @@ struct ShadowView {
     float texel{};    ///< of the map's width
 };
 
-/// `pixel_angle`: rad, of one pixel in the middle of the view.
-void use_mesh_program(const MeshProgram& program, const ViewScene& view, const fmat4& view_projection,
-                      Quality quality, const ShadowView& shadow, float pixel_angle);
-void use_sky_program(const SkyProgram& program, const ViewScene& view, float aspect);
+void use_mesh_program(const MeshProgram& program, const ViewScene& view, const Sight& sight, Quality quality,
+                      const ShadowView& shadow);
+/// `cleared_to_fog`: what nothing covers has the colour of the view's fog already.
+void use_sky_program(const SkyProgram& program, const ViewScene& view, float aspect, bool cleared_to_fog);
+
+/// As tone.glsl has it.
+fvec3 tone_mapped(fvec3 light);
 
 inline constexpr GLsizei sky_corners = 16 * 10 * 6;  // as sky.vert has them
 

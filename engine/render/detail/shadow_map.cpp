@@ -88,17 +88,14 @@ void ShadowMap::fit(const Casters& casters, fvec3 towards_sun, std::span<const B
 
 ShadowMap::Counts ShadowMap::draw(std::span<const Instance> instances, std::span<const GpuMesh> meshes,
                                   std::span<const Bounds> mesh_bounds, const SmallProgram& program) {
-    batches_.instances.clear();
-    batches_.batches.clear();
+    batches_.clear();
     Counts counts;
     counts.draws = collect(instances, mesh_bounds, to_clip_, batches_);
     fill_buffer(GL_ARRAY_BUFFER, instances_, batches_.instances, GL_STREAM_DRAW);
     glUseProgram(program.program.get());
     glUniformMatrix4fv(program.parameter, 1, GL_FALSE, &to_clip_[0][0]);
     for (const auto& batch : batches_.batches) {
-        const auto& mesh = meshes[batch.mesh];
-        draw_batch(mesh, batch, instances_);
-        counts.triangles += batch.count * static_cast<std::size_t>(mesh.index_count) / 3;
+        counts.triangles += draw_batch(meshes[batch.mesh], batch, instances_);
     }
     return counts;
 }
@@ -118,9 +115,23 @@ ShadowMap::Print ShadowMap::print_of(const Bounds& there) const {
             within(texel(at.x + reach(0)) + 2), within(texel(at.y + reach(1)) + 2)};
 }
 
-bool ShadowMap::moved(const Casters& casters) const {
-    return !std::equal(casters.moving.begin(), casters.moving.end(), moving_.begin(), moving_.end(),
-                       same_place);
+void ShadowMap::find_changes(std::span<const Instance> moving, std::span<const Bounds> mesh_bounds) {
+    left_.clear();
+    drawn_.clear();
+    new_prints_.clear();
+    const auto stays = [&](std::size_t i) { return i < moving_.size() && same_place(moving[i], moving_[i]); };
+    for (std::size_t i = 0; i < moving.size(); ++i)
+        new_prints_.push_back(finite(moving[i].model)
+                                  ? print_of(placed(mesh_bounds[moving[i].mesh], moving[i].model))
+                                  : Print{});
+    for (std::size_t i = 0; i < moving_.size(); ++i) {
+        if (i >= moving.size() || !stays(i)) left_.push_back(prints_[i]);
+    }
+    for (std::size_t i = 0; i < moving.size(); ++i) {
+        const bool erased = std::any_of(left_.begin(), left_.end(),
+                                        [&](const Print& p) { return overlap(p, new_prints_[i]); });
+        if (erased || !stays(i)) drawn_.push_back(moving[i]);
+    }
 }
 
 ShadowMap::Counts ShadowMap::update(const Casters& casters, fvec3 towards_sun,
@@ -129,7 +140,12 @@ ShadowMap::Counts ShadowMap::update(const Casters& casters, fvec3 towards_sun,
     if (!made_) make_targets();
     const auto key = key_of(casters.fixed, towards_sun, revision);
     const bool anew = key != fixed_key_;
-    if (!anew && !moved(casters)) return {};
+    if (anew) {
+        fit(casters, towards_sun, mesh_bounds);
+        moving_.clear();
+    }
+    find_changes(casters.moving, mesh_bounds);
+    if (!anew && left_.empty() && drawn_.empty()) return {};
     glViewport(0, 0, side, side);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -143,23 +159,19 @@ ShadowMap::Counts ShadowMap::update(const Casters& casters, fvec3 towards_sun,
     glEnable(GL_DEPTH_CLAMP);
     Counts counts;
     if (anew) {
-        fit(casters, towards_sun, mesh_bounds);
         glBindFramebuffer(GL_FRAMEBUFFER, fixed_target_.get());
         glClear(GL_DEPTH_BUFFER_BIT);
         counts = draw(casters.fixed, meshes, mesh_bounds, program);
-        prints_.assign(1, {0, 0, side, side});
+        left_.assign(1, {0, 0, side, side});
         fixed_key_ = key;
     }
     glBindFramebuffer(GL_READ_FRAMEBUFFER, fixed_target_.get());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, all_target_.get());
-    for (const auto& p : prints_) copy_depth(p.x0, p.y0, p.x1, p.y1);
+    for (const auto& p : left_) copy_depth(p.x0, p.y0, p.x1, p.y1);
     glBindFramebuffer(GL_FRAMEBUFFER, all_target_.get());
-    const auto moving = draw(casters.moving, meshes, mesh_bounds, program);
+    const auto moving = draw(drawn_, meshes, mesh_bounds, program);
     moving_.assign(casters.moving.begin(), casters.moving.end());
-    prints_.clear();
-    for (const auto& i : moving_) {
-        if (finite(i.model)) prints_.push_back(print_of(placed(mesh_bounds[i.mesh], i.model)));
-    }
+    std::swap(prints_, new_prints_);
     glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_POLYGON_OFFSET_FILL);
     return {counts.draws + moving.draws, counts.triangles + moving.triangles};

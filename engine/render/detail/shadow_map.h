@@ -1,6 +1,6 @@
 // The sun's shadow map: depth as the sun sees the court. What never moves is drawn once into a map of its own; when
-// something that moves has moved, the places it was at are copied back from there and all movers are drawn again. A
-// picture in which nothing moved costs nothing.
+// something that moves has moved, the place it was at is copied back from there, and it is drawn again with those that stood
+// in that place as well. A picture in which nothing moved costs nothing.
 #pragma once
 #include <vector>
 
@@ -26,12 +26,15 @@ private:
     struct Print {
         GLint x0{}, y0{}, x1{}, y1{};
     };
+    static bool overlap(const Print& a, const Print& b) {
+        return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+    }
     void make_targets();
     void fit(const Casters& casters, fvec3 towards_sun, std::span<const Bounds> mesh_bounds);
     Counts draw(std::span<const Instance> instances, std::span<const GpuMesh> meshes,
                 std::span<const Bounds> mesh_bounds, const SmallProgram& program);
     Print print_of(const Bounds& there) const;
-    bool moved(const Casters& casters) const;
+    void find_changes(std::span<const Instance> moving, std::span<const Bounds> mesh_bounds);
 
     Texture fixed_, all_;
     Framebuffer fixed_target_, all_target_;
@@ -42,7 +45,12 @@ private:
     std::uint64_t fixed_key_{};
     bool made_ = false;
     std::vector<Instance> moving_;  // as drawn last
-    std::vector<Print> prints_;     // where
+    std::vector<Print> prints_;     // where, by the same number
+
+    // Of this picture.
+    std::vector<Print> left_;        // places to be copied back
+    std::vector<Instance> drawn_;    // what is to be drawn
+    std::vector<Print> new_prints_;  // of all that moves
 };
 
 }  // namespace thaum::render::detail

@@ -1,0 +1,71 @@
+#include "haptics/device.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/text.h"
+
+namespace thaum::haptics {
+namespace {
+
+void report(const ConfigTable& table, const char* key, std::string_view message) {
+    table.report(key, text("'", key, "' ", message));
+}
+
+void read_freedom(const ConfigTable& table, DeviceSpec& spec) {
+    constexpr std::array degrees{0, 3, 6, 7};
+    const auto read = [&table, &degrees](const char* key) {
+        const auto value = static_cast<int>(table.integer(key, {0, 7}));
+        if (std::find(degrees.begin(), degrees.end(), value) == degrees.end())
+            report(table, key, "must be 3, 6 or 7 (0: no force)");
+        return value;
+    };
+    spec.sensed = read("sensed");
+    spec.actuated = read("actuated");
+    if (spec.sensed == 0) report(table, "sensed", "must not be 0: a device measures where it is");
+    if (spec.actuated > spec.sensed) report(table, "actuated", "cannot be more than what is sensed");
+}
+
+void read_force(const ConfigTable& table, DeviceSpec& spec) {
+    spec.peak_force = table.number("peak_n", {0.01, 1000});
+    spec.continuous_force = table.number("continuous_n", {0.01, 1000});
+    spec.max_stiffness = table.number("max_stiffness_n_per_m", {1, 1e6});
+    spec.max_damping = table.number("max_damping_n_s_per_m", {0, 1e4});
+    if (spec.continuous_force > spec.peak_force)
+        report(table, "continuous_n", "cannot be more than the peak force");
+}
+
+void read_motion(const ConfigTable& table, DeviceSpec& spec) {
+    spec.workspace = table.vector("workspace_m", {0.001, 10});
+    spec.position_quantum = table.number("position_quantum_m", {0, 0.01});
+    spec.update_rate = table.number("update_rate_hz", {10, 100'000});
+    spec.latency = static_cast<int>(table.integer("latency_ticks", {0, most_latency}));
+    const double shortest = std::min({spec.workspace.x, spec.workspace.y, spec.workspace.z});
+    if (spec.position_quantum > shortest / 10)
+        report(table, "position_quantum_m", "must be far smaller than the workspace");
+}
+
+void read_mechanism(const ConfigTable& table, DeviceSpec& spec) {
+    spec.mass = table.number("mass_kg", {0.01, 100});
+    spec.damping = table.number("damping_n_s_per_m", {0, 100});
+    spec.coulomb_friction = table.number("coulomb_friction_n", {0, 100});
+    if (spec.coulomb_friction >= spec.peak_force)
+        report(table, "coulomb_friction_n", "must be less than the peak force, or nothing would be felt");
+}
+
+}  // namespace
+
+Expected<DeviceSpec> read_device(const Config& file) {
+    DeviceSpec spec;
+    const auto root = file.root();
+    spec.name = root.string("name");
+    if (spec.name.empty()) report(root, "name", "must not be empty");
+    read_freedom(root.table("degrees_of_freedom"), spec);
+    read_force(root.table("force"), spec);
+    read_motion(root.table("motion"), spec);
+    read_mechanism(root.table("mechanism"), spec);
+    if (auto checked = file.check(); !checked) return tl::unexpected(std::move(checked.error()));
+    return spec;
+}
+
+}  // namespace thaum::haptics

@@ -1,0 +1,222 @@
+#include "haptics/safety.h"
+
+#include <algorithm>
+#include <cmath>
+
+// The stage knows two ways of holding back. What endangers the hand (a panic, a device shut off, a hand that flies, a player who
+// wants none) makes the force zero at once; a dead model ramps, for nothing says that its last force was wrong. And
+// whatever ended, the force comes back through the slew limit, from zero.
+//
+// Every comparison is written so that NaN falls on the safe side.
+
+namespace thaum::haptics {
+namespace {
+
+constexpr double excess_over_peak = 4;  // of the device's peak
+constexpr double switching_slew = 40;   // N/s (game.md, "Total force")
+constexpr double fastest_hand = 4;      // m/s; the simulated hand, 3 m/s of its target, overshoots to less
+constexpr std::uint32_t freshest_ticks = 20;  // a model of at most this age is as good as new
+constexpr std::uint32_t ramp_ticks = 50;
+constexpr std::uint32_t calm_ticks = 100;  // below half the speed before an over-speed cut-out ends
+constexpr std::uint32_t apart_ticks = 20;  // without excess between two episodes of it
+constexpr std::uint32_t episode_ticks = 10'000;
+constexpr std::uint32_t bin_ticks = 500;
+constexpr double almost_there = 1 + 1e-9;  // else rounding may leave a slew one tick short of its end
+constexpr double warm_from = 0.8;          // of the thermal budget
+static_assert((thermal_bins - 2) * bin_ticks == ticks(thermal_window));
+
+bool latched(const SafetyState& state, SafetyCause cause) {
+    return state.latched == static_cast<std::uint32_t>(cause);
+}
+
+void latch(SafetyState& state, SafetyCause cause) {
+    state.latched = std::max(state.latched, static_cast<std::uint32_t>(cause));
+}
+
+/// First by components, since the length of a huge vector overflows. What is shortened ends a little below `most`, so that
+/// rounding cannot carry it beyond.
+vec3 shortened(vec3 force, double most) {
+    constexpr double below = 1 - 2e-15;
+    const double largest = std::max({std::abs(force.x), std::abs(force.y), std::abs(force.z)});
+    if (largest > most) force *= most / largest;
+    const double length = glm::length(force);
+    return length > most ? force * (most / length * below) : force;
+}
+
+// ---- latches, gate and counters: what the stage remembers of its input -------------------------------------------
+
+void note_rearm(SafetyState& state, const SafetyInput& input) {
+    if (!input.rearm || state.latched == 0) return;
+    state.latched = 0;
+    state.gate_open = 0;
+    state.excess_ticks = 0;
+    state.excess_count = 0;
+}
+
+void forget_old_episodes(SafetyState& state) {
+    for (std::uint32_t i = 0; i < state.excess_count; ++i) ++state.episodes[i];
+    if (state.excess_count == 0 || state.episodes[0] <= episode_ticks) return;
+    state.episodes[0] = state.episodes[1];
+    --state.excess_count;
+}
+
+void begin_episode(SafetyState& state) {
+    if (state.excess_count == state.episodes.size()) return latch(state, SafetyCause::shut_off);
+    state.episodes[state.excess_count++] = 0;
+}
+
+/// One wild tick may be a glitch; three bursts of them in ten seconds are a fault, and no clamp makes a fault worth feeling.
+void note_excess(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
+    forget_old_episodes(state);
+    if (is_finite(wanted) && glm::length(wanted) <= limits.excess) {
+        if (state.excess_ticks > 0) --state.excess_ticks;
+        return;
+    }
+    if (state.excess_ticks == 0) begin_episode(state);
+    state.excess_ticks = apart_ticks;
+}
+
+/// True while the hand is too fast, or was and has not calmed down.
+bool note_speed(const SafetyLimits& limits, SafetyState& state, vec3 velocity) {
+    const double speed = glm::length(velocity);
+    if (!(speed <= limits.fastest)) {
+        state.fast_ticks = calm_ticks;
+        return true;
+    }
+    if (state.fast_ticks == 0) return false;
+    state.fast_ticks = speed < limits.fastest / 2 ? state.fast_ticks - 1 : calm_ticks;
+    return true;
+}
+
+/// Counted here and not taken from the age, which may jump: the ramp starts at its beginning even so.
+bool note_age(SafetyState& state, std::uint32_t age) {
+    if (age <= freshest_ticks) {
+        state.stale_ticks = 0;
+        return false;
+    }
+    state.stale_ticks = std::min(state.stale_ticks + 1, ramp_ticks);
+    return true;
+}
+
+/// Nobody is met by a large force at the start (003): the first one to be let through is in range.
+void note_gate(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
+    if (state.gate_open != 0 || !is_finite(wanted) || !(glm::length(wanted) <= limits.cap)) return;
+    state.gate_open = 1;
+    state.slewing = 1;
+}
+
+/// Takes in the whole input, whatever acts, so that no condition hides another. The gravest one that stops the force.
+SafetyCause note(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
+    note_rearm(state, input);
+    note_excess(limits, state, input.wanted);
+    if (input.panic) latch(state, SafetyCause::panic);
+    note_gate(limits, state, input.wanted);
+    const bool too_fast = note_speed(limits, state, input.velocity);
+    const bool stale = note_age(state, input.model_age);
+    if (latched(state, SafetyCause::panic)) return SafetyCause::panic;
+    if (latched(state, SafetyCause::shut_off)) return SafetyCause::shut_off;
+    if (!input.on) return SafetyCause::off;
+    if (too_fast) return SafetyCause::over_speed;
+    if (stale) return SafetyCause::stale;
+    return state.gate_open == 0 ? SafetyCause::waiting : SafetyCause::none;
+}
+
+// ---- heat ---------------------------------------------------------------------------------------------------------
+
+/// What the motors can still take.
+struct Warmth {
+    double scale;  // of what is wanted; 1 while cool
+    double most;   // N, that does not overrun the budget within this tick
+};
+
+/// N^2 s of the window and up to a bin more, never less: the bin that left it fades while another fills.
+double heat_of(const SafetyState& state) {
+    const std::size_t oldest = (state.bin + 1) % thermal_bins;
+    double sum = 0;
+    for (const double heat : state.heat) sum += heat;
+    return sum - state.heat[oldest] * (static_cast<double>(state.tick) / bin_ticks);
+}
+
+Warmth warmth(const SafetyLimits& limits, const SafetyState& state) {
+    const double budget = limits.continuous * limits.continuous * thermal_window;
+    const double left = budget - heat_of(state);
+    if (!(left > 0)) return {0, 0};
+    const double cool = std::min(left / ((1 - warm_from) * budget), 1.0);
+    return {cool * (2 - cool), std::sqrt(left / tick_seconds)};  // without a kink where it sets in
+}
+
+void add_heat(SafetyState& state, vec3 force) {
+    state.heat[state.bin] += glm::dot(force, force) * tick_seconds;
+    if (++state.tick < bin_ticks) return;
+    state.tick = 0;
+    state.bin = (state.bin + 1) % thermal_bins;
+    state.heat[state.bin] = 0;
+}
+
+// ---- the force ----------------------------------------------------------------------------------------------------
+
+/// The cap shrinks with warmth too: else a long slew from a large force would overrun the budget.
+double ceiling(const SafetyLimits& limits, const Warmth& warm) {
+    return std::min(limits.cap * warm.scale, warm.most);
+}
+
+/// After a switch the force walks to where it should be; from then on it follows freely, for a delay inside a passive source
+/// would make that source create energy. It walks from what the last output could be now: the cap may have come down.
+vec3 walked(const SafetyLimits& limits, const Warmth& warm, SafetyState& state, vec3 target) {
+    if (state.slewing == 0) return target;
+    const vec3 from = shortened(state.output, ceiling(limits, warm));
+    const double step = limits.slew * tick_seconds;
+    const vec3 gap = target - from;
+    const double distance = glm::length(gap);
+    if (distance > step * almost_there) return from + gap * (step / distance);
+    state.slewing = 0;
+    return target;
+}
+
+/// Of the last output, so that the ramp is a line whatever it started from; the last factor is zero.
+vec3 ramped_down(const SafetyState& state) {
+    const auto left = static_cast<double>(ramp_ticks - state.stale_ticks);
+    return state.output * (left / (left + 1));
+}
+
+SafetyCause shortening(const SafetyLimits& limits, const Warmth& warm, vec3 wanted) {
+    if (warm.scale < 1 && wanted != vec3(0)) return SafetyCause::warm;
+    return glm::length(wanted) <= limits.cap ? SafetyCause::none : SafetyCause::capped;
+}
+
+vec3 last_word(const SafetyLimits& limits, const Warmth& warm, vec3 force) {
+    const vec3 last = shortened(force, ceiling(limits, warm));
+    return is_finite(last) ? last : vec3(0);
+}
+
+}  // namespace
+
+SafetyLimits safety_limits(const DeviceSpec& spec, double share) {
+    const double part = share > 0 ? std::min(share, 1.0) : 0.0;  // 0 for NaN
+    return {.cap = part * spec.peak_force,
+            .excess = excess_over_peak * spec.peak_force,
+            .continuous = spec.continuous_force,
+            .slew = switching_slew,
+            .fastest = fastest_hand};
+}
+
+vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
+    SafetyCause cause = note(limits, state, input);
+    const Warmth warm = warmth(limits, state);
+    const vec3 wanted = is_finite(input.wanted) ? input.wanted : vec3(0);
+    if (input.switched || cause != SafetyCause::none) state.slewing = 1;
+
+    vec3 force{};
+    if (cause == SafetyCause::none) {
+        force = walked(limits, warm, state, warm.scale * shortened(wanted, limits.cap));
+        cause = shortening(limits, warm, wanted);
+    } else if (cause == SafetyCause::stale) {
+        force = ramped_down(state);
+    }
+    state.output = last_word(limits, warm, force);
+    state.cause = static_cast<std::uint32_t>(cause);
+    add_heat(state, state.output);
+    return state.output;
+}
+
+}  // namespace thaum::haptics

@@ -1,0 +1,175 @@
+#include "haptics/safety_audit.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace thaum::haptics {
+namespace {
+
+// Written anew from haptics.md; that the stage has the same figures is what is tested.
+constexpr std::uint64_t window_ticks = 10'000;
+constexpr std::uint64_t memory_ticks = 11'000;
+constexpr double surely_cool = 0.8 * (1 - 1e-9);  // of the budget: nothing may be scaled below
+constexpr std::uint64_t fresh_for = 20;
+constexpr double stale_ramp = 50;
+constexpr std::uint64_t calm_after = 100;
+constexpr std::uint64_t episodes_apart = 20;
+constexpr std::uint64_t episodes_within = 10'000;
+
+double size_of(vec3 v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+double rounding(vec3 v) { return 1e-12 * (1 + size_of(v)); }
+
+/// From the line between zero and `end`.
+double distance_from_line(vec3 point, vec3 end) {
+    const double square = glm::dot(end, end);
+    const double along = square > 0 ? glm::clamp(glm::dot(point, end) / square, 0.0, 1.0) : 0;
+    return size_of(point - along * end);
+}
+
+vec3 without_the_infinite(vec3 v) { return is_finite(v) ? v : vec3(0); }
+
+vec3 within_cap(vec3 wanted, double cap) {
+    const double largest =
+        std::fmax(std::fmax(std::fabs(wanted.x), std::fabs(wanted.y)), std::fabs(wanted.z));
+    if (largest == 0) return {};
+    const vec3 unit_sized = wanted / largest;  // whose length cannot overflow
+    const double size = size_of(unit_sized);
+    return largest * size <= cap ? wanted : unit_sized * (cap / size);
+}
+
+}  // namespace
+
+const char* name(SafetyRule rule) {
+    constexpr std::array<const char*, safety_rules> names{"finite",  "cap",      "budget",  "slew",
+                                                          "unasked", "stale",    "waiting", "over_speed",
+                                                          "off",     "shut_off", "panic"};
+    return names[static_cast<std::size_t>(rule)];
+}
+
+SafetyAudit::SafetyAudit() : squares_(memory_ticks) {}
+
+std::uint64_t SafetyAudit::violations() const {
+    return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
+}
+
+double SafetyAudit::warmth() const {
+    return std::sqrt(std::fmax(window_sum_, 0) / static_cast<double>(window_ticks));
+}
+
+void SafetyAudit::record(const SafetyLimits& limits, const SafetyInput& input, vec3 output) {
+    ++now_;
+    count(SafetyRule::finite, !is_finite(output));
+    output = without_the_infinite(output);
+    watch_latches(limits, input);
+    watch_hand(limits, input);
+    watch_model(input);
+    if (!judge_stopped(input, output)) judge_following(limits, input, output);
+    heat(output);
+    judge_always(limits, output);
+    before_ = output;
+}
+
+void SafetyAudit::count(SafetyRule rule, bool broken) {
+    if (broken) ++counts_[static_cast<std::size_t>(rule)];
+}
+
+void SafetyAudit::watch_latches(const SafetyLimits& limits, const SafetyInput& input) {
+    if (input.rearm && (panicked_ || shut_off_)) {
+        panicked_ = shut_off_ = gate_open_ = false;
+        last_excess_ = 0;
+        episodes_ = {};
+    }
+    if (input.panic) panicked_ = true;
+
+    const double size = is_finite(input.wanted) ? size_of(input.wanted) : HUGE_VAL;
+    if (size <= limits.cap) gate_open_ = true;
+    if (size <= limits.excess) return;
+    if (last_excess_ == 0 || now_ - last_excess_ > episodes_apart) {
+        episodes_ = {episodes_[1], episodes_[2], now_};
+        if (episodes_[0] != 0 && now_ - episodes_[0] <= episodes_within) shut_off_ = true;
+    }
+    last_excess_ = now_;
+}
+
+void SafetyAudit::watch_hand(const SafetyLimits& limits, const SafetyInput& input) {
+    const double speed = is_finite(input.velocity) ? size_of(input.velocity) : HUGE_VAL;
+    const bool in_hurry = speed > limits.fastest || (last_hurry_ != 0 && speed >= limits.fastest / 2);
+    if (in_hurry) last_hurry_ = now_;
+    if (now_ - last_hurry_ > calm_after) last_hurry_ = 0;
+}
+
+void SafetyAudit::watch_model(const SafetyInput& input) {
+    if (input.model_age <= fresh_for)
+        last_fresh_ = now_;
+    else if (last_fresh_ + 1 == now_)
+        at_stale_ = before_;
+}
+
+void SafetyAudit::judge_always(const SafetyLimits& limits, vec3 output) {
+    count(SafetyRule::cap, size_of(output) > limits.cap);
+    const double most = limits.continuous * limits.continuous * static_cast<double>(window_ticks);
+    count(SafetyRule::budget, window_sum_ > most * (1 + 1e-9));
+}
+
+/// Whatever stops the force makes the next one a switch. False where nothing does.
+bool SafetyAudit::judge_stopped(const SafetyInput& input, vec3 output) {
+    const bool stale = last_fresh_ != now_;
+    const bool felt = output != vec3(0);
+    if (panicked_) {
+        count(SafetyRule::panic, felt);
+    } else if (shut_off_) {
+        count(SafetyRule::shut_off, felt);
+    } else if (!input.on) {
+        count(SafetyRule::off, felt);
+    } else if (last_hurry_ != 0) {
+        count(SafetyRule::over_speed, felt);
+    } else if (stale) {
+        const double left = 1 - static_cast<double>(now_ - last_fresh_) / stale_ramp;
+        const vec3 highest = left > 0 ? at_stale_ * left : vec3(0);
+        count(SafetyRule::stale, left > 0 ? distance_from_line(output, highest) > rounding(at_stale_) : felt);
+    } else if (!gate_open_) {
+        count(SafetyRule::waiting, felt);
+    } else {
+        return false;
+    }
+    surely_slewing_ = maybe_slewing_ = true;
+    return true;
+}
+
+void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output) {
+    const double budget = limits.continuous * limits.continuous * static_cast<double>(window_ticks);
+    const bool cool = memory_sum_ <= surely_cool * budget;
+    const vec3 wanted = within_cap(without_the_infinite(input.wanted), limits.cap);
+    if (input.switched) surely_slewing_ = maybe_slewing_ = true;
+
+    if (surely_slewing_) {
+        const bool may_shrink = !cool || size_of(before_) > limits.cap;
+        const double moved = may_shrink ? distance_from_line(output, before_) : size_of(output - before_);
+        count(SafetyRule::slew, moved > limits.slew * tick_seconds * (1 + 1e-8) + rounding(before_));
+    }
+    if (!maybe_slewing_) count(SafetyRule::unasked, distance_from_line(output, wanted) > rounding(wanted));
+
+    const bool there = size_of(output - wanted) <= rounding(wanted);
+    const bool perhaps_there = !cool && distance_from_line(output, wanted) <= rounding(wanted);
+    if (there && cool) maybe_slewing_ = false;
+    if (there || perhaps_there) surely_slewing_ = false;
+}
+
+void SafetyAudit::heat(vec3 output) {
+    const auto at = static_cast<std::size_t>(now_ % memory_ticks);
+    const auto leaves_window = static_cast<std::size_t>((now_ + memory_ticks - window_ticks) % memory_ticks);
+    const double square = glm::dot(output, output);
+    memory_sum_ += square - squares_[at];
+    window_sum_ += square - squares_[leaves_window];
+    squares_[at] = square;
+    if (at != 0) return;
+    // Now and then from the beginning, so that rounding does not gather: here 0 is the newest, and the first of the
+    // memory that the window has left are the oldest.
+    const auto in_memory_only = static_cast<std::ptrdiff_t>(memory_ticks - window_ticks);
+    const double older = std::accumulate(squares_.begin() + 1, squares_.begin() + 1 + in_memory_only, 0.0);
+    window_sum_ = std::accumulate(squares_.begin() + 1 + in_memory_only, squares_.end(), squares_[0]);
+    memory_sum_ = window_sum_ + older;
+}
+
+}  // namespace thaum::haptics

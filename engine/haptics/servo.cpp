@@ -1,0 +1,71 @@
+#include "haptics/servo.h"
+
+namespace thaum::haptics {
+namespace {
+
+/// m/s, over the window or what there is of it: over one tick an encoder's quantum would be noise of centimetres a second.
+/// A position that is not finite makes it NaN, when it comes and when it is the oldest: the safety stage cuts out on both.
+vec3 tip_velocity(ServoState& state, vec3 position) {
+    auto& ring = state.positions;
+    const bool full = state.samples == velocity_window;
+    const vec3 oldest = full ? ring[state.next_position] : ring[0];
+    const std::uint32_t span = state.samples;
+    ring[state.next_position] = position;
+    state.next_position = (state.next_position + 1) % velocity_window;
+    if (!full) ++state.samples;
+    if (span == 0) return is_finite(position) ? vec3(0) : position;
+    return (position - oldest) / (span * tick_seconds);
+}
+
+bool newer(std::uint32_t number, std::uint32_t than) {
+    const std::uint32_t ahead = number - than;  // wraps, as the numbers do
+    return ahead != 0 && ahead < 1U << 31U;
+}
+
+bool playing(const PlayingPulse& pulse) { return pulse.at < pulse.length; }
+
+/// True where it cuts off one that still plays.
+bool start_pulse(ServoState& state, const Pulse& pulse) {
+    if (!newer(pulse.number, state.last_pulse)) return false;
+    state.last_pulse = pulse.number;
+    PlayingPulse& slot = state.pulses[state.next_pulse];
+    const bool cuts_off = playing(slot);
+    slot = {pulse.peak, pulse.length, 0};
+    state.next_pulse = (state.next_pulse + 1) % pulses_at_once;
+    return cuts_off;
+}
+
+vec3 play_pulses(ServoState& state) {
+    vec3 force{};
+    for (PlayingPulse& pulse : state.pulses) {
+        if (!playing(pulse)) continue;
+        force += pulse.peak * half_sine(pulse.at, pulse.length);
+        ++pulse.at;
+    }
+    return force;
+}
+
+}  // namespace
+
+/// (n/pi) (cos(pi k/n) - cos(pi (k+1)/n)), as the product that does not subtract two numbers which are nearly equal.
+double half_sine(std::uint32_t at, std::uint32_t length) {
+    if (at >= length) return 0;
+    const double half_tick = pi / (2.0 * length);
+    return det::sin(half_tick) / half_tick * det::sin((2.0 * at + 1) * half_tick);
+}
+
+vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample) {
+    const vec3 velocity = tip_velocity(state, sample.position);
+    const bool switched = start_pulse(state, model.pulse);
+    const vec3 force = play_pulses(state);
+    return make_safe(servo.limits, state.safety,
+                     {.wanted = force,
+                      .velocity = velocity,
+                      .model_age = sample.model_age,
+                      .switched = switched,
+                      .on = model.on,
+                      .panic = model.panic,
+                      .rearm = model.rearm});
+}
+
+}  // namespace thaum::haptics

@@ -1,0 +1,73 @@
+// haptics/servo.h: the servo step, one pure function from what the device measures to the force it is told:
+//
+//     servo_step(servo, state, model, sample) -> force
+//
+// It runs inside the tick for simulated devices, and is what a thread at 1 kHz runs for a real one: no lock, no
+// allocation, no file, no clock. The model is all that it knows of the world: a small plain struct that the simulation makes each
+// tick, so that the cost does not grow with the scene.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/maths.h"
+#include "haptics/safety.h"
+
+namespace thaum::haptics {
+
+/// A kick: half a sine wave over `length` ticks. An active source: it may push the hand. It starts and ends at zero, so it is
+/// no switch for the slew limit, which would leave little of it: 1.2 N in 15 ms rises at 251 N/s.
+struct Pulse {
+    vec3 peak{};             ///< N, device frame
+    std::uint32_t length{};  ///< ticks, > 0
+    std::uint32_t number{};  ///< from 1, counts up; one newer than the servo has seen starts a pulse
+};
+
+/// What the simulation publishes each tick.
+struct HapticModel {
+    Pulse pulse{};  ///< the newest
+    bool on{true};  ///< the player wants forces
+    bool panic{};   ///< somebody's panic key is down
+    bool rearm{};
+};
+
+/// What a device measured.
+struct ServoSample {
+    vec3 position{};            ///< m, device frame
+    std::uint32_t model_age{};  ///< ticks since the model was made
+};
+
+/// What no tick changes.
+struct Servo {
+    SafetyLimits limits{};
+};
+
+inline constexpr std::size_t pulses_at_once = 4;   ///< a fifth takes the place of the oldest: a switch
+inline constexpr std::size_t velocity_window = 8;  ///< ticks over which the tip's velocity is taken
+
+struct PlayingPulse {
+    vec3 peak{};
+    std::uint32_t length{};
+    std::uint32_t at{};  ///< ticks played; == length: over
+};
+
+/// All that a tick leaves behind; no padding.
+struct ServoState {
+    SafetyState safety{};
+    std::array<vec3, velocity_window> positions{};  ///< a ring of the last samples
+    std::array<PlayingPulse, pulses_at_once> pulses{};
+    std::uint32_t next_position{};
+    std::uint32_t samples{};     ///< so far, up to velocity_window
+    std::uint32_t last_pulse{};  ///< number of the newest that was started
+    std::uint32_t next_pulse{};
+};
+static_assert(sizeof(ServoState) == sizeof(SafetyState) + velocity_window * sizeof(vec3) +
+                                        pulses_at_once * sizeof(PlayingPulse) + 4 * sizeof(std::uint32_t));
+
+/// The force for the device, N, device frame.
+vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample);
+
+/// Mean force of a pulse over its tick `at`, as a part of its peak: exact, so that the impulse is 2/pi peak length.
+double half_sine(std::uint32_t at, std::uint32_t length);
+
+}  // namespace thaum::haptics

@@ -1,0 +1,243 @@
+#include "haptics/simulated.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/assert.h"
+
+namespace thaum::haptics {
+namespace {
+
+/// Stops and starts in one tick; with a constant force and an even target there can be three. Beyond: held until its end.
+constexpr int most_phases = 8;
+constexpr int most_refinements = 60;
+
+/// One axis at some moment of a tick.
+struct Axis {
+    double position, velocity;
+    double target, target_velocity;
+    double force;  // constant in the tick
+};
+
+/// On the body, but for dry friction.
+double load(const SimulatedDevice& d, const Axis& a) {
+    return a.force + d.stiffness * (a.target - a.position) +
+           d.hand_damping * (a.target_velocity - a.velocity) - d.damping * a.velocity;
+}
+
+/// One way, so that friction is constant and all is linear.
+struct Slide {
+    const SimulatedDevice& device;
+    double velocity, acceleration;  // at its start
+    double target_velocity;
+
+    double velocity_at(const Response& r) const {
+        return velocity + r.s * acceleration +
+               device.oscillator.frequency2 * r.s1 * (target_velocity - velocity);
+    }
+    double acceleration_at(const Response& r) const {
+        return slope(device.oscillator, r) * acceleration +
+               device.oscillator.frequency2 * r.s * (target_velocity - velocity);
+    }
+    double jerk_at(const Response& r) const {
+        return -2 * device.oscillator.decay * acceleration_at(r) -
+               device.oscillator.frequency2 * (velocity_at(r) - target_velocity);
+    }
+    double path(const Response& r) const {
+        return r.t * velocity + r.s1 * acceleration +
+               device.oscillator.frequency2 * r.s2 * (target_velocity - velocity);
+    }
+};
+
+struct Value {
+    double value, slope;
+};
+
+/// Where `of` is zero between low and high, at whose ends its signs differ: Newton's method, halving where that leaves the
+/// bracket. A last step of 1e-10 of the bracket leaves an error of its square.
+template <class Of>
+double root(Of of, double low, double high, bool positive_at_low, double guess) {
+    const double small = 1e-10 * (high - low);
+    double at = guess > low && guess < high ? guess : (low + high) / 2;
+    for (int i = 0; i < most_refinements; ++i) {
+        const Value f = of(at);
+        ((f.value > 0) == positive_at_low ? low : high) = at;
+        const double next = at - f.value / f.slope;
+        if (std::abs(next - at) <= small) return std::clamp(next, low, high);
+        at = next >= low && next <= high ? next : (low + high) / 2;  // halves for NaN too
+    }
+    return at;
+}
+
+double turning_point(const Slide& s, double end) {
+    const auto of = [&s](double t) {
+        const Response r = response(s.device.oscillator, t);
+        return Value{s.acceleration_at(r), s.jerk_at(r)};
+    };
+    return root(of, 0, end, s.acceleration > 0, end / 2);
+}
+
+double standstill(const Slide& s, double begin, double end, double direction) {
+    const auto of = [&s](double t) {
+        const Response r = response(s.device.oscillator, t);
+        return Value{s.velocity_at(r), s.acceleration_at(r)};
+    };
+    return root(of, begin, end, direction > 0, -s.velocity / s.acceleration);
+}
+
+/// When a slide in `direction` first comes to a stop, if before `whole` ends; else negative. The velocity turns at most once in
+/// so short a time, which leaves three pictures: it ends on the other side; it dips across and comes back; it does neither.
+double stop_time(const Slide& s, const Response& whole, double direction) {
+    const bool crossed = s.velocity_at(whole) * direction < 0;
+    const bool starts_by_falling = s.acceleration * direction < 0;
+    if (crossed) {
+        const double begin = s.velocity == 0 ? turning_point(s, whole.t) : 0;
+        return standstill(s, begin, whole.t, direction);
+    }
+    if (!starts_by_falling || s.acceleration_at(whole) * direction <= 0) return -1;
+    const double lowest = turning_point(s, whole.t);
+    if (s.velocity_at(response(s.device.oscillator, lowest)) * direction >= 0) return -1;
+    return standstill(s, 0, lowest, direction);
+}
+
+void move(Axis& a, const Slide& s, const Response& r) {
+    a.position += s.path(r);
+    a.velocity = s.velocity_at(r);
+    a.target += a.target_velocity * r.t;
+}
+
+/// How long dry friction holds a body at rest whose load is within its limits, while the target moves on.
+double holding_time(const SimulatedDevice& d, const Axis& a, double left) {
+    const double rate = d.stiffness * a.target_velocity;
+    if (rate == 0) return left;
+    const double limit = rate > 0 ? d.friction : -d.friction;
+    return std::min((limit - load(d, a)) / rate, left);
+}
+
+void hold(Axis& a, double time) { a.target += a.target_velocity * time; }
+
+/// From rest or motion to the next stop, or to the end. Returns the time that is left.
+double slide_on(const SimulatedDevice& d, Axis& a, double direction, double acceleration, double left) {
+    const Slide s{d, a.velocity, acceleration, a.target_velocity};
+    const Response whole = left == d.dt ? d.tick : response(d.oscillator, left);
+    const double stop = stop_time(s, whole, direction);
+    if (stop < 0) {
+        move(a, s, whole);
+        return 0;
+    }
+    move(a, s, response(d.oscillator, stop));
+    a.velocity = 0;
+    return left - stop;
+}
+
+void advance_with_friction(const SimulatedDevice& d, Axis& a) {
+    double left = d.dt;
+    for (int phase = 0; phase < most_phases && left > 0; ++phase) {
+        if (a.velocity != 0) {
+            const double direction = a.velocity > 0 ? 1 : -1;
+            left = slide_on(d, a, direction, (load(d, a) - direction * d.friction) / d.mass, left);
+            continue;
+        }
+        const double pull = load(d, a);
+        if (std::abs(pull) > d.friction) {
+            const double direction = pull > 0 ? 1 : -1;
+            left = slide_on(d, a, direction, (pull - direction * d.friction) / d.mass, left);
+            continue;
+        }
+        const double held = holding_time(d, a, left);
+        hold(a, held);
+        left -= held;
+        // At the moment of letting go load and friction cancel; what rounding leaves of them must not start it backwards.
+        if (left > 0) left = slide_on(d, a, a.target_velocity > 0 ? 1 : -1, 0, left);
+    }
+    if (left > 0) hold(a, left);
+}
+
+void advance(const SimulatedDevice& d, Axis& a) {
+    if (d.friction > 0) return advance_with_friction(d, a);
+    move(a, {d, a.velocity, load(d, a) / d.mass, a.target_velocity}, d.tick);
+}
+
+/// The commands pass through a queue of `latency` ticks.
+vec3 delayed(const SimulatedDevice& d, SimulatedState& state, vec3 command) {
+    if (d.latency == 0) return command;
+    auto& queue = state.commanded;
+    const vec3 due = queue[0];
+    const auto last = static_cast<std::size_t>(d.latency) - 1;
+    for (std::size_t i = 0; i < last; ++i) queue[i] = queue[i + 1];
+    queue[last] = command;
+    return due;
+}
+
+vec3 saturated(vec3 force, double most) {
+    if (!is_finite(force)) return {};
+    // First by components, since the length of a huge vector overflows.
+    const double largest = std::max({std::abs(force.x), std::abs(force.y), std::abs(force.z)});
+    if (largest > most) force *= most / largest;
+    return limited(force, most);
+}
+
+vec3 next_target(const SimulatedDevice& d, vec3 now, vec3 wanted) {
+    if (!is_finite(wanted)) return now;
+    return now + limited(glm::clamp(wanted, -d.reach, d.reach) - now, d.target_step);
+}
+
+void stop_at_the_ends(double& position, double& velocity, double reach) {
+    if (std::abs(position) <= reach) return;
+    position = position > 0 ? reach : -reach;
+    if (position * velocity > 0) velocity = 0;
+}
+
+}  // namespace
+
+SimulatedDevice simulated_device(const DeviceSpec& spec, const Hand& hand, double dt) {
+    SimulatedDevice d{.mass = spec.mass + hand.mass,
+                      .stiffness = hand.stiffness,
+                      .hand_damping = hand.damping,
+                      .damping = spec.damping,
+                      .friction = spec.coulomb_friction,
+                      .peak_force = spec.peak_force,
+                      .quantum = spec.position_quantum,
+                      .reach = spec.workspace / 2.0,
+                      .target_step = hand.fastest * dt,
+                      .latency = spec.latency,
+                      .dt = dt};
+    THAUM_ASSERT(d.mass > 0 && dt > 0, "a simulated device needs a mass and a tick");
+    THAUM_ASSERT(d.latency >= 0 && d.latency <= most_latency, "a simulated device cannot be so late");
+    d.oscillator = oscillator(d.mass, d.hand_damping + d.damping, d.stiffness);
+    THAUM_ASSERT(d.oscillator.frequency2 * dt * dt <= 9, "the hand is too stiff for its mass");
+    d.tick = response(d.oscillator, dt);
+    return d;
+}
+
+SimulatedState resting_at(vec3 position) { return {.position = position, .target = position}; }
+
+vec3 measured_position(const SimulatedDevice& device, const SimulatedState& state) {
+    if (device.quantum == 0) return state.position;
+    return device.quantum * glm::floor(state.position / device.quantum + 0.5);
+}
+
+SimulatedState step(const SimulatedDevice& d, const SimulatedState& before, vec3 target, vec3 force) {
+    SimulatedState after = before;
+    after.force = delayed(d, after, saturated(force, d.peak_force));
+    after.target = next_target(d, before.target, target);
+    const vec3 target_velocity = (after.target - before.target) / d.dt;
+    for (int i = 0; i < 3; ++i) {
+        Axis axis{before.position[i], before.velocity[i], before.target[i], target_velocity[i],
+                  after.force[i]};
+        advance(d, axis);
+        after.position[i] = axis.position;
+        after.velocity[i] = axis.velocity;
+        stop_at_the_ends(after.position[i], after.velocity[i], d.reach[i]);
+    }
+    return after;
+}
+
+double energy(const SimulatedDevice& device, const SimulatedState& state) {
+    const vec3 stretch = state.target - state.position;
+    return (device.mass * glm::dot(state.velocity, state.velocity) +
+            device.stiffness * glm::dot(stretch, stretch)) /
+           2;
+}
+
+}  // namespace thaum::haptics

@@ -1,0 +1,119 @@
+#include "render/detail/patches.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/detail/frustum.h"
+
+namespace thaum::render::detail {
+namespace {
+
+// A line of this width in the ground, seen from a wizard's eyes, fades from where it is less than a pixel high.
+constexpr float line_width = 0.06F, eye_height = 1.7F;  // m
+
+/// Half a triangle's area times its normal, twice.
+fvec3 across(const MeshData& mesh, std::size_t first) {
+    const auto at = [&](std::size_t k) { return mesh.vertices[mesh.indices[first + k]].position; };
+    return glm::cross(at(1) - at(0), at(2) - at(0));
+}
+
+/// The cone behind which nobody sees a front (Shirman and Abi-Ezzi 1993): all normals lie within it, and its apex lies
+/// behind every triangle.
+void fit_cone(const MeshData& mesh, PlacedPatch& patch) {
+    fvec3 sum(0);
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) sum += across(mesh, i);
+    const float length = glm::length(sum);
+    if (length <= 0) return;
+    const fvec3 axis = sum / length;
+    float widest = 1, behind = 0;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const fvec3 n = across(mesh, i);
+        const float area = glm::length(n);
+        if (area <= 0) continue;
+        const float along = glm::dot(axis, n) / area;
+        // So wide that hardly any place sees backs alone.
+        if (along < 0.2F) return;
+        widest = std::min(widest, along);
+        const fvec3 corner = mesh.vertices[mesh.indices[i]].position;
+        behind = std::max(behind, glm::dot(patch.bounds.centre - corner, n) / (area * along));
+    }
+    patch.axis = axis;
+    patch.apex = patch.bounds.centre - behind * axis;
+    patch.backs = std::sqrt(1 - widest * widest);
+}
+
+IndexRange append_indices(const MeshData& part, std::uint32_t base, std::vector<std::uint32_t>& indices) {
+    const IndexRange range{static_cast<std::uint32_t>(indices.size()),
+                           static_cast<std::uint32_t>(part.indices.size())};
+    for (const auto index : part.indices) indices.push_back(base + index);
+    return range;
+}
+
+IndexRange append_part(const MeshData& part, JoinedPatches& out) {
+    const auto base = static_cast<std::uint32_t>(out.mesh.vertices.size());
+    out.mesh.vertices.insert(out.mesh.vertices.end(), part.vertices.begin(), part.vertices.end());
+    return append_indices(part, base, out.table.indices);
+}
+
+bool shows_backs(const PlacedPatch& patch, fvec3 eye) {
+    const fvec3 to = patch.apex - eye;
+    return glm::dot(to, patch.axis) >= patch.backs * glm::length(to);
+}
+
+IndexRange append_chosen(const PatchTable& table, const Sight& sight, const PatchOrder& order, bool sunless,
+                         std::vector<std::uint32_t>& out) {
+    const float gone = fading_of(sight.pixel_angle).gone;
+    const auto before = out.size();
+    for (const auto& [farthest, i] : order.near_first) {
+        const auto& patch = table.patches[i];
+        if (patch.sunless != sunless) continue;
+        const float distance = farthest - 2 * patch.bounds.radius;
+        const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;
+        const auto& range = fine && patch.plain.count > 0 ? patch.plain : patch.full;
+        const auto first = table.indices.begin() + range.first;
+        out.insert(out.end(), first, first + range.count);
+    }
+    return {static_cast<std::uint32_t>(before), static_cast<std::uint32_t>(out.size() - before)};
+}
+
+}  // namespace
+
+Fading fading_of(float pixel_angle) {
+    const float from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
+    return {from, 2.5F * from};
+}
+
+JoinedPatches joined(const Patchwork& patchwork) {
+    JoinedPatches out;
+    for (const auto& patch : patchwork) {
+        PlacedPatch placed{.bounds = bounds(patch.full), .detail = patch.detail, .sunless = patch.sunless};
+        fit_cone(patch.full, placed);
+        placed.full = append_part(patch.full, out);
+        out.table.patches.push_back(placed);
+    }
+    out.table.full_count = static_cast<std::uint32_t>(out.table.indices.size());
+    for (std::size_t i = 0; i < patchwork.size(); ++i)
+        out.table.patches[i].plain = append_part(patchwork[i].plain, out);
+    out.mesh.indices = out.table.indices;
+    return out;
+}
+
+ChosenPatches choose_patches(const PatchTable& table, const Sight& sight, PatchOrder& order,
+                             std::vector<std::uint32_t>& out) {
+    const auto planes = frustum_planes(sight.to_clip);
+    auto& near_first = order.near_first;
+    near_first.clear();
+    for (std::uint32_t i = 0; i < table.patches.size(); ++i) {
+        const auto& patch = table.patches[i];
+        if (shows_backs(patch, sight.eye) || !within(planes, patch.bounds)) continue;
+        // By what is farthest of it: a small block in front of a large sheet is drawn before it.
+        near_first.emplace_back(glm::distance(patch.bounds.centre, sight.eye) + patch.bounds.radius, i);
+    }
+    std::sort(near_first.begin(), near_first.end());
+    ChosenPatches chosen;
+    chosen.sunlit = append_chosen(table, sight, order, false, out);
+    chosen.sunless = append_chosen(table, sight, order, true, out);
+    return chosen;
+}
+
+}  // namespace thaum::render::detail

@@ -1,0 +1,16 @@
+#include "render/detail/software_memory.h"
+
+#include <malloc.h>
+
+namespace thaum::render::detail {
+
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    constexpr int own_mapping_from = 32 << 20,
+                  given_back_from = 256 << 20;  // bytes; the first is the most glibc takes
+    mallopt(M_MMAP_THRESHOLD, own_mapping_from);
+    mallopt(M_TRIM_THRESHOLD, given_back_from);
+#endif
+}
+
+}  // namespace thaum::render::detail

@@ -1,0 +1,86 @@
+#include "game/app/live_practice.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "core/text.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr auto look_period = std::chrono::milliseconds(200);
+constexpr Tick welcome_shown = ticks(8.0), reading_shown = ticks(4.0);
+constexpr Tick until_next_reading = std::numeric_limits<Tick>::max() / 2;
+
+}  // namespace
+
+DataWatcher::DataWatcher(game::RangeFiles files) : files_(std::move(files)), thread_([this] { watch(); }) {}
+
+DataWatcher::~DataWatcher() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    stopped_.notify_one();
+    thread_.join();
+}
+
+void DataWatcher::watch() {
+    std::unique_lock lock(mutex_);
+    while (!stopped_.wait_for(lock, look_period, [this] { return stop_; })) {
+        auto reload = files_.look();
+        if (!reload) continue;
+        reloads_.to_fill() = std::move(*reload);
+        reloads_.publish();
+    }
+}
+
+const game::Reload* DataWatcher::take() { return reloads_.take() ? &reloads_.newest() : nullptr; }
+
+Practice::Practice(game::RangeFiles files, const input::DeviceSpec& device, game::DummyKind kind,
+                   std::uint64_t seed)
+    : range_(game::make_range(files.data(), device, kind, seed)) {
+    say("The range: nothing is recorded, and data files that change are read at once", welcome_shown);
+    watcher_ = std::make_unique<DataWatcher>(std::move(files));
+}
+
+void Practice::say(std::string words, Tick how_long) {
+    caption_ = {.words = std::move(words), .fault = how_long == until_next_reading};
+    caption_until_ = match().match().played + how_long;
+}
+
+void Practice::set_dummy(game::DummyKind kind) {
+    if (kind == range_.dummy.kind()) return;
+    range_.dummy.become(kind);
+    scorer_.wipe(match());
+}
+
+std::shared_ptr<const game::RangeData> Practice::adopt_reload() {
+    const auto* reload = watcher_->take();
+    if (reload == nullptr) return nullptr;
+    std::fprintf(reload->data ? stdout : stderr, "%s\n", reload->line.c_str());
+    std::fflush(stdout);
+    say(reload->line, reload->data ? reading_shown : until_next_reading);
+    if (!reload->data) return nullptr;
+    range_.adopt(*reload->data);
+    scorer_.wipe(match());
+    return reload->data;
+}
+
+void Practice::show(game::Picture& picture) {
+    const auto& dummy = picture.wizards[game::dummys];
+    const auto health =
+        dummy.dead ? std::string("comes back") : text(std::lround(std::ceil(dummy.health)), " HP");
+    picture.practice.on = true;
+    picture.practice.score = score();
+    picture.practice.dummy =
+        text(game::dummy_names[static_cast<std::size_t>(range_.dummy.kind())], " dummy: ", health);
+    if (match().match().played < caption_until_)
+        picture.caption = caption_;
+    else
+        picture.caption = {};
+}
+
+}  // namespace thaum::app

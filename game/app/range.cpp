@@ -1,0 +1,139 @@
+// thaum range: practice on a dummy.
+#include <algorithm>
+#include <cstdio>
+#include <random>
+
+#include "core/text.h"
+#include "game/app/arguments.h"
+#include "game/app/command.h"
+#include "game/app/live.h"
+#include "game/bots/range.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr std::string_view range_help =
+    R"(usage: thaum range [OPTIONS]
+
+The range: you and a dummy in the court, every wand at hand. No round ends and
+nothing can be lost: who dies comes back. Nothing is recorded, so data files
+(wands, wizard, rules, arena, range.toml) that change on disk are read again
+while it runs; a wrong one is named, and the old numbers stay. The pause (Esc)
+changes the dummy.
+
+  --dummy KIND     still (default), strafing: to and fro, shooting: at you
+  --hands HAND     what you hold: mouse (default), half (the keypad) or pad
+
+  --rules NAME     thaum (default), or classic: wands regain nothing, no shield
+  --set KEY=VALUE  another value for one number, such as bolt.shot.damage=12
+  --seed N         of all that is random
+  --headless       no window: a bot practises, faster than real time, and the
+                   score is printed; files are read once
+  --bot LEVEL      level of that bot: 1, 2 or 3 (default)
+  --seconds S      ends after that; headless: 60
+)";
+
+constexpr Option range_options[] = {{"--dummy", 1}, {"--hands", 1}, {"--rules", 1}, {"--set", 1, true},
+                                    {"--seed", 1},  {"--headless"}, {"--bot", 1},   {"--seconds", 1}};
+
+struct RangeWish {
+    game::DataChoice data;
+    game::DummyKind dummy{};
+    SeatKind hand = SeatKind::keyboard_mouse;
+    bool headless = false;
+    int bot = 3;
+    std::optional<std::uint64_t> seed;
+    std::optional<double> seconds;
+};
+
+Expected<game::DummyKind> dummy_named(std::string_view word) {
+    const auto& names = game::dummy_names;
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end())
+        return fail(text("--dummy '", word, "': must be ", names[0], ", ", names[1], " or ", names[2]));
+    return static_cast<game::DummyKind>(found - names.begin());
+}
+
+Expected<RangeWish> read_range_wish(const std::vector<std::string>& words) {
+    const auto arguments = Arguments::parse(words, range_options);
+    if (!arguments) return tl::unexpected(arguments.error());
+    if (!arguments->plain().empty()) return fail(text("range takes no '", arguments->plain()[0], "'"));
+    RangeWish wish;
+    const auto dummy = dummy_named(arguments->value("--dummy").value_or("still"));
+    if (!dummy) return tl::unexpected(dummy.error());
+    wish.dummy = *dummy;
+    const auto hand = seat_kind_of(arguments->value("--hands").value_or("mouse"));
+    if (!hand) return tl::unexpected(hand.error());
+    wish.hand = *hand;
+    wish.headless = arguments->has("--headless");
+    if (wish.headless && arguments->has("--hands")) return fail("--headless has no player: no --hands");
+    if (!wish.headless && arguments->has("--bot")) return fail("--bot is for --headless");
+    const auto bot = arguments->whole("--bot", 1, game::bot_levels, 3);
+    if (!bot) return tl::unexpected(bot.error());
+    wish.bot = static_cast<int>(*bot);
+    const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0}, 1);
+    if (!seed) return tl::unexpected(seed.error());
+    if (arguments->has("--seed")) wish.seed = *seed;
+    const auto duration = arguments->number("--seconds", 0.001, 36000, 60);
+    if (!duration) return tl::unexpected(duration.error());
+    if (arguments->has("--seconds")) wish.seconds = *duration;
+    wish.data.rules = arguments->value("--rules").value_or(wish.data.rules);
+    wish.data.overrides = arguments->values("--set");
+    return wish;
+}
+
+int practise_off_screen(const RangeWish& wish, const game::RangeData& data) {
+    const auto skill = game::load_bot_skill(game::find_assets(), wish.bot);
+    if (!skill) return refuse(skill.error());
+    const auto seed = wish.seed.value_or(1);
+    auto range = game::make_range(data, game::bot_device(game::practising, wish.bot), wish.dummy, seed);
+    game::Bots bots;
+    bots.add(*range.match, game::practising, game::practising, *skill, seed);
+    game::RangeScorer scorer;
+    const auto end = ticks(wish.seconds.value_or(60));
+    for (Tick t = 0; t < end; ++t) {
+        input::InputFrame frame;
+        bots.sample(*range.match, frame);
+        range.tick(frame.devices[game::practising]);
+        scorer.score(*range.match);
+    }
+    std::printf("range: %s\n", words_of(scorer.score(*range.match)).c_str());
+    std::printf("bot of level %d on the %s dummy, %s s; nothing is recorded\n", wish.bot,
+                std::string(game::dummy_names[static_cast<std::size_t>(wish.dummy)]).c_str(),
+                fixed(seconds(end), 1).c_str());
+    std::printf("state %s\n", hex(range.match->state_hash()).c_str());
+    return done;
+}
+
+int practise_in_window(const RangeWish& wish, const game::RangeData& data) {
+    const auto assets = game::find_assets();
+    LivePlan plan;
+    plan.data = data.match;
+    plan.seed = wish.seed.value_or(std::random_device{}());
+    plan.practice = wish.dummy;
+    plan.seats = {Seat{.kind = wish.hand}, Seat{.kind = SeatKind::dummy}};
+    plan.assets = assets;
+    plan.seconds = wish.seconds;
+    plan.settings = settings_to_play_with(settings_file(), assets);
+    plan.settings_file = settings_file();
+    return run_live(plan);
+}
+
+int run_range(const std::vector<std::string>& words) {
+    const auto wish = read_range_wish(words);
+    if (!wish) return refuse(wish.error());
+    if (!wish->headless && !display_there())
+        return refuse({"range needs a display; without one: thaum range --headless"});
+    const auto data = game::load_range(game::find_assets(), wish->data);
+    if (!data) return refuse(data.error());
+    return wish->headless ? practise_off_screen(*wish, *data) : practise_in_window(*wish, *data);
+}
+
+}  // namespace
+
+Command range_command() {
+    return {"range", "practice on a dummy; data files that change are read while it runs", range_help,
+            run_range};
+}
+
+}  // namespace thaum::app

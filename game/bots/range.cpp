@@ -1,0 +1,119 @@
+#include "game/bots/range.h"
+
+#include <limits>
+
+#include "core/file.h"
+#include "core/hash.h"
+#include "core/text.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr auto range_file = "range.toml";
+constexpr Tick never = std::numeric_limits<Tick>::max() / 2;  // so that sums with it stay in range
+
+Pad read_place(const ConfigTable& table, std::uint32_t player) {
+    return {.feet = table.vector("place", {-1000, 1000}),
+            .yaw = table.number("yaw_deg", {-360, 360}) * radians_per_degree,
+            .player = player,
+            .number = player};
+}
+
+BotSkill read_skill(const ConfigTable& table) {
+    BotSkill skill;
+    skill.reaction = ticks(table.number("reaction_s", {0, 0.9}));
+    skill.aim_error = table.number("aim_error_deg", {0, 90}) * radians_per_degree;
+    skill.turn_speed = table.number("turn_deg_per_s", {1, 3600}) * radians_per_degree;
+    skill.view_cos = det::cos(table.number("view_deg", {1, 360}) / 2 * radians_per_degree);
+    skill.burst = ticks(table.number("burst_s", {0.01, 60}));
+    skill.rest = ticks(table.number("rest_s", {0, 60}));
+    skill.range = table.number("range_m", {0, 100});
+    return skill;
+}
+
+Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& match) {
+    const auto source = read_text_file(assets / range_file, 1U << 16U);
+    if (!source) return tl::unexpected(source.error());
+    match.files.push_back({range_file, hash_bytes(std::as_bytes(std::span(source->data(), source->size())))});
+    const auto file = Config::parse(*source, range_file, 1);
+    if (!file) return tl::unexpected(file.error());
+    const auto root = file->root();
+    match.arena.pads = {read_place(root.table("player"), practising),
+                        read_place(root.table("dummy"), dummys)};
+    const DummyRules dummy{.stride = root.table("strafing").number("stride_m", {0.5, 40}),
+                           .skill = read_skill(root.table("shooting"))};
+    if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
+    return dummy;
+}
+
+RangeScore sum_of(const Simulation& match) {
+    RangeScore sum;
+    for (const auto& deeds : match.world().single<Chronicle>().deeds[practising]) {
+        sum.shots += deeds.shots;
+        sum.hits += deeds.hits;
+        sum.kills += deeds.kills;
+        sum.damage += deeds.damage;
+    }
+    return sum;
+}
+
+}  // namespace
+
+Expected<RangeData> load_range(const std::filesystem::path& assets, const DataChoice& choice) {
+    auto match = load_match_data(assets, choice);
+    if (!match) return tl::unexpected(match.error());
+    const auto dummy = read_range(assets, *match);
+    if (!dummy) return tl::unexpected(dummy.error());
+    match->round.kills = std::numeric_limits<std::int32_t>::max();
+    match->round.length = never;
+    return RangeData{std::make_shared<const MatchData>(std::move(*match)), *dummy};
+}
+
+input::DeviceSpec dummy_device() {
+    auto device = bot_device(dummys, 0);
+    device.name = "dummy";
+    return device;
+}
+
+RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
+                      std::uint64_t seed) {
+    auto match = std::make_unique<Simulation>(data.match,
+                                              MatchSetup{.seed = seed, .devices = {device, dummy_device()}});
+    Dummy dummy(*match, dummys, kind, data.dummy, seed);
+    return {std::move(match), std::move(dummy)};
+}
+
+void RangeMatch::tick(const input::DeviceSample& sample) {
+    input::InputFrame frame;
+    frame.devices[practising] = sample;
+    frame.devices[dummys] = dummy.sample(*match);
+    match->tick(frame);
+}
+
+void RangeMatch::adopt(const RangeData& data) {
+    match = match->continued_with(data.match);
+    dummy.adopt(*match, data.dummy);
+}
+
+void RangeScorer::wipe(const Simulation& match) { before_ = sum_of(match); }
+
+RangeScore RangeScorer::score(const Simulation& match) {
+    auto score = sum_of(match);
+    score.shots -= before_.shots;
+    score.hits -= before_.hits;
+    score.kills -= before_.kills;
+    score.damage -= before_.damage;
+    const auto now = match.match().played;
+    if (score.shots == 0) began_ = now;
+    score.minutes = seconds(now - began_) / 60;
+    return score;
+}
+
+std::string words_of(const RangeScore& score) {
+    const auto share = score.shots > 0 ? text(" (", 100 * score.hits / score.shots, " %)") : std::string();
+    return text(score.hits, " of ", score.shots, " hit", share, ", ", std::llround(score.damage), " HP, ",
+                score.kills, score.kills == 1 ? " kill, " : " kills, ",
+                std::llround(score.damage_per_minute()), " HP a minute");
+}
+
+}  // namespace thaum::game

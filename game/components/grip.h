@@ -1,0 +1,66 @@
+// game/components/grip.h: the force feedback device in a wizard's hand: simulated, held by a simulated hand. Mouse, pad and
+// bots move that hand's target, and forces move the device as they would a real one.
+#pragma once
+#include "ecs/component.h"
+#include "haptics/servo.h"
+#include "haptics/simulated.h"
+
+namespace thaum::haptics {
+
+constexpr auto fields_of(const SimulatedState*) {
+    using S = SimulatedState;
+    return std::tuple(ecs::field("position", &S::position), ecs::field("velocity", &S::velocity),
+                      ecs::field("target", &S::target), ecs::field("force", &S::force),
+                      ecs::field("commanded", &S::commanded));
+}
+
+constexpr auto fields_of(const SafetyState*) {
+    using S = SafetyState;
+    return std::tuple(ecs::field("output", &S::output), ecs::field("heat", &S::heat),
+                      ecs::field("tick", &S::tick), ecs::field("bin", &S::bin),
+                      ecs::field("gate_open", &S::gate_open), ecs::field("slewing", &S::slewing),
+                      ecs::field("fast_ticks", &S::fast_ticks), ecs::field("latched", &S::latched),
+                      ecs::field("excess_ticks", &S::excess_ticks),
+                      ecs::field("excess_count", &S::excess_count), ecs::field("cause", &S::cause),
+                      ecs::field("stale_ticks", &S::stale_ticks), ecs::field("episodes", &S::episodes));
+}
+
+constexpr auto fields_of(const Pulse*) {
+    return std::tuple(ecs::field("peak", &Pulse::peak), ecs::field("length", &Pulse::length),
+                      ecs::field("number", &Pulse::number));
+}
+
+constexpr auto fields_of(const PlayingPulse*) {
+    return std::tuple(ecs::field("peak", &PlayingPulse::peak), ecs::field("length", &PlayingPulse::length),
+                      ecs::field("at", &PlayingPulse::at));
+}
+
+constexpr auto fields_of(const ServoState*) {
+    using S = ServoState;
+    return std::tuple(ecs::field("safety", &S::safety), ecs::field("positions", &S::positions),
+                      ecs::field("pulses", &S::pulses), ecs::field("next_position", &S::next_position),
+                      ecs::field("samples", &S::samples), ecs::field("last_pulse", &S::last_pulse),
+                      ecs::field("next_pulse", &S::next_pulse));
+}
+
+}  // namespace thaum::haptics
+
+namespace thaum::game {
+
+using ecs::field;
+
+struct Grip {
+    haptics::SimulatedState device{};
+    haptics::ServoState servo{};
+    haptics::Pulse kick{};       ///< the newest
+    std::uint32_t panic_held{};  ///< 1 while the player's panic key is down
+    std::uint32_t rearm{};       ///< 1: it was pressed while forces were shut off
+    static constexpr std::string_view name = "Grip";
+    static constexpr auto fields() {
+        return std::tuple(field("device", &Grip::device), field("servo", &Grip::servo),
+                          field("kick", &Grip::kick), field("panic_held", &Grip::panic_held),
+                          field("rearm", &Grip::rearm));
+    }
+};
+
+}  // namespace thaum::game

@@ -1,0 +1,90 @@
+#include "game/match/touch.h"
+
+#include <algorithm>
+
+#include "core/hash.h"
+
+namespace thaum::game {
+namespace {
+
+using input::Button;
+
+/// Forces in the wands' files are for a device with this peak, N.
+constexpr double reference_peak = 3.3;
+constexpr double metres_per_micrometre = 1e-6;
+
+/// The first press is for everybody's panic, the next takes one's own back.
+void note_panic_key(const Controls& controls, Grip& grip) {
+    const bool held = (controls.held & bit(Button::panic)) != 0;
+    const bool pressed = held && grip.panic_held == 0;
+    grip.panic_held = held ? 1 : 0;
+    grip.rearm = pressed && grip.servo.safety.latched != 0 ? 1 : 0;
+}
+
+bool cries_panic(const Grip& grip, const Grip& before) {
+    return grip.panic_held != 0 && before.panic_held == 0 && grip.rearm == 0;
+}
+
+/// Whether anybody pressed the panic key just now.
+bool note_panic_keys(ecs::World& world) {
+    bool panic = false;
+    world.view<const Controls, Grip>().each([&](const Controls& controls, Grip& grip) {
+        const Grip before = grip;
+        note_panic_key(controls, grip);
+        panic |= cries_panic(grip, before);
+    });
+    return panic;
+}
+
+/// Returns the force, N.
+double feel(const Stage& stage, const Controls& controls, bool panic, Grip& grip) {
+    const vec3 moved = vec3(controls.hand_right, controls.hand_up, 0) * metres_per_micrometre;
+    const auto& device = stage.touch.device;
+    const haptics::HapticModel model{
+        .pulse = grip.kick, .on = true, .panic = panic, .rearm = grip.rearm != 0};
+    const vec3 measured = haptics::measured_position(device, grip.device);
+    const vec3 force = haptics::servo_step(stage.touch.servo, grip.servo, model, {measured, 0});
+    grip.device = haptics::step(device, grip.device, grip.device.target + moved, force);
+    return glm::length(force);
+}
+
+}  // namespace
+
+Grip empty_grip() { return {.device = haptics::resting_at({}), .servo = {}, .kick = {}}; }
+
+void add_touch_system(Stage& stage, ecs::Schedule& schedule) {
+    auto& world = stage.world;
+    schedule.add({.name = "touch",
+                  .reads = world.mask<Wizard, Controls>(),
+                  .writes = world.mask<Grip>(),
+                  .needs = world.mask<Grip>(),
+                  .run = [&stage](ecs::World& w, Tick tick) {
+                      const bool panic = note_panic_keys(w);
+                      w.view<const Wizard, const Controls, Grip>().each(
+                          [&](const Wizard& wizard, const Controls& controls, Grip& grip) {
+                              auto& trace = stage.felt[wizard.player];
+                              trace[tick % trace.size()] =
+                                  static_cast<float>(feel(stage, controls, panic, grip));
+                          });
+                  }});
+}
+
+void kick(Stage& stage, ecs::Entity wizard, double newtons, Tick length) {
+    auto& grip = stage.world.get<Grip>(wizard);
+    const double peak = newtons / reference_peak * stage.touch.servo.limits.cap;
+    // The device's +z is towards the user.
+    grip.kick = {.peak = vec3(0, 0, peak),
+                 .length = static_cast<std::uint32_t>(length),
+                 .number = grip.kick.number + 1};
+}
+
+vec3 wand_tip_of(const TouchRules& rules, vec3 hand) { return wand_tip + rules.wand_per_hand * hand; }
+
+std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before) {
+    world.view<const Grip>().each([&](const Grip& grip) {
+        before = hash_bytes(std::as_bytes(std::span(&grip.servo.safety.output, 1)), before);
+    });
+    return before;
+}
+
+}  // namespace thaum::game

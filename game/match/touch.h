@@ -1,0 +1,24 @@
+// game/match/touch.h: what a wizard's hand feels, and where it is: the servo step and the simulated device, each tick.
+#pragma once
+#include "game/components/grip.h"
+#include "game/match/stage.h"
+
+namespace thaum::game {
+
+/// A device at rest.
+Grip empty_grip();
+
+/// Every tick: the hand's target, the servo step, the device.
+void add_touch_system(Stage& stage, ecs::Schedule& schedule);
+
+/// A kick against the hand, half a sine wave: `newtons` at the peak for a device that gives 3.3 N and a player who wants
+/// all of it, in proportion for any other (game.md). Writes Grip.
+void kick(Stage& stage, ecs::Entity wizard, double newtons, Tick length);
+
+/// Where the wand's tip is in the frame of the eye, m: it goes with the hand.
+vec3 wand_tip_of(const TouchRules& rules, vec3 hand);
+
+/// Hash of the forces of this tick, chained to that of the ticks before.
+std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before);
+
+}  // namespace thaum::game

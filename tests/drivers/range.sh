@@ -1,0 +1,58 @@
+#!/usr/bin/env bash
+# tests/drivers/range.sh THAUM: the range as people use it, under Xvfb with mouse and keys by xdotool, on a copy of the data
+# files. The dummy is shot; a file is edited meanwhile and read again, a wrong one is named, a right one goes on. Then a
+# recorded match, during which a file changes: nobody reads it, and the log plays again. Exits 77 where a tool is missing.
+set -euo pipefail
+. "$(dirname "$0")/screen.sh"
+thaum=$1
+need Xvfb xdotool import
+open_screen 1280x720
+cp -r "$(dirname "$0")/../../assets" "$folder/assets"
+export THAUM_ASSETS=$folder/assets
+bolt=$folder/assets/wands/bolt.toml
+fail() { echo "failed: $1"; cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; exit 1; }
+eventually() {
+    local what=$1
+    shift
+    for _ in $(seq 200); do
+        "$@" && return
+        sleep 0.05
+    done
+    fail "$what"
+}
+drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
+said() { grep -q "$1" "$folder/said"; }
+
+# 1. Shoot, edit as editors do (a new file, renamed over the old), spoil, repair.
+"$thaum" range --seconds 60 >"$folder/said" 2>&1 &
+game=$!
+eventually "no window" drawn
+sed 's/^damage = 6/damage = 50/' "$bolt" >"$bolt.new"
+mv "$bolt.new" "$bolt"
+eventually "the file was not read" said '^read wands/bolt.toml$'
+xdotool mousedown 1
+sleep 2
+xdotool mouseup 1
+import -window root "${SHOTS:-$folder}/range.png"
+sed -i 's/^damage = 50/damage = -50/' "$bolt"
+eventually "the wrong file was not named" said "bolt.toml:11: 'damage' is -50"
+xdotool key Escape
+sleep 0.5
+xdotool key q
+wait "$game" || fail "the exit code of the range"
+grep -Eq '^range: [1-9][0-9]* of [1-9][0-9]* hit' "$folder/said" || fail "nothing was hit"
+grep -Eq 'hit .*, [0-9]*[05]0 HP, [1-9][0-9]* kill' "$folder/said" || fail "not by the new damage"
+[ -z "$(find "$folder/data" -name '*.thaumlog' 2>/dev/null)" ] || fail "the range was recorded"
+
+# 2. A match that is recorded minds no file.
+cp "$(dirname "$0")/../../assets/wands/bolt.toml" "$bolt"
+"$thaum" --solo 1 --seconds 4 --record "$folder/log" >"$folder/said" 2>&1 &
+game=$!
+eventually "no window of the match" drawn
+sed -i 's/^damage = 6/damage = 50/' "$bolt"
+sleep 1.5
+sed -i 's/^damage = 50/damage = 6/' "$bolt"
+wait "$game" || fail "the exit code of the match"
+said 'read ' && fail "a recorded match read a file again"
+"$thaum" replay "$folder/log" --verify >"$folder/said" || fail "the log does not play again"
+echo "the range is shot on, and reads its files again; a recorded match does not"

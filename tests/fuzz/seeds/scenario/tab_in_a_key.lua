@@ -1,0 +1,1 @@
+match {set = {"stand	rd.seconds=1"}, players = {"script", "script"}}

@@ -1,0 +1,18 @@
+-- While the clutch is held the mouse moves the hand, 0.1 mm a count, and the view stands still; the hand stays in the device's
+-- workspace, and the wand's tip goes ten times as far.
+match {players = {"script", "script"}}
+trace("hand", {"1.hand_x", "1.hand_y", "1.yaw"})
+local me = wizard(1)
+local yaw, pitch = me:yaw(), me:pitch()
+me:hold("clutch")
+me:look(10, 5)  -- 0.05 degrees a count
+wait(0.5)
+expect_near(me:yaw(), yaw, 0, "the view stands still")
+expect_near(me:pitch(), pitch, 0)
+expect_near(me:hand().x, 0.020, 0.001, "200 counts to the right, but for what dry friction holds back")
+expect_near(me:hand().y, 0.010, 0.001, "100 up")
+me:release("clutch")
+me:look(5, 0)
+wait(0.5)
+expect(math.abs(me:yaw() - yaw) > 0.05, "now it turns the view")
+expect_near(me:hand().x, 0.020, 0.001, "and the hand stays")

@@ -1,0 +1,32 @@
+-- Anybody's panic key makes both hands' forces zero at once, and they stay so until each player presses it again.
+match {players = {"script", "script"}}
+trace("forces", {"1.force_z", "2.force_z"})
+
+local one, two = wizard(1), wizard(2)
+local function strongest(who, seconds)
+    local last, most = time() + seconds, 0
+    while time() < last do
+        tick()
+        most = math.max(most, math.abs(who:force().z))
+    end
+    return most
+end
+
+one:look(0, 40)
+one:hold("fire")
+wait_until(function() return one:force().z > 0.4 end, 1)
+two:hold("panic")
+tick()
+expect_near(one:force().z, 0, 0, "in the middle of a kick")
+expect(one:force_cause() == "panic" and two:force_cause() == "panic", "both are told why")
+two:release("panic")
+expect_near(strongest(one, 1), 0, 0, "shots go on, and are not felt")
+expect(one:shots() > 8)
+
+one:press("panic")
+expect(strongest(one, 1) > 0.5, "felt again")
+expect(one:force_cause() == "none" and two:force_cause() == "panic", "each for themselves")
+one:release("fire")
+two:press("panic")
+tick()
+expect(two:force_cause() == "none")

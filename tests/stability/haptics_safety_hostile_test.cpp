@@ -1,0 +1,88 @@
+// Hostile input: nothing makes the safety stage or the servo step let through what they must not, on any device shipped.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/file.h"
+#include "haptics/safety_audit.h"
+#include "haptics/servo.h"
+#include "tools/bench/safety_attack.h"
+
+namespace thaum::haptics {
+namespace {
+
+constexpr int attack_ticks = 200'000;
+
+std::vector<DeviceSpec> every_device() {
+    std::vector<DeviceSpec> result;
+    for (const auto& entry : std::filesystem::directory_iterator(THAUM_SOURCE_DIR "/assets/devices")) {
+        const auto toml = read_text_file(entry.path(), 1U << 16U);
+        result.push_back(*read_device(*Config::parse(*toml, entry.path().filename(), 1)));
+    }
+    return result;
+}
+
+void expect_none(const SafetyAudit& audit, const std::string& device) {
+    for (std::uint32_t i = 0; i < safety_rules; ++i) {
+        const auto rule = static_cast<SafetyRule>(i);
+        EXPECT_EQ(audit.violations(rule), 0) << device << ": " << name(rule);
+    }
+}
+
+TEST(HapticsSafetyHostile, NothingGetsThroughTheSafetyStage) {
+    const auto devices = every_device();
+    EXPECT_EQ(devices.size(), 5U);
+    for (const auto& spec : devices) {
+        bench::SafetyAttack attack(spec, 5);
+        SafetyState state;
+        SafetyAudit audit;
+        std::array<int, 9> met{};
+        int felt = 0;
+        for (int tick = 0; tick < attack_ticks; ++tick) {
+            const auto input = attack.next();
+            const vec3 output = make_safe(attack.limits(), state, input);
+            audit.record(attack.limits(), input, output);
+            ++met.at(state.cause);
+            felt += output != vec3(0) ? 1 : 0;
+        }
+        expect_none(audit, spec.name);
+        // An attack that met only shut doors would prove nothing.
+        EXPECT_GT(felt, attack_ticks / 10) << spec.name;
+        for (std::size_t cause = 0; cause < met.size(); ++cause) {
+            const bool cannot = cause == static_cast<std::size_t>(SafetyCause::warm) &&
+                                spec.continuous_force == spec.peak_force;
+            EXPECT_TRUE(cannot || met.at(cause) > 50) << spec.name << ": cause " << cause;
+        }
+    }
+}
+
+TEST(HapticsSafetyHostile, NothingGetsThroughTheServoStep) {
+    for (const auto& spec : every_device()) {
+        bench::SafetyAttack attack(spec, 17);
+        Random random{18};
+        const Servo servo{safety_limits(spec, 1)};
+        ServoState state;
+        HapticModel model;
+        const double fall = servo.limits.fastest * tick_seconds;
+        vec3 position{};
+        for (int tick = 0; tick < attack_ticks; ++tick) {
+            const auto input = attack.next();
+            if (random.below(20) == 0)
+                model.pulse = {input.wanted, static_cast<std::uint32_t>(random.below(100)),
+                               static_cast<std::uint32_t>(model.pulse.number + random.below(3))};
+            model.on = input.on;
+            model.panic = input.panic;
+            model.rearm = input.rearm;
+            position += random.uniform(-1, 1) * fall;
+            const bool lost = random.below(5000) == 0;
+            const vec3 force =
+                servo_step(servo, state, model, {lost ? input.wanted : position, input.model_age});
+            ASSERT_TRUE(is_finite(force));
+            ASSERT_LE(glm::length(force), servo.limits.cap);
+            ASSERT_TRUE((model.on && !model.panic) || force == vec3(0));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace thaum::haptics

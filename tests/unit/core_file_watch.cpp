@@ -1,0 +1,78 @@
+// Files that change under a program: each change is told once, and only when it is whole.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "core/file_watch.h"
+#include "core/text.h"
+
+namespace thaum {
+namespace {
+
+namespace fs = std::filesystem;
+using Paths = std::vector<fs::path>;
+
+class FileWatchTest : public testing::Test {
+protected:
+    FileWatchTest() { fs::create_directories(folder_); }
+    ~FileWatchTest() override { fs::remove_all(folder_); }
+
+    fs::path file(std::string_view name) const { return folder_ / name; }
+    void write(std::string_view name, std::string_view words) const { std::ofstream(file(name)) << words; }
+    /// At the look after next: when a change has stood still.
+    static Paths two_looks(FileWatch& watch) {
+        EXPECT_EQ(watch.look(), Paths());
+        return watch.look();
+    }
+
+private:
+    fs::path folder_ = fs::temp_directory_path() / text("thaum_file_watch_", ::getpid());
+};
+
+TEST_F(FileWatchTest, TellsAChangeOnceAfterItStoodStill) {
+    write("a", "one");
+    write("b", "one");
+    FileWatch watch({file("a"), file("b")});
+    EXPECT_EQ(two_looks(watch), Paths());
+    write("a", "twelve");
+    EXPECT_EQ(two_looks(watch), Paths{file("a")});
+    EXPECT_EQ(two_looks(watch), Paths());
+}
+
+TEST_F(FileWatchTest, WaitsForWhatIsStillBeingWritten) {
+    write("a", "one");
+    write("b", "one");
+    FileWatch watch({file("a"), file("b")});
+    write("a", "ready");
+    write("b", "h");
+    EXPECT_EQ(watch.look(), Paths());
+    write("b", "ha");
+    EXPECT_EQ(watch.look(), Paths()) << "b grows, so a is not told either: they may belong together";
+    write("b", "half");
+    EXPECT_EQ(two_looks(watch), (Paths{file("a"), file("b")}));
+}
+
+TEST_F(FileWatchTest, ARenamedFileIsAnotherThoughItsTimeAndSizeAreTheSame) {
+    write("a", "one");
+    FileWatch watch({file("a")});
+    write("new", "two");
+    fs::last_write_time(file("new"), fs::last_write_time(file("a")));
+    fs::rename(file("new"), file("a"));
+    EXPECT_EQ(two_looks(watch), Paths{file("a")});
+}
+
+TEST_F(FileWatchTest, WhatGoesAndComesBackIsTold) {
+    write("a", "one");
+    FileWatch watch({file("a"), file("never")});
+    fs::remove(file("a"));
+    EXPECT_EQ(two_looks(watch), Paths{file("a")});
+    fs::create_directory(file("a"));
+    EXPECT_EQ(two_looks(watch), Paths{file("a")});
+    fs::remove(file("a"));
+    write("a", "one");
+    EXPECT_EQ(two_looks(watch), Paths{file("a")});
+}
+
+}  // namespace
+}  // namespace thaum

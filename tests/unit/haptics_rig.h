@@ -1,0 +1,9 @@
+// The reference device of the haptic tests.
+#pragma once
+#include "tools/bench/z_width.h"
+
+namespace thaum::haptics {
+
+inline DeviceSpec reference_spec() { return bench::reference_device(0.5, 0); }
+
+}  // namespace thaum::haptics

@@ -1,0 +1,361 @@
+// The safety stage, a rule at a time, and the audit behind it.
+#include "haptics/safety.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "core/hash.h"
+#include "haptics/safety_audit.h"
+#include "tools/bench/safety_attack.h"
+
+namespace thaum::haptics {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+DeviceSpec omni_like() {
+    DeviceSpec spec;
+    spec.peak_force = 3.3;
+    spec.continuous_force = 0.88;
+    return spec;
+}
+
+/// A stage with its audit; a test that leaves it with a violation fails.
+struct Stage {
+    SafetyLimits limits = safety_limits(omni_like(), 1);
+    SafetyState state{};
+    SafetyAudit audit{};
+
+    Stage() = default;
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+    ~Stage() { EXPECT_EQ(audit.violations(), 0); }
+
+    vec3 feel(const SafetyInput& input) {
+        const vec3 output = make_safe(limits, state, input);
+        audit.record(limits, input, output);
+        return output;
+    }
+    vec3 feel(vec3 wanted) { return feel(SafetyInput{.wanted = wanted}); }
+    vec3 feel(const SafetyInput& input, int ticks) {
+        for (int i = 1; i < ticks; ++i) feel(input);
+        return feel(input);
+    }
+    SafetyCause cause() const { return static_cast<SafetyCause>(state.cause); }
+};
+
+TEST(HapticsSafety, LimitsComeFromTheDeviceAndThePlayersShare) {
+    const auto limits = safety_limits(omni_like(), gentle_share);
+    EXPECT_DOUBLE_EQ(limits.cap, 1.485);
+    EXPECT_DOUBLE_EQ(limits.excess, 13.2);
+    EXPECT_EQ(limits.continuous, 0.88);
+    EXPECT_EQ(limits.slew, 40);
+    for (const double none : {0.0, -1.0, not_a_number})
+        EXPECT_EQ(safety_limits(omni_like(), none).cap, 0) << none;
+    EXPECT_EQ(safety_limits(omni_like(), 7).cap, 3.3);
+}
+
+TEST(HapticsSafety, NothingIsFeltBeforeAForceInRange) {
+    Stage at_once;
+    EXPECT_NEAR(at_once.feel({2, 0, 0}).x, 0.04, 1e-12);  // the start is a switch too
+    Stage stage;
+    EXPECT_EQ(stage.feel({3.31, 0, 0}), vec3(0));
+    EXPECT_EQ(stage.cause(), SafetyCause::waiting);
+    EXPECT_EQ(stage.feel({not_a_number, 0, 0}), vec3(0));
+    EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);  // the gate opens: a switch
+    EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.08, 1e-12);
+    EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}}, 48).x, 2, 1e-12);
+    EXPECT_EQ(stage.feel({-2, 0, 0}).x, -2);  // arrived: follows freely
+    EXPECT_EQ(stage.feel({-2, 0, 0}), vec3(-2, 0, 0));
+    EXPECT_EQ(stage.cause(), SafetyCause::none);
+}
+
+TEST(HapticsSafety, TheCapKeepsTheDirectionWhateverTheSize) {
+    for (const double share : {0.0, gentle_share, 1.0}) {
+        Stage stage;
+        stage.limits = safety_limits(omni_like(), share);
+        stage.limits.excess = unlimited;
+        stage.feel(vec3(0));
+        for (const double size : {3.300001, 5.0, 1e3, 1e200, 1e308}) {
+            const vec3 force = stage.feel(size * vec3(0.6, 0, -0.8));
+            EXPECT_LE(glm::length(force), stage.limits.cap);
+            EXPECT_NEAR(glm::length(force - stage.limits.cap * vec3(0.6, 0, -0.8)), 0, 1e-12) << size;
+            EXPECT_EQ(stage.cause(), SafetyCause::capped);
+        }
+    }
+}
+
+TEST(HapticsSafety, WhatIsNotFiniteIsZero) {
+    for (const double bad : {not_a_number, unlimited, -unlimited}) {
+        Stage stage;
+        stage.feel({1, 0, 0});
+        stage.feel({.wanted = {1, 0, 0}}, 30);
+        EXPECT_EQ(stage.feel({1, bad, 0}), vec3(0));
+        EXPECT_EQ(stage.feel({1, 0, 0}).x, 1);
+        EXPECT_EQ(stage.state.excess_count, 1U);
+    }
+}
+
+TEST(HapticsSafety, ASwitchSlewsAndWithinASourceNothingIsDelayed) {
+    Stage stage;
+    stage.feel(vec3(0));
+    EXPECT_EQ(stage.feel({0, 2.5, 0}).y, 2.5);
+    const vec3 first = stage.feel({.wanted = {2.5, 0, 0}, .switched = true});
+    EXPECT_NEAR(glm::length(first - vec3(0, 2.5, 0)), 0.04, 1e-12);
+    int ticks = 1;
+    for (vec3 force = first; force != vec3(2.5, 0, 0); ++ticks) force = stage.feel({2.5, 0, 0});
+    EXPECT_EQ(ticks, static_cast<int>(std::ceil(2.5 * std::sqrt(2.0) / 0.04)));
+    EXPECT_EQ(stage.feel(vec3(0)), vec3(0));
+}
+
+TEST(HapticsSafety, OffAndPanicAreZeroAtOnceAndComeBackSlowly) {
+    Stage stage;
+    stage.feel({.wanted = {2, 0, 0}}, 60);
+    EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .on = false}), vec3(0));
+    EXPECT_EQ(stage.cause(), SafetyCause::off);
+    EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);
+    stage.feel({.wanted = {2, 0, 0}}, 60);
+    EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true}), vec3(0));
+    EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}}, 100'000), vec3(0));  // latched
+    EXPECT_EQ(stage.cause(), SafetyCause::panic);
+    // The key that is still down wins, and what is out of range keeps the gate shut.
+    EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true, .rearm = true}), vec3(0));
+    EXPECT_EQ(stage.feel({.wanted = {5, 0, 0}, .rearm = true}), vec3(0));
+    EXPECT_EQ(stage.cause(), SafetyCause::waiting);
+    EXPECT_EQ(stage.feel({5, 0, 0}), vec3(0));
+    EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);
+    // Asked for again without need, it changes nothing: a key that is held must not keep the gate shut.
+    EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}, .rearm = true}).x, 0.08, 1e-12);
+}
+
+TEST(HapticsSafety, ADeadModelRampsDownOnceAndStaysAtZero) {
+    Stage stage;
+    stage.feel({.wanted = {2, -1, 0}}, 100);
+    EXPECT_EQ(stage.feel({.wanted = {2, -1, 0}, .model_age = 20}), vec3(2, -1, 0));
+    for (std::uint32_t tick = 1; tick <= 50; ++tick) {
+        const vec3 force = stage.feel({.wanted = {3, 3, 3}, .model_age = 20 + tick});
+        EXPECT_NEAR(glm::length(force - vec3(2, -1, 0) * (1 - tick / 50.0)), 0, 1e-12) << tick;
+        EXPECT_EQ(stage.cause(), SafetyCause::stale);
+    }
+    EXPECT_EQ(stage.feel({.wanted = {2, -1, 0}, .model_age = 4'000'000'000}, 200), vec3(0));
+    EXPECT_NEAR(glm::length(stage.feel({2, -1, 0})), 0.04, 1e-12);
+    // An age that jumps does not shorten the ramp.
+    stage.feel({.wanted = {2, -1, 0}}, 100);
+    EXPECT_NEAR(stage.feel({.wanted = {2, -1, 0}, .model_age = 5000}).x, 2 * 0.98, 1e-12);
+}
+
+TEST(HapticsSafety, AHandThatFliesIsLeftAloneUntilItHasBeenSlow) {
+    for (const vec3 wild :
+         {vec3(0, 4.001, 0), vec3(1e300), vec3(not_a_number, 0, 0), vec3(0, -unlimited, 0)}) {
+        Stage stage;
+        stage.feel({.wanted = {1, 0, 0}, .velocity = {0, 0, 4}}, 60);
+        EXPECT_EQ(stage.state.output.x, 1);
+        const auto at = [](double speed) {
+            return SafetyInput{.wanted = {1, 0, 0}, .velocity = {speed, 0, 0}};
+        };
+        EXPECT_EQ(stage.feel({.wanted = {1, 0, 0}, .velocity = wild}), vec3(0));
+        EXPECT_EQ(stage.cause(), SafetyCause::over_speed);
+        EXPECT_EQ(stage.feel(at(1.9), 99), vec3(0));
+        EXPECT_EQ(stage.feel(at(2)), vec3(0));  // not slow enough: once more from the beginning
+        EXPECT_EQ(stage.feel(at(1.9), 100), vec3(0));
+        EXPECT_NEAR(stage.feel(at(1.9)).x, 0.04, 1e-12);
+    }
+}
+
+TEST(HapticsSafety, ThreeBurstsOfExcessInTenSecondsShutItOff) {
+    const vec3 calm{0.5, 0, 0}, wild{0, 14, 0};
+    const auto bursts = [&](Stage& stage, std::initializer_list<int> pauses) {
+        stage.feel({.wanted = calm}, 100);
+        stage.feel(wild);
+        for (const int pause : pauses) {
+            stage.feel({.wanted = calm}, pause);
+            stage.feel(wild);
+        }
+        return stage.cause() == SafetyCause::shut_off;
+    };
+    const auto shuts_off = [&bursts](std::initializer_list<int> pauses) {
+        Stage stage;
+        return bursts(stage, pauses);
+    };
+    EXPECT_FALSE(shuts_off({21}));
+    EXPECT_TRUE(shuts_off({20, 20}));
+    EXPECT_FALSE(shuts_off({19, 19, 19, 19, 19}));  // one long burst
+    EXPECT_TRUE(shuts_off({4999, 4999}));           // the third begins 10 s after the first
+    EXPECT_FALSE(shuts_off({4999, 5000}));
+    EXPECT_TRUE(shuts_off({9000, 2000, 100}));  // of four, the last three
+
+    Stage stage;
+    ASSERT_TRUE(bursts(stage, {100, 100}));
+    EXPECT_EQ(stage.feel({.wanted = calm}, 50'000), vec3(0));
+    EXPECT_NEAR(stage.feel({.wanted = calm, .rearm = true}).x, 0.04, 1e-12);
+    EXPECT_FALSE(bursts(stage, {100}));  // counted anew
+}
+
+TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
+    // 2.75 N for 1 s is 0.87 N over 10 s of an Omni's 0.88 N (game.md): it may just be held, with the last fifth of the
+    // budget scaling it down, and another one right after it finds the motors warm.
+    Stage stage;
+    stage.feel(vec3(0));
+    double asked = 0;
+    for (int tick = 0; tick < 1000; ++tick) {
+        const double force = stage.feel({0, 0, 2.75}).z;
+        EXPECT_TRUE(tick >= 800 || force == 2.75) << tick;
+        asked += 2.75 * 2.75;
+    }
+    EXPECT_NEAR(std::sqrt(asked / 10'000), 0.87, 0.001);
+    EXPECT_EQ(stage.cause(), SafetyCause::warm);
+    EXPECT_GT(stage.audit.warmth(), 0.84);
+    EXPECT_LT(stage.audit.warmth(), 0.88);
+    EXPECT_LT(stage.feel({0, 0, 2.75}).z, 0.75 * 2.75);
+    RecordProperty("rms_n", std::to_string(stage.audit.warmth()));
+}
+
+TEST(HapticsSafety, HeatIsSharedOutSmoothlyAndNeverTooMuch) {
+    // For a minute, with the pauses that a window of bins would mistake most: the window is slid tick by tick.
+    for (const int period : {1, 333, 500, 1499, 10'000, 60'000}) {
+        Stage stage;
+        stage.feel(vec3(0));
+        std::vector<double> squares;
+        double sum = 0, most = 0, before = 0, jump = 0;
+        bool wanted_before = false;
+        for (int tick = 0; tick < 60'000; ++tick) {
+            const bool wants = tick / period % 2 == 0;
+            const double force = stage.feel(wants ? vec3(3.3, 0, 0) : vec3(0)).x;
+            squares.push_back(force * force);
+            sum += squares.back() - (tick >= 10'000 ? squares[static_cast<std::size_t>(tick) - 10'000] : 0);
+            most = std::max(most, sum);
+            if (wants && wanted_before) jump = std::max(jump, std::abs(force - before));
+            before = force;
+            wanted_before = wants;
+        }
+        EXPECT_LE(std::sqrt(most / 10'000), 0.88) << period;
+        EXPECT_GE(std::sqrt(most / 10'000), 0.83) << period;  // and does not hold back more than it must
+        EXPECT_LE(jump, 0.1) << period;                       // N in a tick, up or down
+    }
+}
+
+TEST(HapticsSafety, TheGravestCauseIsTold) {
+    Stage stage;
+    SafetyInput input{.wanted = {5, 0, 0}};
+    stage.feel(vec3(0));
+    const auto cause = [&] { return stage.feel(input), stage.cause(); };
+    EXPECT_EQ(cause(), SafetyCause::capped);
+    input.model_age = 21;
+    EXPECT_EQ(cause(), SafetyCause::stale);
+    input.velocity = {5, 0, 0};
+    EXPECT_EQ(cause(), SafetyCause::over_speed);
+    input.on = false;
+    EXPECT_EQ(cause(), SafetyCause::off);
+    for (int burst = 0; burst < 3; ++burst) {
+        stage.feel({.on = false}, 30);
+        input.wanted = {unlimited, 0, 0};
+        cause();
+    }
+    EXPECT_EQ(cause(), SafetyCause::shut_off);
+    input.panic = true;
+    EXPECT_EQ(cause(), SafetyCause::panic);
+}
+
+TEST(HapticsSafety, TheSameTicksGiveTheSameBits) {
+    const auto run = [] {
+        bench::SafetyAttack attack(omni_like(), 11);
+        SafetyState state;
+        std::uint64_t hash = 0;
+        for (int tick = 0; tick < 20'000; ++tick) {
+            const auto input = attack.next();
+            make_safe(attack.limits(), state, input);
+            hash = hash_value(state, hash);
+        }
+        return hash;
+    };
+    EXPECT_EQ(run(), run());
+    // Those of every build and processor. A change of the rules changes them: let it be on purpose.
+    EXPECT_EQ(run(), 6046352240339807962ULL);
+}
+
+// ---- the audit can fail -------------------------------------------------------------------------------------------
+
+/// Plays a proper second of 1.5 N (quiet before), spoils what leaves, and tells what the audit saw of it.
+std::uint64_t seen(SafetyRule rule, const std::function<void(int tick, SafetyInput&)>& arrange,
+                   const std::function<vec3(int tick, vec3 output)>& spoil) {
+    const auto limits = safety_limits(omni_like(), 1);
+    SafetyState state;
+    SafetyAudit audit;
+    for (int tick = 0; tick < 1000; ++tick) {
+        SafetyInput input{.wanted = {1.5, 0, 0}};
+        arrange(tick, input);
+        audit.record(limits, input, spoil(tick, make_safe(limits, state, input)));
+    }
+    return audit.violations(rule);
+}
+
+/// What a spoiler finds is told with the same story unspoilt beside it.
+void expect_caught(SafetyRule rule, const std::function<void(int, SafetyInput&)>& arrange,
+                   const std::function<vec3(int, vec3)>& spoil) {
+    EXPECT_EQ(seen(rule, arrange, [](int, vec3 output) { return output; }), 0) << name(rule);
+    EXPECT_GT(seen(rule, arrange, spoil), 0) << name(rule);
+}
+
+TEST(HapticsSafetyAudit, SeesEveryKindOfFault) {
+    const auto as_usual = [](int, SafetyInput&) {};
+    const auto leak = [](int tick, vec3 output) { return tick < 500 ? output : output + vec3(1e-9, 0, 0); };
+    const auto from_500 = [](const std::function<void(SafetyInput&)>& change) {
+        return [change](int tick, SafetyInput& input) {
+            if (tick >= 500) change(input);
+        };
+    };
+    const auto at_500 = [](double bad) {
+        return [bad](int tick, vec3 output) { return tick == 500 ? vec3(0, bad, 0) : output; };
+    };
+    expect_caught(SafetyRule::finite, as_usual, at_500(not_a_number));
+    expect_caught(SafetyRule::finite, as_usual, at_500(-unlimited));
+    expect_caught(SafetyRule::cap, as_usual, at_500(std::nextafter(3.3, 4)));
+    expect_caught(SafetyRule::budget, as_usual, [](int, vec3) { return vec3(2.8, 0, 0); });
+    expect_caught(SafetyRule::unasked, as_usual, at_500(0.001));
+    expect_caught(SafetyRule::unasked, as_usual,
+                  [](int tick, vec3 output) { return tick == 500 ? output * 1.001 : output; });
+    const auto goes = [](int tick, SafetyInput& input) {
+        input.switched = tick == 500;
+        if (tick >= 500) input.wanted = {};
+    };
+    expect_caught(SafetyRule::slew, goes,
+                  [](int tick, vec3 output) { return tick == 500 ? output - vec3(0.001, 0, 0) : output; });
+    expect_caught(SafetyRule::slew, as_usual, [](int tick, vec3 output) {  // the gate's opening is a switch
+        return tick == 0 ? vec3(1.5, 0, 0) : output;
+    });
+    const auto dies = [](int tick, SafetyInput& input) {
+        input.model_age = static_cast<std::uint32_t>(std::max(0, tick - 480));
+    };
+    expect_caught(SafetyRule::stale, dies, leak);
+    expect_caught(SafetyRule::stale, dies,
+                  [](int tick, vec3 output) { return tick == 510 ? output * 1.05 : output; });
+    const auto starts_wild = [](int, SafetyInput& input) { input.wanted = {5, 0, 0}; };
+    expect_caught(SafetyRule::waiting, starts_wild, leak);
+    expect_caught(SafetyRule::over_speed, from_500([](SafetyInput& i) { i.velocity.z = 9; }), leak);
+    expect_caught(
+        SafetyRule::over_speed,
+        [](int tick, SafetyInput& input) { input.velocity.z = tick == 450 ? not_a_number : 0; }, leak);
+    expect_caught(SafetyRule::off, from_500([](SafetyInput& i) { i.on = false; }), leak);
+    expect_caught(
+        SafetyRule::panic, [](int tick, SafetyInput& input) { input.panic = tick == 400; }, leak);
+    const auto bursts = [](int tick, SafetyInput& input) {
+        if (tick == 300 || tick == 350 || tick == 400) input.wanted = vec3(1e300);
+    };
+    expect_caught(SafetyRule::shut_off, bursts, leak);
+}
+
+TEST(HapticsSafetyAudit, CountsTicksAndHeat) {
+    SafetyAudit audit;
+    const auto limits = safety_limits(omni_like(), 1);
+    for (int tick = 0; tick < 25'000; ++tick) audit.record(limits, {.wanted = {0.5, 0, 0}}, {0.5, 0, 0});
+    EXPECT_EQ(audit.ticks(), 25'000U);
+    EXPECT_NEAR(audit.warmth(), 0.5, 1e-12);
+    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));  // it came at once
+    for (int tick = 0; tick < 9000; ++tick) audit.record(limits, {}, {});
+    EXPECT_NEAR(audit.warmth(), 0.5 * std::sqrt(0.1), 1e-12);
+}
+
+}  // namespace
+}  // namespace thaum::haptics

@@ -1,0 +1,162 @@
+// The range in a live session: the thread that looks after its files, what is said on the screen, and that a match which is
+// recorded has no such thing.
+#include "game/app/live_practice.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "core/clock.h"
+#include "core/text.h"
+#include "game/app/live_shared.h"
+#include "game/hud/hud.h"
+
+namespace thaum::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A value of this type is one of them; a session gets nothing else (MatchStart).
+static_assert(std::is_same_v<Keeping, std::variant<std::monostate, input::LogWriter, game::RangeFiles>>);
+static_assert(std::is_same_v<decltype(MatchStart::keeping), Keeping>);
+
+class PracticeTest : public testing::Test {
+protected:
+    PracticeTest() {
+        fs::remove_all(folder_);
+        fs::copy(THAUM_SOURCE_DIR "/assets", folder_, fs::copy_options::recursive);
+    }
+    ~PracticeTest() override { fs::remove_all(folder_); }
+
+    game::RangeFiles files() const {
+        auto files = game::RangeFiles::open(folder_, {});
+        EXPECT_TRUE(files) << (files ? "" : files.error().message);
+        return std::move(*files);
+    }
+    void set_damage(std::string_view value) {
+        std::ofstream(folder_ / "wands" / "bolt.toml")
+            << bolt_.substr(0, at_) << value << bolt_.substr(at_ + 1);
+    }
+    /// Plays until somebody has said something else, in real time; false after three seconds.
+    static bool caption_changes(Practice& practice) {
+        const auto before = caption(practice).words;
+        const auto end = monotonic_ns() + 3'000'000'000;
+        while (monotonic_ns() < end) {
+            sleep_until_ns(monotonic_ns() + 10'000'000);
+            practice.adopt_reload();
+            if (caption(practice).words != before) return true;
+        }
+        return false;
+    }
+    static game::Picture picture(Practice& practice) {
+        auto picture = game::make_picture();
+        game::take_picture(practice.match(), picture);
+        practice.show(picture);
+        return picture;
+    }
+    static game::Caption caption(Practice& practice) { return picture(practice).caption; }
+    static void play(Practice& practice, double duration) {
+        for (Tick t = 0; t < ticks(duration); ++t) {
+            input::InputFrame frame;
+            frame.devices[game::dummys] = practice.dummy_sample();
+            practice.match().tick(frame);
+        }
+    }
+
+    fs::path folder_ = fs::temp_directory_path() / text("thaum_practice_", ::getpid());
+    const std::string bolt_ = [] {
+        std::ifstream in(THAUM_SOURCE_DIR "/assets/wands/bolt.toml");
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    }();
+    const std::size_t at_ = bolt_.find("damage = 6") + 9;
+};
+
+TEST_F(PracticeTest, ItsThreadReadsWhatChangedWithinASecondAndEndsAtOnce) {
+    const auto begin = monotonic_ns();
+    {
+        DataWatcher watcher(files());
+        EXPECT_EQ(watcher.take(), nullptr);
+        set_damage("12");
+        const game::Reload* reload = nullptr;
+        while (reload == nullptr && monotonic_ns() < begin + 5'000'000'000) {
+            sleep_until_ns(monotonic_ns() + 1'000'000);
+            reload = watcher.take();
+        }
+        ASSERT_NE(reload, nullptr);
+        EXPECT_TRUE(reload->data);
+        EXPECT_EQ(reload->line, "read wands/bolt.toml");
+    }
+    EXPECT_LT(monotonic_ns() - begin, 1'500'000'000) << "0.4 s on a machine that is not loaded";
+}
+
+TEST_F(PracticeTest, SaysWhatWasReadForAWhileAndWhatIsWrongUntilItIsRight) {
+    Practice practice(files(), {}, game::DummyKind::still, 1);
+    EXPECT_NE(caption(practice).words.find("nothing is recorded"), std::string::npos);
+    play(practice, 9);
+    EXPECT_EQ(caption(practice).words, "");
+    set_damage("9");
+    ASSERT_TRUE(caption_changes(practice));
+    EXPECT_EQ(caption(practice).words, "read wands/bolt.toml");
+    EXPECT_FALSE(caption(practice).fault);
+    play(practice, 5);
+    EXPECT_EQ(caption(practice).words, "");
+    set_damage("-9");
+    ASSERT_TRUE(caption_changes(practice));
+    EXPECT_NE(caption(practice).words.find("wands/bolt.toml:11: 'damage' is -9"), std::string::npos);
+    EXPECT_TRUE(caption(practice).fault);
+    play(practice, 30);
+    EXPECT_TRUE(caption(practice).fault) << "still wrong";
+    set_damage("8");
+    ASSERT_TRUE(caption_changes(practice));
+    EXPECT_FALSE(caption(practice).fault);
+}
+
+TEST_F(PracticeTest, AnotherDummyCountsAnew) {
+    Practice practice(files(), {}, game::DummyKind::still, 1);
+    input::InputFrame firing;
+    firing.devices[game::practising].press(input::Button::fire);
+    for (int t = 0; t < 1500; ++t) practice.match().tick(firing);
+    EXPECT_EQ(practice.score().find("0 of 0"), std::string::npos) << practice.score();
+    EXPECT_EQ(picture(practice).practice.dummy.find("still dummy: "), 0U);
+    practice.set_dummy(game::DummyKind::strafing);
+    EXPECT_EQ(practice.score().find("0 of 0"), 0U);
+    EXPECT_EQ(picture(practice).practice.dummy.find("strafing dummy: "), 0U);
+}
+
+bool shows(const render::Overlay& overlay, std::string_view words) {
+    for (const auto& item : overlay.items) {
+        const auto* one = std::get_if<render::TextItem>(&item);
+        if (one != nullptr && one->text.find(words) != std::string::npos) return true;
+    }
+    return false;
+}
+
+TEST_F(PracticeTest, ItsScoreStandsInThePlaceOfAMatchsAndTheCaptionInTheWindow) {
+    Practice practice(files(), {}, game::DummyKind::shooting, 1);
+    auto shown = picture(practice);
+    const game::HudSettings settings{.watch = game::Watch::first};
+    render::Overlay overlay;
+    game::make_overlay(shown, settings, {1280, 720}, overlay);
+    EXPECT_TRUE(shows(overlay, "0 of 0 hit"));
+    EXPECT_TRUE(shows(overlay, "shooting dummy: 100 HP"));
+    EXPECT_FALSE(shows(overlay, "first to"));
+    shown.caption.words = std::string(300, 'm');
+    for (const double scale : {1.0, 2.5}) {
+        game::make_overlay(shown, {.watch = game::Watch::first, .text_scale = scale}, {1280, 720}, overlay);
+        EXPECT_TRUE(shows(overlay, shown.caption.words));
+        for (const auto& item : overlay.items) {
+            const auto* words = std::get_if<render::TextItem>(&item);
+            if (words != nullptr && words->text == shown.caption.words) {
+                EXPECT_LT(words->size, 1280.0F / (0.6F * 300)) << "a long line shrinks";
+            }
+            const auto* panel = std::get_if<render::RectItem>(&item);
+            if (panel != nullptr) {
+                EXPECT_GE(panel->low.x, 0);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace thaum::app

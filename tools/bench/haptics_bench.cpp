@@ -1,0 +1,193 @@
+// The simulated device: how stiff a wall it can touch (Z-width) beside what theory says, and what a tick costs. The safety
+// stage under attack, and what a step of the servo costs.
+#include <chrono>
+
+#include "core/hash.h"
+#include "core/text.h"
+#include "haptics/safety_audit.h"
+#include "haptics/servo.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/measure.h"
+#include "tools/bench/safety_attack.h"
+#include "tools/bench/z_width.h"
+
+namespace thaum::bench {
+namespace {
+
+void z_width(Report& report) {
+    for (const double damping : {0.2, 0.5, 1.0}) {
+        for (const int latency : {0, 1, 2}) {
+            const auto spec = reference_device(damping, latency);
+            const double simulated = simulated_limit(spec), exact = exact_limit(spec);
+            report.rows.push_back(
+                {.area = "haptics",
+                 .name = "z_width",
+                 .setting = {{"model", std::string("reference")},
+                             {"damping_n_s_per_m", damping},
+                             {"delay_ticks", std::int64_t{latency}}},
+                 .error = ErrorMeasure{"relative_to_exact_limit", std::abs(simulated / exact - 1)},
+                 .is_default = damping == 0.5 && latency == 0,
+                 .metrics = {{"stiffness_n_per_m", simulated},
+                             {"exact_limit_n_per_m", exact},
+                             {"passive_bound_n_per_m", passive_stiffness(damping, latency)}}});
+        }
+    }
+}
+
+/// What a device is put through, and so which way through a tick is taken.
+struct Motion {
+    const char* name;
+    double friction;  // N
+    double swing;     // m, of the target
+    int period;       // ticks
+};
+constexpr std::array motions{Motion{"frictionless", 0, 0.03, 400}, Motion{"sliding", 0.26, 0.03, 400},
+                             Motion{"held", 0.26, 0, 400}, Motion{"stop_and_go_every_tick", 0.26, 0.005, 2}};
+constexpr int motion_ticks = 4000;
+
+haptics::SimulatedState play(const Motion& motion) {
+    auto spec = reference_device(0.5, 1);
+    spec.coulomb_friction = motion.friction;
+    const auto device = haptics::simulated_device(spec, {});
+    auto state = haptics::resting_at({});
+    for (int tick = 0; tick < motion_ticks; ++tick) {
+        const int phase = tick % motion.period;
+        const double triangle = std::abs(2.0 * phase / motion.period - 1);
+        state = haptics::step(device, state, motion.swing * vec3(triangle, -triangle, 0.5 * triangle),
+                              vec3(0, 0.05, 0));
+    }
+    return state;
+}
+
+void simulated_ticks(const Options& options, Report& report) {
+    std::array<haptics::SimulatedState, motions.size()> ends;
+    std::vector<Contestant> contestants;
+    for (std::size_t i = 0; i < motions.size(); ++i)
+        contestants.push_back({{}, [&end = ends[i], &motion = motions[i]] { end = play(motion); }});
+    auto samples = measure(contestants, {.seconds = options.quick ? 0.5 : 3.0, .least = 11});
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+        for (double& us : samples[i]) us /= motion_ticks;
+        report.rows.push_back({.area = "haptics",
+                               .name = "simulated",
+                               .setting = {{"motion", std::string(motions[i].name)}},
+                               .time_us = times(samples[i]),
+                               .hash = hex(hash_value(ends[i]))});
+    }
+}
+
+// ---- safety and servo ----------------------------------------------------------------------------------------------
+
+/// The figures of assets/devices that the safety stage reads.
+struct DeviceLimits {
+    const char* name;
+    double peak, continuous;  // N
+};
+constexpr std::array device_limits{DeviceLimits{"touch", 3.3, 0.88}, DeviceLimits{"omni", 3.3, 0.88},
+                                   DeviceLimits{"premium", 8.5, 1.4}, DeviceLimits{"falcon", 8, 3},
+                                   DeviceLimits{"omega3", 12, 12}};
+
+haptics::DeviceSpec spec_of(const DeviceLimits& device) {
+    haptics::DeviceSpec spec;
+    spec.name = device.name;
+    spec.peak_force = device.peak;
+    spec.continuous_force = device.continuous;
+    return spec;
+}
+
+/// In blocks, so that the clock is read around the stage alone: neither the attack nor the audit counts.
+constexpr std::size_t block_ticks = 1000;
+
+struct AttackBlock {
+    std::array<haptics::SafetyLimits, block_ticks> limits{};
+    std::array<haptics::SafetyInput, block_ticks> inputs{};
+    std::array<vec3, block_ticks> outputs{};
+};
+
+/// us of a tick.
+double run_block(AttackBlock& block, haptics::SafetyState& state) {
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t i = 0; i < block_ticks; ++i)
+        block.outputs[i] = haptics::make_safe(block.limits[i], state, block.inputs[i]);
+    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
+    return took.count() / block_ticks;
+}
+
+void safety_hostile(const Options& options, Report& report) {
+    const int blocks = options.quick ? 100 : 1000;
+    for (const auto& device : device_limits) {
+        SafetyAttack attack(spec_of(device), 1);
+        haptics::SafetyState state;
+        haptics::SafetyAudit audit;
+        AttackBlock block;
+        std::vector<double> samples;
+        double felt = 0;
+        for (int b = 0; b < blocks; ++b) {
+            for (std::size_t i = 0; i < block_ticks; ++i) {
+                block.inputs[i] = attack.next();
+                block.limits[i] = attack.limits();
+            }
+            samples.push_back(run_block(block, state));
+            for (std::size_t i = 0; i < block_ticks; ++i) {
+                audit.record(block.limits[i], block.inputs[i], block.outputs[i]);
+                felt += block.outputs[i] != vec3(0) ? 1 : 0;
+            }
+        }
+        const auto ticks = static_cast<double>(audit.ticks());
+        report.rows.push_back({.area = "haptics",
+                               .name = "safety_hostile",
+                               .setting = {{"model", std::string(device.name)}},
+                               .time_us = times(samples),
+                               .metrics = {{"ticks", ticks},
+                                           {"violations", static_cast<double>(audit.violations())},
+                                           {"felt_share", felt / ticks}},
+                               .hash = hex(hash_value(state))});
+    }
+}
+
+struct ServoLoad {
+    const char* name;
+    std::uint32_t every, length;  // ticks; 0: no pulses
+};
+constexpr std::array servo_loads{ServoLoad{"quiet", 0, 0}, ServoLoad{"bolts", 125, 15},
+                                 ServoLoad{"four_pulses", 25, 100}};
+constexpr std::uint32_t servo_ticks = 20'000;
+
+haptics::ServoState play(const ServoLoad& load) {
+    const haptics::Servo servo{haptics::safety_limits(spec_of(device_limits[0]), 1)};
+    haptics::ServoState state;
+    haptics::HapticModel model;
+    for (std::uint32_t tick = 0; tick < servo_ticks; ++tick) {
+        if (load.every != 0 && tick % load.every == 0)
+            model.pulse = {{0, 0.1, 0.2}, load.length, model.pulse.number + 1};
+        const double x = 1e-5 * (tick % 100);
+        do_not_optimise(haptics::servo_step(servo, state, model, {{x, 0, -x}, 0}));
+    }
+    return state;
+}
+
+void servo_steps(const Options& options, Report& report) {
+    std::array<haptics::ServoState, servo_loads.size()> ends;
+    std::vector<Contestant> contestants;
+    for (std::size_t i = 0; i < servo_loads.size(); ++i)
+        contestants.push_back({{}, [&end = ends[i], &load = servo_loads[i]] { end = play(load); }});
+    auto samples = measure(contestants, {.seconds = options.quick ? 0.3 : 2.0, .least = 11});
+    for (std::size_t i = 0; i < servo_loads.size(); ++i) {
+        for (double& us : samples[i]) us /= servo_ticks;
+        report.rows.push_back({.area = "haptics",
+                               .name = "servo",
+                               .setting = {{"motion", std::string(servo_loads[i].name)}},
+                               .time_us = times(samples[i]),
+                               .hash = hex(hash_value(ends[i]))});
+    }
+}
+
+}  // namespace
+
+void haptics(const Options& options, Report& report) {
+    z_width(report);
+    simulated_ticks(options, report);
+    safety_hostile(options, report);
+    servo_steps(options, report);
+}
+
+}  // namespace thaum::bench

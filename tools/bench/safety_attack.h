@@ -1,0 +1,101 @@
+// tools/bench/safety_attack.h: what nothing sane would ask of the safety stage, for the tests and the benchmark. It goes
+// through phases: pure noise alone would keep the stage shut off or cut out, and never meet it warm, slewing or ramping.
+#pragma once
+#include <limits>
+
+#include "core/random.h"
+#include "haptics/safety.h"
+
+namespace thaum::bench {
+
+class SafetyAttack {
+public:
+    SafetyAttack(const haptics::DeviceSpec& spec, std::uint64_t seed) : spec_(spec), random_{seed} {
+        begin_phase();
+    }
+
+    haptics::SafetyInput next() {
+        if (left_-- == 0) begin_phase();
+        ++at_;
+        age_ = next_age();
+        return {.wanted = wanted(),
+                .velocity = velocity(),
+                .model_age = age_,
+                .switched = once_in(switches_),
+                .on = !once_in(offs_),
+                .panic = once_in(panics_),
+                .rearm = once_in(1000)};
+    }
+    /// Of the input that came last: the player changes the cap too.
+    const haptics::SafetyLimits& limits() const { return limits_; }
+
+private:
+    bool once_in(std::uint64_t n) { return n != 0 && random_.below(n) == 0; }
+    std::uint64_t one_of(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
+        const std::uint64_t which = random_.below(3);
+        return which == 0 ? a : which == 1 ? b : c;
+    }
+
+    void begin_phase() {
+        left_ = 1 + random_.below(4000);
+        kind_ = random_.below(8);
+        haste_ = random_.below(6);
+        lateness_ = random_.below(4);
+        switches_ = one_of(0, 3, 200);
+        offs_ = one_of(0, 0, 150);
+        panics_ = one_of(0, 0, 1000);
+        direction_ = {random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
+        limits_ = haptics::safety_limits(spec_, once_in(3) ? random_.uniform(-0.1, 1.1) : 1);
+    }
+
+    double hostile_number() {
+        constexpr double infinite = std::numeric_limits<double>::infinity();
+        switch (random_.below(9)) {
+            case 0: return std::numeric_limits<double>::quiet_NaN();
+            case 1: return random_.below(2) == 0 ? infinite : -infinite;
+            case 2: return random_.uniform(-1, 1) * 1e300;
+            case 3: return random_.uniform(-1, 1) * 1e-310;
+            case 4: return -0.0;
+            case 5: return random_.uniform(-1, 1) * 5 * spec_.peak_force;
+            default: return random_.uniform(-1, 1) * spec_.peak_force;
+        }
+    }
+    vec3 hostile_vector() { return {hostile_number(), hostile_number(), hostile_number()}; }
+
+    vec3 wanted() {
+        const double peak = spec_.peak_force;
+        const auto phase = static_cast<double>(at_ % 250) / 250;
+        switch (kind_) {
+            case 0: return hostile_vector();
+            case 1: return once_in(60) ? hostile_vector() : peak * direction_;
+            case 2: return 2 * peak * direction_;                                 // hot
+            case 3: return (at_ / 40 % 2 == 0 ? 3.0 : -3.0) * peak * direction_;  // to and fro
+            case 4: return peak * (1 - std::abs(4 * phase - 2)) * direction_;     // a triangle
+            case 5: return at_ % 1500 < 300 ? peak * direction_ : vec3(0);        // held and let go
+            case 6: return {peak * random_.uniform(-1, 1), 0, peak * random_.uniform(-1, 1)};
+            default: return once_in(50) ? vec3(-0.0) : 0.2 * peak * direction_;
+        }
+    }
+
+    vec3 velocity() {
+        const double fastest = limits_.fastest;
+        if (haste_ == 0 && once_in(300)) return hostile_vector();
+        if (haste_ == 1 && once_in(500)) return {0, fastest * random_.uniform(0.9, 1.1), 0};
+        return fastest * 0.55 * (once_in(50) ? direction_ : 0.3 * direction_);
+    }
+
+    std::uint32_t next_age() {
+        if (lateness_ == 0) return static_cast<std::uint32_t>(random_.below(30));  // jumps
+        if (lateness_ > 1 || once_in(60)) return 0;
+        return once_in(500) ? std::numeric_limits<std::uint32_t>::max() - 1 : age_ + 1;
+    }
+
+    haptics::DeviceSpec spec_;
+    Random random_;
+    haptics::SafetyLimits limits_{};
+    std::uint64_t left_{}, at_{}, kind_{}, haste_{}, lateness_{}, switches_{}, offs_{}, panics_{};
+    vec3 direction_{};
+    std::uint32_t age_{};
+};
+
+}  // namespace thaum::bench
