@@ -19,12 +19,15 @@
 //
 // The best kink to start from is tried before 1, which settles most small sets. Where 1 fails at two paces, the proxy descends
 // from kink to kink. Why not always: that needs the steepest direction where several kinks meet, which is this problem again.
-// Coordinates are relative to a point on the nearest kink, since a unit vector m / |m| is only as good as m.
+// Coordinates are relative to a point on the nearest kink, since a unit vector m / |m| is only as good as m. Should all fail, or
+// the steps run out, the smoothed problem's best forces and place remain, whose duality gap bounds their error.
 
 namespace thaum::haptics {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+bool spent(int steps) { return steps >= balance_step_budget; }
 
 // ---- symmetric 3 by 3 matrices -------------------------------------------------------------------------------------
 
@@ -76,6 +79,7 @@ struct Term {
     vec3 offset;
     vec3 dual;           ///< y: the term pulls with -y; |y| <= strength
     vec3 distance;       ///< m = P x - offset where it was last asked for
+    double rounding;     ///< m: of the coordinates of its position
     std::size_t source;  ///< index in the set
     bool held;           ///< x is taken to lie on its kink
 };
@@ -105,7 +109,6 @@ struct Problem {
     mat3 axes{1};       ///< these columns
     vec3 target{};      ///< N: stiffness * (centre - origin) + load, in this frame
     double strength{};  ///< N, of all terms together
-    double rounding{};  ///< m: of positions; what is nearer touches
 };
 
 std::span<Term> terms_of(Problem& problem) { return {problem.terms.items.data(), problem.terms.count}; }
@@ -120,6 +123,17 @@ vec3 project(const Term& term, vec3 v) {
 void add_projector(Symmetric& m, const Term& term, double weight) {
     add_identity(m, weight * term.identity);
     add_dyad(m, weight * term.dyad, term.q);
+}
+
+vec3 world_of(const Problem& problem, vec3 x) { return problem.origin + problem.axes * x; }
+
+double rounding_of(vec3 position) { return 16 * epsilon * (1e-30 + glm::length(position)); }
+
+/// Whether x is as near to the kink as the two can be told apart in the world's coordinates. Those of the place where x
+/// would be without the terms do not count: that may be 1e12 times as far off.
+bool touches(const Term& term, double rounding_of_x) {
+    const double least = std::max(term.rounding, rounding_of_x);
+    return glm::dot(term.distance, term.distance) <= least * least;
 }
 
 void measure_distances(Problem& problem, vec3 x) {
@@ -137,6 +151,7 @@ Term term_of(const Primitive& primitive, std::size_t source) {
     term.q = term.direction = primitive.direction;
     term.strength = primitive.strength;
     term.position = primitive.position;
+    term.rounding = rounding_of(primitive.position);
     term.source = source;
     switch (primitive.kind) {
         case PrimitiveKind::point:
@@ -340,7 +355,7 @@ Symmetric restricted(const Symmetric& m, const Flat& flat, double stiffness) {
 bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix, int& steps) {
     const double rounding = 4 * epsilon * (problem.strength + glm::length(problem.target));
     double before = std::numeric_limits<double>::infinity();
-    for (;;) {
+    while (!spent(steps)) {
         const vec3 slope = flat.along(smooth_gradient(problem, x, matrix));
         const double size = glm::length(slope);
         if (size <= rounding) return true;
@@ -350,20 +365,57 @@ bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix,
         x -= flat.along(solve(restricted(matrix, flat, problem.stiffness), slope, problem.stiffness));
         ++steps;
     }
+    return false;
 }
 
 // ---- 3: the proof --------------------------------------------------------------------------------------------------
 
 /// How far the held kinks miss x, m; zero where it is the rounding of positions.
 double spread_of_held(Problem& problem, vec3 x) {
+    const double rounding = rounding_of(world_of(problem, x));
     double spread = 0;
     for (Term& term : terms_of(problem)) {
         if (!term.held) continue;
         term.distance = project(term, x) - term.offset;
-        spread = std::max(spread, glm::dot(term.distance, term.distance));
+        if (!touches(term, rounding)) spread = std::max(spread, glm::dot(term.distance, term.distance));
     }
-    spread = std::sqrt(spread);
-    return spread <= problem.rounding ? 0 : spread;
+    return std::sqrt(spread);
+}
+
+/// Distances at x and forces within the strengths.
+void tidy(Problem& problem, vec3 x) {
+    for (Term& term : terms_of(problem)) {
+        term.distance = project(term, project(term, x) - term.offset);
+        term.dual = project(term, term.dual);
+        limit_dual(term);
+    }
+}
+
+/// The residual at x, N, whatever was held: every force becomes the one that its primitive exerts there, where x does not
+/// touch it.
+double residual_at(Problem& problem, vec3 x) {
+    tidy(problem, x);
+    const double rounding = rounding_of(world_of(problem, x));
+    vec3 missing = problem.stiffness * x - problem.target;
+    for (Term& term : terms_of(problem)) {
+        if (!touches(term, rounding))
+            term.dual = term.distance * (term.strength / glm::length(term.distance));
+        missing += term.dual;
+    }
+    return glm::length(missing);
+}
+
+/// The bound of the error, N, with the forces as they are: f is by k/2 |x - minimum|^2 above its minimum, and the dual
+/// problem's value at these forces is below it.
+double duality_bound(Problem& problem, vec3 x) {
+    tidy(problem, x);
+    vec3 missing = problem.stiffness * x - problem.target;
+    double gap = 0;
+    for (const Term& term : terms_of(problem)) {
+        missing += term.dual;
+        gap += std::max(0.0, term.strength * glm::length(term.distance) - glm::dot(term.dual, term.distance));
+    }
+    return std::sqrt(glm::dot(missing, missing) + 2 * problem.stiffness * gap);
 }
 
 /// Spreads what is missing over the held terms by the room each has left, and again what did not fit. What is left, N.
@@ -427,8 +479,24 @@ void move_origin(Problem& problem, vec3& x) {
     measure_distances(problem, x);
 }
 
+/// Whether the origin is so far off that distances at x are not known to the rounding of the coordinates.
+bool origin_is_far(const Problem& problem, vec3 x) {
+    return glm::dot(x, x) > 16 * (1e-60 + glm::dot(world_of(problem, x), world_of(problem, x)));
+}
+
 void guess_held(Problem& problem, double square) {
     for (Term& term : terms_of(problem)) term.held = glm::dot(term.distance, term.distance) < square;
+}
+
+/// Newton's method on the flat, from a nearer origin where x has gone far from this one.
+bool minimise_near(Problem& problem, Flat& flat, vec3& x, Symmetric& matrix, int& steps) {
+    for (int frames = 0;; ++frames) {
+        if (!minimise_on(problem, flat, x, matrix, steps)) return false;
+        if (frames == 3 || !origin_is_far(problem, x)) return true;
+        measure_distances(problem, x);
+        move_origin(problem, x);
+        flat = flat_of_held(problem, x);
+    }
 }
 
 /// Lets go of the kinks whose force is at its limit, and goes down the way that is left, to where the minimum would be
@@ -475,40 +543,36 @@ void align(Problem& problem, vec3& x) {
     measure_distances(problem, x);
 }
 
-/// Steps 2 and 3 from the smoothed state, whose kinks are held up to a distance. The residual is infinite where no
-/// guess from there is right.
+/// Steps 2 and 3 from the smoothed state, whose kinks are held up to a distance: the best of up to four guesses. The residual
+/// is infinite where none from there is right; then spread tells whether because the held kinks do not meet.
 Answer settled(const Problem& smoothed, vec3 x, double square, double accepted, int& steps) {
-    Answer answer{smoothed, x};
+    Answer best, answer{smoothed, x};
     Problem& problem = answer.problem;
     move_origin(problem, answer.x);
     guess_held(problem, square);
     for (int tries = 0; tries < 4; ++tries) {
-        const Flat flat = flat_of_held(problem, answer.x);
-        answer.spread = spread_of_held(problem, answer.x);
-        if (answer.spread > 0) return answer;
+        Flat flat = flat_of_held(problem, answer.x);
+        best.spread = spread_of_held(problem, answer.x);
+        if (best.spread > 0) break;
         Symmetric matrix;
-        if (!minimise_on(problem, flat, answer.x, matrix, steps)) return answer;
+        if (!minimise_near(problem, flat, answer.x, matrix, steps)) break;
         for (Term& term : terms_of(problem)) {
             if (!term.held) term.dual = term.distance * (term.strength / glm::length(term.distance));
         }
         const vec3 missing = balance_held(problem, answer.x);
-        answer.residual = glm::length(missing);
-        if (answer.residual <= accepted || !release(problem, matrix, missing, answer.x)) break;
+        answer.residual = residual_at(problem, answer.x);
+        if (answer.residual < best.residual) best = answer;
+        if (best.residual <= accepted || !release(problem, matrix, missing, answer.x)) break;
     }
-    return answer;
+    return best;
 }
 
-/// How far the terms can move x from where it is without them; at least the rounding, and a little more.
+/// How far the terms can move x from where it is without them; at least the rounding there.
 double length_of(Problem& problem) {
     double farthest = 0;
     for (const Term& term : terms_of(problem)) farthest = std::max(farthest, glm::length(term.distance));
-    return std::max(std::min(problem.strength / problem.stiffness, farthest), 4 * problem.rounding);
-}
-
-double rounding_of(Problem& problem) {
-    double size = 1e-30 + glm::length(problem.centre) + glm::length(problem.load) / problem.stiffness;
-    for (const Term& term : terms_of(problem)) size = std::max(size, glm::length(term.position));
-    return 16 * epsilon * size;
+    return std::max(std::min(problem.strength / problem.stiffness, farthest),
+                    4 * rounding_of(problem.centre));
 }
 
 double energy(Problem& problem, vec3 x) {
@@ -547,17 +611,21 @@ double next_smoothing(Problem& problem, double smoothing, bool good, const Pace&
     return std::clamp((good ? pace.good : pace.poor) * 3 * gap, pace.least * smoothing, 3 * smoothing);
 }
 
+/// Few sets take more; from then on the smoothed answer itself is kept too, should the proof never succeed.
+constexpr int hard_rounds = 12;
+
 /// From x on, until the proof succeeds. Improves on `best`.
 void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& best, int& steps) {
     double length = length_of(problem);
     x = start_of(problem, x);
     measure_distances(problem, x);
     // Often the best start is held where it is.
-    const Answer first = settled(problem, x, 4 * problem.rounding * problem.rounding, accepted, steps);
+    const double touching = 2 * rounding_of(world_of(problem, x));
+    const Answer first = settled(problem, x, touching * touching, accepted, steps);
     if (first.residual < best.residual) best = first;
     if (best.residual <= accepted) return;
     double smoothing = 0.3 * length;
-    for (int round = 0; round < pace.rounds; ++round) {
+    for (int round = 0; round < pace.rounds && !spent(steps); ++round) {
         if (problem.strength > 1e6 * problem.stiffness * smoothing) {
             move_origin(problem, x);
             guess_held(problem, smoothing * std::max(length, 9 * smoothing));
@@ -565,6 +633,10 @@ void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& 
         }
         const bool good = smoothed_step(problem, x, smoothing);
         ++steps;
+        if (round >= hard_rounds) {
+            const double bound = duality_bound(problem, x);
+            if (bound < best.residual) best = {problem, x, bound};
+        }
         if (round >= 3) {
             const double square = smoothing * std::max(length, 9 * smoothing);
             const Answer answer = settled(problem, x, square, accepted, steps);
@@ -586,12 +658,13 @@ void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& 
 // It serves a few sets in a million, such as kinks that miss each other by a billionth of the rest.
 
 /// The least sum of the gradient and the held forces: each in turn takes the best of its own. Converges to it.
-vec3 least_missing(Problem& problem, vec3 x) {
+vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     const vec3 gradient = problem.stiffness * x - problem.target;
     vec3 missing = gradient;
     for (const Term& term : terms_of(problem)) missing += term.dual;
     const double rounding = epsilon * problem.strength;
     for (int round = 0; round < 200; ++round) {
+        if (round % 16 == 15) ++steps;  // as dear as one
         double change = 0;
         for (Term& term : terms_of(problem)) {
             if (!term.held) continue;
@@ -620,15 +693,19 @@ double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Te
 }
 
 /// The first kink between low and high that the step runs into, and where.
-Term* first_hit(Problem& problem, vec3 step, double rounding, double low, double& high) {
+Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     Term* result = nullptr;
+    const double rounding = rounding_of(world_of(problem, x));
     for (Term& term : terms_of(problem)) {
         const vec3 moved = project(term, step);
         const double square = glm::dot(moved, moved);
         // Where it starts on a kink, that has been let go of.
-        if (term.held || square == 0 || glm::length(term.distance) <= rounding) continue;
+        if (term.held || square == 0 || touches(term, rounding)) continue;
         const double t = -glm::dot(term.distance, moved) / square;
-        if (!(t > low && t < high) || glm::length(term.distance + t * moved) > rounding) continue;
+        if (!(t > low && t < high)) continue;
+        Term there = term;
+        there.distance += t * moved;
+        if (!touches(there, rounding_of(world_of(problem, x + t * step)))) continue;
         high = t;
         result = &term;
     }
@@ -637,12 +714,11 @@ Term* first_hit(Problem& problem, vec3 step, double rounding, double low, double
 
 /// Goes along the step to the lowest place, which may be a kink: that is then held. At most eight times the step.
 void go_down(Problem& problem, vec3& x, vec3 step) {
-    const double rounding = problem.rounding;
     const double fall = -sharp_slope(problem, x, step, 0, nullptr);
     double low = 0, high = 8;
     for (int hits = 0; hits < 16; ++hits) {
         double t = high;
-        Term* const hit = first_hit(problem, step, rounding, low, t);
+        Term* const hit = first_hit(problem, x, step, low, t);
         const double jump = hit == nullptr ? 0 : hit->strength * glm::length(project(*hit, step));
         const double slope = sharp_slope(problem, x, step, t, hit);
         if (slope - jump < 0 && slope + jump > 0) {
@@ -667,15 +743,15 @@ void go_down(Problem& problem, vec3& x, vec3 step) {
 /// Holds whatever x touches.
 void hold_touched(Problem& problem, vec3 x) {
     measure_distances(problem, x);
-    const double rounding = problem.rounding;
-    for (Term& term : terms_of(problem)) term.held = term.held || glm::length(term.distance) <= rounding;
+    const double rounding = rounding_of(world_of(problem, x));
+    for (Term& term : terms_of(problem)) term.held = term.held || touches(term, rounding);
 }
 
 Answer descended(Problem problem, vec3 x, double accepted, int& steps) {
     Answer best;
     double before = std::numeric_limits<double>::infinity();
     for (Term& term : terms_of(problem)) term.held = false;
-    for (int tries = 0; tries < 40; ++tries, ++steps) {
+    for (int tries = 0; tries < 40 && !spent(steps); ++tries, ++steps) {
         measure_distances(problem, x);
         move_origin(problem, x);
         hold_touched(problem, x);
@@ -695,8 +771,8 @@ Answer descended(Problem problem, vec3 x, double accepted, int& steps) {
         for (Term& term : terms_of(problem)) {
             if (!term.held) term.dual = term.distance * (term.strength / glm::length(term.distance));
         }
-        const vec3 missing = least_missing(problem, x);
-        const double residual = glm::length(missing);
+        const vec3 missing = least_missing(problem, x, steps);
+        const double residual = residual_at(problem, x);
         if (residual < best.residual) best = {problem, x, residual};
         vec3 there = x;
         if (residual <= accepted || !release(problem, matrix, missing, there)) break;
@@ -711,14 +787,13 @@ Answer solved(Problem problem, int& steps) {
     const vec3 x = problem.load / problem.stiffness;
     measure_distances(problem, x);
     if (problem.terms.count == 0) return {problem, x, 0};
-    problem.rounding = rounding_of(problem);
     const double accepted = 256 * epsilon * (problem.strength + glm::length(problem.load));
     Answer best;
     static constexpr std::array paces{Pace{0.1, 0.3, 0.01, 24}, Pace{0.3, 1, 0.05, 60},
                                       Pace{0.5, 1, 0.2, 150}};
     for (const Pace& pace : paces) {
         follow(problem, x, pace, accepted, best, steps);
-        if (best.residual <= accepted) return best;
+        if (best.residual <= accepted || spent(steps)) return best;
     }
     const Answer other = descended(problem, start_of(problem, x), accepted, steps);
     return other.residual < best.residual ? other : best;
