@@ -70,7 +70,7 @@ struct Spring {
     double stiffness{};  ///< k, N/m, 1e-6 to 1e9
 };
 
-/// Spring and damper between probe and proxy (eq. 3).
+/// Spring and damper between probe and proxy (eq. 3), within the ranges of Spring.
 struct ProxyCoupling {
     double stiffness{};  ///< k, N/m, > 0
     double damping{};    ///< D, N s/m, >= 0
