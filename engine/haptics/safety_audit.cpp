@@ -94,9 +94,9 @@ void SafetyAudit::watch_latches(const SafetyLimits& limits, const SafetyInput& i
 
 void SafetyAudit::watch_hand(const SafetyLimits& limits, const SafetyInput& input) {
     const double speed = is_finite(input.velocity) ? size_of(input.velocity) : HUGE_VAL;
-    const bool in_hurry = speed > limits.fastest || (last_hurry_ != 0 && speed >= limits.fastest / 2);
-    if (in_hurry) last_hurry_ = now_;
     if (now_ - last_hurry_ > calm_after) last_hurry_ = 0;
+    const bool cut_out = last_hurry_ != 0;
+    if (speed > limits.fastest || (cut_out && speed >= limits.fastest / 2)) last_hurry_ = now_;
 }
 
 void SafetyAudit::watch_model(const SafetyInput& input) {

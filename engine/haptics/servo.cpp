@@ -13,7 +13,7 @@ vec3 tip_velocity(ServoState& state, vec3 position) {
     const vec3 oldest = full ? ring[state.next_position] : ring[0];
     const std::uint32_t span = state.samples;
     ring[state.next_position] = position;
-    state.next_position = (state.next_position + 1) % velocity_window;
+    state.next_position = static_cast<std::uint32_t>((state.next_position + 1) % velocity_window);
     if (!full) ++state.samples;
     if (span == 0) return is_finite(position) ? vec3(0) : position;
     return (position - oldest) / (span * tick_seconds);
@@ -33,7 +33,7 @@ bool start_pulse(ServoState& state, const Pulse& pulse) {
     PlayingPulse& slot = state.pulses[state.next_pulse];
     const bool cuts_off = playing(slot);
     slot = {pulse.peak, pulse.length, 0};
-    state.next_pulse = (state.next_pulse + 1) % pulses_at_once;
+    state.next_pulse = static_cast<std::uint32_t>((state.next_pulse + 1) % pulses_at_once);
     return cuts_off;
 }
 

@@ -3,6 +3,7 @@
 
 #include "game/app/live_shared.h"
 #include "render/pace.h"
+#include "render/priority.h"
 
 namespace thaum::app {
 
@@ -170,6 +171,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Render
 void run_render(const LivePlan& plan, LiveShared& shared) {
     shared.window.make_current();
     if (auto renderer = render::Renderer::create(plan.assets)) {
+        if (render::is_software(renderer->device())) render::draw_behind_others();
         draw_until_stopped(plan, shared, *renderer);
     } else {
         shared.render_error = renderer.error();

@@ -137,7 +137,7 @@ TEST(HapticsServo, TheVelocityIsThatOfTheWindow) {
     // A sample that is read twice, as from a device that is served slower, and an encoder's quantum are no speed.
     Rig rig;
     for (int tick = 0; tick < 200; ++tick) {
-        rig.sample.position.y = 0.02 * (tick / 8);
+        if (tick % 8 == 0) rig.sample.position.y += 0.02;
         rig.feel();
         EXPECT_EQ(rig.cause(), SafetyCause::none);
     }

@@ -341,9 +341,9 @@ protected:
     RangeFilesTest() {
         fs::remove_all(folder_);
         fs::create_directories(folder_);
-        for (const auto* part : {"arenas", "rules", "wands", "wizards", "bots"})
+        for (const auto* part : {"arenas", "rules", "wands", "wizards", "bots", "devices"})
             fs::copy(assets() / part, folder_ / part, fs::copy_options::recursive);
-        fs::copy(assets() / "range.toml", folder_);
+        for (const auto* file : {"range.toml", "haptics.toml"}) fs::copy(assets() / file, folder_);
         auto files = RangeFiles::open(folder_, {});
         EXPECT_TRUE(files) << (files ? "" : files.error().message);
         files_.emplace(std::move(*files));

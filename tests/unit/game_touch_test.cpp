@@ -1,0 +1,157 @@
+// What hands feel in a match: each kick against its closed form, on other devices and caps too, seen through the tables and
+// the hashes that a log keeps.
+#include <algorithm>
+
+#include "core/text.h"
+#include "game/match/tables.h"
+#include "game/match/touch.h"
+#include "haptics/safety_audit.h"
+#include "unit/game_duel.h"
+
+namespace thaum::game::test {
+namespace {
+
+constexpr double recoil_length = 0.015;  // s, as assets/wands/bolt.toml says
+constexpr Tick after_the_last = ticks(recoil_length) + gameplay_period;
+
+const Grip& grip_of(const Simulation& match, std::uint32_t player) {
+    return match.world().get<Grip>(wizard_of(match.world(), player));
+}
+
+/// A match of one scripted hand that holds what buttons it is told to.
+struct Hands {
+    explicit Hands(std::vector<std::string> overrides = {})
+        : match(duel_data(std::move(overrides)),
+                {.seed = 1,
+                 .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},
+                             {.player = 1, .kind = input::DeviceKind::script, .name = "two"}}}) {}
+    void hold(Tick ticks, std::uint32_t buttons, std::int32_t right = 0) {
+        for (Tick t = 0; t < ticks; ++t) {
+            input::InputFrame frame;
+            frame.devices[0].buttons = buttons;
+            frame.devices[0].counts[input::hand::look_right] = right;
+            match.tick(frame);
+            impulse += grip_of(match, 0).servo.safety.output.z * tick_seconds;
+            greatest = std::max(greatest, grip_of(match, 0).servo.safety.output.z);
+        }
+    }
+    void shoot(Tick ticks) {
+        hold(ticks, input::bit(input::Button::fire));
+        hold(after_the_last, 0);
+    }
+    double shots() const { return match.world().get<WandBelt>(wizard_of(match.world(), 0)).fired; }
+
+    Simulation match;
+    double impulse = 0, greatest = 0;
+};
+
+struct Arm {
+    std::string_view device;
+    double peak;  // N
+};
+constexpr std::array arms{Arm{"touch", 3.3}, Arm{"omni", 3.3}, Arm{"premium", 8.5}, Arm{"falcon", 8},
+                          Arm{"omega3", 12}};
+
+TEST(Touch, EveryShotKicksWithTheImpulseOfItsHalfSine) {
+    for (const auto& arm : arms) {
+        for (const double share : {0.2, 0.45, 1.0}) {
+            Hands hands({text("haptics.device=\"", arm.device, "\""), text("haptics.share=", share)});
+            hands.shoot(500);
+            ASSERT_GE(hands.shots(), 4) << arm.device;
+            const double peak = 1.2 / 3.3 * arm.peak * share;
+            const double impulse = hands.shots() * 2 / pi * peak * recoil_length;
+            EXPECT_NEAR(hands.impulse, impulse, 1e-12 * impulse) << arm.device << " " << share;
+            EXPECT_LE(hands.greatest, peak) << "the mean over a tick";
+            EXPECT_GT(hands.greatest, 0.99 * peak);
+        }
+    }
+}
+
+TEST(Touch, NoShareIsNoForce) {
+    Hands hands({"haptics.share=0"});
+    hands.shoot(1000);
+    EXPECT_GE(hands.shots(), 8);
+    EXPECT_EQ(hands.impulse, 0);
+    EXPECT_EQ(hands.greatest, 0);
+    EXPECT_EQ(grip_of(hands.match, 0).device.position, vec3(0));
+}
+
+TEST(Touch, AnUnknownDeviceIsAnErrorInOneLine) {
+    for (const auto* device : {"\"spoon\"", "\"../wands/bolt\"", "\"\"", "3"}) {
+        DataChoice choice;
+        choice.overrides = {text("haptics.device=", device)};
+        const auto data = load_match_data(assets(), choice);
+        ASSERT_FALSE(data) << device;
+        EXPECT_EQ(data.error().message.find('\n'), std::string::npos) << data.error().message;
+    }
+}
+
+TEST(Touch, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
+    Hands hands;
+    const auto gaze = [&] { return hands.match.world().get<Gaze>(wizard_of(hands.match.world(), 0)).yaw; };
+    const double yaw = gaze();
+    const auto clutch = input::bit(input::Button::clutch);
+    hands.hold(100, clutch, 2);
+    hands.hold(400, clutch);
+    EXPECT_EQ(gaze(), yaw);
+    EXPECT_NEAR(grip_of(hands.match, 0).device.position.x, 200 * 1e-4, 0.26 / 400) << "friction / stiffness";
+    hands.hold(300, clutch, 1'000'000'000);
+    EXPECT_LE(grip_of(hands.match, 0).device.position.x, 0.08);
+    hands.hold(10, 0, 2);
+    EXPECT_NE(gaze(), yaw);
+}
+
+TEST(Touch, TheHashOfForcesSeesAForceThatTheStateNoLongerShows) {
+    Hands one, two;
+    one.hold(64, 0);
+    two.hold(64, 0);
+    const auto two_wizard = wizard_of(two.match.world(), 0);
+    two.match.world_to_change().get<Grip>(two_wizard).kick = {vec3(0, 0, 0.1), 1, 7};
+    one.hold(1, 0);
+    two.hold(1, 0);
+    two.match.world_to_change().get<Grip>(two_wizard) =
+        std::as_const(one.match).world().get<Grip>(wizard_of(one.match.world(), 0));
+    EXPECT_EQ(one.match.state_hash(), two.match.state_hash());
+    EXPECT_NE(one.match.force_hash(), two.match.force_hash());
+    one.hold(64, 0);
+    two.hold(64, 0);
+    EXPECT_EQ(one.match.force_hash(), two.match.force_hash()) << "a new stretch of 128 ticks has begun";
+}
+
+TEST(Touch, ARowOfForcesSaysWhatTheHandHad) {
+    Hands hands;
+    hands.hold(3, input::bit(input::Button::fire));
+    std::string row;
+    append_forces(hands.match, row);
+    std::string expected = text(hands.match.now(), ",0.003");
+    for (std::uint32_t player = 0; player < players; ++player) {
+        const auto& grip = grip_of(hands.match, player);
+        const vec3 x = grip.device.position, f = grip.servo.safety.output;
+        append_text(expected, text(",", x.x, ",", x.y, ",", x.z, ",", f.x, ",", f.y, ",", f.z, ",none"));
+    }
+    EXPECT_EQ(row, expected + "\n");
+    const auto header = forces_header();
+    EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
+}
+
+/// What the bots' hands were told, against cap, budget and finiteness: what was wanted is not known here.
+TEST(Touch, TheAuditFindsNothingInAMinuteOfBots) {
+    auto duel = make_duel(5);
+    const auto& data = duel.match->data();
+    const auto limits = haptics::safety_limits(data.device, data.touch.share);
+    std::array<haptics::SafetyAudit, players> audits;
+    double felt = 0;
+    for (int tick = 0; tick < 60'000; ++tick) {
+        duel.run(1);
+        for (std::uint32_t p = 0; p < players; ++p) {
+            const vec3 told = grip_of(*duel.match, p).servo.safety.output;
+            audits[p].record(limits, {.wanted = told}, told);
+            felt = std::max(felt, glm::length(told));
+        }
+    }
+    EXPECT_GT(felt, 0.5);
+    for (const auto& audit : audits) EXPECT_EQ(audit.violations(), 0U);
+}
+
+}  // namespace
+}  // namespace thaum::game::test
