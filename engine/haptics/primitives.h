@@ -89,7 +89,7 @@ struct Balance {
     /// N: bounds the error of force and of stiffness * proxy, whatever the set. Infinite where the spring is out of range.
     ///
     /// Solved where it is <= 1e-9: then it is what is left of the sum of all forces, each being one that its primitive can
-    /// exert at x. Of random sets at the scale of a hand (0.01 m, 3 N, 300 N/m) all are, and of degenerate ones all but 6 in
+    /// exert at x. Of random sets at the scale of a hand (0.01 m, 3 N, 300 N/m) all are, and of degenerate ones all but 3 in
     /// a million, whose kinks meet, or nearly, in a place that holds x at the end of their strengths: at most 1 mN was left.
     /// Where strength / stiffness is 1e12 times the set's size, one in a thousand is left, and by any amount.
     double residual{};

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 #include "accuracy/primitives_judge.h"
 #include "haptics/primitives.h"
@@ -147,8 +146,8 @@ TEST(PrimitivesRandom, ItDependsOnNothingButItsArguments) {
     const Balance first = balance(c.set, c.spring);
     for (int i = 0; i < 100; ++i) balance(sets::random_case(random, 8, {}).set, c.spring);
     const Balance second = balance(c.set, c.spring);
-    EXPECT_EQ(std::memcmp(&first.proxy, &second.proxy, sizeof first.proxy), 0);
-    EXPECT_EQ(std::memcmp(&first.force, &second.force, sizeof first.force), 0);
+    EXPECT_EQ(first.proxy, second.proxy);
+    EXPECT_EQ(first.force, second.force);
 }
 
 TEST(PrimitivesRandom, ScalesFromTinyToHuge) {
