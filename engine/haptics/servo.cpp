@@ -1,5 +1,7 @@
 #include "haptics/servo.h"
 
+#include <cmath>
+
 namespace thaum::haptics {
 namespace {
 
@@ -45,6 +47,33 @@ vec3 play_pulses(ServoState& state) {
     return force;
 }
 
+// ---- primitives ---------------------------------------------------------------------------------------------------
+
+/// N; above, the balance was cut short. The spring to the best proxy is then the better of its two forces: it is right
+/// wherever the proxy is, also where only the shares of the primitives are unknown.
+constexpr double solved_residual = 1e-9;
+
+/// True where the set came, went or jumped.
+bool note_set(ServoState& state, const HapticModel& model) {
+    const auto count = static_cast<std::uint32_t>(model.primitives.items().size());
+    const bool jumped = count != state.primitives || (count != 0 && model.set_number != state.set_number);
+    state.set_number = count == 0 ? 0 : model.set_number;
+    return jumped;
+}
+
+/// Moves the proxy to where spring and primitives balance. On the hand, N; none where the tip's place is no number or out of
+/// range, and after that the coupling begins anew.
+vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3 velocity) {
+    const vec3 before = state.primitives == 0 ? tip : state.proxy;
+    const Spring spring = effective_spring(model.coupling, tip, velocity, before, tick_seconds);
+    const Balance found = balance(model.primitives, spring);
+    const bool usable = std::isfinite(found.residual);
+    state.primitives = usable ? static_cast<std::uint32_t>(model.primitives.items().size()) : 0;
+    state.proxy = usable ? found.proxy : tip;
+    if (!usable) return vec3(0);
+    return found.residual <= solved_residual ? found.force : spring.stiffness * (found.proxy - spring.centre);
+}
+
 }  // namespace
 
 /// (n/pi) (cos(pi k/n) - cos(pi (k+1)/n)), as the product that does not subtract two numbers which are nearly equal.
@@ -56,13 +85,20 @@ double half_sine(std::uint32_t at, std::uint32_t length) {
 
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample) {
     const vec3 velocity = tip_velocity(state, sample.position);
-    const bool switched = start_pulse(state, model.pulse);
-    const vec3 force = play_pulses(state);
+    const bool cut_off = start_pulse(state, model.pulse);
+    const bool jumped = note_set(state, model);
+    vec3 force = play_pulses(state);
+    if (model.primitives.items().empty()) {
+        state.proxy = sample.position;
+        state.primitives = 0;
+    } else {
+        force += feel_primitives(state, model, sample.position, velocity);
+    }
     return make_safe(servo.limits, state.safety,
                      {.wanted = force,
                       .velocity = velocity,
                       .model_age = sample.model_age,
-                      .switched = switched,
+                      .switched = cut_off || jumped,
                       .on = model.on,
                       .panic = model.panic,
                       .rearm = model.rearm});

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "core/maths.h"
+#include "haptics/primitives.h"
 #include "haptics/safety.h"
 
 namespace thaum::haptics {
@@ -29,6 +30,10 @@ struct HapticModel {
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< somebody's panic key is down
     bool rearm{};
+    std::uint32_t
+        set_number{};  ///< another one where the primitives jump, which is a switch; not where they glide
+    PrimitiveSet primitives{};                 ///< device frame, m; empty, the usual case: they cost nothing
+    ProxyCoupling coupling{.stiffness = 300};  ///< of the tip to the proxy that the primitives act on
 };
 
 /// What a device measured.
@@ -56,13 +61,17 @@ struct ServoState {
     SafetyState safety{};
     std::array<vec3, velocity_window> positions{};  ///< a ring of the last samples
     std::array<PlayingPulse, pulses_at_once> pulses{};
+    vec3 proxy{};  ///< m, device frame; the tip where there are no primitives
     std::uint32_t next_position{};
     std::uint32_t samples{};     ///< so far, up to velocity_window
     std::uint32_t last_pulse{};  ///< number of the newest that was started
     std::uint32_t next_pulse{};
+    std::uint32_t primitives{};  ///< how many acted in the last tick
+    std::uint32_t set_number{};  ///< of these
 };
 static_assert(sizeof(ServoState) == sizeof(SafetyState) + velocity_window * sizeof(vec3) +
-                                        pulses_at_once * sizeof(PlayingPulse) + 4 * sizeof(std::uint32_t));
+                                        pulses_at_once * sizeof(PlayingPulse) + sizeof(vec3) +
+                                        6 * sizeof(std::uint32_t));
 
 /// The force for the device, N, device frame.
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample);

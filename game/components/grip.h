@@ -38,9 +38,10 @@ constexpr auto fields_of(const PlayingPulse*) {
 constexpr auto fields_of(const ServoState*) {
     using S = ServoState;
     return std::tuple(ecs::field("safety", &S::safety), ecs::field("positions", &S::positions),
-                      ecs::field("pulses", &S::pulses), ecs::field("next_position", &S::next_position),
-                      ecs::field("samples", &S::samples), ecs::field("last_pulse", &S::last_pulse),
-                      ecs::field("next_pulse", &S::next_pulse));
+                      ecs::field("pulses", &S::pulses), ecs::field("proxy", &S::proxy),
+                      ecs::field("next_position", &S::next_position), ecs::field("samples", &S::samples),
+                      ecs::field("last_pulse", &S::last_pulse), ecs::field("next_pulse", &S::next_pulse),
+                      ecs::field("primitives", &S::primitives), ecs::field("set_number", &S::set_number));
 }
 
 }  // namespace thaum::haptics

@@ -1,10 +1,11 @@
-// The servo step: pulses and the tip's velocity.
+// The servo step: pulses, the tip's velocity, primitives.
 #include "haptics/servo.h"
 
 #include <gtest/gtest.h>
 
 #include "core/hash.h"
 #include "core/random.h"
+#include "tools/bench/primitive_sets.h"
 
 namespace thaum::haptics {
 namespace {
@@ -175,10 +176,12 @@ TEST(HapticsServo, FlagsAndAgeReachTheSafetyStage) {
 }
 
 TEST(HapticsServo, TheSameTicksGiveTheSameBits) {
-    const auto run = [] {
+    std::uint64_t forces = 0;
+    const auto run = [&forces] {
         Rig rig;
         Random random{3};
         std::uint64_t hash = 0;
+        forces = 0;
         for (int tick = 0; tick < 5000; ++tick) {
             rig.sample.position = {random.uniform(0, 0.01), 0, random.uniform(0, 0.01)};
             if (random.below(40) == 0) {
@@ -188,12 +191,176 @@ TEST(HapticsServo, TheSameTicksGiveTheSameBits) {
                 rig.feel();
             }
             hash = hash_value(rig.state, hash);
+            forces = hash_value(rig.state.safety.output, forces);
+            EXPECT_EQ(rig.state.proxy, rig.sample.position);
         }
         return hash;
     };
     EXPECT_EQ(run(), run());
     // Those of every build and processor. A change of the rules changes them: let it be on purpose.
-    EXPECT_EQ(run(), 8627562975896150790ULL);
+    EXPECT_EQ(run(), 7462858250967530967ULL);
+    EXPECT_EQ(forces, 5567616457624824949ULL);  // as they were before there were primitives
+}
+
+// ---- primitives ---------------------------------------------------------------------------------------------------
+
+PrimitiveSet primitives_of(std::initializer_list<Primitive> list) {
+    PrimitiveSet set;
+    for (const Primitive& p : list) EXPECT_EQ(set.add(p), PrimitiveFault::none);
+    return set;
+}
+Primitive floor_plane(double strength) { return {PrimitiveKind::plane, {}, {0, 1, 0}, strength}; }
+
+/// A rig whose tip is at a place, and felt it long enough for the slew limit to be done.
+Rig rig_at(vec3 position, const PrimitiveSet& set, double stiffness = 300, double damping = 0) {
+    Rig rig;
+    rig.model.primitives = set;
+    rig.model.coupling = {stiffness, damping};
+    rig.sample.position = position;
+    for (int tick = 0; tick < 200; ++tick) rig.feel();
+    return rig;
+}
+
+void expect_force(Rig& rig, vec3 force) {
+    EXPECT_LT(glm::length(rig.feel() - force), 1e-12) << rig.state.safety.output.y;
+    EXPECT_EQ(rig.cause(), SafetyCause::none);
+}
+
+TEST(HapticsServo, AStrongPlaneStopsTheHandWithStiffnessTimesDepth) {
+    for (const double damping : {0.0, 2.0}) {
+        Rig above = rig_at({0.01, 0.002, 0.03}, primitives_of({floor_plane(100)}), 300, damping);
+        expect_force(above, {});
+        EXPECT_LT(glm::length(above.state.proxy - vec3(0.01, 0.002, 0.03)), 1e-15);
+        for (const double depth : {1e-6, 0.001, 0.005}) {
+            // The hand rests: the damper adds nothing.
+            Rig pressed = rig_at({0.01, -depth, 0.03}, primitives_of({floor_plane(100)}), 300, damping);
+            expect_force(pressed, {0, 300 * depth, 0});
+            EXPECT_LT(glm::length(pressed.state.proxy - vec3(0.01, 0, 0.03)), 1e-12);
+        }
+    }
+    Rig through = rig_at({0, -0.005, 0}, primitives_of({floor_plane(0.5)}));  // it yields beyond its strength
+    expect_force(through, {0, 0.5, 0});
+}
+
+TEST(HapticsServo, ADirectedForcePushesAndPointAndLinePull) {
+    Rig directed = rig_at({0.01, 0, 0}, primitives_of({{PrimitiveKind::directed, {}, {0, 0, 1}, 0.4}}));
+    expect_force(directed, {0, 0, 0.4});
+    EXPECT_LT(glm::length(directed.state.proxy - vec3(0.01, 0, 0.4 / 300)), 1e-15);
+    const auto point = primitives_of({{PrimitiveKind::point, {}, {}, 0.6}});  // captures within 2 mm
+    Rig held = rig_at({0.001, 0, 0}, point), far = rig_at({0.03, 0, 0.04}, point);
+    expect_force(held, {-0.3, 0, 0});
+    expect_force(far, {-0.36, 0, -0.48});
+    Rig line = rig_at({0.03, 5, 0.04}, primitives_of({{PrimitiveKind::line, {}, {0, 1, 0}, 0.6}}));
+    expect_force(line, {-0.36, 0, -0.48});
+}
+
+TEST(HapticsServo, PrimitivesAndPulsesAdd) {
+    Rig rig = rig_at({0, -0.001, 0}, primitives_of({floor_plane(100)}));
+    const vec3 force = rig.feel_pulse({0.4, 0, 0}, 1);
+    EXPECT_LT(glm::length(force - vec3(0.4 * 2 / pi, 0.3, 0)), 1e-12);
+}
+
+TEST(HapticsServo, ASetThatComesGoesOrJumpsIsASwitchAndOneThatGlidesIsNot) {
+    Rig rig = rig_at({0, -0.005, 0}, {});
+    const auto largest_change = [&rig] {
+        double most = 0;
+        for (int tick = 0; tick < 100; ++tick) {
+            const vec3 before = rig.state.safety.output;
+            most = std::max(most, glm::length(rig.feel() - before));
+        }
+        return most;
+    };
+    const double slew = rig.servo.limits.slew * tick_seconds;
+    const auto expect_walk_to = [&](double force) {
+        EXPECT_NEAR(largest_change(), slew, 1e-12);
+        EXPECT_NEAR(rig.state.safety.output.y, force, 1e-12);
+    };
+    rig.model.primitives = primitives_of({floor_plane(100)});
+    expect_walk_to(1.5);
+    rig.model.primitives = primitives_of({floor_plane(100), {PrimitiveKind::directed, {}, {1, 0, 0}, 0.5}});
+    expect_walk_to(1.5);
+    EXPECT_NEAR(rig.state.safety.output.x, 0.5, 1e-12);
+    rig.model.primitives = primitives_of({floor_plane(0.2), {PrimitiveKind::directed, {}, {0, 1, 0}, 0.1}});
+    ++rig.model.set_number;
+    expect_walk_to(0.3);
+    rig.model.primitives.clear();
+    expect_walk_to(0);
+    EXPECT_EQ(rig.state.proxy, rig.sample.position);
+
+    rig = rig_at({0, -0.001, 0}, primitives_of({floor_plane(100)}));
+    rig.model.primitives = primitives_of({{PrimitiveKind::plane, {0, 0.001, 0}, {0, 1, 0}, 100}});
+    expect_force(rig, {0, 0.6, 0});  // at once: 300 N/s
+}
+
+TEST(HapticsServo, APlaneCreatesNoMoreThanTheDelayOfATickDoes) {
+    // Of a spring whose force comes a tick late, convexity gives 0 <= work on the hand <= stiffness / 2 * sum |dx|^2.
+    for (const double speed : {0.01, 0.05, 0.2}) {  // m/s
+        for (const double strength : {100.0, 0.5}) {
+            Rig rig = rig_at({0, 0.003, 0}, primitives_of({floor_plane(strength)}));
+            double work = 0, bound = 0, most = 0;
+            double direction = -1;
+            while (direction < 0 || rig.sample.position.y < 0.003) {
+                const vec3 force = rig.feel();
+                if (rig.sample.position.y < -0.004) direction = 1;
+                const vec3 moved(0.3 * speed * tick_seconds, direction * speed * tick_seconds, 0);
+                rig.sample.position += moved;
+                work += glm::dot(force, moved);
+                most = std::max(most, force.y);
+                bound += 300 / 2.0 * glm::dot(moved, moved);
+            }
+            EXPECT_NEAR(most, std::min(strength, 1.2), 0.065) << speed;
+            EXPECT_GE(work, -1e-12) << speed;
+            EXPECT_LE(work, bound) << speed;
+            EXPECT_LE(work, 300 / 2.0 * 0.004 * 2.1 * speed * tick_seconds * 1.2) << speed;
+        }
+    }
+}
+
+TEST(HapticsServo, DampingTakesEnergyFromAHandThatPressesAPlane) {
+    const auto work_of = [](double damping) {
+        Rig rig = rig_at({0, 0.003, 0}, primitives_of({floor_plane(100)}), 300, damping);
+        double work = 0;
+        for (int tick = 0; tick < 1000; ++tick) {
+            const vec3 force = rig.feel();
+            const double y = -0.003 * std::cos(2 * pi * (tick + 1) / 250.0 - pi);
+            work += force.y * (y - rig.sample.position.y);
+            rig.sample.position.y = y;
+        }
+        return work;
+    };
+    EXPECT_LT(work_of(2), work_of(0) - 1e-4);
+}
+
+TEST(HapticsServo, ASetWithoutABalanceOrAPlaceGivesNoForceAndIsForgotten) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const ProxyCoupling coupling : {ProxyCoupling{0, 0}, ProxyCoupling{nan, 0}, ProxyCoupling{300, nan},
+                                         ProxyCoupling{-1, 0}, ProxyCoupling{1e300, 1e300}}) {
+        Rig rig =
+            rig_at({0, -0.001, 0}, primitives_of({floor_plane(100)}), coupling.stiffness, coupling.damping);
+        EXPECT_EQ(rig.feel(), vec3(0));
+        rig.model.coupling = {300, 1};
+        for (int tick = 0; tick < 50; ++tick) rig.feel();
+        expect_force(rig, {0, 0.3, 0});
+    }
+    Rig rig = rig_at({0, -0.001, 0}, primitives_of({floor_plane(100)}), 300, 1);
+    rig.sample.position.x = nan;
+    EXPECT_EQ(rig.feel(), vec3(0));
+    rig.sample.position.x = 0;
+    for (int tick = 0; tick < 300; ++tick) EXPECT_TRUE(is_finite(rig.feel()));
+    expect_force(rig, {0, 0.3, 0});
+}
+
+TEST(HapticsServo, HardSetsAreFeltWithinTheCapAndTheBudget) {
+    Random random{12};
+    Rig rig;
+    for (int tick = 0; tick < 5000; ++tick) {
+        if (tick % 10 == 0) rig.model.primitives = sets::random_case(random, 16, {1e6, 1e-9, 1}).set;
+        rig.sample.position = sets::random_position(random, 1e-3);
+        const vec3 force = rig.feel();
+        ASSERT_TRUE(is_finite(force));
+        ASSERT_LE(glm::length(force), 3.3);
+        ASSERT_TRUE(is_finite(rig.state.proxy));
+    }
 }
 
 }  // namespace

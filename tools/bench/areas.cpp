@@ -6,8 +6,11 @@ namespace thaum::bench {
 
 std::span<const Area> areas() {
     static constexpr std::array list{
-        Area{"ecs", ecs},   Area{"tick", tick, soak}, Area{"physics", physics},   Area{"replay", replay},
-        Area{"skip", skip}, Area{"render", render},   Area{"coupling", coupling}, Area{"haptics", haptics},
+        Area{"ecs", ecs},           Area{"tick", tick, soak},
+        Area{"physics", physics},   Area{"replay", replay},
+        Area{"skip", skip},         Area{"render", render},
+        Area{"coupling", coupling}, Area{"primitives", primitives},
+        Area{"haptics", haptics},
     };
     return list;
 }

@@ -7,6 +7,7 @@ namespace thaum::bench {
 void ecs(const Options& options, Report& report);
 void tick(const Options& options, Report& report);
 void physics(const Options& options, Report& report);
+void primitives(const Options& options, Report& report);
 void replay(const Options& options, Report& report);
 /// The stress of `tick`.
 void soak(const Options& options, Report& report);

@@ -147,15 +147,31 @@ void safety_hostile(const Options& options, Report& report) {
 struct ServoLoad {
     const char* name;
     std::uint32_t every, length;  // ticks; 0: no pulses
+    bool primitives = false;
 };
 constexpr std::array servo_loads{ServoLoad{"quiet", 0, 0}, ServoLoad{"bolts", 125, 15},
-                                 ServoLoad{"four_pulses", 25, 100}};
+                                 ServoLoad{"four_pulses", 25, 100}, ServoLoad{"four_primitives", 0, 0, true}};
+
+/// One of each kind: a floor, a snap, a groove that leads to it and a wind.
+haptics::PrimitiveSet four_primitives() {
+    using enum haptics::PrimitiveKind;
+    haptics::PrimitiveSet set;
+    set.add({plane, {0, -0.0002, 0}, {0, 1, 0}, 2});
+    set.add({point, {0.0005, 0, 0}, {}, 0.1});
+    set.add({line, {}, {1, 0, 0}, 0.1});
+    set.add({directed, {}, {0, -1, 0}, 0.1});
+    return set;
+}
 constexpr std::uint32_t servo_ticks = 20'000;
 
 haptics::ServoState play(const ServoLoad& load) {
     const haptics::Servo servo{haptics::safety_limits(spec_of(device_limits[0]), 1)};
     haptics::ServoState state;
     haptics::HapticModel model;
+    if (load.primitives) {
+        model.primitives = four_primitives();
+        model.coupling = {.stiffness = 300, .damping = 1};
+    }
     for (std::uint32_t tick = 0; tick < servo_ticks; ++tick) {
         if (load.every != 0 && tick % load.every == 0)
             model.pulse = {{0, 0.1, 0.2}, load.length, model.pulse.number + 1};

@@ -1,0 +1,242 @@
+// Random and degenerate sets: the residual, judged anew; the laws of a proximal map; brute force.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "accuracy/primitives_judge.h"
+#include "haptics/primitives.h"
+#include "tools/bench/primitive_sets.h"
+
+namespace thaum::haptics {
+namespace {
+
+using sets::Case;
+using sets::Scale;
+
+/// m: what a position in the box is known to; far more than its rounding, far less than an encoder's quantum.
+double touching(const Scale& scale) { return 1e-13 * (scale.size + scale.strength / scale.stiffness); }
+
+struct Worst {
+    double residual = 0;
+    double fault = 0;
+    void add(const Case& c, const Scale& scale) {
+        const Balance found = balance(c.set, c.spring);
+        residual = std::max(residual, found.residual);
+        fault = std::max(fault, sets::fault(c.set, c.spring, found, touching(scale)));
+    }
+};
+
+TEST(PrimitivesRandom, AHundredThousandSetsBalanceWithinANanonewton) {
+    Random random{1};
+    const Scale scale;
+    Worst worst;
+    for (int i = 0; i < 100'000; ++i) worst.add(sets::random_case(random, 1 + random.below(8), scale), scale);
+    EXPECT_LE(worst.residual, 1e-9);
+    EXPECT_LE(worst.fault, 1e-9);
+}
+
+TEST(PrimitivesRandom, SixteenPrimitivesBalance) {
+    Random random{2};
+    const Scale scale;
+    Worst worst;
+    for (int i = 0; i < 5'000; ++i) worst.add(sets::random_case(random, 16, scale), scale);
+    EXPECT_LE(worst.residual, 1e-9);
+    EXPECT_LE(worst.fault, 1e-9);
+}
+
+double f(const PrimitiveSet& set, const Spring& spring, vec3 x) {
+    const vec3 d = x - spring.centre;
+    double result = spring.stiffness / 2 * glm::dot(d, d);
+    for (const Primitive& p : set.items()) {
+        const vec3 m = x - p.position;
+        const double along = glm::dot(m, p.direction);
+        switch (p.kind) {
+            case PrimitiveKind::directed: result -= p.strength * glm::dot(x, p.direction); break;
+            case PrimitiveKind::point: result += p.strength * glm::length(m); break;
+            case PrimitiveKind::line: result += p.strength * glm::length(m - along * p.direction); break;
+            case PrimitiveKind::plane: result += p.strength * std::max(0.0, -along); break;
+        }
+    }
+    return result;
+}
+
+/// Steps of every length in every direction, halved when none goes down.
+vec3 brute_minimum(const PrimitiveSet& set, const Spring& spring, double size, Random& random) {
+    vec3 x = spring.centre;
+    double best = f(set, spring, x);
+    for (double step = size; step > 1e-9 * size; step *= 0.7) {
+        for (int i = 0; i < 60; ++i) {
+            const vec3 there = x + step * sets::random_direction(random);
+            const double value = f(set, spring, there);
+            if (value < best) best = value, x = there;
+        }
+    }
+    return x;
+}
+
+TEST(PrimitivesRandom, NoSearchFindsALowerPlace) {
+    Random random{3};
+    const Scale scale;
+    for (int i = 0; i < 100; ++i) {
+        const Case c = sets::random_case(random, 1 + random.below(8), scale);
+        const Balance found = balance(c.set, c.spring);
+        const vec3 brute = brute_minimum(c.set, c.spring, scale.size, random);
+        const double ours = f(c.set, c.spring, found.proxy);
+        const double theirs = f(c.set, c.spring, brute);
+        ASSERT_LE(ours, theirs + 1e-15) << i;
+        // Strong convexity: |x - minimum|^2 <= 2 (f(x) - f(minimum)) / k.
+        ASSERT_LE(glm::length(brute - found.proxy), std::sqrt(2 * (theirs - ours + 1e-15) / scale.stiffness))
+            << i;
+    }
+}
+
+TEST(PrimitivesRandom, ItIsFirmlyNonExpansive) {
+    Random random{4};
+    const Scale scale;
+    for (int i = 0; i < 20'000; ++i) {
+        Case c = sets::random_case(random, 1 + random.below(8), scale);
+        const vec3 c1 = c.spring.centre;
+        const vec3 c2 =
+            c1 + scale.size * std::pow(10.0, random.uniform(-6, 0)) * sets::random_direction(random);
+        const vec3 x1 = balance(c.set, c.spring).proxy;
+        c.spring.centre = c2;
+        const vec3 x2 = balance(c.set, c.spring).proxy;
+        // |x1 - x2|^2 <= (x1 - x2).(c1 - c2), which implies |x1 - x2| <= |c1 - c2|.
+        const double rounding = 1e-14 * scale.size;
+        ASSERT_LE(glm::dot(x1 - x2, x1 - x2), glm::dot(x1 - x2, c1 - c2) + rounding * glm::length(c1 - c2))
+            << i;
+    }
+}
+
+TEST(PrimitivesRandom, ATurnedSetHasATurnedProxy) {
+    Random random{5};
+    const Scale scale;
+    for (int i = 0; i < 5'000; ++i) {
+        const Case c = sets::random_case(random, 1 + random.below(8), scale);
+        const quat turn = rotation(sets::random_direction(random), random.uniform(0, 6));
+        PrimitiveSet turned;
+        for (Primitive p : c.set.items()) {
+            p.position = turn * p.position;
+            p.direction = turn * p.direction;
+            turned.add(p);
+        }
+        const Balance a = balance(c.set, c.spring);
+        const Balance b = balance(turned, {turn * c.spring.centre, c.spring.stiffness});
+        ASSERT_LT(glm::length(turn * a.proxy - b.proxy), 1e-12) << i;
+        ASSERT_LT(glm::length(turn * a.force - b.force), 1e-9) << i;
+    }
+}
+
+TEST(PrimitivesRandom, TheOrderDoesNotMatterBeyondRounding) {
+    Random random{6};
+    const Scale scale;
+    for (int i = 0; i < 5'000; ++i) {
+        const Case c = sets::random_case(random, 8, scale);
+        PrimitiveSet reversed;
+        for (std::size_t j = 8; j-- > 0;) reversed.add(c.set.items()[j]);
+        ASSERT_LT(glm::length(balance(c.set, c.spring).force - balance(reversed, c.spring).force), 1e-9) << i;
+    }
+}
+
+TEST(PrimitivesRandom, ItDependsOnNothingButItsArguments) {
+    Random random{7};
+    const Case c = sets::random_case(random, 8, {});
+    const Balance first = balance(c.set, c.spring);
+    for (int i = 0; i < 100; ++i) balance(sets::random_case(random, 8, {}).set, c.spring);
+    const Balance second = balance(c.set, c.spring);
+    EXPECT_EQ(first.proxy, second.proxy);
+    EXPECT_EQ(first.force, second.force);
+}
+
+TEST(PrimitivesRandom, ScalesFromTinyToHuge) {
+    Random random{8};
+    for (const double stiffness : {1e-3, 1.0, 1e3, 1e6}) {
+        for (const double strength : {1e-6, 1.0, 1e3}) {
+            for (const double size : {1e-9, 1e-3, 1.0, 1e3}) {
+                const double ratio = strength / stiffness / size;
+                if (ratio > 1e8) continue;  // beyond, more is left: TheResidualIsTrueEverywhere
+                const Scale scale{strength, size, stiffness};
+                Worst worst;
+                int unsolved = 0;
+                for (int i = 0; i < 300; ++i) {
+                    const Case c = sets::random_case(random, 1 + random.below(8), scale);
+                    if (balance(c.set, c.spring).residual <= 1e-9)
+                        worst.add(c, scale);
+                    else
+                        ++unsolved;
+                }
+                EXPECT_LE(unsolved, ratio > 1e4 ? 1 : 0) << stiffness << ' ' << strength << ' ' << size;
+                EXPECT_LE(worst.fault, 1e-9 + 1e-13 * stiffness * size)
+                    << stiffness << ' ' << strength << ' ' << size;
+            }
+        }
+    }
+}
+
+TEST(PrimitivesRandom, TheResidualIsTrueEverywhere) {
+    Random random{10};
+    const auto between = [&random](double low, double high) {
+        return std::pow(10, random.uniform(std::log10(low), std::log10(high)));
+    };
+    int solved = 0;
+    constexpr int count = 20'000;
+    for (int i = 0; i < count; ++i) {
+        // Strength / stiffness is up to 1e21 times the size.
+        const Scale scale{between(1e-6, 1e6), between(1e-9, 1e5), between(1e-6, 1e9)};
+        const Case c = sets::random_case(random, 1 + random.below(16), scale);
+        const Balance found = balance(c.set, c.spring);
+        const double proven = sets::proven_bound(c.set, c.spring, found);
+        ASSERT_LE(proven, found.residual * (1 + 1e-9) + sets::bound_rounding(c.set, c.spring, found))
+            << i << ": strength " << scale.strength << ", size " << scale.size << ", stiffness "
+            << scale.stiffness;
+        ASSERT_TRUE(is_finite(found.proxy));
+        if (found.residual <= std::max(1e-9, 1e-12 * scale.strength)) ++solved;
+    }
+    EXPECT_GT(solved, 0.98 * count);
+}
+
+TEST(PrimitivesRandom, StrengthsThatDwarfTheSetAreBalancedAllTheSame) {
+    // They would carry the proxy 1e9 times the size of the set away, where its kinks could not be told apart.
+    const Scale scale{1e3, 1e-6, 1};
+    Random random{11};
+    for (int i = 0; i < 3'000; ++i) {
+        const Case c = sets::random_case(random, 1 + random.below(8), scale);
+        const Balance found = balance(c.set, c.spring);
+        if (found.residual > 1e-9) continue;
+        ASSERT_LE(sets::fault(c.set, c.spring, found, 1e-14 * (glm::length(found.proxy) + scale.size)), 1e-9)
+            << i;
+    }
+}
+
+TEST(PrimitivesRandom, TheStepBudgetHolds) {
+    // Lines that cross where the proxy is held at the very end of one's strength, of the hard sets that a million held.
+    Random random{5};
+    Scale scale;
+    int most = 0;
+    for (const double stiffness : {300.0, 1e-3, 1e-6}) {
+        scale.stiffness = stiffness;
+        scale.size = stiffness < 1 ? 1e-9 : 0.01;
+        for (int i = 0; i < 5'000; ++i) {
+            const Case c = sets::random_case(random, 1 + random.below(16), scale);
+            const Balance found = balance(c.set, c.spring);
+            most = std::max(most, found.steps);
+        }
+    }
+    EXPECT_LE(most, balance_step_budget + 13);  // 12 passes over the forces are one step's work each
+    EXPECT_GT(most, 100);
+}
+
+TEST(PrimitivesRandom, NothingIsAllocated) {
+    Random random{9};
+    const auto before = sets::allocations();
+    for (int i = 0; i < 1'000; ++i) {
+        const Case c = sets::random_case(random, 1 + random.below(16), {});
+        (void)balance(c.set, c.spring);
+    }
+    EXPECT_EQ(sets::allocations(), before);
+}
+
+}  // namespace
+}  // namespace thaum::haptics
