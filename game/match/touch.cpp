@@ -13,26 +13,21 @@ using input::Button;
 constexpr double reference_peak = 3.3;
 constexpr double metres_per_micrometre = 1e-6;
 
-/// The first press is for everybody's panic, the next takes one's own back.
-void note_panic_key(const Controls& controls, Grip& grip) {
+/// The first press is for everybody's panic, and gives true; the next takes one's own back.
+bool note_panic_key(const Controls& controls, Grip& grip) {
     const bool held = (controls.held & bit(Button::panic)) != 0;
     const bool pressed = held && grip.panic_held == 0;
     grip.panic_held = held ? 1 : 0;
-    grip.rearm = pressed && grip.servo.safety.latched != 0 ? 1 : 0;
-}
-
-bool cries_panic(const Grip& grip, const Grip& before) {
-    return grip.panic_held != 0 && before.panic_held == 0 && grip.rearm == 0;
+    const bool latched = grip.servo.safety.latched != 0;
+    grip.rearm = pressed && latched ? 1 : 0;
+    return pressed && !latched;
 }
 
 /// Whether anybody pressed the panic key just now.
 bool note_panic_keys(ecs::World& world) {
     bool panic = false;
-    world.view<const Controls, Grip>().each([&](const Controls& controls, Grip& grip) {
-        const Grip before = grip;
-        note_panic_key(controls, grip);
-        panic |= cries_panic(grip, before);
-    });
+    world.view<const Controls, Grip>().each(
+        [&](const Controls& controls, Grip& grip) { panic |= note_panic_key(controls, grip); });
     return panic;
 }
 

@@ -363,7 +363,8 @@ TEST(Silhouettes, AWandsFileNamesOneOfFive) {
         const auto source =
             text("version = 1\nslot = 1\nsilhouette = \"", name,
                  "\"\n[energy]\ncap = 1\ncost = 1\nregain_per_s = 1\n[shot]\nper_s = 8\ndamage = "
-                 "6\nspeed_m_s = 40\nspread_deg = 0.6\nlife_s = 2\nimpulse_n_s = 3\n");
+                 "6\nspeed_m_s = 40\nspread_deg = 0.6\nlife_s = 2\nimpulse_n_s = 3\n[recoil]\nforce_n = "
+                 "1\nlength_s = 0.01\n");
         const auto file = Config::parse(source, "bolt.toml", 1);
         EXPECT_TRUE(file);
         const auto wand = read_wand(wand_kinds().front(), *file);
