@@ -67,16 +67,14 @@ void take_belt(const MatchData& data, const WandBelt& belt, PlayerPicture& out) 
 }
 
 void take_force(const Simulation& match, std::uint32_t player, const Grip& grip, ForcePicture& out) {
-    constexpr std::size_t together =
-        std::tuple_size_v<ForceTrace> / std::tuple_size_v<decltype(out.strongest)>;
     const auto& trace = match.felt(player);
     out.cause = static_cast<haptics::SafetyCause>(grip.servo.safety.cause);
     out.cap = match.data().device.peak_force * match.data().touch.share;
-    // Whole columns, so that they move on and do not change; the one that still fills is left out.
-    const auto oldest = match.match().played / together * together;
+    // Whole columns, so that they move on and do not change. The ring's oldest is where the newest fills.
+    const auto fills = match.match().played / force_column;
     for (std::size_t i = 0; i < out.strongest.size(); ++i) {
-        const auto* from = &trace[(oldest + i * together) % trace.size()];
-        out.strongest[i] = *std::max_element(from, from + together);
+        const auto* from = &trace[(fills + 1 + i) * force_column % trace.size()];
+        out.strongest[i] = *std::max_element(from, from + force_column);
     }
 }
 

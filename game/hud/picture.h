@@ -53,12 +53,15 @@ struct HurtMark {
     vec3 towards{};  ///< unit, world: from the victim to where it came from; zero where that is unknown
 };
 
+/// Ticks whose strongest force is one column of the plot.
+inline constexpr std::size_t force_column = 16;
+
 /// What a player's hand has felt.
 struct ForcePicture {
     haptics::SafetyCause cause{};  ///< why it feels less than it should
     double cap{};                  ///< N, the most it can feel
-    /// N, the strongest of each 16 ticks, the oldest first.
-    std::array<float, std::tuple_size_v<ForceTrace> / 16> strongest{};
+    /// N, the strongest of each column, the oldest first; without the one that still fills.
+    std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};
 };
 
 struct PlayerPicture {

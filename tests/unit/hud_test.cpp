@@ -43,6 +43,31 @@ bool has_text(const render::Overlay& overlay, std::string_view part) {
 
 // The picture as data ---------------------------------------------------------------------------------------------------
 
+TEST(TakePicture, HoldsTheStrongestForcesOfTheLastTwoSecondsInWholeColumns) {
+    const auto match = new_match();
+    std::vector<float> felt;
+    for (const int last : {100, 2047, 2048, 2051, 3000, 5005}) {
+        while (felt.size() < static_cast<std::size_t>(last)) {
+            input::InputFrame frame;
+            frame.devices[0].press(input::Button::fire);
+            match->tick(frame);
+            const auto& trace = match->felt(0);
+            felt.push_back(trace[(match->match().played - 1) % trace.size()]);
+        }
+        const auto picture = picture_of(*match);
+        const auto& columns = picture.wizards[0].force.strongest;
+        const auto whole = felt.size() / force_column;
+        for (std::size_t back = 1; back <= columns.size(); ++back) {
+            float strongest = 0;
+            for (std::size_t t = 0; back <= whole && t < force_column; ++t)
+                strongest = std::max(strongest, felt[(whole - back) * force_column + t]);
+            EXPECT_EQ(columns[columns.size() - back], strongest) << last << " " << back;
+        }
+        EXPECT_GT(*std::max_element(columns.begin(), columns.end()), last > 300 ? 0.5F : -1.0F);
+        EXPECT_EQ(picture.wizards[1].force.strongest, ForcePicture{}.strongest);
+    }
+}
+
 TEST(TakePicture, HoldsWhatAMomentLooksLike) {
     const auto match = new_match();
     const auto p = picture_of(*match);
