@@ -52,15 +52,26 @@ std::vector<std::string> Arguments::values(std::string_view option) const {
     return found == given_.end() ? std::vector<std::string>{} : found->second;
 }
 
-Expected<double> Arguments::number(std::string_view option, double low, double high, double fallback) const {
+Expected<std::optional<double>> Arguments::number(std::string_view option, double low, double high) const {
     const auto word = value(option);
-    return word ? parse_number(*word, option, low, high) : Expected<double>(fallback);
+    if (!word) return std::nullopt;
+    return parse_number(*word, option, low, high);
+}
+
+Expected<std::optional<std::uint64_t>> Arguments::whole(std::string_view option, std::uint64_t low,
+                                                        std::uint64_t high) const {
+    const auto word = value(option);
+    if (!word) return std::nullopt;
+    return parse_whole(*word, option, low, high);
+}
+
+Expected<double> Arguments::number(std::string_view option, double low, double high, double fallback) const {
+    return number(option, low, high).map([&](const auto& given) { return given.value_or(fallback); });
 }
 
 Expected<std::uint64_t> Arguments::whole(std::string_view option, std::uint64_t low, std::uint64_t high,
                                          std::uint64_t fallback) const {
-    const auto word = value(option);
-    return word ? parse_whole(*word, option, low, high) : Expected<std::uint64_t>(fallback);
+    return whole(option, low, high).map([&](const auto& given) { return given.value_or(fallback); });
 }
 
 Expected<std::uint64_t> parse_whole(std::string_view word, std::string_view what, std::uint64_t low,

@@ -32,6 +32,10 @@ public:
     Expected<double> number(std::string_view option, double low, double high, double fallback) const;
     Expected<std::uint64_t> whole(std::string_view option, std::uint64_t low, std::uint64_t high,
                                   std::uint64_t fallback) const;
+    /// The same; nothing where the option was not given.
+    Expected<std::optional<double>> number(std::string_view option, double low, double high) const;
+    Expected<std::optional<std::uint64_t>> whole(std::string_view option, std::uint64_t low,
+                                                 std::uint64_t high) const;
 
 private:
     std::vector<std::string> plain_;

@@ -111,12 +111,12 @@ Expected<Wish> read_wish(const std::vector<std::string>& words) {
     wish.bots = *bots;
     if (arguments->has("--bots") && !wish.demo && !wish.headless)
         return fail("--bots is for --demo and --headless");
-    const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0}, 1);
+    const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0});
     if (!seed) return tl::unexpected(seed.error());
-    if (arguments->has("--seed")) wish.seed = *seed;
-    const auto duration = arguments->number("--seconds", 0.001, 36000, 60);
+    wish.seed = *seed;
+    const auto duration = arguments->number("--seconds", 0.001, 36000);
     if (!duration) return tl::unexpected(duration.error());
-    if (arguments->has("--seconds")) wish.seconds = *duration;
+    wish.seconds = *duration;
     wish.data.rules = arguments->value("--rules").value_or(wish.data.rules);
     wish.data.match = arguments->value("--match").value_or(wish.data.match);
     wish.data.arena = arguments->value("--arena").value_or(wish.data.arena);

@@ -71,12 +71,12 @@ Expected<RangeWish> read_range_wish(const std::vector<std::string>& words) {
     const auto bot = arguments->whole("--bot", 1, game::bot_levels, 3);
     if (!bot) return tl::unexpected(bot.error());
     wish.bot = static_cast<int>(*bot);
-    const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0}, 1);
+    const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0});
     if (!seed) return tl::unexpected(seed.error());
-    if (arguments->has("--seed")) wish.seed = *seed;
-    const auto duration = arguments->number("--seconds", 0.001, 36000, 60);
+    wish.seed = *seed;
+    const auto duration = arguments->number("--seconds", 0.001, 36000);
     if (!duration) return tl::unexpected(duration.error());
-    if (arguments->has("--seconds")) wish.seconds = *duration;
+    wish.seconds = *duration;
     wish.data.rules = arguments->value("--rules").value_or(wish.data.rules);
     wish.data.overrides = arguments->values("--set");
     return wish;

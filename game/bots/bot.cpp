@@ -179,6 +179,18 @@ void think(const Simulation& match, const Seat& seat, Eyes& eyes, Mind& mind, co
 
 }  // namespace
 
+BotSkill read_marksmanship(const ConfigTable& table) {
+    BotSkill skill;
+    skill.reaction = ticks(table.number("reaction_s", {0, 0.9}));
+    skill.aim_error = table.number("aim_error_deg", {0, 90}) * radians_per_degree;
+    skill.turn_speed = table.number("turn_deg_per_s", {1, 3600}) * radians_per_degree;
+    skill.view_cos = det::cos(table.number("view_deg", {1, 360}) / 2 * radians_per_degree);
+    skill.burst = ticks(table.number("burst_s", {0.01, 60}));
+    skill.rest = ticks(table.number("rest_s", {0, 60}));
+    skill.range = table.number("range_m", {0, 100});
+    return skill;
+}
+
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level) {
     if (level < 1 || level > bot_levels)
         return fail(text("there is no bot of level ", level, ", only 1 to ", bot_levels));
@@ -189,16 +201,9 @@ Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level
     if (!file) return tl::unexpected(file.error());
     const auto root = file->root();
     const Range share{0, 1}, health{0, 1000}, distance{0, 40};
-    BotSkill skill;
+    BotSkill skill = read_marksmanship(root);
     skill.level = static_cast<std::uint32_t>(level);
-    skill.reaction = ticks(root.number("reaction_s", {0, 0.9}));
-    skill.aim_error = root.number("aim_error_deg", {0, 90}) * radians_per_degree;
-    skill.turn_speed = root.number("turn_deg_per_s", {1, 3600}) * radians_per_degree;
-    skill.view_cos = det::cos(root.number("view_deg", {1, 360}) / 2 * radians_per_degree);
-    skill.burst = ticks(root.number("burst_s", {0.01, 60}));
-    skill.rest = ticks(root.number("rest_s", {0, 60}));
     skill.keep = root.number("keep_m", distance);
-    skill.range = root.number("range_m", {0, 100});
     skill.lead = root.number("lead", {0, 2});
     skill.strafe = root.number("strafe", share);
     skill.strafe_step = ticks(root.number("strafe_step_s", {0.05, 10}));

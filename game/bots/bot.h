@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "core/bytes.h"
+#include "core/config.h"
 #include "game/match/simulation.h"
 
 namespace thaum::game {
@@ -46,6 +47,9 @@ struct BotSkill {
     }
 };
 
+/// How it aims and shoots, of a level's file or of the range's: reaction_s, aim_error_deg, turn_deg_per_s, view_deg, burst_s,
+/// rest_s, range_m.
+BotSkill read_marksmanship(const ConfigTable& table);
 /// The error is one line: a level that does not exist, or what is wrong with its file.
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level);
 

@@ -19,18 +19,6 @@ Pad read_place(const ConfigTable& table, std::uint32_t player) {
             .number = player};
 }
 
-BotSkill read_skill(const ConfigTable& table) {
-    BotSkill skill;
-    skill.reaction = ticks(table.number("reaction_s", {0, 0.9}));
-    skill.aim_error = table.number("aim_error_deg", {0, 90}) * radians_per_degree;
-    skill.turn_speed = table.number("turn_deg_per_s", {1, 3600}) * radians_per_degree;
-    skill.view_cos = det::cos(table.number("view_deg", {1, 360}) / 2 * radians_per_degree);
-    skill.burst = ticks(table.number("burst_s", {0.01, 60}));
-    skill.rest = ticks(table.number("rest_s", {0, 60}));
-    skill.range = table.number("range_m", {0, 100});
-    return skill;
-}
-
 Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& match) {
     const auto source = read_text_file(assets / range_file, 1U << 16U);
     if (!source) return tl::unexpected(source.error());
@@ -41,7 +29,7 @@ Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& 
     match.arena.pads = {read_place(root.table("player"), practising),
                         read_place(root.table("dummy"), dummys)};
     const DummyRules dummy{.stride = root.table("strafing").number("stride_m", {0.5, 40}),
-                           .skill = read_skill(root.table("shooting"))};
+                           .skill = read_marksmanship(root.table("shooting"))};
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return dummy;
 }

@@ -69,7 +69,7 @@ void take_belt(const MatchData& data, const WandBelt& belt, PlayerPicture& out) 
 void take_force(const Simulation& match, std::uint32_t player, const Grip& grip, ForcePicture& out) {
     const auto& trace = match.felt(player);
     out.cause = static_cast<haptics::SafetyCause>(grip.servo.safety.cause);
-    out.cap = match.data().device.peak_force * match.data().touch.share;
+    out.cap = haptics::safety_limits(match.data().device, match.data().touch.share).cap;
     // Whole columns, so that they move on and do not change. The ring's oldest is where the newest fills.
     const auto fills = match.match().played / force_column;
     for (std::size_t i = 0; i < out.strongest.size(); ++i) {

@@ -1,7 +1,5 @@
 #include "game/match/touch.h"
 
-#include <algorithm>
-
 #include "core/hash.h"
 
 namespace thaum::game {
