@@ -4,8 +4,8 @@
 // less. The price of tables is that adding a component moves the entity to another table. What keeps it low lies
 // beside the arrays and not in them, so that iteration knows nothing of it: an edge joins two tables that differ in one
 // component and knows the arrays between which a row moves, so that it moves in one pass without any look-up; cells of
-// common sizes move through registers; and one capacity for all arrays makes "is there room" one question. Tags, which change most often, are columns of bits: they never move an entity, and a view over them
-// walks 64 rows at a time.
+// common sizes move through registers; and one capacity for all arrays makes "is there room" one question. Tags, which
+// change most often, are columns of bits: they never move an entity, and a view over them walks 64 rows at a time.
 //
 // A row is removed by moving the last row into it, so the order of rows follows from the history of the world alone.
 #pragma once
