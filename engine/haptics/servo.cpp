@@ -47,6 +47,16 @@ vec3 play_pulses(ServoState& state) {
     return force;
 }
 
+// ---- lean and tether ------------------------------------------------------------------------------------------------
+
+/// True where one of them came, went or jumped.
+bool note_sources(ServoState& state, const HapticModel& model) {
+    const bool jumped = model.lean.number != state.lean_number || model.tether.number != state.tether_number;
+    state.lean_number = model.lean.number;
+    state.tether_number = model.tether.number;
+    return jumped;
+}
+
 // ---- primitives ---------------------------------------------------------------------------------------------------
 
 /// N; above, the balance was cut short. The spring to the best proxy is then the better of its two forces: it is right
@@ -83,11 +93,31 @@ double half_sine(std::uint32_t at, std::uint32_t length) {
     return det::sin(half_tick) / half_tick * det::sin((2.0 * at + 1) * half_tick);
 }
 
+double detent_force(const Detents& detents, double along) {
+    if (!(detents.depth > 0)) return 0;
+    double force = 0;
+    for (const double place : detents.places) {
+        const double off = (along - place) / detents.width;
+        if (std::abs(off) < 0.5) force -= detents.depth * det::sin(2 * pi * off);
+    }
+    return force;
+}
+
+vec3 tether_force(const Tether& tether, vec3 tip, vec3 velocity) {
+    if (!(tether.stiffness > 0)) return vec3(0);
+    const vec3 off = tip - tether.anchor;
+    const double notch = detent_force(tether.detents, glm::dot(off, tether.detents.axis));
+    return -tether.stiffness * off - tether.damping * (velocity - tether.anchor_velocity) +
+           notch * tether.detents.axis;
+}
+
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample) {
     const vec3 velocity = tip_velocity(state, sample.position);
     const bool cut_off = start_pulse(state, model.pulse);
-    const bool jumped = note_set(state, model);
-    vec3 force = play_pulses(state);
+    const bool set_jumped = note_set(state, model);
+    const bool source_jumped = note_sources(state, model);
+    vec3 force =
+        play_pulses(state) + model.lean.force + tether_force(model.tether, sample.position, velocity);
     if (model.primitives.items().empty()) {
         state.proxy = sample.position;
         state.primitives = 0;
@@ -98,7 +128,7 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
                      {.wanted = force,
                       .velocity = velocity,
                       .model_age = sample.model_age,
-                      .switched = cut_off || jumped,
+                      .switched = cut_off || set_jumped || source_jumped,
                       .on = model.on,
                       .panic = model.panic,
                       .rearm = model.rearm});

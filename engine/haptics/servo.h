@@ -24,9 +24,38 @@ struct Pulse {
     std::uint32_t number{};  ///< from 1, counts up; one newer than the servo has seen starts a pulse
 };
 
+/// A force that changes slowly and does not depend on where the tip is: a charge that grows, a weight. An active source.
+struct Lean {
+    vec3 force{};            ///< N, device frame
+    std::uint64_t number{};  ///< another one where the force jumps, which is a switch
+};
+
+inline constexpr std::size_t most_detents = 3;
+
+/// Notches along a line, each drawing the tip to its middle: the negative slope of a potential, so they create no energy.
+struct Detents {
+    vec3 axis{};                                ///< unit, device frame; through the tether's anchor
+    std::array<double, most_detents> places{};  ///< m, along the axis from the anchor
+    double depth{};                             ///< N, where they draw most; 0: there are none
+    double width{};                             ///< m, of each, > 0; not more than they are apart
+};
+
+/// A spring and damper from the tip to a point: a held thing, a slingshot. A passive source where the point stands still; where
+/// it is a thing of the world, the world gets the opposite force.
+struct Tether {
+    vec3 anchor{};           ///< m, device frame
+    vec3 anchor_velocity{};  ///< m/s
+    double stiffness{};      ///< N/m; 0: there is none
+    double damping{};        ///< N s/m
+    Detents detents{};
+    std::uint64_t number{};  ///< another one where it comes, goes or jumps, which is a switch
+};
+
 /// What the simulation publishes each tick.
 struct HapticModel {
     Pulse pulse{};  ///< the newest
+    Lean lean{};
+    Tether tether{};
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< somebody's panic key is down
     bool rearm{};
@@ -68,13 +97,21 @@ struct ServoState {
     std::uint32_t next_pulse{};
     std::uint32_t primitives{};  ///< how many acted in the last tick
     std::uint32_t set_number{};  ///< of these
+    std::uint64_t lean_number{};
+    std::uint64_t tether_number{};
 };
 static_assert(sizeof(ServoState) == sizeof(SafetyState) + velocity_window * sizeof(vec3) +
                                         pulses_at_once * sizeof(PlayingPulse) + sizeof(vec3) +
-                                        6 * sizeof(std::uint32_t));
+                                        6 * sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t));
 
 /// The force for the device, N, device frame.
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample);
+
+/// On the tip, N, with its velocity in m/s.
+vec3 tether_force(const Tether& tether, vec3 tip, vec3 velocity);
+
+/// Along the axis of the detents, N, `along` metres from the anchor.
+double detent_force(const Detents& detents, double along);
 
 /// Mean force of a pulse over its tick `at`, as a part of its peak: exact, so that the impulse is 2/pi peak length.
 double half_sine(std::uint32_t at, std::uint32_t length);

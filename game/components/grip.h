@@ -35,13 +35,31 @@ constexpr auto fields_of(const PlayingPulse*) {
                       ecs::field("at", &PlayingPulse::at));
 }
 
+constexpr auto fields_of(const Lean*) {
+    return std::tuple(ecs::field("force", &Lean::force), ecs::field("number", &Lean::number));
+}
+
+constexpr auto fields_of(const Detents*) {
+    return std::tuple(ecs::field("axis", &Detents::axis), ecs::field("places", &Detents::places),
+                      ecs::field("depth", &Detents::depth), ecs::field("width", &Detents::width));
+}
+
+constexpr auto fields_of(const Tether*) {
+    using T = Tether;
+    return std::tuple(ecs::field("anchor", &T::anchor), ecs::field("anchor_velocity", &T::anchor_velocity),
+                      ecs::field("stiffness", &T::stiffness), ecs::field("damping", &T::damping),
+                      ecs::field("detents", &T::detents), ecs::field("number", &T::number));
+}
+
 constexpr auto fields_of(const ServoState*) {
     using S = ServoState;
     return std::tuple(ecs::field("safety", &S::safety), ecs::field("positions", &S::positions),
                       ecs::field("pulses", &S::pulses), ecs::field("proxy", &S::proxy),
                       ecs::field("next_position", &S::next_position), ecs::field("samples", &S::samples),
                       ecs::field("last_pulse", &S::last_pulse), ecs::field("next_pulse", &S::next_pulse),
-                      ecs::field("primitives", &S::primitives), ecs::field("set_number", &S::set_number));
+                      ecs::field("primitives", &S::primitives), ecs::field("set_number", &S::set_number),
+                      ecs::field("lean_number", &S::lean_number),
+                      ecs::field("tether_number", &S::tether_number));
 }
 
 }  // namespace thaum::haptics
@@ -53,14 +71,19 @@ using ecs::field;
 struct Grip {
     haptics::SimulatedState device{};
     haptics::ServoState servo{};
-    haptics::Pulse kick{};       ///< the newest
+    haptics::Pulse kick{};  ///< the newest
+    haptics::Lean lean{};   ///< these two are the wand's
+    haptics::Tether tether{};
+    vec3 home{};  ///< m, device frame: where the player wants the hand to be
+    vec3 pull{};  ///< m, from there: where the wand in hand takes it (a bow is drawn by a trigger)
     std::uint32_t panic_held{};  ///< 1 while the player's panic key is down
     std::uint32_t rearm{};       ///< 1: it was pressed while forces were shut off
     static constexpr std::string_view name = "Grip";
     static constexpr auto fields() {
-        return std::tuple(field("device", &Grip::device), field("servo", &Grip::servo),
-                          field("kick", &Grip::kick), field("panic_held", &Grip::panic_held),
-                          field("rearm", &Grip::rearm));
+        return std::tuple(
+            field("device", &Grip::device), field("servo", &Grip::servo), field("kick", &Grip::kick),
+            field("lean", &Grip::lean), field("tether", &Grip::tether), field("home", &Grip::home),
+            field("pull", &Grip::pull), field("panic_held", &Grip::panic_held), field("rearm", &Grip::rearm));
     }
 };
 

@@ -42,6 +42,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
 
     add_touch_system(stage, live_);
     add_walk_system(stage, live_);
+    add_wand_forces(stage, live_);
     add_body_systems(stage, live_);
     add_missile_systems(stage, live_);
     add_belt_system(stage, live_);

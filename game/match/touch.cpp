@@ -33,17 +33,26 @@ bool note_panic_keys(ecs::World& world) {
 double feel(const Stage& stage, const Controls& controls, bool panic, Grip& grip) {
     const vec3 moved = vec3(controls.hand_right, controls.hand_up, 0) * metres_per_micrometre;
     const auto& device = stage.touch.device;
-    const haptics::HapticModel model{
-        .pulse = grip.kick, .on = true, .panic = panic, .rearm = grip.rearm != 0};
+    const haptics::HapticModel model{.pulse = grip.kick,
+                                     .lean = grip.lean,
+                                     .tether = grip.tether,
+                                     .on = true,
+                                     .panic = panic,
+                                     .rearm = grip.rearm != 0};
     const vec3 measured = haptics::measured_position(device, grip.device);
     const vec3 force = haptics::servo_step(stage.touch.servo, grip.servo, model, {measured, 0});
-    grip.device = haptics::step(device, grip.device, grip.device.target + moved, force);
+    grip.home = glm::clamp(grip.home + moved, -device.reach, device.reach);
+    grip.device = haptics::step(device, grip.device, grip.home + grip.pull, force);
     return glm::length(force);
 }
 
 }  // namespace
 
-Grip empty_grip() { return {.device = haptics::resting_at({}), .servo = {}, .kick = {}}; }
+Grip empty_grip() {
+    Grip grip;
+    grip.device = haptics::resting_at({});
+    return grip;
+}
 
 void add_touch_system(Stage& stage, ecs::Schedule& schedule) {
     auto& world = stage.world;
@@ -69,6 +78,25 @@ void kick(Stage& stage, ecs::Entity wizard, double newtons, Tick length) {
     grip.kick = {.peak = vec3(0, 0, peak),
                  .length = static_cast<std::uint32_t>(length),
                  .number = grip.kick.number + 1};
+}
+
+void lean(Stage& stage, ecs::Entity wizard, vec3 newtons) {
+    stage.world.get<Grip>(wizard).lean.force = newtons / reference_peak * stage.touch.servo.limits.cap;
+}
+
+void tether(Stage& stage, ecs::Entity wizard, const haptics::Tether& to) {
+    auto& held = stage.world.get<Grip>(wizard).tether;
+    const bool jumps = (held.stiffness > 0) != (to.stiffness > 0);
+    const auto number = held.number + (jumps ? 1 : 0);
+    held = to;
+    held.number = number;
+}
+
+void let_go(Stage& stage, ecs::Entity wizard) {
+    auto& grip = stage.world.get<Grip>(wizard);
+    if (grip.lean.force != vec3(0)) grip.lean = {.force = {}, .number = grip.lean.number + 1};
+    tether(stage, wizard, {});
+    grip.pull = {};
 }
 
 vec3 wand_tip_of(const TouchRules& rules, vec3 hand) { return wand_tip + rules.wand_per_hand * hand; }

@@ -15,6 +15,15 @@ void add_touch_system(Stage& stage, ecs::Schedule& schedule);
 /// all of it, in proportion for any other (game.md). Writes Grip.
 void kick(Stage& stage, ecs::Entity wizard, double newtons, Tick length);
 
+/// A steady force on the hand, device frame, in the same measure as a kick; it may change smoothly from call to call. Writes Grip.
+void lean(Stage& stage, ecs::Entity wizard, vec3 newtons);
+
+/// What the hand's tip hangs on; again each tick for one that moves. Writes Grip.
+void tether(Stage& stage, ecs::Entity wizard, const haptics::Tether& to);
+
+/// Nothing leans on the hand, nothing holds it or takes it along. Writes Grip.
+void let_go(Stage& stage, ecs::Entity wizard);
+
 /// Where the wand's tip is in the frame of the eye, m: it goes with the hand.
 vec3 wand_tip_of(const TouchRules& rules, vec3 hand);
 

@@ -42,6 +42,19 @@ void regain(const MatchData& data, WandBelt& belt) {
     }
 }
 
+void put_away(Stage& stage, ecs::Entity wizard, const LoadedWand* wand, Tick tick) {
+    if (wand != nullptr) wand->kind->put_away({stage, wizard, tick, wand->stats, wand->data.get()});
+}
+
+void use_wands(Stage& stage, ecs::Entity wizard, const Controls& controls, WandBelt& belt, Tick tick) {
+    const auto* before = wand_in_hand(stage.data, belt);
+    choose(stage.data, controls, belt);
+    regain(stage.data, belt);
+    const auto* wand = wand_in_hand(stage.data, belt);
+    if (wand != before) put_away(stage, wizard, before, tick);
+    if (wand != nullptr) wand->kind->use({stage, wizard, tick, wand->stats, wand->data.get()});
+}
+
 }  // namespace
 
 const LoadedWand* wand_in_hand(const MatchData& data, const WandBelt& belt) {
@@ -70,13 +83,17 @@ void add_belt_system(Stage& stage, ecs::Schedule& schedule) {
                   .run = [&stage](ecs::World& w, Tick tick) {
                       w.view<WandBelt, const Controls, ecs::Without<Dead>>().each(
                           [&](ecs::Entity e, WandBelt& belt, const Controls& controls) {
-                              choose(stage.data, controls, belt);
-                              regain(stage.data, belt);
-                              if (const auto* wand = wand_in_hand(stage.data, belt)) {
-                                  wand->kind->use({stage, e, tick, wand->stats, wand->data.get()});
-                              }
+                              use_wands(stage, e, controls, belt, tick);
+                          });
+                      w.view<const WandBelt, const Dead>().each(
+                          [&](ecs::Entity e, const WandBelt& belt, const Dead&) {
+                              put_away(stage, e, wand_in_hand(stage.data, belt), tick);
                           });
                   }});
+}
+
+void add_wand_forces(Stage& stage, ecs::Schedule& schedule) {
+    for (const auto& wand : stage.data.wands) wand.kind->add_forces({stage, schedule}, wand.data.get());
 }
 
 void add_missile_systems(Stage& stage, ecs::Schedule& schedule) {

@@ -7,6 +7,9 @@ namespace thaum::game {
 /// Chooses the wand in hand, regains energy and uses the wand.
 void add_belt_system(Stage& stage, ecs::Schedule& schedule);
 
+/// The systems by which wands push bodies; before the bodies move.
+void add_wand_forces(Stage& stage, ecs::Schedule& schedule);
+
 /// The systems of what wands have sent off; after the bodies' places are known.
 void add_missile_systems(Stage& stage, ecs::Schedule& schedule);
 

@@ -170,7 +170,9 @@ const WandRegistration registration({
         },
     .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, BoltHand{}); },
     .use = use,
+    .put_away = [](const WandUse&) {},
     .writes = [](const ecs::World& world) { return world.mask<BoltHand, Dice, Chronicle, Health, Grip>(); },
+    .add_forces = [](const WandSystems&, const void*) {},
     .add_systems = add_systems,
     .show =
         [](const ecs::World& world, const std::function<void(const Missile&)>& show) {

@@ -63,8 +63,12 @@ struct WandKind {
     void (*outfit)(ecs::World&, ecs::Entity wizard);
     /// Every gameplay tick, for every living wizard who has this wand in hand.
     void (*use)(const WandUse&);
-    /// What `use` writes beyond WandBelt.
+    /// Once when another wand is taken in hand, and while who holds it is dead: ends what was begun.
+    void (*put_away)(const WandUse&);
+    /// What `use` and `put_away` write beyond WandBelt.
     ecs::Mask (*writes)(const ecs::World&);
+    /// The systems that push bodies by it: every tick, after the hand was felt and before the bodies move.
+    void (*add_forces)(const WandSystems& to, const void* data);
     /// The systems that move what it has shot.
     void (*add_systems)(const WandSystems& to, const void* data);
     /// Calls back for every missile in flight.

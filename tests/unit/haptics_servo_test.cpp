@@ -68,6 +68,52 @@ TEST(HapticsServo, ABoltsKickHasItsWholeImpulse) {
     EXPECT_EQ(rig.cause(), SafetyCause::none);
 }
 
+TEST(HapticsServo, ALeanIsFeltAsItIsAndGoesSlowlyWhereItJumps) {
+    Rig rig;
+    rig.feel();
+    rig.model.lean = {{0, 0, 0.5}, 1};
+    vec3 before{};
+    for (int tick = 0; tick < 13; ++tick) {
+        const vec3 force = rig.feel();
+        EXPECT_LE(glm::length(force - before), 40 * tick_seconds + 1e-12) << tick;  // the slew limit
+        before = force;
+    }
+    EXPECT_EQ(before, vec3(0, 0, 0.5));
+    rig.model.lean.force.z = 0.9;  // the same number: it grew, and did not jump
+    EXPECT_EQ(rig.feel(), vec3(0, 0, 0.9));
+}
+
+TEST(HapticsServo, ATetherIsASpringAndADamper) {
+    const Tether tether{
+        .anchor = {0.01, 0, 0}, .anchor_velocity = {0, 0.2, 0}, .stiffness = 100, .damping = 2};
+    const vec3 force = tether_force(tether, {0.03, -0.01, 0}, {0, 0, 0.1});
+    EXPECT_NEAR(force.x, -100 * 0.02, 1e-12);
+    EXPECT_NEAR(force.y, 100 * 0.01 + 2 * 0.2, 1e-12);
+    EXPECT_NEAR(force.z, -2 * 0.1, 1e-12);
+    EXPECT_EQ(tether_force({}, {1, 1, 1}, {1, 1, 1}), vec3(0));
+}
+
+TEST(HapticsServo, DetentsDrawToTheirMiddlesAndCreateNoEnergy) {
+    const Detents detents{.axis = {0, 0, 1}, .places = {0.01, 0.03, 0.04}, .depth = 0.3, .width = 0.004};
+    double work = 0, most = 0;
+    constexpr int steps = 100'000;
+    constexpr double length = 0.05, step = length / steps;
+    for (int i = 0; i < steps; ++i) {
+        const double force = detent_force(detents, (i + 0.5) * step);
+        work += force * step;
+        most = std::max(most, std::abs(force));
+    }
+    EXPECT_NEAR(work, 0, 1e-9);
+    EXPECT_NEAR(most, 0.3, 1e-6);
+    for (const double place : detents.places) {
+        EXPECT_NEAR(detent_force(detents, place), 0, 1e-12);
+        EXPECT_GT(detent_force(detents, place - 0.001), 0) << "before it: onwards";
+        EXPECT_LT(detent_force(detents, place + 0.001), 0) << "beyond it: back";
+        EXPECT_EQ(detent_force(detents, place + 0.0021), 0) << "elsewhere nothing";
+    }
+    EXPECT_EQ(detent_force({}, 0.01), 0);
+}
+
 TEST(HapticsServo, APulseIsPlayedOnceAndOnlyIfItIsNewer) {
     Rig rig;
     rig.feel();
@@ -198,7 +244,7 @@ TEST(HapticsServo, TheSameTicksGiveTheSameBits) {
     };
     EXPECT_EQ(run(), run());
     // Those of every build and processor. A change of the rules changes them: let it be on purpose.
-    EXPECT_EQ(run(), 7462858250967530967ULL);
+    EXPECT_EQ(run(), 18038719929352848040ULL);
     EXPECT_EQ(forces, 5567616457624824949ULL);  // as they were before there were primitives
 }
 
