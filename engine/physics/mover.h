@@ -18,6 +18,8 @@ inline constexpr BodyDesc mover_body{
 struct MoverInput {
     vec3 wish_velocity{};  ///< m/s; its y is ignored; cut to MoverSettings::walk_speed
     bool jump{};           ///< jumps whenever it stands; the caller makes one press one jump
+    double
+        hung{};  ///< N, upward, by something else (a rope): so much less grip on the ground; its weight and more: none
 };
 
 struct MoverSettings {

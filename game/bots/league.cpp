@@ -19,7 +19,7 @@ void note_energy(const Simulation& match, LeagueMatch& result) {
         [&](const Wizard& wizard, const WandBelt& belt) {
             result.alive[wizard.player] += gameplay_period;
             const auto* wand = wand_in_hand(match.data(), belt);
-            const bool dry = wand != nullptr && belt.energy[wand->stats.slot] < wand->stats.energy_cost;
+            const bool dry = wand != nullptr && energy_in_hand(match.data(), belt) < wand->stats.energy_cost;
             if (dry) result.dry[wizard.player] += gameplay_period;
         });
 }

@@ -77,7 +77,7 @@ Self self_of(const Simulation& match, std::uint32_t player) {
               .alive = !world.has<Dead>(wizard)};
     if (const auto* wand = wand_in_hand(match.data(), belt)) {
         const auto& stats = wand->stats;
-        const double energy = belt.energy[stats.slot];
+        const double energy = energy_in_hand(match.data(), belt);
         self.can_shoot = energy >= stats.energy_cost;
         self.energy_share = stats.energy_cap > 0 ? energy / stats.energy_cap : 1;
     }

@@ -48,11 +48,13 @@ struct Gaze {
 
 /// How the wizard stands; the mover's memory.
 struct Stance : physics::MoverState {
+    double hung{};  ///< N, upward, by a rope
     static constexpr std::string_view name = "Stance";
     static constexpr auto fields() {
         return std::tuple(field("expected", &Stance::expected),
                           field("ground_normal", &Stance::ground_normal), field("falling", &Stance::falling),
-                          field("grounded", &Stance::grounded), field("driven", &Stance::driven));
+                          field("grounded", &Stance::grounded), field("driven", &Stance::driven),
+                          field("hung", &Stance::hung));
     }
 };
 
@@ -99,10 +101,13 @@ struct Blows {
 struct WandBelt {
     std::uint32_t selected{};
     std::uint32_t fired{};  ///< shots so far, all wands
-    std::array<double, wand_slots> energy{};
+    std::uint32_t holds{};  ///< 1: the wand in hand holds something, and the wheel is for that
+    std::uint32_t spare{};
+    std::array<double, wand_slots> energy{};  ///< by WandStats::energy_slot
     static constexpr std::string_view name = "WandBelt";
     static constexpr auto fields() {
         return std::tuple(field("selected", &WandBelt::selected), field("fired", &WandBelt::fired),
+                          field("holds", &WandBelt::holds), field("spare", &WandBelt::spare),
                           field("energy", &WandBelt::energy));
     }
 };

@@ -16,6 +16,8 @@ using render::Instance;
 using render::MeshData;
 using render::PointLight;
 
+constexpr double least_share = 0.02;    ///< of the strongest force; less is not drawn
+constexpr double ribbon_length = 0.25;  ///< m, of the strongest force
 constexpr int embers = 36, bubbles = 14;
 constexpr float glow_share = 0.85F;  // of what shines by itself and is lit a little as well
 constexpr float brew_glow = 1.7F;    // the brightest thing in the court
@@ -157,6 +159,8 @@ Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRul
         court.wands[i] = renderer.upload(wand_mesh(static_cast<Silhouette>(i)));
     court.runes = renderer.upload(rune_circle(2.1F));
     court.bubble = renderer.upload(render::sphere(1, 8, colour(0xFFB048)));
+    court.beam = renderer.upload(beam_of_light());
+    court.bead = renderer.upload(render::sphere(1, 8, fvec3(1)));
     court.ember = renderer.upload(render::sphere(1, 5, colour(0xFFA040)));
     court.contact = renderer.upload(contact_shade(0.42F));
     const fvec3 grey = colour(0x807890);
@@ -327,6 +331,41 @@ void add_own_arm(const Court& court, std::uint32_t number, const PlayerPicture& 
     set_sun(court, p.eye, std::span(out).subspan(first));
 }
 
+/// How strong a force is, of the most that can be felt: green, yellow, red.
+fvec3 strain_colour(double share) {
+    const fvec3 green(0.15F, 0.9F, 0.25F), yellow(1.0F, 0.8F, 0.1F), red(1.0F, 0.12F, 0.08F);
+    const auto s = static_cast<float>(std::clamp(share, 0.0, 1.0));
+    return s < 0.5F ? glm::mix(green, yellow, 2 * s) : glm::mix(yellow, red, 2 * s - 1);
+}
+
+void add_beam(const Court& court, vec3 from, vec3 to, double thick, fvec3 tint, std::vector<Instance>& out) {
+    const vec3 way = to - from;
+    const double length = glm::length(way);
+    if (length < 1e-6) return;
+    const auto yaw = std::atan2(-way.x, -way.z), pitch = std::atan2(way.y, std::hypot(way.x, way.z));
+    const fvec3 size(vec3(thick, thick, length));
+    out.push_back({.mesh = court.beam,
+                   .model = glm::scale(render::translated(fvec3(from)) * turned(yaw, pitch), size),
+                   .tint = tint,
+                   .glow = 1});
+}
+
+/// What the hand feels: the spring to what it holds, and for one's own hand the force itself, at the wand's tip.
+void add_forces(const Court& court, const PlayerPicture& p, bool own, std::vector<Instance>& out) {
+    if (p.dead) return;
+    const auto looking = look_rotation(p.yaw, p.pitch);
+    const vec3 tip = p.eye + looking * (wand_tip + (own ? p.wand_reach : vec3(0)));
+    const double share = p.force.cap > 0 ? glm::length(p.force.now) / p.force.cap : 0;
+    const fvec3 tint = strain_colour(share);
+    if (p.held) add_beam(court, tip, *p.held, 0.012, tint, out);
+    if (!own || share < least_share) return;
+    add_beam(court, tip, tip + looking * p.force.now / p.force.cap * ribbon_length, 0.006, tint, out);
+    out.push_back({.mesh = court.bead,
+                   .model = glm::scale(render::translated(fvec3(tip)), fvec3(0.02F)),
+                   .tint = tint,
+                   .glow = 1});
+}
+
 /// Turns -z into the direction of flight.
 fmat4 flying(const MissilePicture& missile) {
     const vec3 v = missile.velocity;
@@ -416,6 +455,7 @@ void add_instances(const Court& court, const Picture& picture, std::uint32_t vie
     for (const auto& thing : picture.things) add_thing(court, thing, out);
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& wizard = picture.wizards[player];
+        add_forces(court, wizard, player == viewer, out);
         if (player == viewer && !wizard.dead) {
             add_own_arm(court, player, wizard, out);
             continue;

@@ -49,7 +49,8 @@ struct Court {
     render::MeshId stone{}, lamps{};                              ///< masonry and decoration; world frame
     std::array<render::MeshId, silhouette_names.size()> wands{};  ///< by Silhouette
     render::MeshId skyline{}, runes{}, ember{}, bubble{};
-    render::MeshId contact{};                     ///< shade below whatever stands or lies
+    render::MeshId beam{}, bead{};  ///< white: 1 m along -z and of radius 1 m; a ball of radius 1 m
+    render::MeshId contact{};       ///< shade below whatever stands or lies
     std::array<render::MeshId, 4> unit_shapes{};  ///< for what no arena has: by physics::Shape
     PowerUpMeshes power_ups;
     std::vector<Ground> grounds;

@@ -293,6 +293,11 @@ MeshData bolt_needle(std::uint32_t number) {
     return mesh;
 }
 
+MeshData beam_of_light() {
+    return render::transformed(render::cylinder(1, 1, 6, fvec3(1)),
+                               translated({0, 0, -0.5F}) * rotated(to_the_right, 1.5707963F));
+}
+
 MeshData shield_rings(std::uint32_t number) {
     const auto& team = team_colours(number);
     const int sides = number == 0 ? 28 : 3;

@@ -40,6 +40,9 @@ fmat4 wand_in_own_hand();
 render::MeshData wand_spark(std::uint32_t team);
 /// A needle of light along -z with the team's mark around its tail.
 render::MeshData bolt_needle(std::uint32_t team);
+/// White, to be tinted: from the origin 1 m along -z, of radius 1 m.
+render::MeshData beam_of_light();
+
 /// Around a wizard whom nothing can hurt: rings or triangles, centred at the body.
 render::MeshData shield_rings(std::uint32_t team);
 

@@ -62,14 +62,20 @@ void take_belt(const MatchData& data, const WandBelt& belt, PlayerPicture& out) 
     const auto* wand = wand_in_hand(data, belt);
     out.wand = wand == nullptr ? std::string_view{} : wand->kind->name;
     out.silhouette = wand == nullptr ? Silhouette{} : wand->stats.silhouette;
-    out.energy = wand == nullptr ? 0 : belt.energy[wand->stats.slot];
+    out.energy = energy_in_hand(data, belt);
     out.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;
+}
+
+void take_held(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
+    if (const auto* wand = wand_in_hand(match.data(), belt))
+        out.held = wand->kind->held_at(match.world(), wizard);
 }
 
 void take_force(const Simulation& match, std::uint32_t player, const Grip& grip, ForcePicture& out) {
     const auto& trace = match.felt(player);
     out.cause = static_cast<haptics::SafetyCause>(grip.servo.safety.cause);
     out.cap = haptics::safety_limits(match.data().device, match.data().touch.share).cap;
+    out.now = grip.servo.safety.output;
     // Whole columns, so that they move on and do not change. The ring's oldest is where the newest fills.
     const auto fills = match.match().played / force_column;
     for (std::size_t i = 0; i < out.strongest.size(); ++i) {
@@ -84,8 +90,9 @@ void take_wizards(const Simulation& match, Picture& out) {
     match.world()
         .view<const Wizard, const Motion, const Gaze, const Health, const WandBelt, const Grip, const Score,
               ecs::Maybe<const Dead>>()
-        .each([&](const Wizard& wizard, const Motion& motion, const Gaze& gaze, const Health& health,
-                  const WandBelt& belt, const Grip& grip, const Score& score, const Dead* dead) {
+        .each([&](ecs::Entity e, const Wizard& wizard, const Motion& motion, const Gaze& gaze,
+                  const Health& health, const WandBelt& belt, const Grip& grip, const Score& score,
+                  const Dead* dead) {
             auto& p = out.wizards[wizard.player];
             p = {};
             p.centre = motion.position;
@@ -104,6 +111,7 @@ void take_wizards(const Simulation& match, Picture& out) {
             if (dead != nullptr && dead->returns_at > state.played)
                 p.returns_in_s = seconds(dead->returns_at - state.played);
             take_belt(match.data(), belt, p);
+            if (!p.dead) take_held(match, e, belt, p);
             p.wand_reach = wand_tip_of(match.data().touch, grip.device.position) - wand_tip;
             take_force(match, wizard.player, grip, p.force);
         });
@@ -212,6 +220,7 @@ void interpolate_wizard(const PlayerPicture& from, double alpha, double dt, Play
     to.yaw = turned(from.yaw, to.yaw, alpha);
     to.pitch = glm::mix(from.pitch, to.pitch, alpha);
     to.wand_reach = glm::mix(from.wand_reach, to.wand_reach, alpha);
+    if (from.held && to.held) to.held = glm::mix(*from.held, *to.held, alpha);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // match goes on while another thread draws. Taking a picture into the same Picture again allocates nothing.
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,6 +61,7 @@ inline constexpr std::size_t force_column = 16;
 struct ForcePicture {
     haptics::SafetyCause cause{};  ///< why it feels less than it should
     double cap{};                  ///< N, the most it can feel
+    vec3 now{};                    ///< N, in the frame of the eye
     /// N, the strongest of each column, the oldest first; without the one that still fills.
     std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};
 };
@@ -81,8 +83,9 @@ struct PlayerPicture {
     double since_dry_s{};   ///< since the wand last had too little energy
     double since_gift_s{};  ///< since this player last picked something up
     PowerUpKind gift{};
-    double gift_amount{};  ///< HP or energy
-    vec3 wand_reach{};     ///< m, in the frame of the eye: how far the hand has moved the wand's tip
+    double gift_amount{};        ///< HP or energy
+    vec3 wand_reach{};           ///< m, in the frame of the eye: how far the hand has moved the wand's tip
+    std::optional<vec3> held{};  ///< m: what the wand holds or hangs on
     ForcePicture force{};
     std::uint32_t hurts{};  ///< of `marks`
     std::array<HurtMark, 6> marks{};

@@ -20,7 +20,8 @@ WandBelt carried_belt(const MatchData& from, const MatchData& to, const WandBelt
         const auto before = std::find_if(from.wands.begin(), from.wands.end(),
                                          [&](const auto& w) { return w.kind == wand.kind; });
         if (before == from.wands.end()) continue;
-        belt.energy[wand.stats.slot] = std::min(old.energy[before->stats.slot], wand.stats.energy_cap);
+        belt.energy[wand.stats.energy_slot] =
+            std::min(old.energy[before->stats.energy_slot], wand.stats.energy_cap);
         if (before->stats.slot == old.selected) belt.selected = wand.stats.slot;
     }
     return belt;

@@ -85,6 +85,22 @@ Expected<void> check_name(const std::array<std::string_view, 2>& known, std::str
     return fail(text("there is no ", what, " '", name, "', only ", known[0], " and ", known[1]));
 }
 
+/// A wand that shares another's energy has its cap.
+Expected<void> share_energies(MatchData& data) {
+    for (auto& wand : data.wands) {
+        if (wand.stats.energy_slot == wand.stats.slot) continue;
+        const auto lender = std::find_if(data.wands.begin(), data.wands.end(), [&](const auto& w) {
+            return w.stats.slot == wand.stats.energy_slot && w.stats.energy_slot == w.stats.slot;
+        });
+        if (lender == data.wands.end()) {
+            return fail(text("wands/", wand.kind->name, ".toml: energy.of_slot: no wand of slot ",
+                             wand.stats.energy_slot + 1, " has energy of its own"));
+        }
+        wand.stats.energy_cap = lender->stats.energy_cap;
+    }
+    return {};
+}
+
 /// What the rule set switches off is gone from the data: no system asks for the rule set's name.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
@@ -121,6 +137,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     }
     loader.check_overrides();
     if (loader.error) return tl::unexpected(*loader.error);
+    if (const auto shared = share_energies(data); !shared) return tl::unexpected(shared.error());
     apply_rule_set(data);
     return data;
 }

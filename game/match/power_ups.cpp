@@ -15,7 +15,7 @@ const LoadedWand* emptiest_wand(const MatchData& data, const WandBelt& belt) {
     double least = std::numeric_limits<double>::max();
     for (const auto& wand : data.wands) {
         if (wand.stats.energy_cap <= 0) continue;
-        const double share = belt.energy[wand.stats.slot] / wand.stats.energy_cap;
+        const double share = belt.energy[wand.stats.energy_slot] / wand.stats.energy_cap;
         if (share < least) found = &wand, least = share;
     }
     return found;
@@ -66,9 +66,9 @@ Gift gift_of(const MatchData& data, PowerUpKind kind, const Health& health, cons
     gift.health = std::max(0.0, std::min(rules.health, data.wizard.health_cap - health.points));
     if (const auto* wand = emptiest_wand(data, belt)) {
         const auto& stats = wand->stats;
-        gift.slot = stats.slot;
+        gift.slot = stats.energy_slot;
         gift.energy = std::max(
-            0.0, std::min(rules.energy_share * stats.energy_cap, stats.energy_cap - belt.energy[stats.slot]));
+            0.0, std::min(rules.energy_share * stats.energy_cap, stats.energy_cap - belt.energy[stats.energy_slot]));
     }
     return gift;
 }

@@ -145,7 +145,7 @@ void append_player(const Simulation& match, std::uint32_t player, std::string& o
     append_numbers(out, {world.get<Health>(wizard).points});
     out += ',';
     append_csv(out, wand_of(match, player));
-    for (const auto& wand : match.data().wands) append_numbers(out, {belt.energy[wand.stats.slot]});
+    for (const auto& wand : match.data().wands) append_numbers(out, {belt.energy[wand.stats.energy_slot]});
 }
 
 }  // namespace

@@ -72,10 +72,12 @@ void add_touch_system(Stage& stage, ecs::Schedule& schedule) {
 }
 
 void kick(Stage& stage, ecs::Entity wizard, double newtons, Tick length) {
+    kick(stage, wizard, vec3(0, 0, newtons), length);
+}
+
+void kick(Stage& stage, ecs::Entity wizard, vec3 newtons, Tick length) {
     auto& grip = stage.world.get<Grip>(wizard);
-    const double peak = newtons / reference_peak * stage.touch.servo.limits.cap;
-    // The device's +z is towards the user.
-    grip.kick = {.peak = vec3(0, 0, peak),
+    grip.kick = {.peak = newtons / reference_peak * stage.touch.servo.limits.cap,
                  .length = static_cast<std::uint32_t>(length),
                  .number = grip.kick.number + 1};
 }

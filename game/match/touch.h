@@ -12,8 +12,9 @@ Grip empty_grip();
 void add_touch_system(Stage& stage, ecs::Schedule& schedule);
 
 /// A kick against the hand, half a sine wave: `newtons` at the peak for a device that gives 3.3 N and a player who wants
-/// all of it, in proportion for any other (game.md). Writes Grip.
+/// all of it, in proportion for any other (game.md). Towards the user, or where it points in the device frame. Writes Grip.
 void kick(Stage& stage, ecs::Entity wizard, double newtons, Tick length);
+void kick(Stage& stage, ecs::Entity wizard, vec3 newtons, Tick length);
 
 /// A steady force on the hand, device frame, in the same measure as a kick; it may change smoothly from call to call. Writes Grip.
 void lean(Stage& stage, ecs::Entity wizard, vec3 newtons);

@@ -46,7 +46,8 @@ void add_walk_system(Stage& stage, ecs::Schedule& schedule) {
                      const auto result =
                          physics::move(stage.physics, e.index,
                                        {.wish_velocity = wish_of(controls, gaze, rules.walk.walk_speed),
-                                        .jump = (controls.pressed & jump) != 0},
+                                        .jump = (controls.pressed & jump) != 0,
+                                        .hung = stance.hung},
                                        rules.walk, stance, physics_dt);
                      if (result.jumped) controls.pressed &= ~jump;
                      const double excess = result.landing_speed - rules.fall_safe;

@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/components/grip.h"
+#include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {
@@ -193,8 +194,7 @@ constexpr Column columns[] = {
      nullptr},
     {"energy", "energy",
      [](const Play& p, std::uint32_t i) {
-         const auto& belt = part<WandBelt>(p, i);
-         return belt.energy[belt.selected];
+         return energy_in_hand(*p.data, part<WandBelt>(p, i));
      },
      nullptr},
     {"hand_x", "hand_x_m", [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).device.position.x; },

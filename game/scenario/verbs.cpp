@@ -7,6 +7,7 @@
 #include "game/player/walk.h"
 #include "game/scenario/detail/prelude.h"
 #include "game/scenario/detail/verb.h"
+#include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {
@@ -192,8 +193,7 @@ bool is_shielded(const Play& play, std::uint32_t player) {
 }
 
 double energy(const Play& play, std::uint32_t player) {
-    const auto& belt = part<WandBelt>(play, player);
-    return belt.energy[belt.selected];
+    return energy_in_hand(*play.data, part<WandBelt>(play, player));
 }
 
 bool is_dead(const Play& play, std::uint32_t player) {

@@ -13,7 +13,7 @@ using arg::Options;
 
 constexpr std::size_t most_things = 48;
 
-constexpr Range extent{0.02, 5};
+constexpr Range extent{0.02, 10};
 
 void read_shape(lua_State* lua, const Options& options, physics::BodyDesc& body) {
     options.need("kind");

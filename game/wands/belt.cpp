@@ -31,13 +31,14 @@ void choose(const MatchData& data, const Controls& controls, WandBelt& belt) {
         const auto key = static_cast<Button>(input::bit(Button::wand_1) << slot);
         if (pressed(key) && wand_in_slot(data, slot) != nullptr) belt.selected = slot;
     }
+    if (belt.holds != 0) return;
     if (pressed(Button::next_wand)) belt.selected = next_slot(data, belt.selected, forward);
     if (pressed(Button::previous_wand)) belt.selected = next_slot(data, belt.selected, backward);
 }
 
 void regain(const MatchData& data, WandBelt& belt) {
     for (const auto& wand : data.wands) {
-        auto& energy = belt.energy[wand.stats.slot];
+        auto& energy = belt.energy[wand.stats.energy_slot];
         energy = std::min(wand.stats.energy_cap, energy + wand.stats.energy_regain * gameplay_dt);
     }
 }
@@ -61,9 +62,14 @@ const LoadedWand* wand_in_hand(const MatchData& data, const WandBelt& belt) {
     return wand_in_slot(data, belt.selected);
 }
 
+double energy_in_hand(const MatchData& data, const WandBelt& belt) {
+    const auto* wand = wand_in_hand(data, belt);
+    return wand == nullptr ? 0 : belt.energy[wand->stats.energy_slot];
+}
+
 WandBelt full_belt(const MatchData& data) {
     WandBelt belt;
-    for (const auto& wand : data.wands) belt.energy[wand.stats.slot] = wand.stats.energy_cap;
+    for (const auto& wand : data.wands) belt.energy[wand.stats.energy_slot] = wand.stats.energy_cap;
     belt.selected = next_slot(data, wand_slots - 1, 1);
     return belt;
 }
@@ -77,7 +83,7 @@ void add_belt_system(Stage& stage, ecs::Schedule& schedule) {
     }
     schedule.add({.name = "wands",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead>(),
+                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead>(),
                   .writes = writes,
                   .needs = world.mask<WandBelt>(),
                   .run = [&stage](ecs::World& w, Tick tick) {

@@ -16,6 +16,9 @@ void add_missile_systems(Stage& stage, ecs::Schedule& schedule);
 /// The wand in hand; null where the slot is empty.
 const LoadedWand* wand_in_hand(const MatchData& data, const WandBelt& belt);
 
+/// What the wand in hand still has; 0 where the slot is empty.
+double energy_in_hand(const MatchData& data, const WandBelt& belt);
+
 /// A full belt with the first wand in hand.
 WandBelt full_belt(const MatchData& data);
 

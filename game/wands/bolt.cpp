@@ -180,6 +180,7 @@ const WandRegistration registration({
                 show({e, b.position, b.velocity, b.player});
             });
         },
+    .held_at = [](const ecs::World&, ecs::Entity) -> std::optional<vec3> { return std::nullopt; },
 });
 
 }  // namespace

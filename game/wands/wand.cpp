@@ -27,6 +27,8 @@ LoadedWand read_wand(const WandKind& kind, const Config& file) {
     const auto energy = root.table("energy");
     LoadedWand wand{.kind = &kind, .stats = {}, .data = nullptr};
     wand.stats.slot = static_cast<std::uint32_t>(root.integer("slot", {1, wand_slots}) - 1);
+    wand.stats.energy_slot =
+        static_cast<std::uint32_t>(energy.integer("of_slot", {1, wand_slots}, wand.stats.slot + 1) - 1);
     wand.stats.silhouette = static_cast<Silhouette>(
         root.choice("silhouette", {silhouette_names.begin(), silhouette_names.end()}));
     wand.stats.energy_cap = energy.number("cap", {0, 1e6});
@@ -36,11 +38,13 @@ LoadedWand read_wand(const WandKind& kind, const Config& file) {
     return wand;
 }
 
-bool spend(WandBelt& belt, const WandStats& stats) {
-    auto& energy = belt.energy[stats.slot];
-    if (energy < stats.energy_cost) return false;
-    energy -= stats.energy_cost;
+bool spend(WandBelt& belt, const WandStats& stats, double amount) {
+    auto& energy = belt.energy[stats.energy_slot];
+    if (energy < amount) return false;
+    energy -= amount;
     return true;
 }
+
+bool spend(WandBelt& belt, const WandStats& stats) { return spend(belt, stats, stats.energy_cost); }
 
 }  // namespace thaum::game

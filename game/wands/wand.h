@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ inline constexpr std::array<std::string_view, 5> silhouette_names{"needle", "for
 
 /// What every wand has.
 struct WandStats {
-    std::uint32_t slot{};  ///< 0..4, the key it is on
+    std::uint32_t slot{};         ///< 0..4, the key it is on
+    std::uint32_t energy_slot{};  ///< whose energy it uses: its own, or that of the wand it shares it with
     Silhouette silhouette{};
     double energy_cap{};
     double energy_cost{};    ///< of one use
@@ -73,6 +75,8 @@ struct WandKind {
     void (*add_systems)(const WandSystems& to, const void* data);
     /// Calls back for every missile in flight.
     void (*show)(const ecs::World&, const std::function<void(const Missile&)>&);
+    /// The point, m, that this wizard holds or hangs on by it; nothing where there is none.
+    std::optional<vec3> (*held_at)(const ecs::World&, ecs::Entity wizard);
 };
 
 /// Registers a kind for the life of the program.
@@ -91,7 +95,8 @@ struct LoadedWand {
 
 LoadedWand read_wand(const WandKind& kind, const Config& file);
 
-/// True, and the energy is taken, where the wand in hand has enough.
+/// True, and the energy is taken, where the wand in hand has enough; of the amount, or of one use.
+bool spend(WandBelt& belt, const WandStats& stats, double amount);
 bool spend(WandBelt& belt, const WandStats& stats);
 
 }  // namespace thaum::game

@@ -1,6 +1,7 @@
 // A match under hands that do anything at all: whatever comes in, all stays finite and in bounds. And logs that are not ours to
 // play.
 #include "game/match/playback.h"
+#include "game/wands/belt.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -39,8 +40,10 @@ void expect_sane(const Simulation& match) {
         ASSERT_LE(std::abs(g.pitch), pi / 2);
         ASSERT_LE(std::abs(g.yaw), pi);
     });
-    match.world().view<const WandBelt>().each([](const WandBelt& belt) {
-        for (const double energy : belt.energy) ASSERT_TRUE(energy >= 0 && energy <= 60) << energy;
+    const auto full = full_belt(match.data()).energy;
+    match.world().view<const WandBelt>().each([&full](const WandBelt& belt) {
+        for (std::size_t slot = 0; slot < wand_slots; ++slot)
+            ASSERT_TRUE(belt.energy[slot] >= 0 && belt.energy[slot] <= full[slot]) << belt.energy[slot];
     });
 }
 

@@ -1,6 +1,7 @@
 #include "ecs/snapshot.h"
 #include "game/match/power_ups.h"
 #include "game/match/result.h"
+#include "game/wands/belt.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -94,8 +95,8 @@ TEST(GameRules, TheLogRemembersRuleSetAndMatch) {
 TEST(GameRules, AGiftIsWhatThereIsRoomFor) {
     const auto data = duel_data();
     const auto gift = [&](PowerUpKind kind, double health, double energy) {
-        WandBelt belt;
-        belt.energy[data->wands[0].stats.slot] = energy;
+        auto belt = full_belt(*data);
+        belt.energy[0] = energy;  // the bolt's slot; 60 is its cap
         return gift_of(*data, kind, Health{.points = health}, belt).amount();
     };
     EXPECT_EQ(gift(PowerUpKind::vial, 10, 0), 25);

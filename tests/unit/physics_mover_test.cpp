@@ -25,7 +25,7 @@ struct Walker {
     explicit Walker(const std::vector<TriangleMesh>& meshes = {}) : physics({}, meshes) {}
     void enter(vec3 position) { physics.add(me, mover_body, at(position)); }
     void tick(vec3 wish, bool jump = false) {
-        last = move(physics, me, {wish, jump}, settings, state, dt);
+        last = move(physics, me, {.wish_velocity = wish, .jump = jump}, settings, state, dt);
         if (last.landing_speed > 0) landing = last.landing_speed;
         physics.step(dt);
     }
@@ -53,6 +53,27 @@ TEST(Mover, ReachesWalkingPace) {
     EXPECT_EQ(w.last.ground, floor_key);
     w.run(300, {});
     EXPECT_NEAR(w.pace(), 0, 1e-6);
+}
+
+TEST(Mover, ARopeTakesAsMuchGripAsItTakesWeight) {
+    const double weight = 75 * 9.81;
+    const auto speed_after = [&](double hung) {
+        Walker w;
+        add_floor(w.physics);
+        w.enter({0, standing, 0});
+        w.run(100, {});
+        for (int i = 0; i < 50; ++i) {
+            w.last =
+                move(w.physics, me, {.wish_velocity = {4.5, 0, 0}, .hung = hung}, w.settings, w.state, dt);
+            w.physics.apply_central_impulse(me, {0, std::min(hung, weight) * dt, 0});
+            w.physics.step(dt);
+        }
+        return w.velocity().x;
+    };
+    EXPECT_NEAR(speed_after(0), 40 * 0.05, 0.02);  // the acceleration on the ground
+    EXPECT_NEAR(speed_after(weight / 2), 20 * 0.05, 0.02);
+    EXPECT_NEAR(speed_after(weight), 4 * 0.05, 0.02);  // that in the air
+    EXPECT_NEAR(speed_after(3 * weight), 4 * 0.05, 0.02);
 }
 
 TEST(Mover, JumpsToItsApex) {

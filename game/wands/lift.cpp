@@ -1,0 +1,414 @@
+// The lift wand: while fire is held, a spring and damper join the hand and the loose thing that was under the crosshair (paper
+// 002, 3.1.1). The hand's point (HIP) moves with the wizard, with what the eye does and, many times enlarged, with the device;
+// the thing gets force alone, and the hand the opposite one.
+//
+// Three things the hand does not bear: the thing's weight, which is held up (a share of it is a fader); a drag against the
+// wizard's frame, without which 120 kg would ring for ten seconds; and, up to a limit, the force that carries the thing along with the
+// wizard's frame, so that neither a step nor a turn of the eye kicks the hand. The frame follows the eye smoothly.
+#include <algorithm>
+#include <cmath>
+
+#include "game/match/touch.h"
+#include "game/wands/tug.h"
+#include "game/wands/wand.h"
+
+namespace thaum::game {
+namespace {
+
+using input::Button;
+
+struct LiftData {
+    double energy_per_use{}, energy_per_impulse{};  ///< each gameplay tick; for 1 N s
+    double range{}, mass_max{};                     ///< m, kg
+    double stiffness{}, damping{}, drag_ratio{};    ///< N/m, N s/m, of critical damping
+    double lost{};                                  ///< m
+    double turn_torque{};                           ///< N m
+    double carry{};                                 ///< N
+    double follow{};                                ///< 1/s
+    double follow_rate{}, follow_acceleration{};    ///< rad/s, rad/s^2
+    double follow_speed{};                          ///< m/s
+    double wheel{};                                 ///< m
+    double metres_per_metre{}, finest{};
+    double felt_stiffness{};         ///< N/m
+    double weight{};                 ///< N/kg
+    double blow{}, blow_least{};     ///< N for 1 N s, N s
+    double throw_speed{}, recoil{};  ///< m/s, N
+    Tick recoil_length{};
+};
+
+/// A wizard's hand on this wand.
+struct LiftHand {
+    ecs::Entity held{};
+    quat turn{1, 0, 0, 0};            ///< of the thing, as seen from the frame's yaw
+    double yaw{}, pitch{};            ///< rad, of the frame
+    double yaw_rate{}, pitch_rate{};  ///< rad/s
+    vec3 taken_object{};              ///< m, P_obj0
+    vec3 taken_device{};              ///< m, P_device0
+    vec3 hip{};                       ///< m, world: P_HIP after the last tick
+    vec3 base{};                      ///< m, world: the same without the hand's motion
+    vec3 base_velocity{};             ///< m/s
+    Tug tug{};
+    double metres_per_metre{};
+    double impulse{};  ///< N s, of the spring, given and not yet paid for
+    Tick next_blow{};
+    static constexpr std::string_view name = "LiftHand";
+    static constexpr auto fields() {
+        using H = LiftHand;
+        return std::tuple(field("held", &H::held), field("turn", &H::turn), field("yaw", &H::yaw),
+                          field("pitch", &H::pitch), field("yaw_rate", &H::yaw_rate),
+                          field("pitch_rate", &H::pitch_rate), field("taken_object", &H::taken_object),
+                          field("taken_device", &H::taken_device), field("hip", &H::hip),
+                          field("base", &H::base), field("base_velocity", &H::base_velocity),
+                          field("tug", &H::tug), field("metres_per_metre", &H::metres_per_metre),
+                          field("impulse", &H::impulse), field("next_blow", &H::next_blow));
+    }
+};
+
+constexpr Tick between_blows = 40;  ///< ticks; a blow is felt once
+constexpr Tick blow_length = 20;    ///< ticks
+constexpr double blow_force = 2.5;  ///< N, at most
+constexpr double throw_reach = 20;  ///< m; where a throw crosses the crosshair
+
+std::shared_ptr<const void> read(const ConfigTable& root) {
+    LiftData data;
+    const auto energy = root.table("energy");
+    data.energy_per_use = energy.number("per_s", {0, 1e6}) * gameplay_dt;
+    data.energy_per_impulse = energy.number("per_n_s", {0, 1e6});
+    const auto hold = root.table("hold");
+    data.range = hold.number("range_m", {0, 100});
+    data.mass_max = hold.number("mass_max_kg", {0, 1e5});
+    data.stiffness = hold.number("stiffness_n_per_m", {1, 1e6});
+    data.damping = hold.number("damping_n_s_per_m", {0, 1e5});
+    data.drag_ratio = hold.number("drag_ratio", {0, 10});
+    data.lost = hold.number("lost_m", {0.01, 100});
+    data.turn_torque = hold.number("turn_torque_n_m", {0, 1e6});
+    data.carry = hold.number("carry_max_n", {0, 1e6});
+    data.follow = 1 / hold.number("follow_s", {0.01, 10});
+    data.follow_rate = hold.number("follow_deg_per_s", {0, 1e4}) * radians_per_degree;
+    data.follow_acceleration = hold.number("follow_deg_per_s2", {0, 1e6}) * radians_per_degree;
+    data.follow_speed = hold.number("follow_m_s", {0, 1000});
+    data.wheel = hold.number("wheel_m", {0, 10});
+    const auto hand = root.table("hand");
+    data.metres_per_metre = hand.number("metres_per_metre", {0.01, 1000});
+    data.finest = hand.number("finest", {0.001, 1});
+    data.felt_stiffness = hand.number("stiffness_n_per_m", {0, 1e4});
+    data.weight = hand.number("weight_n_per_kg", {0, 10});
+    data.blow = hand.number("blow_n_per_n_s", {0, 100});
+    data.blow_least = hand.number("blow_least_n_s", {0, 1e4});
+    const auto thrown = root.table("throw");
+    data.throw_speed = thrown.number("speed_m_s", {0, 100});
+    data.recoil = thrown.number("recoil_n", {0, 100});
+    data.recoil_length = std::max<Tick>(1, ticks(thrown.number("length_s", {0.001, 10})));
+    return std::make_shared<LiftData>(data);
+}
+
+/// The greatest extent, m.
+double extent(const physics::BodyDesc& body) {
+    switch (body.shape) {
+        case physics::Shape::box: return 2 * std::max({body.size.x, body.size.y, body.size.z});
+        case physics::Shape::sphere: return 2 * body.size.x;
+        default: return 2 * (std::max(body.size.x, body.size.y));
+    }
+}
+
+/// kg m^2, about the axis that is hardest to turn.
+double greatest_inertia(const physics::BodyDesc& body) {
+    const vec3 s2 = body.size * body.size;
+    switch (body.shape) {
+        case physics::Shape::box: return body.mass / 3 * (s2.x + s2.y + s2.z - std::min({s2.x, s2.y, s2.z}));
+        case physics::Shape::sphere: return 0.4 * body.mass * s2.x;
+        default: return body.mass * std::max(s2.x / 2, s2.x / 4 + s2.y / 3);
+    }
+}
+
+double wrapped(double angle) { return angle - 2 * pi * std::round(angle / (2 * pi)); }
+
+/// Where the crosshair is, from the wizard's eye.
+struct Sight {
+    vec3 eye{}, ahead{};
+};
+
+Sight sight_of(const Stage& stage, ecs::Entity wizard) {
+    const auto& now = std::as_const(stage.world);
+    const auto& gaze = now.get<Gaze>(wizard);
+    return {eye_of(stage.data.wizard, stage.physics.state(wizard.index).position),
+            look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1)};
+}
+
+double newtons_per_newton(const LiftData& data, const LiftHand& hand) {
+    return data.felt_stiffness / (hand.metres_per_metre * data.stiffness);
+}
+
+haptics::CouplingFrame frame_of(const Stage& stage, const LiftData& data, ecs::Entity wizard,
+                                const LiftHand& hand) {
+    return {.player_to_world = glm::mat3_cast(look_rotation(hand.yaw, hand.pitch)),
+            .device_to_player = mat3(1.0),
+            .metres_per_metre = hand.metres_per_metre,
+            .newtons_per_newton = newtons_per_newton(data, hand),
+            .player = sight_of(stage, wizard).eye,
+            .taken_object = hand.taken_object,
+            .taken_device = hand.taken_device};
+}
+
+// ---- taking and letting go ----------------------------------------------------------------------------------------
+
+/// The loose thing under the crosshair that is near and light enough.
+ecs::Entity aimed_at(const Stage& stage, const LiftData& data, ecs::Entity wizard) {
+    const auto [eye, ahead] = sight_of(stage, wizard);
+    const auto hit = stage.physics.ray(eye, eye + ahead * data.range, physics::all_layers, wizard.index);
+    if (!hit) return {};
+    const auto thing = stage.world.entity(hit->key);
+    const bool can_be_held =
+        thing && stage.world.has<Prop>(thing) && stage.physics.desc(hit->key).mass <= data.mass_max;
+    return can_be_held ? thing : ecs::Entity{};
+}
+
+void take(Stage& stage, const LiftData& data, ecs::Entity wizard, ecs::Entity thing, LiftHand& hand) {
+    const auto& now = std::as_const(stage.world);
+    const auto& gaze = now.get<Gaze>(wizard);
+    const auto& body = stage.physics.state(thing.index);
+    hand = {.held = thing, .yaw = gaze.yaw, .pitch = gaze.pitch};
+    hand.taken_device = now.get<Grip>(wizard).device.position;
+    hand.taken_object =
+        glm::conjugate(look_rotation(gaze.yaw, gaze.pitch)) * (body.position - sight_of(stage, wizard).eye);
+    hand.turn = glm::conjugate(rotation({0, 1, 0}, gaze.yaw)) * body.orientation;
+    hand.hip = hand.base = body.position;
+    hand.base_velocity = stage.physics.velocity(wizard.index);
+    hand.tug.expected = body.velocity;
+    const double size = extent(stage.physics.desc(thing.index));
+    hand.metres_per_metre = data.metres_per_metre * std::clamp(size, data.finest, 1.0);
+}
+
+bool holds(const Stage& stage, const LiftHand& hand) {
+    return hand.held && stage.world.alive(hand.held) && stage.world.has<Body>(hand.held);
+}
+
+void let_thing_go(Stage& stage, ecs::Entity wizard, LiftHand& hand) {
+    if (holds(stage, hand)) end_tug(stage.physics, hand.held.index, hand.tug);
+    hand = {};
+    stage.world.get<WandBelt>(wizard).holds = 0;
+    let_go(stage, wizard);
+}
+
+/// As fast as the energy that is left allows, across the crosshair.
+void throw_thing(const WandUse& use, const LiftData& data, LiftHand& hand) {
+    auto& stage = use.stage;
+    auto& belt = stage.world.get<WandBelt>(use.wizard);
+    auto& energy = belt.energy[use.stats.energy_slot];
+    const auto key = hand.held.index;
+    const double mass = stage.physics.desc(key).mass;
+    const double per_speed = data.energy_per_impulse * mass;
+    const double speed = per_speed > 0 ? std::min(data.throw_speed, energy / per_speed) : data.throw_speed;
+    const auto [eye, ahead] = sight_of(stage, use.wizard);
+    const vec3 way = glm::normalize(eye + ahead * throw_reach - stage.physics.state(key).position);
+    const double before = glm::dot(tugged_velocity(stage.physics, key, hand.tug), way);
+    energy = std::max(0.0, energy - per_speed * std::max(0.0, speed - before));
+    let_thing_go(stage, use.wizard, hand);
+    stage.physics.set_velocity(key, way * std::max(speed, before));
+    kick(stage, use.wizard, data.recoil * speed / std::max(data.throw_speed, 1e-9), data.recoil_length);
+    ++belt.fired;
+}
+
+void tell_dry(const WandUse& use) {
+    const auto player = std::as_const(use.stage.world).get<Wizard>(use.wizard).player;
+    record(use.stage.world, {.tick = use.tick, .kind = EventKind::dry, .subject = player, .by = player});
+}
+
+void begin(const WandUse& use, const LiftData& data, LiftHand& hand) {
+    auto& world = use.stage.world;
+    const auto thing = aimed_at(use.stage, data, use.wizard);
+    if (!thing) return;
+    auto& belt = world.get<WandBelt>(use.wizard);
+    if (!spend(belt, use.stats)) return tell_dry(use);
+    take(use.stage, data, use.wizard, thing, hand);
+    belt.holds = 1;
+    world.get<Health>(use.wizard).shielded_until = use.tick;  // who attacks is no longer protected
+}
+
+/// What holding costs; the deed is the holder's; the wheel brings the thing nearer or takes it away.
+void go_on(const WandUse& use, const LiftData& data, const Controls& controls, LiftHand& hand) {
+    auto& world = use.stage.world;
+    const double cost = data.energy_per_use + data.energy_per_impulse * hand.impulse;
+    hand.impulse = 0;
+    if (!spend(world.get<WandBelt>(use.wizard), use.stats, cost)) {
+        let_thing_go(use.stage, use.wizard, hand);
+        return tell_dry(use);
+    }
+    world.get<Prop>(hand.held) = {.moved_at = use.tick,
+                                  .moved_by = std::as_const(world).get<Wizard>(use.wizard).player};
+    world.get<Grip>(use.wizard).home.z -= controls.wheel * data.wheel / hand.metres_per_metre;
+}
+
+void use(const WandUse& use) {
+    const auto& data = *static_cast<const LiftData*>(use.data);
+    auto& world = use.stage.world;
+    const auto& controls = std::as_const(world).get<Controls>(use.wizard);
+    auto& hand = world.get<LiftHand>(use.wizard);
+    if (!hand.held) {
+        if ((controls.pressed & input::bit(Button::fire)) != 0) begin(use, data, hand);
+        return;
+    }
+    if (!holds(use.stage, hand)) return let_thing_go(use.stage, use.wizard, hand);
+    go_on(use, data, controls, hand);
+    if (!hand.held) return;
+    if ((controls.pressed & input::bit(Button::throw_)) != 0) return throw_thing(use, data, hand);
+    if ((controls.held & input::bit(Button::fire)) == 0) let_thing_go(use.stage, use.wizard, hand);
+}
+
+// ---- every tick ---------------------------------------------------------------------------------------------------
+
+/// An implicit step of a critically damped spring of `frequency` rad/s; its new rate.
+double eased_rate(double rate, double off, double frequency) {
+    const double x = frequency * physics_dt;
+    return (rate + x * frequency * off) / (1 + 2 * x + x * x);
+}
+
+void follow_angle(const LiftData& data, double reach, double off, double& angle, double& rate) {
+    const double most = data.follow_acceleration * physics_dt;
+    const double fastest = std::min(data.follow_rate, data.follow_speed / std::max(reach, 0.1));
+    const double wanted = std::clamp(eased_rate(rate, off, data.follow), -fastest, fastest);
+    rate += std::clamp(wanted - rate, -most, most);
+    angle += rate * physics_dt;
+}
+
+/// The frame follows the eye smoothly.
+void follow(const LiftData& data, const Gaze& gaze, LiftHand& hand) {
+    const double reach = glm::length(hand.taken_object);
+    follow_angle(data, reach, wrapped(gaze.yaw - hand.yaw), hand.yaw, hand.yaw_rate);
+    follow_angle(data, reach, gaze.pitch - hand.pitch, hand.pitch, hand.pitch_rate);
+    hand.yaw = wrapped(hand.yaw);
+}
+
+/// Keeps the thing's side to the wizard: an implicit step of a critically damped spring of turns, as stiff as the coupling,
+/// with a bounded torque.
+void hold_turned(Stage& stage, const LiftData& data, const LiftHand& hand) {
+    const auto key = hand.held.index;
+    const auto& body = stage.physics.desc(key);
+    const auto& state = stage.physics.state(key);
+    quat off = rotation({0, 1, 0}, hand.yaw) * hand.turn * glm::conjugate(state.orientation);
+    if (off.w < 0) off = -off;
+    const vec3 angle = 2.0 * vec3(off.x, off.y, off.z);  // rad, for small ones; less than that for large
+    const double frequency = std::sqrt(data.stiffness / body.mass);
+    const double x = frequency * physics_dt;
+    const vec3 reference(0, hand.yaw_rate, 0);
+    const vec3 spin = reference + (state.spin - reference + x * frequency * angle) / (1 + 2 * x + x * x);
+    const double most = data.turn_torque / greatest_inertia(body) * physics_dt;
+    stage.physics.set_spin(key, state.spin + limited(spin - state.spin, most));
+}
+
+bool touches_holder(const Stage& stage, ecs::Entity wizard, ecs::Entity held) {
+    const auto a = std::min(wizard.index, held.index), b = std::max(wizard.index, held.index);
+    const auto contacts = stage.physics.contacts();
+    return std::any_of(contacts.begin(), contacts.end(), [=](const auto& c) { return c.a == a && c.b == b; });
+}
+
+/// What struck the thing since the last tick kicks the hand.
+void feel_blow(Stage& stage, const LiftData& data, const haptics::CouplingFrame& frame, ecs::Entity wizard,
+               Tick tick, LiftHand& hand) {
+    const auto key = hand.held.index;
+    const vec3 blow = stage.physics.desc(key).mass * (stage.physics.velocity(key) - hand.tug.expected);
+    const double size = glm::length(blow);
+    if (size < data.blow_least || tick < hand.next_blow) return;
+    hand.next_blow = tick + between_blows;
+    const vec3 way = glm::transpose(frame.player_to_world) * (blow / size);
+    kick(stage, wizard, way * std::min(blow_force, data.blow * size), blow_length);
+}
+
+/// The spring as the hand feels it, until the next tick.
+haptics::Tether tether_to(const LiftData& data, const haptics::CouplingFrame& frame, const LiftHand& hand,
+                          vec3 device, vec3 object, vec3 object_velocity, vec3 base_velocity) {
+    const mat3 to_device = glm::transpose(frame.player_to_world * frame.device_to_player);
+    const double felt = frame.newtons_per_newton * frame.metres_per_metre;
+    return {.anchor = device - to_device * (hand.hip - object) / frame.metres_per_metre,
+            .anchor_velocity = to_device * (object_velocity - base_velocity) / frame.metres_per_metre,
+            .stiffness = felt * data.stiffness,
+            .damping = felt * data.damping};
+}
+
+/// More than one may hold it; its weight is held up once.
+int holders(const ecs::World& world, ecs::Entity thing) {
+    int count = 0;
+    world.view<const LiftHand>().each([&](const LiftHand& hand) { count += hand.held == thing; });
+    return count;
+}
+
+void pull(Stage& stage, const LiftData& data, ecs::Entity wizard, Tick tick, LiftHand& hand) {
+    const auto key = hand.held.index;
+    const auto& now = std::as_const(stage.world);
+    const vec3 device = now.get<Grip>(wizard).device.position;
+    follow(data, now.get<Gaze>(wizard), hand);
+    const auto frame = frame_of(stage, data, wizard, hand);
+    const vec3 hip = haptics::interface_point(frame, device);
+    const vec3 base = haptics::interface_point(frame, hand.taken_device);
+    const auto& body = stage.physics.state(key);
+    const int sharing = holders(now, hand.held);
+    if (sharing == 1) feel_blow(stage, data, frame, wizard, tick, hand);
+    const double mass = stage.physics.desc(key).mass;
+    const double drag = data.drag_ratio * 2 * std::sqrt(data.stiffness * mass);
+    const auto step = haptics::coupling_step({data.stiffness, data.damping, drag}, 1 / mass, 0, physics_dt);
+    const vec3 base_velocity = (base - hand.base) / physics_dt;
+    const vec3 carry = limited(mass * (base_velocity - hand.base_velocity) / physics_dt, data.carry);
+    const vec3 gravity = stage.physics.settings().gravity;
+    const auto result =
+        haptics::couple(step, {.hand = hand.hip,
+                               .hand_velocity = (hip - hand.hip) / physics_dt,
+                               .object = body.position,
+                               .object_velocity = tugged_velocity(stage.physics, key, hand.tug),
+                               .drag_velocity = base_velocity,
+                               .object_acceleration = carry / mass + gravity * (1 - 1.0 / sharing)});
+    const vec3 object = body.position + result.displacement;
+    hand.hip = hip;
+    hand.base = base;
+    hand.base_velocity = base_velocity;
+    if (touches_holder(stage, wizard, hand.held)) {  // or one could ride on it
+        end_tug(stage.physics, key, hand.tug);
+        hand.tug.expected = body.velocity + gravity * physics_dt;
+    } else {
+        hand.impulse += glm::length(result.impulse);
+        give_tug(stage.physics, key, result, hand.tug);
+        hold_turned(stage, data, hand);
+    }
+    tether(stage, wizard, tether_to(data, frame, hand, device, object, hand.tug.expected, base_velocity));
+    lean(stage, wizard, vec3(0, -data.weight * mass, 0));
+    if (glm::distance(hip, object) > data.lost) let_thing_go(stage, wizard, hand);
+}
+
+void add_forces(const WandSystems& to, const void* wand) {
+    auto& world = to.stage.world;
+    to.schedule.add({.name = "lift",
+                     .period = physics_period,
+                     .reads = world.mask<Wizard, Gaze, Motion, Body, Dead>(),
+                     .writes = world.mask<LiftHand, Grip, WandBelt>(),
+                     .needs = world.mask<LiftHand>(),
+                     .run = [&stage = to.stage, wand](ecs::World& w, Tick tick) {
+                         w.view<LiftHand, ecs::Without<Dead>>().each([&](ecs::Entity e, LiftHand& hand) {
+                             if (holds(stage, hand))
+                                 pull(stage, *static_cast<const LiftData*>(wand), e, tick, hand);
+                         });
+                     }});
+}
+
+const WandRegistration registration({
+    .name = "lift",
+    .read = read,
+    .declare = [](ecs::World& world) { world.declare<LiftHand>(); },
+    .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, LiftHand{}); },
+    .use = use,
+    .put_away =
+        [](const WandUse& use) {
+            auto& hand = use.stage.world.get<LiftHand>(use.wizard);
+            if (hand.held) let_thing_go(use.stage, use.wizard, hand);
+        },
+    .writes = [](const ecs::World& world) { return world.mask<LiftHand, Chronicle, Health, Grip, Prop>(); },
+    .add_forces = add_forces,
+    .add_systems = [](const WandSystems&, const void*) {},
+    .show = [](const ecs::World&, const std::function<void(const Missile&)>&) {},
+    .held_at = [](const ecs::World& world, ecs::Entity wizard) -> std::optional<vec3> {
+        const auto held = world.get<LiftHand>(wizard).held;
+        const auto* motion = held ? world.find<Motion>(held) : nullptr;
+        return motion != nullptr ? std::optional(motion->position) : std::nullopt;
+    },
+});
+
+}  // namespace
+}  // namespace thaum::game
