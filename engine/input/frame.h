@@ -1,6 +1,7 @@
 // input/frame.h: what came in during one tick, as integers. A match is a pure function of its header and of these
 // frames, so nothing here is a result and nothing is a floating point number.
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -86,7 +87,12 @@ struct InputFrame {
 /// What else decides how a device's counts act; it stands in the log's header, so a setting changed later
 /// does not change a replay.
 struct DeviceSpec {
-    static constexpr std::uint32_t invert_y = 1U << 0U;  ///< flag: look_up and turn_up act downwards
+    static constexpr std::uint32_t invert_y = 1U << 0U;   ///< flag: look_up and turn_up act downwards
+    static constexpr std::uint32_t no_forces = 1U << 1U;  ///< flag: the player wants to feel none
+    static constexpr std::uint32_t force_shift =
+        8;  ///< flags, 7 bits from there: %, at most 100, of the device's force
+    static constexpr std::uint32_t force_bits =
+        0x7FU << force_shift;  ///< that reaches the hand; 0: the rules' share
 
     std::uint32_t player{};  ///< index into LogHeader::players
     DeviceKind kind{};
@@ -95,6 +101,14 @@ struct DeviceSpec {
     double turn_rad_per_s{3.5};          ///< rad/s of view at full stick
     std::uint32_t flags{};
     bool operator==(const DeviceSpec&) const = default;
+
+    /// 0 to 100 %: how much of the device's force its player wants at most. 0 is none at all.
+    void ask_for_force(std::uint32_t percent) {
+        flags &= ~(no_forces | force_bits);
+        flags |= percent == 0 ? no_forces : std::min(percent, 100U) << force_shift;
+    }
+    /// %; 0 where the rules say it.
+    std::uint32_t force_asked_for() const { return (flags & force_bits) >> force_shift; }
 };
 
 }  // namespace thaum::input

@@ -77,6 +77,7 @@ TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     spec.look_rad_per_count *= settings.sensitivity;
     spec.turn_rad_per_s = settings.turn_deg_per_s * radians_per_degree;
     if (settings.invert_y) spec.flags |= input::DeviceSpec::invert_y;
+    if (const auto percent = force_wishes[settings.force[player]].percent) spec.ask_for_force(*percent);
     return {seat, spec, std::make_unique<input::HandsCollector>(settings.bindings_of(spec.kind))};
 }
 

@@ -148,6 +148,14 @@ ChoiceSetting quality_setting() {
             }};
 }
 
+template <std::size_t Player>
+ChoiceSetting force_setting() {
+    std::vector<std::string_view> names;
+    for (const auto& wish : force_wishes) names.push_back(wish.name);
+    return {std::move(names), [](const Settings& s) { return s.force[Player]; },
+            [](Settings& s, std::size_t i) { s.force[Player] = i; }};
+}
+
 }  // namespace
 
 std::span<const Setting> all_settings() {
@@ -165,6 +173,8 @@ std::span<const Setting> all_settings() {
         {"invert_y", "Up is down", FlagSetting{&Settings::invert_y}},
         {"turn_deg_per_s", "Stick and arrow speed",
          NumberSetting{&Settings::turn_deg_per_s, 20, 1000, 10, 1, "\u00B0/s"}, true},
+        {"force_1", "Force on player 1's hand", force_setting<0>(), true},
+        {"force_2", "Force on player 2's hand", force_setting<1>(), true},
         {"quality", "Picture quality", quality_setting()},
         {"bloom", "Bloom at high quality", FlagSetting{&Settings::bloom}},
         {"frames_per_second", "Pictures a second",

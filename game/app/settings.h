@@ -22,6 +22,15 @@ inline constexpr std::size_t session_keys = 7;
 /// "pause", "again", ...: the keys of the table [session].
 std::string_view name_of(SessionKey key);
 
+/// How much of a device's force a player wants, at most; %.
+struct ForceWish {
+    std::string_view name;
+    std::optional<std::uint32_t> percent{};  ///< nothing: what the data files say
+};
+inline constexpr std::array<ForceWish, 5> force_wishes{
+    {{"off", 0}, {"soft", 25}, {"gentle", std::nullopt}, {"firm", 70}, {"full", 100}}};
+inline constexpr std::size_t gentle_force = 2;
+
 struct Settings {
     render::Split split = render::Split::top_bottom;
     bool fullscreen = false;
@@ -33,6 +42,7 @@ struct Settings {
     double sensitivity = 1;
     double turn_deg_per_s = 200;
     bool invert_y = false;
+    std::array<std::size_t, 2> force{gentle_force, gentle_force};  ///< of each player, into force_wishes
     int logs_kept = 50;
     std::array<input::Bindings, input::device_kinds> bindings;  ///< by input::DeviceKind
     std::array<std::vector<input::Control>, session_keys> session;

@@ -74,7 +74,7 @@ void take_held(const Simulation& match, ecs::Entity wizard, const WandBelt& belt
 void take_force(const Simulation& match, std::uint32_t player, const Grip& grip, ForcePicture& out) {
     const auto& trace = match.felt(player);
     out.cause = static_cast<haptics::SafetyCause>(grip.servo.safety.cause);
-    out.cap = haptics::safety_limits(match.data().device, match.data().touch.share).cap;
+    out.cap = match.touch().servos[player].limits.cap;
     out.now = grip.servo.safety.output;
     // Whole columns, so that they move on and do not change. The ring's oldest is where the newest fills.
     const auto fills = match.match().played / force_column;

@@ -67,8 +67,8 @@ Gift gift_of(const MatchData& data, PowerUpKind kind, const Health& health, cons
     if (const auto* wand = emptiest_wand(data, belt)) {
         const auto& stats = wand->stats;
         gift.slot = stats.energy_slot;
-        gift.energy = std::max(
-            0.0, std::min(rules.energy_share * stats.energy_cap, stats.energy_cap - belt.energy[stats.energy_slot]));
+        gift.energy = std::max(0.0, std::min(rules.energy_share * stats.energy_cap,
+                                             stats.energy_cap - belt.energy[stats.energy_slot]));
     }
     return gift;
 }

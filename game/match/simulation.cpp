@@ -18,17 +18,30 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
     world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, Chronicle{});
 }
 
-Touch touch_of(const MatchData& data) {
-    return {.device = haptics::simulated_device(data.device, haptics::Hand{}),
-            .servo = {haptics::safety_limits(data.device, data.touch.share)}};
+Touch touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
+    Touch touch{.device = haptics::simulated_device(data.device, haptics::Hand{})};
+    touch.on.fill(true);
+    for (auto& servo : touch.servos) servo = {haptics::safety_limits(data.device, data.touch.share)};
+    for (const auto& device : devices) {
+        if (device.player >= players) continue;
+        if ((device.flags & input::DeviceSpec::no_forces) != 0) touch.on[device.player] = false;
+        const auto percent = device.force_asked_for();
+        if (percent != 0)
+            touch.servos[device.player] = {haptics::safety_limits(data.device, percent / 100.0)};
+    }
+    return touch;
 }
 
 }  // namespace
 
 Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     : data_(std::move(data)), setup_(std::move(setup)) {
-    stage_.reset(new Stage{
-        {}, physics::Physics({}, data_->arena.meshes), *data_, touch_of(*data_), setup_.devices, {}});
+    stage_.reset(new Stage{{},
+                           physics::Physics({}, data_->arena.meshes),
+                           *data_,
+                           touch_of(*data_, setup_.devices),
+                           setup_.devices,
+                           {}});
     auto& stage = *stage_;
     declare_components(stage.world);
     stage.world.reserve_entities(1024);
@@ -85,6 +98,7 @@ Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at)
     return {};
 }
 
+const Touch& Simulation::touch() const { return stage_->touch; }
 const ForceTrace& Simulation::felt(std::uint32_t player) const { return stage_->felt[player]; }
 
 std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {

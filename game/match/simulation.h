@@ -49,6 +49,7 @@ public:
     std::uint64_t force_hash() const { return force_hash_; }
     /// Length of the force on a player's hand, N, at tick t of play in place t mod size.
     const ForceTrace& felt(std::uint32_t player) const;
+    const Touch& touch() const;
     /// The World's snapshot (ecs/snapshot.h). Restorable only where now() is a multiple of keyframe_interval.
     void save(Bytes& out) const;
     /// Goes on from a state that another Simulation of the same data and setup saved at tick `at`, a keyframe.

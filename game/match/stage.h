@@ -21,7 +21,8 @@ inline constexpr double gameplay_dt = seconds(gameplay_period);
 /// What hands hold in this match, prepared.
 struct Touch {
     haptics::SimulatedDevice device;
-    haptics::Servo servo;
+    std::array<haptics::Servo, players> servos{};
+    std::array<bool, players> on{};  ///< who wants to feel forces at all
 };
 
 /// N, of each of the last ticks.

@@ -30,20 +30,26 @@ bool note_panic_keys(ecs::World& world) {
 }
 
 /// Returns the force, N.
-double feel(const Stage& stage, const Controls& controls, bool panic, Grip& grip) {
+double feel(const Stage& stage, std::uint32_t player, const Controls& controls, bool panic, Grip& grip) {
     const vec3 moved = vec3(controls.hand_right, controls.hand_up, 0) * metres_per_micrometre;
     const auto& device = stage.touch.device;
     const haptics::HapticModel model{.pulse = grip.kick,
                                      .lean = grip.lean,
                                      .tether = grip.tether,
-                                     .on = true,
+                                     .on = stage.touch.on[player],
                                      .panic = panic,
                                      .rearm = grip.rearm != 0};
     const vec3 measured = haptics::measured_position(device, grip.device);
-    const vec3 force = haptics::servo_step(stage.touch.servo, grip.servo, model, {measured, 0});
+    const vec3 force = haptics::servo_step(stage.touch.servos[player], grip.servo, model, {measured, 0});
     grip.home = glm::clamp(grip.home + moved, -device.reach, device.reach);
     grip.device = haptics::step(device, grip.device, grip.home + grip.pull, force);
     return glm::length(force);
+}
+
+/// What a newton of the wands' files is for this player's device and wish.
+double felt_share(const Stage& stage, ecs::Entity wizard) {
+    const auto player = stage.world.get<Wizard>(wizard).player;
+    return stage.touch.servos[player].limits.cap / reference_peak;
 }
 
 }  // namespace
@@ -66,7 +72,7 @@ void add_touch_system(Stage& stage, ecs::Schedule& schedule) {
                           [&](const Wizard& wizard, const Controls& controls, Grip& grip) {
                               auto& trace = stage.felt[wizard.player];
                               trace[tick % trace.size()] =
-                                  static_cast<float>(feel(stage, controls, panic, grip));
+                                  static_cast<float>(feel(stage, wizard.player, controls, panic, grip));
                           });
                   }});
 }
@@ -77,13 +83,13 @@ void kick(Stage& stage, ecs::Entity wizard, double newtons, Tick length) {
 
 void kick(Stage& stage, ecs::Entity wizard, vec3 newtons, Tick length) {
     auto& grip = stage.world.get<Grip>(wizard);
-    grip.kick = {.peak = newtons / reference_peak * stage.touch.servo.limits.cap,
+    grip.kick = {.peak = newtons * felt_share(stage, wizard),
                  .length = static_cast<std::uint32_t>(length),
                  .number = grip.kick.number + 1};
 }
 
 void lean(Stage& stage, ecs::Entity wizard, vec3 newtons) {
-    stage.world.get<Grip>(wizard).lean.force = newtons / reference_peak * stage.touch.servo.limits.cap;
+    stage.world.get<Grip>(wizard).lean.force = newtons * felt_share(stage, wizard);
 }
 
 void tether(Stage& stage, ecs::Entity wizard, const haptics::Tether& to) {

@@ -87,6 +87,7 @@ Expected<void> begin_match(Play& play, const MatchWish& wish) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const int level = wish.bot_level[player];
         setup.devices.push_back(level == 0 ? script_device(player) : bot_device(player, level));
+        if (wish.force[player]) setup.devices.back().ask_for_force(*wish.force[player]);
     }
     play.match = std::make_unique<Simulation>(play.data, setup);
     for (std::uint32_t player = 0; player < players; ++player) {
@@ -193,10 +194,7 @@ constexpr Column columns[] = {
     {"health", "health_hp", [](const Play& p, std::uint32_t i) { return part<Health>(p, i).points; },
      nullptr},
     {"energy", "energy",
-     [](const Play& p, std::uint32_t i) {
-         return energy_in_hand(*p.data, part<WandBelt>(p, i));
-     },
-     nullptr},
+     [](const Play& p, std::uint32_t i) { return energy_in_hand(*p.data, part<WandBelt>(p, i)); }, nullptr},
     {"hand_x", "hand_x_m", [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).device.position.x; },
      nullptr},
     {"hand_y", "hand_y_m", [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).device.position.y; },

@@ -27,7 +27,8 @@ struct Hand {
 struct MatchWish {
     DataChoice data;
     std::uint64_t seed = 1;
-    std::array<int, players> bot_level{};  ///< 0: played by the script
+    std::array<int, players> bot_level{};                       ///< 0: played by the script
+    std::array<std::optional<std::uint32_t>, players> force{};  ///< %, of each player; nothing: by the rules
 };
 
 /// Something that the script has put into the world.

@@ -2,7 +2,7 @@
 // see; times are seconds of the match, places metres ({x, y, z} or {x = , y = , z = }), players 1 and 2.
 //
 //     match{arena = , rules = "thaum" | "classic", match = "quick" | "standard", seed = , set = {"quick.kills=1"},
-//           players = {"script", "bot 1"}}   first, and once
+//           players = {"script", "bot 1"}, forces = {100, 0}}   first, and once; forces: % of what the devices can
 //     wizard(n)                 hold(button), release(button), press(button [, seconds]), move(strafe, forward) in -1..1,
 //                               stop(), look(right, up) in degrees, aim(place | wizard | thing): through the device
 //                               position() (feet), centre(), eye(), velocity(), yaw(), pitch() in rad, health(), energy(),
