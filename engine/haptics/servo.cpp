@@ -1,5 +1,6 @@
 #include "haptics/servo.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace thaum::haptics {
@@ -84,6 +85,66 @@ vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3
     return found.residual <= solved_residual ? found.force : spring.stiffness * (found.proxy - spring.centre);
 }
 
+// ---- energy -------------------------------------------------------------------------------------------------------
+
+/// N, on the tip, by kind of source.
+struct Sources {
+    vec3 passive{}, active{};
+    vec3 world{};  ///< of the passive force, what the world has its other end of
+};
+
+struct Tip {
+    vec3 position{}, velocity{};
+    bool switched{};  ///< a source came, went or jumped
+};
+
+/// A directed force has no lowest place: it may push for ever, and is an active source.
+bool conservative(const PrimitiveSet& set) {
+    const auto items = set.items();
+    return std::none_of(items.begin(), items.end(),
+                        [](const Primitive& p) { return p.kind == PrimitiveKind::directed; });
+}
+
+/// J, above the lowest place of what pulls at a proxy.
+double potential(const Primitive& primitive, vec3 proxy) {
+    const vec3 off = proxy - primitive.position;
+    const double along = glm::dot(off, primitive.direction);
+    switch (primitive.kind) {
+        case PrimitiveKind::point: return primitive.strength * glm::length(off);
+        case PrimitiveKind::line: return primitive.strength * glm::length(off - along * primitive.direction);
+        case PrimitiveKind::plane: return primitive.strength * std::max(0.0, -along);
+        case PrimitiveKind::directed: break;
+    }
+    return 0;
+}
+
+/// J, that the passive sources hold and may give back.
+double stored_energy(const ServoState& state, const HapticModel& model, vec3 tip) {
+    double stored = 0;
+    if (model.tether.stiffness > 0) {
+        const vec3 off = tip - model.tether.anchor;
+        stored += model.tether.stiffness * glm::dot(off, off) / 2 +
+                  model.tether.detents.depth * model.tether.detents.width / pi;
+    }
+    if (state.primitives != 0 && conservative(model.primitives)) {
+        const vec3 off = tip - state.proxy;
+        stored += model.coupling.stiffness * glm::dot(off, off) / 2;
+        for (const auto& primitive : model.primitives.items()) stored += potential(primitive, state.proxy);
+    }
+    return stored;
+}
+
+/// Books what the last tick did, and adds what keeps the sources passive and within their budget. What a source holds when it comes is
+/// the switch's doing.
+void keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tip& tip,
+                Sources& sources) {
+    const double stored = stored_energy(state, model, tip.position);
+    observe(state.energy, tip.position, model.tether.anchor_velocity * tick_seconds, stored, servo.latency);
+    if (tip.switched) state.energy.created = -stored;
+    sources.passive += passivity_control(state.energy, tip.velocity, servo.most_damping);
+    sources.active = within_budget(state.energy, sources.active, tip.velocity);
+}
+
 }  // namespace
 
 /// (n/pi) (cos(pi k/n) - cos(pi (k+1)/n)), as the product that does not subtract two numbers which are nearly equal.
@@ -91,6 +152,10 @@ double half_sine(std::uint32_t at, std::uint32_t length) {
     if (at >= length) return 0;
     const double half_tick = pi / (2.0 * length);
     return det::sin(half_tick) / half_tick * det::sin((2.0 * at + 1) * half_tick);
+}
+
+Servo servo_of(const DeviceSpec& spec, double share) {
+    return {.limits = safety_limits(spec, share), .most_damping = spec.max_damping, .latency = spec.latency};
 }
 
 double detent_force(const Detents& detents, double along) {
@@ -116,22 +181,27 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
     const bool cut_off = start_pulse(state, model.pulse);
     const bool set_jumped = note_set(state, model);
     const bool source_jumped = note_sources(state, model);
-    vec3 force =
-        play_pulses(state) + model.lean.force + tether_force(model.tether, sample.position, velocity);
+    Sources sources{.active = play_pulses(state) + model.lean.force,
+                    .world = tether_force(model.tether, sample.position, velocity)};
+    sources.passive = sources.world;
     if (model.primitives.items().empty()) {
         state.proxy = sample.position;
         state.primitives = 0;
     } else {
-        force += feel_primitives(state, model, sample.position, velocity);
+        const vec3 force = feel_primitives(state, model, sample.position, velocity);
+        (conservative(model.primitives) ? sources.passive : sources.active) += force;
     }
-    return make_safe(servo.limits, state.safety,
-                     {.wanted = force,
-                      .velocity = velocity,
-                      .model_age = sample.model_age,
-                      .switched = cut_off || set_jumped || source_jumped,
-                      .on = model.on,
-                      .panic = model.panic,
-                      .rearm = model.rearm});
+    keep_books(servo, state, model, {sample.position, velocity, set_jumped || source_jumped}, sources);
+    const vec3 output = make_safe(servo.limits, state.safety,
+                                  {.wanted = sources.passive + sources.active,
+                                   .velocity = velocity,
+                                   .model_age = sample.model_age,
+                                   .switched = cut_off || set_jumped || source_jumped,
+                                   .on = model.on,
+                                   .panic = model.panic,
+                                   .rearm = model.rearm});
+    enter(state.energy, output, sources.passive, sources.active, sources.world);
+    return output;
 }
 
 }  // namespace thaum::haptics

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "core/maths.h"
+#include "haptics/energy.h"
 #include "haptics/primitives.h"
 #include "haptics/safety.h"
 
@@ -74,7 +75,13 @@ struct ServoSample {
 /// What no tick changes.
 struct Servo {
     SafetyLimits limits{};
+    double
+        most_damping{};  ///< N s/m, that the device can render: what the passivity controller may add; 0: it is off
+    int latency{};  ///< ticks, the device's
 };
+
+/// share: the player's cap as a part of the device's peak, 0 to 1.
+Servo servo_of(const DeviceSpec& spec, double share);
 
 inline constexpr std::size_t pulses_at_once = 4;   ///< a fifth takes the place of the oldest: a switch
 inline constexpr std::size_t velocity_window = 8;  ///< ticks over which the tip's velocity is taken
@@ -99,10 +106,11 @@ struct ServoState {
     std::uint32_t set_number{};  ///< of these
     std::uint64_t lean_number{};
     std::uint64_t tether_number{};
+    EnergyBook energy{};
 };
-static_assert(sizeof(ServoState) == sizeof(SafetyState) + velocity_window * sizeof(vec3) +
-                                        pulses_at_once * sizeof(PlayingPulse) + sizeof(vec3) +
-                                        6 * sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t));
+static_assert(sizeof(ServoState) ==
+              sizeof(SafetyState) + velocity_window * sizeof(vec3) + pulses_at_once * sizeof(PlayingPulse) +
+                  sizeof(vec3) + 6 * sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t) + sizeof(EnergyBook));
 
 /// The force for the device, N, device frame.
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample);

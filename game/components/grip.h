@@ -51,6 +51,20 @@ constexpr auto fields_of(const Tether*) {
                       ecs::field("detents", &T::detents), ecs::field("number", &T::number));
 }
 
+constexpr auto fields_of(const BookedForce*) {
+    using B = BookedForce;
+    return std::tuple(ecs::field("passive", &B::passive), ecs::field("active", &B::active),
+                      ecs::field("world", &B::world));
+}
+
+constexpr auto fields_of(const EnergyBook*) {
+    using B = EnergyBook;
+    return std::tuple(ecs::field("position", &B::position), ecs::field("forces", &B::forces),
+                      ecs::field("created", &B::created), ecs::field("most_created", &B::most_created),
+                      ecs::field("given", &B::given), ecs::field("newest", &B::newest),
+                      ecs::field("open", &B::open));
+}
+
 constexpr auto fields_of(const ServoState*) {
     using S = ServoState;
     return std::tuple(ecs::field("safety", &S::safety), ecs::field("positions", &S::positions),
@@ -59,7 +73,7 @@ constexpr auto fields_of(const ServoState*) {
                       ecs::field("last_pulse", &S::last_pulse), ecs::field("next_pulse", &S::next_pulse),
                       ecs::field("primitives", &S::primitives), ecs::field("set_number", &S::set_number),
                       ecs::field("lean_number", &S::lean_number),
-                      ecs::field("tether_number", &S::tether_number));
+                      ecs::field("tether_number", &S::tether_number), ecs::field("energy", &S::energy));
 }
 
 }  // namespace thaum::haptics

@@ -331,13 +331,6 @@ void add_own_arm(const Court& court, std::uint32_t number, const PlayerPicture& 
     set_sun(court, p.eye, std::span(out).subspan(first));
 }
 
-/// How strong a force is, of the most that can be felt: green, yellow, red.
-fvec3 strain_colour(double share) {
-    const fvec3 green(0.15F, 0.9F, 0.25F), yellow(1.0F, 0.8F, 0.1F), red(1.0F, 0.12F, 0.08F);
-    const auto s = static_cast<float>(std::clamp(share, 0.0, 1.0));
-    return s < 0.5F ? glm::mix(green, yellow, 2 * s) : glm::mix(yellow, red, 2 * s - 1);
-}
-
 void add_beam(const Court& court, vec3 from, vec3 to, double thick, fvec3 tint, std::vector<Instance>& out) {
     const vec3 way = to - from;
     const double length = glm::length(way);
@@ -356,7 +349,7 @@ void add_forces(const Court& court, const PlayerPicture& p, bool own, std::vecto
     const auto looking = look_rotation(p.yaw, p.pitch);
     const vec3 tip = p.eye + looking * (wand_tip + (own ? p.wand_reach : vec3(0)));
     const double share = p.force.cap > 0 ? glm::length(p.force.now) / p.force.cap : 0;
-    const fvec3 tint = strain_colour(share);
+    const fvec3 tint = force_colour(share);
     if (p.held) add_beam(court, tip, *p.held, 0.012, tint, out);
     if (!own || share < least_share) return;
     add_beam(court, tip, tip + looking * p.force.now / p.force.cap * ribbon_length, 0.006, tint, out);

@@ -15,6 +15,8 @@ struct TeamColours {
     fvec3 glow;                ///< of bolts and of the light they give
 };
 const TeamColours& team_colours(std::uint32_t team);
+/// Of a force, by its share of the most that can be felt: from green over yellow to red.
+fvec3 force_colour(double share);
 /// "Ember", "Tide".
 std::string_view team_name(std::uint32_t team);
 

@@ -195,13 +195,6 @@ void add_veil(Overlay& out, const Rect& r, fvec4 paint) {
     out.items.emplace_back(render::RectItem{at(r, 0, 0), at(r, 1, 1), paint, 0});
 }
 
-/// From green over yellow to red, as the force comes to the most that the hand can feel.
-fvec4 paint_of_force(float share) {
-    const fvec3 green(0.25F, 0.85F, 0.35F), yellow(0.95F, 0.85F, 0.25F), crimson(1.0F, 0.29F, 0.23F);
-    const float s = std::clamp(share, 0.0F, 1.0F);
-    return opaque(s < 0.5F ? glm::mix(green, yellow, 2 * s) : glm::mix(yellow, crimson, 2 * s - 1));
-}
-
 /// The last two seconds of what the hand felt, newest at the right.
 void add_force_plot(Overlay& out, const ForcePicture& force, const Corner& c) {
     const float u = c.unit;
@@ -217,10 +210,13 @@ void add_force_plot(Overlay& out, const ForcePicture& force, const Corner& c) {
         const fvec2 foot = low + fvec2(static_cast<float>(i) * column, 0);
         if (share > 0)
             out.items.emplace_back(render::RectItem{foot - fvec2(0, std::max(1.0F, share * high)),
-                                                    foot + fvec2(column, 0), paint_of_force(share), 0});
+                                                    foot + fvec2(column, 0),
+                                                    opaque(force_colour(static_cast<double>(share))), 0});
     }
     const float now = *std::max_element(force.strongest.end() - 8, force.strongest.end());
-    add_text(out, text("hand ", fixed(static_cast<double>(now), 2), " N of ", fixed(force.cap, 2)),
+    add_text(out,
+             text("hand ", fixed(static_cast<double>(now), 2), " N of ", fixed(force.cap, 2), ", made ",
+                  fixed(1000 * force.created, 1), " mJ"),
              low - fvec2(0, high + 17 * u), 12 * u, white, Align::left);
 }
 

@@ -76,6 +76,7 @@ void take_force(const Simulation& match, std::uint32_t player, const Grip& grip,
     out.cause = static_cast<haptics::SafetyCause>(grip.servo.safety.cause);
     out.cap = match.touch().servos[player].limits.cap;
     out.now = grip.servo.safety.output;
+    out.created = grip.servo.energy.most_created;
     // Whole columns, so that they move on and do not change. The ring's oldest is where the newest fills.
     const auto fills = match.match().played / force_column;
     for (std::size_t i = 0; i < out.strongest.size(); ++i) {

@@ -62,6 +62,7 @@ struct ForcePicture {
     haptics::SafetyCause cause{};  ///< why it feels less than it should
     double cap{};                  ///< N, the most it can feel
     vec3 now{};                    ///< N, in the frame of the eye
+    double created{};              ///< J, the most that passive sources ever gave more than they got
     /// N, the strongest of each column, the oldest first; without the one that still fills.
     std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};
 };

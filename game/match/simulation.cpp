@@ -21,13 +21,12 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
 Touch touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
     Touch touch{.device = haptics::simulated_device(data.device, haptics::Hand{})};
     touch.on.fill(true);
-    for (auto& servo : touch.servos) servo = {haptics::safety_limits(data.device, data.touch.share)};
+    for (auto& servo : touch.servos) servo = haptics::servo_of(data.device, data.touch.share);
     for (const auto& device : devices) {
         if (device.player >= players) continue;
         if ((device.flags & input::DeviceSpec::no_forces) != 0) touch.on[device.player] = false;
         const auto percent = device.force_asked_for();
-        if (percent != 0)
-            touch.servos[device.player] = {haptics::safety_limits(data.device, percent / 100.0)};
+        if (percent != 0) touch.servos[device.player] = haptics::servo_of(data.device, percent / 100.0);
     }
     return touch;
 }

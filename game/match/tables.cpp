@@ -244,7 +244,8 @@ void append_state(const Simulation& match, std::string& out) {
 std::string forces_header() {
     std::string out = "tick,time_s";
     for (std::uint32_t player = 1; player <= players; ++player) {
-        for (const auto* column : {"x_m", "y_m", "z_m", "fx_n", "fy_n", "fz_n", "cause"})
+        for (const auto* column :
+             {"x_m", "y_m", "z_m", "fx_n", "fy_n", "fz_n", "cause", "created_j", "given_j"})
             append_text(out, text(",p", player, "_", column));
     }
     return out + "\n";
@@ -258,6 +259,7 @@ void append_forces(const Simulation& match, std::string& out) {
         const vec3 at = grip.device.position, force = grip.servo.safety.output;
         append_numbers(out, {at.x, at.y, at.z, force.x, force.y, force.z});
         append_text(out, text(",", haptics::safety_cause_names[grip.servo.safety.cause]));
+        append_numbers(out, {grip.servo.energy.created, grip.servo.energy.given});
     }
     out += '\n';
 }

@@ -117,7 +117,7 @@ end
 
 for _, name in ipairs {
     "position", "centre", "eye", "velocity", "yaw", "pitch", "health", "energy", "shots", "kills", "deaths", "dead",
-    "grounded", "shielded", "hand", "force", "force_cause",
+    "grounded", "shielded", "hand", "force", "force_cause", "created",
 } do
     Wizard[name] = function(self) return raw.read(self.player, name) end
 end

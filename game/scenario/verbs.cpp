@@ -237,6 +237,9 @@ constexpr WizardReader wizard_readers[] = {
                 std::uint32_t i) { arg::push_place(lua, part<Grip>(p, i).device.position); }},
     {"force", [](lua_State* lua, const Play& p,
                  std::uint32_t i) { arg::push_place(lua, part<Grip>(p, i).servo.safety.output); }},
+    // J, the most that passive sources ever gave to the hand more than hand and world gave to them.
+    {"created", [](lua_State* lua, const Play& p,
+                   std::uint32_t i) { lua_pushnumber(lua, part<Grip>(p, i).servo.energy.most_created); }},
     {"force_cause",
      [](lua_State* lua, const Play& p, std::uint32_t i) {
          lua_pushstring(lua, haptics::safety_cause_names[part<Grip>(p, i).servo.safety.cause].data());

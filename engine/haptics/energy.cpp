@@ -1,0 +1,63 @@
+#include "haptics/energy.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+
+namespace thaum::haptics {
+namespace {
+
+constexpr double still = 1e-6;  // m/s: no damping takes anything out of less
+constexpr std::uint32_t kept = most_latency + 1;
+
+}  // namespace
+
+void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, int latency) {
+    if (!is_finite(position) || !is_finite(world_step)) {
+        book.open = 0;
+        return;
+    }
+    if (book.open != 0) {
+        const vec3 step = position - book.position;
+        const auto back = static_cast<std::uint32_t>(std::clamp(latency, 0, most_latency));
+        const auto& force = book.forces[(book.newest + kept - back) % kept];
+        book.created += glm::dot(force.passive, step) - glm::dot(force.world, world_step);
+        // What damping took is gone; only what is stored may come back.
+        book.created = std::max(book.created, -stored);
+        book.most_created = std::max(book.most_created, book.created);
+        book.given += glm::dot(force.active, step) - book.given * tick_seconds;
+        book.given = std::max(book.given, 0.0);
+    }
+    book.position = position;
+    book.open = 1;
+}
+
+vec3 passivity_control(const EnergyBook& book, vec3 velocity, double most) {
+    const double speed = glm::length(velocity);
+    if (!(book.created > 0) || !(speed > still) || !std::isfinite(speed)) return vec3(0);
+    return -std::min(book.created / (speed * speed * tick_seconds), most) * velocity;
+}
+
+vec3 within_budget(const EnergyBook& book, vec3 active, vec3 velocity) {
+    const double speed = glm::length(velocity);
+    if (book.given <= active_budget || !(speed > still) || !std::isfinite(speed)) return active;
+    const vec3 way = velocity / speed;
+    return active - std::max(0.0, glm::dot(active, way)) * way;
+}
+
+// Cap and heat scale all sources alike; what else the safety stage leaves (a slow change where something was switched) is nobody's
+// spring, and counts as active.
+void enter(EnergyBook& book, vec3 output, vec3 passive, vec3 active, vec3 world) {
+    const vec3 wanted = passive + active;
+    const double size2 = glm::dot(wanted, wanted);
+    const double share = size2 > 0 ? std::clamp(glm::dot(output, wanted) / size2, 0.0, 1.0) : 0;
+    const bool sane = is_finite(passive) && is_finite(active) && is_finite(world) && std::isfinite(share);
+    book.newest = (book.newest + 1) % kept;
+    auto& force = book.forces[book.newest];
+    force.passive = sane ? share * passive : vec3(0);
+    force.world = sane ? share * world : vec3(0);
+    force.active = output - force.passive;
+}
+
+}  // namespace thaum::haptics

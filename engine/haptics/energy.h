@@ -1,0 +1,54 @@
+// haptics/energy.h: the books of energy at the device's port (haptics.md, "Energy"): an observer after the last stage, and a
+// controller that adds the damping which keeps the passive sources passive (time-domain passivity; Hannaford and Ryu 2002).
+//
+// Passive sources (tether, primitives, surfaces) may give back what they were given, by the hand or by the world that moves the
+// other end, and no more. Active sources (pulses, lean, what a switch leaves) may push the hand, within a budget.
+//
+// A force that is commanded acts over the tick that follows, so its work is known one tick later, from what the device then measures.
+#pragma once
+#include <array>
+#include <cstdint>
+
+#include "core/maths.h"
+#include "haptics/device.h"
+
+namespace thaum::haptics {
+
+/// N, commanded in one tick, by kind of source.
+struct BookedForce {
+    vec3 passive{}, active{};
+    vec3 world{};  ///< of the passive force, by what the world moves
+};
+
+/// All that a tick leaves behind; no padding.
+struct EnergyBook {
+    vec3 position{};                                     ///< m, as measured at the last tick
+    std::array<BookedForce, most_latency + 1> forces{};  ///< the newest at `newest`, and back from there
+    double
+        created{};  ///< J, by passive sources: above 0, more than they got; never below minus what they store
+    double most_created{};  ///< J, the most it ever was
+    double given{};         ///< J, by active sources, of the last second or so
+    std::uint32_t newest{};
+    std::uint32_t open{};  ///< 1: the position is that of the last tick
+};
+static_assert(sizeof(EnergyBook) ==
+              (3 + 9 * (most_latency + 1) + 3) * sizeof(double) + 2 * sizeof(std::uint32_t));
+
+/// J that active sources may give in about a second.
+inline constexpr double active_budget = 0.5;
+
+/// Books the work of the last tick, now that the device has measured where it led. world_step: m, by which the world moved the other end
+/// of what `world` pulls at. stored: J, that the passive sources hold now. latency: ticks, of the device.
+void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, int latency);
+
+/// N: against the velocity (m/s), as much as takes out what was created within the next tick, at most `most` N s/m.
+vec3 passivity_control(const EnergyBook& book, vec3 velocity, double most);
+
+/// The active force as its budget allows: beyond it nothing that pushes along the velocity.
+vec3 within_budget(const EnergyBook& book, vec3 active, vec3 velocity);
+
+/// What the device is told, N, of which the passive sources and the controller wanted `passive`, the active ones `active`; world: of the
+/// passive force, what pulls at something that the world moves.
+void enter(EnergyBook& book, vec3 output, vec3 passive, vec3 active, vec3 world);
+
+}  // namespace thaum::haptics

@@ -1,0 +1,166 @@
+// The books of energy: what passive sources create, what the controller takes out, what active ones may give.
+#include "haptics/energy.h"
+
+#include <gtest/gtest.h>
+
+#include "haptics/servo.h"
+#include "haptics/simulated.h"
+
+namespace thaum::haptics {
+namespace {
+
+/// The reference device of the Z-width test: 0.1 kg, 0.5 N s/m, no hand, no dry friction, no quantum.
+DeviceSpec reference_device(int latency) {
+    DeviceSpec spec;
+    spec.peak_force = 1000;
+    spec.continuous_force = 1000;
+    spec.max_damping = 30;
+    spec.workspace = {0.4, 0.4, 0.4};
+    spec.mass = 0.1;
+    spec.damping = 0.5;
+    spec.latency = latency;
+    return spec;
+}
+
+struct Outcome {
+    double created{};   ///< J: the sum of F dx, computed here
+    double most{};      ///< J, the most of it
+    double farthest{};  ///< m, in the last quarter
+};
+
+/// A tip of 0.1 m/s that meets a spring along x; one without controller and one with.
+Outcome meet_spring(double stiffness, bool controlled, int latency) {
+    const auto spec = reference_device(latency);
+    const auto device = simulated_device(spec, no_hand);
+    Servo servo = servo_of(spec, 1);
+    servo.limits.slew = 1e9;
+    servo.limits.fastest = 1e9;
+    if (!controlled) servo.most_damping = 0;
+    ServoState state{};
+    HapticModel model{};
+    model.tether = {.anchor = {}, .stiffness = stiffness};
+    auto tip = resting_at({});
+    tip.velocity = {0.1, 0, 0};
+    Outcome outcome;
+    constexpr int ticks = 4000;
+    for (int t = 0; t < ticks; ++t) {
+        const vec3 force = servo_step(servo, state, model, {tip.position, 0});
+        const vec3 from = tip.position;
+        tip = step(device, tip, {}, force);
+        outcome.created += glm::dot(tip.force, tip.position - from);
+        outcome.most = std::max(outcome.most, outcome.created);
+        if (t > ticks * 3 / 4) outcome.farthest = std::max(outcome.farthest, std::abs(tip.position.x));
+    }
+    return outcome;
+}
+
+TEST(HapticsEnergy, TheBooksAreTheSumOfForceTimesWay) {
+    EnergyBook book;
+    observe(book, {0, 0, 0}, {}, 0, 0);
+    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {});
+    observe(book, {0.01, 0, 0}, {}, 0, 0);
+    EXPECT_NEAR(book.created, 0.02, 1e-15) << "the hand went where the force pushed it";
+    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {});
+    observe(book, {0.0, 0, 0}, {}, 1, 0);
+    EXPECT_NEAR(book.created, 0, 1e-15) << "and back against it";
+    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {2, 0, 0});
+    observe(book, {0.01, 0, 0}, {0.01, 0, 0}, 0, 0);
+    EXPECT_NEAR(book.created, 0, 1e-15) << "the world moved the other end as far: it paid";
+    EXPECT_NEAR(book.most_created, 0.02, 1e-15);
+}
+
+TEST(HapticsEnergy, WhatDampingTookIsNoReserve) {
+    EnergyBook book;
+    observe(book, {}, {}, 0, 0);
+    enter(book, {-5, 0, 0}, {-5, 0, 0}, {}, {});
+    observe(book, {0.1, 0, 0}, {}, 0.1, 0);
+    EXPECT_NEAR(book.created, -0.1, 1e-15) << "0.5 J went in, and 0.1 J are stored";
+}
+
+TEST(HapticsEnergy, CapAndHeatScaleAllSourcesAlikeAndTheRestIsActive) {
+    EnergyBook book;
+    enter(book, {1, 0, 0}, {3, 0, 0}, {1, 0, 0}, {3, 0, 0});
+    const auto now = [&book] { return book.forces[book.newest]; };
+    EXPECT_NEAR(now().passive.x, 0.75, 1e-15);
+    EXPECT_NEAR(now().world.x, 0.75, 1e-15);
+    EXPECT_NEAR(now().active.x, 0.25, 1e-15);
+    enter(book, {0, 1, 0}, {}, {}, {});
+    EXPECT_EQ(now().passive, vec3(0));
+    EXPECT_EQ(now().active, vec3(0, 1, 0));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    enter(book, {1, 0, 0}, {nan, 0, 0}, {}, {});
+    EXPECT_EQ(now().passive, vec3(0));
+}
+
+TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
+    EnergyBook book;
+    book.created = 1e-4;
+    const vec3 velocity{0.5, 0, 0};
+    const vec3 force = passivity_control(book, velocity, 30);
+    EXPECT_NEAR(-glm::dot(force, velocity) * 0.001, 1e-4, 1e-12);
+    EXPECT_NEAR(passivity_control(book, {0.01, 0, 0}, 30).x, -0.3, 1e-12) << "at most the device's damping";
+    EXPECT_EQ(passivity_control(book, {}, 30), vec3(0));
+    book.created = -1;
+    EXPECT_EQ(passivity_control(book, velocity, 30), vec3(0));
+}
+
+TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
+    EnergyBook book;
+    book.given = active_budget + 0.01;
+    EXPECT_EQ(within_budget(book, {1, 1, 0}, {0.1, 0, 0}), vec3(0, 1, 0)) << "it may not push any more";
+    EXPECT_EQ(within_budget(book, {-1, 1, 0}, {0.1, 0, 0}), vec3(-1, 1, 0)) << "but it may brake";
+    book.given = 0;
+    EXPECT_EQ(within_budget(book, {1, 1, 0}, {0.1, 0, 0}), vec3(1, 1, 0));
+    // A lean that pushes a free tip for ever: no more than its budget, and what leaks away of it.
+    const auto spec = reference_device(0);
+    auto device = simulated_device(spec, no_hand);
+    device.reach = vec3(100);
+    Servo servo = servo_of(spec, 1);
+    servo.limits.fastest = 1e9;
+    ServoState state{};
+    HapticModel model{};
+    model.lean.force = {3, 0, 0};
+    auto tip = resting_at({});
+    double work = 0;
+    for (int t = 0; t < 1000; ++t) {
+        const vec3 force = servo_step(servo, state, model, {tip.position, 0});
+        const vec3 from = tip.position;
+        tip = step(device, tip, {}, force);
+        work += glm::dot(tip.force, tip.position - from);
+    }
+    EXPECT_GT(work, 0.9 * active_budget);
+    EXPECT_LT(work, 2.5 * active_budget);
+}
+
+TEST(HapticsEnergy, AStiffSpringThatWouldRingForEverIsKeptPassive) {
+    for (const int latency : {0, 1}) {
+        const double stiffness = latency == 0 ? 2500 : 1500;  // beyond 2 b / T and its share with a delay
+        const auto bare = meet_spring(stiffness, false, latency);
+        const auto kept = meet_spring(stiffness, true, latency);
+        EXPECT_GT(bare.most, 1.0) << latency << ": without the controller it grows";
+        EXPECT_LE(kept.most, 0.02) << latency;
+        EXPECT_LT(kept.farthest, 0.01) << latency;
+    }
+}
+
+TEST(HapticsEnergy, ALateForceIsBookedWhenItActs) {
+    EnergyBook book;
+    observe(book, {}, {}, 0, 2);
+    for (int tick = 0; tick < 6; ++tick) {
+        enter(book, {tick == 1 ? 1.0 : 0.0, 0, 0}, {tick == 1 ? 1.0 : 0.0, 0, 0}, {}, {});
+        observe(book, {tick == 3 ? 0.01 : 0.0, 0, 0}, {}, 1, 2);
+        EXPECT_NEAR(book.created, tick == 3 ? 0.01 : 0.0, 1e-15) << tick;
+        book.created = 0;
+    }
+}
+
+TEST(HapticsEnergy, OfAWeakSpringItTakesWhatTheTickAddsAndNoMore) {
+    const auto bare = meet_spring(100, false, 0);
+    const auto kept = meet_spring(100, true, 0);
+    EXPECT_GT(bare.most, 2e-5) << "half the stiffness times the square of a tick's way, each tick";
+    EXPECT_LE(kept.most, 0.1 * bare.most);
+    EXPECT_GT(kept.farthest, 0.5 * bare.farthest) << "no more damping than that";
+}
+
+}  // namespace
+}  // namespace thaum::haptics
