@@ -340,7 +340,7 @@ void add_beam(const Court& court, vec3 from, vec3 to, double thick, fvec3 tint, 
     out.push_back({.mesh = court.beam,
                    .model = glm::scale(render::translated(fvec3(from)) * turned(yaw, pitch), size),
                    .tint = tint,
-                   .glow = 1});
+                   .glow = 0.7F});
 }
 
 /// What the hand feels: the spring to what it holds, and for one's own hand the force itself, at the wand's tip.
@@ -349,14 +349,15 @@ void add_forces(const Court& court, const PlayerPicture& p, bool own, std::vecto
     const auto looking = look_rotation(p.yaw, p.pitch);
     const vec3 tip = p.eye + looking * (wand_tip + (own ? p.wand_reach : vec3(0)));
     const double share = p.force.cap > 0 ? glm::length(p.force.now) / p.force.cap : 0;
-    const fvec3 tint = force_colour(share);
+    const fvec3 shown = force_colour(share),
+                tint = shown * shown;  // from the screen's colours to those of light
     if (p.held) add_beam(court, tip, *p.held, 0.012, tint, out);
     if (!own || share < least_share) return;
     add_beam(court, tip, tip + looking * p.force.now / p.force.cap * ribbon_length, 0.006, tint, out);
     out.push_back({.mesh = court.bead,
                    .model = glm::scale(render::translated(fvec3(tip)), fvec3(0.02F)),
                    .tint = tint,
-                   .glow = 1});
+                   .glow = 0.7F});
 }
 
 /// Turns -z into the direction of flight.

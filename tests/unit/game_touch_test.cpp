@@ -127,7 +127,9 @@ TEST(Touch, ARowOfForcesSaysWhatTheHandHad) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& grip = grip_of(hands.match, player);
         const vec3 x = grip.device.position, f = grip.servo.safety.output;
-        append_text(expected, text(",", x.x, ",", x.y, ",", x.z, ",", f.x, ",", f.y, ",", f.z, ",none"));
+        const auto& energy = grip.servo.energy;
+        append_text(expected, text(",", x.x, ",", x.y, ",", x.z, ",", f.x, ",", f.y, ",", f.z, ",none,",
+                                   energy.created, ",", energy.given));
     }
     EXPECT_EQ(row, expected + "\n");
     const auto header = forces_header();
