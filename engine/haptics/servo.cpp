@@ -134,6 +134,12 @@ double stored_energy(const ServoState& state, const HapticModel& model, vec3 tip
     return stored;
 }
 
+/// A thing that moves goes on: where it is now, by a model that is `age` ticks old.
+Tether moved_on(Tether tether, std::uint32_t age) {
+    tether.anchor += tether.anchor_velocity * (age * tick_seconds);
+    return tether;
+}
+
 /// Books what the last tick did, and adds what keeps the sources passive and within their budget. What a source holds when it comes is
 /// the switch's doing.
 void keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tip& tip,
@@ -181,8 +187,9 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
     const bool cut_off = start_pulse(state, model.pulse);
     const bool set_jumped = note_set(state, model);
     const bool source_jumped = note_sources(state, model);
-    Sources sources{.active = play_pulses(state) + model.lean.force,
-                    .world = tether_force(model.tether, sample.position, velocity)};
+    Sources sources{
+        .active = play_pulses(state) + model.lean.force,
+        .world = tether_force(moved_on(model.tether, sample.model_age), sample.position, velocity)};
     sources.passive = sources.world;
     if (model.primitives.items().empty()) {
         state.proxy = sample.position;

@@ -365,7 +365,7 @@ void pull(Stage& stage, const LiftData& data, ecs::Entity wizard, Tick tick, Lif
         hand.tug.expected = body.velocity + gravity * physics_dt;
     } else {
         hand.impulse += glm::length(result.impulse);
-        give_tug(stage.physics, key, result, hand.tug);
+        give_tug(stage.physics, key, result, physics_dt, hand.tug);
         hold_turned(stage, data, hand);
     }
     tether(stage, wizard, tether_to(data, frame, hand, device, object, hand.tug.expected, base_velocity));

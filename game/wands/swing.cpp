@@ -138,47 +138,39 @@ vec3 felt(const Stage& stage, const SwingData& data, ecs::Entity wizard, vec3 wa
     return glm::conjugate(look_rotation(gaze.yaw, gaze.pitch)) * (way * size);
 }
 
-/// The rope along its own direction, where couple() is exact; across it the body flies freely.
+/// How long the slack rope is, m: it reels in, a hand that pulls shortens it, and beyond the most that it bears it slips through.
+double slack_length(const SwingData& data, double distance, double pulled, SwingHand& hand) {
+    hand.length -= std::min(data.reel, std::max(0.0, hand.length - hand.rest_length));
+    hand.length = std::max(hand.length, distance + pulled - data.tension_max / data.stiffness);
+    return hand.length - pulled;
+}
+
 void pull(Stage& stage, const SwingData& data, ecs::Entity wizard, SwingHand& hand) {
     const auto key = wizard.index;
     const double mass = stage.physics.desc(key).mass;
     const vec3 eye = eye_now(stage, wizard);
-    const vec3 to = hand.anchor - eye;
-    const double distance = glm::length(to);
-    const vec3 way = distance > 1e-9 ? to / distance : vec3(0, 1, 0);
-    const vec3 device = std::as_const(stage.world).get<Grip>(wizard).device.position;
-    const double reeled = std::min(data.reel, std::max(0.0, hand.length - hand.rest_length));
-    hand.length -= reeled;
-    const double pulled = std::min(data.metres_per_metre * std::max(0.0, device.z - hand.taken_device.z),
-                                   0.9 * hand.rest_length);
-    // Beyond the most that it bears the rope slips through.
-    hand.length = std::max(hand.length, distance + pulled - data.tension_max / data.stiffness);
-    const double slack_end = hand.length - pulled;
-    const double rate = -(reeled + pulled - hand.pulled) / physics_dt;
+    const double distance = glm::distance(hand.anchor, eye);
+    const double drawn = std::as_const(stage.world).get<Grip>(wizard).device.position.z - hand.taken_device.z;
+    const double pulled = std::clamp(data.metres_per_metre * drawn, 0.0, 0.9 * hand.rest_length);
+    const double before = hand.length - hand.pulled;
+    const double slack = slack_length(data, distance, pulled, hand);
     hand.pulled = pulled;
-    auto& grip = stage.world.get<Grip>(wizard);
-    auto& stance = stage.world.get<Stance>(wizard);
-    if (distance <= slack_end) {
-        stance.hung = 0;
+    const Rope rope{.anchor = hand.anchor,
+                    .length = slack,
+                    .growth = (slack - before) / physics_dt,
+                    .stiffness = data.stiffness,
+                    .damping = data.damping_ratio * 2 * std::sqrt(data.stiffness * mass)};
+    const auto result = hang(rope, mass, eye, tugged_velocity(stage.physics, key, hand.tug),
+                             stage.physics.settings().gravity, physics_dt);
+    const vec3 way = (hand.anchor - eye) / std::max(distance, 1e-9);
+    hand.tension = result ? std::max(0.0, glm::dot(result->mean_force, way)) : 0;
+    if (result) {
+        give_tug(stage.physics, key, *result, physics_dt, hand.tug);
+    } else {
         end_tug(stage.physics, key, hand.tug);
-        hand.tension = 0;
-        grip.lean.force = {};
-        return;
     }
-    const vec3 velocity = tugged_velocity(stage.physics, key, hand.tug);
-    const vec3 across = velocity - way * glm::dot(velocity, way);
-    const double damping = data.damping_ratio * 2 * std::sqrt(data.stiffness * mass);
-    const auto step = haptics::coupling_step({data.stiffness, damping, 0}, 1 / mass, 0, physics_dt);
-    const auto result = haptics::couple(step, {.hand = hand.anchor - way * slack_end,
-                                               .hand_velocity = across - way * rate,
-                                               .object = eye,
-                                               .object_velocity = velocity,
-                                               .drag_velocity = {},
-                                               .object_acceleration = stage.physics.settings().gravity});
-    hand.tension = std::max(0.0, glm::dot(result.mean_force, way));
-    stance.hung = std::max(0.0, hand.tension * way.y);
-    give_tug(stage.physics, key, result, hand.tug);
-    grip.lean.force = felt(stage, data, wizard, way, hand.tension);
+    stage.world.get<Stance>(wizard).hung = std::max(0.0, hand.tension * way.y);
+    stage.world.get<Grip>(wizard).lean.force = felt(stage, data, wizard, way, hand.tension);
 }
 
 void add_forces(const WandSystems& to, const void* wand) {

@@ -4,6 +4,8 @@
 // forces, so that velocity is chosen to give the right displacement; what is then missing to the right velocity is owed, and
 // given with the next step's impulse.
 #pragma once
+#include <optional>
+
 #include "ecs/component.h"
 #include "haptics/coupling.h"
 #include "physics/physics.h"
@@ -22,11 +24,26 @@ struct Tug {
 /// Velocity of the body with what is owed to it, m/s.
 vec3 tugged_velocity(const physics::Physics& physics, physics::Key body, const Tug& tug);
 
-/// Gives the body the impulse by which it follows `result` over the coming step, where it is free. The coupling was solved with
-/// tugged_velocity.
-void give_tug(physics::Physics& physics, physics::Key body, const haptics::CouplingResult& result, Tug& tug);
+/// Gives the body the impulse by which it follows `result` over the coming step of dt seconds, where it is free. The coupling was
+/// solved for that step and with tugged_velocity.
+void give_tug(physics::Physics& physics, physics::Key body, const haptics::CouplingResult& result, double dt,
+              Tug& tug);
 
 /// Pays what is owed: the coupling ends.
 void end_tug(physics::Physics& physics, physics::Key body, Tug& tug);
+
+/// A spring and damper to a point that stands still; it only pulls.
+struct Rope {
+    vec3 anchor{};       ///< m
+    double length{};     ///< m, of the rope when it is slack
+    double growth{};     ///< m/s, of that length
+    double stiffness{};  ///< N/m
+    double damping{};    ///< N s/m, along the rope
+};
+
+/// What the rope and gravity (m/s^2) do in dt seconds to a body of `mass` kg whose point `place` (m) hangs on it; nothing where it is
+/// slack. Of second order in dt; along the rope exact but for the turn within the step.
+std::optional<haptics::CouplingResult> hang(const Rope& rope, double mass, vec3 place, vec3 velocity,
+                                            vec3 gravity, double dt);
 
 }  // namespace thaum::game

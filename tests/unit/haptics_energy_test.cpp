@@ -159,7 +159,9 @@ TEST(HapticsEnergy, OfAWeakSpringItTakesWhatTheTickAddsAndNoMore) {
     const auto kept = meet_spring(100, true, 0);
     EXPECT_GT(bare.most, 2e-5) << "half the stiffness times the square of a tick's way, each tick";
     EXPECT_LE(kept.most, 0.1 * bare.most);
-    EXPECT_GT(kept.farthest, 0.5 * bare.farthest) << "no more damping than that";
+    // A continuous spring rings by the device's damping alone; the tick adds K T / 2 of negative damping.
+    const double continuous = bare.farthest * std::exp(-(100 * tick_seconds / 2) / (2 * 0.1) * 3);
+    EXPECT_GT(kept.farthest, 0.7 * continuous) << "hardly more damping than that";
 }
 
 }  // namespace

@@ -93,6 +93,20 @@ TEST(HapticsServo, ATetherIsASpringAndADamper) {
     EXPECT_EQ(tether_force({}, {1, 1, 1}, {1, 1, 1}), vec3(0));
 }
 
+TEST(HapticsServo, ByAnOldModelATetheredThingGoesOnAsItMoved) {
+    Rig late, fresh;
+    late.feel(), fresh.feel();
+    late.model.tether = {
+        .anchor = {0.001, 0, 0}, .anchor_velocity = {0.5, 0, 0}, .stiffness = 200, .number = 1};
+    fresh.model.tether = late.model.tether;
+    fresh.model.tether.anchor.x += 0.5 * 2 * tick_seconds;
+    late.sample.model_age = 2;
+    vec3 a{}, b{};
+    for (int tick = 0; tick < 30; ++tick) a = late.feel(), b = fresh.feel();
+    EXPECT_NEAR(a.x, 200 * 0.002, 1e-9);
+    EXPECT_NEAR(b.x, a.x, 1e-9);
+}
+
 TEST(HapticsServo, DetentsDrawToTheirMiddlesAndCreateNoEnergy) {
     const Detents detents{.axis = {0, 0, 1}, .places = {0.01, 0.03, 0.04}, .depth = 0.3, .width = 0.004};
     double work = 0, most = 0;

@@ -12,8 +12,9 @@ void replay(const Options& options, Report& report);
 /// The stress of `tick`.
 void soak(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
-/// The virtual coupling.
+/// The virtual coupling; and the same with Bullet under it.
 void coupling(const Options& options, Report& report);
+void tug(const Options& options, Report& report);
 void haptics(const Options& options, Report& report);
 void render(const Options& options, Report& report);
 
