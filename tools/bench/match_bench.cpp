@@ -6,6 +6,7 @@
 #include "core/text.h"
 #include "ecs/snapshot.h"
 #include "game/bots/duel.h"
+#include "game/components/grip.h"
 #include "game/match/playback.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
@@ -29,10 +30,10 @@ bool there(const Expected<T>& value, std::string_view what) {
     return value.has_value();
 }
 
-std::shared_ptr<const game::MatchData> duel_data() {
+std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides = {}) {
     // A match that cannot end while it is measured.
-    auto data = game::load_match_data(game::find_assets(),
-                                      {.overrides = {"quick.kills=1000", "quick.seconds=36000"}});
+    overrides.insert(overrides.end(), {"quick.kills=1000", "quick.seconds=36000"});
+    auto data = game::load_match_data(game::find_assets(), {.overrides = std::move(overrides)});
     return there(data, "duel") ? std::make_shared<const game::MatchData>(std::move(*data)) : nullptr;
 }
 
@@ -206,8 +207,8 @@ struct IdleMatch {
     }
 };
 
-std::optional<IdleMatch> idle_match() {
-    auto data = duel_data();
+std::optional<IdleMatch> idle_match(std::vector<std::string> overrides = {}) {
+    auto data = duel_data(std::move(overrides));
     if (!data) return std::nullopt;
     const input::DeviceSpec nobody{.player = 0, .kind = input::DeviceKind::script, .name = "nobody"};
     auto other = nobody;
@@ -216,6 +217,82 @@ std::optional<IdleMatch> idle_match() {
     scene.match->live().timing = true;
     scene.run(6000);  // all has come to rest
     return scene;
+}
+
+// ---- hands that hold -----------------------------------------------------------------------------------------------
+
+/// Each wizard before a pile of crates of his own.
+void place_before_crates(Simulation& match) {
+    auto& world = match.world_to_change();
+    for (std::uint32_t player = 0; player < game::players; ++player) {
+        const auto wizard = game::wizard_of(world, player);
+        const double side = player == 0 ? 1 : -1;
+        auto& motion = world.get<game::Motion>(wizard);
+        motion.position = {10, motion.position.y, 1.5 * side};
+        motion.velocity = {};
+        match.physics().set_state(wizard.index, motion);
+        world.get<game::Gaze>(wizard) = {side > 0 ? pi : 0, -0.2};
+    }
+}
+
+/// Mouse and clutch: the hands go to and fro, the view to and fro more slowly.
+void shake_hands(Tick tick, input::InputFrame& frame) {
+    for (std::size_t d = 0; d < game::players; ++d) {
+        auto& sample = frame.devices[d];
+        const bool hand = tick % 2000 < 1500;
+        if (hand) sample.press(input::Button::clutch);
+        sample.counts[input::hand::look_right] = tick % 400 < 200 ? 1 : -1;
+    }
+}
+
+input::InputFrame pressing(input::Button button) {
+    input::InputFrame frame;
+    for (std::size_t d = 0; d < game::players; ++d) frame.devices[d].press(button);
+    return frame;
+}
+
+/// Two hands that hold and move a thing each, all the time.
+void tick_duel_haptic(const Options& options, Report& report) {
+    auto scene = idle_match({"lift.energy.per_s=0", "lift.energy.per_n_s=0"});
+    if (!scene) return;
+    auto& match = *scene->match;
+    match.live().timing = false;
+    place_before_crates(match);
+    scene->run(500);
+    for (const auto button : {input::Button::wand_4, input::Button::fire}) {
+        scene->frame = pressing(button);
+        scene->run(100);
+    }
+    std::vector<double> samples(options.quick ? 20'000 : 120'000);
+    double felt = 0, created = 0;
+    const auto allocations = allocation_count();
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        auto frame = scene->frame;
+        shake_hands(i, frame);
+        const double start = now_us();
+        match.tick(frame);
+        samples[i] = now_us() - start;
+        felt +=
+            static_cast<double>(match.felt(0)[match.match().played % std::tuple_size_v<game::ForceTrace>]);
+    }
+    const auto allocated = allocation_count() - allocations;
+    int held = 0;
+    match.world().view<const game::WandBelt, const game::Grip>().each(
+        [&](const game::WandBelt& belt, const game::Grip& grip) {
+            held += belt.holds != 0;
+            created = std::max(created, grip.servo.energy.most_created);
+        });
+    report.rows.push_back({.area = "tick",
+                           .name = "duel_haptic",
+                           .setting = {{"hands", std::int64_t{2}}},
+                           .time_us = times(samples),
+                           .error = ErrorMeasure{"created_j", created},
+                           .is_default = true,
+                           .metrics = {{"mean_us", mean(samples)},
+                                       {"things_held", static_cast<double>(held)},
+                                       {"mean_force_n", felt / static_cast<double>(samples.size())},
+                                       {"allocations", static_cast<double>(allocated)}},
+                           .hash = hex(match.state_hash())});
 }
 
 /// One way to keep a feature busy: called before each tick.
@@ -317,6 +394,7 @@ void skip_features(const Options& options, Report& report) {
 void tick(const Options& options, Report& report) {
     tick_duel(options, report);
     tick_alloc(options, report);
+    tick_duel_haptic(options, report);
 }
 
 void replay(const Options& options, Report& report) { replay_verify(options, report); }
