@@ -37,7 +37,7 @@ Same options, same table, whatever the number of processes. The JSON:
 {"league": {rules, match, seed}, "pairs": [{low, high, matches, low_wins,
 high_wins, draws, high_share}], "levels": [{level, shots, hits, kills, deaths,
 dry_share}], "rounds": {count, median_s, p10_s, p90_s, time_out_share},
-"kills": {bolt, blow, fall, own}}: counts, shares of 1; a draw is half a win
+"kills": {bolt, blast, lob, blow, fall, own}}: counts, shares of 1; a draw is half a win
 for each; dry: alive without the energy for a shot; own: nobody's kill.
 )";
 

@@ -60,21 +60,27 @@ enum class EventKind : std::uint32_t {
     death,  ///< detail: the EventKind that did it
     spawn,  ///< detail: number of the pad
     dry,
-    round_end,   ///< detail: Ending
-    power_up,    ///< detail: PowerUpKind; amount: HP or energy given
-    round_begin  ///< detail: Match::round
+    round_end,    ///< detail: Ending
+    power_up,     ///< detail: PowerUpKind; amount: HP or energy given
+    round_begin,  ///< detail: Match::round
+    blast_hit,
+    lob_hit,
+    burst  ///< detail: the EventKind of its hits; amount: m, how far it reaches
 };
-inline constexpr std::array<std::string_view, 11> event_names{
-    "none",  "shot", "bolt_hit",  "object_hit", "fall",       "death",
-    "spawn", "dry",  "round_end", "power_up",   "round_begin"};
+inline constexpr std::array<std::string_view, 14> event_names{
+    "none", "shot",      "bolt_hit", "object_hit",  "fall",      "death",   "spawn",
+    "dry",  "round_end", "power_up", "round_begin", "blast_hit", "lob_hit", "burst"};
 
 /// What can take health, as the kinds of event that say so, and what people call it.
 struct Cause {
     EventKind kind{};
     std::string_view name;
 };
-inline constexpr std::array<Cause, 3> causes{
-    {{EventKind::bolt_hit, "bolt"}, {EventKind::object_hit, "blow"}, {EventKind::fall, "fall"}}};
+inline constexpr std::array<Cause, 5> causes{{{EventKind::bolt_hit, "bolt"},
+                                              {EventKind::blast_hit, "blast"},
+                                              {EventKind::lob_hit, "lob"},
+                                              {EventKind::object_hit, "blow"},
+                                              {EventKind::fall, "fall"}}};
 /// Index into `causes`; their number where it is none.
 constexpr std::size_t cause_of(EventKind kind) {
     for (std::size_t i = 0; i < causes.size(); ++i) {

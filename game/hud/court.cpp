@@ -75,6 +75,9 @@ Court::Team make_team(render::Renderer& renderer, std::uint32_t team) {
             .own_arm = renderer.upload(own_arm(team)),
             .spark = renderer.upload(wand_spark(team)),
             .bolt = renderer.upload(bolt_needle(team)),
+            .fireball = renderer.upload(fireball(team)),
+            .stone = renderer.upload(lob_stone(team)),
+            .burst = renderer.upload(burst_shell(team)),
             .shield = renderer.upload(shield_rings(team)),
             .plate = upload(renderer, start_plate(team))};
 }
@@ -298,6 +301,12 @@ void add_figure(const Court& court, std::uint32_t number, const PlayerPicture& p
     set_sun(court, p.centre, std::span(out).subspan(first));
 }
 
+/// The glow at a wand's tip, which grows with what it is charged with.
+Instance spark_at(const Court& court, std::uint32_t number, const PlayerPicture& p, const fmat4& tip) {
+    const auto size = static_cast<float>(1 + 5 * p.readiness);
+    return {.mesh = court.teams[number].spark, .model = glm::scale(tip, fvec3(size)), .glow = 1};
+}
+
 /// What shines of a wizard: the wand's tip, and the shield.
 void add_glow(const Court& court, std::uint32_t number, const PlayerPicture& p, double time,
               std::vector<Instance>& out) {
@@ -306,8 +315,7 @@ void add_glow(const Court& court, std::uint32_t number, const PlayerPicture& p, 
     const auto arm = render::translated(fvec3(p.eye)) * turned(p.yaw, 0) * render::translated(shoulder) *
                      turned(0, p.pitch);
     if (!p.wand.empty())
-        out.push_back(
-            {.mesh = team.spark, .model = arm * render::translated(fvec3(wand_tip) - shoulder), .glow = 1});
+        out.push_back(spark_at(court, number, p, arm * render::translated(fvec3(wand_tip) - shoulder)));
     if (p.shielded) {
         const auto slowly = turned(0.8 * time, 0);
         out.push_back(
@@ -324,9 +332,7 @@ void add_own_arm(const Court& court, std::uint32_t number, const PlayerPicture& 
     if (!p.wand.empty()) {
         out.push_back(
             {.mesh = court.wands[static_cast<std::size_t>(p.silhouette)], .model = eye * wand_in_own_hand()});
-        out.push_back({.mesh = court.teams[number].spark,
-                       .model = eye * render::translated(fvec3(wand_tip)),
-                       .glow = 1});
+        out.push_back(spark_at(court, number, p, eye * render::translated(fvec3(wand_tip))));
     }
     set_sun(court, p.eye, std::span(out).subspan(first));
 }
@@ -373,6 +379,31 @@ float size_of(const Picture& picture, const MissilePicture& missile, std::uint32
     if (missile.player != viewer || viewer >= players) return 1;
     const double distance = glm::length(missile.position - picture.wizards[viewer].eye);
     return static_cast<float>(std::clamp(distance / 6, 0.2, 1.0));
+}
+
+void add_missile(const Court& court, const Picture& picture, const MissilePicture& missile,
+                 std::uint32_t viewer, std::vector<Instance>& out) {
+    const auto& team = court.teams[missile.player % players];
+    const bool round = missile.look != MissileLook::needle;
+    const float size = size_of(picture, missile, viewer) * (round ? static_cast<float>(missile.size) : 1.0F);
+    const auto mesh = missile.look == MissileLook::fireball ? team.fireball
+                      : missile.look == MissileLook::stone  ? team.stone
+                                                            : team.bolt;
+    out.push_back({.mesh = mesh, .model = glm::scale(flying(missile), fvec3(size)), .glow = 1});
+}
+
+/// A small core that goes out, and a shell that flies as far as the burst reaches.
+void add_burst(const Court& court, const BurstPicture& burst, std::vector<Instance>& out) {
+    const auto& team = court.teams[burst.player % players];
+    const auto age = static_cast<float>(std::clamp(burst.age_s / burst_seconds, 0.0, 1.0));
+    const auto radius = static_cast<float>(burst.radius);
+    const auto at = render::translated(fvec3(burst.place));
+    const float shell = radius * (0.15F + 0.85F * std::sqrt(age)), core = 0.2F * radius * (1 - age);
+    out.push_back({.mesh = team.burst,
+                   .model = glm::scale(at, fvec3(shell)),
+                   .tint = fvec3(1 - 0.8F * age),
+                   .glow = 1});
+    if (core > 0) out.push_back({.mesh = court.ember, .model = glm::scale(at, fvec3(core)), .glow = 1});
 }
 
 /// Sparks that rise from the brew, each on a way of its own.
@@ -457,11 +488,8 @@ void add_instances(const Court& court, const Picture& picture, std::uint32_t vie
         add_figure(court, player, wizard, out);
         add_glow(court, player, wizard, picture.played_s, out);
     }
-    for (const auto& missile : picture.missiles) {
-        const fvec3 size(size_of(picture, missile, viewer));
-        const auto mesh = court.teams[missile.player % players].bolt;
-        out.push_back({.mesh = mesh, .model = glm::scale(flying(missile), size), .glow = 1});
-    }
+    for (const auto& missile : picture.missiles) add_missile(court, picture, missile, viewer, out);
+    for (std::uint32_t i = 0; i < picture.burst_count; ++i) add_burst(court, picture.bursts[i], out);
     add_embers(court, picture.played_s, out);
     add_bubbles(court, picture.played_s, out);
 }
@@ -470,11 +498,18 @@ void choose_lights(const Court& court, const Picture& picture, vec3 eye, std::ve
     out = court.lights;
     for (const auto& m : picture.missiles)
         out.push_back({fvec3(m.position), 2.6F * team_colours(m.player % players).glow, 6});
+    for (std::uint32_t i = 0; i < picture.burst_count; ++i) {
+        const auto& b = picture.bursts[i];
+        const auto left = static_cast<float>(std::max(0.0, 1 - b.age_s / burst_seconds));
+        out.push_back({fvec3(b.place), 4.0F * left * team_colours(b.player % players).glow,
+                       2.0F * static_cast<float>(b.radius)});
+    }
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& p = picture.wizards[player];
         if (p.dead || p.wand.empty()) continue;
         const vec3 tip = p.eye + look_rotation(p.yaw, p.pitch) * wand_tip;
-        out.push_back({fvec3(tip), 0.5F * team_colours(player).glow, 2.5F});
+        const auto more = static_cast<float>(p.readiness);
+        out.push_back({fvec3(tip), (0.5F + 1.5F * more) * team_colours(player).glow, 2.5F + 2 * more});
     }
     // How far beyond its own reach the viewer is: what is near and wide comes first.
     const auto distance = [&](const PointLight& l) {

@@ -29,7 +29,8 @@ struct Court {
         Meshes meshes;
     };
     struct Team {
-        render::MeshId figure{}, fallen{}, arm{}, own_arm{}, spark{}, bolt{}, shield{};
+        render::MeshId figure{}, fallen{}, arm{}, own_arm{}, spark{}, bolt{}, fireball{}, stone{}, burst{},
+            shield{};
         Meshes plate;
     };
 

@@ -305,6 +305,42 @@ MeshData beam_of_light() {
                                translated({0, 0, -0.5F}) * rotated(to_the_right, 1.5707963F));
 }
 
+namespace {
+
+/// The team's mark across each axis: rings, or triangles that are as wide.
+void add_cage(MeshData& mesh, std::uint32_t number, float radius, float thick, fvec3 paint) {
+    constexpr float quarter = 1.5707963F;
+    const int sides = number == 0 ? 16 : 3;
+    const float size = number == 0 ? radius : 1.4F * radius;
+    for (const fmat4& way : {fmat4(1), rotated(to_the_right, quarter), rotated(up, quarter)})
+        append(mesh, render::frame(sides, size, size - thick, thick, paint), way);
+}
+
+}  // namespace
+
+MeshData fireball(std::uint32_t number) {
+    const auto& team = team_colours(number);
+    MeshData mesh = render::sphere(1, 12, glm::mix(team.glow, fvec3(1), 0.6F));
+    append(
+        mesh,
+        render::transformed(render::cone(0.95F, 0, 3.5F, 10, team.glow), rotated(to_the_right, 1.5707963F)),
+        translated({0, 0, 1.75F}));
+    add_cage(mesh, number, 1.5F, 0.2F, team.glow);
+    return mesh;
+}
+
+MeshData lob_stone(std::uint32_t number) {
+    MeshData mesh = render::sphere(0.92F, 10, colour(0x2A2030));
+    add_cage(mesh, number, 1.2F, 0.28F, team_colours(number).glow);
+    return mesh;
+}
+
+MeshData burst_shell(std::uint32_t number) {
+    MeshData mesh;
+    add_cage(mesh, number, 1, 0.06F, team_colours(number).glow);
+    return mesh;
+}
+
 MeshData shield_rings(std::uint32_t number) {
     const auto& team = team_colours(number);
     const int sides = number == 0 ? 28 : 3;

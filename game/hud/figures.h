@@ -42,6 +42,12 @@ fmat4 wand_in_own_hand();
 render::MeshData wand_spark(std::uint32_t team);
 /// A needle of light along -z with the team's mark around its tail.
 render::MeshData bolt_needle(std::uint32_t team);
+/// A ball of light of radius 1 m with a tail along +z and the team's mark around it.
+render::MeshData fireball(std::uint32_t team);
+/// A dark ball of radius 1 m in a cage of the team's marks.
+render::MeshData lob_stone(std::uint32_t team);
+/// The team's mark three times about the same middle, of radius 1 m: what flies off from a burst.
+render::MeshData burst_shell(std::uint32_t team);
 /// White, to be tinted: from the origin 1 m along -z, of radius 1 m.
 render::MeshData beam_of_light();
 

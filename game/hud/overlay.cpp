@@ -114,6 +114,11 @@ void add_crosshair(Overlay& out, const PlayerPicture& p, const Corner& c) {
         line(way, 4.5F, 11.5F, colour(0x0A0614, 0.6F), width + 2);
         line(way, 5, 11, white, width);
     }
+    if (p.readiness > 0) {
+        out.items.emplace_back(render::ArcItem{centre, 14 * u, 17.5F * u, 0, 3 * third_turn, track});
+        out.items.emplace_back(render::ArcItem{centre, 14 * u, 17.5F * u, 0,
+                                               3 * third_turn * static_cast<float>(p.readiness), white});
+    }
     if (p.since_hit_s < hit_seconds) {
         for (const fvec2 way :
              {fvec2(0.707F), fvec2(-0.707F), fvec2(0.707F, -0.707F), fvec2(-0.707F, 0.707F)})

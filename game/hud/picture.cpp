@@ -43,7 +43,7 @@ void take_missiles(const Simulation& match, Picture& out) {
     out.missiles.clear();
     for (const auto& wand : match.data().wands) {
         wand.kind->show(match.world(), [&](const Missile& m) {
-            out.missiles.push_back({m.entity, m.player, m.position, m.velocity});
+            out.missiles.push_back({m.entity, m.player, m.position, m.velocity, m.look, m.size});
         });
     }
 }
@@ -58,12 +58,14 @@ void take_power_ups(const Simulation& match, Picture& out) {
     });
 }
 
-void take_belt(const MatchData& data, const WandBelt& belt, PlayerPicture& out) {
-    const auto* wand = wand_in_hand(data, belt);
+void take_belt(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
+    const auto* wand = wand_in_hand(match.data(), belt);
     out.wand = wand == nullptr ? std::string_view{} : wand->kind->name;
     out.silhouette = wand == nullptr ? Silhouette{} : wand->stats.silhouette;
-    out.energy = energy_in_hand(data, belt);
+    out.energy = energy_in_hand(match.data(), belt);
     out.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;
+    const bool grows = wand != nullptr && wand->kind->readiness != nullptr;
+    out.readiness = grows ? wand->kind->readiness(match.world(), wizard) : 0;
 }
 
 void take_held(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
@@ -111,16 +113,14 @@ void take_wizards(const Simulation& match, Picture& out) {
             p.since_hit_s = p.since_dry_s = p.since_gift_s = long_ago;
             if (dead != nullptr && dead->returns_at > state.played)
                 p.returns_in_s = seconds(dead->returns_at - state.played);
-            take_belt(match.data(), belt, p);
+            take_belt(match, e, belt, p);
             if (!p.dead) take_held(match, e, belt, p);
             p.wand_reach = wand_tip_of(match.data().touch, grip.device.position) - wand_tip;
             take_force(match, wizard.player, grip, p.force);
         });
 }
 
-bool hurts(EventKind kind) {
-    return kind == EventKind::bolt_hit || kind == EventKind::object_hit || kind == EventKind::fall;
-}
+bool hurts(EventKind kind) { return cause_of(kind) < causes.size(); }
 
 vec3 direction(vec3 from, vec3 to) {
     const vec3 d = to - from;
@@ -159,6 +159,8 @@ void note(const Event& event, double age_s, Picture& out) {
     if (hurts(event.kind)) note_hurt(event, age_s, out);
     if (event.kind == EventKind::dry)
         out.wizards[event.subject].since_dry_s = std::min(out.wizards[event.subject].since_dry_s, age_s);
+    if (event.kind == EventKind::burst && age_s < burst_seconds && out.burst_count < out.bursts.size())
+        out.bursts[out.burst_count++] = {age_s, event.subject, event.place, event.amount};
     if (event.kind == EventKind::power_up) note_gift(event, age_s, out.wizards[event.subject]);
     if (event.kind == EventKind::death && age_s < feed_seconds && out.feed_lines < out.feed.size())
         out.feed[out.feed_lines++] = {age_s, event.subject, event.by, static_cast<EventKind>(event.detail)};
@@ -168,7 +170,7 @@ void note(const Event& event, double age_s, Picture& out) {
 void take_events(const Simulation& match, Picture& out) {
     const auto& chronicle = match.world().single<Chronicle>();
     const auto size = chronicle.events.size();
-    out.feed_lines = 0;
+    out.feed_lines = out.burst_count = 0;
     for (std::uint64_t i = 0; i < std::min<std::uint64_t>(chronicle.count, size); ++i) {
         const auto& event = chronicle.events[(chronicle.count - 1 - i) % size];
         note(event, age(match.match(), event.tick), out);
@@ -222,6 +224,7 @@ void interpolate_wizard(const PlayerPicture& from, double alpha, double dt, Play
     to.pitch = glm::mix(from.pitch, to.pitch, alpha);
     to.wand_reach = glm::mix(from.wand_reach, to.wand_reach, alpha);
     if (from.held && to.held) to.held = glm::mix(*from.held, *to.held, alpha);
+    to.readiness = glm::mix(from.readiness, to.readiness, alpha);
 }
 
 }  // namespace

@@ -35,6 +35,18 @@ struct MissilePicture {
     std::uint32_t player{};
     vec3 position{};
     vec3 velocity{};
+    MissileLook look{};
+    double size{};  ///< m, radius of what is round
+};
+
+/// How long a burst is seen.
+inline constexpr double burst_seconds = 0.4;
+
+struct BurstPicture {
+    double age_s{};
+    std::uint32_t player{};  ///< whose shot it was
+    vec3 place{};
+    double radius{};  ///< m, how far it reaches
 };
 
 /// Something to be picked up, or the place where it will be.
@@ -78,6 +90,7 @@ struct PlayerPicture {
     std::string_view wand;                         ///< kind in hand; empty: none
     Silhouette silhouette{};                       ///< of it
     double energy{}, energy_cap{};
+    double readiness{};  ///< 0 to 1, how far the wand is charged or drawn
     std::int32_t kills{}, deaths{};
     double returns_in_s{};  ///< while dead
     double since_hit_s{};   ///< since this player last hurt the other
@@ -133,6 +146,8 @@ struct Picture {
     std::int32_t kills_to_win{};
     std::uint32_t feed_lines{};  ///< of `feed`, the oldest first
     std::array<FeedLine, 4> feed{};
+    std::uint32_t burst_count{};  ///< of `bursts`, the newest first
+    std::array<BurstPicture, 8> bursts{};
     std::uint32_t skipped{};  ///< samples left out so far
     std::uint32_t mark{};     ///< number of a mark made just now; 0: none; filled by the session
     bool overloaded{};        ///< samples were left out just now; filled by the session

@@ -6,6 +6,7 @@
 #include "ecs/snapshot.h"
 #include "game/components/grip.h"
 #include "game/match/bodies.h"
+#include "game/match/touch.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 
@@ -59,6 +60,7 @@ void move_wizard(const Stage& from, Stage& to, std::uint32_t player) {
     auto& world = to.world;
     const auto old = wizard_of(from.world, player), now = wizard_of(world, player);
     copy<Gaze, Stance, Health, WandBelt, Grip, Score>(from.world, old, world, now);
+    let_go(to, now);
     world.remove<Body>(now);
     copy<Motion>(from.world, old, world, now);
     world.get<Motion>(now).asleep = 0;  // what it stood on may be gone

@@ -101,6 +101,14 @@ Expected<void> share_energies(MatchData& data) {
     return {};
 }
 
+void refuse_taken_slot(const std::vector<LoadedWand>& before, const LoadedWand& wand, const Config& file) {
+    for (const auto& other : before) {
+        if (other.stats.slot != wand.stats.slot) continue;
+        file.root().report("slot",
+                           text("'slot' is ", wand.stats.slot + 1, ", where ", other.kind->name, " is"));
+    }
+}
+
 /// What the rule set switches off is gone from the data: no system asks for the rule set's name.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
@@ -132,8 +140,11 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     if (!device) return tl::unexpected(device.error());
     data.device = std::move(*device);
     for (const auto& kind : wand_kinds()) {
-        data.wands.push_back(loader.load(text("wands/", kind.name, ".toml"),
-                                         [&](const Config& file) { return read_wand(kind, file); }));
+        data.wands.push_back(loader.load(text("wands/", kind.name, ".toml"), [&](const Config& file) {
+            auto wand = read_wand(kind, file);
+            refuse_taken_slot(data.wands, wand, file);
+            return wand;
+        }));
     }
     loader.check_overrides();
     if (loader.error) return tl::unexpected(*loader.error);

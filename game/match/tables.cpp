@@ -32,6 +32,9 @@ constexpr Telling tellings[] = {
     {EventKind::round_end, With::ending, "", false, true},
     {EventKind::power_up, With::power_up, "points", true, true},  // HP, or a spark's energy
     {EventKind::round_begin, With::round, "", false, false},
+    {EventKind::blast_hit, With::own_name, "hp", true, true},
+    {EventKind::lob_hit, With::own_name, "hp", true, true},
+    {EventKind::burst, With::cause, "m", true, false},
 };
 
 constexpr bool all_kinds_are_told() {

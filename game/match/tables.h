@@ -35,8 +35,8 @@ void append_csv(std::string& row, std::string_view field);
 ///     time_s   the same in s; played_s: of the match's clock
 ///     kind     a name of game/components/match.h, or pause, resume, skip, mark, lost, end
 ///     who      player who did it: 1, 2 or nobody; whom: player to whom it was done (round_end: who has won)
-///     with     the wand, the cause of a death, the pad of a resurrection, how the round or the log ended, the mark's number
-///     amount   in `unit`: hp, ticks (skip), events (lost: more came in one tick than a match keeps)
+///     with     the wand, the cause of a death, what a burst hurts by, the pad of a resurrection, how the round or the log ended, the mark's number
+///     amount   in `unit`: hp, m (burst: how far it reaches), ticks (skip), events (lost: more came in one tick than a match keeps)
 ///     x_m ...  where; empty for what has no place
 ///     note     of an end: the log's result line
 class EventTable {

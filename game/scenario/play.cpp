@@ -52,7 +52,7 @@ input::InputFrame frame_of(Play& play) {
         sample.counts[hand::strafe] = from.strafe;
         sample.counts[hand::forward] = from.forward;
         sample.counts[hand::trigger] =
-            (from.buttons & static_cast<std::uint32_t>(input::Button::fire)) ? 255 : 0;
+            (from.buttons & static_cast<std::uint32_t>(input::Button::fire)) != 0 ? from.trigger : 0;
         sample.buttons = from.buttons;
     }
     if (!play.bots.empty()) play.bots.sample(*play.match, frame);
@@ -137,6 +137,12 @@ void end_match(Play& play) {
     }
 }
 
+double readiness(const Play& play, std::uint32_t player) {
+    const auto* wand = wand_in_hand(*play.data, part<WandBelt>(play, player));
+    if (wand == nullptr || wand->kind->readiness == nullptr) return 0;
+    return wand->kind->readiness(play.match->world(), wizard_entity(play, player));
+}
+
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player) {
     return wizard_of(play.match->world(), player);
 }
@@ -207,6 +213,7 @@ constexpr Column columns[] = {
      [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).servo.safety.output.y; }, nullptr},
     {"force_z", "force_z_n",
      [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).servo.safety.output.z; }, nullptr},
+    {"readiness", "readiness", [](const Play& p, std::uint32_t i) { return readiness(p, i); }, nullptr},
     {"shots", "shots",
      [](const Play& p, std::uint32_t i) { return static_cast<double>(part<WandBelt>(p, i).fired); }, nullptr},
 };

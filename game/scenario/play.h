@@ -21,6 +21,7 @@ struct Hand {
     std::int32_t look_right{}, look_up{};  ///< counts still to be given
     std::int32_t strafe{}, forward{};      ///< -127..127
     std::uint32_t buttons{};
+    std::int32_t trigger{255};  ///< how far fire is pulled while it is held
 };
 
 /// A match as the script asks for it.
@@ -97,6 +98,9 @@ void scene_is_set(Play& play);
 
 /// Closes the log, writes the traces.
 void end_match(Play& play);
+
+/// How far the wand in hand is charged or drawn, 0 to 1.
+double readiness(const Play& play, std::uint32_t player);
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player);
 template <class C>

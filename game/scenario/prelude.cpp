@@ -7,7 +7,7 @@ namespace thaum::game {
 const std::string_view prelude = R"lua(
 local raw = {}
 for _, name in ipairs {
-    "wait", "match", "button", "move", "look", "counts_to", "counts_of", "read", "place", "face", "spawn", "thing_there",
+    "wait", "match", "button", "trigger", "move", "look", "counts_to", "counts_of", "read", "place", "face", "spawn", "thing_there",
     "thing_position", "thing_velocity", "thing_place", "thing_push", "next_event", "picture", "picture_mean",
     "picture_colours",
 } do
@@ -116,8 +116,8 @@ function wizard(n)
 end
 
 for _, name in ipairs {
-    "position", "centre", "eye", "velocity", "yaw", "pitch", "health", "energy", "shots", "kills", "deaths", "dead",
-    "grounded", "shielded", "hand", "force", "force_cause", "created",
+    "position", "centre", "eye", "velocity", "yaw", "pitch", "health", "energy", "readiness", "shots", "kills",
+    "deaths", "dead", "grounded", "shielded", "hand", "force", "force_cause", "created",
 } do
     Wizard[name] = function(self) return raw.read(self.player, name) end
 end
@@ -125,6 +125,9 @@ end
 function Wizard:hold(button) raw.button(self.player, button, true) end
 
 function Wizard:release(button) raw.button(self.player, button, false) end
+
+-- How far fire is pulled while it is held.
+function Wizard:trigger(share) raw.trigger(self.player, share) end
 
 -- A player's press: two gameplay ticks and a half, and one tick in which the button is up.
 function Wizard:press(button, seconds)

@@ -165,6 +165,12 @@ int verb_move(lua_State* lua, void* context) {
     return 0;
 }
 
+int verb_trigger(lua_State* lua, void* context) {
+    auto& hand = hand_of(began(context), lua);
+    hand.trigger = static_cast<std::int32_t>(std::lround(255 * arg::number(lua, 2, "how far", {0, 1})));
+    return 0;
+}
+
 int verb_look(lua_State* lua, void* context) {
     auto& hand = hand_of(began(context), lua);
     hand.look_right = static_cast<std::int32_t>(arg::integer(lua, 2, "look right", {-1e6, 1e6}));
@@ -231,6 +237,8 @@ constexpr WizardReader wizard_readers[] = {
     {"energy", [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushnumber(lua, energy(p, i)); }},
     {"shots", [](lua_State* lua, const Play& p,
                  std::uint32_t i) { lua_pushinteger(lua, part<WandBelt>(p, i).fired); }},
+    {"readiness",
+     [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushnumber(lua, readiness(p, i)); }},
     // Of the device in the hand, in its own frame (x right, y up, z to the user): where its tip is, m, what it is told, N, and why
     // that is less than was asked for.
     {"hand", [](lua_State* lua, const Play& p,
@@ -297,6 +305,7 @@ constexpr VerbName match_verbs[] = {
     {"raw_match", verb_match_state},
     {"fail", verb_fail},
     {"raw_button", verb_button},
+    {"raw_trigger", verb_trigger},
     {"raw_move", verb_move},
     {"raw_look", verb_look},
     {"raw_counts_to", verb_counts_to},

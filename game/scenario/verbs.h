@@ -4,9 +4,10 @@
 //     match{arena = , rules = "thaum" | "classic", match = "quick" | "standard", seed = , set = {"quick.kills=1"},
 //           players = {"script", "bot 1"}, forces = {100, 0}}   first, and once; forces: % of what the devices can
 //     wizard(n)                 hold(button), release(button), press(button [, seconds]), move(strafe, forward) in -1..1,
-//                               stop(), look(right, up) in degrees, aim(place | wizard | thing): through the device
+//                               stop(), look(right, up) in degrees, aim(place | wizard | thing), trigger(share): how far fire is
+//                               pulled while it is held, in 0..1: through the device
 //                               position() (feet), centre(), eye(), velocity(), yaw(), pitch() in rad, health(), energy(),
-//                               shots(), kills(), deaths(), dead(), grounded(), shielded()
+//                               shots(), readiness() of the wand in hand in 0..1, kills(), deaths(), dead(), grounded(), shielded()
 //                               place(feet), face(yaw, pitch) in degrees: set the scene
 //     wait(seconds), tick([n]), time(), now() in ticks, wait_until(condition, seconds), pause(n)
 //     expect(condition, message), expect_near(value, wanted, tolerance, message), fail(message)
@@ -16,7 +17,9 @@
 //                               push(impulse) in N s, there(); clear_props(): set the scene
 //     round_over() -> over, "kills" | "time", winner; match_over() -> over, {rounds won}; round_number()
 //     power_ups()               a list of {kind = "vial" | "heart" | "spark", place = , there = , back_in = seconds}
-//     deeds(n, cause)           {shots = , hits = , kills = , own_deaths = , damage = } of player n by "bolt", "blow" or "fall"
+//     missiles()                a list of {position = , velocity = , player = , size = }
+//     deeds(n, cause)           {shots = , hits = , kills = , own_deaths = , damage = } of player n by "bolt", "blast", "lob",
+//                               "blow" or "fall"
 //     state(), changes(before [, after])     what differs: a list of {component, entity, field, before, after}
 //     trace(name, columns)      a CSV line each tick: "1.x", "2.health", "t1.speed" (of the first thing spawned)
 //     picture{split = "side_by_side" | "top_bottom", name = }   colour(x, y), mean(x0, y0, x1, y1), colours(x0, y0, x1, y1):

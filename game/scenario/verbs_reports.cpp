@@ -117,6 +117,26 @@ int verb_power_ups(lua_State* lua, void* context) {
     return 1;
 }
 
+int verb_missiles(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    lua_newtable(lua);
+    lua_Integer count = 0;
+    for (const auto& wand : play.data->wands) {
+        wand.kind->show(world_of(play), [&](const Missile& missile) {
+            lua_createtable(lua, 0, 4);
+            arg::push_place(lua, missile.position);
+            lua_setfield(lua, -2, "position");
+            arg::push_place(lua, missile.velocity);
+            lua_setfield(lua, -2, "velocity");
+            set_player(lua, "player", missile.player);
+            lua_pushnumber(lua, missile.size);
+            lua_setfield(lua, -2, "size");
+            lua_rawseti(lua, -2, ++count);
+        });
+    }
+    return 1;
+}
+
 int verb_deeds(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);
@@ -340,6 +360,7 @@ constexpr VerbName report_list[] = {
     {"events", verb_events},
     {"raw_next_event", verb_next_event},
     {"power_ups", verb_power_ups},
+    {"missiles", verb_missiles},
     {"deeds", verb_deeds},
     {"state", verb_state},
     {"changes", verb_changes},

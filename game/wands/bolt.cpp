@@ -7,13 +7,10 @@
 
 #include "game/match/stage.h"
 #include "game/match/touch.h"
-#include "game/wands/wand.h"
+#include "game/wands/shot.h"
 
 namespace thaum::game {
 namespace {
-
-constexpr double aim_reach = 60;     ///< m; the crosshair's depth where it meets nothing nearer
-constexpr double nearest_aim = 1.0;  ///< m; nearer things would make the bolt leave sideways
 
 struct BoltData {
     Tick interval{};  ///< ticks between shots
@@ -75,32 +72,14 @@ vec3 scattered(vec3 direction, double spread, Random& random) {
 
 void shoot(const WandUse& use, const BoltData& data) {
     auto& world = use.stage.world;
-    const auto& now = std::as_const(world);
-    const auto& gaze = now.get<Gaze>(use.wizard);
-    const auto key = use.wizard.index;
-    const quat looking = look_rotation(gaze.yaw, gaze.pitch);
-    const vec3 eye = eye_of(use.stage.data.wizard, now.get<Motion>(use.wizard).position);
-    const vec3 ahead = looking * vec3(0, 0, -1);
-    const auto seen = use.stage.physics.ray(eye, eye + ahead * aim_reach, physics::all_layers, key);
-    const double depth = std::max(nearest_aim, seen ? seen->fraction * aim_reach : aim_reach);
-    // The bolt leaves at the wand's tip, unless something stands between eye and tip.
-    const vec3 hand = now.get<Grip>(use.wizard).device.position;
-    vec3 tip = eye + looking * wand_tip_of(use.stage.data.touch, hand);
-    if (use.stage.physics.ray(eye, tip, physics::all_layers, key)) tip = eye;
-    const vec3 aim = glm::normalize(eye + ahead * depth - tip);
+    const auto muzzle = muzzle_of(use, 0);
     auto& dice = world.single<Dice>();
-    const auto player = now.get<Wizard>(use.wizard).player;
-    world.commands().create(Bolt{.position = tip,
-                                 .velocity = scattered(aim, data.spread, dice.spread) * data.speed,
+    world.commands().create(Bolt{.position = muzzle.tip,
+                                 .velocity = scattered(muzzle.aim, data.spread, dice.spread) * data.speed,
                                  .dies_at = use.tick + data.life,
-                                 .player = player,
-                                 .ignores = key});
-    record(world, {.tick = use.tick,
-                   .kind = EventKind::shot,
-                   .subject = player,
-                   .by = player,
-                   .detail = static_cast<std::uint32_t>(EventKind::bolt_hit),
-                   .place = tip});
+                                 .player = std::as_const(world).get<Wizard>(use.wizard).player,
+                                 .ignores = use.wizard.index});
+    note_shot(use, EventKind::bolt_hit, muzzle.tip);
     kick(use.stage, use.wizard, data.recoil, data.recoil_length);
 }
 
@@ -108,21 +87,14 @@ void use(const WandUse& use) {
     const auto& data = *static_cast<const BoltData*>(use.data);
     auto& world = use.stage.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
-    const auto fire = input::bit(input::Button::fire);
     auto& hand = world.get<BoltHand>(use.wizard);
-    if (((controls.held | controls.pressed) & fire) == 0 || use.tick < hand.next_shot) return;
-    auto& belt = world.get<WandBelt>(use.wizard);
-    if (!spend(belt, use.stats)) {
-        if ((controls.pressed & fire) != 0) {
-            const auto player = std::as_const(world).get<Wizard>(use.wizard).player;
-            record(world, {.tick = use.tick, .kind = EventKind::dry, .subject = player, .by = player});
-        }
+    if (!holds_fire(controls) || use.tick < hand.next_shot) return;
+    if (!spend(world.get<WandBelt>(use.wizard), use.stats, use.stats.energy_cost)) {
+        if ((controls.pressed & input::bit(input::Button::fire)) != 0) note_dry(use);
         return;
     }
     // Kept exact on average, though this is looked at only every few ticks.
     hand.next_shot = std::max(hand.next_shot + data.interval, use.tick + data.interval - gameplay_period + 1);
-    ++belt.fired;
-    world.get<Health>(use.wizard).shielded_until = use.tick;  // who attacks is no longer protected
     shoot(use, data);
 }
 
@@ -177,10 +149,12 @@ const WandRegistration registration({
     .show =
         [](const ecs::World& world, const std::function<void(const Missile&)>& show) {
             world.view<const Bolt>().each([&](ecs::Entity e, const Bolt& b) {
-                show({e, b.position, b.velocity, b.player});
+                show({.entity = e, .position = b.position, .velocity = b.velocity, .player = b.player});
             });
         },
     .held_at = [](const ecs::World&, ecs::Entity) -> std::optional<vec3> { return std::nullopt; },
+    .shot = [](const void* data,
+               double) { return ShotKind{.speed = static_cast<const BoltData*>(data)->speed}; },
 });
 
 }  // namespace

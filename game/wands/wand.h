@@ -27,7 +27,7 @@ struct WandStats {
     std::uint32_t energy_slot{};  ///< whose energy it uses: its own, or that of the wand it shares it with
     Silhouette silhouette{};
     double energy_cap{};
-    double energy_cost{};    ///< of one use
+    double energy_cost{};    ///< of one use, at least
     double energy_regain{};  ///< per second
 };
 
@@ -44,12 +44,26 @@ struct WandSystems {
     ecs::Schedule& schedule;
 };
 
+/// What a missile looks like.
+enum class MissileLook : std::uint32_t { needle, fireball, stone };
+
 /// Something that a wand has sent off, for the picture and for bots to see.
 struct Missile {
     ecs::Entity entity;
     vec3 position{};  ///< m
     vec3 velocity{};  ///< m/s
     std::uint32_t player{};
+    MissileLook look{};
+    double size{};  ///< m, radius of what is round
+};
+
+/// How a wand's shots go, for who aims.
+struct ShotKind {
+    double speed{};   ///< m/s
+    double fall{};    ///< m/s^2, downwards
+    double radius{};  ///< m, in which it hurts where it strikes
+    double energy{};  ///< that it takes
+    bool held{};      ///< it is readied while fire is held, and goes when it is let go
 };
 
 /// Where a wand's tip is, in the frame of the eye, m.
@@ -77,6 +91,10 @@ struct WandKind {
     void (*show)(const ecs::World&, const std::function<void(const Missile&)>&);
     /// The point, m, that this wizard holds or hangs on by it; nothing where there is none.
     std::optional<vec3> (*held_at)(const ecs::World&, ecs::Entity wizard);
+    /// A shot that was readied to that share, 0 to 1. Null: the wand does not shoot.
+    ShotKind (*shot)(const void* data, double readiness) = nullptr;
+    /// How far it is charged or drawn, 0 to 1. Null: nothing of it grows.
+    double (*readiness)(const ecs::World&, ecs::Entity wizard) = nullptr;
 };
 
 /// Registers a kind for the life of the program.

@@ -49,8 +49,8 @@ Outcome read_match_file(const char* name, const std::string& input, const Places
 }
 
 constexpr const char *arena = "arenas/boiling_court.toml", *rules = "rules/quick.toml",
-                     *wizard = "wizards/wizard.toml", *wand = "wands/bolt.toml", *bot = "bots/level_1.toml",
-                     *range = "range.toml";
+                     *wizard = "wizards/wizard.toml", *wand = "wands/bolt.toml", *blast = "wands/blast.toml",
+                     *lob = "wands/lob.toml", *bot = "bots/level_1.toml", *range = "range.toml";
 
 template <const char* const& name>
 std::vector<std::string> shipped(const Places& places) {
@@ -111,6 +111,8 @@ const Reader arena_reader{"arena", shipped<arena>, mutate_text, read_as<arena>};
 const Reader rules_reader{"rules", shipped<rules>, mutate_text, read_as<rules>};
 const Reader wizard_reader{"wizard", shipped<wizard>, mutate_text, read_as<wizard>};
 const Reader wand_reader{"wand", shipped<wand>, mutate_text, read_as<wand>};
+const Reader blast_reader{"blast", shipped<blast>, mutate_text, read_as<blast>};
+const Reader lob_reader{"lob", shipped<lob>, mutate_text, read_as<lob>};
 const Reader bot_reader{"bot", shipped<bot>, mutate_text, read_bot};
 const Reader range_reader{"range", shipped<range>, mutate_text, read_range};
 const Reader settings_reader{"settings", shipped_settings, mutate_text, read_settings};

@@ -1,4 +1,4 @@
--- A spark fills half of the wand that is emptiest. (There is one wand so far.)
+-- A spark fills half of the wand that is emptiest.
 match {players = {"script", "script"}}
 trace("energy", {"1.energy"})
 local me = wizard(1)

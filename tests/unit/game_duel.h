@@ -2,6 +2,8 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "game/bots/duel.h"
 #include "game/match/record.h"
 
@@ -15,6 +17,11 @@ inline std::shared_ptr<const MatchData> duel_data(std::vector<std::string> overr
     auto data = load_match_data(assets(), choice);
     EXPECT_TRUE(data.has_value()) << (data ? "" : data.error().message);
     return std::make_shared<const MatchData>(std::move(*data));
+}
+
+inline const LoadedWand& wand_of(const MatchData& data, std::string_view name) {
+    return *std::find_if(data.wands.begin(), data.wands.end(),
+                         [&](const LoadedWand& wand) { return wand.kind->name == name; });
 }
 
 inline BotDuel make_duel(std::uint64_t seed) {

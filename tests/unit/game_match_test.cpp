@@ -68,8 +68,8 @@ TEST(GameRules, TheRuleSetSwitchesWhatItsFileSays) {
     const auto thaum = duel_data();
     auto classic = load_match_data(assets(), {.rules = "classic", .match = "standard"});
     ASSERT_TRUE(classic) << classic.error().message;
-    EXPECT_GT(thaum->wands[0].stats.energy_regain, 0);
-    EXPECT_EQ(classic->wands[0].stats.energy_regain, 0);
+    EXPECT_GT(wand_of(*thaum, "bolt").stats.energy_regain, 0);
+    EXPECT_EQ(wand_of(*classic, "bolt").stats.energy_regain, 0);
     EXPECT_GT(thaum->round.spawn_shield, 0U);
     EXPECT_EQ(classic->round.spawn_shield, 0U);
     EXPECT_EQ(thaum->round.rounds, 1U);
@@ -96,7 +96,7 @@ TEST(GameRules, AGiftIsWhatThereIsRoomFor) {
     const auto data = duel_data();
     const auto gift = [&](PowerUpKind kind, double health, double energy) {
         auto belt = full_belt(*data);
-        belt.energy[0] = energy;  // the bolt's slot; 60 is its cap
+        belt.energy[wand_of(*data, "bolt").stats.slot] = energy;
         return gift_of(*data, kind, Health{.points = health}, belt).amount();
     };
     EXPECT_EQ(gift(PowerUpKind::vial, 10, 0), 25);

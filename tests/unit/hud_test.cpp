@@ -392,7 +392,9 @@ TEST(Silhouettes, AWandsFileNamesOneOfFive) {
                  "1\nlength_s = 0.01\n");
         const auto file = Config::parse(source, "bolt.toml", 1);
         EXPECT_TRUE(file);
-        const auto wand = read_wand(wand_kinds().front(), *file);
+        const auto bolt = std::find_if(wand_kinds().begin(), wand_kinds().end(),
+                                       [](const WandKind& kind) { return kind.name == "bolt"; });
+        const auto wand = read_wand(*bolt, *file);
         const auto checked = file->check();
         return std::pair(wand.stats.silhouette, checked ? std::string() : checked.error().message);
     };

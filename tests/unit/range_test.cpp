@@ -284,10 +284,10 @@ TEST(CarryOver, AnotherBodyStandsOnTheSameFeet) {
 TEST(CarryOver, EnergyFollowsItsWandToAnotherSlot) {
     auto range = range_with(DummyKind::still);
     change<WandBelt>(range, practising).energy[0] = 17;
-    range.adopt(range_data({"bolt.slot=3"}));
+    range.adopt(range_data({"bolt.slot=3", "lob.slot=1"}));
     EXPECT_EQ(of<WandBelt>(range, practising).energy[2], 17);
     EXPECT_EQ(of<WandBelt>(range, practising).selected, 2U);
-    range.adopt(range_data({"bolt.slot=3", "bolt.energy.cap=10"}));
+    range.adopt(range_data({"bolt.slot=3", "lob.slot=1", "bolt.energy.cap=10"}));
     EXPECT_EQ(of<WandBelt>(range, practising).energy[2], 10);
 }
 

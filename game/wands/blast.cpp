@@ -1,0 +1,242 @@
+// The blast wand: fire held charges it, and more and more leans on the hand; let go, a ball of fire leaves it and kicks back.
+//
+// Let go before the charge begins, nothing goes off and no energy is lost. The charge grows evenly, only as far as the energy
+// can pay; so neither it nor the force jumps. The ball flies straight, as a bolt does, and is swept as one: as a sphere
+// on the way of each physics step, after the bodies have moved. It bursts where it first touches something.
+#include <algorithm>
+#include <optional>
+
+#include "game/match/touch.h"
+#include "game/wands/shot.h"
+
+namespace thaum::game {
+namespace {
+
+struct BlastData {
+    Tick from{};           ///< ticks of fire held before the charge begins
+    double charge_step{};  ///< of the charge, per tick
+    double lean{};         ///< N, at a full charge
+    Growing energy, damage, speed;
+    double radius{};  ///< m, of the ball
+    Tick life{};
+    double splash{};  ///< share of the damage
+    Growing reach;    ///< m
+    Growing impulse;  ///< N s
+    double fastest{};
+    double recoil{};  ///< N, at its peak, of a full charge
+    Tick recoil_length{};
+};
+
+/// In flight.
+struct Blast {
+    vec3 position{};  ///< m
+    vec3 velocity{};  ///< m/s
+    double charge{};
+    Tick dies_at{};
+    std::uint32_t player{};
+    std::uint32_t shooter{};  ///< key of the body
+    static constexpr std::string_view name = "Blast";
+    static constexpr auto fields() {
+        return std::tuple(field("position", &Blast::position), field("velocity", &Blast::velocity),
+                          field("charge", &Blast::charge), field("dies_at", &Blast::dies_at),
+                          field("player", &Blast::player), field("shooter", &Blast::shooter));
+    }
+};
+
+/// A wizard's hand on this wand.
+struct BlastHand {
+    double charge{};      ///< 0 to 1
+    double affordable{};  ///< how far the energy lets it grow
+    Tick began{};
+    std::uint32_t charging{};  ///< 1 while fire is held
+    std::uint32_t spare{};
+    static constexpr std::string_view name = "BlastHand";
+    static constexpr auto fields() {
+        return std::tuple(field("charge", &BlastHand::charge), field("affordable", &BlastHand::affordable),
+                          field("began", &BlastHand::began), field("charging", &BlastHand::charging),
+                          field("spare", &BlastHand::spare));
+    }
+};
+
+std::shared_ptr<const void> read(const ConfigTable& root) {
+    BlastData data;
+    data.energy = read_growing(root.table("energy"), "cost", "cost_full", {0, 1e6});
+    const auto charge = root.table("charge");
+    const double from = charge.number("from_s", {0, 60}), full = charge.number("full_s", {0.001, 60});
+    if (full <= from) charge.report("full_s", "'full_s' must be more than from_s");
+    data.from = ticks(from);
+    data.charge_step = tick_seconds / std::max(full - from, tick_seconds);
+    data.lean = charge.number("force_n", {0, 100});
+    const auto shot = root.table("shot");
+    data.damage = read_growing(shot, "damage", "damage_full", {0, 1e6});
+    data.speed = read_growing(shot, "speed_m_s", "speed_full_m_s", {0.1, 1000});
+    data.radius = shot.number("radius_m", {0.01, 1});
+    data.life = ticks(shot.number("life_s", {0.001, 60}));
+    const auto splash = root.table("splash");
+    data.splash = splash.number("share", {0, 1});
+    data.reach = read_growing(splash, "radius_m", "radius_full_m", {0.01, 100});
+    data.impulse = read_growing(splash, "impulse_n_s", "impulse_full_n_s", {0, 1e4});
+    data.fastest = splash.number("fastest_m_s", {0, 100});
+    const auto recoil = root.table("recoil");
+    data.recoil = recoil.number("force_n", {0, 100});
+    data.recoil_length = std::max<Tick>(1, ticks(recoil.number("length_s", {0.001, 10})));
+    return std::make_shared<BlastData>(data);
+}
+
+const BlastData& data_of(const WandUse& use) { return *static_cast<const BlastData*>(use.data); }
+
+/// The charge that so much energy pays for; negative where it does not pay for a shot.
+double affordable(const Growing& energy, double left) {
+    if (left < energy.least) return -1;
+    const double more = energy.most - energy.least;
+    return more > 0 ? std::min(1.0, (left - energy.least) / more) : 1;
+}
+
+/// In proportion to the energy and the speed of the shot (paper 002, section 3.1.2).
+double recoil_of(const BlastData& data, double charge) {
+    const double energy = data.energy.most > 0 ? data.energy.at(charge) / data.energy.most : 1;
+    return data.recoil * energy * data.speed.at(charge) / data.speed.most;
+}
+
+void shoot(const WandUse& use, double charge) {
+    const auto& data = data_of(use);
+    auto& world = use.stage.world;
+    const auto muzzle = muzzle_of(use, data.radius);
+    world.commands().create(Blast{.position = muzzle.tip,
+                                  .velocity = muzzle.aim * data.speed.at(charge),
+                                  .charge = charge,
+                                  .dies_at = use.tick + data.life,
+                                  .player = std::as_const(world).get<Wizard>(use.wizard).player,
+                                  .shooter = use.wizard.index});
+    note_shot(use, EventKind::blast_hit, muzzle.tip);
+    kick(use.stage, use.wizard, recoil_of(data, charge), data.recoil_length);
+}
+
+void put_away(const WandUse& use) {
+    use.stage.world.get<BlastHand>(use.wizard) = {};
+    let_go(use.stage, use.wizard);
+}
+
+void use(const WandUse& use) {
+    const auto& data = data_of(use);
+    auto& world = use.stage.world;
+    const auto& controls = std::as_const(world).get<Controls>(use.wizard);
+    auto& hand = world.get<BlastHand>(use.wizard);
+    auto& belt = world.get<WandBelt>(use.wizard);
+    const double most = affordable(data.energy, belt.energy[use.stats.energy_slot]);
+    if (hand.charging == 0) {
+        const bool pressed = (controls.pressed & input::bit(input::Button::fire)) != 0;
+        if (!holds_fire(controls)) return;
+        if (most < 0) return pressed ? note_dry(use) : void();
+        hand = {.affordable = most, .began = use.tick, .charging = 1};
+        return;
+    }
+    hand.affordable = most;
+    if (holds_fire(controls)) return;
+    const bool goes_off = use.tick >= hand.began + data.from;
+    const double charge = std::min(hand.charge, most);
+    put_away(use);
+    if (goes_off && most >= 0 && spend(belt, use.stats, data.energy.at(charge))) shoot(use, charge);
+}
+
+/// Every tick, so that the force on the hand grows without steps.
+void charge(Stage& stage, const BlastData& data, Tick tick) {
+    stage.world.view<BlastHand>().each([&](ecs::Entity e, BlastHand& hand) {
+        if (hand.charging == 0 || tick <= hand.began + data.from) return;
+        hand.charge = std::max(hand.charge, std::min(hand.charge + data.charge_step, hand.affordable));
+        lean(stage, e, {0, 0, data.lean * hand.charge});
+    });
+}
+
+void add_forces(const WandSystems& to, const void* wand) {
+    auto& world = to.stage.world;
+    to.schedule.add({.name = "blast charges",
+                     .writes = world.mask<BlastHand, Grip>(),
+                     .needs = world.mask<BlastHand>(),
+                     .run = [&stage = to.stage, wand](ecs::World&, Tick tick) {
+                         charge(stage, *static_cast<const BlastData*>(wand), tick);
+                     }});
+}
+
+void hit(Stage& stage, const Blast& blast, const BlastData& data, vec3 place, physics::Key struck,
+         Tick tick) {
+    const double damage = data.damage.at(blast.charge);
+    burst(stage,
+          {.place = place,
+           .size = data.radius,
+           .radius = data.reach.at(blast.charge),
+           .damage = data.splash * damage,
+           .impulse = data.impulse.at(blast.charge),
+           .fastest = data.fastest,
+           .player = blast.player,
+           .shooter = blast.shooter,
+           .how = EventKind::blast_hit,
+           .struck = struck,
+           .struck_damage = damage},
+          tick);
+}
+
+void fly(Stage& stage, const BlastData& data, Tick tick) {
+    auto& world = stage.world;
+    world.view<Blast>().each([&](ecs::Entity e, Blast& blast) {
+        const vec3 way = blast.velocity * physics_dt;
+        const auto at = stage.physics.sweep_sphere(blast.position, blast.position + way, data.radius,
+                                                   physics::all_layers, blast.shooter);
+        if (at) hit(stage, blast, data, blast.position + at->fraction * way, at->key, tick);
+        if (at || tick >= blast.dies_at) world.commands().destroy(e);
+        blast.position += way;
+    });
+}
+
+void add_systems(const WandSystems& to, const void* wand) {
+    auto& world = to.stage.world;
+    to.schedule.add({.name = "blasts",
+                     .period = physics_period,
+                     .reads = world.mask<Body, Motion, Wizard, Dead>(),
+                     .writes = world.mask<Blast, Health, Chronicle, Prop>(),
+                     .needs = world.mask<Blast>(),
+                     .run = [&stage = to.stage, wand](ecs::World&, Tick tick) {
+                         fly(stage, *static_cast<const BlastData*>(wand), tick);
+                     }});
+}
+
+const WandRegistration registration({
+    .name = "blast",
+    .read = read,
+    .declare =
+        [](ecs::World& world) {
+            world.declare<Blast>();
+            world.declare<BlastHand>();
+        },
+    .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, BlastHand{}); },
+    .use = use,
+    .put_away = put_away,
+    .writes = [](const ecs::World& world) { return world.mask<BlastHand, Chronicle, Health, Grip>(); },
+    .add_forces = add_forces,
+    .add_systems = add_systems,
+    .show =
+        [](const ecs::World& world, const std::function<void(const Missile&)>& show) {
+            world.view<const Blast>().each([&](ecs::Entity e, const Blast& b) {
+                show({.entity = e,
+                      .position = b.position,
+                      .velocity = b.velocity,
+                      .player = b.player,
+                      .look = MissileLook::fireball,
+                      .size = 0.12 + 0.1 * b.charge});
+            });
+        },
+    .held_at = [](const ecs::World&, ecs::Entity) -> std::optional<vec3> { return std::nullopt; },
+    .shot =
+        [](const void* wand, double readiness) {
+            const auto& data = *static_cast<const BlastData*>(wand);
+            return ShotKind{.speed = data.speed.at(readiness),
+                            .radius = data.reach.at(readiness),
+                            .energy = data.energy.at(readiness),
+                            .held = true};
+        },
+    .readiness = [](const ecs::World& world,
+                    ecs::Entity wizard) { return world.get<BlastHand>(wizard).charge; },
+});
+
+}  // namespace
+}  // namespace thaum::game

@@ -1,0 +1,289 @@
+// The lob wand: a slingshot. Fire held draws the hand back along a line, against a spring with detents; let go, a stone leaves
+// with the speed that the draw, as the device measured it, stands for.
+//
+// The hand moves at a limited speed to where the trigger says (a key: all the way), so the spring is felt as one that is
+// drawn; after letting go it glides back, and only when it is back a new draw begins. A draw too short sends nothing off
+// and costs nothing.
+//
+// In flight the stone is a sphere on a parabola, exact in each physics step, whose chord is swept after the bodies have moved: it
+// cannot pass through anything, and where it lands has a closed form. It bounces off everything but the foe, who sets it off,
+// and its shooter, whom it passes through; when the fuse is over it bursts. Things do not feel its weight.
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "game/components/grip.h"
+#include "game/match/touch.h"
+#include "game/wands/shot.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr double clear_of = 1e-5;     ///< m; a bounce ends so far off the surface
+constexpr double least_bounce = 0.3;  ///< m/s; what comes down slower stays down
+
+struct LobData {
+    vec3 axis{};                       ///< unit, device frame
+    double full{}, least{}, travel{};  ///< m
+    double step{}, return_step{};      ///< m per tick
+    haptics::Tether spring{};          ///< but for its anchor
+    Growing speed;
+    double energy{};
+    double radius{};  ///< m
+    Tick fuse{};
+    double bounce{}, drag{};
+    double damage{}, reach{}, impulse{}, fastest{};
+};
+
+/// In flight, or at rest until its fuse is over.
+struct Lob {
+    vec3 position{};  ///< m
+    vec3 velocity{};  ///< m/s
+    Tick bursts_at{};
+    std::uint32_t player{};
+    std::uint32_t shooter{};  ///< key of the body
+    static constexpr std::string_view name = "Lob";
+    static constexpr auto fields() {
+        return std::tuple(field("position", &Lob::position), field("velocity", &Lob::velocity),
+                          field("bursts_at", &Lob::bursts_at), field("player", &Lob::player),
+                          field("shooter", &Lob::shooter));
+    }
+};
+
+/// A wizard's hand on this wand.
+struct LobHand {
+    vec3 anchor{};            ///< m, device frame: where the draw began
+    double target{};          ///< m, along the axis: where the hand is taken
+    double drawn{};           ///< of a full draw, as measured
+    std::uint32_t drawing{};  ///< 1 while fire is held
+    std::uint32_t spare{};
+    static constexpr std::string_view name = "LobHand";
+    static constexpr auto fields() {
+        return std::tuple(field("anchor", &LobHand::anchor), field("target", &LobHand::target),
+                          field("drawn", &LobHand::drawn), field("drawing", &LobHand::drawing),
+                          field("spare", &LobHand::spare));
+    }
+};
+
+vec3 read_axis(const ConfigTable& draw) {
+    const vec3 axis = draw.vector("axis", {-1, 1});
+    const double length = glm::length(axis);
+    if (length > 0.1) return axis / length;
+    draw.report("axis", "'axis' must be a direction");
+    return {0, 0, 1};
+}
+
+haptics::Tether read_spring(const ConfigTable& spring, vec3 axis, double full) {
+    haptics::Tether tether{.stiffness = spring.number("stiffness_n_per_m", {0.1, 1000}),
+                           .damping = spring.number("damping_n_s_per_m", {0, 10})};
+    tether.detents = {.axis = axis,
+                      .places = {0.25 * full, 0.5 * full, 0.75 * full},
+                      .depth = spring.number("detent_n", {0, 10}),
+                      .width = spring.number("detent_width_m", {0.0005, 0.1})};
+    if (tether.detents.width > 0.25 * full)
+        spring.report("detent_width_m", "'detent_width_m' must not be more than a quarter of full_m");
+    return tether;
+}
+
+std::shared_ptr<const void> read(const ConfigTable& root) {
+    LobData data;
+    data.energy = root.table("energy").number("cost", {0, 1e6});
+    const auto draw = root.table("draw");
+    data.axis = read_axis(draw);
+    data.full = draw.number("full_m", {0.001, 1});
+    data.least = draw.number("least_m", {0, 1});
+    data.travel = draw.number("travel_m", {0.001, 1});
+    data.step = draw.number("speed_m_s", {0.001, 10}) * tick_seconds;
+    data.return_step = draw.number("return_m_s", {0.001, 10}) * tick_seconds;
+    data.spring = read_spring(root.table("spring"), data.axis, data.full);
+    const auto shot = root.table("shot");
+    data.speed = read_growing(shot, "speed_m_s", "speed_full_m_s", {0.1, 1000});
+    data.radius = shot.number("radius_m", {0.01, 1});
+    data.fuse = ticks(shot.number("fuse_s", {0.001, 60}));
+    data.bounce = shot.number("bounce", {0, 1});
+    data.drag = shot.number("drag", {0, 1});
+    const auto burst = root.table("burst");
+    data.damage = burst.number("damage", {0, 1e6});
+    data.reach = burst.number("radius_m", {0.01, 100});
+    data.impulse = burst.number("impulse_n_s", {0, 1e4});
+    data.fastest = burst.number("fastest_m_s", {0, 100});
+    return std::make_shared<LobData>(data);
+}
+
+const LobData& data_of(const WandUse& use) { return *static_cast<const LobData*>(use.data); }
+
+void begin(const WandUse& use, LobHand& hand) {
+    const auto& grip = std::as_const(use.stage.world).get<Grip>(use.wizard);
+    hand.anchor = haptics::measured_position(use.stage.touch.device, grip.device);
+    hand.drawing = 1;
+    auto spring = data_of(use).spring;
+    spring.anchor = hand.anchor;
+    tether(use.stage, use.wizard, spring);
+}
+
+void shoot(const WandUse& use, double share) {
+    const auto& data = data_of(use);
+    auto& world = use.stage.world;
+    const auto muzzle = muzzle_of(use, data.radius);
+    world.commands().create(Lob{.position = muzzle.tip,
+                                .velocity = muzzle.ahead * data.speed.at(share),
+                                .bursts_at = use.tick + data.fuse,
+                                .player = std::as_const(world).get<Wizard>(use.wizard).player,
+                                .shooter = use.wizard.index});
+    note_shot(use, EventKind::lob_hit, muzzle.tip);
+}
+
+void put_away(const WandUse& use) {
+    use.stage.world.get<LobHand>(use.wizard) = {};
+    let_go(use.stage, use.wizard);
+}
+
+void use(const WandUse& use) {
+    const auto& data = data_of(use);
+    auto& world = use.stage.world;
+    const auto& controls = std::as_const(world).get<Controls>(use.wizard);
+    auto& hand = world.get<LobHand>(use.wizard);
+    auto& belt = world.get<WandBelt>(use.wizard);
+    if (hand.drawing == 0) {
+        if (!holds_fire(controls) || hand.target > 0) return;
+        if (belt.energy[use.stats.energy_slot] >= data.energy) return begin(use, hand);
+        if ((controls.pressed & input::bit(input::Button::fire)) != 0) note_dry(use);
+        return;
+    }
+    if (holds_fire(controls)) return;
+    const double drawn = std::exchange(hand.drawn, 0);
+    hand.drawing = 0;
+    tether(use.stage, use.wizard, {});
+    if (drawn * data.full >= data.least && spend(belt, use.stats, data.energy)) shoot(use, drawn);
+}
+
+/// Where the hand is to go: to where the trigger says; back when all is over; nowhere between letting go and the look that sees it.
+double wanted_target(const LobData& data, const Controls& controls, const LobHand& hand) {
+    if (hand.drawing == 0) return 0;
+    const bool held = (controls.held & input::bit(input::Button::fire)) != 0;
+    return held ? data.travel * (controls.trigger / 255.0) : hand.target;
+}
+
+/// Every tick, so that the hand moves evenly.
+void draw(Stage& stage, const LobData& data) {
+    stage.world.view<const Controls, LobHand, Grip>().each(
+        [&](const Controls& controls, LobHand& hand, Grip& grip) {
+            if (hand.drawing == 0 && hand.target == 0) return;
+            const double most = hand.drawing != 0 ? data.step : data.return_step;
+            hand.target += std::clamp(wanted_target(data, controls, hand) - hand.target, -most, most);
+            grip.pull = hand.target * data.axis;
+            if (hand.drawing == 0) return;
+            const vec3 moved = haptics::measured_position(stage.touch.device, grip.device) - hand.anchor;
+            hand.drawn = std::clamp(glm::dot(moved, data.axis) / data.full, 0.0, 1.0);
+        });
+}
+
+void add_forces(const WandSystems& to, const void* wand) {
+    auto& world = to.stage.world;
+    to.schedule.add({.name = "lob draws",
+                     .reads = world.mask<Controls>(),
+                     .writes = world.mask<LobHand, Grip>(),
+                     .needs = world.mask<LobHand>(),
+                     .run = [&stage = to.stage, wand](ecs::World&, Tick) {
+                         draw(stage, *static_cast<const LobData*>(wand));
+                     }});
+}
+
+void go_off(Stage& stage, const Lob& lob, const LobData& data, vec3 place, Tick tick) {
+    burst(stage,
+          {.place = place,
+           .size = data.radius,
+           .radius = data.reach,
+           .damage = data.damage,
+           .impulse = data.impulse,
+           .fastest = data.fastest,
+           .player = lob.player,
+           .shooter = lob.shooter,
+           .how = EventKind::lob_hit},
+          tick);
+}
+
+/// Off a surface with this normal.
+vec3 bounced(const LobData& data, vec3 velocity, vec3 normal) {
+    const double into = glm::dot(velocity, normal);
+    if (into >= 0) return velocity;
+    const double back = -into > least_bounce ? -into * data.bounce : 0;
+    return (velocity - into * normal) * (1 - data.drag) + back * normal;
+}
+
+/// True where it bursts. What is left of the step in which it bounces, at most a tick, is not flown.
+bool fly(Stage& stage, const LobData& data, Lob& lob, Tick tick) {
+    const vec3 gravity = stage.physics.settings().gravity;
+    const vec3 way = (lob.velocity + 0.5 * physics_dt * gravity) * physics_dt;
+    const auto at = stage.physics.sweep_sphere(lob.position, lob.position + way, data.radius,
+                                               physics::all_layers, lob.shooter);
+    const double part = at ? at->fraction : 1;
+    lob.position += part * way;
+    lob.velocity += part * physics_dt * gravity;
+    const bool on_wizard = at && stage.world.has<Wizard>(stage.world.entity(at->key));
+    if (on_wizard || tick >= lob.bursts_at) {
+        go_off(stage, lob, data, lob.position, tick);
+        return true;
+    }
+    if (at) {
+        lob.velocity = bounced(data, lob.velocity, at->normal);
+        lob.position += clear_of * at->normal;
+    }
+    return false;
+}
+
+void add_systems(const WandSystems& to, const void* wand) {
+    auto& world = to.stage.world;
+    to.schedule.add({.name = "lobs",
+                     .period = physics_period,
+                     .reads = world.mask<Body, Motion, Wizard, Dead>(),
+                     .writes = world.mask<Lob, Health, Chronicle, Prop>(),
+                     .needs = world.mask<Lob>(),
+                     .run = [&stage = to.stage, wand](ecs::World& w, Tick tick) {
+                         const auto& data = *static_cast<const LobData*>(wand);
+                         w.view<Lob>().each([&](ecs::Entity e, Lob& lob) {
+                             if (fly(stage, data, lob, tick)) w.commands().destroy(e);
+                         });
+                     }});
+}
+
+const WandRegistration registration({
+    .name = "lob",
+    .read = read,
+    .declare =
+        [](ecs::World& world) {
+            world.declare<Lob>();
+            world.declare<LobHand>();
+        },
+    .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, LobHand{}); },
+    .use = use,
+    .put_away = put_away,
+    .writes = [](const ecs::World& world) { return world.mask<LobHand, Chronicle, Health, Grip>(); },
+    .add_forces = add_forces,
+    .add_systems = add_systems,
+    .show =
+        [](const ecs::World& world, const std::function<void(const Missile&)>& show) {
+            world.view<const Lob>().each([&](ecs::Entity e, const Lob& b) {
+                show({.entity = e,
+                      .position = b.position,
+                      .velocity = b.velocity,
+                      .player = b.player,
+                      .look = MissileLook::stone,
+                      .size = 0.1});
+            });
+        },
+    .held_at = [](const ecs::World&, ecs::Entity) -> std::optional<vec3> { return std::nullopt; },
+    .shot =
+        [](const void* wand, double readiness) {
+            const auto& data = *static_cast<const LobData*>(wand);
+            return ShotKind{.speed = data.speed.at(readiness),
+                            .fall = -physics::Settings{}.gravity.y,
+                            .radius = data.reach,
+                            .energy = data.energy,
+                            .held = true};
+        },
+    .readiness = [](const ecs::World& world, ecs::Entity wizard) { return world.get<LobHand>(wizard).drawn; },
+});
+
+}  // namespace
+}  // namespace thaum::game

@@ -1,0 +1,105 @@
+-- The blast wand leans on the hand more and more while it is charged, in proportion to the charge, and kicks when it goes off, in
+-- proportion to the energy and the speed of the shot. A gentle player wants 45 % of a device of 3.3 N.
+match {players = {"script", "script"}}
+trace("charge", {"1.force_z", "1.hand_z", "1.readiness", "1.energy", "2.force_z"})
+
+local me, foe = wizard(1), wizard(2)
+local share, from, full = 0.45, 0.3, 1.6
+local felt_by_foe = 0
+me:press("wand_2")
+expect_near(me:energy(), 60, 0, "the blast wand is full")
+me:look(0, 40)
+
+local function feel()
+    tick()
+    felt_by_foe = felt_by_foe + math.abs(foe:force().z)
+    expect_near(me:force().x, 0, 0)
+    expect_near(me:force().y, 0, 0)
+    return me:force().z
+end
+
+-- One more tick after a wand looks at the fire button, and none after its own kick is over.
+local function charge_for(seconds)
+    me:hold("fire")
+    local began, before = nil, 0
+    local last = time() + seconds
+    while time() < last do
+        local c = me:readiness()  -- what the hand feels in the next tick
+        local force = feel()
+        expect_near(force, share * 2.6 * c, 1e-12, "in proportion to the charge")
+        expect(force >= before, "never less")
+        before = force
+        if not began and me:readiness() > 0 then began = time() end
+    end
+    return began, before
+end
+
+-- Released before 0.3 s: nothing goes off, nothing is lost.
+charge_for(0.2)
+me:release("fire")
+for _ = 1, 100 do expect_near(feel(), 0, 0, "nothing was felt") end
+expect_near(me:shots(), 0, 0)
+expect_near(me:energy(), 60, 0)
+
+-- What is told to the device after the release: the kick, and the lean that walks off at 40 N/s until it meets the kick.
+local function recoil(c, lean)
+    local energy, speed = 8 + 17 * c, 18 + 14 * c
+    local peak, n = share * 3.0 * (energy / 25) * (speed / 32), 60
+    local impulse, force, walking = 0, lean, lean > 0
+    for i = 0, n + 60 do
+        local kick = i < n and peak * math.sin(math.pi / (2 * n)) / (math.pi / (2 * n))
+                               * math.sin((2 * i + 1) * math.pi / (2 * n)) or 0
+        if walking and math.abs(kick - force) > 0.04 then
+            force = force + (kick > force and 0.04 or -0.04)
+        else
+            force, walking = kick, false
+        end
+        impulse = impulse + force * 0.001
+    end
+    return impulse, peak
+end
+
+local function go_off(c, lean)
+    local shots, energy = me:shots(), me:energy()
+    me:release("fire")
+    local force = lean
+    while me:shots() == shots do force = feel() end  -- until the wand looks: the charge went on
+    local charge = (energy - me:energy() - 8) / 17
+    local impulse, greatest = 0, 0
+    for _ = 1, 130 do
+        local f = feel()
+        impulse, greatest = impulse + f * 0.001, math.max(greatest, f)
+    end
+    local expected, peak = recoil(charge, force)
+    expect_near(charge, c, 0.02, "as charged")
+    expect_near(impulse, expected, 1e-9, "the recoil's impulse")
+    return impulse, peak, greatest, charge
+end
+
+-- Just begun: hardly any lean, so the impulse is 2/pi x peak x length alone.
+charge_for(0.312)
+local impulse, peak = go_off(0.01, 0)
+expect_near(impulse, 2 / math.pi * peak * 0.06, 0.01 * impulse, "a half sine")
+
+-- Half, and full.
+local began = charge_for(0.95)
+go_off(0.5, 0)
+local _, most = charge_for(2.2)
+expect_near(most, share * 2.6, 1e-9, "no more than a full charge")
+local _, top, greatest, charge = go_off(1, most)
+expect_near(charge, 1, 0)
+expect_near(top, share * 3.0, 1e-12)
+expect_near(greatest, top, 0.002 * top, "of 3 N at most")
+
+-- 60 = 8.2 + 16.5 + 25 + 10.4: the last charge stops where the energy does.
+local left = me:energy()
+local c = (left - 8) / 17
+expect(c > 0 and c < 0.9, "not enough for a full charge")
+local _, lean = charge_for(2)
+expect_near(lean, share * 2.6 * c, 1e-9, "the charge that can be paid")
+go_off(c, lean)
+expect_near(me:energy(), 0, 1e-9)
+me:press("fire", 0.5)
+expect_event {kind = "dry", subject = 1}
+expect_near(me:shots(), 4, 0)
+expect_near(felt_by_foe, 0, 0, "the other's hand feels nothing")

@@ -1,0 +1,267 @@
+// Blast and lob: what their hands feel on any device and cap, what ends them, stones that never gain energy, any input at all.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/random.h"
+#include "core/text.h"
+#include "game/components/grip.h"
+#include "unit/game_duel.h"
+
+namespace thaum::game::test {
+namespace {
+
+using input::Button;
+
+constexpr Tick blast_full = ticks(1.6) + 2 * gameplay_period;
+
+/// A match of two scripted hands; the first does as the test says.
+struct Wandsman {
+    explicit Wandsman(std::vector<std::string> overrides = {}, const char* length = "quick")
+        : match(data_of(std::move(overrides), length), setup()) {}
+
+    static std::shared_ptr<const MatchData> data_of(std::vector<std::string> overrides, const char* length) {
+        auto data = load_match_data(assets(), {.match = length, .overrides = std::move(overrides)});
+        EXPECT_TRUE(data) << data.error().message;
+        return std::make_shared<const MatchData>(std::move(*data));
+    }
+    static MatchSetup setup() {
+        return {.seed = 1,
+                .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},
+                            {.player = 1, .kind = input::DeviceKind::script, .name = "two"}}};
+    }
+
+    template <class Each>
+    void hold(Tick count, std::uint32_t buttons, Each each) {
+        for (Tick t = 0; t < count; ++t) {
+            input::InputFrame frame;
+            frame.devices[0].buttons = buttons;
+            frame.devices[0].counts[input::hand::trigger] = (buttons & bit(Button::fire)) != 0 ? 255 : 0;
+            match.tick(frame);
+            each();
+        }
+    }
+    void hold(Tick count, Button button) {
+        hold(count, bit(button), [] {});
+    }
+    void wait(Tick count) {
+        hold(count, 0, [] {});
+    }
+    void take(Button wand) {
+        hold(2 * gameplay_period, wand);
+        wait(gameplay_period);
+    }
+    void look_up(double pitch) { match.world_to_change().get<Gaze>(me()).pitch = pitch; }
+
+    ecs::Entity me() const { return wizard_of(match.world(), 0); }
+    const Grip& grip() const { return match.world().get<Grip>(me()); }
+    std::uint32_t shots() const { return match.world().get<WandBelt>(me()).fired; }
+    std::vector<Missile> missiles() const {
+        std::vector<Missile> all;
+        for (const auto& wand : match.data().wands)
+            wand.kind->show(match.world(), [&](const Missile& m) { all.push_back(m); });
+        return all;
+    }
+    double readiness() const {
+        const auto& belt = match.world().get<WandBelt>(me());
+        for (const auto& wand : match.data().wands) {
+            if (wand.stats.slot == belt.selected && wand.kind->readiness != nullptr)
+                return wand.kind->readiness(match.world(), me());
+        }
+        return 0;
+    }
+
+    Simulation match;
+};
+
+TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
+    for (const auto& [device, peak] :
+         {std::pair{"touch", 3.3}, {"premium", 8.5}, {"falcon", 8.0}, {"omega3", 12.0}}) {
+        for (const double share : {0.1, 0.3}) {  // stronger, and a premium grows warm
+            Wandsman w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
+            w.take(Button::wand_2);
+            w.hold(blast_full, Button::fire);
+            const double cap = peak * share;
+            EXPECT_NEAR(w.grip().servo.safety.output.z, 2.6 / 3.3 * cap, 1e-9) << device << " " << share;
+            w.wait(500);
+            EXPECT_EQ(w.shots(), 1U);
+            EXPECT_EQ(w.grip().servo.safety.output, vec3(0));
+        }
+    }
+}
+
+TEST(Blast, KicksByThePlayersCap) {
+    for (const double share : {0.1, 0.45, 1.0}) {
+        Wandsman w({text("haptics.share=", share)});
+        w.take(Button::wand_2);
+        w.hold(blast_full, Button::fire);
+        double greatest = 0;
+        w.hold(gameplay_period, 0, [] {});  // until the wand looks, the charge leans on
+        w.hold(80, 0, [&] { greatest = std::max(greatest, w.grip().servo.safety.output.z); });
+        EXPECT_NEAR(greatest, 3.0 * share, 0.002 * share) << share;
+    }
+}
+
+TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
+    for (const auto wand : {Button::wand_2, Button::wand_3}) {
+        for (const bool dies : {false, true}) {
+            Wandsman w;
+            w.take(wand);
+            w.hold(1000, Button::fire);
+            ASSERT_GT(w.readiness(), 0.5);
+            ASSERT_GT(glm::length(w.grip().servo.safety.output), 0.3);
+            if (dies) {
+                w.match.world_to_change().get<Health>(w.me()).points = 0;
+                w.hold(2 * gameplay_period, Button::fire);  // who lets go as they die has shot before
+            } else {
+                w.take(Button::wand_1);
+            }
+            w.wait(500);
+            EXPECT_EQ(w.shots(), 0U) << dies;
+            EXPECT_EQ(w.readiness(), 0);
+            EXPECT_EQ(w.grip().servo.safety.output, vec3(0));
+            EXPECT_EQ(w.grip().pull, vec3(0));
+            EXPECT_TRUE(w.missiles().empty());
+        }
+    }
+}
+
+TEST(Wands, NothingIsLeftOfARoundInTheNext) {
+    Wandsman w({"standard.seconds=3", "standard.interval_s=1"}, "standard");
+    w.take(Button::wand_3);
+    w.hold(1500, Button::fire);
+    w.wait(gameplay_period);
+    w.hold(3000 - static_cast<Tick>(w.match.match().played) - 100, Button::fire);
+    EXPECT_EQ(w.missiles().size(), 1U);
+    while (w.match.match().round == 0) w.wait(1);
+    EXPECT_TRUE(w.missiles().empty());
+    EXPECT_EQ(w.readiness(), 0);
+    EXPECT_EQ(w.grip().pull, vec3(0));
+    w.wait(2500);
+    EXPECT_EQ(w.shots(), 0U);
+}
+
+TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheCourt) {
+    Wandsman w({"lob.energy.cost=0", "lob.shot.fuse_s=6", "lob.burst.damage=0", "lob.burst.impulse_n_s=0",
+                "quick.seconds=600"});
+    w.take(Button::wand_3);
+    Random random{11};
+    std::size_t followed = 0, bounces = 0;
+    std::map<std::uint32_t, double> energies;
+    const auto follow = [&] {
+        for (const auto& m : w.missiles()) {
+            const double energy = glm::dot(m.velocity, m.velocity) / 2 + 9.81 * m.position.y;
+            const auto [known, fresh] = energies.try_emplace(m.entity.index, energy);
+            // A chord is at most g dt^2 / 8 from its parabola.
+            if (!fresh) {
+                EXPECT_LE(energy, known->second + 1e-3);
+                bounces += energy < known->second - 0.1 ? 1 : 0;
+            }
+            known->second = energy;
+            EXPECT_LT(std::max(std::abs(m.position.x), std::abs(m.position.z)), 20);
+            EXPECT_GT(m.position.y, -5);
+            ++followed;
+        }
+    };
+    for (int i = 0; i < 24; ++i) {
+        w.match.world_to_change().get<Gaze>(w.me()) = {random.uniform(-pi, pi), random.uniform(-0.5, 0.6)};
+        energies.clear();
+        w.hold(200 + random.below(800), bit(Button::fire), follow);
+        w.hold(6200, 0, follow);
+        ASSERT_FALSE(HasFailure()) << i;
+        ASSERT_TRUE(w.missiles().empty());
+    }
+    EXPECT_EQ(w.shots(), 24U);
+    EXPECT_GT(followed, 24U * 5000);
+    EXPECT_GT(bounces, 48U);
+}
+
+TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
+    for (const auto wand : {Button::wand_2, Button::wand_3}) {
+        const auto buttons_at = [&](Tick t) {
+            if (t < 16) return bit(wand);
+            return t < 1800 || (t > 1850 && t < 2900) ? bit(Button::fire) : 0;
+        };
+        const auto play = [&](Simulation& match, Tick from, Tick to) {
+            for (Tick t = from; t < to; ++t) {
+                input::InputFrame frame;
+                frame.devices[0].buttons = buttons_at(t);
+                frame.devices[0].counts[input::hand::trigger] =
+                    (buttons_at(t) & bit(Button::fire)) != 0 ? 200 : 0;
+                frame.devices[0].counts[input::hand::look_up] = t < 300 ? 1 : 0;
+                match.tick(frame);
+            }
+        };
+        Wandsman w;
+        play(w.match, 0, keyframe_interval);
+        EXPECT_EQ(w.shots(), 1U);
+        EXPECT_FALSE(w.missiles().empty());
+        if (wand == Button::wand_3) {
+            EXPECT_GT(w.readiness(), 0);
+        }
+        Bytes state;
+        w.match.save(state);
+        play(w.match, keyframe_interval, keyframe_interval + 1500);
+        Wandsman other;
+        ASSERT_TRUE(other.match.restore(state, keyframe_interval));
+        play(other.match, keyframe_interval, keyframe_interval + 1500);
+        EXPECT_EQ(other.match.state_hash(), w.match.state_hash());
+        EXPECT_EQ(other.shots(), 2U);
+    }
+}
+
+TEST(Wands, AnyInputLeavesForcesEnergiesAndPlacesInRange) {
+    Random random{4};
+    Wandsman w({"quick.seconds=600", "quick.kills=1000", "blast.energy.regain_per_s=20",
+                "lob.energy.regain_per_s=20"});
+    const double cap = w.match.touch().servos[0].limits.cap;
+    constexpr std::array buttons{Button::fire,   Button::fire,   Button::wand_2, Button::wand_3,
+                                 Button::wand_1, Button::clutch, Button::jump};
+    input::InputFrame frame;
+    std::size_t flown = 0;
+    for (Tick t = 0; t < 60'000; ++t) {
+        for (auto& device : frame.devices) {
+            if (random.below(150) == 0) device.buttons ^= bit(buttons[random.below(buttons.size())]);
+            if (random.below(50) == 0)
+                device.counts[input::hand::trigger] = static_cast<std::int32_t>(random.below(1000)) - 300;
+            device.counts[input::hand::look_right] = static_cast<std::int32_t>(random.below(21)) - 10;
+            device.counts[input::hand::look_up] = static_cast<std::int32_t>(random.below(21)) - 10;
+        }
+        w.match.tick(frame);
+        w.match.world().view<const Grip, const WandBelt>().each([&](const Grip& grip, const WandBelt& belt) {
+            ASSERT_LE(glm::length(grip.servo.safety.output), cap);
+            ASSERT_TRUE(is_finite(grip.device.position));
+            for (const auto& wand : w.match.data().wands) {
+                ASSERT_GE(belt.energy[wand.stats.slot], 0);
+                ASSERT_LE(belt.energy[wand.stats.slot], wand.stats.energy_cap);
+            }
+        });
+        ASSERT_GE(w.readiness(), 0);
+        ASSERT_LE(w.readiness(), 1);
+        for (const auto& m : w.missiles()) {
+            ASSERT_TRUE(is_finite(m.position) && is_finite(m.velocity));
+            ASSERT_LT(glm::length(m.position), 200);
+        }
+        flown += w.missiles().size();
+    }
+    EXPECT_GT(w.shots(), 20U);
+    EXPECT_GT(flown, 5000U);
+}
+
+TEST(Wands, WhatContradictsItselfInAFileIsOneLineThatNamesIt) {
+    for (const auto& [change, words] : {std::pair{"blast.energy.cost_full=3", "wands/blast.toml"},
+                                        {"blast.charge.full_s=0.2", "'full_s'"},
+                                        {"blast.shot.speed_full_m_s=2", "'speed_full_m_s'"},
+                                        {"lob.draw.axis=[0, 0, 0]", "'axis'"},
+                                        {"lob.spring.detent_width_m=0.05", "'detent_width_m'"},
+                                        {"lob.slot=1", "'slot' is 1, where bolt is"},
+                                        {"lob.shot.bounce=1.5", "'bounce' is 1.5"}}) {
+        const auto data = load_match_data(assets(), {.overrides = {change}});
+        ASSERT_FALSE(data) << change;
+        EXPECT_NE(data.error().message.find(words), std::string::npos) << data.error().message;
+        EXPECT_EQ(data.error().message.find('\n'), std::string::npos) << data.error().message;
+    }
+}
+
+}  // namespace
+}  // namespace thaum::game::test
