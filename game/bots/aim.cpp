@@ -6,7 +6,7 @@
 namespace thaum::game {
 namespace {
 
-constexpr double bolt_speed = 40;   ///< m/s; what bots take a bolt's speed to be
+constexpr double close_to = 0.15;   ///< rad; an eye so near to where it wants to be is there
 constexpr double near_share = 0.7;  ///< of the distance it likes: there it spares no energy
 
 /// A number with mean 0 and standard deviation 1 (the sum of twelve uniform ones).
@@ -51,10 +51,21 @@ void wander_aim(const Seat& seat, Mind& mind) {
 }
 
 vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind) {
-    const double flight = glm::distance(self.eye, mind.foe) / bolt_speed;
+    const double flight = self.shot.speed > 0 ? glm::distance(self.eye, mind.foe) / self.shot.speed : 0;
     vec3 moved = mind.foe_velocity * (seat.skill.lead * (seconds(seat.skill.reaction) + flight));
     moved.y = 0;  // jumps end soon
     return mind.foe + moved;
+}
+
+Aim aim_of_shot(const Self& self, vec3 target) {
+    if (!(self.shot.fall > 0)) return aim_at(self.eye, target);
+    const vec3 to = target - self.tip;
+    const double flat = std::sqrt(to.x * to.x + to.z * to.z);
+    const double v2 = self.shot.speed * self.shot.speed, g = self.shot.fall;
+    const double root = v2 * v2 - g * (g * flat * flat + 2 * to.y * v2);
+    Aim aim = aim_at(self.eye, target);
+    aim.pitch = root > 0 ? det::atan2(v2 - std::sqrt(root), g * flat) : pi / 4;  // too far: as far as it goes
+    return aim;
 }
 
 void turn_towards(const Self& self, const Seat& seat, Aim aim, Mind& mind) {
@@ -65,17 +76,49 @@ void turn_towards(const Self& self, const Seat& seat, Aim aim, Mind& mind) {
     mind.up_left = static_cast<std::int32_t>(std::lround(up / rad_per_count));
 }
 
+namespace {
+
+constexpr auto fire = static_cast<std::uint32_t>(input::Button::fire);
+
+bool seen_within(const Mind& mind, double duration, Tick tick) {
+    return mind.foe_seen_at != 0 && tick - mind.foe_seen_at <= ticks(duration);
+}
+
+/// Fire held until the wand is ready and the eye where it wants to be.
+void ready_and_let_go(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick) {
+    constexpr double enough = 0.04;  // of the readiness that is still missing
+    const bool arc = self.shot.fall > 0;
+    const bool knows = seen_within(mind, arc ? 1.4 : 0.3, tick);
+    const bool aimed = std::abs(angle_between(self.yaw, wanted.yaw)) < close_to &&
+                       std::abs(self.pitch - wanted.pitch) < close_to;
+    if ((mind.buttons & fire) == 0) {
+        const bool rested = tick >= mind.fire_until + seat.skill.rest;
+        if (!rested || !knows || !worth_a_shot(self, seat, mind)) return;
+        mind.trigger = arc ? static_cast<std::int32_t>(std::lround(255 * mind.readiness)) : 255;
+        mind.fire_from = tick;
+        mind.buttons |= fire;
+        return;
+    }
+    const bool ready = self.readiness >= mind.readiness - enough;
+    const bool given_up = tick >= mind.fire_from + ticks(5.0);
+    if (!given_up && !(ready && knows && aimed)) return;
+    mind.buttons &= ~fire;
+    mind.fire_until = tick;
+}
+
+}  // namespace
+
 void choose_fire(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick) {
-    mind.buttons &= ~static_cast<std::uint32_t>(input::Button::fire);
-    const bool fresh = mind.foe_seen_at != 0 && tick - mind.foe_seen_at <= ticks(0.3);
-    if (!fresh || !worth_a_shot(self, seat, mind)) return;
-    const bool aimed = std::abs(angle_between(self.yaw, wanted.yaw)) < 0.15;
+    if (self.shot.held) return ready_and_let_go(self, seat, wanted, mind, tick);
+    mind.trigger = 255;
+    mind.buttons &= ~fire;
+    if (!seen_within(mind, 0.3, tick) || !worth_a_shot(self, seat, mind)) return;
+    const bool aimed = std::abs(angle_between(self.yaw, wanted.yaw)) < close_to;
     if (aimed && tick >= mind.fire_until + seat.skill.rest) {
         mind.fire_from = tick;
         mind.fire_until = tick + seat.skill.burst;
     }
-    if (tick >= mind.fire_from && tick < mind.fire_until)
-        mind.buttons |= static_cast<std::uint32_t>(input::Button::fire);
+    if (tick >= mind.fire_from && tick < mind.fire_until) mind.buttons |= fire;
 }
 
 void turn_hand(Mind& mind, Tick ticks_left, input::DeviceSample& sample) {

@@ -7,6 +7,7 @@
 #include "core/text.h"
 #include "ecs/snapshot.h"
 #include "game/bots/aim.h"
+#include "game/bots/armoury.h"
 #include "game/bots/errands.h"
 #include "game/bots/mind.h"
 #include "game/bots/nav.h"
@@ -155,7 +156,7 @@ void think(const Simulation& match, const Seat& seat, Eyes& eyes, Mind& mind, co
            BotWays& ways) {
     const Tick tick = match.match().played;
     if (mind.round != match.match().round) begin_anew(match.match(), eyes, mind);
-    const auto self = self_of(match, seat.player);
+    const auto self = self_of(match, seat.player, mind.readiness);
     if (!self.alive) return rest(eyes, mind);
     see_foe(match, self, seat, eyes, mind, tick);
     see_power_ups(match, self, seat, eyes);
@@ -164,13 +165,13 @@ void think(const Simulation& match, const Seat& seat, Eyes& eyes, Mind& mind, co
     choose_step(match, self, seat, mind, tick);
     const vec3 way = choose_way(self, seat, grid, mind, ways.to_goal, tick);
     const bool watches = mind.foe_seen_at != 0 && tick - mind.foe_seen_at < ticks(1.5);
-    auto aim = watches ? aim_at(self.eye, aim_point(self, seat, mind)) : aim_at(self.eye, self.eye + way);
+    auto aim = watches ? aim_of_shot(self, aim_point(self, seat, mind)) : aim_at(self.eye, self.eye + way);
     if (!watches) aim.pitch = 0;
     const auto wanted = aim;
     aim.yaw += mind.error_right;
     aim.pitch += mind.error_up;
     if (watches || glm::length(way) > 0) turn_towards(self, seat, aim, mind);
-    choose_fire(self, seat, wanted, mind, tick);
+    if (choose_wand(match, self, seat, mind, tick)) choose_fire(self, seat, wanted, mind, tick);
     set_move(self, way, mind);
     mind.wishes_to_move = glm::length(way) > 0 ? 1 : 0;
     unstick(self, mind, tick);
@@ -212,6 +213,9 @@ Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level
     skill.spark_below = root.number("spark_below", share);
     skill.reserve = root.number("reserve", share);
     skill.cover_below = root.number("cover_below_hp", health);
+    skill.variety = root.number("variety", share);
+    skill.charge = root.number("charge", share);
+    skill.arcs = root.boolean("arcs", false) ? 1 : 0;
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return skill;
 }
@@ -266,6 +270,7 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
             sample.counts[hand::strafe] = mind.move_strafe;
             sample.counts[hand::forward] = mind.move_forward;
             sample.buttons = mind.buttons;
+            if (sample.down(Button::fire)) sample.counts[hand::trigger] = mind.trigger;
         });
 }
 

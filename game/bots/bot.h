@@ -20,6 +20,8 @@ inline constexpr int bot_levels = 3;
 struct BotSkill {
     std::uint32_t level{};
     std::uint32_t dodges{};  ///< 1: steps out of the way of bolts that it sees coming
+    std::uint32_t arcs{};    ///< 1: throws what flies in an arc
+    std::uint32_t spare{};
     Tick reaction{};         ///< ticks from light to hand
     double aim_error{};      ///< rad, one standard deviation
     double turn_speed{};     ///< rad/s
@@ -33,17 +35,21 @@ struct BotSkill {
     double spark_below{};    ///< share of the wand's energy: a spark is worth a walk below that
     double reserve{};        ///< share of the energy that it keeps for a foe who is near
     double cover_below{};    ///< HP: it hides below that, where there is nothing to fetch
+    double variety{};        ///< share of its choices that fall on a wand that is readied first
+    double charge{};         ///< how far it readies one at most, 0 to 1
     static constexpr auto fields() {
         using S = BotSkill;
         return std::tuple(
-            ecs::field("level", &S::level), ecs::field("dodges", &S::dodges),
-            ecs::field("reaction", &S::reaction), ecs::field("aim_error", &S::aim_error),
-            ecs::field("turn_speed", &S::turn_speed), ecs::field("view_cos", &S::view_cos),
-            ecs::field("burst", &S::burst), ecs::field("rest", &S::rest), ecs::field("keep", &S::keep),
-            ecs::field("range", &S::range), ecs::field("lead", &S::lead), ecs::field("strafe", &S::strafe),
+            ecs::field("level", &S::level), ecs::field("dodges", &S::dodges), ecs::field("arcs", &S::arcs),
+            ecs::field("spare", &S::spare), ecs::field("reaction", &S::reaction),
+            ecs::field("aim_error", &S::aim_error), ecs::field("turn_speed", &S::turn_speed),
+            ecs::field("view_cos", &S::view_cos), ecs::field("burst", &S::burst),
+            ecs::field("rest", &S::rest), ecs::field("keep", &S::keep), ecs::field("range", &S::range),
+            ecs::field("lead", &S::lead), ecs::field("strafe", &S::strafe),
             ecs::field("strafe_step", &S::strafe_step), ecs::field("vial_below", &S::vial_below),
             ecs::field("spark_below", &S::spark_below), ecs::field("reserve", &S::reserve),
-            ecs::field("cover_below", &S::cover_below));
+            ecs::field("cover_below", &S::cover_below), ecs::field("variety", &S::variety),
+            ecs::field("charge", &S::charge));
     }
 };
 

@@ -60,7 +60,7 @@ void Dummy::shoot(const Simulation& match, const Self& self, Tick tick) {
         mind_.buttons = 0;
         return;
     }
-    const auto wanted = aim_at(self.eye, aim_point(self, seat_, mind_));
+    const auto wanted = aim_of_shot(self, aim_point(self, seat_, mind_));
     turn_towards(self, seat_, {wanted.yaw + mind_.error_right, wanted.pitch + mind_.error_up}, mind_);
     choose_fire(self, seat_, wanted, mind_, tick);
 }
@@ -95,6 +95,7 @@ input::DeviceSample Dummy::sample(const Simulation& match) {
     turn_hand(mind_, gameplay_period - phase, sample);
     sample.counts[input::hand::strafe] = mind_.move_strafe;
     sample.buttons = mind_.buttons;
+    if (sample.down(input::Button::fire)) sample.counts[input::hand::trigger] = mind_.trigger;
     return sample;
 }
 

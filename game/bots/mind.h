@@ -56,6 +56,8 @@ struct Mind {
     Tick strafe_until{};
     Tick slow_since{};  ///< when it began to be slower than it wished
     Tick dodge_until{};
+    Tick wand_until{};   ///< when it may think of another wand
+    double readiness{};  ///< to which it readies the wand it has chosen
     Errand errand{};
     std::int32_t strafe{};  ///< -1, 0, 1
     std::int32_t wishes_to_move{};
@@ -63,6 +65,8 @@ struct Mind {
     std::int32_t move_strafe{}, move_forward{};
     std::uint32_t buttons{};
     std::uint32_t round{};  ///< of the match, when it last thought
+    std::uint32_t wand{};   ///< slot of the one it has chosen
+    std::int32_t trigger{255};
     std::uint32_t spare{};
     static constexpr std::string_view name = "Mind";
     static constexpr auto fields() {
@@ -75,11 +79,13 @@ struct Mind {
             ecs::field("errand_until", &M::errand_until), ecs::field("fire_from", &M::fire_from),
             ecs::field("fire_until", &M::fire_until), ecs::field("strafe_until", &M::strafe_until),
             ecs::field("slow_since", &M::slow_since), ecs::field("dodge_until", &M::dodge_until),
+            ecs::field("wand_until", &M::wand_until), ecs::field("readiness", &M::readiness),
             ecs::field("errand", &M::errand), ecs::field("strafe", &M::strafe),
             ecs::field("wishes_to_move", &M::wishes_to_move), ecs::field("right_left", &M::right_left),
             ecs::field("up_left", &M::up_left), ecs::field("move_strafe", &M::move_strafe),
             ecs::field("move_forward", &M::move_forward), ecs::field("buttons", &M::buttons),
-            ecs::field("round", &M::round), ecs::field("spare", &M::spare));
+            ecs::field("round", &M::round), ecs::field("wand", &M::wand), ecs::field("trigger", &M::trigger),
+            ecs::field("spare", &M::spare));
     }
 };
 
@@ -88,7 +94,11 @@ struct Self {
     vec3 centre{}, eye{}, velocity{};
     double yaw{}, pitch{};
     double health{};         ///< HP
+    vec3 tip{};              ///< m, of the wand in hand
     double energy_share{};   ///< of the wand in hand
+    double readiness{};      ///< of the wand in hand
+    ShotKind shot{};         ///< the next one from it
+    std::uint32_t wand{};    ///< its slot
     bool can_shoot = false;  ///< there is energy for a shot
     std::uint32_t key{};
     bool alive = false;

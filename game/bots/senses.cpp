@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/match/touch.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {
@@ -61,7 +62,7 @@ void judge(const Missile& missile, Threat& threat) {
 
 }  // namespace
 
-Self self_of(const Simulation& match, std::uint32_t player) {
+Self self_of(const Simulation& match, std::uint32_t player, double readiness) {
     const auto& world = match.world();
     const auto wizard = wizard_of(world, player);
     const auto& motion = world.get<Motion>(wizard);
@@ -75,10 +76,16 @@ Self self_of(const Simulation& match, std::uint32_t player) {
               .health = world.get<Health>(wizard).points,
               .key = wizard.index,
               .alive = !world.has<Dead>(wizard)};
+    self.tip = self.eye + look_rotation(gaze.yaw, gaze.pitch) *
+                              wand_tip_of(match.data().touch, world.get<Grip>(wizard).device.position);
     if (const auto* wand = wand_in_hand(match.data(), belt)) {
         const auto& stats = wand->stats;
+        self.wand = stats.slot;
+        if (wand->kind->readiness != nullptr) self.readiness = wand->kind->readiness(world, wizard);
+        if (wand->kind->shot != nullptr)
+            self.shot = wand->kind->shot(wand->data.get(), std::max(readiness, self.readiness));
         const double energy = energy_in_hand(match.data(), belt);
-        self.can_shoot = energy >= stats.energy_cost;
+        self.can_shoot = wand->kind->shot != nullptr && energy >= stats.energy_cost;
         self.energy_share = stats.energy_cap > 0 ? energy / stats.energy_cap : 1;
     }
     return self;

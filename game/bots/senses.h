@@ -5,7 +5,8 @@
 
 namespace thaum::game {
 
-Self self_of(const Simulation& match, std::uint32_t player);
+/// `readiness`: to which it wants to ready the wand in hand.
+Self self_of(const Simulation& match, std::uint32_t player, double readiness = 0);
 
 /// Notes where the foe is, as it was a reaction time ago, and how it moves.
 void see_foe(const Simulation& match, const Self& self, const Seat& seat, Eyes& eyes, Mind& mind, Tick tick);

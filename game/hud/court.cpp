@@ -303,7 +303,7 @@ void add_figure(const Court& court, std::uint32_t number, const PlayerPicture& p
 
 /// The glow at a wand's tip, which grows with what it is charged with.
 Instance spark_at(const Court& court, std::uint32_t number, const PlayerPicture& p, const fmat4& tip) {
-    const auto size = static_cast<float>(1 + 5 * p.readiness);
+    const auto size = static_cast<float>(1 + 3.5 * p.readiness);
     return {.mesh = court.teams[number].spark, .model = glm::scale(tip, fvec3(size)), .glow = 1};
 }
 
@@ -325,9 +325,10 @@ void add_glow(const Court& court, std::uint32_t number, const PlayerPicture& p, 
 
 void add_own_arm(const Court& court, std::uint32_t number, const PlayerPicture& p,
                  std::vector<Instance>& out) {
+    constexpr double most_reach = 0.22;  // m; beyond, hand and wand would leave the picture
     const auto first = out.size();
-    const auto eye =
-        render::translated(fvec3(p.eye)) * turned(p.yaw, p.pitch) * render::translated(fvec3(p.wand_reach));
+    const auto eye = render::translated(fvec3(p.eye)) * turned(p.yaw, p.pitch) *
+                     render::translated(fvec3(limited(p.wand_reach, most_reach)));
     out.push_back({.mesh = court.teams[number].own_arm, .model = eye});
     if (!p.wand.empty()) {
         out.push_back(
@@ -392,18 +393,22 @@ void add_missile(const Court& court, const Picture& picture, const MissilePictur
     out.push_back({.mesh = mesh, .model = glm::scale(flying(missile), fvec3(size)), .glow = 1});
 }
 
-/// A small core that goes out, and a shell that flies as far as the burst reaches.
-void add_burst(const Court& court, const BurstPicture& burst, std::vector<Instance>& out) {
+/// A small core that goes out, and a shell that flies as far as the burst reaches. The core never fills a view.
+void add_burst(const Court& court, const Picture& picture, const BurstPicture& burst, std::uint32_t viewer,
+               std::vector<Instance>& out) {
+    constexpr double most_of_view = 0.15;  // of the distance to it
     const auto& team = court.teams[burst.player % players];
     const auto age = static_cast<float>(std::clamp(burst.age_s / burst_seconds, 0.0, 1.0));
     const auto radius = static_cast<float>(burst.radius);
     const auto at = render::translated(fvec3(burst.place));
     const float shell = radius * (0.15F + 0.85F * std::sqrt(age)), core = 0.2F * radius * (1 - age);
+    const double distance = viewer < players ? glm::distance(burst.place, picture.wizards[viewer].eye) : 100;
+    const float shown = std::min(core, static_cast<float>(most_of_view * distance));
     out.push_back({.mesh = team.burst,
                    .model = glm::scale(at, fvec3(shell)),
                    .tint = fvec3(1 - 0.8F * age),
                    .glow = 1});
-    if (core > 0) out.push_back({.mesh = court.ember, .model = glm::scale(at, fvec3(core)), .glow = 1});
+    if (shown > 0) out.push_back({.mesh = court.ember, .model = glm::scale(at, fvec3(shown)), .glow = 1});
 }
 
 /// Sparks that rise from the brew, each on a way of its own.
@@ -489,7 +494,8 @@ void add_instances(const Court& court, const Picture& picture, std::uint32_t vie
         add_glow(court, player, wizard, picture.played_s, out);
     }
     for (const auto& missile : picture.missiles) add_missile(court, picture, missile, viewer, out);
-    for (std::uint32_t i = 0; i < picture.burst_count; ++i) add_burst(court, picture.bursts[i], out);
+    for (std::uint32_t i = 0; i < picture.burst_count; ++i)
+        add_burst(court, picture, picture.bursts[i], viewer, out);
     add_embers(court, picture.played_s, out);
     add_bubbles(court, picture.played_s, out);
 }

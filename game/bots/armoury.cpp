@@ -1,0 +1,112 @@
+#include "game/bots/armoury.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::game {
+namespace {
+
+using input::bit;
+using input::Button;
+
+constexpr double clear_of_burst = 1.4;  ///< of its reach: nearer, it would hurt oneself
+constexpr double throw_within = 14;     ///< m; farther, the fuse is over before
+constexpr double over_cover = 0.001;    ///< chance at a look to take what flies over it
+constexpr double throws_share = 0.12;   ///< of the choices for variety
+constexpr auto wand_keys = bit(Button::wand_1) | bit(Button::wand_2) | bit(Button::wand_3) |
+                           bit(Button::wand_4) | bit(Button::wand_5);
+
+enum class Way : std::uint8_t { rapid, charged, arc };
+
+Way way_of(const ShotKind& shot) {
+    if (!shot.held) return Way::rapid;
+    return shot.fall > 0 ? Way::arc : Way::charged;
+}
+
+struct Prospect {
+    const Self& self;
+    const Seat& seat;
+    double distance;  ///< m, to the foe
+    double up;        ///< m, how far the foe is above
+    bool hidden;      ///< the foe has just gone out of sight
+};
+
+bool hidden(const Mind& mind, Tick tick) {
+    return mind.foe_seen_at != 0 && tick > mind.foe_seen_at + ticks(0.25) &&
+           tick < mind.foe_seen_at + ticks(1.2);
+}
+
+/// How far to draw: half as fast again as the slowest throw that reaches, so that it is flat; over cover hardly faster.
+double draw_for(const LoadedWand& wand, const Prospect& prospect) {
+    const double reach =
+        prospect.up + std::sqrt(prospect.up * prospect.up + prospect.distance * prospect.distance);
+    const auto slow = wand.kind->shot(wand.data.get(), 0), fast = wand.kind->shot(wand.data.get(), 1);
+    const double least = std::sqrt(std::max(0.0, fast.fall * reach));
+    const double speed = least * (prospect.hidden ? 1.05 : 1.5);
+    const double range = fast.speed - slow.speed;
+    return range > 0 ? std::clamp((speed - slow.speed) / range, 0.1, 1.0) : 1;
+}
+
+/// To which share it would ready this wand; negative where it is of no use now.
+double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospect& prospect, Random& random) {
+    const auto shot = [&](double share) { return wand.kind->shot(wand.data.get(), share); };
+    const double energy = belt.energy[wand.stats.energy_slot];
+    if (energy < shot(0).energy || energy < wand.stats.energy_cost) return -1;
+    const auto way = way_of(shot(0));
+    if (way == Way::rapid) return 0;
+    if (prospect.distance < clear_of_burst * shot(1).radius) return -1;
+    if (way == Way::arc)
+        return prospect.seat.skill.arcs != 0 && prospect.distance < throw_within ? draw_for(wand, prospect)
+                                                                                 : -1;
+    double share = prospect.seat.skill.charge * random.uniform(0.5, 1.0);
+    while (share > 0.01 && shot(share).energy > energy) share -= 0.1;
+    return std::max(share, 0.0);
+}
+
+/// The first wand of that kind that is of use; its slot and readiness into the mind.
+bool take(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Way way, Mind& mind) {
+    for (const auto& wand : data.wands) {
+        if (wand.kind->shot == nullptr || way_of(wand.kind->shot(wand.data.get(), 0)) != way) continue;
+        const double readiness = readiness_for(wand, belt, prospect, mind.random);
+        if (readiness < 0) continue;
+        mind.wand = wand.stats.slot;
+        mind.readiness = readiness;
+        return true;
+    }
+    return false;
+}
+
+void choose_anew(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Mind& mind,
+                 Tick tick) {
+    mind.wand_until = tick + ticks(mind.random.uniform(1.5, 3.0));
+    const bool varies = mind.random.uniform() < prospect.seat.skill.variety;
+    const bool throws = mind.random.uniform() < throws_share;
+    if (varies && throws && take(data, belt, prospect, Way::arc, mind)) return;
+    if (varies && take(data, belt, prospect, Way::charged, mind)) return;
+    if (take(data, belt, prospect, Way::rapid, mind) || take(data, belt, prospect, Way::charged, mind))
+        return;
+    take(data, belt, prospect, Way::arc, mind);
+}
+
+}  // namespace
+
+bool choose_wand(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Tick tick) {
+    const auto& belt = match.world().get<WandBelt>(wizard_of(match.world(), seat.player));
+    mind.buttons &= ~wand_keys;
+    const bool readying = self.shot.held && (mind.buttons & bit(Button::fire)) != 0;
+    if (!readying) {
+        const vec3 to = mind.foe - self.eye;
+        const Prospect prospect{self, seat, glm::length(to), to.y, hidden(mind, tick)};
+        const bool over = prospect.hidden && self.shot.fall == 0 && mind.random.uniform() < over_cover;
+        if (over && take(match.data(), belt, prospect, Way::arc, mind))
+            mind.wand_until = tick + ticks(2.0);
+        else if (tick >= mind.wand_until || !self.can_shoot)
+            choose_anew(match.data(), belt, prospect, mind, tick);
+    }
+    if (mind.wand == self.wand) return true;
+    mind.buttons &= ~bit(Button::fire);
+    mind.buttons |= bit(Button::wand_1) << mind.wand;
+    return false;
+}
+
+}  // namespace thaum::game

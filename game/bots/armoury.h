@@ -1,0 +1,12 @@
+// game/bots/armoury.h: which wand a bot takes, by how far the foe is, whether something hides them, and the energy there is.
+// A bot knows wands only by how their shots go.
+#pragma once
+#include "game/bots/mind.h"
+
+namespace thaum::game {
+
+/// Chooses mind.wand and mind.readiness anew now and then, and presses the key of the wand that is not yet in hand. True where it
+/// is.
+bool choose_wand(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Tick tick);
+
+}  // namespace thaum::game
