@@ -11,7 +11,7 @@ using input::Button;
 
 constexpr double clear_of_burst = 1.4;  ///< of its reach: nearer, it would hurt oneself
 constexpr double throw_within = 14;     ///< m; farther, the fuse is over before
-constexpr double over_cover = 0.001;    ///< chance at a look to take what flies over it
+constexpr double over_cover = 0.0004;   ///< chance at a look to take what flies over it
 constexpr double throws_share = 0.12;   ///< of the choices for variety
 constexpr auto wand_keys = bit(Button::wand_1) | bit(Button::wand_2) | bit(Button::wand_3) |
                            bit(Button::wand_4) | bit(Button::wand_5);

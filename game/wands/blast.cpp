@@ -151,6 +151,7 @@ void charge(Stage& stage, const BlastData& data, Tick tick) {
 void add_forces(const WandSystems& to, const void* wand) {
     auto& world = to.stage.world;
     to.schedule.add({.name = "blast charges",
+                     .reads = world.mask<Wizard>(),
                      .writes = world.mask<BlastHand, Grip>(),
                      .needs = world.mask<BlastHand>(),
                      .run = [&stage = to.stage, wand](ecs::World&, Tick tick) {

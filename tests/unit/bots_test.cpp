@@ -1,4 +1,7 @@
 // Bots: each skill does what its number says, and what many matches come to.
+#include <cmath>
+
+#include "game/bots/aim.h"
 #include "game/bots/league.h"
 #include "unit/game_duel.h"
 
@@ -98,7 +101,7 @@ TEST(Bot, FetchesHealthWhenHurtAndEnergyWhenDry) {
 Deeds shots_at_a_walker(double lead) {
     auto skill = skill_of(3);
     skill.lead = lead;
-    skill.aim_error = 0;
+    skill.aim_error = skill.variety = 0;
     skill.reserve = skill.vial_below = skill.spark_below = 0;
     Scene scene(skill, {"bolt.energy.regain_per_s=100", "bolt.shot.damage=0.01", "bolt.shot.spread_deg=0"});
     scene.put(0, {-14, 0, 9}, -90);
@@ -117,6 +120,44 @@ TEST(Bot, WhoAllowsForTheFoesMotionHitsMore) {
     const double after = leading.hits / static_cast<double>(leading.shots);
     EXPECT_GT(after, 1.3 * before) << plain.hits << "/" << plain.shots << " " << leading.hits << "/"
                                    << leading.shots;
+}
+
+/// Shots of 60 s by each cause of a bot at 9 m from a foe who stands still.
+std::array<std::uint32_t, causes.size()> shots_of(int level) {
+    auto skill = skill_of(level);
+    skill.variety = 0.9;
+    skill.vial_below = skill.spark_below = skill.cover_below = 0;
+    Scene scene(skill,
+                {"bolt.energy.regain_per_s=100", "blast.energy.regain_per_s=100",
+                 "lob.energy.regain_per_s=100", "wizard.health.start=100000", "wizard.health.cap=100000"});
+    scene.put(0, {-14, 0, 8}, 0);
+    scene.put(1, {-14, 0, -1}, 180);
+    scene.run(60, stands_still);
+    std::array<std::uint32_t, causes.size()> shots{};
+    for (std::size_t cause = 0; cause < causes.size(); ++cause)
+        shots[cause] = scene.match.world().single<Chronicle>().deeds[0][cause].shots;
+    return shots;
+}
+
+TEST(Bot, WithItsLevelComeTheWandsThatItUses) {
+    for (int level = 1; level <= bot_levels; ++level) {
+        const auto shots = shots_of(level);
+        EXPECT_GT(shots[cause_of(EventKind::bolt_hit)], 5U) << level;
+        EXPECT_GT(shots[cause_of(EventKind::blast_hit)], 2U) << level;
+        EXPECT_EQ(shots[cause_of(EventKind::lob_hit)] > 0, level > 1) << level;
+    }
+}
+
+TEST(Bot, WhatFliesInAnArcIsAimedSoThatItComesDownThere) {
+    Self self{.tip = {1, 1.2, 0}, .shot = {.speed = 15, .fall = 9.81}};
+    for (const vec3 target : {vec3(1, 1.2, -10), vec3(4, 3, -7), vec3(-6, -4, 8)}) {
+        const auto aim = aim_of_shot(self, target);
+        const vec3 to = target - self.tip;
+        const double flat = std::hypot(to.x, to.z), flight = flat / (15 * std::cos(aim.pitch));
+        EXPECT_NEAR(15 * std::sin(aim.pitch) * flight - 9.81 / 2 * flight * flight, to.y, 1e-9);
+        EXPECT_LT(aim.pitch, pi / 4 + 0.3) << "the lower way";
+    }
+    EXPECT_NEAR(aim_of_shot(self, {1, 1.2, -100}).pitch, pi / 4, 1e-12) << "too far";
 }
 
 /// Hits in 30 s on a bot that stands 28 m from a foe who shoots straight at where it first stood.
