@@ -1,0 +1,586 @@
+// All distances are to the surface `surface_gap` outside the true one: rounding (1e-16 of a coordinate) then never decides on which
+// side the proxy is. A triangle is hit where the path crosses the triangle itself, not its offset plane: between the offset
+// planes of two triangles that meet in a ridge there would be a slit. So a mesh whose triangles share corners has no holes.
+#include "haptics/surface.h"
+
+#include <algorithm>
+
+namespace thaum::haptics {
+namespace {
+
+constexpr double touch_gap = surface_gap;
+constexpr double tight = 1e-13;            // m; closer than this is the same place
+constexpr double resting_slack = 5e-4;     // m that a touched triangle may have moved unannounced
+constexpr double nearly_parallel = 1e-15;  // sine squared, below which two planes make no crease
+constexpr double loose = 0.4 * touch_gap;  // m, by which such planes may stand above each other
+constexpr int most_moves = 32;             // of the proxy in a tick
+constexpr int most_pushes = 4;
+constexpr int most_advances = 60;  // grazing a round side halves the gap each time
+constexpr std::size_t most_planes = 4;
+constexpr std::uint32_t nothing = ~0U;
+
+/// x is free where normal.x >= offset.
+struct Wall {
+    vec3 normal{};
+    double offset{};
+    double depth{};  // m, how far it pushes the proxy from the tip
+    std::uint32_t surface{};
+};
+
+struct Walls {
+    std::array<Wall, most_planes> items{};
+    std::size_t count{};
+};
+
+/// Where a body was is where `now` maps from.
+struct Carrier {
+    mat3 turn{1.0};
+    vec3 pivot_before{};
+    vec3 pivot{};
+    bool moving{};
+    bool turning{};
+
+    vec3 now(vec3 before) const {
+        if (!moving) return before;
+        const vec3 arm = before - pivot_before;
+        return pivot + (turning ? turn * arm : arm);
+    }
+};
+
+/// What a tick computes once from a patch.
+struct Scene {
+    const SurfacePatch* patch{};
+    std::uint32_t count{};
+    std::uint32_t body_count{};
+    std::array<vec3, surface_capacity> normal{};    // of plane and triangle; zero where degenerate
+    std::array<double, surface_capacity> offset{};  // of the true surface
+    std::array<Carrier, surface_body_capacity> carriers{};
+
+    const Surface& surface(std::uint32_t i) const { return patch->surfaces[i]; }
+    const SurfaceBody& body_of(std::uint32_t i) const { return patch->bodies[surface(i).body]; }
+};
+
+bool is_flat(SurfaceKind kind) { return kind <= SurfaceKind::sheet; }
+bool is_triangle(SurfaceKind kind) { return kind == SurfaceKind::triangle || kind == SurfaceKind::sheet; }
+
+Carrier carrier_of(const SurfaceBody& body, double dt) {
+    Carrier carrier;
+    carrier.moving = body.velocity != vec3(0) || body.spin != vec3(0);
+    if (!carrier.moving) return carrier;
+    carrier.pivot = body.position;
+    carrier.pivot_before = body.position - dt * body.velocity;
+    const double speed = glm::length(body.spin);
+    carrier.turning = speed > 0;
+    if (carrier.turning) carrier.turn = glm::mat3_cast(rotation(body.spin / speed, speed * dt));
+    return carrier;
+}
+
+void find_plane(Scene& scene, std::uint32_t i) {
+    const Surface& s = scene.surface(i);
+    vec3& normal = scene.normal[i];
+    normal = s.kind == SurfaceKind::plane ? s.b : glm::cross(s.b - s.a, s.c - s.a);
+    const double length = glm::length(normal);
+    normal = length > 0 && std::isfinite(length) ? normal / length : vec3(0);
+    scene.offset[i] = glm::dot(normal, s.a);
+}
+
+Scene scene_of(const SurfacePatch& patch, double dt) {
+    Scene scene;
+    scene.patch = &patch;
+    scene.count = static_cast<std::uint32_t>(std::min<std::size_t>(patch.count, surface_capacity));
+    scene.body_count =
+        static_cast<std::uint32_t>(std::min<std::size_t>(patch.body_count, surface_body_capacity));
+    for (std::uint32_t i = 0; i < scene.body_count; ++i) scene.carriers[i] = carrier_of(patch.bodies[i], dt);
+    for (std::uint32_t i = 0; i < scene.count; ++i) {
+        if (is_flat(patch.surfaces[i].kind)) find_plane(scene, i);
+    }
+    return scene;
+}
+
+bool usable(const Scene& scene, std::uint32_t i) {
+    return scene.surface(i).body < scene.body_count &&
+           (!is_flat(scene.surface(i).kind) || scene.normal[i] != vec3(0));
+}
+
+// ---- distances ----------------------------------------------------------------------------------------------------
+
+struct Distance {
+    double value;  // m, negative inside
+    vec3 normal;   // unit, outward
+};
+
+Distance from_core(vec3 out, double radius) {
+    const double length = glm::length(out);
+    return {length - radius, length > 0 ? out / length : vec3(0, 1, 0)};
+}
+
+Distance to_box(vec3 p, vec3 half) {
+    const vec3 beyond = glm::abs(p) - half;
+    const vec3 sign(p.x < 0 ? -1 : 1, p.y < 0 ? -1 : 1, p.z < 0 ? -1 : 1);
+    if (beyond.x <= 0 && beyond.y <= 0 && beyond.z <= 0) {
+        const int axis = beyond.x >= beyond.y && beyond.x >= beyond.z ? 0 : beyond.y >= beyond.z ? 1 : 2;
+        vec3 normal(0);
+        normal[axis] = sign[axis];
+        return {beyond[axis], normal};
+    }
+    return from_core(sign * glm::max(beyond, vec3(0)), 0);
+}
+
+Distance to_cylinder(vec3 p, double radius, double half) {
+    const double across = std::sqrt(p.x * p.x + p.z * p.z);
+    const vec3 out = across > 0 ? vec3(p.x / across, 0, p.z / across) : vec3(1, 0, 0);
+    const vec3 up(0, p.y < 0 ? -1 : 1, 0);
+    const double beside = across - radius, above = std::abs(p.y) - half;
+    if (beside <= 0 && above <= 0) return beside >= above ? Distance{beside, out} : Distance{above, up};
+    return from_core(std::max(beside, 0.0) * out + std::max(above, 0.0) * up, 0);
+}
+
+/// To a solid that is no half-space.
+Distance to_solid(const Surface& s, quat orientation, vec3 p) {
+    const vec3 arm = p - s.a;
+    if (s.kind == SurfaceKind::sphere) return from_core(arm, s.b.x);
+    const vec3 local = glm::conjugate(orientation) * arm;
+    Distance d{};
+    if (s.kind == SurfaceKind::box)
+        d = to_box(local, s.b);
+    else if (s.kind == SurfaceKind::cylinder)
+        d = to_cylinder(local, s.b.x, s.b.y);
+    else
+        d = from_core({local.x, local.y - std::clamp(local.y, -s.b.y, std::max(s.b.y, -s.b.y)), local.z},
+                      s.b.x);
+    d.normal = orientation * d.normal;
+    return d;
+}
+
+/// Whether the plane's point p lies in the triangle.
+bool over_triangle(const Surface& s, vec3 normal, vec3 p, double slack) {
+    const std::array corners{s.a, s.b, s.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const vec3 from = corners[i], edge = corners[(i + 1) % 3] - from;
+        const double inward = glm::dot(glm::cross(normal, edge), p - from);  // times the edge's length
+        if (inward < 0 && inward * inward > slack * slack * glm::dot(edge, edge)) return false;
+    }
+    return true;
+}
+
+// ---- the swept point ----------------------------------------------------------------------------------------------
+
+struct Hit {
+    double at{2};   // part of the way
+    double drop{};  // m, of the way, against the wall
+    Wall wall{};
+};
+
+/// Whether a hit comes before another; of two at once the one that is met more squarely.
+bool sooner(double at, double drop, const Hit& than, double length) {
+    const double lead = (than.at - at) * length;
+    return lead > tight || (lead > -tight && drop > than.drop);
+}
+
+/// A wall through the surface's gap, at a distance known at p.
+Wall wall_at(vec3 p, Distance d, std::uint32_t i) {
+    return {d.normal, glm::dot(d.normal, p) - d.value + touch_gap, 0, i};
+}
+
+void sweep_flat(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& first) {
+    const Surface& s = scene.surface(i);
+    vec3 normal = scene.normal[i];
+    double offset = scene.offset[i];
+    double start = glm::dot(normal, from) - offset;
+    if (s.kind == SurfaceKind::sheet && start < 0) {
+        normal = -normal;
+        offset = -offset;
+        start = -start;
+    }
+    const double drop = -glm::dot(normal, way);
+    const double end = start - drop;
+    if (!(drop > 0) || end >= touch_gap - tight) return;
+    if (s.kind != SurfaceKind::plane && start < -touch_gap / 2) return;
+    const double at = std::clamp((start - touch_gap) / drop, 0.0, 1.0);
+    if (!sooner(at, drop, first, glm::length(way))) return;
+    if (s.kind != SurfaceKind::plane) {
+        const double crossing = end < 0 ? std::clamp(start / drop, 0.0, 1.0) : 1.0;
+        if (!over_triangle(s, scene.normal[i], from + crossing * way, tight)) return;
+    }
+    first = {at, drop, {normal, offset + touch_gap, 0, i}};
+}
+
+/// At the nearest point of a convex shape stands a plane that has all of it behind, up to which a point may move at once.
+void sweep_solid(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& first) {
+    const Surface& s = scene.surface(i);
+    const quat orientation = scene.body_of(i).orientation;
+    double at = 0;
+    double drop = 0;
+    Distance here{};
+    for (int n = 0; n < most_advances; ++n) {
+        here = to_solid(s, orientation, from + at * way);
+        drop = -glm::dot(here.normal, way);
+        if (!(drop > 0) || here.value - (1 - at) * drop >= touch_gap - tight) return;
+        if (here.value <= touch_gap + tight) break;
+        at += (here.value - touch_gap) / drop;
+        if (at > first.at + 1e-9) return;
+    }
+    if (sooner(at, drop, first, glm::length(way))) first = {at, drop, wall_at(from + at * way, here, i)};
+}
+
+void sweep(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& first) {
+    if (is_flat(scene.surface(i).kind))
+        sweep_flat(scene, i, from, way, first);
+    else
+        sweep_solid(scene, i, from, way, first);
+}
+
+Hit first_hit(const Scene& scene, vec3 from, vec3 way, std::uint32_t but = nothing) {
+    Hit first;
+    for (std::uint32_t i = 0; i < scene.count; ++i) {
+        if (i != but && usable(scene, i)) sweep(scene, i, from, way, first);
+    }
+    return first;
+}
+
+// ---- the nearest place before some walls ---------------------------------------------------------------------------
+
+struct Goal {
+    vec3 place{};
+    bool found{};
+};
+
+/// Depths of three walls or fewer that meet where the proxy is: the multipliers of the nearest place to the tip.
+struct Trial {
+    std::array<std::size_t, 3> walls{};
+    std::array<double, 3> depths{};
+    std::size_t count{};
+};
+
+/// Whether all push and no other wall is entered.
+bool holds(const Walls& walls, const Trial& trial, vec3 tip, double slack, vec3& place) {
+    place = tip;
+    for (std::size_t i = 0; i < trial.count; ++i) {
+        if (!(trial.depths[i] > 0)) return false;
+        place += trial.depths[i] * walls.items[trial.walls[i]].normal;
+    }
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        const auto used = trial.walls.begin() + static_cast<std::ptrdiff_t>(trial.count);
+        if (std::find(trial.walls.begin(), used, i) != used) continue;
+        if (glm::dot(walls.items[i].normal, place) < walls.items[i].offset - slack) return false;
+    }
+    return true;
+}
+
+/// How far inside wall i the tip is.
+double entered(const Walls& walls, std::size_t i, vec3 tip) {
+    return walls.items[i].offset - glm::dot(walls.items[i].normal, tip);
+}
+
+Trial against_one(const Walls& walls, std::size_t i, vec3 tip) { return {{i}, {entered(walls, i, tip)}, 1}; }
+
+Trial against_two(const Walls& walls, std::size_t i, std::size_t j, vec3 tip) {
+    const vec3 along = glm::cross(walls.items[i].normal, walls.items[j].normal);
+    const double sine2 = glm::dot(along, along);
+    const double g = glm::dot(walls.items[i].normal, walls.items[j].normal);
+    if (sine2 < nearly_parallel) return {{i, j}, {-1, -1}, 2};
+    const double a = entered(walls, i, tip), b = entered(walls, j, tip);
+    return {{i, j}, {(a - g * b) / sine2, (b - g * a) / sine2}, 2};
+}
+
+/// Three planes meet at sum offset_i (n_j x n_k) / det; the depths are coordinates of the way there along the normals.
+Trial against_three(const Walls& walls, std::size_t i, std::size_t j, std::size_t k, vec3 tip) {
+    const vec3 a = walls.items[i].normal, b = walls.items[j].normal, c = walls.items[k].normal;
+    const vec3 bc = glm::cross(b, c), ca = glm::cross(c, a), ab = glm::cross(a, b);
+    const double det = glm::dot(a, bc);
+    if (det * det < nearly_parallel) return {{i, j, k}, {-1, -1, -1}, 3};
+    const vec3 way =
+        (entered(walls, i, tip) * bc + entered(walls, j, tip) * ca + entered(walls, k, tip) * ab) / det;
+    return {{i, j, k}, {glm::dot(way, bc) / det, glm::dot(way, ca) / det, glm::dot(way, ab) / det}, 3};
+}
+
+/// Keeps the walls of the trial, with their depths.
+void keep(Walls& walls, const Trial& trial) {
+    std::array<Wall, most_planes> kept{};
+    for (std::size_t i = 0; i < trial.count; ++i) {
+        kept[i] = walls.items[trial.walls[i]];
+        kept[i].depth = trial.depths[i];
+    }
+    walls.items = kept;
+    walls.count = trial.count;
+}
+
+Goal nearest_place(Walls& walls, vec3 tip, double slack) {
+    Goal goal{tip, true};
+    const auto try_walls = [&](const Trial& trial) {
+        if (!holds(walls, trial, tip, slack, goal.place)) return false;
+        keep(walls, trial);
+        return true;
+    };
+    if (try_walls({})) return goal;
+    const std::size_t n = walls.count;
+    for (std::size_t i = 0; i < n; ++i)
+        if (try_walls(against_one(walls, i, tip))) return goal;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j)
+            if (try_walls(against_two(walls, i, j, tip))) return goal;
+    for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t j = i + 1; j < n; ++j)
+            for (std::size_t k = j + 1; k < n; ++k)
+                if (try_walls(against_three(walls, i, j, k, tip))) return goal;
+    goal.found = false;
+    return goal;
+}
+
+/// The only place that is nearest to the tip: tries every set of up to three walls. Keeps those that push. Not found where
+/// nothing is before all walls.
+Goal nearest_place(Walls& walls, vec3 tip) {
+    const Goal goal = nearest_place(walls, tip, tight);
+    return goal.found ? goal : nearest_place(walls, tip, loose);
+}
+
+/// A wall of the same surface is replaced: of a round one it is another.
+void add_wall(Walls& walls, const Wall& wall) {
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        if (walls.items[i].surface != wall.surface) continue;
+        walls.items[i] = wall;
+        return;
+    }
+    if (walls.count < most_planes) walls.items[walls.count++] = wall;
+}
+
+// ---- what moves over the proxy --------------------------------------------------------------------------------------
+
+bool was_touched(const Scene& scene, const SurfaceState& state, std::uint32_t i) {
+    for (std::uint32_t c = 0; c < std::min<std::uint32_t>(state.contacts, 3); ++c) {
+        if (state.touched[c].key == scene.body_of(i).key && state.touched[c].part == scene.surface(i).part)
+            return true;
+    }
+    return false;
+}
+
+/// Where the body that bears most of the last push takes the proxy.
+vec3 carried(const Scene& scene, const SurfaceState& state) {
+    if (state.contacts == 0) return state.proxy;
+    for (std::uint32_t i = 0; i < scene.body_count; ++i) {
+        if (scene.patch->bodies[i].key == state.touched[0].key) return scene.carriers[i].now(state.proxy);
+    }
+    return state.proxy;
+}
+
+/// Whether a surface is now before the proxy, which began the tick in front of it. One that was touched and moved a little more
+/// than it said counts too.
+bool overran(const Scene& scene, const SurfaceState& state, std::uint32_t i, vec3 x, Wall& wall) {
+    const Surface& s = scene.surface(i);
+    const vec3 from = scene.carriers[s.body].now(state.proxy);
+    if (from != x) {
+        Hit hit;
+        sweep(scene, i, from, x - from, hit);
+        if (hit.at <= 1) {
+            wall = hit.wall;
+            return true;
+        }
+    }
+    if (!is_flat(s.kind)) {
+        const Distance d = to_solid(s, scene.body_of(i).orientation, x);
+        wall = wall_at(x, d, i);
+        return d.value < touch_gap - tight;
+    }
+    const double height = glm::dot(scene.normal[i], x) - scene.offset[i];
+    wall = {scene.normal[i], scene.offset[i] + touch_gap, 0, i};
+    if (s.kind == SurfaceKind::plane) return height < touch_gap - tight;
+    return s.kind == SurfaceKind::triangle && height < 0 && height > -resting_slack &&
+           was_touched(scene, state, i) && over_triangle(s, scene.normal[i], x, tight);
+}
+
+/// The proxy after the bodies' motion. Between two that close on it one must give.
+vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start) {
+    Walls walls;
+    vec3 x = start;
+    for (int round = 0; round < most_pushes; ++round) {
+        const std::size_t before = walls.count;
+        bool pushed = false;
+        for (std::uint32_t i = 0; i < scene.count && walls.count < most_planes; ++i) {
+            Wall wall;
+            if (!usable(scene, i) || !overran(scene, state, i, x, wall)) continue;
+            add_wall(walls, wall);
+            pushed = true;
+        }
+        if (!pushed) return x;
+        const Goal goal = nearest_place(walls, start);
+        if (!goal.found) return x;
+        x = goal.place;
+        if (walls.count == most_planes && walls.count == before) return x;
+    }
+    return x;
+}
+
+// ---- towards the tip ------------------------------------------------------------------------------------------------
+
+const SurfaceMaterial& material_of(const Scene& scene, const Wall& wall) {
+    return scene.body_of(wall.surface).material;
+}
+
+/// m; the push of all walls times their friction.
+double friction_reach(const Scene& scene, const Walls& walls, bool sliding) {
+    double reach = 0;
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        const SurfaceMaterial& m = material_of(scene, walls.items[i]);
+        reach += walls.items[i].depth * (sliding ? m.dynamic_friction : m.static_friction);
+    }
+    return reach;
+}
+
+/// How much of the way from x the patch's reach allows.
+double allowed(const SurfacePatch& patch, vec3 x, vec3 way) {
+    if (!(patch.reach < HUGE_VAL)) return 1;
+    const vec3 arm = x - patch.centre;
+    const double a = glm::dot(way, way), b = glm::dot(arm, way),
+                 c = glm::dot(arm, arm) - patch.reach * patch.reach;
+    if (a + 2 * b + c <= 0) return 1;  // the end lies within
+    if (!(a > 0)) return 0;
+    const double root = b * b - a * c;
+    return root > 0 ? std::clamp((std::sqrt(root) - b) / a, 0.0, 1.0) : 0.0;
+}
+
+/// Whether every wall still stands where the proxy is: it may have gone round an edge.
+bool supported(const Scene& scene, const Walls& walls, vec3 x) {
+    constexpr double slack = 10 * tight;
+    for (std::size_t n = 0; n < walls.count; ++n) {
+        const std::uint32_t i = walls.items[n].surface;
+        const Surface& s = scene.surface(i);
+        if (is_triangle(s.kind)) {
+            if (!over_triangle(s, scene.normal[i], x, slack)) return false;
+        } else if (!is_flat(s.kind)) {
+            const Distance here = to_solid(s, scene.body_of(i).orientation, x);
+            const double turned = glm::length(here.normal - walls.items[n].normal) * walls.items[n].depth;
+            if (here.value > touch_gap + slack || turned > slack) return false;
+        }
+    }
+    return true;
+}
+
+struct Slide {
+    vec3 x{};
+    Walls walls{};
+    bool slid{};
+    bool limited{};
+};
+
+/// Where friction lets the proxy go.
+vec3 held_back(const Scene& scene, const Slide& slide, vec3 goal, bool sliding) {
+    if (slide.walls.count == 0) return goal;
+    const vec3 away = slide.x - goal;
+    const double distance = glm::length(away);
+    if (distance <= friction_reach(scene, slide.walls, sliding || slide.slid) + tight) return slide.x;
+    return goal + away * (friction_reach(scene, slide.walls, true) / distance);
+}
+
+/// A part of the way, as far as it is free.
+void go(Slide& slide, vec3 way) {
+    slide.x += way;
+    if (slide.walls.count != 0 && glm::dot(way, way) > tight * tight) slide.slid = true;
+}
+
+/// Against one round body the planes before it come nearer by depth / radius a time; this is the end of that at once.
+void round_off(const Scene& scene, Slide& slide, vec3 tip) {
+    Wall& wall = slide.walls.items[0];
+    const Surface& s = scene.surface(wall.surface);
+    if (slide.walls.count != 1 || is_flat(s.kind) || slide.x == tip) return;
+    const Distance from_tip = to_solid(s, scene.body_of(wall.surface).orientation, tip);
+    const vec3 end = tip + (touch_gap - from_tip.value) * from_tip.normal;
+    constexpr double same_side = 0.9;
+    if (from_tip.value >= touch_gap || glm::dot(from_tip.normal, wall.normal) < same_side) return;
+    if (first_hit(scene, slide.x, end - slide.x, wall.surface).at <= 1) return;
+    slide.x = end;
+    wall = wall_at(tip, from_tip, wall.surface);
+    wall.depth = touch_gap - from_tip.value;
+}
+
+/// From contact to contact until nothing is nearer to the tip, or friction holds.
+Slide slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
+    Slide slide{.x = start};
+    vec3 cleared{};
+    bool first = true;
+    for (int move = 0; move < most_moves; ++move) {
+        const Walls before = slide.walls;
+        const Goal goal = nearest_place(slide.walls, tip);
+        if (!goal.found) {  // no room: stays, held by those that were there before
+            slide.walls = before;
+            return slide;
+        }
+        vec3 way = held_back(scene, slide, goal.place, was_sliding) - slide.x;
+        const double part = allowed(*scene.patch, slide.x, way);
+        way *= part;
+        const Hit hit = first_hit(scene, slide.x, way);
+        go(slide, std::min(hit.at, 1.0) * way);
+        if (hit.at <= 1) {
+            add_wall(slide.walls, hit.wall);
+            continue;
+        }
+        slide.limited = part < 1;
+        if (!slide.limited && glm::length(slide.x - goal.place) <= tight) round_off(scene, slide, tip);
+        if (slide.walls.count == 0 || slide.limited || supported(scene, slide.walls, slide.x)) return slide;
+        if (!first && glm::length(slide.x - cleared) < tight) return slide;
+        first = false;
+        cleared = slide.x;
+        slide.walls.count = 0;
+    }
+    return slide;
+}
+
+// ---- the force ------------------------------------------------------------------------------------------------------
+
+vec3 force_of(const Scene& scene, const Slide& slide, const SurfaceTip& tip) {
+    double depth = 0, stiffness = 0, damping = 0;
+    vec3 push(0), velocity(0);
+    for (std::size_t i = 0; i < slide.walls.count; ++i) {
+        const Wall& wall = slide.walls.items[i];
+        const SurfaceBody& body = scene.body_of(wall.surface);
+        depth += wall.depth;
+        stiffness += wall.depth * body.material.stiffness;
+        damping += wall.depth * body.material.damping;
+        push += wall.depth * wall.normal;
+        velocity += wall.depth * (body.velocity + glm::cross(body.spin, slide.x - body.position));
+    }
+    const double length = glm::length(push);
+    if (!(depth > 0) || !(length > 0)) return vec3(0);
+    const vec3 normal = push / length;
+    const double inward = std::max(0.0, -glm::dot(tip.velocity - velocity / depth, normal));
+    return stiffness / depth * (slide.x - tip.position) + damping / depth * inward * normal;
+}
+
+void remember(const Scene& scene, SurfaceState& state, Slide& slide) {
+    auto& walls = slide.walls;
+    std::sort(walls.items.begin(), walls.items.begin() + static_cast<std::ptrdiff_t>(walls.count),
+              [](const Wall& a, const Wall& b) { return a.depth > b.depth; });
+    state = {.proxy = slide.x, .begun = 1};
+    state.contacts = static_cast<std::uint32_t>(std::min<std::size_t>(walls.count, 3));
+    for (std::uint32_t i = 0; i < state.contacts; ++i) {
+        const std::uint32_t s = walls.items[i].surface;
+        state.touched[i] = {scene.body_of(s).key, scene.surface(s).part};
+    }
+    state.sliding = state.contacts != 0 && slide.slid ? 1 : 0;
+    state.limited = slide.limited ? 1 : 0;
+}
+
+}  // namespace
+
+Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip, double dt) noexcept {
+    if (!is_finite(tip.position)) {
+        state = {};
+        return {.proxy = tip.position};
+    }
+    if (patch.count == 0) {
+        state = {.proxy = tip.position, .begun = 1};
+        return {.proxy = tip.position};
+    }
+    const Scene scene = scene_of(patch, dt);
+    if (state.begun == 0) state.proxy = tip.position;
+    const vec3 start = pushed_out(scene, state, carried(scene, state));
+    Slide slide = slide_to(scene, start, tip.position, state.sliding != 0);
+    const vec3 force = force_of(scene, slide, tip);
+    if (!is_finite(slide.x) || !is_finite(force)) {
+        state = {};
+        return {.proxy = tip.position};
+    }
+    remember(scene, state, slide);
+    return {force, slide.walls.count == 0 ? tip.position : slide.x, state.contacts};
+}
+
+}  // namespace thaum::haptics

@@ -1,0 +1,120 @@
+// haptics/surface.h: touching surfaces with a point (Zilles and Salisbury 1995, "A constraint-based god-object method for
+// haptic display"; friction after Ruspini, Kolarov, Khatib 1997).
+//
+//     patch of surfaces ----.
+//     tip ------------------+--> touch() --> force on the hand = stiffness (proxy - tip) + damping
+//     state (the proxy) <---'
+//
+// The proxy is where the tip would be if it could not enter anything. Each tick it starts where it was, is carried along by
+// what it touched, is pushed out by what moved over it, and then goes towards the tip as a swept point: straight until it meets
+// a surface, then along that surface, along the crease of two, into the corner of three. All within the tick, so that
+// nothing lags: on flat surfaces it ends at the place nearest to the tip to rounding. Since it is swept, relative to
+// each body's own motion, no speed takes it through anything that the patch holds.
+//
+// Friction (Coulomb, in metres of penetration: with one stiffness forces are lengths). Where the way to the frictionless goal
+// is at most the sum of friction x penetration over the touched surfaces, the proxy sticks; farther, it slides until
+// the dynamic friction holds it. It holds still with the static one.
+//
+// Force: stiffness is the mean of the touched ones, weighted by their part of the push, so the direction is that of proxy -
+// tip whatever the mixture. With one stiffness and no friction the force is minus the gradient of stiffness/2 times the square of
+// the distance: it creates no energy. To slide under load from one stiffness to another does, half the difference
+// times depth squared. Damping acts along the push and only on the way in (paper 004): it never pulls.
+//
+// Device frame, m. Plain data, no allocation, no clock; memory is the SurfaceState alone.
+#pragma once
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/maths.h"
+
+namespace thaum::haptics {
+
+enum class SurfaceKind : std::uint32_t {
+    plane,     ///< a: a point on it, b: unit normal; all behind it is solid
+    triangle,  ///< a, b, c: counter-clockwise seen from the side that can be touched
+    sheet,     ///< a, b, c: a triangle that can be touched from both sides
+    sphere,    ///< a: centre, b.x: radius
+    capsule,  ///< a: centre, b.x: radius, b.y: half the length of its straight part, which lies along the body's y axis
+    box,       ///< a: centre, b: half extents along the body's axes
+    cylinder,  ///< as the capsule, with flat ends
+};
+
+/// One surface of a body, where it is now.
+struct Surface {
+    SurfaceKind kind{};
+    std::uint32_t body{};  ///< index in SurfacePatch::bodies
+    std::uint32_t part{};  ///< which of its body's surfaces; the same from tick to tick
+    vec3 a{}, b{}, c{};    ///< m, device frame
+};
+
+/// How a surface feels.
+struct SurfaceMaterial {
+    double stiffness{300};      ///< N/m, > 0
+    double damping{};           ///< N s/m, >= 0
+    double static_friction{};   ///< >= dynamic_friction
+    double dynamic_friction{};  ///< >= 0
+};
+
+/// What surfaces belong to: it moves as one.
+struct SurfaceBody {
+    vec3 position{};               ///< m, of the point that has `velocity`
+    quat orientation{1, 0, 0, 0};  ///< unit
+    vec3 velocity{};               ///< m/s, over the last tick
+    vec3 spin{};                   ///< rad/s, about position
+    SurfaceMaterial material{};
+    std::uint32_t key{};  ///< the same from tick to tick
+};
+
+inline constexpr std::size_t surface_capacity = 32;
+inline constexpr std::size_t surface_body_capacity = 8;
+
+/// The surfaces near the tip. In use are the first `count` and `body_count`; what names a body beyond is not felt.
+struct SurfacePatch {
+    std::array<Surface, surface_capacity> surfaces{};
+    std::array<SurfaceBody, surface_body_capacity> bodies{};
+    std::uint32_t count{};
+    std::uint32_t body_count{};
+    /// All surfaces within `reach` of `centre` are in the patch. The proxy stays there until a new patch tells what is beyond;
+    /// what it has not met is not felt.
+    vec3 centre{};           ///< m
+    double reach{HUGE_VAL};  ///< m
+};
+
+/// A surface that was touched, known again by its body's key and part.
+struct SurfaceContact {
+    std::uint32_t key{};
+    std::uint32_t part{};
+};
+
+/// All that a tick leaves behind; no padding.
+struct SurfaceState {
+    vec3 proxy{};                             ///< m; holds where begun
+    std::array<SurfaceContact, 3> touched{};  ///< the first `contacts`, the most loaded first
+    std::uint32_t contacts{};
+    std::uint32_t sliding{};  ///< 1: it slid in the last tick, against friction
+    std::uint32_t begun{};    ///< 0: the proxy starts at the tip
+    std::uint32_t limited{};  ///< 1: it was held at the end of the patch's reach
+};
+static_assert(sizeof(SurfaceState) == sizeof(vec3) + 10 * sizeof(std::uint32_t));
+
+/// The probe, as measured.
+struct SurfaceTip {
+    vec3 position{};  ///< m
+    vec3 velocity{};  ///< m/s; damping alone uses it
+};
+
+struct Touched {
+    vec3 force{};              ///< N, on the hand; finite
+    vec3 proxy{};              ///< m; the tip where nothing is touched
+    std::uint32_t contacts{};  ///< 0 to 3
+};
+
+/// One tick of dt seconds. Where the tip is not finite nothing is felt and the proxy begins anew. The proxy stays
+/// `surface_gap` before a surface: forces are right to stiffness times that.
+Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip, double dt) noexcept;
+
+inline constexpr double surface_gap = 2e-10;  ///< m
+
+}  // namespace thaum::haptics

@@ -1,0 +1,635 @@
+// Surfaces against closed forms: springs to planes, creases and corners, Coulomb's law, moving bodies; then what must never
+// happen, at any speed and with any input.
+#include "haptics/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "accuracy/primitives_judge.h"
+#include "core/hash.h"
+#include "core/random.h"
+#include "core/units.h"
+
+namespace thaum::haptics {
+namespace {
+
+constexpr double dt = tick_seconds;
+constexpr double stiffness = 500;                            // N/m
+constexpr double gap_force = 1.5 * stiffness * surface_gap;  // N, the known error, friction included
+constexpr double rounding = 1e-9;                            // N
+
+std::uint32_t add_body(SurfacePatch& patch, const SurfaceMaterial& material = {.stiffness = stiffness}) {
+    SurfaceBody body;
+    body.material = material;
+    body.key = 100 + patch.body_count;
+    patch.bodies[patch.body_count] = body;
+    return patch.body_count++;
+}
+
+Surface& add(SurfacePatch& patch, SurfaceKind kind, vec3 a, vec3 b, vec3 c = {}) {
+    if (patch.body_count == 0) add_body(patch);
+    patch.surfaces[patch.count] = {
+        .kind = kind, .body = patch.body_count - 1, .part = patch.count, .a = a, .b = b, .c = c};
+    return patch.surfaces[patch.count++];
+}
+
+SurfacePatch floor_patch(const SurfaceMaterial& material = {.stiffness = stiffness}) {
+    SurfacePatch patch;
+    add_body(patch, material);
+    add(patch, SurfaceKind::plane, {}, {0, 1, 0});
+    return patch;
+}
+
+/// A hand that is at a place without having come from somewhere.
+struct Probe {
+    SurfacePatch patch{};
+    SurfaceState state{};
+
+    Touched at(vec3 tip, vec3 velocity = {}) { return touch(patch, state, {tip, velocity}, dt); }
+    /// The bodies move as they say.
+    void advance() {
+        for (std::uint32_t i = 0; i < patch.count; ++i) {
+            Surface& s = patch.surfaces[i];
+            const SurfaceBody& body = patch.bodies[s.body];
+            const vec3 by = dt * body.velocity;
+            s.a += by;
+            if (s.kind == SurfaceKind::triangle || s.kind == SurfaceKind::sheet) {
+                s.b += by;
+                s.c += by;
+            }
+        }
+        for (std::uint32_t i = 0; i < patch.body_count; ++i)
+            patch.bodies[i].position += dt * patch.bodies[i].velocity;
+    }
+};
+
+vec3 random_vec(Random& random, double size) {
+    return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+}
+
+vec3 random_unit(Random& random) {
+    for (;;) {
+        const vec3 v = random_vec(random, 1);
+        const double length = glm::length(v);
+        if (length > 0.1 && length < 1) return v / length;
+    }
+}
+
+void expect_near(vec3 a, vec3 b, double by, const std::string& what = {}) {
+    EXPECT_LE(glm::length(a - b), by)
+        << what << ": " << a.x << ' ' << a.y << ' ' << a.z << " and " << b.x << ' ' << b.y << ' ' << b.z;
+}
+
+void add_box_mesh(SurfacePatch& patch, vec3 half, SurfaceKind kind) {
+    const auto corner = [&](int i) {
+        return half * vec3((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+    };
+    constexpr std::array<std::array<int, 4>, 6> faces{
+        {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+    for (const auto& f : faces) {
+        add(patch, kind, corner(f[0]), corner(f[1]), corner(f[2]));
+        add(patch, kind, corner(f[0]), corner(f[2]), corner(f[3]));
+    }
+}
+
+// ---- where the proxy is -------------------------------------------------------------------------------------------
+
+TEST(Surface, APlaneIsASpringAlongItsNormal) {
+    Random random{1};
+    for (int n = 0; n < 1000; ++n) {
+        const vec3 normal = random_unit(random), point = random_vec(random, 0.2);
+        Probe probe;
+        add(probe.patch, SurfaceKind::plane, point, normal);
+        const double depth = random.uniform(0, 0.02);
+        const vec3 along = random_vec(random, 0.1);
+        const vec3 over = point + along - normal * glm::dot(normal, along);
+        EXPECT_EQ(probe.at(over + 0.01 * normal).force, vec3(0));
+        const Touched in = probe.at(over - depth * normal);
+        expect_near(in.force, stiffness * depth * normal, gap_force + rounding);
+        expect_near(in.proxy, over, 2 * surface_gap);
+        EXPECT_EQ(in.contacts, 1U);
+        const Touched out = probe.at(over + 0.001 * normal);
+        EXPECT_EQ(out.force, vec3(0));
+        EXPECT_EQ(out.proxy, over + 0.001 * normal);
+    }
+}
+
+/// The foot of the tip on the line in which two planes through the origin meet.
+TEST(Surface, InACreaseAndACornerItIsAsNearAsBothAllow) {
+    Random random{2};
+    int creases = 0, corners = 0;
+    for (int n = 0; n < 2000; ++n) {
+        Probe probe;
+        std::array<vec3, 3> normals{};
+        for (vec3& normal : normals) {
+            normal = random_unit(random);
+            add(probe.patch, SurfaceKind::plane, {}, normal);
+        }
+        if (std::abs(glm::dot(normals[0], glm::cross(normals[1], normals[2]))) < 0.05) continue;
+        // In the cone that the normals span backwards the corner is nearest; likewise for each crease.
+        const vec3 depths(random.uniform(0, 0.01), random.uniform(0, 0.01), random.uniform(0, 0.01));
+        const bool corner = n % 2 == 0;
+        const vec3 tip =
+            -depths.x * normals[0] - depths.y * normals[1] - (corner ? depths.z : 0) * normals[2];
+        vec3 nearest(0);
+        if (!corner) {
+            // Out along the crease, to the free side of the third plane.
+            vec3 crease = glm::normalize(glm::cross(normals[0], normals[1]));
+            if (glm::dot(crease, normals[2]) < 0) crease = -crease;
+            nearest = 0.1 * crease;
+        }
+        probe.at(nearest + 0.01 * (normals[0] + normals[1] + normals[2]));
+        vec3 start(0);
+        for (const vec3& normal : normals) start += normal;
+        bool free = true;
+        for (const vec3& normal : normals) free = free && glm::dot(start, normal) > 0.1;
+        if (!free) continue;
+        (corner ? corners : creases)++;
+        probe.state = {.proxy = nearest + 0.02 * start, .begun = 1};
+        const Touched in = probe.at(nearest + tip);
+        expect_near(in.proxy, nearest, 40 * surface_gap, std::to_string(n));
+        expect_near(in.force, -stiffness * tip, 40 * gap_force);
+        EXPECT_EQ(in.contacts, corner ? 3U : 2U);
+    }
+    EXPECT_GT(creases, 200);
+    EXPECT_GT(corners, 200);
+}
+
+TEST(Surface, RoundOnesPushFromTheirCore) {
+    Random random{3};
+    for (int n = 0; n < 500; ++n) {
+        const quat turn = rotation(random_unit(random), random.uniform(-3, 3));
+        const vec3 centre = random_vec(random, 0.1);
+        const double radius = 0.03, half = 0.04, depth = random.uniform(0.0005, 0.015);
+        const double up = random.uniform(-0.95 * half, 0.95 * half), round = random.uniform(-3, 3);
+        const vec3 out(det::cos(round), 0, det::sin(round));
+        struct Case {
+            SurfaceKind kind;
+            vec3 size, core, normal;
+        };
+        for (const Case& c : {Case{SurfaceKind::sphere, {radius, 0, 0}, {}, random_unit(random)},
+                              Case{SurfaceKind::capsule, {radius, half, 0}, {0, up, 0}, out},
+                              Case{SurfaceKind::cylinder, {radius, half, 0}, {0, up, 0}, out},
+                              Case{SurfaceKind::box, {radius, half, 0.05}, {0, up, 0.01}, {-1, 0, 0}},
+                              Case{SurfaceKind::cylinder, {2, radius, 0}, {0.01, 0, 0.02}, {0, 1, 0}}}) {
+            Probe probe;
+            add(probe.patch, c.kind, centre, c.size);
+            probe.patch.bodies[0].orientation = turn;
+            const auto at = [&](double height) {
+                return centre + turn * (c.core + (radius + height) * c.normal);
+            };
+            EXPECT_EQ(probe.at(at(0.01)).force, vec3(0));
+            const Touched in = probe.at(at(-depth));
+            expect_near(in.force, stiffness * depth * (turn * c.normal), gap_force + rounding);
+            EXPECT_EQ(in.contacts, 1U);
+        }
+    }
+}
+
+TEST(Surface, RoundASphereItKeepsUpWithTheTip) {
+    Probe probe;
+    add(probe.patch, SurfaceKind::sphere, {}, {0.05, 0, 0});
+    probe.at({0, 0.06, 0});
+    for (int tick = 0; tick < 2000; ++tick) {
+        const double angle = 0.002 * tick;  // 0.1 m/s on the surface
+        const vec3 out(det::sin(angle), det::cos(angle), 0);
+        expect_near(probe.at(0.045 * out).force, stiffness * 0.005 * out, 1e-6);
+    }
+}
+
+/// A convex body has no crease: past the middle of an edge the nearest place is on the other face.
+TEST(Surface, ItSlidesRoundAConvexEdge) {
+    for (const bool mesh : {false, true}) {
+        Probe probe;
+        const vec3 half(0.05, 0.02, 0.05);
+        if (mesh)
+            add_box_mesh(probe.patch, half, SurfaceKind::triangle);
+        else
+            add(probe.patch, SurfaceKind::box, {}, half);
+        probe.at({0.03, 0.03, 0.001});
+        for (int step = 0; step <= 40; ++step) {
+            const double x = 0.03 + 0.0005 * step;  // at 5 mm under the top, to 0 mm before the side
+            const vec3 force = probe.at({x, 0.015, 0.001}).force;
+            // The proxy stays on top while the side is farther, and is held there until the top's edge.
+            if (step < 40)
+                expect_near(force, {0, stiffness * 0.005, 0}, gap_force + rounding, std::to_string(step));
+        }
+        EXPECT_EQ(probe.at({0.051, 0.015, 0.001}).force, vec3(0)) << "off the edge";
+        const vec3 side = probe.at({0.049, 0.015, 0.001}).force;
+        expect_near(side, {stiffness * 0.001, 0, 0}, gap_force + rounding, "in from the side");
+    }
+}
+
+TEST(Surface, AFlatMeshFeelsLikeAPlane) {
+    Probe plane, mesh;
+    add(plane.patch, SurfaceKind::plane, {}, {0, 1, 0});
+    for (int i = 0; i < 4; ++i) {
+        for (int k = 0; k < 4; ++k) {
+            const vec3 corner(0.01 * i, 0, 0.01 * k), x(0.01, 0, 0), z(0, 0, 0.01);
+            add(mesh.patch, SurfaceKind::triangle, corner, corner + z, corner + x);
+            add(mesh.patch, SurfaceKind::sheet, corner + x, corner + z, corner + x + z);
+        }
+    }
+    ASSERT_EQ(mesh.patch.count, surface_capacity);
+    plane.at({0.001, 0.001, 0.001});
+    mesh.at({0.001, 0.001, 0.001});
+    vec3 before = plane.at({0.001, -0.005, 0.001}).force;
+    for (int tick = 0; tick < 1000; ++tick) {
+        // 0.1 m/s back and forth over the edges, along them and through the corners
+        const double t = std::abs(2.0 * tick / 1000 - 1);
+        const vec3 tip(0.038 * t + 0.001, -0.005, tick % 2 == 0 ? 0.038 * t * t + 0.001 : 0.01);
+        const vec3 here = mesh.at(tip).force;
+        expect_near(here, plane.at(tip).force, rounding);
+        EXPECT_LE(glm::length(here - before), 1e-9) << "chatter";
+        before = here;
+    }
+}
+
+// ---- friction -----------------------------------------------------------------------------------------------------
+
+constexpr SurfaceMaterial rough{.stiffness = stiffness, .static_friction = 0.6, .dynamic_friction = 0.4};
+
+TEST(Surface, ItSticksUpToTheStaticConeAndSlidesAtTheDynamicOne) {
+    for (const double depth : {0.0005, 0.005}) {
+        Probe probe{floor_patch(rough)};
+        probe.at({0, 0.001, 0});
+        probe.at({0, -depth, 0});
+        const double normal_force = stiffness * depth;
+        for (int i = 0; i < 60; ++i) {  // up to the angle whose tangent is 0.6
+            const double x = depth * 0.01 * i;
+            expect_near(probe.at({x, -depth, 0}).force, {-stiffness * x, normal_force, 0},
+                        gap_force + rounding);
+            EXPECT_EQ(probe.state.sliding, 0U);
+        }
+        for (int i = 61; i < 200; ++i) {
+            const vec3 force = probe.at({depth * 0.01 * i, -depth, 0}).force;
+            expect_near(force, {-0.4 * normal_force, normal_force, 0}, gap_force + rounding, "slides");
+            EXPECT_EQ(probe.state.sliding, 1U);
+        }
+        // It stops: sticks where it is, and then the static friction counts again.
+        probe.at({depth * 1.99, -depth, 0});
+        EXPECT_EQ(probe.state.sliding, 0U);
+        const vec3 more = probe.at({depth * (1.99 + 0.19), -depth, 0}).force;
+        expect_near(more, {-0.59 * normal_force, normal_force, 0}, gap_force + rounding, "sticks again");
+        const vec3 off = probe.at({depth * (1.99 + 0.21), -depth, 0}).force;
+        expect_near(off, {-0.4 * normal_force, normal_force, 0}, gap_force + rounding, "slides again");
+    }
+}
+
+TEST(Surface, SlidingFrictionIsAgainstTheMotionWhateverItsDirection) {
+    Random random{4};
+    for (int n = 0; n < 200; ++n) {
+        Probe probe{floor_patch(rough)};
+        const double angle = random.uniform(-3, 3), depth = random.uniform(0.0005, 0.01);
+        const vec3 way(det::cos(angle), 0, det::sin(angle));
+        probe.at({0, 0.001, 0});
+        probe.at({0, -depth, 0});
+        Touched last;
+        for (int i = 1; i <= 100; ++i) last = probe.at(0.0005 * i * way - vec3(0, depth, 0));
+        expect_near(last.force, stiffness * depth * (vec3(0, 1, 0) - 0.4 * way), gap_force + rounding);
+    }
+}
+
+TEST(Surface, ACreaseRubsOnBothSides) {
+    SurfacePatch patch;
+    add_body(patch, rough);
+    const double s = std::sqrt(0.5);
+    add(patch, SurfaceKind::plane, {}, {s, s, 0});
+    add(patch, SurfaceKind::plane, {}, {-s, s, 0});
+    Probe probe{patch};
+    probe.at({0, 0.01, 0});
+    const double depth = 0.005;
+    Touched last;
+    for (int i = 0; i <= 100; ++i) last = probe.at({0, -depth, 0.0005 * i});
+    // Each wall bears depth s, and both rub: 2 mu depth s.
+    expect_near(last.force, stiffness * depth * vec3(0, 1, -2 * s * 0.4), 4 * gap_force + rounding);
+    EXPECT_EQ(last.contacts, 2U);
+}
+
+// ---- moving bodies ------------------------------------------------------------------------------------------------
+
+TEST(Surface, AWallThatMovesIsFeltInEveryTickItOverlaps) {
+    for (const bool mesh : {false, true}) {
+        Probe probe;
+        const vec3 half(0.02, 0.01, 0.02);
+        if (mesh)
+            add_box_mesh(probe.patch, half, SurfaceKind::triangle);
+        else
+            add(probe.patch, SurfaceKind::box, {}, half);
+        for (std::uint32_t i = 0; i < probe.patch.count; ++i) {
+            Surface& s = probe.patch.surfaces[i];
+            s.a.y -= 0.0195;
+            if (mesh) s.b.y -= 0.0195, s.c.y -= 0.0195;
+        }
+        probe.patch.bodies[0].velocity = {0, 0.1, 0};
+        const vec3 still(0.003, 0, -0.002);
+        int overlapping = 0;
+        for (int tick = 0; tick < 286; ++tick, probe.advance()) {
+            const double top = -0.0095 + 1e-4 * tick;
+            const vec3 force = probe.at(still).force;
+            if (top <= 1e-9) {
+                EXPECT_LE(glm::length(force), gap_force) << tick;
+                continue;
+            }
+            ++overlapping;
+            expect_near(force, {0, stiffness * top, 0}, gap_force + rounding, std::to_string(tick));
+        }
+        EXPECT_EQ(overlapping, 190);
+    }
+}
+
+TEST(Surface, AFastPlateDoesNotPassThroughAStillProbe) {
+    for (const SurfaceKind kind :
+         {SurfaceKind::box, SurfaceKind::cylinder, SurfaceKind::sheet, SurfaceKind::triangle}) {
+        for (const double speed : {0.5, 5.0, 50.0}) {
+            Probe probe;
+            const bool flat = kind == SurfaceKind::sheet || kind == SurfaceKind::triangle;
+            const vec3 start(0, -0.0503, 0);
+            if (flat)
+                add(probe.patch, kind, start + vec3(-9, 0, -9), start + vec3(0, 0, 9),
+                    start + vec3(9, 0, -9));
+            else
+                add(probe.patch, kind, start, {5, 1e-4, 5});
+            probe.patch.bodies[0].velocity = {0, speed, 0};
+            for (int tick = 0; tick < 300; ++tick, probe.advance()) {
+                const Touched t = probe.at({0, 0, 0});
+                const double top = probe.patch.surfaces[0].a.y + (flat ? 0 : 1e-4);
+                if (top <= 0) continue;
+                expect_near(t.force, {0, stiffness * top, 0}, gap_force + rounding * top * 1e3,
+                            std::to_string(static_cast<int>(kind)));
+            }
+        }
+    }
+}
+
+TEST(Surface, ARoughWallTakesTheProxyAlong) {
+    Probe probe{floor_patch(rough)};
+    probe.patch.bodies[0].velocity = {0.05, 0, 0.02};
+    probe.at({0, 0.001, 0});
+    const vec3 tip(0, -0.005, 0);
+    probe.at(tip);
+    const vec3 way = probe.patch.bodies[0].velocity;
+    for (int tick = 1; tick < 500; ++tick) {
+        probe.advance();
+        const vec3 force = probe.at(tip).force;
+        const vec3 pull = stiffness * dt * tick * way;
+        const double held = 0.6 * stiffness * 0.005;
+        if (glm::length(pull) < held - 1e-6) {
+            expect_near(force, pull + vec3(0, stiffness * 0.005, 0), gap_force + rounding);
+        } else {
+            EXPECT_LE(glm::length(vec3(force.x, 0, force.z)), held + rounding);
+        }
+    }
+}
+
+/// On a turning disc a probe that sticks goes round with it.
+TEST(Surface, ASpinningBodyTurnsTheProxyAboutItsAxis) {
+    SurfacePatch patch;
+    add_body(patch, {.stiffness = stiffness, .static_friction = 10, .dynamic_friction = 10});
+    add(patch, SurfaceKind::cylinder, {0, -0.01, 0}, {0.1, 0.01, 0});
+    patch.bodies[0].spin = {0, 5, 0};
+    Probe probe{patch};
+    const vec3 tip(0.03, -0.01, 0);
+    probe.at({0.03, 0.001, 0});
+    probe.at(tip);
+    for (int tick = 1; tick < 300; ++tick) {
+        const double angle = 5 * dt * tick;
+        const vec3 proxy(0.03 * det::cos(angle), 0, -0.03 * det::sin(angle));
+        expect_near(probe.at(tip).proxy, proxy, 1e-9, std::to_string(tick));
+    }
+}
+
+TEST(Surface, DampingActsOnTheWayInAlone) {
+    Probe probe{floor_patch({.stiffness = stiffness, .damping = 2})};
+    probe.at({0, 0.001, 0});
+    const double spring = stiffness * 0.001;
+    expect_near(probe.at({0, -0.001, 0}, {0.3, -0.1, 0}).force, {0, spring + 0.2, 0}, gap_force + rounding);
+    expect_near(probe.at({0, -0.001, 0}, {0.3, 0.1, 0}).force, {0, spring, 0}, gap_force + rounding);
+    probe.patch.bodies[0].velocity = {0, 0.1, 0};
+    probe.advance();
+    expect_near(probe.at({0, -0.001, 0}).force, {0, spring + stiffness * 1e-4 + 0.2, 0},
+                gap_force + rounding);
+}
+
+// ---- laws ---------------------------------------------------------------------------------------------------------
+
+/// J, by the trapezoid rule along a closed slow path.
+double work_round(Probe& probe, vec3 centre, vec3 u, vec3 v, int ticks) {
+    vec3 tip = centre + u;
+    vec3 force = probe.at(tip).force;
+    double work = 0;
+    for (int tick = 1; tick <= ticks; ++tick) {
+        const double angle = 2 * pi * tick / ticks;
+        const vec3 next = centre + det::cos(angle) * u + det::sin(angle) * v;
+        const vec3 there = probe.at(next).force;
+        work += glm::dot(0.5 * (force + there), next - tip);
+        tip = next;
+        force = there;
+    }
+    return work;
+}
+
+TEST(Surface, AClosedPathWithoutFrictionDoesNoWork) {
+    const double s = std::sqrt(0.5);
+    for (int scene = 0; scene < 3; ++scene) {
+        Probe probe;
+        if (scene == 0) add(probe.patch, SurfaceKind::plane, {}, {0, 1, 0});
+        if (scene == 1) {
+            add(probe.patch, SurfaceKind::plane, {}, {s, s, 0});
+            add(probe.patch, SurfaceKind::plane, {}, {-0.6, 0.8, 0});
+            add(probe.patch, SurfaceKind::plane, {}, {0, 0.6, 0.8});
+        }
+        if (scene == 2) add(probe.patch, SurfaceKind::sphere, {0, -0.05, 0}, {0.05, 0, 0});
+        for (const int ticks : {1000, 4000, 64'000}) {
+            probe.state = {};
+            probe.at({0.01, 0.02, 0});
+            const double work =
+                work_round(probe, {0, -0.002, 0}, {0.008, 0.003, 0}, {0, -0.005, 0.007}, ticks);
+            // The rule is of second order where the force has a kink.
+            const double step = 2 * pi * 0.009 / ticks;
+            EXPECT_LT(std::abs(work), 0.5 * stiffness * step * step) << scene << " at " << ticks;
+        }
+    }
+}
+
+TEST(Surface, FrictionOnlyTakesEnergy) {
+    Probe probe{floor_patch(rough)};
+    probe.at({0.01, 0.02, 0});
+    double work = work_round(probe, {0, -0.002, 0}, {0.008, 0.003, 0}, {0, -0.005, 0.007}, 2000);
+    EXPECT_LT(work, -1e-6);
+}
+
+/// A rotation or a mirror of everything is one of the answer; and the order of the patch means nothing.
+TEST(Surface, TurnedAndMirroredItFeelsTheSame) {
+    Random random{5};
+    for (int n = 0; n < 100; ++n) {
+        const mat3 turn = glm::mat3_cast(rotation(random_unit(random), random.uniform(-3, 3)));
+        mat3 mirror(1.0);
+        mirror[0][0] = -1;
+        const mat3 map = n % 2 == 0 ? turn : turn * mirror;
+        Probe one, other;
+        add_body(one.patch, rough);
+        for (int i = 0; i < 12; ++i) {
+            const vec3 a = random_vec(random, 0.02), b = random_vec(random, 0.02),
+                       c = random_vec(random, 0.02);
+            add(one.patch, SurfaceKind::sheet, a, b, c);
+        }
+        one.patch.bodies[0].velocity = random_vec(random, 0.05);
+        other.patch = one.patch;
+        const auto move_other = [&] {
+            for (std::uint32_t i = 0; i < one.patch.count; ++i) {
+                const Surface& s = one.patch.surfaces[one.patch.count - 1 - i];
+                other.patch.surfaces[i] = {s.kind, s.body, s.part, map * s.a, map * s.b, map * s.c};
+            }
+            other.patch.bodies[0].velocity = map * one.patch.bodies[0].velocity;
+            other.patch.bodies[0].position = map * one.patch.bodies[0].position;
+        };
+        vec3 tip = random_vec(random, 0.02), way = random_vec(random, 0.1);
+        for (int tick = 0; tick < 200; ++tick, one.advance()) {
+            move_other();
+            if (tick % 50 == 0) way = random_vec(random, 0.2);
+            tip += dt * way;
+            const vec3 here = one.at(tip).force, there = other.at(map * tip).force;
+            expect_near(map * here, there, 1e-7 * (1 + glm::length(here)),
+                        std::to_string(n) + " " + std::to_string(tick));
+        }
+    }
+}
+
+// ---- what must not be ---------------------------------------------------------------------------------------------
+
+bool inside(vec3 p, vec3 half) {
+    return std::abs(p.x) < half.x && std::abs(p.y) < half.y && std::abs(p.z) < half.z;
+}
+
+TEST(Surface, NoSpeedTakesTheProxyThroughAClosedMesh) {
+    const vec3 half(0.02, 0.0003, 0.03);
+    for (const SurfaceKind kind : {SurfaceKind::triangle, SurfaceKind::sheet, SurfaceKind::box}) {
+        for (const double friction : {0.0, 0.5}) {
+            Probe probe;
+            add_body(probe.patch,
+                     {.stiffness = stiffness, .static_friction = friction, .dynamic_friction = friction});
+            if (kind == SurfaceKind::box)
+                add(probe.patch, kind, {}, half);
+            else
+                add_box_mesh(probe.patch, half, kind);
+            Random random{6};
+            probe.at({0, 0.05, 0});
+            vec3 tip(0, 0.05, 0);
+            for (int n = 0; n < 100'000; ++n) {
+                const double size = std::pow(10.0, random.uniform(-6, 1));
+                // Often exactly at edges and corners, where a crack would be.
+                const vec3 spot = n % 3 == 0 ? half * vec3(1, 1, n % 2 == 0 ? 1 : 0) : vec3(0);
+                tip = n % 5 == 0 ? tip + random_vec(random, 1e-3) : spot + random_vec(random, size);
+                probe.at(tip);
+                ASSERT_FALSE(inside(probe.state.proxy, half)) << n;
+            }
+        }
+    }
+}
+
+TEST(Surface, FromTheInsideOfATwoSidedBoxThereIsNoWayOut) {
+    const vec3 half(0.02, 0.02, 0.02);
+    Probe probe;
+    add_box_mesh(probe.patch, half, SurfaceKind::sheet);
+    Random random{7};
+    probe.at({});
+    for (int n = 0; n < 100'000; ++n) {
+        const double size = std::pow(10.0, random.uniform(-3, 1));
+        const vec3 tip = random_vec(random, size);
+        const Touched t = probe.at(tip);
+        ASSERT_TRUE(inside(probe.state.proxy, half)) << n;
+        // And it is the nearest place: the box is convex.
+        expect_near(t.proxy, glm::clamp(tip, -half, half), 1e-8);
+    }
+}
+
+TEST(Surface, BeyondThePatchNothingIsGuessed) {
+    Probe probe;
+    add(probe.patch, SurfaceKind::plane, {}, {0, 1, 0});
+    probe.patch.centre = {0, 0.001, 0};
+    probe.patch.reach = 0.005;
+    probe.at({0, 0.001, 0});
+    EXPECT_EQ(probe.at({0.1, 0.001, 0}).force, vec3(0)) << "free";
+    EXPECT_EQ(probe.state.limited, 1U);
+    expect_near(probe.state.proxy, {0.005, 0.001, 0}, 1e-12);
+    probe.patch.centre = probe.state.proxy;
+    probe.patch.reach = 0.2;
+    probe.at({0.1, 0.001, 0});
+    expect_near(probe.state.proxy, {0.1, 0.001, 0}, 1e-12);
+    EXPECT_EQ(probe.state.limited, 0U);
+}
+
+TEST(Surface, HostileInputNeverLeavesANumberThatIsNone) {
+    Random random{8};
+    const std::array<double, 10> nasty{0,     -0.0,   1e-300,
+                                       1e300, -1e300, std::numeric_limits<double>::infinity(),
+                                       1e-12, 1e-8,   -std::numeric_limits<double>::infinity(),
+                                       NAN};
+    const auto value = [&] {
+        return random.below(4) == 0 ? nasty[random.below(nasty.size())] : random.uniform(-0.02, 0.02);
+    };
+    const auto place = [&] { return vec3(value(), value(), value()); };
+    for (int n = 0; n < 20'000; ++n) {
+        Probe probe;
+        SurfacePatch& patch = probe.patch;
+        patch.count = static_cast<std::uint32_t>(random.below(40));
+        patch.body_count = static_cast<std::uint32_t>(random.below(10));
+        for (Surface& s : patch.surfaces) {
+            s = {static_cast<SurfaceKind>(random.below(8)),
+                 static_cast<std::uint32_t>(random.below(10)),
+                 static_cast<std::uint32_t>(random.below(4)),
+                 place(),
+                 place(),
+                 place()};
+        }
+        for (SurfaceBody& body : patch.bodies) {
+            body.position = place();
+            body.orientation = {value(), value(), value(), value()};
+            body.velocity = place();
+            body.spin = place();
+            body.material = {value(), value(), value(), value()};
+            body.key = static_cast<std::uint32_t>(random.below(3));
+        }
+        patch.centre = place();
+        if (random.below(2) == 0) patch.reach = value();
+        for (int tick = 0; tick < 5; ++tick) {
+            const Touched t = probe.at(place(), place());
+            ASSERT_TRUE(is_finite(t.force)) << n;
+            ASSERT_TRUE(probe.state.begun == 0 || is_finite(probe.state.proxy)) << n;
+            ASSERT_LE(t.contacts, 3U);
+        }
+    }
+    Probe probe{floor_patch()};
+    probe.at({0, 0.01, 0});
+    EXPECT_EQ(probe.at({NAN, 0, 0}).force, vec3(0));
+    probe.at({0, 0.01, 0});
+    expect_near(probe.at({0, -0.002, 0}).force, {0, stiffness * 0.002, 0}, gap_force + rounding,
+                "it goes on");
+}
+
+TEST(Surface, ATickAllocatesNothingAndRepeatsToTheBit) {
+    const auto run = [] {
+        Probe probe;
+        add_body(probe.patch, rough);
+        add_box_mesh(probe.patch, {0.02, 0.01, 0.03}, SurfaceKind::triangle);
+        Random random{9};
+        std::uint64_t hash = 0;
+        for (int n = 0; n < 1000; ++n) {
+            const vec3 force = probe.at(random_vec(random, 0.04)).force;
+            hash = hash_bytes(std::as_bytes(std::span(&force, 1)), hash);
+            hash = hash_bytes(std::as_bytes(std::span(&probe.state, 1)), hash);
+        }
+        return hash;
+    };
+    const auto first = run();
+    const auto before = sets::allocations();
+    EXPECT_EQ(run(), first);
+    EXPECT_EQ(sets::allocations(), before);
+}
+
+}  // namespace
+}  // namespace thaum::haptics
