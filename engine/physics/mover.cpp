@@ -28,10 +28,6 @@ vec3 level(vec3 v) { return {v.x, 0, v.z}; }
 
 vec3 along(vec3 v, vec3 normal) { return v - normal * glm::dot(v, normal); }
 
-vec3 velocity_at(const BodyState& s, vec3 point) {
-    return s.velocity + glm::cross(s.spin, point - s.position);
-}
-
 std::optional<Ground> find_ground(const Physics& physics, Key key, const MoverSettings& settings) {
     const BodyDesc& desc = physics.desc(key);
     const vec3 foot = physics.state(key).position - desc.size.y * up;

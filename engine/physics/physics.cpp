@@ -201,6 +201,8 @@ struct Physics::Inside {
     void collect_contacts();
     void remember_touching();
     std::optional<detail::Touch> cast_at(const Body&, const detail::Path&) const;
+    /// Adds the body's surfaces within the radius of the point.
+    void gather_from(const Body&, vec3 point, detail::Gathering&) const;
 };
 
 Physics::Inside::Inside(const Settings& s, const std::vector<TriangleMesh>& m)
@@ -507,6 +509,39 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
     if (!nearest) return std::nullopt;
     const vec3 centre = from + touch.travelled * path.direction;
     return RayHit{nearest->key, centre - radius * touch.normal, touch.normal, touch.travelled / length};
+}
+
+void Physics::Inside::gather_from(const Body& body, vec3 point, detail::Gathering& into) const {
+    const BodyState& s = body.state;
+    const vec3 local = glm::conjugate(s.orientation) * (point - s.position);
+    Nearby surface{.key = body.key, .shape = body.desc.shape, .velocity = velocity_at(s, point)};
+    if (body.desc.shape != Shape::mesh) {
+        surface.distance = std::max(0.0, detail::nearest_to(body.desc, local).distance);
+        surface.a = s.position;
+        surface.b = body.desc.size;
+        if (detail::wanted(into, surface.distance)) detail::add(into, surface);
+        return;
+    }
+    meshes[body.desc.mesh].gather(local, into.found.reach, surface, into);
+    for (std::size_t i = 0; i < into.found.count; ++i) {
+        Nearby& t = into.into[i];
+        if (t.key != body.key) continue;
+        for (vec3* corner : {&t.a, &t.b, &t.c}) *corner = s.position + s.orientation * *corner;
+    }
+}
+
+Surroundings Physics::nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask,
+                             Key ignore_key) const {
+    THAUM_ASSERT(is_finite(point) && radius >= 0, "surroundings of a point that is not finite");
+    const Inside& in = *inside_;
+    detail::Gathering gathering{into, {0, radius}};
+    for (const Body& body : in.bodies) {
+        if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
+        const vec3 apart = body.state.position - point;
+        const double meeting = body.reach + radius;
+        if (glm::dot(apart, apart) <= meeting * meeting) in.gather_from(body, point, gathering);
+    }
+    return gathering.found;
 }
 
 void Physics::rebuild() {

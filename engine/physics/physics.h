@@ -76,6 +76,11 @@ struct BodyState {
 static_assert(std::is_trivially_copyable_v<BodyState>);
 static_assert(sizeof(BodyState) == 14 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
+/// m/s, of the body where the point is, m, world.
+inline vec3 velocity_at(const BodyState& s, vec3 point) {
+    return s.velocity + glm::cross(s.spin, point - s.position);
+}
+
 /// Static geometry. Triangles are one-sided: counter-clockwise seen from outside.
 struct TriangleMesh {
     std::vector<vec3> vertices;  ///< m, body frame
@@ -97,6 +102,23 @@ struct RayHit {
     vec3 point;       ///< m, on the body's surface; the start, if that lies inside
     vec3 normal;      ///< unit, outward; against the ray, if it starts inside
     double fraction;  ///< of the way from start to end, [0, 1]; of a sphere: where its centre is then
+};
+
+/// One surface near a point, world frame: a whole solid where it is, or one triangle of a mesh.
+struct Nearby {
+    Key key{};
+    Shape shape{};         ///< mesh: one triangle of it
+    std::uint32_t part{};  ///< index of the triangle in its mesh; 0
+    double distance{};     ///< m, from the point; 0 inside a solid
+    vec3 a{}, b{},
+        c{};  ///< m. mesh: the corners, counter-clockwise from outside; else a: centre, b: BodyDesc::size
+    vec3 velocity{};  ///< m/s, of the body where the point is
+};
+
+struct Surroundings {
+    std::size_t count{};  ///< in the caller's array
+    double
+        reach{};  ///< m: all surfaces nearer than this are among them; less than the radius asked for, if it was full
 };
 
 struct Settings {
@@ -167,6 +189,10 @@ public:
     /// The same for a sphere's centre; as exact, no thing too thin for it.
     std::optional<RayHit> sweep_sphere(vec3 from, vec3 to, double radius, Layers mask = all_layers,
                                        Key ignore_key = no_key) const;
+    /// What lies within `radius` of the point, m, as exact as a ray; the nearest where the array does not hold all. In the order
+    /// of keys, triangles in one that their mesh alone decides. Allocates nothing; for a patch that a hand can touch.
+    Surroundings nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask = all_layers,
+                        Key ignore_key = no_key) const;
 
     /// Forgets all that is not in a BodyState (see above). Contacts become empty.
     void rebuild();

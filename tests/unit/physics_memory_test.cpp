@@ -55,6 +55,18 @@ TEST(PhysicsMemory, AWarmStepAsksTheHeapForNothing) {
     EXPECT_GT(memory_use().calls, calls) << "Bullet does not use the pool at all";
 }
 
+TEST(PhysicsMemory, ToLookAroundAsksTheHeapForNothing) {
+    if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "under a sanitizer the heap is not ours to count";
+    Physics physics({}, {hills(16, 1)});
+    add_pile(physics);
+    physics.add(99, {.shape = Shape::mesh}, at({}));
+    std::array<Nearby, 8> found{};
+    const std::uint64_t heap = heap_calls, calls = memory_use().calls;
+    for (int i = 0; i < 100; ++i) EXPECT_GT(physics.nearby({0.1 * i - 5, 0, 0.3}, 2, found).count, 0U);
+    EXPECT_EQ(heap_calls, heap);
+    EXPECT_EQ(memory_use().calls, calls);
+}
+
 TEST(PhysicsMemory, RebuildsReuseThePool) {
     if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "under a sanitizer the heap is not ours to count";
     Physics physics;

@@ -150,6 +150,29 @@ std::optional<Touch> Mesh::cast(const Path& path) const {
     return nearest.touch;
 }
 
+void Mesh::gather(vec3 point, double radius, const Nearby& body, Gathering& into) const {
+    struct Within : btTriangleCallback {
+        vec3 point;
+        Nearby triangle;
+        Gathering* into;
+        void processTriangle(btVector3* corner, int, int index) override {
+            const vec3 corners[3] = {from_bullet(corner[0]), from_bullet(corner[1]), from_bullet(corner[2])};
+            triangle.distance = nearest_to_triangle(corners, point).distance;
+            if (!wanted(*into, triangle.distance)) return;
+            triangle.a = corners[0];
+            triangle.b = corners[1];
+            triangle.c = corners[2];
+            triangle.part = static_cast<std::uint32_t>(index);
+            add(*into, triangle);
+        }
+    } within;
+    within.point = point;
+    within.triangle = body;
+    within.into = &into;
+    const vec3 half(radius + 1e-3);  // covers the tree's own rounding
+    parts_->shape->processAllTriangles(&within, to_bullet(point - half), to_bullet(point + half));
+}
+
 void write_motion(btRigidBody& body, const BodyState& state) {
     body.setCenterOfMassTransform(transform_of(state));
     body.setLinearVelocity(to_bullet(state.velocity));

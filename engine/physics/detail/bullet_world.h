@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "physics/detail/cast.h"
+#include "physics/detail/gather.h"
 #include "physics/physics.h"
 
 class btBvhTriangleMeshShape;
@@ -26,6 +27,8 @@ public:
     btCollisionShape* shape() const;
     /// Path in the mesh's frame.
     std::optional<Touch> cast(const Path&) const;
+    /// Its triangles within the radius of a point, all in the mesh's frame.
+    void gather(vec3 point, double radius, const Nearby& body, Gathering&) const;
 
 private:
     struct Parts;

@@ -1,0 +1,24 @@
+#include "physics/detail/gather.h"
+
+#include <algorithm>
+
+namespace thaum::physics::detail {
+
+void add(Gathering& gathering, const Nearby& surface) {
+    auto& [into, found] = gathering;
+    if (found.count < into.size()) {
+        into[found.count++] = surface;
+        return;
+    }
+    const auto farthest = std::ranges::max_element(into, {}, &Nearby::distance);
+    if (farthest == into.end() || farthest->distance <= surface.distance) {
+        found.reach = std::min(found.reach, surface.distance);
+        return;
+    }
+    found.reach = std::min(found.reach, farthest->distance);
+    // The others stay in order.
+    std::move(std::next(farthest), into.end(), farthest);
+    into.back() = surface;
+}
+
+}  // namespace thaum::physics::detail

@@ -1,0 +1,20 @@
+// physics/detail/gather.h: the nearest surfaces in an array of fixed size.
+#pragma once
+#include <span>
+
+#include "physics/physics.h"
+
+namespace thaum::physics::detail {
+
+/// Grows up to the array's size; then what is farther makes room.
+struct Gathering {
+    std::span<Nearby> into;
+    Surroundings found;  ///< reach: begins as the radius asked for
+};
+
+inline bool wanted(const Gathering& gathering, double distance) { return distance <= gathering.found.reach; }
+
+/// What is wanted.
+void add(Gathering&, const Nearby&);
+
+}  // namespace thaum::physics::detail

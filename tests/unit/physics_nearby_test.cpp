@@ -1,0 +1,166 @@
+// What lies near a point: exact distances of every shape, a mesh against a search of all its triangles, and what does not fit.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "physics/physics.h"
+#include "unit/physics_scenes.h"
+
+namespace thaum::physics {
+namespace {
+
+using namespace scenes;
+
+constexpr double exact = 1e-12;  // m
+
+std::vector<Nearby> near_point(const Physics& physics, vec3 point, double radius) {
+    std::array<Nearby, 64> found{};
+    const Surroundings all = physics.nearby(point, radius, found);
+    EXPECT_EQ(all.reach, radius);
+    return {found.begin(), found.begin() + static_cast<std::ptrdiff_t>(all.count)};
+}
+
+vec3 some_place(Random& random, double size) {
+    return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
+}
+
+TEST(PhysicsNearby, TheDistanceOfEachSolidIsExact) {
+    struct Case {
+        BodyDesc desc;
+        vec3 local;
+        double distance;
+    };
+    const BodyDesc capsule{.shape = Shape::capsule, .size = {0.1, 0.3, 0}, .mass = 1};
+    const BodyDesc cylinder{.shape = Shape::cylinder, .size = {0.1, 0.3, 0}, .mass = 1};
+    const std::array cases{
+        Case{box({0.1, 0.2, 0.3}, 1), {0.13, 0.24, 0}, 0.05},
+        Case{box({0.1, 0.2, 0.3}, 1), {0, 0.1, 0.2}, 0},
+        Case{ball(0.1, 1), {0.3, 0.4, 0}, 0.4},
+        Case{ball(0.1, 1), {0.01, 0, 0}, 0},
+        Case{capsule, {0.15, 0.2, 0}, 0.05},
+        Case{capsule, {0.3, 0.7, 0}, 0.4},
+        Case{cylinder, {0.15, 0.2, 0}, 0.05},
+        Case{cylinder, {0.13, 0.34, 0}, 0.05},
+        Case{cylinder, {0.05, 0.32, 0}, 0.02},
+        Case{cylinder, {0.05, 0.1, 0.01}, 0},
+    };
+    for (const Case& c : cases) {
+        const quat turn = rotation({0.6, 0, 0.8}, 0.7);
+        const vec3 place(3, -2, 5);
+        Physics physics;
+        physics.add(7, c.desc, {.position = place, .orientation = turn});
+        const vec3 point = place + turn * c.local;
+        const auto found = near_point(physics, point, 0.5);
+        ASSERT_EQ(found.size(), 1U);
+        EXPECT_EQ(found[0].key, 7U);
+        EXPECT_EQ(found[0].shape, c.desc.shape);
+        EXPECT_NEAR(found[0].distance, c.distance, exact);
+        EXPECT_EQ(found[0].a, place);
+        EXPECT_EQ(found[0].b, c.desc.size);
+        if (c.distance > 0.001) {
+            EXPECT_TRUE(near_point(physics, point, c.distance - 1e-9).empty());
+        }
+        EXPECT_EQ(near_point(physics, point, c.distance + 1e-9).size(), 1U);
+    }
+}
+
+TEST(PhysicsNearby, AMeshGivesTheTrianglesThatASearchOfAllGives) {
+    const TriangleMesh mesh = hills(16, 1.0);
+    const quat turn = rotation({0, 0.6, 0.8}, 1.1);
+    const vec3 place(2, 1, -3);
+    Physics physics({}, {mesh});
+    physics.add(3, {.shape = Shape::mesh}, {.position = place, .orientation = turn});
+    Random random{1};
+    std::size_t most = 0;
+    for (int n = 0; n < 300; ++n) {
+        const vec3 local = some_place(random, 8) * vec3(1, 0.2, 1);
+        const double radius = random.uniform(0.1, 1.5);
+        const auto found = near_point(physics, place + turn * local, radius);
+        std::vector<std::uint32_t> parts, expected;
+        for (const Nearby& t : found) parts.push_back(t.part);
+        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+            // Farther than every corner's ball is surely out, a corner within surely in; the rest by a fine grid of its points.
+            const auto& [a, b, c] = mesh.triangles[i];
+            double nearest = 1e9;
+            for (int u = 0; u <= 40; ++u) {
+                for (int v = 0; u + v <= 40; ++v) {
+                    const vec3 p = (mesh.vertices[a] * (u / 40.0) + mesh.vertices[b] * (v / 40.0) +
+                                    mesh.vertices[c] * ((40.0 - u - v) / 40.0));
+                    nearest = std::min(nearest, glm::length(p - local));
+                }
+            }
+            const bool in = std::ranges::find(parts, i) != parts.end();
+            if (nearest <= radius) {
+                EXPECT_TRUE(in) << n << ": triangle " << i;
+            }
+            if (nearest > radius + 0.04) {
+                EXPECT_FALSE(in) << n << ": triangle " << i;
+            }
+        }
+        for (const Nearby& t : found) {
+            EXPECT_EQ(t.shape, Shape::mesh);
+            for (int k = 0; k < 3; ++k) {
+                const vec3 corner = k == 0 ? t.a : k == 1 ? t.b : t.c;
+                const vec3 there =
+                    place + turn * mesh.vertices[mesh.triangles[t.part][static_cast<std::size_t>(k)]];
+                EXPECT_LE(glm::length(corner - there), exact);
+            }
+        }
+        most = std::max(most, found.size());
+    }
+    EXPECT_GT(most, 10U);
+}
+
+TEST(PhysicsNearby, WhatDoesNotFitIsTheFarthestAndTheReachSaysSo) {
+    Physics physics;
+    Random random{2};
+    for (Key key = 1; key <= 40; ++key) physics.add(key, ball(0.1, 1), at(some_place(random, 2)));
+    std::array<Nearby, 64> all{};
+    std::array<Nearby, 10> few{};
+    for (int n = 0; n < 100; ++n) {
+        const vec3 point = some_place(random, 2);
+        const auto whole = physics.nearby(point, 10, all);
+        ASSERT_EQ(whole.count, 40U);
+        EXPECT_EQ(whole.reach, 10);
+        const auto part = physics.nearby(point, 10, few);
+        ASSERT_EQ(part.count, few.size());
+        std::vector<double> distances;
+        for (std::size_t i = 0; i < whole.count; ++i) distances.push_back(all[i].distance);
+        std::ranges::sort(distances);
+        EXPECT_EQ(part.reach, distances[few.size()]);
+        for (std::size_t i = 0; i < few.size(); ++i) {
+            EXPECT_LE(few[i].distance, distances[few.size() - 1]);
+            if (i > 0) {
+                EXPECT_LT(few[i - 1].key, few[i].key);
+            }
+        }
+    }
+    EXPECT_EQ(physics.nearby({}, 10, {}).count, 0U);
+}
+
+TEST(PhysicsNearby, ABodysVelocityIsTheOneAtThePoint) {
+    Physics physics;
+    physics.add(1, box({1, 1, 1}, 5), {.position = {1, 0, 0}, .velocity = {0, 2, 0}, .spin = {0, 0, 3}});
+    const auto found = near_point(physics, {1, 2, 0}, 2);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_LE(glm::length(found[0].velocity - vec3(-6, 2, 0)), exact);
+}
+
+TEST(PhysicsNearby, LayersAndOneBodyCanBeLeftOut) {
+    Physics physics;
+    BodyDesc other = ball(0.1, 1);
+    other.layer = 2;
+    physics.add(1, ball(0.1, 1), at({}));
+    physics.add(2, other, at({0.5, 0, 0}));
+    std::array<Nearby, 4> found{};
+    EXPECT_EQ(physics.nearby({}, 1, found).count, 2U);
+    EXPECT_EQ(physics.nearby({}, 1, found, 2).count, 1U);
+    EXPECT_EQ(found[0].key, 2U);
+    EXPECT_EQ(physics.nearby({}, 1, found, all_layers, 2).count, 1U);
+    EXPECT_EQ(found[0].key, 1U);
+}
+
+}  // namespace
+}  // namespace thaum::physics
