@@ -523,10 +523,11 @@ void Physics::Inside::gather_from(const Body& body, vec3 point, detail::Gatherin
         return;
     }
     meshes[body.desc.mesh].gather(local, into.found.reach, surface, into);
+    const mat3 turn = glm::mat3_cast(s.orientation);
     for (std::size_t i = 0; i < into.found.count; ++i) {
         Nearby& t = into.into[i];
         if (t.key != body.key) continue;
-        for (vec3* corner : {&t.a, &t.b, &t.c}) *corner = s.position + s.orientation * *corner;
+        for (vec3* corner : {&t.a, &t.b, &t.c}) *corner = s.position + turn * *corner;
     }
 }
 

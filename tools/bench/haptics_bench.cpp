@@ -204,6 +204,7 @@ void haptics(const Options& options, Report& report) {
     simulated_ticks(options, report);
     safety_hostile(options, report);
     servo_steps(options, report);
+    surfaces(options, report);
 }
 
 }  // namespace thaum::bench

@@ -1,0 +1,76 @@
+#include "game/match/surfaces.h"
+
+#include <algorithm>
+
+namespace thaum::game {
+namespace {
+
+using haptics::SurfaceKind;
+using haptics::SurfacePatch;
+using physics::Nearby;
+
+SurfaceKind kind_of(physics::Shape shape) {
+    switch (shape) {
+        case physics::Shape::box: return SurfaceKind::box;
+        case physics::Shape::sphere: return SurfaceKind::sphere;
+        case physics::Shape::capsule: return SurfaceKind::capsule;
+        case physics::Shape::cylinder: return SurfaceKind::cylinder;
+        case physics::Shape::mesh: break;
+    }
+    return SurfaceKind::triangle;
+}
+
+void add_body(SurfacePatch& patch, const physics::Physics& physics, physics::Key key, const HandFrame& frame,
+              const Feel& feel) {
+    const physics::BodyState& state = physics.state(key);
+    const double friction = physics.desc(key).friction;
+    haptics::SurfaceBody& body = patch.bodies[patch.body_count++];
+    body.position = frame.to_device(state.position);
+    body.orientation = glm::conjugate(frame.turn) * state.orientation;
+    body.velocity = frame.way_to_device(state.velocity);
+    body.spin = glm::conjugate(frame.turn) * state.spin;
+    body.material = {.stiffness = feel.stiffness,
+                     .damping = feel.damping,
+                     .static_friction = feel.static_friction * friction,
+                     .dynamic_friction = feel.dynamic_friction * friction};
+    body.key = key;
+}
+
+/// to_device: HandFrame's turn and scale.
+void add_surface(SurfacePatch& patch, const Nearby& near, vec3 origin, const mat3& to_device, double scale) {
+    haptics::Surface& surface = patch.surfaces[patch.count++];
+    surface.kind = kind_of(near.shape);
+    surface.body = patch.body_count - 1;
+    surface.part = near.part;
+    const bool triangle = surface.kind == SurfaceKind::triangle;
+    surface.a = to_device * (near.a - origin);
+    surface.b = triangle ? to_device * (near.b - origin) : near.b / scale;
+    surface.c = triangle ? to_device * (near.c - origin) : vec3(0);
+}
+
+}  // namespace
+
+void fill_patch(SurfacePatch& patch, const physics::Physics& physics, const Around& around,
+                const HandFrame& frame, const Feel& feel) {
+    std::array<Nearby, haptics::surface_capacity> found{};
+    const auto all = physics.nearby(around.point, around.radius, found, around.mask, around.ignore);
+    const mat3 to_device = glm::mat3_cast(glm::conjugate(frame.turn)) / frame.metres_per_metre;
+    double reach = all.reach;
+    patch.count = 0;
+    patch.body_count = 0;
+    for (std::size_t i = 0; i < all.count; ++i) {
+        const Nearby& near = found[i];
+        // They come in the order of keys.
+        const bool known = patch.body_count != 0 && patch.bodies[patch.body_count - 1].key == near.key;
+        if (!known && patch.body_count == haptics::surface_body_capacity) {
+            reach = std::min(reach, near.distance);
+            continue;
+        }
+        if (!known) add_body(patch, physics, near.key, frame, feel);
+        add_surface(patch, near, frame.origin, to_device, frame.metres_per_metre);
+    }
+    patch.centre = frame.to_device(around.point);
+    patch.reach = reach / frame.metres_per_metre;
+}
+
+}  // namespace thaum::game

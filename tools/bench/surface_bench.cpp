@@ -1,0 +1,170 @@
+// Touching surfaces, in the cases in which CHAI3D was measured (500 N/m, no friction, 0.1 m/s): how even the force is on a plane,
+// what a tick costs that slides on a mesh of 5,000 triangles, look-up included, and whether a box that rises is felt.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/hash.h"
+#include "core/text.h"
+#include "core/units.h"
+#include "game/match/surfaces.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/measure.h"
+
+namespace thaum::bench {
+namespace {
+
+using haptics::SurfaceKind;
+using haptics::SurfacePatch;
+using haptics::SurfaceState;
+
+constexpr double stiffness = 500;  // N/m
+constexpr double depth = 0.005;    // m
+
+SurfacePatch patch_of(SurfaceKind kind, vec3 a, vec3 b) {
+    SurfacePatch patch;
+    patch.bodies[0].material.stiffness = stiffness;
+    patch.body_count = 1;
+    patch.surfaces[0] = {.kind = kind, .a = a, .b = b};
+    patch.count = 1;
+    return patch;
+}
+
+/// N: the largest change of the force from tick to tick, 5 mm under a plane. The exact one is zero.
+double plane_chatter(double speed) {
+    const SurfacePatch patch = patch_of(SurfaceKind::plane, {}, {0, 1, 0});
+    SurfaceState state;
+    haptics::touch(patch, state, {{0, 0.001, 0}}, tick_seconds);
+    vec3 before = haptics::touch(patch, state, {{0, -depth, 0}}, tick_seconds).force;
+    double most = 0;
+    for (int tick = 1; tick < 2000; ++tick) {
+        const double x = tick_seconds * speed * tick;
+        const vec3 force = haptics::touch(patch, state, {{x, -depth, 0.3 * x}}, tick_seconds).force;
+        most = std::max(most, glm::length(force - before));
+        before = force;
+    }
+    return most;
+}
+
+void proxy_plane(Report& report) {
+    for (const double speed : {0.05, 0.1, 0.3}) {
+        const double chatter = plane_chatter(speed);
+        report.rows.push_back({.area = "haptics",
+                               .name = "proxy_plane",
+                               .setting = {{"speed_m_per_s", speed}},
+                               .metrics = {{"force_chatter_n", chatter}}});
+    }
+}
+
+// ---- a mesh -------------------------------------------------------------------------------------------------------
+
+constexpr double radius = 0.05;  // m
+
+/// A sphere of 50 rings by 50 sides less the poles' degenerate halves, and a little more to make 5,000 triangles.
+physics::TriangleMesh ball_mesh() {
+    constexpr std::uint32_t rings = 51, sides = 50;
+    physics::TriangleMesh mesh;
+    for (std::uint32_t r = 0; r <= rings; ++r) {
+        const double down = pi * r / rings;
+        for (std::uint32_t s = 0; s < sides; ++s) {
+            const double round = 2 * pi * s / sides;
+            mesh.vertices.push_back(radius * vec3(det::sin(down) * det::cos(round), det::cos(down),
+                                                  -det::sin(down) * det::sin(round)));
+        }
+    }
+    for (std::uint32_t r = 0; r < rings; ++r) {
+        for (std::uint32_t s = 0; s < sides; ++s) {
+            const std::uint32_t a = r * sides + s, b = r * sides + (s + 1) % sides, c = a + sides,
+                                d = b + sides;
+            if (r != 0) mesh.triangles.push_back({a, c, b});
+            if (r + 1 != rings) mesh.triangles.push_back({b, c, d});
+        }
+    }
+    return mesh;
+}
+
+struct MeshRun {
+    double friction{};
+    SurfaceState state{};
+    double most_surfaces{};
+    double worst{};  // m, of the proxy from the sphere, beyond the chords
+};
+
+constexpr int mesh_ticks = 4000;
+
+/// 5 mm under the surface at 0.1 m/s, round and up: through flat triangles and slivers.
+vec3 mesh_tip(int tick, double in) {
+    const double round = 0.002 * tick, up = 0.6 * det::sin(0.0007 * tick);
+    return (radius - in) *
+           vec3(det::cos(up) * det::cos(round), det::sin(up), -det::cos(up) * det::sin(round));
+}
+
+void slide(const physics::Physics& world, MeshRun& run) {
+    const game::Feel feel{
+        .stiffness = stiffness, .static_friction = 1.5 * run.friction, .dynamic_friction = run.friction};
+    SurfacePatch patch;
+    run.state = {.proxy = mesh_tip(0, -0.001), .begun = 1};
+    for (int tick = 0; tick < mesh_ticks; ++tick) {
+        game::fill_patch(patch, world, {.point = run.state.proxy, .radius = 0.002}, {}, feel);
+        do_not_optimise(haptics::touch(patch, run.state, {mesh_tip(tick, depth)}, tick_seconds));
+        run.most_surfaces = std::max(run.most_surfaces, static_cast<double>(patch.count));
+        run.worst = std::max(run.worst, std::abs(glm::length(run.state.proxy) - radius));
+    }
+}
+
+void proxy_mesh(const Options& options, Report& report) {
+    const auto mesh = ball_mesh();
+    physics::Physics world({}, {mesh});
+    physics::BodyDesc desc{.shape = physics::Shape::mesh};
+    desc.friction = 1;
+    world.add(1, desc, {});
+    std::array runs{MeshRun{0}, MeshRun{0.4}};
+    std::vector<Contestant> contestants;
+    for (MeshRun& run : runs) contestants.push_back({{}, [&run, &world] { slide(world, run); }});
+    auto samples = measure(contestants, {.seconds = options.quick ? 0.3 : 2.0, .least = 11});
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        for (double& us : samples[i]) us /= mesh_ticks;
+        report.rows.push_back(
+            {.area = "haptics",
+             .name = "proxy_mesh_5k",
+             .setting = {{"triangles", static_cast<std::int64_t>(mesh.triangles.size())},
+                         {"friction", runs[i].friction}},
+             .time_us = times(samples[i]),
+             .metrics = {{"surfaces", runs[i].most_surfaces}, {"off_sphere_m", runs[i].worst}},
+             .hash = hex(hash_value(runs[i].state.proxy))});
+    }
+}
+
+// ---- a box that rises -----------------------------------------------------------------------------------------------
+
+/// As it was measured of CHAI3D: 0.1 m/s from below, until it has gone by.
+void rising_box(Report& report) {
+    const vec3 half(0.02, 0.01, 0.02);
+    SurfacePatch patch = patch_of(SurfaceKind::box, {0, -0.0195, 0}, half);
+    patch.bodies[0].velocity = {0, 0.1, 0};
+    SurfaceState state;
+    int overlapping = 0, felt = 0;
+    for (int tick = 0; tick < 400; ++tick) {
+        const double top = patch.surfaces[0].a.y + half.y;
+        const auto touched = haptics::touch(patch, state, {{0.003, 0, -0.002}}, tick_seconds);
+        patch.surfaces[0].a.y += tick_seconds * 0.1;
+        patch.bodies[0].position.y += tick_seconds * 0.1;
+        if (top < 1e-9 || top > 2 * half.y) continue;
+        ++overlapping;
+        if (std::abs(touched.force.y - stiffness * top) < 1e-6) ++felt;
+    }
+    report.rows.push_back({.area = "haptics",
+                           .name = "rising_box",
+                           .metrics = {{"ticks_overlapping", static_cast<double>(overlapping)},
+                                       {"ticks_felt", static_cast<double>(felt)}}});
+}
+
+}  // namespace
+
+void surfaces(const Options& options, Report& report) {
+    proxy_plane(report);
+    proxy_mesh(options, report);
+    rising_box(report);
+}
+
+}  // namespace thaum::bench
