@@ -54,6 +54,7 @@ struct Scene {
     std::uint32_t body_count{};
     std::array<vec3, surface_capacity> normal{};    // of plane and triangle; zero where degenerate
     std::array<double, surface_capacity> offset{};  // of the true surface
+    std::array<double, surface_capacity> gap{};     // m, before it: with the texture's top
     std::array<Carrier, surface_body_capacity> carriers{};
 
     const Surface& surface(std::uint32_t i) const { return patch->surfaces[i]; }
@@ -75,6 +76,13 @@ Carrier carrier_of(const SurfaceBody& body, double dt) {
     return carrier;
 }
 
+/// m
+double top_of(const Texture& texture) {
+    return texture.kind != TextureKind::none && texture.amplitude > 0 && texture.wavelength > 0
+               ? 2 * texture.amplitude
+               : 0;
+}
+
 void find_plane(Scene& scene, std::uint32_t i) {
     const Surface& s = scene.surface(i);
     vec3& normal = scene.normal[i];
@@ -93,6 +101,8 @@ Scene scene_of(const SurfacePatch& patch, double dt) {
     for (std::uint32_t i = 0; i < scene.body_count; ++i) scene.carriers[i] = carrier_of(patch.bodies[i], dt);
     for (std::uint32_t i = 0; i < scene.count; ++i) {
         if (is_flat(patch.surfaces[i].kind)) find_plane(scene, i);
+        if (patch.surfaces[i].body < scene.body_count)
+            scene.gap[i] = touch_gap + top_of(scene.body_of(i).material.texture);
     }
     return scene;
 }
@@ -178,8 +188,8 @@ bool sooner(double at, double drop, const Hit& than, double length) {
 }
 
 /// A wall through the surface's gap, at a distance known at p.
-Wall wall_at(vec3 p, Distance d, std::uint32_t i) {
-    return {d.normal, glm::dot(d.normal, p) - d.value + touch_gap, 0, i};
+Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
+    return {d.normal, glm::dot(d.normal, p) - d.value + scene.gap[i], 0, i};
 }
 
 void sweep_flat(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& first) {
@@ -194,15 +204,16 @@ void sweep_flat(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& f
     }
     const double drop = -glm::dot(normal, way);
     const double end = start - drop;
-    if (!(drop > 0) || end >= touch_gap - tight) return;
+    const double gap = scene.gap[i];
+    if (!(drop > 0) || end >= gap - tight) return;
     if (s.kind != SurfaceKind::plane && start < -touch_gap / 2) return;
-    const double at = std::clamp((start - touch_gap) / drop, 0.0, 1.0);
+    const double at = std::clamp((start - gap) / drop, 0.0, 1.0);
     if (!sooner(at, drop, first, glm::length(way))) return;
     if (s.kind != SurfaceKind::plane) {
         const double crossing = end < 0 ? std::clamp(start / drop, 0.0, 1.0) : 1.0;
         if (!over_triangle(s, scene.normal[i], from + crossing * way, tight)) return;
     }
-    first = {at, drop, {normal, offset + touch_gap, 0, i}};
+    first = {at, drop, {normal, offset + gap, 0, i}};
 }
 
 /// At the nearest point of a convex shape stands a plane that has all of it behind, up to which a point may move at once.
@@ -210,17 +221,19 @@ void sweep_solid(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& 
     const Surface& s = scene.surface(i);
     const quat orientation = scene.body_of(i).orientation;
     double at = 0;
+    const double gap = scene.gap[i];
     double drop = 0;
     Distance here{};
     for (int n = 0; n < most_advances; ++n) {
         here = to_solid(s, orientation, from + at * way);
         drop = -glm::dot(here.normal, way);
-        if (!(drop > 0) || here.value - (1 - at) * drop >= touch_gap - tight) return;
-        if (here.value <= touch_gap + tight) break;
-        at += (here.value - touch_gap) / drop;
+        if (!(drop > 0) || here.value - (1 - at) * drop >= gap - tight) return;
+        if (here.value <= gap + tight) break;
+        at += (here.value - gap) / drop;
         if (at > first.at + 1e-9) return;
     }
-    if (sooner(at, drop, first, glm::length(way))) first = {at, drop, wall_at(from + at * way, here, i)};
+    if (sooner(at, drop, first, glm::length(way)))
+        first = {at, drop, wall_at(scene, from + at * way, here, i)};
 }
 
 void sweep(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& first) {
@@ -378,12 +391,12 @@ bool overran(const Scene& scene, const SurfaceState& state, std::uint32_t i, vec
     }
     if (!is_flat(s.kind)) {
         const Distance d = to_solid(s, scene.body_of(i).orientation, x);
-        wall = wall_at(x, d, i);
-        return d.value < touch_gap - tight;
+        wall = wall_at(scene, x, d, i);
+        return d.value < scene.gap[i] - tight;
     }
     const double height = glm::dot(scene.normal[i], x) - scene.offset[i];
-    wall = {scene.normal[i], scene.offset[i] + touch_gap, 0, i};
-    if (s.kind == SurfaceKind::plane) return height < touch_gap - tight;
+    wall = {scene.normal[i], scene.offset[i] + scene.gap[i], 0, i};
+    if (s.kind == SurfaceKind::plane) return height < scene.gap[i] - tight;
     return s.kind == SurfaceKind::triangle && height < 0 && height > -resting_slack &&
            was_touched(scene, state, i) && over_triangle(s, scene.normal[i], x, tight);
 }
@@ -412,16 +425,46 @@ vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start) {
 
 // ---- towards the tip ------------------------------------------------------------------------------------------------
 
+struct Slide {
+    vec3 x{};
+    Walls walls{};
+    bool slid{};
+    bool limited{};
+};
+
 const SurfaceMaterial& material_of(const Scene& scene, const Wall& wall) {
     return scene.body_of(wall.surface).material;
 }
 
+/// A wall's push with its texture.
+struct Felt {
+    double depth{};  // m
+    vec3 way{};      // of the push, per depth; unit but for bumps
+};
+
+Felt felt(const Scene& scene, const Wall& wall, vec3 x) {
+    const SurfaceBody& body = scene.body_of(wall.surface);
+    const Texture& texture = body.material.texture;
+    const double top = top_of(texture);
+    if (top == 0) return {wall.depth, wall.normal};
+    const vec3 place = glm::conjugate(body.orientation) * (x - body.position);
+    const Relief relief = relief_at(texture, scene.patch->bumps, place);
+    const double depth = wall.depth - top;  // beneath the surface
+    if (texture.kind == TextureKind::impact) return {depth >= 0 ? depth + relief.height : 0.0, wall.normal};
+    const vec3 slope = body.orientation * relief.slope;
+    const vec3 way = wall.normal - (slope - glm::dot(slope, wall.normal) * wall.normal);
+    const double length = texture.kind == TextureKind::vibration ? glm::length(way) : 1;
+    return {std::max(0.0, depth + relief.height), way / length};
+}
+
 /// m; the push of all walls times their friction.
-double friction_reach(const Scene& scene, const Walls& walls, bool sliding) {
+double friction_reach(const Scene& scene, const Slide& slide, bool sliding) {
     double reach = 0;
-    for (std::size_t i = 0; i < walls.count; ++i) {
-        const SurfaceMaterial& m = material_of(scene, walls.items[i]);
-        reach += walls.items[i].depth * (sliding ? m.dynamic_friction : m.static_friction);
+    for (std::size_t i = 0; i < slide.walls.count; ++i) {
+        const Wall& wall = slide.walls.items[i];
+        const SurfaceMaterial& m = material_of(scene, wall);
+        const double friction = sliding ? m.dynamic_friction : m.static_friction;
+        if (friction > 0) reach += friction * felt(scene, wall, slide.x).depth;
     }
     return reach;
 }
@@ -449,26 +492,19 @@ bool supported(const Scene& scene, const Walls& walls, vec3 x) {
         } else if (!is_flat(s.kind)) {
             const Distance here = to_solid(s, scene.body_of(i).orientation, x);
             const double turned = glm::length(here.normal - walls.items[n].normal) * walls.items[n].depth;
-            if (here.value > touch_gap + slack || turned > slack) return false;
+            if (here.value > scene.gap[i] + slack || turned > slack) return false;
         }
     }
     return true;
 }
-
-struct Slide {
-    vec3 x{};
-    Walls walls{};
-    bool slid{};
-    bool limited{};
-};
 
 /// Where friction lets the proxy go.
 vec3 held_back(const Scene& scene, const Slide& slide, vec3 goal, bool sliding) {
     if (slide.walls.count == 0) return goal;
     const vec3 away = slide.x - goal;
     const double distance = glm::length(away);
-    if (distance <= friction_reach(scene, slide.walls, sliding || slide.slid) + tight) return slide.x;
-    return goal + away * (friction_reach(scene, slide.walls, true) / distance);
+    if (distance <= friction_reach(scene, slide, sliding || slide.slid) + tight) return slide.x;
+    return goal + away * (friction_reach(scene, slide, true) / distance);
 }
 
 /// A part of the way, as far as it is free.
@@ -483,13 +519,14 @@ void round_off(const Scene& scene, Slide& slide, vec3 tip) {
     const Surface& s = scene.surface(wall.surface);
     if (slide.walls.count != 1 || is_flat(s.kind) || slide.x == tip) return;
     const Distance from_tip = to_solid(s, scene.body_of(wall.surface).orientation, tip);
-    const vec3 end = tip + (touch_gap - from_tip.value) * from_tip.normal;
+    const double gap = scene.gap[wall.surface];
+    const vec3 end = tip + (gap - from_tip.value) * from_tip.normal;
     constexpr double same_side = 0.9;
-    if (from_tip.value >= touch_gap || glm::dot(from_tip.normal, wall.normal) < same_side) return;
+    if (from_tip.value >= gap || glm::dot(from_tip.normal, wall.normal) < same_side) return;
     if (first_hit(scene, slide.x, end - slide.x, wall.surface).at <= 1) return;
     slide.x = end;
-    wall = wall_at(tip, from_tip, wall.surface);
-    wall.depth = touch_gap - from_tip.value;
+    wall = wall_at(scene, tip, from_tip, wall.surface);
+    wall.depth = gap - from_tip.value;
 }
 
 /// From contact to contact until nothing is nearer to the tip, or friction holds.
@@ -528,21 +565,23 @@ Slide slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
 
 vec3 force_of(const Scene& scene, const Slide& slide, const SurfaceTip& tip) {
     double depth = 0, stiffness = 0, damping = 0;
-    vec3 push(0), velocity(0);
+    vec3 push(0), velocity(0), spring = slide.x - tip.position;
     for (std::size_t i = 0; i < slide.walls.count; ++i) {
         const Wall& wall = slide.walls.items[i];
         const SurfaceBody& body = scene.body_of(wall.surface);
-        depth += wall.depth;
-        stiffness += wall.depth * body.material.stiffness;
-        damping += wall.depth * body.material.damping;
-        push += wall.depth * wall.normal;
-        velocity += wall.depth * (body.velocity + glm::cross(body.spin, slide.x - body.position));
+        const Felt here = felt(scene, wall, slide.x);
+        depth += here.depth;
+        stiffness += here.depth * body.material.stiffness;
+        damping += here.depth * body.material.damping;
+        push += here.depth * here.way;
+        spring += here.depth * here.way - wall.depth * wall.normal;
+        velocity += here.depth * (body.velocity + glm::cross(body.spin, slide.x - body.position));
     }
     const double length = glm::length(push);
     if (!(depth > 0) || !(length > 0)) return vec3(0);
     const vec3 normal = push / length;
     const double inward = std::max(0.0, -glm::dot(tip.velocity - velocity / depth, normal));
-    return stiffness / depth * (slide.x - tip.position) + damping / depth * inward * normal;
+    return stiffness / depth * spring + damping / depth * inward * normal;
 }
 
 void remember(const Scene& scene, SurfaceState& state, Slide& slide) {
@@ -559,7 +598,59 @@ void remember(const Scene& scene, SurfaceState& state, Slide& slide) {
     state.limited = slide.limited ? 1 : 0;
 }
 
+// ---- textures -------------------------------------------------------------------------------------------------------
+
+/// Of three nodes about a place, `off` from the middle one in cells: weights of the quadratic B-spline, and their slopes.
+struct Weights {
+    std::array<double, 3> value{};
+    std::array<double, 3> slope{};
+};
+
+Weights weights_at(double off) {
+    const double before = 0.5 - off, after = 0.5 + off;
+    return {{before * before / 2, 0.75 - off * off, after * after / 2}, {-before, -2 * off, after}};
+}
+
+/// In cells, wrapped to the map.
+double cells_of(double length, double wavelength) {
+    const double turns = length / wavelength;
+    return (turns - std::floor(turns)) * static_cast<double>(bump_cells);
+}
+
+Relief bumps_at(const Texture& t, const BumpMap& map, double u, double v) {
+    const double cell_u = cells_of(u, t.wavelength), cell_v = cells_of(v, t.wavelength);
+    const double node_u = std::floor(cell_u + 0.5), node_v = std::floor(cell_v + 0.5);
+    const Weights wu = weights_at(cell_u - node_u), wv = weights_at(cell_v - node_v);
+    double height = 0, along_u = 0, along_v = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto column = (static_cast<std::size_t>(node_u) + i + bump_cells - 1) % bump_cells;
+            const auto row = (static_cast<std::size_t>(node_v) + j + bump_cells - 1) % bump_cells;
+            const auto node = static_cast<double>(map[row * bump_cells + column]);
+            height += node * wu.value[i] * wv.value[j];
+            along_u += node * wu.slope[i] * wv.value[j];
+            along_v += node * wu.value[i] * wv.slope[j];
+        }
+    }
+    const double steep = static_cast<double>(bump_cells) / t.wavelength;
+    return {2 * t.amplitude * height, 2 * t.amplitude * steep * (along_u * t.axes[0] + along_v * t.axes[1])};
+}
+
 }  // namespace
+
+Relief relief_at(const Texture& t, const BumpMap& bumps, vec3 place) noexcept {
+    if (top_of(t) == 0) return {};
+    const vec3 arm = place - t.origin;
+    const double u = glm::dot(arm, t.axes[0]), v = glm::dot(arm, t.axes[1]);
+    constexpr double most_turns = 1e9;
+    const double least = t.wavelength * most_turns;
+    if (!(std::abs(u) < least && std::abs(v) < least)) return {};  // so far away that u has no phase
+    if (t.kind == TextureKind::bumps) return bumps_at(t, bumps, u, v);
+    const double turns = u / t.wavelength;
+    const double phase = 2 * pi * (turns - std::floor(turns));
+    return {t.amplitude * (1 + det::sin(phase)),
+            t.amplitude * 2 * pi / t.wavelength * det::cos(phase) * t.axes[0]};
+}
 
 Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip, double dt) noexcept {
     if (!is_finite(tip.position)) {

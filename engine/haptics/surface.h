@@ -20,6 +20,17 @@
 // the distance: it creates no energy. To slide under load from one stiffness to another does, half the difference
 // times depth squared. Damping acts along the push and only on the way in (paper 004): it never pulls.
 //
+// Textures are heights h above the surface, from 0 to their top, at the place of the proxy. The proxy walks on their top;
+// what it is deep beneath that less what the texture lies below it is the depth that is felt:
+//
+//     impact   (paper 004, F_mag)   beneath the surface itself: depth + h, along the surface's normal n
+//     vibration (paper 004, F_vec)  beneath h: depth + h, along the unit normal of the texture, n - grad h
+//     bumps    (paper 002, 5)       beneath h: depth + h, times n - grad h: minus the gradient of the spring's energy
+//
+// where depth is the tip's beneath the surface, below zero above it. Bumps are passive; vibration differs from that by the
+// length of its normal, sqrt(1 + |grad h|^2); impact is an active source: it jumps by h where the surface is crossed, and to
+// press in over a trough and slide to a crest gains energy.
+//
 // Device frame, m. Plain data, no allocation, no clock; memory is the SurfaceState alone.
 #pragma once
 #include <array>
@@ -49,12 +60,38 @@ struct Surface {
     vec3 a{}, b{}, c{};    ///< m, device frame
 };
 
+enum class TextureKind : std::uint32_t {
+    none,
+    impact,     ///< a sinusoidal grating
+    vibration,  ///< the same
+    bumps,      ///< a height map
+};
+
+/// Heights above a surface, fixed to its body; on a curved one as if cut from a block.
+///
+///     grating   h = amplitude (1 + sin(2 pi u / wavelength)), u = axes[0] . (place - origin)
+///     bumps     h = 2 amplitude times the patch's map at (u, v) / wavelength, which repeats; v by axes[1]
+struct Texture {
+    TextureKind kind{};
+    double amplitude{};                                      ///< m, >= 0; the top is twice that
+    double wavelength{};                                     ///< m, > 0
+    vec3 origin{};                                           ///< m, body frame
+    std::array<vec3, 2> axes{vec3{1, 0, 0}, vec3{0, 0, 1}};  ///< unit, body frame
+};
+
+inline constexpr std::size_t bump_cells = 16;
+
+/// Heights 0 to 1 at the nodes of one wavelength's square, u the fast index. Between them a
+/// quadratic B-spline: never higher than the nodes, and of continuous slope.
+using BumpMap = std::array<float, bump_cells * bump_cells>;
+
 /// How a surface feels.
 struct SurfaceMaterial {
     double stiffness{300};      ///< N/m, > 0
     double damping{};           ///< N s/m, >= 0
     double static_friction{};   ///< >= dynamic_friction
     double dynamic_friction{};  ///< >= 0
+    Texture texture{};
 };
 
 /// What surfaces belong to: it moves as one.
@@ -76,6 +113,7 @@ struct SurfacePatch {
     std::array<SurfaceBody, surface_body_capacity> bodies{};
     std::uint32_t count{};
     std::uint32_t body_count{};
+    BumpMap bumps{};  ///< of all bodies whose texture is bumps
     /// All surfaces within `reach` of `centre` are in the patch. The proxy stays there until a new patch tells what is beyond;
     /// what it has not met is not felt.
     vec3 centre{};           ///< m
@@ -116,5 +154,12 @@ struct Touched {
 Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip, double dt) noexcept;
 
 inline constexpr double surface_gap = 2e-10;  ///< m
+
+/// Of a texture at a place, all in the body's frame. The slope lies in the axes' plane or line.
+struct Relief {
+    double height{};  ///< m
+    vec3 slope{};     ///< gradient of the height
+};
+Relief relief_at(const Texture& texture, const BumpMap& bumps, vec3 place) noexcept;
 
 }  // namespace thaum::haptics

@@ -592,6 +592,8 @@ TEST(Surface, HostileInputNeverLeavesANumberThatIsNone) {
             body.velocity = place();
             body.spin = place();
             body.material = {value(), value(), value(), value()};
+            body.material.texture = {
+                static_cast<TextureKind>(random.below(5)), value(), value(), place(), {place(), place()}};
             body.key = static_cast<std::uint32_t>(random.below(3));
         }
         patch.centre = place();
