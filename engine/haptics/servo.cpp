@@ -85,6 +85,83 @@ vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3
     return found.residual <= solved_residual ? found.force : spring.stiffness * (found.proxy - spring.centre);
 }
 
+// ---- surfaces -----------------------------------------------------------------------------------------------------
+
+/// True where the patch jumped, or ended while it was touched.
+bool note_patch(ServoState& state, const HapticModel& model) {
+    const bool jumped = model.patch_number != state.patch_number;
+    const bool ended = model.patch.count == 0 && state.surface.contacts != 0;
+    state.patch_number = model.patch_number;
+    if (jumped) {
+        state.surface = {.proxy = model.start, .begun = 1};
+        state.shift = {};
+    }
+    return jumped || ended;
+}
+
+struct SurfaceFeel {
+    vec3 force{};       ///< N
+    vec3 world_step{};  ///< m, by which what is touched moved over the tip in the last tick
+    double stored{};    ///< J
+    bool active{};      ///< a texture that is no passive source
+};
+
+/// m, in the last tick, of what was touched.
+vec3 step_of_touched(const SurfacePatch& patch, const SurfaceState& surface, vec3 place) {
+    for (std::uint32_t i = 0; i < std::min<std::size_t>(patch.body_count, surface_body_capacity); ++i) {
+        const SurfaceBody& body = patch.bodies[i];
+        if (surface.contacts != 0 && body.key == surface.touched[0].key)
+            return (body.velocity + glm::cross(body.spin, place - body.position)) * tick_seconds;
+    }
+    return vec3(0);
+}
+
+bool has_active_texture(const SurfacePatch& patch) {
+    const auto used = std::min<std::size_t>(patch.body_count, surface_body_capacity);
+    return std::any_of(patch.bodies.begin(), patch.bodies.begin() + static_cast<std::ptrdiff_t>(used),
+                       [](const SurfaceBody& b) { return b.material.texture.kind == TextureKind::impact; });
+}
+
+/// Touches the patch. The world that comes closer because the player turns or walks, and the shift that fades, press nothing
+/// in: by as much the tip is shifted out. So a force grows by the hand's own motion and by that of things alone, and who stands
+/// with the wand at a wall feels as much as before he turned. After a jump nothing is pressed in at all.
+Touched touch_shifted(ServoState& state, const HapticModel& model, const ServoSample& sample, vec3 velocity,
+                      bool jumped) {
+    const vec3 fading = state.shift * (tick_seconds / shift_time);
+    state.shift -= fading;
+    const vec3 tip = sample.position + state.shift;
+    const vec3 drift = model.drift.velocity + glm::cross(model.drift.spin, tip);
+    // An old patch stands still until the next one.
+    const double dt = sample.model_age == 0 ? tick_seconds : 0;
+    const vec3 over_drift = velocity + drift;
+    const Touched touched = touch(model.patch, state.surface, {tip, over_drift}, dt);
+    const double depth = glm::length(touched.push);
+    if (depth == 0) return touched;
+    const vec3 out = touched.push / depth;
+    const double pressed = jumped ? depth : std::min(glm::dot(drift * dt + fading, out), depth);
+    if (!(pressed > 0)) return touched;
+    state.shift += pressed * out;
+    if (!is_finite(state.shift)) state.shift = {};
+    return touch(model.patch, state.surface, {tip + pressed * out, over_drift}, 0);
+}
+
+SurfaceFeel feel_surfaces(ServoState& state, const HapticModel& model, const ServoSample& sample,
+                          vec3 velocity, bool jumped) {
+    if (model.patch.count == 0) {
+        state.shift -= state.shift * (tick_seconds / shift_time);
+        state.surface = {};
+        return {};
+    }
+    const vec3 shift = state.shift;
+    const Touched touched = touch_shifted(state, model, sample, velocity, jumped);
+    if (touched.force == vec3(0)) return {};
+    const vec3 stretch = touched.proxy - (sample.position + state.shift);
+    return {.force = touched.force,
+            .world_step = step_of_touched(model.patch, state.surface, touched.proxy) - (state.shift - shift),
+            .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
+            .active = has_active_texture(model.patch)};
+}
+
 // ---- energy -------------------------------------------------------------------------------------------------------
 
 /// N, on the tip, by kind of source.
@@ -119,8 +196,9 @@ double potential(const Primitive& primitive, vec3 proxy) {
 }
 
 /// J, that the passive sources hold and may give back.
-double stored_energy(const ServoState& state, const HapticModel& model, vec3 tip) {
-    double stored = 0;
+double stored_energy(const ServoState& state, const HapticModel& model, vec3 tip,
+                     const SurfaceFeel& surfaces) {
+    double stored = surfaces.active ? 0 : surfaces.stored;
     if (model.tether.stiffness > 0) {
         const vec3 off = tip - model.tether.anchor;
         stored += model.tether.stiffness * glm::dot(off, off) / 2 +
@@ -143,9 +221,11 @@ Tether moved_on(Tether tether, std::uint32_t age) {
 /// Books what the last tick did, and adds what keeps the sources passive and within their budget. What a source holds when it comes is
 /// the switch's doing.
 void keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tip& tip,
-                Sources& sources) {
-    const double stored = stored_energy(state, model, tip.position);
-    observe(state.energy, tip.position, model.tether.anchor_velocity * tick_seconds, stored, servo.latency);
+                const SurfaceFeel& surfaces, Sources& sources) {
+    const double stored = stored_energy(state, model, tip.position, surfaces);
+    // Who is tethered touches nothing else.
+    const vec3 step = model.tether.stiffness > 0 ? model.tether.anchor_velocity * tick_seconds : surfaces.world_step;
+    observe(state.energy, tip.position, step, stored, servo.latency);
     if (tip.switched) state.energy.created = -stored;
     sources.passive += passivity_control(state.energy, tip.velocity, servo.most_damping);
     sources.active = within_budget(state.energy, sources.active, tip.velocity);
@@ -187,9 +267,13 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
     const bool cut_off = start_pulse(state, model.pulse);
     const bool set_jumped = note_set(state, model);
     const bool source_jumped = note_sources(state, model);
+    const bool patch_jumped = note_patch(state, model);
+    const bool switched = set_jumped || source_jumped || patch_jumped;
+    const SurfaceFeel surfaces = feel_surfaces(state, model, sample, velocity, patch_jumped);
     Sources sources{
         .active = play_pulses(state) + model.lean.force,
         .world = tether_force(moved_on(model.tether, sample.model_age), sample.position, velocity)};
+    (surfaces.active ? sources.active : sources.world) += surfaces.force;
     sources.passive = sources.world;
     if (model.primitives.items().empty()) {
         state.proxy = sample.position;
@@ -198,12 +282,12 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
         const vec3 force = feel_primitives(state, model, sample.position, velocity);
         (conservative(model.primitives) ? sources.passive : sources.active) += force;
     }
-    keep_books(servo, state, model, {sample.position, velocity, set_jumped || source_jumped}, sources);
+    keep_books(servo, state, model, {sample.position, velocity, switched}, surfaces, sources);
     const vec3 output = make_safe(servo.limits, state.safety,
                                   {.wanted = sources.passive + sources.active,
                                    .velocity = velocity,
                                    .model_age = sample.model_age,
-                                   .switched = cut_off || set_jumped || source_jumped,
+                                   .switched = cut_off || switched,
                                    .on = model.on,
                                    .panic = model.panic,
                                    .rearm = model.rearm});

@@ -14,6 +14,7 @@
 #include "haptics/energy.h"
 #include "haptics/primitives.h"
 #include "haptics/safety.h"
+#include "haptics/surface.h"
 
 namespace thaum::haptics {
 
@@ -52,6 +53,13 @@ struct Tether {
     std::uint64_t number{};  ///< another one where it comes, goes or jumps, which is a switch
 };
 
+/// How the world moves over the device's frame because who holds it turns or walks: a place p by velocity + spin x p. The bodies of
+/// a patch move by it too; here it stands by itself, because it may not push the hand.
+struct Drift {
+    vec3 velocity{};  ///< m/s
+    vec3 spin{};      ///< rad/s, about the frame's origin
+};
+
 /// What the simulation publishes each tick.
 struct HapticModel {
     Pulse pulse{};  ///< the newest
@@ -64,6 +72,10 @@ struct HapticModel {
         set_number{};  ///< another one where the primitives jump, which is a switch; not where they glide
     PrimitiveSet primitives{};                 ///< device frame, m; empty, the usual case: they cost nothing
     ProxyCoupling coupling{.stiffness = 300};  ///< of the tip to the proxy that the primitives act on
+    SurfacePatch patch{};                      ///< empty, the usual case: it costs nothing
+    Drift drift{};                             ///< of its surfaces
+    vec3 start{};                              ///< m, where the proxy begins after a jump: a free place
+    std::uint64_t patch_number{};              ///< another one where the patch jumps, which is a switch
 };
 
 /// What a device measured.
@@ -107,10 +119,17 @@ struct ServoState {
     std::uint64_t lean_number{};
     std::uint64_t tether_number{};
     EnergyBook energy{};
+    SurfaceState surface{};
+    vec3
+        shift{};  ///< m, from the tip to where it feels surfaces: what the drift would have pressed into them
+    std::uint64_t patch_number{};
 };
 static_assert(sizeof(ServoState) ==
               sizeof(SafetyState) + velocity_window * sizeof(vec3) + pulses_at_once * sizeof(PlayingPulse) +
-                  sizeof(vec3) + 6 * sizeof(std::uint32_t) + 2 * sizeof(std::uint64_t) + sizeof(EnergyBook));
+                  2 * sizeof(vec3) + 6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
+                  sizeof(EnergyBook) + sizeof(SurfaceState));
+
+inline constexpr double shift_time = 0.3;  ///< s, in which the shift fades where nothing is in the way
 
 /// The force for the device, N, device frame.
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample);

@@ -670,8 +670,11 @@ Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& 
         state = {};
         return {.proxy = tip.position};
     }
+    vec3 push(0);
+    for (std::size_t i = 0; i < slide.walls.count; ++i)
+        push += slide.walls.items[i].depth * slide.walls.items[i].normal;
     remember(scene, state, slide);
-    return {force, slide.walls.count == 0 ? tip.position : slide.x, state.contacts};
+    return {force, slide.walls.count == 0 ? tip.position : slide.x, push, state.contacts};
 }
 
 }  // namespace thaum::haptics

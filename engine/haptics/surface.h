@@ -144,8 +144,9 @@ struct SurfaceTip {
 };
 
 struct Touched {
-    vec3 force{};              ///< N, on the hand; finite
-    vec3 proxy{};              ///< m; the tip where nothing is touched
+    vec3 force{};  ///< N, on the hand; finite
+    vec3 proxy{};  ///< m; the tip where nothing is touched
+    vec3 push{};   ///< m, by which the surfaces hold the proxy from the tip; without what friction adds
     std::uint32_t contacts{};  ///< 0 to 3
 };
 

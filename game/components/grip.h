@@ -65,6 +65,17 @@ constexpr auto fields_of(const EnergyBook*) {
                       ecs::field("open", &B::open));
 }
 
+constexpr auto fields_of(const SurfaceContact*) {
+    return std::tuple(ecs::field("key", &SurfaceContact::key), ecs::field("part", &SurfaceContact::part));
+}
+
+constexpr auto fields_of(const SurfaceState*) {
+    using S = SurfaceState;
+    return std::tuple(ecs::field("proxy", &S::proxy), ecs::field("touched", &S::touched),
+                      ecs::field("contacts", &S::contacts), ecs::field("sliding", &S::sliding),
+                      ecs::field("begun", &S::begun), ecs::field("limited", &S::limited));
+}
+
 constexpr auto fields_of(const ServoState*) {
     using S = ServoState;
     return std::tuple(ecs::field("safety", &S::safety), ecs::field("positions", &S::positions),
@@ -73,7 +84,9 @@ constexpr auto fields_of(const ServoState*) {
                       ecs::field("last_pulse", &S::last_pulse), ecs::field("next_pulse", &S::next_pulse),
                       ecs::field("primitives", &S::primitives), ecs::field("set_number", &S::set_number),
                       ecs::field("lean_number", &S::lean_number),
-                      ecs::field("tether_number", &S::tether_number), ecs::field("energy", &S::energy));
+                      ecs::field("tether_number", &S::tether_number), ecs::field("energy", &S::energy),
+                      ecs::field("surface", &S::surface), ecs::field("shift", &S::shift),
+                      ecs::field("patch_number", &S::patch_number));
 }
 
 }  // namespace thaum::haptics

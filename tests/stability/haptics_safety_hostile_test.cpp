@@ -1,7 +1,9 @@
 // Hostile input: nothing makes the safety stage or the servo step let through what they must not, on any device shipped.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "core/file.h"
 #include "haptics/safety_audit.h"
@@ -56,6 +58,34 @@ TEST(HapticsSafetyHostile, NothingGetsThroughTheSafetyStage) {
     }
 }
 
+/// Something at the tip, sane or not.
+void change_patch(HapticModel& model, vec3 at, Random& random) {
+    const auto nasty = [&random] {
+        constexpr std::array values{0.0, 1e300, -1e-300, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()};
+        return random.below(8) == 0 ? values[random.below(values.size())] : random.uniform(-0.02, 0.02);
+    };
+    const auto place = [&] { return vec3(nasty(), nasty(), nasty()); };
+    SurfacePatch& patch = model.patch;
+    patch.count = static_cast<std::uint32_t>(random.below(6));
+    patch.body_count = static_cast<std::uint32_t>(random.below(3));
+    for (std::uint32_t i = 0; i < patch.count; ++i) {
+        patch.surfaces[i] = {.kind = static_cast<SurfaceKind>(random.below(7)),
+                             .body = static_cast<std::uint32_t>(random.below(3)),
+                             .a = at + place(),
+                             .b = random.below(2) == 0 ? vec3(0, 1, 0) : place(),
+                             .c = at + place()};
+    }
+    for (SurfaceBody& body : patch.bodies) {
+        body.velocity = 10.0 * place();
+        body.spin = 100.0 * place();
+        body.material.stiffness = random.below(2) == 0 ? 300 : 1e9 * nasty();
+        body.material.damping = 100 * nasty();
+        body.material.static_friction = body.material.dynamic_friction = 50 * nasty();
+    }
+    model.drift = {10.0 * place(), 100.0 * place()};
+    model.patch_number += random.below(2);
+}
+
 TEST(HapticsSafetyHostile, NothingGetsThroughTheServoStep) {
     for (const auto& spec : every_device()) {
         bench::SafetyAttack attack(spec, 17);
@@ -70,6 +100,7 @@ TEST(HapticsSafetyHostile, NothingGetsThroughTheServoStep) {
             if (random.below(20) == 0)
                 model.pulse = {input.wanted, static_cast<std::uint32_t>(random.below(100)),
                                static_cast<std::uint32_t>(model.pulse.number + random.below(3))};
+            if (random.below(10) == 0) change_patch(model, position, random);
             model.on = input.on;
             model.panic = input.panic;
             model.rearm = input.rearm;

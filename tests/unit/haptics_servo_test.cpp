@@ -128,6 +128,99 @@ TEST(HapticsServo, DetentsDrawToTheirMiddlesAndCreateNoEnergy) {
     EXPECT_EQ(detent_force({}, 0.01), 0);
 }
 
+SurfacePatch wall_below(double height) {
+    SurfacePatch patch;
+    patch.surfaces[0] = {.kind = SurfaceKind::plane, .a = {0, height, 0}, .b = {0, 1, 0}};
+    patch.count = 1;
+    patch.body_count = 1;
+    patch.bodies[0].material.stiffness = 300;
+    return patch;
+}
+
+constexpr double gap_newtons = 300 * surface_gap + 1e-9;
+
+TEST(HapticsServo, APatchIsFeltAndItsEndIsASwitch) {
+    Rig rig;
+    rig.model.patch = wall_below(0);
+    rig.sample.position = {0, 0.001, 0};
+    rig.feel();
+    for (int i = 0; i <= 20; ++i) {
+        rig.sample.position.y = -1e-4 * i;
+        EXPECT_NEAR(rig.feel().y, 300 * 1e-4 * i, gap_newtons) << i;
+    }
+    rig.model.patch = {};
+    const double after = rig.feel().y;
+    EXPECT_NEAR(after, 0.6 - rig.servo.limits.slew * tick_seconds, 1e-6) << "slowly";
+    for (int tick = 0; tick < 100; ++tick) rig.feel();
+    EXPECT_EQ(rig.feel(), vec3(0));
+    // Another patch that has nothing to do with the last one.
+    rig.model.patch = wall_below(0);
+    ++rig.model.patch_number;
+    EXPECT_NEAR(rig.feel().y, rig.servo.limits.slew * tick_seconds, 1e-6);
+}
+
+TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {
+    for (const bool walks : {false, true}) {
+        Rig rig;
+        rig.sample.position = {0, 0.001, 0};
+        rig.model.patch = wall_below(0);
+        rig.feel();
+        rig.sample.position.y = -0.001;  // the hand presses by 1 mm
+        for (int tick = 0; tick < 20; ++tick) rig.feel();
+        rig.model.patch.bodies[0].velocity = {0, 0.05, 0};
+        if (walks) rig.model.drift.velocity = {0, 0.05, 0};
+        for (int tick = 1; tick <= 60; ++tick) {
+            rig.model.patch.surfaces[0].a.y = 5e-5 * tick;
+            const double expected = 300 * (0.001 + (walks ? 0 : 5e-5 * tick));
+            EXPECT_NEAR(rig.feel().y, expected, gap_newtons) << tick;
+        }
+        // He stands again: nothing changes, though the shift would fade.
+        rig.model.patch.bodies[0].velocity = {};
+        rig.model.drift = {};
+        for (int tick = 0; tick < 600; ++tick)
+            EXPECT_NEAR(rig.feel().y, walks ? 0.3 : 1.2, 60 * gap_newtons) << tick;
+        // Away from the wall it does fade, and the hand feels the wall where it is.
+        if (!walks) continue;
+        EXPECT_NEAR(rig.state.shift.y, 0.003, 1e-6);
+        rig.sample.position.y = 0.01;
+        for (int tick = 0; tick < 5000; ++tick) EXPECT_EQ(rig.feel(), vec3(0));
+        EXPECT_NEAR(rig.state.shift.y, 0, 1e-9);
+        rig.sample.position.y = 0.002;
+        EXPECT_NEAR(rig.feel().y, 0.3, gap_newtons);
+    }
+}
+
+TEST(HapticsServo, TurningTheViewPastAWallDoesNotKickTheHand) {
+    Rig rig;
+    rig.sample.position = {0.05, 0.001, 0};
+    rig.model.patch = wall_below(0);
+    rig.feel();
+    double most = 0;
+    for (int tick = 1; tick <= 300; ++tick) {  // 60 degrees at 200 degrees a second: the wall comes by 5 cm
+        const double turn = 0.0035;
+        const vec3 normal = rotation({0, 0, 1}, turn * tick) * vec3(0, 1, 0);
+        rig.model.patch.surfaces[0].b = normal;
+        rig.model.patch.bodies[0].spin = {0, 0, turn / tick_seconds};
+        rig.model.drift.spin = {0, 0, turn / tick_seconds};
+        most = std::max(most, glm::length(rig.feel()));
+    }
+    EXPECT_GT(glm::length(rig.state.shift), 0.02);
+    EXPECT_LT(most, 0.01);
+}
+
+TEST(HapticsServo, APatchThatIsNotThereCostsNoBit) {
+    Rig with, without;
+    with.model.tether = without.model.tether = {.stiffness = 100, .damping = 1};
+    Random random{2};
+    for (int tick = 0; tick < 200; ++tick) {
+        const vec3 tip(random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01), 0);
+        with.sample.position = without.sample.position = tip;
+        with.model.patch = wall_below(-1);  // far away
+        EXPECT_EQ(with.feel(), without.feel());
+    }
+    EXPECT_EQ(without.state.surface.begun, 0U);
+}
+
 TEST(HapticsServo, APulseIsPlayedOnceAndOnlyIfItIsNewer) {
     Rig rig;
     rig.feel();

@@ -148,9 +148,11 @@ struct ServoLoad {
     const char* name;
     std::uint32_t every, length;  // ticks; 0: no pulses
     bool primitives = false;
+    bool patch = false;
 };
 constexpr std::array servo_loads{ServoLoad{"quiet", 0, 0}, ServoLoad{"bolts", 125, 15},
-                                 ServoLoad{"four_pulses", 25, 100}, ServoLoad{"four_primitives", 0, 0, true}};
+                                 ServoLoad{"four_pulses", 25, 100}, ServoLoad{"four_primitives", 0, 0, true},
+                                 ServoLoad{"full_patch", 0, 0, false, true}};
 
 /// One of each kind: a floor, a snap, a groove that leads to it and a wind.
 haptics::PrimitiveSet four_primitives() {
@@ -162,6 +164,29 @@ haptics::PrimitiveSet four_primitives() {
     set.add({directed, {}, {0, -1, 0}, 0.1});
     return set;
 }
+/// All that fits: a rough floor of 32 triangles of eight bodies, which moves.
+haptics::SurfacePatch full_patch() {
+    haptics::SurfacePatch patch;
+    patch.body_count = haptics::surface_body_capacity;
+    for (std::uint32_t i = 0; i < patch.body_count; ++i) {
+        patch.bodies[i].key = i;
+        patch.bodies[i].velocity = {0.01, 0, 0};
+        patch.bodies[i].material = {.stiffness = 300, .static_friction = 0.5, .dynamic_friction = 0.3};
+    }
+    constexpr double cell = 4e-4;  // m
+    for (std::uint32_t i = 0; i < haptics::surface_capacity; ++i) {
+        const vec3 corner = cell * vec3(i / 2 % 4, -0.5, -1.0 - i / 8);
+        const vec3 x(cell, 0, 0), z(0, 0, cell);
+        patch.surfaces[i] = {.kind = haptics::SurfaceKind::triangle,
+                             .body = i % haptics::surface_body_capacity,
+                             .part = i,
+                             .a = i % 2 == 0 ? corner : corner + x + z,
+                             .b = i % 2 == 0 ? corner + z : corner + x,
+                             .c = i % 2 == 0 ? corner + x : corner + z};
+    }
+    patch.count = haptics::surface_capacity;
+    return patch;
+}
 constexpr std::uint32_t servo_ticks = 20'000;
 
 haptics::ServoState play(const ServoLoad& load) {
@@ -172,11 +197,12 @@ haptics::ServoState play(const ServoLoad& load) {
         model.primitives = four_primitives();
         model.coupling = {.stiffness = 300, .damping = 1};
     }
+    if (load.patch) model.patch = full_patch();
     for (std::uint32_t tick = 0; tick < servo_ticks; ++tick) {
         if (load.every != 0 && tick % load.every == 0)
             model.pulse = {{0, 0.1, 0.2}, load.length, model.pulse.number + 1};
         const double x = 1e-5 * (tick % 100);
-        do_not_optimise(haptics::servo_step(servo, state, model, {{x, 0, -x}, 0}));
+        do_not_optimise(haptics::servo_step(servo, state, model, {{x, load.patch ? -x : 0, -x}, 0}));
     }
     return state;
 }
