@@ -101,16 +101,23 @@ struct Grip {
     haptics::Pulse kick{};  ///< the newest
     haptics::Lean lean{};   ///< these two are the wand's
     haptics::Tether tether{};
-    vec3 home{};  ///< m, device frame: where the player wants the hand to be
-    vec3 pull{};  ///< m, from there: where the wand in hand takes it (a bow is drawn by a trigger)
-    std::uint32_t panic_held{};  ///< 1 while the player's panic key is down
-    std::uint32_t rearm{};       ///< 1: it was pressed while forces were shut off
+    vec3 home{};          ///< m, device frame: where the player wants the hand to be
+    vec3 pull{};          ///< m, from there: where the wand in hand takes it (a bow is drawn by a trigger)
+    vec3 frame_origin{};  ///< m, world: where the device's frame was in the last tick
+    quat frame_turn{1, 0, 0, 0};   ///< likewise
+    std::uint64_t probe_number{};  ///< counts the times that the wand's tip came back or jumped
+    std::uint64_t probing{};       ///< 1: the tip felt for surfaces in the last tick
+    std::uint32_t panic_held{};    ///< 1 while the player's panic key is down
+    std::uint32_t rearm{};         ///< 1: it was pressed while forces were shut off
     static constexpr std::string_view name = "Grip";
     static constexpr auto fields() {
-        return std::tuple(
-            field("device", &Grip::device), field("servo", &Grip::servo), field("kick", &Grip::kick),
-            field("lean", &Grip::lean), field("tether", &Grip::tether), field("home", &Grip::home),
-            field("pull", &Grip::pull), field("panic_held", &Grip::panic_held), field("rearm", &Grip::rearm));
+        return std::tuple(field("device", &Grip::device), field("servo", &Grip::servo),
+                          field("kick", &Grip::kick), field("lean", &Grip::lean),
+                          field("tether", &Grip::tether), field("home", &Grip::home),
+                          field("pull", &Grip::pull), field("frame_origin", &Grip::frame_origin),
+                          field("frame_turn", &Grip::frame_turn), field("probe_number", &Grip::probe_number),
+                          field("probing", &Grip::probing), field("panic_held", &Grip::panic_held),
+                          field("rearm", &Grip::rearm));
     }
 };
 

@@ -72,6 +72,13 @@ TouchRules read_touch_rules(const Config& file) {
         static_cast<std::int32_t>(std::lround(micrometres * hand.number("clutch_m_per_count", {0, 0.01})));
     rules.clutch_per_tick = static_cast<std::int32_t>(
         std::lround(micrometres * tick_seconds * hand.number("clutch_m_per_s", {0, 10})));
+    const auto probe = root.table("probe");
+    rules.probe.stiffness = probe.number("stiffness_n_per_m", {0, 1e5});
+    rules.probe.damping = probe.number("damping_n_s_per_m", {0, 1000});
+    rules.probe.static_friction = probe.number("static_friction", {0, 10});
+    rules.probe.dynamic_friction = probe.number("dynamic_friction", {0, 10});
+    if (rules.probe.dynamic_friction > rules.probe.static_friction)
+        probe.report("dynamic_friction", "'dynamic_friction' must not be more than static_friction");
     return rules;
 }
 

@@ -45,6 +45,14 @@ struct WizardRules {
     double pitch_limit{};  ///< rad
 };
 
+/// How the wand's tip feels what it touches, for a device that can do it.
+struct ProbeRules {
+    double stiffness{};         ///< N/m at the device, at most what it can; 0: nothing is felt
+    double damping{};           ///< N s/m, likewise
+    double static_friction{};   ///< per unit of the thing's own
+    double dynamic_friction{};  ///< likewise
+};
+
 /// What hands hold and feel: assets/haptics.toml.
 struct TouchRules {
     std::string device;               ///< a model in assets/devices
@@ -52,6 +60,7 @@ struct TouchRules {
     double wand_per_hand{};           ///< m of the wand's tip for a metre of the hand
     std::int32_t clutch_per_count{};  ///< um of the hand for a count of the mouse
     std::int32_t clutch_per_tick{};   ///< um of the hand in a tick, with a stick fully pushed
+    ProbeRules probe{};
 };
 
 RoundRules read_round_rules(const Config& file);

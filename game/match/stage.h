@@ -34,8 +34,10 @@ struct Stage {
     const MatchData& data;
     Touch touch;
     std::vector<input::DeviceSpec> devices;
-    input::InputFrame frame;                 ///< of the tick that runs
-    bool moved = true;                       ///< the physics made a step in this tick, or was not asked yet
+    input::InputFrame frame;  ///< of the tick that runs
+    bool moved = true;        ///< the physics made a step in this tick, or was not asked yet
+    std::array<haptics::HapticModel, players>
+        models{};                            ///< of this tick; what does not change is not written again
     std::array<ForceTrace, players> felt{};  ///< for the picture: no state, and starts anew with a restore
 };
 

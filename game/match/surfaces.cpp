@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/units.h"
+
 namespace thaum::game {
 namespace {
 
@@ -20,15 +22,29 @@ SurfaceKind kind_of(physics::Shape shape) {
     return SurfaceKind::triangle;
 }
 
+/// rad/s, of what rests in the world.
+vec3 spin_of(const HandFrame& frame, const HandFrame& before) {
+    if (frame.turn == before.turn) return vec3(0);
+    quat turned = glm::conjugate(frame.turn) * before.turn;
+    if (turned.w < 0) turned = -turned;
+    const vec3 axis(turned.x, turned.y, turned.z);
+    const double sine = glm::length(axis);
+    if (sine == 0) return vec3(0);
+    return axis * (2 * det::atan2(sine, turned.w) / (sine * tick_seconds));
+}
+
 void add_body(SurfacePatch& patch, const physics::Physics& physics, physics::Key key, const HandFrame& frame,
-              const Feel& feel) {
+              const HandFrame& before, vec3 frame_spin, const Feel& feel) {
     const physics::BodyState& state = physics.state(key);
     const double friction = physics.desc(key).friction;
     haptics::SurfaceBody& body = patch.bodies[patch.body_count++];
     body.position = frame.to_device(state.position);
     body.orientation = glm::conjugate(frame.turn) * state.orientation;
-    body.velocity = frame.way_to_device(state.velocity);
-    body.spin = glm::conjugate(frame.turn) * state.spin;
+    // Over the whole tick, so that it leads from where it was in the old frame exactly.
+    const vec3 was = before.to_device(state.position - tick_seconds * state.velocity);
+    const bool rests = frame == before && state.velocity == vec3(0);
+    body.velocity = rests ? vec3(0) : (body.position - was) / tick_seconds;
+    body.spin = frame_spin + glm::conjugate(frame.turn) * state.spin;
     body.material = {.stiffness = feel.stiffness,
                      .damping = feel.damping,
                      .static_friction = feel.static_friction * friction,
@@ -51,10 +67,11 @@ void add_surface(SurfacePatch& patch, const Nearby& near, vec3 origin, const mat
 }  // namespace
 
 void fill_patch(SurfacePatch& patch, const physics::Physics& physics, const Around& around,
-                const HandFrame& frame, const Feel& feel) {
+                const HandFrame& frame, const HandFrame& before, const Feel& feel) {
     std::array<Nearby, haptics::surface_capacity> found{};
     const auto all = physics.nearby(around.point, around.radius, found, around.mask, around.ignore);
     const mat3 to_device = glm::mat3_cast(glm::conjugate(frame.turn)) / frame.metres_per_metre;
+    const vec3 frame_spin = spin_of(frame, before);
     double reach = all.reach;
     patch.count = 0;
     patch.body_count = 0;
@@ -66,11 +83,16 @@ void fill_patch(SurfacePatch& patch, const physics::Physics& physics, const Arou
             reach = std::min(reach, near.distance);
             continue;
         }
-        if (!known) add_body(patch, physics, near.key, frame, feel);
+        if (!known) add_body(patch, physics, near.key, frame, before, frame_spin, feel);
         add_surface(patch, near, frame.origin, to_device, frame.metres_per_metre);
     }
     patch.centre = frame.to_device(around.point);
     patch.reach = reach / frame.metres_per_metre;
+}
+
+haptics::Drift drift_of(const HandFrame& frame, const HandFrame& before) {
+    if (frame == before) return {};
+    return {frame.to_device(before.to_world(vec3(0))) / tick_seconds, spin_of(frame, before)};
 }
 
 }  // namespace thaum::game

@@ -1,6 +1,6 @@
 // game/match/surfaces.h: what lies near a hand, from the physics' world into the frame of the device that shall feel it.
 #pragma once
-#include "haptics/surface.h"
+#include "haptics/servo.h"
 #include "physics/physics.h"
 
 namespace thaum::game {
@@ -15,6 +15,7 @@ struct HandFrame {
     /// A way, or a velocity in a frame that rests.
     vec3 way_to_device(vec3 way) const { return glm::conjugate(turn) * way / metres_per_metre; }
     vec3 to_world(vec3 device) const { return origin + turn * (metres_per_metre * device); }
+    bool operator==(const HandFrame&) const = default;
 };
 
 /// How bodies feel. Friction is the body's own times these.
@@ -32,9 +33,12 @@ struct Around {
     physics::Key ignore{physics::no_key};
 };
 
-/// Writes the surfaces around a point into the patch: those that fit, the nearest. Velocities are those of the world, in a frame
-/// that rests. Allocates nothing.
+/// Writes the surfaces around a point into the patch: those that fit, the nearest. `before` is where the device's frame was a tick
+/// ago: the bodies' velocities are those over the frame. Allocates nothing.
 void fill_patch(haptics::SurfacePatch& patch, const physics::Physics& physics, const Around& around,
-                const HandFrame& frame, const Feel& feel);
+                const HandFrame& frame, const HandFrame& before, const Feel& feel);
+
+/// Of what rests in the world, over the frame.
+haptics::Drift drift_of(const HandFrame& frame, const HandFrame& before);
 
 }  // namespace thaum::game

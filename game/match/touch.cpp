@@ -1,6 +1,7 @@
 #include "game/match/touch.h"
 
 #include "core/hash.h"
+#include "game/match/bare_probe.h"
 
 namespace thaum::game {
 namespace {
@@ -30,15 +31,18 @@ bool note_panic_keys(ecs::World& world) {
 }
 
 /// Returns the force, N.
-double feel(const Stage& stage, std::uint32_t player, const Controls& controls, bool panic, Grip& grip) {
+double feel(Stage& stage, ecs::Entity wizard, const Controls& controls, bool panic, Grip& grip) {
     const vec3 moved = vec3(controls.hand_right, controls.hand_up, 0) * metres_per_micrometre;
     const auto& device = stage.touch.device;
-    const haptics::HapticModel model{.pulse = grip.kick,
-                                     .lean = grip.lean,
-                                     .tether = grip.tether,
-                                     .on = stage.touch.on[player],
-                                     .panic = panic,
-                                     .rearm = grip.rearm != 0};
+    const auto player = std::as_const(stage.world).get<Wizard>(wizard).player;
+    auto& model = stage.models[player];
+    model.pulse = grip.kick;
+    model.lean = grip.lean;
+    model.tether = grip.tether;
+    model.on = stage.touch.on[player];
+    model.panic = panic;
+    model.rearm = grip.rearm != 0;
+    feel_about(stage, wizard, grip, model);
     const vec3 measured = haptics::measured_position(device, grip.device);
     const vec3 force = haptics::servo_step(stage.touch.servos[player], grip.servo, model, {measured, 0});
     grip.home = glm::clamp(grip.home + moved, -device.reach, device.reach);
@@ -63,16 +67,16 @@ Grip empty_grip() {
 void add_touch_system(Stage& stage, ecs::Schedule& schedule) {
     auto& world = stage.world;
     schedule.add({.name = "touch",
-                  .reads = world.mask<Wizard, Controls>(),
+                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead>(),
                   .writes = world.mask<Grip>(),
                   .needs = world.mask<Grip>(),
                   .run = [&stage](ecs::World& w, Tick tick) {
                       const bool panic = note_panic_keys(w);
                       w.view<const Wizard, const Controls, Grip>().each(
-                          [&](const Wizard& wizard, const Controls& controls, Grip& grip) {
+                          [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, Grip& grip) {
                               auto& trace = stage.felt[wizard.player];
                               trace[tick % trace.size()] =
-                                  static_cast<float>(feel(stage, wizard.player, controls, panic, grip));
+                                  static_cast<float>(feel(stage, e, controls, panic, grip));
                           });
                   }});
 }

@@ -156,7 +156,11 @@ TEST(HapticsServo, APatchIsFeltAndItsEndIsASwitch) {
     // Another patch that has nothing to do with the last one.
     rig.model.patch = wall_below(0);
     ++rig.model.patch_number;
-    EXPECT_NEAR(rig.feel().y, rig.servo.limits.slew * tick_seconds, 1e-6);
+    rig.model.start = {0, 0.01, 0};
+    EXPECT_EQ(rig.feel(), vec3(0)) << "the hand has pressed nothing into it yet";
+    EXPECT_NEAR(rig.state.shift.y, 0.002, 1e-6);
+    rig.sample.position.y -= 1e-4;
+    EXPECT_NEAR(rig.feel().y, 0.03, gap_newtons);
 }
 
 TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {

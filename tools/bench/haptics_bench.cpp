@@ -178,7 +178,7 @@ haptics::SurfacePatch full_patch() {
         const vec3 corner = cell * vec3(i / 2 % 4, -0.5, -1.0 - i / 8);
         const vec3 x(cell, 0, 0), z(0, 0, cell);
         patch.surfaces[i] = {.kind = haptics::SurfaceKind::triangle,
-                             .body = i % haptics::surface_body_capacity,
+                             .body = i % patch.body_count,
                              .part = i,
                              .a = i % 2 == 0 ? corner : corner + x + z,
                              .b = i % 2 == 0 ? corner + z : corner + x,

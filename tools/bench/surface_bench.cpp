@@ -105,7 +105,7 @@ void slide(const physics::Physics& world, MeshRun& run) {
     SurfacePatch patch;
     run.state = {.proxy = mesh_tip(0, -0.001), .begun = 1};
     for (int tick = 0; tick < mesh_ticks; ++tick) {
-        game::fill_patch(patch, world, {.point = run.state.proxy, .radius = 0.002}, {}, feel);
+        game::fill_patch(patch, world, {.point = run.state.proxy, .radius = 0.002}, {}, {}, feel);
         do_not_optimise(haptics::touch(patch, run.state, {mesh_tip(tick, depth)}, tick_seconds));
         run.most_surfaces = std::max(run.most_surfaces, static_cast<double>(patch.count));
         run.worst = std::max(run.worst, std::abs(glm::length(run.state.proxy) - radius));

@@ -1,0 +1,70 @@
+#include "game/match/bare_probe.h"
+
+#include <algorithm>
+
+#include "game/match/surfaces.h"
+#include "game/match/touch.h"
+
+namespace thaum::game {
+namespace {
+
+/// m, beyond the way from proxy to tip: more than view and hand move the tip in a tick.
+constexpr double margin = 0.15;
+/// m; what moves farther in a tick does not walk.
+constexpr double leap = 0.5;
+
+Feel feel_of(const MatchData& data) {
+    const ProbeRules& probe = data.touch.probe;
+    return {.stiffness = std::min(probe.stiffness, data.device.max_stiffness),
+            .damping = std::min(probe.damping, data.device.max_damping),
+            .static_friction = probe.static_friction,
+            .dynamic_friction = probe.dynamic_friction};
+}
+
+HandFrame frame_of(const Stage& stage, ecs::Entity wizard, vec3 eye) {
+    const auto& gaze = stage.world.get<Gaze>(wizard);
+    HandFrame frame{.turn = look_rotation(gaze.yaw, gaze.pitch),
+                    .metres_per_metre = stage.data.touch.wand_per_hand};
+    frame.origin = eye + frame.turn * wand_tip_of(stage.data.touch, {});
+    return frame;
+}
+
+/// Who holds something by a tether feels that.
+bool can_probe(const Stage& stage, ecs::Entity wizard, const Grip& grip) {
+    return stage.data.touch.wand_per_hand > 0 && stage.data.touch.probe.stiffness > 0 &&
+           !(grip.tether.stiffness > 0) && !stage.world.has<Dead>(wizard);
+}
+
+}  // namespace
+
+void feel_about(const Stage& stage, ecs::Entity wizard, Grip& grip, haptics::HapticModel& model) {
+    model.patch.count = 0;
+    model.drift = {};
+    model.patch_number = grip.probe_number;
+    const bool probed = grip.probing != 0;
+    grip.probing = can_probe(stage, wizard, grip) ? 1 : 0;
+    if (grip.probing == 0) return;
+    const vec3 eye = eye_of(stage.data.wizard, stage.world.get<Motion>(wizard).position);
+    const HandFrame frame = frame_of(stage, wizard, eye);
+    HandFrame before{grip.frame_origin, grip.frame_turn, frame.metres_per_metre};
+    const bool jumped = !probed || glm::length(frame.origin - before.origin) > leap;
+    if (jumped) {
+        before = frame;
+        ++grip.probe_number;
+    }
+    grip.frame_origin = frame.origin;
+    grip.frame_turn = frame.turn;
+    model.patch_number = grip.probe_number;
+    model.start = frame.to_device(eye);
+    model.drift = drift_of(frame, before);
+    const auto& servo = grip.servo;
+    const vec3 tip = frame.to_world(grip.device.position + servo.shift);
+    const vec3 proxy = jumped ? eye : servo.surface.begun != 0 ? before.to_world(servo.surface.proxy) : tip;
+    const Around around{.point = 0.5 * (tip + proxy),
+                        .radius = 0.5 * glm::length(tip - proxy) + margin,
+                        .mask = layer::ground | layer::prop,
+                        .ignore = wizard.index};
+    fill_patch(model.patch, stage.physics, around, frame, before, feel_of(stage.data));
+}
+
+}  // namespace thaum::game
