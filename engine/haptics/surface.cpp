@@ -47,15 +47,26 @@ struct Carrier {
     }
 };
 
-/// What a tick computes once from a patch.
+/// A plane, or that of a triangle, close together in memory: each sweep looks at all of them.
+struct Flat {
+    vec3 normal;
+    double offset;  // m, of the true surface
+    double gap;     // m, before it: with the texture's top
+    std::uint32_t surface;
+    SurfaceKind kind;
+};
+
+/// What a tick computes once from a patch. Only what the counts say is set.
 struct Scene {
-    const SurfacePatch* patch{};
-    std::uint32_t count{};
-    std::uint32_t body_count{};
-    std::array<vec3, surface_capacity> normal{};    // of plane and triangle; zero where degenerate
-    std::array<double, surface_capacity> offset{};  // of the true surface
-    std::array<double, surface_capacity> gap{};     // m, before it: with the texture's top
-    std::array<Carrier, surface_body_capacity> carriers{};
+    const SurfacePatch* patch;
+    std::uint32_t flat_count;
+    std::uint32_t solid_count;
+    std::uint32_t body_count;
+    std::array<Flat, surface_capacity> flats;
+    std::array<std::uint32_t, surface_capacity> solids;
+    std::array<vec3, surface_capacity> normal;  // of the flat surfaces
+    std::array<double, surface_capacity> gap;
+    std::array<Carrier, surface_body_capacity> carriers;
 
     const Surface& surface(std::uint32_t i) const { return patch->surfaces[i]; }
     const SurfaceBody& body_of(std::uint32_t i) const { return patch->bodies[surface(i).body]; }
@@ -83,33 +94,37 @@ double top_of(const Texture& texture) {
                : 0;
 }
 
-void find_plane(Scene& scene, std::uint32_t i) {
+/// Leaves out a triangle without area.
+void add_flat(Scene& scene, std::uint32_t i) {
     const Surface& s = scene.surface(i);
-    vec3& normal = scene.normal[i];
-    normal = s.kind == SurfaceKind::plane ? s.b : glm::cross(s.b - s.a, s.c - s.a);
-    const double length = glm::length(normal);
-    normal = length > 0 && std::isfinite(length) ? normal / length : vec3(0);
-    scene.offset[i] = glm::dot(normal, s.a);
+    const vec3 normal = s.kind == SurfaceKind::plane ? s.b : glm::cross(s.b - s.a, s.c - s.a);
+    const double length2 = glm::dot(normal, normal);
+    if (!(length2 > 0) || !std::isfinite(length2)) return;
+    const vec3 unit = normal * (1 / std::sqrt(length2));
+    scene.normal[i] = unit;
+    scene.flats[scene.flat_count++] = {unit, glm::dot(unit, s.a), scene.gap[i], i, s.kind};
 }
 
-Scene scene_of(const SurfacePatch& patch, double dt) {
-    Scene scene;
+void set_scene(Scene& scene, const SurfacePatch& patch, double dt) {
     scene.patch = &patch;
-    scene.count = static_cast<std::uint32_t>(std::min<std::size_t>(patch.count, surface_capacity));
+    scene.flat_count = scene.solid_count = 0;
     scene.body_count =
         static_cast<std::uint32_t>(std::min<std::size_t>(patch.body_count, surface_body_capacity));
-    for (std::uint32_t i = 0; i < scene.body_count; ++i) scene.carriers[i] = carrier_of(patch.bodies[i], dt);
-    for (std::uint32_t i = 0; i < scene.count; ++i) {
-        if (is_flat(patch.surfaces[i].kind)) find_plane(scene, i);
-        if (patch.surfaces[i].body < scene.body_count)
-            scene.gap[i] = touch_gap + top_of(scene.body_of(i).material.texture);
+    std::array<double, surface_body_capacity> gaps{};
+    for (std::uint32_t i = 0; i < scene.body_count; ++i) {
+        scene.carriers[i] = carrier_of(patch.bodies[i], dt);
+        gaps[i] = touch_gap + top_of(patch.bodies[i].material.texture);
     }
-    return scene;
-}
-
-bool usable(const Scene& scene, std::uint32_t i) {
-    return scene.surface(i).body < scene.body_count &&
-           (!is_flat(scene.surface(i).kind) || scene.normal[i] != vec3(0));
+    const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(patch.count, surface_capacity));
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (patch.surfaces[i].body >= scene.body_count) continue;
+        scene.gap[i] = gaps[patch.surfaces[i].body];
+        if (is_flat(patch.surfaces[i].kind)) {
+            add_flat(scene, i);
+        } else {
+            scene.solids[scene.solid_count++] = i;
+        }
+    }
 }
 
 // ---- distances ----------------------------------------------------------------------------------------------------
@@ -192,28 +207,27 @@ Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
     return {d.normal, glm::dot(d.normal, p) - d.value + scene.gap[i], 0, i};
 }
 
-void sweep_flat(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& first) {
-    const Surface& s = scene.surface(i);
-    vec3 normal = scene.normal[i];
-    double offset = scene.offset[i];
+void sweep_flat(const Scene& scene, const Flat& flat, vec3 from, vec3 way, Hit& first) {
+    vec3 normal = flat.normal;
+    double offset = flat.offset;
     double start = glm::dot(normal, from) - offset;
-    if (s.kind == SurfaceKind::sheet && start < 0) {
+    double drop = -glm::dot(normal, way);
+    if (flat.kind == SurfaceKind::sheet && start < 0) {
         normal = -normal;
         offset = -offset;
         start = -start;
+        drop = -drop;
     }
-    const double drop = -glm::dot(normal, way);
     const double end = start - drop;
-    const double gap = scene.gap[i];
-    if (!(drop > 0) || end >= gap - tight) return;
-    if (s.kind != SurfaceKind::plane && start < -touch_gap / 2) return;
-    const double at = std::clamp((start - gap) / drop, 0.0, 1.0);
+    if (!(drop > 0) || end >= flat.gap - tight) return;
+    if (flat.kind != SurfaceKind::plane && start < -touch_gap / 2) return;
+    const double at = std::clamp((start - flat.gap) / drop, 0.0, 1.0);
     if (!sooner(at, drop, first, glm::length(way))) return;
-    if (s.kind != SurfaceKind::plane) {
+    if (flat.kind != SurfaceKind::plane) {
         const double crossing = end < 0 ? std::clamp(start / drop, 0.0, 1.0) : 1.0;
-        if (!over_triangle(s, scene.normal[i], from + crossing * way, tight)) return;
+        if (!over_triangle(scene.surface(flat.surface), flat.normal, from + crossing * way, tight)) return;
     }
-    first = {at, drop, {normal, offset + gap, 0, i}};
+    first = {at, drop, {normal, offset + flat.gap, 0, flat.surface}};
 }
 
 /// At the nearest point of a convex shape stands a plane that has all of it behind, up to which a point may move at once.
@@ -236,17 +250,13 @@ void sweep_solid(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& 
         first = {at, drop, wall_at(scene, from + at * way, here, i)};
 }
 
-void sweep(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& first) {
-    if (is_flat(scene.surface(i).kind))
-        sweep_flat(scene, i, from, way, first);
-    else
-        sweep_solid(scene, i, from, way, first);
-}
-
 Hit first_hit(const Scene& scene, vec3 from, vec3 way, std::uint32_t but = nothing) {
     Hit first;
-    for (std::uint32_t i = 0; i < scene.count; ++i) {
-        if (i != but && usable(scene, i)) sweep(scene, i, from, way, first);
+    for (std::uint32_t i = 0; i < scene.flat_count; ++i) {
+        if (scene.flats[i].surface != but) sweep_flat(scene, scene.flats[i], from, way, first);
+    }
+    for (std::uint32_t i = 0; i < scene.solid_count; ++i) {
+        if (scene.solids[i] != but) sweep_solid(scene, scene.solids[i], from, way, first);
     }
     return first;
 }
@@ -376,45 +386,67 @@ vec3 carried(const Scene& scene, const SurfaceState& state) {
     return state.proxy;
 }
 
-/// Whether a surface is now before the proxy, which began the tick in front of it. One that was touched and moved a little more
+/// Whether a flat surface is now before the proxy, which came from in front of it. One that was touched and moved a little more
 /// than it said counts too.
-bool overran(const Scene& scene, const SurfaceState& state, std::uint32_t i, vec3 x, Wall& wall) {
-    const Surface& s = scene.surface(i);
-    const vec3 from = scene.carriers[s.body].now(state.proxy);
+bool overran(const Scene& scene, const SurfaceState& state, const Flat& flat, vec3 from, vec3 x, Wall& wall) {
     if (from != x) {
         Hit hit;
-        sweep(scene, i, from, x - from, hit);
-        if (hit.at <= 1) {
-            wall = hit.wall;
-            return true;
-        }
+        sweep_flat(scene, flat, from, x - from, hit);
+        wall = hit.wall;
+        if (hit.at <= 1) return true;
     }
-    if (!is_flat(s.kind)) {
-        const Distance d = to_solid(s, scene.body_of(i).orientation, x);
-        wall = wall_at(scene, x, d, i);
-        return d.value < scene.gap[i] - tight;
+    const double height = glm::dot(flat.normal, x) - flat.offset;
+    if (height >= flat.gap - tight) return false;
+    wall = {flat.normal, flat.offset + flat.gap, 0, flat.surface};
+    if (flat.kind == SurfaceKind::plane) return true;
+    return flat.kind == SurfaceKind::triangle && height < 0 && height > -resting_slack &&
+           was_touched(scene, state, flat.surface) &&
+           over_triangle(scene.surface(flat.surface), flat.normal, x, tight);
+}
+
+/// Likewise a solid: nothing may stay inside.
+bool overran(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall) {
+    if (from != x) {
+        Hit hit;
+        sweep_solid(scene, i, from, x - from, hit);
+        wall = hit.wall;
+        if (hit.at <= 1) return true;
     }
-    const double height = glm::dot(scene.normal[i], x) - scene.offset[i];
-    wall = {scene.normal[i], scene.offset[i] + scene.gap[i], 0, i};
-    if (s.kind == SurfaceKind::plane) return height < scene.gap[i] - tight;
-    return s.kind == SurfaceKind::triangle && height < 0 && height > -resting_slack &&
-           was_touched(scene, state, i) && over_triangle(s, scene.normal[i], x, tight);
+    const Distance d = to_solid(scene.surface(i), scene.body_of(i).orientation, x);
+    wall = wall_at(scene, x, d, i);
+    return d.value < scene.gap[i] - tight;
+}
+
+using Places = std::array<vec3, surface_body_capacity>;
+
+/// Adds the walls that overran the proxy; whether there were some. from: where each body would have taken it.
+bool add_overrun(const Scene& scene, const SurfaceState& state, const Places& from, vec3 x, Walls& walls) {
+    bool pushed = false;
+    Wall wall;
+    for (std::uint32_t i = 0; i < scene.flat_count && walls.count < most_planes; ++i) {
+        const Flat& flat = scene.flats[i];
+        if (!overran(scene, state, flat, from[scene.surface(flat.surface).body], x, wall)) continue;
+        add_wall(walls, wall);
+        pushed = true;
+    }
+    for (std::uint32_t i = 0; i < scene.solid_count && walls.count < most_planes; ++i) {
+        const std::uint32_t solid = scene.solids[i];
+        if (!overran(scene, solid, from[scene.surface(solid).body], x, wall)) continue;
+        add_wall(walls, wall);
+        pushed = true;
+    }
+    return pushed;
 }
 
 /// The proxy after the bodies' motion. Between two that close on it one must give.
 vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start) {
+    Places from;
+    for (std::uint32_t i = 0; i < scene.body_count; ++i) from[i] = scene.carriers[i].now(state.proxy);
     Walls walls;
     vec3 x = start;
     for (int round = 0; round < most_pushes; ++round) {
         const std::size_t before = walls.count;
-        bool pushed = false;
-        for (std::uint32_t i = 0; i < scene.count && walls.count < most_planes; ++i) {
-            Wall wall;
-            if (!usable(scene, i) || !overran(scene, state, i, x, wall)) continue;
-            add_wall(walls, wall);
-            pushed = true;
-        }
-        if (!pushed) return x;
+        if (!add_overrun(scene, state, from, x, walls)) return x;
         const Goal goal = nearest_place(walls, start);
         if (!goal.found) return x;
         x = goal.place;
@@ -425,7 +457,7 @@ vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start) {
 
 // ---- towards the tip ------------------------------------------------------------------------------------------------
 
-struct Slide {
+struct Journey {
     vec3 x{};
     Walls walls{};
     bool slid{};
@@ -458,7 +490,7 @@ Felt felt(const Scene& scene, const Wall& wall, vec3 x) {
 }
 
 /// m; the push of all walls times their friction.
-double friction_reach(const Scene& scene, const Slide& slide, bool sliding) {
+double friction_reach(const Scene& scene, const Journey& slide, bool sliding) {
     double reach = 0;
     for (std::size_t i = 0; i < slide.walls.count; ++i) {
         const Wall& wall = slide.walls.items[i];
@@ -499,7 +531,7 @@ bool supported(const Scene& scene, const Walls& walls, vec3 x) {
 }
 
 /// Where friction lets the proxy go.
-vec3 held_back(const Scene& scene, const Slide& slide, vec3 goal, bool sliding) {
+vec3 held_back(const Scene& scene, const Journey& slide, vec3 goal, bool sliding) {
     if (slide.walls.count == 0) return goal;
     const vec3 away = slide.x - goal;
     const double distance = glm::length(away);
@@ -508,13 +540,13 @@ vec3 held_back(const Scene& scene, const Slide& slide, vec3 goal, bool sliding) 
 }
 
 /// A part of the way, as far as it is free.
-void go(Slide& slide, vec3 way) {
+void go(Journey& slide, vec3 way) {
     slide.x += way;
     if (slide.walls.count != 0 && glm::dot(way, way) > tight * tight) slide.slid = true;
 }
 
 /// Against one round body the planes before it come nearer by depth / radius a time; this is the end of that at once.
-void round_off(const Scene& scene, Slide& slide, vec3 tip) {
+void round_off(const Scene& scene, Journey& slide, vec3 tip) {
     Wall& wall = slide.walls.items[0];
     const Surface& s = scene.surface(wall.surface);
     if (slide.walls.count != 1 || is_flat(s.kind) || slide.x == tip) return;
@@ -530,8 +562,8 @@ void round_off(const Scene& scene, Slide& slide, vec3 tip) {
 }
 
 /// From contact to contact until nothing is nearer to the tip, or friction holds.
-Slide slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
-    Slide slide{.x = start};
+Journey slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
+    Journey slide{.x = start};
     vec3 cleared{};
     bool first = true;
     for (int move = 0; move < most_moves; ++move) {
@@ -563,7 +595,7 @@ Slide slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
 
 // ---- the force ------------------------------------------------------------------------------------------------------
 
-vec3 force_of(const Scene& scene, const Slide& slide, const SurfaceTip& tip) {
+vec3 force_of(const Scene& scene, const Journey& slide, const SurfaceTip& tip) {
     double depth = 0, stiffness = 0, damping = 0;
     vec3 push(0), velocity(0), spring = slide.x - tip.position;
     for (std::size_t i = 0; i < slide.walls.count; ++i) {
@@ -584,7 +616,7 @@ vec3 force_of(const Scene& scene, const Slide& slide, const SurfaceTip& tip) {
     return stiffness / depth * spring + damping / depth * inward * normal;
 }
 
-void remember(const Scene& scene, SurfaceState& state, Slide& slide) {
+void remember(const Scene& scene, SurfaceState& state, Journey& slide) {
     auto& walls = slide.walls;
     std::sort(walls.items.begin(), walls.items.begin() + static_cast<std::ptrdiff_t>(walls.count),
               [](const Wall& a, const Wall& b) { return a.depth > b.depth; });
@@ -661,10 +693,11 @@ Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& 
         state = {.proxy = tip.position, .begun = 1};
         return {.proxy = tip.position};
     }
-    const Scene scene = scene_of(patch, dt);
+    Scene scene;
+    set_scene(scene, patch, dt);
     if (state.begun == 0) state.proxy = tip.position;
     const vec3 start = pushed_out(scene, state, carried(scene, state));
-    Slide slide = slide_to(scene, start, tip.position, state.sliding != 0);
+    Journey slide = slide_to(scene, start, tip.position, state.sliding != 0);
     const vec3 force = force_of(scene, slide, tip);
     if (!is_finite(slide.x) || !is_finite(force)) {
         state = {};
