@@ -48,7 +48,7 @@ struct Carrier {
 };
 
 /// A plane, or that of a triangle, close together in memory: each sweep looks at all of them.
-struct Flat {
+struct Facet {
     vec3 normal;
     double offset;  // m, of the true surface
     double gap;     // m, before it: with the texture's top
@@ -62,7 +62,7 @@ struct Scene {
     std::uint32_t flat_count;
     std::uint32_t solid_count;
     std::uint32_t body_count;
-    std::array<Flat, surface_capacity> flats;
+    std::array<Facet, surface_capacity> flats;
     std::array<std::uint32_t, surface_capacity> solids;
     std::array<vec3, surface_capacity> normal;  // of the flat surfaces
     std::array<double, surface_capacity> gap;
@@ -207,7 +207,7 @@ Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
     return {d.normal, glm::dot(d.normal, p) - d.value + scene.gap[i], 0, i};
 }
 
-void sweep_flat(const Scene& scene, const Flat& flat, vec3 from, vec3 way, Hit& first) {
+void sweep_flat(const Scene& scene, const Facet& flat, vec3 from, vec3 way, Hit& first) {
     vec3 normal = flat.normal;
     double offset = flat.offset;
     double start = glm::dot(normal, from) - offset;
@@ -388,7 +388,7 @@ vec3 carried(const Scene& scene, const SurfaceState& state) {
 
 /// Whether a flat surface is now before the proxy, which came from in front of it. One that was touched and moved a little more
 /// than it said counts too.
-bool overran(const Scene& scene, const SurfaceState& state, const Flat& flat, vec3 from, vec3 x, Wall& wall) {
+bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, vec3 from, vec3 x, Wall& wall) {
     if (from != x) {
         Hit hit;
         sweep_flat(scene, flat, from, x - from, hit);
@@ -424,7 +424,7 @@ bool add_overrun(const Scene& scene, const SurfaceState& state, const Places& fr
     bool pushed = false;
     Wall wall;
     for (std::uint32_t i = 0; i < scene.flat_count && walls.count < most_planes; ++i) {
-        const Flat& flat = scene.flats[i];
+        const Facet& flat = scene.flats[i];
         if (!overran(scene, state, flat, from[scene.surface(flat.surface).body], x, wall)) continue;
         add_wall(walls, wall);
         pushed = true;
