@@ -224,7 +224,8 @@ void keep_books(const Servo& servo, ServoState& state, const HapticModel& model,
                 const SurfaceFeel& surfaces, Sources& sources) {
     const double stored = stored_energy(state, model, tip.position, surfaces);
     // Who is tethered touches nothing else.
-    const vec3 step = model.tether.stiffness > 0 ? model.tether.anchor_velocity * tick_seconds : surfaces.world_step;
+    const vec3 step =
+        model.tether.stiffness > 0 ? model.tether.anchor_velocity * tick_seconds : surfaces.world_step;
     observe(state.energy, tip.position, step, stored, servo.latency);
     if (tip.switched) state.energy.created = -stored;
     sources.passive += passivity_control(state.energy, tip.velocity, servo.most_damping);

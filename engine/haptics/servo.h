@@ -124,10 +124,10 @@ struct ServoState {
         shift{};  ///< m, from the tip to where it feels surfaces: what the drift would have pressed into them
     std::uint64_t patch_number{};
 };
-static_assert(sizeof(ServoState) ==
-              sizeof(SafetyState) + velocity_window * sizeof(vec3) + pulses_at_once * sizeof(PlayingPulse) +
-                  2 * sizeof(vec3) + 6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
-                  sizeof(EnergyBook) + sizeof(SurfaceState));
+static_assert(sizeof(ServoState) == sizeof(SafetyState) + velocity_window * sizeof(vec3) +
+                                        pulses_at_once * sizeof(PlayingPulse) + 2 * sizeof(vec3) +
+                                        6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
+                                        sizeof(EnergyBook) + sizeof(SurfaceState));
 
 inline constexpr double shift_time = 0.3;  ///< s, in which the shift fades where nothing is in the way
 

@@ -388,7 +388,8 @@ vec3 carried(const Scene& scene, const SurfaceState& state) {
 
 /// Whether a flat surface is now before the proxy, which came from in front of it. One that was touched and moved a little more
 /// than it said counts too.
-bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, vec3 from, vec3 x, Wall& wall) {
+bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, vec3 from, vec3 x,
+             Wall& wall) {
     if (from != x) {
         Hit hit;
         sweep_flat(scene, flat, from, x - from, hit);
