@@ -104,8 +104,8 @@ Deeds shots_at_a_walker(double lead) {
     skill.aim_error = skill.variety = 0;
     skill.reserve = skill.vial_below = skill.spark_below = 0;
     Scene scene(skill, {"bolt.energy.regain_per_s=100", "bolt.shot.damage=0.01", "bolt.shot.spread_deg=0"});
-    scene.put(0, {-14, 0, 9}, -90);
-    scene.put(1, {-14, 0, -1}, 180);
+    scene.put(0, {-14, 0, 18.5}, -90);  // no table to walk over between the two
+    scene.put(1, {-14, 0, 8.5}, 180);
     scene.run(40, [](Tick t, input::DeviceSample& foe) {
         foe.counts[input::hand::strafe] = t / 1500 % 2 == 0 ? 127 : -127;
     });
