@@ -48,7 +48,7 @@ bool is_number(const std::string& text, double& value) {
 bool passes_anyway(const ecs::Difference& d) {
     if (d.component == "Match") return d.field == "played";
     if (d.component == "Stance" || d.component == "Controls") return true;
-    if (d.component == "Grip") return d.field.starts_with("servo");
+    if (d.component == "Grip") return !d.field.starts_with("device") && !d.field.starts_with("kick");
     if (d.component == "Motion") return !d.field.starts_with("position");
     return false;
 }

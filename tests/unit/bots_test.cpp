@@ -185,7 +185,7 @@ TEST(Bot, KeepsItsReserveForAFoeWhoIsNear) {
     auto skill = skill_of(3);
     skill.aim_error = 0;
     skill.reserve = 0.5;
-    skill.spark_below = skill.vial_below = 0;
+    skill.spark_below = skill.vial_below = skill.variety = 0;
     Scene scene(skill, {"bolt.energy.regain_per_s=0", "bolt.shot.damage=0.01", "quick.seconds=60"});
     scene.put(0, {-14, 0, 9}, 0);
     scene.put(1, {-14, 0, -2}, 180);
