@@ -1,0 +1,361 @@
+// The driver for arms of the Phantom class against our own libHD.so, which holds it to the rules and goes wrong when told to.
+#include "input/drivers/openhaptics.h"
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numeric>
+#include <thread>
+
+#include "drivers/fake_hd/fake_hd.h"
+
+namespace thaum::input {
+namespace {
+
+using std::chrono::milliseconds;
+
+void* fake() {
+    static void* library = ::dlopen(FAKE_HD, RTLD_LAZY | RTLD_GLOBAL);
+    return library;
+}
+
+template <class F>
+F function(const char* name) {
+    return reinterpret_cast<F>(::dlsym(fake(), name));
+}
+
+FakeHdReport report() { return function<FakeHdReport (*)()>("fakeHdReport")(); }
+
+void tell(const std::string& words) { ::setenv("FAKE_HD", words.c_str(), 1); }
+
+/// Waits until it holds, for as long as the slowest machine may take.
+template <class F>
+bool soon(F holds) {
+    for (int i = 0; i < 5000; ++i) {
+        if (holds()) return true;
+        std::this_thread::sleep_for(milliseconds(1));
+    }
+    return false;
+}
+
+void expect_no_rule_broken() {
+    const auto broken = report().broken;
+    for (std::size_t rule = 0; rule < broken.size(); ++rule) EXPECT_EQ(broken[rule], 0U) << "rule " << rule;
+}
+
+Expected<std::unique_ptr<OpenHaptics>> open_fake(const std::string& words = "") {
+    tell(words);
+    return OpenHaptics::open(FAKE_HD);
+}
+
+std::string refusal(const std::string& words) {
+    const auto arm = open_fake(words);
+    return arm ? "opened" : arm.error().message;
+}
+
+bool has(const std::string& line, std::string_view part) { return line.find(part) != std::string::npos; }
+
+/// What a test does at each tick.
+struct Hand {
+    std::atomic<std::uint64_t> ticks{0}, unusable{0};
+    std::atomic<std::int32_t> x_um{0}, y_urad{0};
+    std::atomic<std::uint32_t> buttons{0};
+    std::atomic<double> stiffness{0};  // N/m, to x = 0
+    std::atomic<double> push{0};       // N, along z
+
+    static vec3 step(void* context, const ArmReading& r) {
+        auto& hand = *static_cast<Hand*>(context);
+        ++hand.ticks;
+        if (!r.usable) return ++hand.unusable, vec3(0);
+        hand.x_um = r.position_um[0];
+        hand.y_urad = r.rotation_urad[1];
+        hand.buttons = r.buttons;
+        return {-hand.stiffness * r.position_um[0] * 1e-6, 0, hand.push.load()};
+    }
+    ArmTick tick() { return {step, this}; }
+};
+
+/// A file with the way of a hand.
+struct Way {
+    std::string file;
+    explicit Way(std::string_view lines) {
+        auto name = (std::filesystem::temp_directory_path() / "thaum-way-XXXXXX").string();
+        ::close(::mkstemp(name.data()));
+        file = name;
+        std::ofstream(file) << lines;
+    }
+    ~Way() { std::filesystem::remove(file); }
+    Way(const Way&) = delete;
+    Way& operator=(const Way&) = delete;
+};
+
+// ---- opening -------------------------------------------------------------------------------------------------------------
+
+TEST(OpenHaptics, NoLibrary) {
+    const auto arm = OpenHaptics::open("/nowhere/libHD.so");
+    ASSERT_FALSE(arm);
+    const auto& line = arm.error().message;
+    EXPECT_TRUE(has(line, "no OpenHaptics: ") && has(line, "/nowhere/libHD.so") && has(line, "THAUM_LIBHD"))
+        << line;
+    EXPECT_FALSE(has(line, "\n"));
+}
+
+TEST(OpenHaptics, AFileThatIsNoLibrary) {
+    const Way text("this is no library\n");
+    const auto arm = OpenHaptics::open(text.file);
+    ASSERT_FALSE(arm);
+    EXPECT_TRUE(has(arm.error().message, "no OpenHaptics: ")) << arm.error().message;
+}
+
+TEST(OpenHaptics, TooOldALibrary) {
+    const auto arm = OpenHaptics::open(FAKE_HD_OLD);
+    ASSERT_FALSE(arm);
+    const auto& line = arm.error().message;
+    EXPECT_TRUE(has(line, "too old") && has(line, "hdScheduleSynchronous") && has(line, "install")) << line;
+}
+
+TEST(OpenHaptics, TheEnvironmentNamesTheLibrary) {
+    tell("");
+    ::setenv("THAUM_LIBHD", FAKE_HD, 1);
+    EXPECT_TRUE(OpenHaptics::open());
+    ::setenv("THAUM_LIBHD", "/nowhere/else.so", 1);
+    const auto arm = OpenHaptics::open();
+    ::unsetenv("THAUM_LIBHD");
+    ASSERT_FALSE(arm);
+    EXPECT_TRUE(has(arm.error().message, "/nowhere/else.so"));
+}
+
+TEST(OpenHaptics, SaysWhatToDo) {
+    EXPECT_TRUE(has(refusal("absent"), "plug it in"));
+    EXPECT_TRUE(has(refusal("no_permission"), "may not open its port"));
+    EXPECT_TRUE(has(refusal("busy"), "another program has the arm: close it"));
+    EXPECT_TRUE(has(refusal("no_licence"), "licence"));
+    EXPECT_TRUE(has(refusal("manual"), "not calibrated: put the stylus into its inkwell"));
+    EXPECT_TRUE(has(refusal("mute"), "does not say how much force"));
+    EXPECT_EQ(refusal("no_null_name"), "opened");
+    EXPECT_EQ(refusal("needs_update"), "opened");
+    expect_no_rule_broken();
+}
+
+TEST(OpenHaptics, ARefusalLeavesItFreeToBeOpened) {
+    EXPECT_NE(refusal("manual"), "opened");
+    EXPECT_EQ(refusal(""), "opened");
+    EXPECT_EQ(refusal(""), "opened");
+}
+
+TEST(OpenHaptics, OnlyOneIsOpen) {
+    const auto arm = open_fake();
+    ASSERT_TRUE(arm);
+    EXPECT_TRUE(has(refusal(""), "open already"));
+    EXPECT_TRUE(has(refusal(""), "open already"));
+    EXPECT_EQ((*arm)->status().state, ArmState::present);
+}
+
+TEST(OpenHaptics, TellsWhatTheArmIs) {
+    const auto arm = open_fake();
+    ASSERT_TRUE(arm) << arm.error().message;
+    const auto& facts = (*arm)->facts();
+    EXPECT_EQ(facts.spec.name, "Touch");
+    EXPECT_EQ(facts.serial, "F0000001");
+    EXPECT_EQ(facts.driver, "3.50.0");
+    EXPECT_EQ(facts.spec.sensed, 6);
+    EXPECT_EQ(facts.spec.actuated, 3);
+    EXPECT_EQ(facts.spec.peak_force, 3.3);
+    EXPECT_EQ(facts.spec.continuous_force, 0.88);
+    EXPECT_DOUBLE_EQ(facts.spec.max_stiffness, 400);
+    EXPECT_DOUBLE_EQ(facts.spec.max_damping, 4);
+    EXPECT_NEAR(glm::length(facts.spec.workspace - vec3(0.16, 0.12, 0.07)), 0, 1e-12);
+    EXPECT_EQ(facts.spec.update_rate, 1000);
+}
+
+// ---- ticks ---------------------------------------------------------------------------------------------------------------
+
+TEST(OpenHaptics, TicksByTheRules) {
+    Hand hand;
+    auto arm = open_fake();
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    EXPECT_FALSE((*arm)->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return hand.ticks > 200; }));
+    EXPECT_EQ((*arm)->status().state, ArmState::present);
+    const auto times = (*arm)->times();
+    EXPECT_GE(times.ticks, 200U);
+    EXPECT_GE(times.answer_worst, times.answer_median);
+    arm->reset();
+    expect_no_rule_broken();
+}
+
+/// The hand holds 10 mm to the right against a spring: where forces are in N, metres in metres and the frames agree, both
+/// springs balance, but for the dry friction.
+TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
+    const Way right("0 10 0 0 0\n");
+    Hand hand;
+    hand.stiffness = 200;
+    auto arm = open_fake("path=" + right.file);
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return hand.ticks > 400; }));
+    const auto now = report();
+    // The simulated hand holds with 400 N/m: 400 (0.01 - x) = 200 x; 0.26 N of friction holds up to 0.43 mm away.
+    EXPECT_NEAR(now.position[0], 0.00667, 0.0005);
+    EXPECT_NEAR(now.force[0], -200 * now.position[0], 0.02);
+    EXPECT_NEAR(hand.x_um, now.position[0] * 1e6, 56);
+    // The make-believe stylus turns by 10 rad/m.
+    EXPECT_NEAR(hand.y_urad, hand.x_um * 10, 560);
+    arm->reset();
+    expect_no_rule_broken();
+}
+
+TEST(OpenHaptics, ButtonsComeThrough) {
+    const Way pressing("0 0 0 0 0\n20 0 0 0 2\n400 0 0 0 3\n800 0 0 0 0\n");
+    Hand hand;
+    const auto arm = open_fake("path=" + pressing.file);
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    EXPECT_TRUE(soon([&] { return hand.buttons == 2; }));
+    EXPECT_TRUE(soon([&] { return hand.buttons == 3; }));
+    EXPECT_TRUE(soon([&] { return hand.buttons == 0; }));
+}
+
+TEST(OpenHaptics, NeverMoreThanTheArmGives) {
+    Hand hand;
+    hand.push = 1e6;
+    auto arm = open_fake();
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return hand.ticks > 50; }));
+    EXPECT_NEAR(report().force[2], 3.3, 1e-9);
+    hand.push = std::nan("");
+    const auto then = hand.ticks.load();
+    ASSERT_TRUE(soon([&] { return hand.ticks > then + 3; }));
+    EXPECT_EQ(report().force[2], 0);
+    EXPECT_EQ((*arm)->status().state, ArmState::present);
+    arm->reset();
+    expect_no_rule_broken();
+}
+
+TEST(OpenHaptics, LeavesTheArmWithoutForce) {
+    Hand hand;
+    hand.push = 2;
+    auto arm = open_fake();
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return report().force[2] == 2; }));
+    arm->reset();
+    // The last frame's force acts from the tick after it.
+    const auto left = report();
+    EXPECT_EQ(left.greatest_force, 2);
+    EXPECT_TRUE(soon([&] {
+        const auto again = open_fake();
+        return again && report().force[2] == 0;
+    }));
+    expect_no_rule_broken();
+}
+
+// ---- things that go wrong --------------------------------------------------------------------------------------------------
+
+TEST(OpenHaptics, AnArmThatVanishesIsLost) {
+    Hand hand;
+    hand.push = 1;
+    auto arm = open_fake("vanish=100");
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return (*arm)->status().state != ArmState::present; }));
+    EXPECT_EQ((*arm)->status().state, ArmState::lost);
+    EXPECT_TRUE(has((*arm)->status().text, "plug it in")) << (*arm)->status().text;
+    EXPECT_TRUE(soon([&] { return report().force[2] == 0; }));
+    const auto ticks = hand.ticks.load();
+    EXPECT_LT(ticks, 110U);
+    std::this_thread::sleep_for(milliseconds(20));
+    EXPECT_EQ(hand.ticks, ticks);
+    arm->reset();
+    expect_no_rule_broken();
+    EXPECT_EQ(refusal(""), "opened");
+}
+
+TEST(OpenHaptics, WarmMotorsAreAFault) {
+    Hand hand;
+    auto arm = open_fake("warm=50");
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return (*arm)->status().state == ArmState::fault; }));
+    EXPECT_TRUE(has((*arm)->status().text, "too warm"));
+    arm->reset();
+    expect_no_rule_broken();
+}
+
+TEST(OpenHaptics, TicksThatStopAreALostArm) {
+    Hand hand;
+    auto arm = open_fake("stop=60");
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return (*arm)->status().state == ArmState::lost; }));
+    EXPECT_TRUE(has((*arm)->status().text, "ticks have stopped"));
+    arm->reset();
+    expect_no_rule_broken();
+}
+
+TEST(OpenHaptics, WhatIsNoNumberIsSaidToBeNone) {
+    Hand hand;
+    const auto arm = open_fake("nan=50");
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return hand.ticks > 150; }));
+    EXPECT_GT(hand.unusable, 0U);
+    EXPECT_LE(hand.unusable, 10U);
+    EXPECT_EQ((*arm)->status().state, ArmState::present);
+}
+
+TEST(OpenHaptics, LateTicksAreCounted) {
+    Hand hand;
+    const auto arm = open_fake("late=20");
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return hand.ticks > 200; }));
+    const auto times = (*arm)->times();
+    EXPECT_GE(times.missed, 4U * 9U);  // of ten late ones at least nine have another before and after them
+    EXPECT_GE(times.jitter_worst, 4000);
+}
+
+// ---- the judge -------------------------------------------------------------------------------------------------------------
+
+/// The make-believe library sees what it is there to see.
+TEST(FakeHd, SeesWhereRulesAreBroken) {
+    tell("");
+    using Handle = unsigned int;
+    const auto init = function<Handle (*)(const char*)>("hdInitDevice");
+    const auto begin = function<void (*)(Handle)>("hdBeginFrame");
+    const auto end = function<void (*)(Handle)>("hdEndFrame");
+    const auto get = function<void (*)(unsigned int, double*)>("hdGetDoublev");
+    const auto set = function<void (*)(unsigned int, const double*)>("hdSetDoublev");
+    const auto start = function<void (*)()>("hdStartScheduler");
+    const auto stop = function<void (*)()>("hdStopScheduler");
+    const auto disable = function<void (*)(Handle)>("hdDisableDevice");
+    const auto handle = init(nullptr);
+    double numbers[16] = {3300};
+    get(0x2050, numbers);
+    begin(handle), begin(handle), end(handle), end(handle);
+    numbers[0] = 3300;
+    begin(handle), set(0x2700, numbers), end(handle);
+    begin(handle + 1);
+    start();
+    begin(handle);
+    disable(handle);
+    stop();
+    const auto broken = report().broken;
+    EXPECT_EQ(broken[fake_hd_outside_frame], 1U);
+    EXPECT_EQ(broken[fake_hd_unpaired], 2U);
+    EXPECT_EQ(broken[fake_hd_wrong_units], 1U);
+    EXPECT_EQ(broken[fake_hd_wrong_value], 1U);
+    EXPECT_EQ(broken[fake_hd_wrong_thread], 1U);
+    EXPECT_EQ(broken[fake_hd_wrong_order], 1U);
+}
+
+}  // namespace
+}  // namespace thaum::input
