@@ -8,7 +8,7 @@ namespace {
 
 /// m/s, over the window or what there is of it: over one tick an encoder's quantum would be noise of centimetres a second.
 /// A position that is not finite makes it NaN, when it comes and when it is the oldest: the safety stage cuts out on both.
-vec3 tip_velocity(ServoState& state, vec3 position) {
+vec3 note_position(ServoState& state, vec3 position) {
     auto& ring = state.positions;
     const bool full = state.samples == velocity_window;
     const vec3 oldest = full ? ring[state.next_position] : ring[0];
@@ -263,8 +263,29 @@ vec3 tether_force(const Tether& tether, vec3 tip, vec3 velocity) {
            notch * tether.detents.axis;
 }
 
+ServoState resumed(const ServoState& before) {
+    ServoState state;
+    state.safety = before.safety;
+    state.safety.output = vec3(0);
+    state.safety.gate_open = state.safety.slewing = 0;
+    state.safety.fast_ticks = state.safety.stale_ticks = 0;
+    state.safety.cause = static_cast<std::uint32_t>(SafetyCause::stale);
+    state.last_pulse = before.last_pulse;
+    return state;
+}
+
+vec3 tip_velocity(const ServoState& state) {
+    if (state.samples < 2) return vec3(0);
+    const auto& ring = state.positions;
+    const auto at = [&](std::size_t back) {
+        return ring[(state.next_position + velocity_window - 1 - back) % velocity_window];
+    };
+    const std::uint32_t span = state.samples - 1;
+    return (at(0) - at(span)) / (span * tick_seconds);
+}
+
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample) {
-    const vec3 velocity = tip_velocity(state, sample.position);
+    const vec3 velocity = note_position(state, sample.position);
     const bool cut_off = start_pulse(state, model.pulse);
     const bool set_jumped = note_set(state, model);
     const bool source_jumped = note_sources(state, model);

@@ -34,14 +34,14 @@ struct ArmFacts {
     std::string driver{};  ///< version of the vendor's library
 };
 
-enum class ArmState : std::uint8_t {
+enum class ArmPresence : std::uint8_t {
     present,
     lost,   ///< it does not answer, or its ticks have stopped
     fault,  ///< it answers that something is wrong
 };
 
 struct ArmStatus {
-    ArmState state{};
+    ArmPresence state{};
     std::string text{};  ///< one line: what is wrong and what to do; empty while present
 };
 

@@ -36,9 +36,17 @@ enum Count : std::size_t {
 }  // namespace hand
 
 namespace arm {
-/// Places in `counts` of an arm: position in um, orientation in urad, in the device frame (+x right, +y up, +z
-/// towards the user).
-enum Count : std::size_t { position_x, position_y, position_z, rotation_x, rotation_y, rotation_z };
+/// Places in `counts` of an arm: position in um, orientation (axis times angle) in urad, in the device frame (+x right, +y up,
+/// +z towards the user); and for how many samples the pose was not measured anew.
+enum Count : std::size_t {
+    position_x,
+    position_y,
+    position_z,
+    rotation_x,
+    rotation_y,
+    rotation_z,
+    pose_age,
+};
 }  // namespace arm
 
 /// Bits of DeviceSample::buttons. The order is part of the log's format: new ones go to the end.
@@ -69,9 +77,13 @@ constexpr std::uint32_t bit(Button button) { return static_cast<std::uint32_t>(b
 /// One device in one tick.
 struct DeviceSample {
     std::array<std::int32_t, max_counts> counts{};
-    std::uint32_t buttons{};    ///< Button bits that were down at the tick's end or were pressed during it
-    std::uint16_t model_age{};  ///< ticks since the haptic model the servo used was made; 0 for hands
-    std::uint16_t skips{};  ///< samples left out before this one because the simulation was too far behind
+    std::uint32_t buttons{};  ///< Button bits that were down at the tick's end or were pressed during it
+    /// Ticks since the haptic model was made that the servo used, at least 1; 0 for hands, and for an arm in a tick that
+    /// found no sample of it: then no count means anything.
+    std::uint16_t model_age{};
+    /// Samples left out before this one because the simulation was too far behind; at an arm also where samples of it got lost.
+    /// With either, every arm's servo begins anew, and this sample of an arm is not used.
+    std::uint16_t skips{};
     bool operator==(const DeviceSample&) const = default;
 
     bool down(Button button) const { return (buttons & bit(button)) != 0; }

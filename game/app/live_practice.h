@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-#include "game/app/live_latest.h"
+#include "core/latest.h"
 #include "game/bots/range_files.h"
 #include "game/hud/picture.h"
 

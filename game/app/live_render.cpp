@@ -21,6 +21,16 @@ struct Film {
     bool any = false;
 };
 
+/// Calls f(stamp) for those that were due by then, and forgets them.
+template <class Stamps, class F>
+void take_due(Stamps& stamps, std::int64_t due_ns, F f) {
+    for (const auto* stamp = stamps.front(); stamp != nullptr && stamp->due_ns <= due_ns;
+         stamp = stamps.front()) {
+        f(*stamp);
+        stamps.pop();
+    }
+}
+
 void advance(Latest<Picture>& pictures, Film& film) {
     if (!pictures.take()) return;
     std::swap(film.before, film.now);
@@ -141,7 +151,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Render
             pacer = render::Pacer(frames_per_second = screen.frames_per_second);
         const auto size = shared.window.size();
         if (!studio.film.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) {
-            shared.stamps.take_due(monotonic_ns(), [](const InputStamp&) {});  // nobody saw those
+            take_due(shared.stamps, monotonic_ns(), [](const InputStamp&) {});  // nobody saw those
             continue;
         }
         if (!due(studio, screen, changed)) continue;
@@ -154,7 +164,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Render
         quality.found = render::after_frame(quality.found, frame_ms);
         shared.report.quality = studio.memory.frame.quality;
         times.add(frame_ms);
-        shared.stamps.take_due(studio.film.shown_due_ns, [&](const InputStamp& stamp) {
+        take_due(shared.stamps, studio.film.shown_due_ns, [&](const InputStamp& stamp) {
             inputs.add(static_cast<double>(after - stamp.came_ns) * 1e-6);
             ++shared.report.inputs;
         });

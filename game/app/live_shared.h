@@ -4,8 +4,9 @@
 #include <variant>
 
 #include "core/clock.h"
+#include "core/latest.h"
+#include "core/ring.h"
 #include "game/app/live.h"
-#include "game/app/live_latest.h"
 #include "game/bots/range_files.h"
 #include "game/hud/menu.h"
 #include "input/collector.h"
@@ -27,30 +28,6 @@ struct TakenSeat {
 struct InputStamp {
     std::int64_t came_ns{};  ///< when it arrived
     std::int64_t due_ns{};   ///< Picture::due_ns of the tick that took it
-};
-
-/// From one thread to one other; what has no room is left out.
-class InputStamps {
-public:
-    void push(const InputStamp& stamp) {
-        const auto end = end_.load(std::memory_order_relaxed);
-        if (end - begin_.load(std::memory_order_acquire) == stamps_.size()) return;
-        stamps_[end % stamps_.size()] = stamp;
-        end_.store(end + 1, std::memory_order_release);
-    }
-    /// Calls f(stamp) for those that were due by then, and forgets them.
-    template <class F>
-    void take_due(std::int64_t due_ns, F f) {
-        auto begin = begin_.load(std::memory_order_relaxed);
-        const auto end = end_.load(std::memory_order_acquire);
-        for (; begin != end && stamps_[begin % stamps_.size()].due_ns <= due_ns; ++begin)
-            f(stamps_[begin % stamps_.size()]);
-        begin_.store(begin, std::memory_order_release);
-    }
-
-private:
-    std::array<InputStamp, 256> stamps_;
-    std::atomic<std::uint64_t> begin_{0}, end_{0};
 };
 
 /// What the main thread wants shown besides the match itself.
@@ -92,7 +69,7 @@ struct LiveShared {
     /// Where the pictures are; filled by the simulation thread.
     Latest<std::shared_ptr<const game::MatchData>> scene{nullptr};
     std::atomic<std::int64_t> input_came_ns{0};  ///< of the first event that no tick has taken yet; 0: none
-    InputStamps stamps;                          ///< from the simulation to the render thread
+    Ring<InputStamp, 256> stamps;                ///< from the simulation to the render thread
 
     std::atomic<bool> ready{false};      ///< pictures can be drawn: the match may begin
     std::atomic<bool> stop{false};       ///< all threads end

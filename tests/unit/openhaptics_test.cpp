@@ -154,7 +154,7 @@ TEST(OpenHaptics, OnlyOneIsOpen) {
     ASSERT_TRUE(arm);
     EXPECT_TRUE(has(refusal(""), "open already"));
     EXPECT_TRUE(has(refusal(""), "open already"));
-    EXPECT_EQ((*arm)->status().state, ArmState::present);
+    EXPECT_EQ((*arm)->status().state, ArmPresence::present);
 }
 
 TEST(OpenHaptics, TellsWhatTheArmIs) {
@@ -183,7 +183,7 @@ TEST(OpenHaptics, TicksByTheRules) {
     ASSERT_TRUE((*arm)->start(hand.tick()));
     EXPECT_FALSE((*arm)->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 200; }));
-    EXPECT_EQ((*arm)->status().state, ArmState::present);
+    EXPECT_EQ((*arm)->status().state, ArmPresence::present);
     const auto times = (*arm)->times();
     EXPECT_GE(times.ticks, 200U);
     EXPECT_GE(times.answer_worst, times.answer_median);
@@ -235,7 +235,7 @@ TEST(OpenHaptics, NeverMoreThanTheArmGives) {
     const auto then = hand.ticks.load();
     ASSERT_TRUE(soon([&] { return hand.ticks > then + 3; }));
     EXPECT_EQ(report().force[2], 0);
-    EXPECT_EQ((*arm)->status().state, ArmState::present);
+    EXPECT_EQ((*arm)->status().state, ArmPresence::present);
     arm->reset();
     expect_no_rule_broken();
 }
@@ -266,8 +266,8 @@ TEST(OpenHaptics, AnArmThatVanishesIsLost) {
     auto arm = open_fake("vanish=100");
     ASSERT_TRUE(arm);
     ASSERT_TRUE((*arm)->start(hand.tick()));
-    ASSERT_TRUE(soon([&] { return (*arm)->status().state != ArmState::present; }));
-    EXPECT_EQ((*arm)->status().state, ArmState::lost);
+    ASSERT_TRUE(soon([&] { return (*arm)->status().state != ArmPresence::present; }));
+    EXPECT_EQ((*arm)->status().state, ArmPresence::lost);
     EXPECT_TRUE(has((*arm)->status().text, "plug it in")) << (*arm)->status().text;
     EXPECT_TRUE(soon([&] { return report().force[2] == 0; }));
     const auto ticks = hand.ticks.load();
@@ -284,7 +284,7 @@ TEST(OpenHaptics, WarmMotorsAreAFault) {
     auto arm = open_fake("warm=50");
     ASSERT_TRUE(arm);
     ASSERT_TRUE((*arm)->start(hand.tick()));
-    ASSERT_TRUE(soon([&] { return (*arm)->status().state == ArmState::fault; }));
+    ASSERT_TRUE(soon([&] { return (*arm)->status().state == ArmPresence::fault; }));
     EXPECT_TRUE(has((*arm)->status().text, "too warm"));
     arm->reset();
     expect_no_rule_broken();
@@ -295,7 +295,7 @@ TEST(OpenHaptics, TicksThatStopAreALostArm) {
     auto arm = open_fake("stop=60");
     ASSERT_TRUE(arm);
     ASSERT_TRUE((*arm)->start(hand.tick()));
-    ASSERT_TRUE(soon([&] { return (*arm)->status().state == ArmState::lost; }));
+    ASSERT_TRUE(soon([&] { return (*arm)->status().state == ArmPresence::lost; }));
     EXPECT_TRUE(has((*arm)->status().text, "ticks have stopped"));
     arm->reset();
     expect_no_rule_broken();
@@ -309,7 +309,7 @@ TEST(OpenHaptics, WhatIsNoNumberIsSaidToBeNone) {
     ASSERT_TRUE(soon([&] { return hand.ticks > 150; }));
     EXPECT_GT(hand.unusable, 0U);
     EXPECT_LE(hand.unusable, 10U);
-    EXPECT_EQ((*arm)->status().state, ArmState::present);
+    EXPECT_EQ((*arm)->status().state, ArmPresence::present);
 }
 
 TEST(OpenHaptics, LateTicksAreCounted) {

@@ -440,11 +440,11 @@ ArmStatus OpenHaptics::status() const {
     const auto& s = *state_;
     if (const auto code = s.code.load(); code != 0) {
         const bool silent = code == comm_error || code == comm_config || code == timer_error;
-        return {silent ? ArmState::lost : ArmState::fault, advice(s.api, code)};
+        return {silent ? ArmPresence::lost : ArmPresence::fault, advice(s.api, code)};
     }
     const auto newest = s.times.newest_ns();
     if (newest != 0 && monotonic_ns() > newest + silence_ns)
-        return {ArmState::lost, "the arm's ticks have stopped: plug it in again and start anew"};
+        return {ArmPresence::lost, "the arm's ticks have stopped: plug it in again and start anew"};
     return {};
 }
 

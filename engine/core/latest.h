@@ -1,11 +1,11 @@
-// game/app/live_latest.h: hands the newest of a stream of values from one thread to another. Neither ever waits: the
+// core/latest.h: hands the newest of a stream of values from one thread to another. Neither ever waits: the
 // writer has a value of its own to fill, the reader one to look at, and the third lies between them.
 #pragma once
 #include <array>
 #include <atomic>
 #include <cstdint>
 
-namespace thaum::app {
+namespace thaum {
 
 template <class T>
 class Latest {
@@ -33,4 +33,4 @@ private:
     std::uint32_t front_ = 2;
 };
 
-}  // namespace thaum::app
+}  // namespace thaum

@@ -1,0 +1,162 @@
+#include "input/arm_servo.h"
+
+#include <algorithm>
+
+namespace thaum::input {
+namespace {
+
+constexpr std::int64_t shortest_tick_ns = 250'000;  // two poses closer than that are one
+constexpr std::uint32_t newest_samples =
+    40;                                 // a model made longer ago than that many samples is not taken up
+constexpr std::uint32_t patience = 20;  // ticks without a sample or a pose
+constexpr double metres_per_um = 1e-6;
+
+void count(std::atomic<std::uint64_t>& counter) {
+    counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+}
+
+/// A stylus has one or two buttons; the first is at the finger.
+std::uint32_t buttons_of(std::uint32_t arm) {
+    constexpr std::array meanings{Button::fire, Button::next_wand};
+    std::uint32_t buttons = 0;
+    for (std::size_t i = 0; i < meanings.size(); ++i) {
+        if ((arm >> i & 1U) != 0) buttons |= bit(meanings[i]);
+    }
+    return buttons;
+}
+
+vec3 metres(const std::array<std::int32_t, 3>& um) { return vec3(um[0], um[1], um[2]) * metres_per_um; }
+
+/// The step that the arm's thread and the simulation share. age: of model or pose, whichever is older, in samples.
+vec3 arm_step(const haptics::Servo& servo, haptics::ServoState& state, const haptics::HapticModel& model,
+              const std::array<std::int32_t, 3>& position_um, std::uint32_t age) {
+    return haptics::servo_step(servo, state, model, {metres(position_um), age});
+}
+
+}  // namespace
+
+// ---- the arm's thread --------------------------------------------------------------------------------------------------
+
+ArmTick ArmServo::tick() {
+    const auto step = [](void* context, const ArmReading& reading) {
+        return static_cast<ArmServo*>(context)->step(reading);
+    };
+    return {step, this};
+}
+
+/// Whether the reading is a new pose. A clock that was set back is believed in the end.
+bool ArmServo::judge(const ArmReading& reading) {
+    if (!reading.usable) return count(unusable_), false;
+    if (!posed_) return true;
+    const auto later = reading.time_ns - pose_.time_ns;
+    if (later < 0) return count(backwards_), pose_age_ >= patience;
+    if (later < shortest_tick_ns) return count(repeated_), false;
+    return true;
+}
+
+void ArmServo::follow_orders() {
+    if (!orders_.take()) return;
+    const auto& newest = orders_.newest();
+    if (newest.epoch != used_.epoch) {
+        used_ = newest;
+        state_ = newest.start;
+        sample_ = 0;
+    } else if (sample_ + 1 - newest.samples <= newest_samples) {
+        used_ = newest;
+    }
+}
+
+vec3 ArmServo::step(const ArmReading& reading) {
+    follow_orders();
+    if (judge(reading)) {
+        pose_ = reading;
+        pose_age_ = 0;
+        posed_ = true;
+    } else {
+        ++pose_age_;
+    }
+    if (!posed_ || used_.epoch == 0) return vec3(0);
+    ++sample_;
+    const auto age = std::max(sample_ - used_.samples, pose_age_);
+    const vec3 force = arm_step(used_.servo, state_, used_.model, pose_.position_um, age);
+    if (!samples_.push({pose_, used_.epoch, sample_, used_.number, pose_age_})) count(lost_);
+    return force;
+}
+
+// ---- the simulation ----------------------------------------------------------------------------------------------------
+
+void ArmServo::publish() {
+    auto& order = orders_.to_fill();
+    epoch_ = order.epoch += epochs_before_;
+    number_ = order.number;
+    taken_ = order.samples;
+    orders_.publish();
+}
+
+DeviceSample ArmServo::take() {
+    constexpr std::uint32_t most = 0xffff;
+    DeviceSample out;
+    const ArmSample* sample = samples_.front();
+    for (; sample != nullptr && sample->epoch != epoch_; sample = samples_.front()) samples_.pop();
+    if (sample == nullptr) {
+        out.buttons = ++without_ <= patience ? buttons_ : 0;
+        return out;
+    }
+    without_ = 0;
+    const auto& pose = sample->reading;
+    for (std::size_t i = 0; i < 3; ++i) {
+        out.counts[arm::position_x + i] = pose.position_um[i];
+        out.counts[arm::rotation_x + i] = pose.rotation_urad[i];
+    }
+    out.counts[arm::pose_age] = static_cast<std::int32_t>(std::min(sample->pose_age, most));
+    out.buttons = buttons_ = buttons_of(pose.buttons);
+    const auto before = sample->sample - taken_ - 1;
+    const auto age = number_ + 1 - sample->model;
+    if (before != 0 || age > models_kept)
+        out.skips = static_cast<std::uint16_t>(std::clamp(before, 1U, most));
+    else
+        out.model_age = static_cast<std::uint16_t>(age);
+    samples_.pop();
+    return out;
+}
+
+ArmTroubles ArmServo::troubles() const {
+    return {.repeated = repeated_.load(std::memory_order_relaxed),
+            .backwards = backwards_.load(std::memory_order_relaxed),
+            .unusable = unusable_.load(std::memory_order_relaxed),
+            .lost = lost_.load(std::memory_order_relaxed)};
+}
+
+void begin_epoch(ArmState& arm) {
+    ++arm.epoch;
+    arm.number = arm.samples = 0;
+    arm.servo = haptics::resumed(arm.servo);
+}
+
+std::uint32_t model_of(const ArmState& arm, const DeviceSample& sample) {
+    return sample.model_age == 0 || sample.model_age > arm.number ? 0 : arm.number + 1 - sample.model_age;
+}
+
+void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample& sample,
+                 const KeptModel* used, bool skipped) {
+    const bool none = sample.model_age == 0 && sample.skips == 0;
+    arm.without = none ? arm.without + 1 : 0;
+    const bool gap = skipped || sample.skips != 0 || (none ? arm.without == patience : used == nullptr);
+    if (gap) {
+        begin_epoch(arm);
+        ++arm.gaps;
+    }
+    if (none || gap) return;
+    for (std::size_t i = 0; i < 3; ++i) {
+        arm.position_um[i] = sample.counts[arm::position_x + i];
+        arm.rotation_urad[i] = sample.counts[arm::rotation_x + i];
+    }
+    const auto pose_age = static_cast<std::uint32_t>(sample.counts[arm::pose_age]);
+    arm.old_poses += pose_age != 0 ? 1 : 0;
+    ++arm.samples;
+    arm_step(servo, arm.servo, used->model, arm.position_um, std::max(arm.samples - used->samples, pose_age));
+}
+
+vec3 position_of(const ArmState& arm) { return metres(arm.position_um); }
+
+}  // namespace thaum::input

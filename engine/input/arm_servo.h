@@ -1,0 +1,134 @@
+// input/arm_servo.h: the servo of a real arm, in the thread that calls at 1 kHz, and what ties it to the simulation without either
+// waiting for the other:
+//
+//     simulation:  order (newest model) --> [latest value] --> arm's thread: servo step --> force
+//     arm's thread: sample (what was measured, which model was used) --> [queue] --> simulation: tick t takes the next one
+//
+// The simulation makes the same steps with the same samples and models, so its forces are the arm's to the bit, and so are those of
+// a replay. For that each step must be made from the state of the one before. Where samples got lost, or the simulation does not
+// remember the model any more, both begin anew from a state that the simulation names: a new *epoch*. Until then the arm's
+// force is that of a model which gets old, so it ramps to zero.
+//
+// A pose that did not come, or that was made no later than the one before, is stepped with the last good one and counted as old: a
+// force never stems from a pose of more than 20 ticks (haptics/safety.h).
+#pragma once
+#include <atomic>
+#include <cstdint>
+
+#include "core/latest.h"
+#include "core/ring.h"
+#include "haptics/servo.h"
+#include "input/arm.h"
+#include "input/frame.h"
+
+namespace thaum::input {
+
+/// Ticks for which the simulation remembers the models it made. What is older gives no force any more.
+inline constexpr std::uint32_t models_kept = 80;
+
+/// What the simulation tells the arm's thread each tick.
+struct ArmOrder {
+    haptics::Servo servo{};
+    haptics::HapticModel model{.on = false};
+    haptics::ServoState start{};  ///< of the epoch
+    std::uint32_t epoch{};        ///< 0: before the first
+    std::uint32_t number{};       ///< of the model, from 1 in each epoch
+    std::uint32_t samples{};      ///< of the epoch that the simulation had taken when it made the model
+};
+
+/// What the arm's thread tells the simulation.
+struct ArmSample {
+    ArmReading reading{};             ///< the last good one where `pose_age` is not 0
+    std::uint32_t epoch{}, sample{};  ///< from 1 in each epoch
+    std::uint32_t model{};            ///< number of the model that was used
+    std::uint32_t pose_age{};         ///< ticks since the pose was measured
+};
+
+/// Poses that were none, since the start.
+struct ArmTroubles {
+    std::uint64_t repeated{};   ///< came again at once
+    std::uint64_t backwards{};  ///< were made before the one before
+    std::uint64_t unusable{};   ///< were no numbers
+    std::uint64_t lost{};       ///< found no room in the queue
+};
+
+class ArmServo {
+public:
+    /// For the driver.
+    ArmTick tick();
+    /// The arm's thread: one tick. No lock, no allocation. N, device frame.
+    vec3 step(const ArmReading& reading);
+
+    // The simulation thread.
+    /// Another simulation follows, whose epochs begin at 1 again. No tick is taken in between.
+    void begin_match() { epochs_before_ = epoch_; }
+    /// To be filled as ArmState says, then `publish`ed.
+    ArmOrder& order() { return orders_.to_fill(); }
+    void publish();
+    /// The next sample, as arm::Count says; model_age 0 where there is none. skips > 0: samples of this epoch got lost, or
+    /// the model is forgotten, so the simulation must begin a new one.
+    DeviceSample take();
+    /// Samples that wait to be taken.
+    std::size_t waiting() const { return samples_.size(); }
+
+    /// Any thread.
+    ArmTroubles troubles() const;
+
+private:
+    bool judge(const ArmReading& reading);
+    void follow_orders();
+
+    Latest<ArmOrder> orders_{ArmOrder{}};
+    Ring<ArmSample, 1024> samples_;
+
+    // The arm's thread.
+    ArmOrder used_{};
+    haptics::ServoState state_{};
+    ArmReading pose_{};  ///< the last good one
+    std::uint32_t sample_ = 0, pose_age_ = 0;
+    bool posed_ = false;
+    std::atomic<std::uint64_t> repeated_{0}, backwards_{0}, unusable_{0}, lost_{0};
+
+    // The simulation thread.
+    std::uint32_t epochs_before_ = 0;
+    std::uint32_t epoch_ = 0, number_ = 0, taken_ = 0;  ///< of the last order
+    std::uint32_t without_ = 0;                         ///< ticks since there was a sample
+    std::uint32_t buttons_ = 0;
+};
+
+/// A model that the simulation made, and remembers for models_kept ticks.
+struct KeptModel {
+    haptics::HapticModel model{};
+    std::uint32_t number{};   ///< from 1 in each epoch
+    std::uint32_t samples{};  ///< as ArmOrder's
+};
+
+/// An arm as the simulation knows it; no padding. Its tick: take_sample; whatever else happens; a new KeptModel, with the next
+/// `number` and the `samples` so far, which is also the order for the arm's thread.
+struct ArmState {
+    haptics::ServoState servo{};
+    std::array<std::int32_t, 3> position_um{}, rotation_urad{};
+    std::uint32_t epoch{1};
+    std::uint32_t number{};     ///< of the newest model
+    std::uint32_t samples{};    ///< taken in this epoch
+    std::uint32_t without{};    ///< ticks since there was a sample
+    std::uint32_t old_poses{};  ///< samples, since the start, that measured nothing new
+    std::uint32_t gaps{};       ///< epochs that ended because samples failed to come or were lost
+};
+static_assert(sizeof(ArmState) == sizeof(haptics::ServoState) + 12 * sizeof(std::uint32_t));
+
+/// Whatever the arm's thread did, both go on from the same state.
+void begin_epoch(ArmState& arm);
+
+/// Number of the model that a sample was made with; 0: it is no sample.
+std::uint32_t model_of(const ArmState& arm, const DeviceSample& sample);
+
+/// The arm's step with this sample, once more. used: the model of that number, null where it is not remembered. skipped: ticks
+/// were left out before this one.
+void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample& sample,
+                 const KeptModel* used, bool skipped);
+
+/// m, device frame.
+vec3 position_of(const ArmState& arm);
+
+}  // namespace thaum::input
