@@ -271,6 +271,8 @@ ServoState resumed(const ServoState& before) {
     state.safety.fast_ticks = state.safety.stale_ticks = 0;
     state.safety.cause = static_cast<std::uint32_t>(SafetyCause::stale);
     state.last_pulse = before.last_pulse;
+    state.energy.given = before.energy.given;
+    state.energy.most_created = before.energy.most_created;
     return state;
 }
 

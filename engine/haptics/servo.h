@@ -134,8 +134,8 @@ inline constexpr double shift_time = 0.3;  ///< s, in which the shift fades wher
 /// The force for the device, N, device frame.
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample);
 
-/// What is left of the state after a device was out of touch: how warm its motors are, what was latched and counted, and which
-/// pulses are over. The force begins at zero, and slowly.
+/// What is left of the state after a device was out of touch: how warm its motors are, what was latched and counted, what of the
+/// energy budget is used up, and which pulses are over. The force begins at zero, and slowly.
 ServoState resumed(const ServoState& before);
 
 /// m/s, of the tip, over the window or what there is of it; zero before the second sample.

@@ -1,6 +1,7 @@
 #include "game/match/round.h"
 
 #include "game/arena/spawn.h"
+#include "game/match/arm.h"
 #include "game/match/touch.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
@@ -64,9 +65,11 @@ std::uint32_t leader(const std::array<std::int32_t, players>& kills) {
 }  // namespace
 
 void open_round(Stage& stage) {
+    const auto arms = arms_in(stage.world);
     clear_scene(stage.world);
     spawn_arena(stage.world, stage.data.arena);
     spawn_wizards(stage);
+    add_arms(stage, arms);
 }
 
 void add_round_system(Stage& stage, ecs::Schedule& schedule) {

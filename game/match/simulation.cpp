@@ -1,6 +1,7 @@
 #include "game/match/simulation.h"
 
 #include "ecs/snapshot.h"
+#include "game/match/arm.h"
 #include "game/match/bodies.h"
 #include "game/match/carry_over.h"
 #include "game/match/life.h"
@@ -48,6 +49,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     spawn_match(stage.world, setup_.seed);
     open_round(stage);
 
+    add_arm_system(stage, always_);
     add_controls_system(stage, always_);
     add_interval_system(stage, always_);
     add_pause_system(stage, always_);
@@ -75,11 +77,13 @@ void Simulation::tick(const input::InputFrame& frame) {
     always_.run(world, now_);
     if (next_round_is_due(*stage_)) begin_next_round(*stage_);
     const auto& match = std::as_const(world).single<Match>();
-    if (match.paused == 0 && match.phase == Phase::playing) {
+    const bool live = match.paused == 0 && match.phase == Phase::playing;
+    if (live) {
         live_.run(world, match.played);
         force_hash_ = chained_force_hash(world, force_hash_);
         ++world.single<Match>().played;
     }
+    publish_models(*stage_, live);
     for (const auto& device : frame.devices) world.single<Match>().skipped += device.skips;
     ++now_;
 }

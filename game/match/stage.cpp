@@ -1,6 +1,6 @@
 #include "game/match/stage.h"
 
-#include "game/components/grip.h"
+#include "game/components/arm.h"
 
 namespace thaum::game {
 namespace {
@@ -46,6 +46,9 @@ void declare_components(ecs::World& world) {
     world.declare<Dice>();
     world.declare<Chronicle>();
     for (const auto& kind : wand_kinds()) kind.declare(world);
+    // Last, so that they change no hash of a match without them.
+    world.declare<Arm>();
+    world.declare<PastModel>();
 }
 
 ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player) {

@@ -1,6 +1,7 @@
 #include "game/match/touch.h"
 
 #include "core/hash.h"
+#include "game/match/arm.h"
 #include "game/match/bare_probe.h"
 
 namespace thaum::game {
@@ -35,14 +36,7 @@ double feel(Stage& stage, ecs::Entity wizard, const Controls& controls, bool pan
     const vec3 moved = vec3(controls.hand_right, controls.hand_up, 0) * metres_per_micrometre;
     const auto& device = stage.touch.device;
     const auto player = std::as_const(stage.world).get<Wizard>(wizard).player;
-    auto& model = stage.models[player];
-    model.pulse = grip.kick;
-    model.lean = grip.lean;
-    model.tether = grip.tether;
-    model.on = stage.touch.on[player];
-    model.panic = panic;
-    model.rearm = grip.rearm != 0;
-    feel_about(stage, wizard, grip, model);
+    const auto& model = next_model(stage, wizard, grip, panic);
     const vec3 measured = haptics::measured_position(device, grip.device);
     const vec3 force = haptics::servo_step(stage.touch.servos[player], grip.servo, model, {measured, 0});
     grip.home = glm::clamp(grip.home + moved, -device.reach, device.reach);
@@ -58,6 +52,19 @@ double felt_share(const Stage& stage, ecs::Entity wizard) {
 
 }  // namespace
 
+const haptics::HapticModel& next_model(Stage& stage, ecs::Entity wizard, Grip& grip, bool panic) {
+    const auto player = std::as_const(stage.world).get<Wizard>(wizard).player;
+    auto& model = stage.models[player];
+    model.pulse = grip.kick;
+    model.lean = grip.lean;
+    model.tether = grip.tether;
+    model.on = stage.touch.on[player];
+    model.panic = panic;
+    model.rearm = grip.rearm != 0;
+    feel_about(stage, wizard, grip, model);
+    return model;
+}
+
 Grip empty_grip() {
     Grip grip;
     grip.device = haptics::resting_at({});
@@ -68,15 +75,18 @@ void add_touch_system(Stage& stage, ecs::Schedule& schedule) {
     auto& world = stage.world;
     schedule.add({.name = "touch",
                   .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead>(),
-                  .writes = world.mask<Grip>(),
+                  .writes = world.mask<Grip, Arm>(),
                   .needs = world.mask<Grip>(),
                   .run = [&stage](ecs::World& w, Tick tick) {
                       const bool panic = note_panic_keys(w);
+                      tell_arms(w, panic);
                       w.view<const Wizard, const Controls, Grip>().each(
                           [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, Grip& grip) {
                               auto& trace = stage.felt[wizard.player];
-                              trace[tick % trace.size()] =
-                                  static_cast<float>(feel(stage, e, controls, panic, grip));
+                              const bool real = holds_arm(stage, wizard.player);
+                              trace[tick % trace.size()] = static_cast<float>(
+                                  real ? glm::length(grip.servo.safety.output)
+                                       : feel(stage, e, controls, panic, grip));
                           });
                   }});
 }

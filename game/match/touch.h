@@ -8,6 +8,9 @@ namespace thaum::game {
 /// A device at rest.
 Grip empty_grip();
 
+/// What the player feels who holds it so.
+const haptics::HapticModel& next_model(Stage& stage, ecs::Entity wizard, Grip& grip, bool panic);
+
 /// Every tick: the hand's target, the servo step, the device.
 void add_touch_system(Stage& stage, ecs::Schedule& schedule);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/match/arm.h"
+
 namespace thaum::game {
 namespace {
 
@@ -41,6 +43,23 @@ void move_hand(const input::DeviceSample& sample, const TouchRules& rules, Contr
     controls.hand_up = moved(hand::look_up, hand::turn_up);
 }
 
+/// The hands of a player whose hand holds an arm as well have its buttons too: eyes and feet come from the one, hand and wand
+/// from the other.
+input::DeviceSample with_arm(input::DeviceSample hands, std::uint32_t buttons) {
+    hands.buttons |= buttons;
+    if ((buttons & bit(Button::fire)) != 0) hands.counts[hand::trigger] = 255;
+    return hands;
+}
+
+std::uint32_t arm_buttons(const Stage& stage, std::uint32_t player) {
+    std::uint32_t buttons = 0;
+    for (std::size_t d = 0; d < stage.devices.size(); ++d) {
+        const bool arm = stage.devices[d].kind == input::DeviceKind::arm;
+        if (arm && stage.devices[d].player == player) buttons |= stage.frame.devices[d].buttons;
+    }
+    return buttons;
+}
+
 void take(const input::DeviceSample& sample, Controls& controls) {
     controls.pressed |= sample.buttons & ~controls.held;
     controls.held = sample.buttons;
@@ -70,14 +89,18 @@ void add_controls_system(Stage& stage, ecs::Schedule& schedule) {
                       const bool live = match.paused == 0 && match.phase == Phase::playing;
                       w.view<const Wizard, Controls, Gaze>().each(
                           [&](const Wizard& wizard, Controls& controls, Gaze& gaze) {
+                              const bool arm = holds_arm(stage, wizard.player);
+                              const auto buttons = arm_buttons(stage, wizard.player);
                               for (std::size_t d = 0; d < stage.devices.size(); ++d) {
-                                  if (stage.devices[d].player != wizard.player) continue;
-                                  take(stage.frame.devices[d], controls);
-                                  if (live && (controls.held & bit(Button::clutch)) != 0) {
-                                      move_hand(stage.frame.devices[d], stage.data.touch, controls);
+                                  const auto& spec = stage.devices[d];
+                                  if (spec.player != wizard.player || spec.kind == input::DeviceKind::arm)
+                                      continue;
+                                  const auto sample = with_arm(stage.frame.devices[d], buttons);
+                                  take(sample, controls);
+                                  if (live && !arm && (controls.held & bit(Button::clutch)) != 0) {
+                                      move_hand(sample, stage.data.touch, controls);
                                   } else if (live) {
-                                      turn(stage.frame.devices[d], stage.devices[d],
-                                           stage.data.wizard.pitch_limit, gaze);
+                                      turn(sample, spec, stage.data.wizard.pitch_limit, gaze);
                                   }
                               }
                           });

@@ -45,12 +45,12 @@ struct Hands {
     double impulse = 0, greatest = 0;
 };
 
-struct Arm {
+struct Held {
     std::string_view device;
     double peak;  // N
 };
-constexpr std::array arms{Arm{"touch", 3.3}, Arm{"omni", 3.3}, Arm{"premium", 8.5}, Arm{"falcon", 8},
-                          Arm{"omega3", 12}};
+constexpr std::array arms{Held{"touch", 3.3}, Held{"omni", 3.3}, Held{"premium", 8.5}, Held{"falcon", 8},
+                          Held{"omega3", 12}};
 
 TEST(Touch, EveryShotKicksWithTheImpulseOfItsHalfSine) {
     for (const auto& arm : arms) {

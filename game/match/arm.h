@@ -1,0 +1,30 @@
+// game/match/arm.h: real arms in a match. Each tick takes one sample of each arm and makes the step that the arm's own thread made with
+// it, by the model which that thread had then; so the forces of match, replay and arm are the same to the bit.
+#pragma once
+#include <vector>
+
+#include "game/components/arm.h"
+#include "game/match/simulation.h"
+
+namespace thaum::game {
+
+/// Does the player's hand hold a real arm?
+bool holds_arm(const Stage& stage, std::uint32_t player);
+
+/// All arms, before the scene is cleared.
+std::vector<Arm> arms_in(const ecs::World& world);
+/// One for each player with such a device; what was known of it goes on.
+void add_arms(Stage& stage, const std::vector<Arm>& before);
+
+/// Every tick, in a pause too: the sample and its step. Writes Grip.
+void add_arm_system(Stage& stage, ecs::Schedule& schedule);
+/// What arms feel next; the last of a tick. Nothing unless the match is live.
+void publish_models(Stage& stage, bool live);
+
+/// Somebody's panic key, or a player's wish for forces after one, reaches the arms.
+void tell_arms(ecs::World& world, bool panic);
+
+/// What the player's arm is to be told after the last tick; false where there is none.
+bool fill_order(const Simulation& match, std::uint32_t player, input::ArmOrder& order);
+
+}  // namespace thaum::game

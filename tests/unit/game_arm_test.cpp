@@ -1,0 +1,222 @@
+// A real arm in a match: what its thread told the device is what the match, a replay and a restored match come to, to the bit.
+#include <map>
+
+#include "game/match/arm.h"
+#include "game/match/touch.h"
+#include "unit/game_duel.h"
+
+namespace thaum::game::test {
+namespace {
+
+using input::Button;
+
+std::shared_ptr<const MatchData> short_rounds() {
+    DataChoice choice{.match = "standard",
+                      .overrides = {"standard.seconds=2", "standard.interval_s=1", "haptics.share=1"}};
+    auto data = load_match_data(assets(), choice);
+    EXPECT_TRUE(data) << (data ? "" : data.error().message);
+    return std::make_shared<const MatchData>(std::move(*data));
+}
+
+MatchSetup one_arm() {
+    return {.seed = 1,
+            .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},
+                        {.player = 1, .kind = input::DeviceKind::script, .name = "two"},
+                        {.player = 0, .kind = input::DeviceKind::arm, .name = "arm"}}};
+}
+
+/// A match and an arm's thread that runs beside it, now ahead, now behind, in an order that a generator gives.
+struct ArmMatch {
+    std::shared_ptr<const MatchData> data = short_rounds();
+    Simulation match{data, one_arm()};
+    input::ArmServo servo{};
+    Random random = random_stream(5, 1);
+    std::int32_t arm_ticks = 0;
+    std::int64_t now_ns = 0;
+    int ahead = 0;
+    std::uint32_t arm_buttons = 0, hand_buttons = 0;
+    std::uint32_t epoch = 0, samples = 0;
+    bool still = false;          ///< the arm's ticks have stopped
+    std::vector<vec3> told{{}};  ///< N, by height in um, which is the tick's number
+    std::map<std::int32_t, vec3> computed{};
+    std::vector<input::InputFrame> frames{};
+    std::map<Tick, std::uint64_t> hashes{};
+    std::map<Tick, std::uint64_t> force_hashes{};
+    double strongest = 0;
+
+    void move_arm() {
+        now_ns += 1'000'000;
+        input::ArmReading reading{.time_ns = now_ns, .buttons = arm_buttons};
+        // To and fro by 2 cm, half a metre a second; the height tells the tick.
+        const auto phase = ++arm_ticks % 80;
+        reading.position_um = {500 * (phase < 40 ? phase : 80 - phase), arm_ticks, 0};
+        told.push_back(servo.step(reading));
+        strongest = std::max(strongest, glm::length(told.back()));
+    }
+
+    void run_match(std::uint16_t skips = 0) {
+        input::InputFrame frame;
+        frame.devices[0].buttons = hand_buttons;
+        frame.devices[0].skips = skips;
+        frame.devices[2] = servo.take();
+        match.tick(frame);
+        frames.push_back(frame);
+        const auto& state = arm().state;
+        if (state.samples != 0 && (state.samples != samples || state.epoch != epoch))
+            computed[state.position_um[1]] = state.servo.safety.output;
+        samples = state.samples, epoch = state.epoch;
+        if (match.now() % 128 == 0) {
+            hashes[match.now()] = match.state_hash();
+            force_hashes[match.now()] = match.force_hash();
+        }
+        if (fill_order(match, 0, servo.order())) servo.publish();
+    }
+
+    void run(int ticks) {
+        for (int done = 0; done < ticks;) {
+            const bool by_arm = !still && (ahead < -2 || (ahead < 8 && random.uniform() < 0.5));
+            by_arm ? move_arm() : run_match();
+            done += by_arm ? 0 : 1;
+            ahead = still ? 0 : ahead + (by_arm ? 1 : -1);
+        }
+    }
+
+    Arm arm() const { return arms_in(match.world()).front(); }
+    const Grip& grip() const { return match.world().get<Grip>(wizard_of(match.world(), 0)); }
+
+    void expect_same_forces() const {
+        for (const auto& [tick, force] : computed)
+            ASSERT_TRUE(force == told[static_cast<std::size_t>(tick)]) << tick << " " << force.z;
+    }
+};
+
+/// Shots, a pause, the end of a round and the next one, panic and its end, an arm that stops, and ticks that are left out.
+void play(ArmMatch& m) {
+    m.run(200);
+    m.arm_buttons = 1;  // fire
+    m.run(700);
+    m.hand_buttons = bit(Button::pause);
+    m.run(50);
+    m.hand_buttons = 0;
+    m.run(200);
+    m.hand_buttons = bit(Button::pause);
+    m.run(50);
+    m.hand_buttons = bit(Button::panic);
+    m.run(20);
+    m.hand_buttons = 0;
+    m.run(150);
+    m.hand_buttons = bit(Button::panic);
+    m.run(20);
+    m.hand_buttons = 0;
+    m.run(400);
+    m.still = true;
+    m.run(150);
+    m.still = false;
+    m.run(1500);  // into the next round
+    for (int i = 0; i < 400; ++i) m.move_arm();
+    m.run_match(399);
+    m.run(1500);
+}
+
+TEST(Arm, FeelsWhatTheMatchComputes) {
+    ArmMatch m;
+    play(m);
+    m.expect_same_forces();
+    EXPECT_GT(m.computed.size(), 4000U);
+    EXPECT_GT(m.strongest, 1.1) << "the recoil of a bolt";
+    EXPECT_GE(m.match.match().round, 1U);
+    EXPECT_EQ(m.arm().state.old_poses, 0U);
+    EXPECT_GE(m.arm().state.gaps, 2U);
+}
+
+TEST(Arm, AReplayComputesTheSame) {
+    ArmMatch m;
+    play(m);
+    Simulation again(m.data, one_arm());
+    for (const auto& frame : m.frames) {
+        again.tick(frame);
+        if (again.now() % 128 != 0) continue;
+        ASSERT_EQ(again.state_hash(), m.hashes[again.now()]) << again.now();
+        ASSERT_EQ(again.force_hash(), m.force_hashes[again.now()]) << again.now();
+    }
+}
+
+TEST(Arm, ARestoredMatchGoesOnTheSame) {
+    ArmMatch m;
+    play(m);
+    Simulation first(m.data, one_arm()), second(m.data, one_arm());
+    for (Tick t = 0; t < keyframe_interval; ++t) first.tick(m.frames[t]);
+    Bytes saved;
+    first.save(saved);
+    ASSERT_TRUE(second.restore(saved, keyframe_interval));
+    while (second.now() < m.frames.size()) second.tick(m.frames[second.now()]);
+    EXPECT_EQ(second.state_hash(), m.match.state_hash());
+}
+
+/// The model that a sample used is what the force hangs on: by another one the replay differs.
+TEST(Arm, AnotherModelIsAnotherForce) {
+    ArmMatch m;
+    play(m);
+    Simulation again(m.data, one_arm());
+    for (const auto& original : m.frames) {
+        auto frame = original;
+        if (frame.devices[2].model_age == 1) frame.devices[2].model_age = 2;
+        again.tick(frame);
+    }
+    EXPECT_NE(again.state_hash(), m.match.state_hash());
+}
+
+TEST(Arm, TheHandIsWhereTheArmIs) {
+    ArmMatch m;
+    m.run(300);
+    const auto& device = m.grip().device;
+    EXPECT_EQ(device.position, input::position_of(m.arm().state));
+    EXPECT_NEAR(std::abs(device.velocity.x), 0.5, 0.5);
+    EXPECT_NEAR(device.velocity.y, 0.001, 1e-9);
+    EXPECT_NEAR(device.position.y, m.arm_ticks * 1e-6, 20e-6);
+}
+
+TEST(Arm, ItsButtonUsesTheWand) {
+    ArmMatch m;
+    m.run(100);
+    m.arm_buttons = 1;
+    m.run(500);
+    EXPECT_GE(m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)).fired, 3U);
+}
+
+TEST(Arm, InAPauseNothingIsFelt) {
+    ArmMatch m;
+    m.arm_buttons = 1;
+    m.run(700);
+    m.arm_buttons = 0;
+    m.hand_buttons = bit(Button::pause);
+    m.run(100);
+    ASSERT_EQ(m.match.match().paused, 1U);
+    const auto then = m.arm_ticks;
+    m.run(200);
+    for (auto t = static_cast<std::size_t>(then); t < m.told.size(); ++t) ASSERT_EQ(m.told[t], vec3(0));
+}
+
+TEST(Arm, ThatStopsIsNoReasonToStop) {
+    ArmMatch m;
+    m.run(300);
+    m.still = true;
+    m.run(500);
+    EXPECT_EQ(m.grip().servo.safety.output, vec3(0));
+    EXPECT_EQ(m.grip().servo.safety.cause, static_cast<std::uint32_t>(haptics::SafetyCause::stale));
+    EXPECT_EQ(m.match.match().played, 800U);
+    m.still = false;
+    m.run(100);
+    EXPECT_LE(m.arm().state.without, 3U);
+}
+
+TEST(Arm, NobodyElsePaysForIt) {
+    const Simulation match(duel_data(), {.seed = 1, .devices = {}});
+    EXPECT_TRUE(arms_in(match.world()).empty());
+    std::size_t models = 0;
+    match.world().view<const PastModel>().each([&](const PastModel&) { ++models; });
+    EXPECT_EQ(models, 0U);
+}
+
+}  // namespace
+}  // namespace thaum::game::test
