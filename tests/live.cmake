@@ -42,6 +42,8 @@ thaum_driver_test(stalled ${CMAKE_CURRENT_SOURCE_DIR}/drivers/stalled.sh
 thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh $<TARGET_FILE:thaum>)
 thaum_driver_test(input_delay ${CMAKE_CURRENT_SOURCE_DIR}/drivers/input_delay.sh
     $<TARGET_FILE:live_session> $<TARGET_FILE:thaum>)
+thaum_driver_test(fake_phantom_plays ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_plays.sh
+    $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:fake_hd_old>)
 # A hundred times, by hand: kill_recording 100
 add_executable(kill_recording drivers/kill_recording.cpp)
 target_link_libraries(kill_recording PRIVATE thaum_flags thaum_duel)

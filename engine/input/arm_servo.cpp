@@ -79,7 +79,7 @@ vec3 ArmServo::step(const ArmReading& reading) {
     ++sample_;
     const auto age = std::max(sample_ - used_.samples, pose_age_);
     const vec3 force = arm_step(used_.servo, state_, used_.model, pose_.position_um, age);
-    if (!samples_.push({pose_, used_.epoch, sample_, used_.number, pose_age_})) count(lost_);
+    if (!samples_.push({pose_, used_.epoch, sample_, used_.number, pose_age_, force})) count(lost_);
     return force;
 }
 
@@ -87,6 +87,9 @@ vec3 ArmServo::step(const ArmReading& reading) {
 
 void ArmServo::publish() {
     auto& order = orders_.to_fill();
+    const bool compare = taken_now_ && order.epoch + epochs_before_ == epoch_ && order.samples == taken_ + 1;
+    if (compare && order.start.safety.output != told_) count(differing_);
+    taken_now_ = false;
     epoch_ = order.epoch += epochs_before_;
     number_ = order.number;
     taken_ = order.samples;
@@ -112,10 +115,14 @@ DeviceSample ArmServo::take() {
     out.buttons = buttons_ = buttons_of(pose.buttons);
     const auto before = sample->sample - taken_ - 1;
     const auto age = number_ + 1 - sample->model;
-    if (before != 0 || age > models_kept)
-        out.skips = static_cast<std::uint16_t>(std::clamp(before, 1U, most));
-    else
+    const bool usable = before == 0 && age <= models_kept;
+    if (usable) {
         out.model_age = static_cast<std::uint16_t>(age);
+        taken_now_ = true;
+        told_ = sample->force;
+    } else {
+        out.skips = static_cast<std::uint16_t>(std::clamp(before, 1U, most));
+    }
     samples_.pop();
     return out;
 }
@@ -124,7 +131,8 @@ ArmTroubles ArmServo::troubles() const {
     return {.repeated = repeated_.load(std::memory_order_relaxed),
             .backwards = backwards_.load(std::memory_order_relaxed),
             .unusable = unusable_.load(std::memory_order_relaxed),
-            .lost = lost_.load(std::memory_order_relaxed)};
+            .lost = lost_.load(std::memory_order_relaxed),
+            .differing = differing_.load(std::memory_order_relaxed)};
 }
 
 void begin_epoch(ArmState& arm) {

@@ -42,14 +42,17 @@ struct ArmSample {
     std::uint32_t epoch{}, sample{};  ///< from 1 in each epoch
     std::uint32_t model{};            ///< number of the model that was used
     std::uint32_t pose_age{};         ///< ticks since the pose was measured
+    vec3 force{};                     ///< N, that it was answered with
 };
 
-/// Poses that were none, since the start.
+/// What went wrong since the start. The first three are poses that were none.
 struct ArmTroubles {
     std::uint64_t repeated{};   ///< came again at once
     std::uint64_t backwards{};  ///< were made before the one before
     std::uint64_t unusable{};   ///< were no numbers
-    std::uint64_t lost{};       ///< found no room in the queue
+    std::uint64_t lost{};       ///< samples that found no room in the queue
+    std::uint64_t
+        differing{};  ///< forces that the simulation computed otherwise: our mistake, never the arm's
 };
 
 class ArmServo {
@@ -90,10 +93,13 @@ private:
     std::atomic<std::uint64_t> repeated_{0}, backwards_{0}, unusable_{0}, lost_{0};
 
     // The simulation thread.
+    bool taken_now_ = false;  ///< a sample, since the last order
     std::uint32_t epochs_before_ = 0;
     std::uint32_t epoch_ = 0, number_ = 0, taken_ = 0;  ///< of the last order
     std::uint32_t without_ = 0;                         ///< ticks since there was a sample
     std::uint32_t buttons_ = 0;
+    vec3 told_{};  ///< N: what the arm was told with the sample taken last
+    std::atomic<std::uint64_t> differing_{0};
 };
 
 /// A model that the simulation made, and remembers for models_kept ticks.

@@ -27,9 +27,11 @@ constexpr std::string_view doctor_help =
 
 Says what is there and what is missing: processor, data files, OpenGL, display,
 what hands hold, pads and their permissions, how well a 1 kHz clock is kept,
-where settings and logs go. Sound and real haptic devices are not used by this
-version. Where there is a display, a match is shown for three seconds, and how
-long a movement takes to be in a picture is measured.
+where settings and logs go. Sound is not used by this version. Where there is a
+display, a match is shown for three seconds, and how long a movement takes to be
+in a picture is measured. A force feedback arm (OpenHaptics; THAUM_LIBHD says
+where libHD.so is) is held still for two seconds, without force: how evenly its
+ticks come, and how long from a pose to the force that answers it.
 
   --json FILE   the findings as JSON; - for standard output
 
@@ -86,6 +88,37 @@ Finding hands(const Expected<Data>& data) {
             text("each holds a simulated ", device.name, " of ", fixed(device.peak_force, 1), " N; at most ",
                  fixed(cap, 2), " N reach the hand"),
             ""};
+}
+
+/// The arm's servo without a match: it measures and gives no force.
+Finding real_arm() {
+    const std::string what = "arm";
+    const auto arm = input::OpenHaptics::open();
+    if (!arm) return {what, State::note, "none that could be used", arm.error().message};
+    input::ArmServo servo;
+    if (const auto started = (*arm)->start(servo.tick()); !started)
+        return {what, State::missing, "does not start", started.error().message};
+    constexpr std::int64_t measured_ns = 2'000'000'000;
+    sleep_until_ns(monotonic_ns() + measured_ns);
+    const auto times = (*arm)->times();
+    const auto status = (*arm)->status();
+    const auto& facts = (*arm)->facts();
+    const bool good = status.state == input::ArmPresence::present;
+    return {what,
+            good ? State::good : State::missing,
+            text(facts.spec.name, " ", facts.serial, " of ", fixed(facts.spec.peak_force, 1), " N, library ",
+                 facts.driver, ": ", told(times), (*arm)->preferred() ? "" : "; its thread has no priority"),
+            good && !(*arm)->preferred() ? "allow real-time priority: a line '@GROUP - rtprio 60' in "
+                                           "/etc/security/limits.d, then log in again"
+                                         : status.text,
+            {{"ticks", static_cast<double>(times.ticks)},
+             {"missed", static_cast<double>(times.missed)},
+             {"jitter_us_median", times.jitter_median},
+             {"jitter_us_p99", times.jitter_p99},
+             {"jitter_us_worst", times.jitter_worst},
+             {"pose_to_force_us_median", times.answer_median},
+             {"pose_to_force_us_p99", times.answer_p99},
+             {"pose_to_force_us_worst", times.answer_worst}}};
 }
 
 Finding opengl(const std::filesystem::path& assets, const Expected<Data>& data) {
@@ -197,6 +230,7 @@ std::vector<Finding> examine() {
     std::vector<Finding> findings{processor(), mathematics(),        data_files(assets, data),
                                   hands(data), opengl(assets, data), display()};
     add_pads(findings);
+    findings.push_back(real_arm());
     findings.push_back(tick_clock());
     findings.push_back(input_to_picture(assets, data));
     findings.push_back(folder("settings", settings_file().parent_path(), "XDG_CONFIG_HOME"));

@@ -38,12 +38,20 @@ Expected<SeatKind> seat_kind_of(std::string_view word) {
     if (word == "mouse") return SeatKind::keyboard_mouse;
     if (word == "half") return SeatKind::keyboard_half;
     if (word == "pad") return SeatKind::pad;
-    return fail(text("--hands '", word, "': must be mouse, half or pad"));
+    return fail(text("--hands '", word, "': must be mouse, half or pad; in a match also arm"));
 }
 
 std::vector<input::DeviceSpec> devices_of(const LiveShared& shared) {
     std::vector<input::DeviceSpec> devices;
     for (const auto& seat : shared.seats) devices.push_back(seat.spec);
+    if (shared.arm) {
+        const auto& facts = shared.arm->facts();
+        input::DeviceSpec arm;
+        arm.player = shared.arm_player;
+        arm.kind = DeviceKind::arm;
+        arm.name = text(facts.spec.name, " ", facts.serial);
+        devices.push_back(std::move(arm));
+    }
     return devices;
 }
 
@@ -219,6 +227,44 @@ Expected<void> play_matches(Desk& desk) {
     return {};
 }
 
+// Arms ---------------------------------------------------------------------------------------------------------------------
+
+/// What a match's forces are made for must not be more than the arm can give: it would feel another match than the log's.
+Expected<void> check_strength(const haptics::DeviceSpec& arm, const haptics::DeviceSpec& wanted) {
+    if (arm.peak_force >= wanted.peak_force) return {};
+    return fail(text("this arm gives ", fixed(arm.peak_force, 1), " N, hands hold a ", wanted.name, " of ",
+                     fixed(wanted.peak_force, 1), " N: choose another with --set haptics.device=..."));
+}
+
+/// The arm of the seat that wants one is opened, and its thread begins; forces come with the first match.
+Expected<void> open_arm(LiveShared& shared, const LivePlan& plan) {
+    const auto seat = std::find_if(plan.seats.begin(), plan.seats.end(), [](const Seat& s) { return s.arm; });
+    if (seat == plan.seats.end() || plan.replay != nullptr) return {};
+    auto arm = input::OpenHaptics::open();
+    if (!arm) return tl::unexpected(arm.error());
+    if (auto strong = check_strength((*arm)->facts().spec, plan.data->device); !strong) return strong;
+    if (auto started = (*arm)->start(shared.servo.tick()); !started) return started;
+    shared.arm = std::move(*arm);
+    shared.arm_player = static_cast<std::uint32_t>(seat - plan.seats.begin());
+    return {};
+}
+
+void tell_arm(const LiveShared& shared, LiveReport* report) {
+    if (!shared.arm) return;
+    const auto times = shared.arm->times();
+    const auto troubles = shared.servo.troubles();
+    std::fprintf(stderr,
+                 "arm: %s; poses: %llu repeated, %llu back in time, %llu no numbers; %llu forces differ "
+                 "from the match's\n",
+                 told(times).c_str(), static_cast<unsigned long long>(troubles.repeated),
+                 static_cast<unsigned long long>(troubles.backwards),
+                 static_cast<unsigned long long>(troubles.unusable),
+                 static_cast<unsigned long long>(troubles.differing));
+    if (report == nullptr) return;
+    report->arm = times;
+    report->arm_troubles = troubles;
+}
+
 void fill_report(LiveShared& shared, LiveReport& report) {
     report = shared.report;
     report.late_us_median = shared.late.at(0.5);
@@ -230,16 +276,25 @@ void fill_report(LiveShared& shared, LiveReport& report) {
 
 }  // namespace
 
+std::string told(const input::TickReport& arm) {
+    return text(arm.ticks, " ticks, ", arm.missed, " missed; uneven by ", fixed(arm.jitter_median, 0),
+                " us in the middle, ", fixed(arm.jitter_p99, 0), " us at 99 %, ", fixed(arm.jitter_worst, 0),
+                " us at worst; from pose to force ", fixed(arm.answer_median, 0), " us, ",
+                fixed(arm.answer_p99, 0), " us, ", fixed(arm.answer_worst, 0), " us");
+}
+
 int run_live(const LivePlan& plan) {
     auto window = render::Window::create({.fullscreen = plan.settings.fullscreen});
     if (!window) return refuse(window.error());
     LiveShared shared(*window);
+    if (const auto opened = open_arm(shared, plan); !opened) return refuse(opened.error());
     Desk desk(shared, plan);
     std::thread drawing([&] { run_render(plan, shared); });
     const auto played = play_matches(desk);
     shared.stop = true;
     drawing.join();
     if (plan.report != nullptr) fill_report(shared, *plan.report);
+    tell_arm(shared, plan.report);
     if (!played) return refuse(played.error());
     if (shared.render_error) return refuse(*shared.render_error);
     if (shared.simulation_error) return refuse(*shared.simulation_error);

@@ -14,6 +14,8 @@
 #include "game/app/settings.h"
 #include "game/bots/dummy.h"
 #include "game/match/playback.h"
+#include "input/arm_servo.h"
+#include "input/tick_times.h"
 
 namespace thaum::app {
 
@@ -31,8 +33,9 @@ Expected<SeatKind> seat_kind_of(std::string_view word);
 
 struct Seat {
     SeatKind kind{};
-    int pad = 0;    ///< which of the window's pads
-    int level = 1;  ///< of a bot
+    int pad = 0;       ///< which of the window's pads
+    int level = 1;     ///< of a bot
+    bool arm = false;  ///< the hand holds a real force feedback arm besides
 };
 
 /// Holds a thread up on purpose, for tests.
@@ -55,13 +58,19 @@ struct LiveReport {
     /// it, while playing. What mouse, keyboard and display add is not in it.
     double input_ms_median{}, input_ms_p99{};
     std::uint64_t inputs{};  ///< that were timed: of several events in one tick the first
+    /// Where somebody holds a real arm.
+    std::optional<input::TickReport> arm{};
+    input::ArmTroubles arm_troubles{};
 };
+
+/// One line: how well a real arm's thread kept time.
+std::string told(const input::TickReport& arm);
 
 struct LivePlan {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
-    std::array<Seat, 2> seats{};
-    bool start_screen = false;  ///< asks who plays with what instead of `seats`, and again after each match
+    std::array<Seat, 2> seats{};  ///< at most one with an arm
+    bool start_screen = false;    ///< asks who plays with what instead of `seats`, and again after each match
     /// The range instead of a match: the first seat practises on such a dummy, nothing is recorded, and data files that
     /// change are read again.
     std::optional<game::DummyKind> practice{};

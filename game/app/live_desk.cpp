@@ -1,6 +1,7 @@
 #include "game/app/live_desk.h"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace thaum::app {
 
@@ -348,6 +349,14 @@ void follow_wish(Desk& desk) {
     if (wish == MenuWish::leave || wish == MenuWish::quit) leave_match(desk);
 }
 
+/// The match goes on without the arm: its player cannot use the hand, but has eyes and feet.
+void follow_arm(Desk& desk) {
+    if (!desk.shared.arm || desk.arm_lost) return;
+    const auto status = desk.shared.arm->status();
+    desk.arm_lost = status.state != input::ArmPresence::present;
+    if (desk.arm_lost) std::fprintf(stderr, "%s\n", status.text.c_str());
+}
+
 /// A movement now and then, at no beat of the pictures'.
 void probe(const render::WindowEvents& events, std::int64_t& next_ns) {
     constexpr std::int64_t period_ns = 23'700'000;
@@ -395,6 +404,7 @@ void run_desk(Desk& desk) {
             pause_without_focus(desk);
         if (shared.window.should_close()) shared.stop = true;
         if (pads || menu_open(desk)) follow_pads(desk);
+        follow_arm(desk);
         follow_going(desk);
         repeat_menu(desk);
         follow_wish(desk);

@@ -9,13 +9,18 @@
 #include "game/app/live.h"
 #include "game/bots/range_files.h"
 #include "game/hud/menu.h"
+#include "input/arm_servo.h"
 #include "input/collector.h"
+#include "input/drivers/openhaptics.h"
 #include "input/log.h"
 #include "render/context.h"
 
 namespace thaum::app {
 
 enum class Going : std::uint8_t { playing, paused, over };
+
+/// A player's arm comes after the hands of both.
+inline constexpr std::size_t arm_device = game::players;
 
 /// One player's place; its DeviceSpec goes into the log.
 struct TakenSeat {
@@ -64,6 +69,9 @@ struct LiveShared {
 
     render::Window& window;
     std::array<TakenSeat, game::players> seats;  ///< changed only while no simulation thread runs
+    input::ArmServo servo;                       ///< of `arm`: between its thread and the simulation's
+    std::unique_ptr<input::OpenHaptics> arm;     ///< null: nobody holds one
+    std::uint32_t arm_player = game::no_player;  ///< whose hand holds it
     Latest<game::Picture> pictures;  ///< filled by the simulation thread, by main while there is none
     Latest<Screen> screen;           ///< filled by main
     /// Where the pictures are; filled by the simulation thread.

@@ -7,6 +7,7 @@
 #include "game/app/live_practice.h"
 #include "game/app/live_shared.h"
 #include "game/bots/bot.h"
+#include "game/match/arm.h"
 #include "game/match/record.h"
 
 namespace thaum::app {
@@ -84,6 +85,7 @@ bool add_bots(Session& s, std::uint64_t seed) {
 
 bool start_round(Session& s, MatchStart start) {
     s.marks_seen = s.shared.marks;
+    s.shared.servo.begin_match();
     if (s.plan.replay != nullptr) {
         s.round.match = &s.plan.replay->match();
         s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * s.tick_ns;
@@ -160,6 +162,7 @@ input::InputFrame take_frame(Session& s) {
     for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
     }
+    if (s.shared.arm) frame.devices[arm_device] = s.shared.servo.take();
     press_for_main(s.shared, going_of(s.round.match->match()), frame);
     if (const auto marks = s.shared.marks.load(); marks != s.marks_seen) {
         frame.devices[0].press(Button::mark);
@@ -173,6 +176,17 @@ input::InputFrame take_frame(Session& s) {
     frame.devices[0].skips = static_cast<std::uint16_t>(skips);
     s.skips_to_log -= skips;
     return frame;
+}
+
+/// The arm's ticks are a clock of their own, and a sample of it belongs to each of the match's: so the match's clock follows, by
+/// at most 1 %. behind: ticks that are due, this one included.
+void keep_pace_with_arm(Session& s, Tick behind) {
+    constexpr std::int64_t in_reserve = 2, most = 10, step_ns = 1000;
+    if (!s.shared.arm || going_of(s.round.match->match()) != Going::playing) return;
+    const auto waiting = static_cast<std::int64_t>(s.shared.servo.waiting());
+    if (waiting == 0) return;  // it may have stopped
+    const auto ahead = waiting - static_cast<std::int64_t>(behind - 1) - in_reserve;
+    s.start_ns -= step_ns * std::clamp(ahead, -most, most);
 }
 
 /// Buttons of any device that act on the session and not on the match.
@@ -245,6 +259,8 @@ void run_tick(Session& s) {
     follow_practice(s);
     const auto frame = take_frame(s);
     game::tick_and_record(*round.match, frame, log_of(round));
+    if (s.shared.arm && game::fill_order(*round.match, s.shared.arm_player, s.shared.servo.order()))
+        s.shared.servo.publish();
     const auto now = round.match->now();
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
@@ -298,6 +314,7 @@ void run_session(Session& s) {
         if (behind > s.patience) skip(s, behind);
         const auto before = monotonic_ns();
         if (s.plan.replay == nullptr) {
+            keep_pace_with_arm(s, behind);
             run_tick(s);
         } else if (!replay_tick(s)) {
             publish(s);

@@ -23,7 +23,8 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
                    keypad where there is no pad
   --solo LEVEL     against a bot of level 1, 2 or 3
   --demo           two bots
-  --hands A[,B]    what players hold: mouse, half (the keypad) or pad
+  --hands A[,B]    what players hold: mouse, half (the keypad), pad, or arm: a force
+                   feedback arm (OpenHaptics) with mouse and keyboard beside it
   --bots A,B       levels of the bots of --demo and --headless (1,1)
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
@@ -53,24 +54,27 @@ struct Wish {
     std::filesystem::path record, out = "out";
     bool headless = false, demo = false, vs = false;
     std::optional<int> solo;  ///< level of the bot
-    std::vector<SeatKind> hands;
+    std::vector<Seat> hands;
     std::array<int, game::players> bots{1, 1};
 
     bool mode() const { return demo || vs || solo.has_value(); }
 };
 
-Expected<std::vector<SeatKind>> hands_of(std::string_view words) {
-    std::vector<SeatKind> hands;
+Expected<std::vector<Seat>> hands_of(std::string_view words) {
+    std::vector<Seat> hands;
     for (;;) {
         const auto comma = std::min(words.find(','), words.size());
-        const auto hand = seat_kind_of(words.substr(0, comma));
+        const auto word = words.substr(0, comma);
+        const bool arm = word == "arm";
+        const auto hand = arm ? SeatKind::keyboard_mouse : seat_kind_of(word);
         if (!hand) return tl::unexpected(hand.error());
-        hands.push_back(*hand);
+        hands.push_back({.kind = *hand, .arm = arm});
         if (comma == words.size()) break;
         words.remove_prefix(comma + 1);
     }
-    const bool twice = hands.size() == 2 && hands[0] == hands[1] && hands[0] != SeatKind::pad;
-    if (hands.size() > 2 || twice) return fail("--hands takes one or two, and the same only if pads");
+    const bool twice = hands.size() == 2 && hands[0].kind == hands[1].kind && hands[0].kind != SeatKind::pad;
+    if (hands.size() > 2 || twice)
+        return fail("--hands takes one or two, and the same only if pads; arm needs the mouse");
     return hands;
 }
 
@@ -141,7 +145,7 @@ std::array<Seat, 2> seats_of(const Wish& wish) {
         return {Seat{.kind = SeatKind::bot, .level = wish.bots[0]},
                 Seat{.kind = SeatKind::bot, .level = wish.bots[1]}};
     const auto hand = [&](std::size_t i, SeatKind otherwise) {
-        return Seat{.kind = i < wish.hands.size() ? wish.hands[i] : otherwise};
+        return i < wish.hands.size() ? wish.hands[i] : Seat{.kind = otherwise};
     };
     const auto first = hand(0, SeatKind::keyboard_mouse);
     if (wish.solo) return {first, Seat{.kind = SeatKind::bot, .level = *wish.solo}};

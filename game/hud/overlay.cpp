@@ -230,7 +230,7 @@ std::string_view caption_of(haptics::SafetyCause cause) {
     using haptics::SafetyCause;
     switch (cause) {
         case SafetyCause::warm: return "Forces are weaker for a while: the device is warm";
-        case SafetyCause::stale: return "Forces fade: the game is late";
+        case SafetyCause::stale: return "Forces fade: the game or the arm is late";
         case SafetyCause::over_speed: return "Forces wait until the hand is slower";
         case SafetyCause::shut_off:
             return "Forces are shut off after a fault: the panic key brings them back";

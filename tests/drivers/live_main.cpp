@@ -1,6 +1,6 @@
 // A live session with few words, for tests of drivers and of time:
 //     live_session LOG SECONDS [SEAT SEAT [STALLED_THREAD EVERY_MS MS]]
-// SEAT: mouse, half, pad, bot, or probe: a mouse that moves by itself. Prints how well time was kept.
+// SEAT: mouse, half, pad, arm (with the mouse), bot, or probe: a mouse that moves by itself. Prints how well time was kept.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -14,6 +14,7 @@ namespace {
 
 Seat seat_of(std::string_view word) {
     if (word == "mouse" || word == "probe") return {.kind = SeatKind::keyboard_mouse};
+    if (word == "arm") return {.kind = SeatKind::keyboard_mouse, .arm = true};
     if (word == "half") return {.kind = SeatKind::keyboard_half};
     if (word == "pad") return {.kind = SeatKind::pad};
     return {.kind = SeatKind::bot};

@@ -57,7 +57,8 @@ struct Mirror {
     haptics::HapticModel next_model() {
         haptics::HapticModel model;
         model.lean.force = push * vec3(random.uniform(), random.uniform(), -random.uniform());
-        model.tether = {.anchor = {0.001 * random.uniform(), 0, 0}, .stiffness = 100, .damping = 1, .number = 1};
+        model.tether = {
+            .anchor = {0.001 * random.uniform(), 0, 0}, .stiffness = 100, .damping = 1, .number = 1};
         if (random.uniform() < 0.01) ++pulses;
         model.pulse = {.peak = {0, 0, 1}, .length = 15, .number = pulses};
         model.panic = panic;
@@ -87,6 +88,7 @@ std::size_t expect_same_forces(const Arm& arm, const Mirror& mirror) {
         EXPECT_TRUE(force == told) << "tick " << place << ": " << force.x << " and " << told.x;
         if (!(force == told)) break;
     }
+    EXPECT_EQ(arm.servo.troubles().differing, 0U);
     return mirror.forces.size();
 }
 
@@ -172,6 +174,18 @@ TEST(ArmServo, WithoutNewModelsTheForceEnds) {
     EXPECT_EQ(strongest(arm.forces, then + 71), 0);
     for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
     EXPECT_GT(glm::length(arm.forces.back()), 0.05) << "and comes again";
+}
+
+TEST(ArmServo, NoticesASimulationThatComputesOtherwise) {
+    ArmServo servo;
+    Arm arm{servo};
+    Mirror mirror{servo};
+    for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
+    EXPECT_EQ(servo.troubles().differing, 0U);
+    mirror.arm.servo.safety.heat[0] += 1;
+    mirror.arm.servo.positions[0].x += 1e-5;
+    for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
+    EXPECT_GT(servo.troubles().differing, 0U);
 }
 
 TEST(ArmServo, AllocatesNothing) {

@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# tests/drivers/fake_phantom_plays.sh THAUM FAKE_HD FAKE_HD_OLD: a match under Xvfb with a real-device arm whose libHD.so is ours. It is
+# recorded, plays again to the same forces, feels its own shots, outlives an arm that goes wrong, and says in one line why
+# there is none.
+set -euo pipefail
+. "$(dirname "$0")/screen.sh"
+thaum=$1 fake=$2 old=$3
+need Xvfb
+open_screen 640x360
+failed() { echo "failed: $1"; exit 1; }
+
+# The hand: still, then to and fro with the button held, so that each shot kicks.
+awk 'BEGIN {
+    print 0, 0, 0, 0, 0; print 300, 0, 0, 0, 1
+    for (ms = 320; ms <= 60000; ms += 20) print ms, 20 * sin((ms - 300) / 400), 5 * sin((ms - 300) / 150), 0, 1 }' >"$folder/way"
+
+# play NAME SECONDS FAKE_HD: a match of an arm against a bot, its log, and what it said.
+play() {
+    THAUM_LIBHD=$fake FAKE_HD=$3 "$thaum" --solo 1 --hands arm --seed 1 --seconds "$2" --set haptics.share=1 \
+        --record "$folder/$1.thaumlog" 2>"$folder/$1.txt" || { cat "$folder/$1.txt"; failed "$1 does not play"; }
+    cat "$folder/$1.txt"
+    grep -q '^arm: [0-9]* ticks' "$folder/$1.txt" || failed "$1: how well time was kept is not said"
+    grep -q '; 0 forces differ' "$folder/$1.txt" || failed "$1: the match computes other forces than the arm's thread"
+    "$thaum" replay "$folder/$1.thaumlog" --verify --forces "$folder/$1.csv" | tee "$folder/$1.verified"
+    grep -q 'state hashes agree' "$folder/$1.verified" || failed "$1: the replay differs"
+}
+
+# The shots are felt: towards the user, each of 1.2 N (game.md), and the hand went to both sides of where it began.
+play good 4 "path=$folder/way"
+awk -F, 'NR > 1 { if ($8 > most) most = $8; if ($8 > 1 && before <= 1) shots++; before = $8
+                  if ($3 > right) right = $3; if ($3 < left) left = $3 }
+    END { print "strongest", most, "N, shots", shots + 0, "hand", left, "to", right, "m"
+          exit !(most > 1.1 && most < 1.3 && shots >= 3 && right > 0.01 && left < -0.01) }' \
+    "$folder/good.csv" || failed "the forces are not those of shots"
+
+# An arm that goes wrong: the match goes on, and its forces end.
+play vanished 4 "path=$folder/way,vanish=1500"
+grep -q 'plug it in' "$folder/vanished.txt" || failed "nobody says that the arm is lost"
+awk -F, 'END { print "at the end:", $6, $7, $8, $9; exit !($2 > 2 && $6 == 0 && $7 == 0 && $8 == 0) }' "$folder/vanished.csv" ||
+    failed "forces of an arm that is not there"
+play stopped 4 "path=$folder/way,stop=1500"
+play late 4 "path=$folder/way,late=50,burst"
+play numberless 4 "path=$folder/way,nan=1000"
+
+# No arm: one line that says what to do, and no match.
+refuses() { # LIBRARY FAKE_HD WORDS
+    local said code=0
+    said=$(THAUM_LIBHD=$1 FAKE_HD=$2 "$thaum" --solo 1 --hands arm --seconds 1 --record "$folder/none.thaumlog" 2>&1) || code=$?
+    echo "$said"
+    [ "$code" -ne 0 ] || failed "plays without an arm"
+    [ "$(wc -l <<<"$said")" -eq 1 ] || failed "more than a line"
+    grep -q "$3" <<<"$said" || failed "does not say '$3'"
+    [ ! -e "$folder/none.thaumlog" ] || failed "leaves a log"
+}
+refuses "$folder/no/libHD.so" "" "THAUM_LIBHD"
+refuses "$old" "" "too old"
+refuses "$fake" manual "inkwell"
+refuses "$fake" no_permission "may not open its port"
+
+THAUM_LIBHD=$fake FAKE_HD=late=100 "$thaum" doctor --json "$folder/doctor.json" | grep -A1 ' arm ' || failed "doctor knows no arm"
+grep -q '"pose_to_force_us_p99"' "$folder/doctor.json" || failed "doctor --json lacks its times"
+grep -Eq '"missed": [1-9]' "$folder/doctor.json" || failed "doctor sees no missed tick"
+echo "the make-believe arm plays"
