@@ -351,10 +351,12 @@ void follow_wish(Desk& desk) {
 
 /// The match goes on without the arm: its player cannot use the hand, but has eyes and feet.
 void follow_arm(Desk& desk) {
-    if (!desk.shared.arm || desk.arm_lost) return;
+    if (!desk.shared.arm) return;
     const auto status = desk.shared.arm->status();
-    desk.arm_lost = status.state != input::ArmPresence::present;
-    if (desk.arm_lost) std::fprintf(stderr, "%s\n", status.text.c_str());
+    const bool lost = status.state != input::ArmPresence::present;
+    if (lost == desk.arm_lost) return;
+    desk.arm_lost = lost;
+    std::fprintf(stderr, "%s\n", lost ? status.text.c_str() : "the arm is back");
 }
 
 /// A movement now and then, at no beat of the pictures'.

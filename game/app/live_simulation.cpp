@@ -179,9 +179,9 @@ input::InputFrame take_frame(Session& s) {
 }
 
 /// The arm's ticks are a clock of their own, and a sample of it belongs to each of the match's: so the match's clock follows, by
-/// at most 1 %. behind: ticks that are due, this one included.
+/// at most 4 %. behind: ticks that are due, this one included.
 void keep_pace_with_arm(Session& s, Tick behind) {
-    constexpr std::int64_t in_reserve = 2, most = 10, step_ns = 1000;
+    constexpr std::int64_t in_reserve = 2, most = 10, step_ns = 4000;
     if (!s.shared.arm || going_of(s.round.match->match()) != Going::playing) return;
     const auto waiting = static_cast<std::int64_t>(s.shared.servo.waiting());
     if (waiting == 0) return;  // it may have stopped

@@ -42,6 +42,11 @@ play stopped 4 "path=$folder/way,stop=1500"
 play late 4 "path=$folder/way,late=50,burst"
 play numberless 4 "path=$folder/way,nan=1000"
 
+# An arm whose clock is faster than ours: the match follows it, else samples would pile up until the forces were old ones.
+play faster 6 "path=$folder/way,rate=1008"
+tail -n 1000 "$folder/faster.csv" | awk -F, '$9 == "stale" { stale++ } END { print "stale for", stale + 0, "of the last", NR
+    exit !(stale < NR / 2) }' || failed "the match does not keep pace with the arm"
+
 # No arm: one line that says what to do, and no match.
 refuses() { # LIBRARY FAKE_HD WORDS
     local said code=0

@@ -436,7 +436,7 @@ Expected<void> OpenHaptics::start(ArmTick tick) {
 }
 
 ArmStatus OpenHaptics::status() const {
-    constexpr std::int64_t silence_ns = 100'000'000;
+    constexpr std::int64_t silence_ns = 500'000'000;
     const auto& s = *state_;
     if (const auto code = s.code.load(); code != 0) {
         const bool silent = code == comm_error || code == comm_config || code == timer_error;

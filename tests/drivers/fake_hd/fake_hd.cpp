@@ -11,6 +11,7 @@
 //     nan=N             tick N and the nine after it measure no number
 //     late=N            every Nth tick comes 5 ms late;  burst: and what was missed follows at once
 //     stop=N            after tick N no more ticks come
+//     rate=HZ           its clock is not ours: ticks come so often
 //     path=FILE         where the hand wants to be: lines "ms x_mm y_mm z_mm buttons", straight between them
 #include "drivers/fake_hd/fake_hd.h"
 
@@ -217,9 +218,11 @@ void run_tasks(Library& l) {
 void run_thread(Library& l) {
     l.own_thread = std::this_thread::get_id();
     constexpr auto ms = std::chrono::milliseconds(1);
+    const auto hz = l.script.tick("rate");
+    const auto period = hz == 0 ? std::chrono::microseconds(ms) : std::chrono::microseconds(1'000'000 / hz);
     auto due = Clock::now();
     while (l.running) {
-        due += ms;
+        due += period;
         std::uint64_t tick = 0;
         {
             const Lock lock(l.mutex);
