@@ -84,9 +84,9 @@ void add_touch_system(Stage& stage, ecs::Schedule& schedule) {
                           [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, Grip& grip) {
                               auto& trace = stage.felt[wizard.player];
                               const bool real = holds_arm(stage, wizard.player);
-                              trace[tick % trace.size()] = static_cast<float>(
-                                  real ? glm::length(grip.servo.safety.output)
-                                       : feel(stage, e, controls, panic, grip));
+                              trace[tick % trace.size()] =
+                                  static_cast<float>(real ? glm::length(grip.servo.safety.output)
+                                                          : feel(stage, e, controls, panic, grip));
                           });
                   }});
 }
