@@ -24,6 +24,7 @@ wait(1.5)
 local reach = table_:position().z - me:position().z
 expect(reach > 4 and reach < 6, "it points across the pit")
 expect_near(table_:position().x, me:position().x, 0.5)
+picture {name = "carried"}
 
 -- Backward until its middle is over the pit's middle, z = 9.
 me:move(0, -1)

@@ -186,9 +186,10 @@ TEST(Bot, KeepsItsReserveForAFoeWhoIsNear) {
     skill.aim_error = 0;
     skill.reserve = 0.5;
     skill.spark_below = skill.vial_below = skill.variety = 0;
-    Scene scene(skill, {"bolt.energy.regain_per_s=0", "bolt.shot.damage=0.01", "quick.seconds=60"});
-    scene.put(0, {-14, 0, 9}, 0);
-    scene.put(1, {-14, 0, -2}, 180);
+    Scene scene(skill, {"bolt.energy.regain_per_s=0", "wizard.health.start=100000",
+                        "wizard.health.cap=100000", "quick.seconds=60"});
+    scene.put(0, {-14, 0, 18.5}, 0);
+    scene.put(1, {-14, 0, 7.5}, 180);
     scene.run(20, stands_still);
     const double far = scene.match.world().get<WandBelt>(wizard_of(scene.match.world(), 0)).energy[0];
     EXPECT_NEAR(far, 30, 1.5) << "half of 60 is kept";
