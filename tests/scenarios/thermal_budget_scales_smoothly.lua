@@ -1,0 +1,45 @@
+-- A hand that presses a held thing against a wall for long: the device would get too hot, so after a while everything scales down, smoothly,
+-- and the force's root mean square over any ten seconds stays under what the device can hold, 0.88 N for a Touch.
+match {players = {"script", "script"}, forces = {100, 100},
+       set = {"lift.energy.per_s=0", "lift.energy.per_n_s=0", "lift.hold.lost_m=10"}}
+clear_props()
+local me = wizard(1)
+wizard(2):place {-15, 0, -15}
+me:place {14.5, 0, 16}
+me:face(-90, 0)
+local thing = spawn {kind = "box", size = {1, 1, 1}, mass = 20, at = {17.5, 0.5, 16}}
+trace("warm", {"1.force_x", "1.force_y", "1.force_z", "t1.x"})
+wait(0.3)
+me:press("wand_4")
+me:aim(thing)
+wait(0.1)
+me:hold("fire")
+wait(0.2)
+me:look(0, 10)
+wait(1)
+me:move(0, 0.4)
+wait_until(function() return thing:position().x > 19.49 end, 3)
+wait(0.12)  -- the blow is over
+wait_until(function() return me:force().z > 1.4 end, 3)
+me:stop()
+wait(0.4)
+expect(length(me:force()) > 1.2, "it presses hard")
+expect(me:force_cause() == "none", "and may, for now")
+local squares, sum, before, warm, steepest = {}, 0, me:force(), false, 0
+for i = 1, 16000 do
+    tick()
+    local now = me:force()
+    steepest = math.max(steepest, distance(now, before))
+    before = now
+    warm = warm or me:force_cause() == "warm"
+    local size = length(now)
+    squares[i] = size * size
+    sum = sum + squares[i]
+    if i > 10000 then sum = sum - squares[i - 10000] end
+    if i >= 10000 then expect(math.sqrt(sum / 10000) <= 0.88 + 1e-9, "never too hot") end
+end
+expect(warm, "it has said why it is weaker")
+-- One count of the encoder, 55 um, is 300 N/m of spring, and over the 8 ms of the velocity 1.9 N s/m of damper and up to 4 of the controller.
+expect(steepest < 5.5e-5 * (300 + (1.9 + 4) / 0.008) + 0.003, "no tick changes it by more than an encoder's count does")
+expect(length(me:force()) > 0.05, "it is weaker, not gone")
+expect_near(thing:position().x, 19.5, 0.01, "in the world nothing has changed")
