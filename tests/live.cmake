@@ -44,7 +44,7 @@ thaum_driver_test(input_delay ${CMAKE_CURRENT_SOURCE_DIR}/drivers/input_delay.sh
     $<TARGET_FILE:live_session> $<TARGET_FILE:thaum>)
 thaum_driver_test(fake_phantom_plays ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_plays.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:fake_hd_old>)
-# Half a minute in real time; what the sanitizers could find there they find in test_arm.
+# slow: half a minute in real time; what the sanitizers could find there they find in shorter ones.
 set_tests_properties(drivers.fake_phantom_plays PROPERTIES LABELS slow)
 # A hundred times, by hand: kill_recording 100
 add_executable(kill_recording drivers/kill_recording.cpp)
@@ -64,4 +64,5 @@ if(umockdev_FOUND)
         $<TARGET_FILE:thaum> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
     thaum_driver_test(pad_duel ${CMAKE_CURRENT_SOURCE_DIR}/drivers/pad_duel.sh
         $<TARGET_FILE:live_session> $<TARGET_FILE:pad_harness> $<TARGET_FILE:live_log_probe>)
+    set_tests_properties(drivers.duel_to_death PROPERTIES LABELS slow)
 endif()

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "game/match/touch.h"
+#include "game/wands/shot.h"
 #include "game/wands/tug.h"
 #include "game/wands/wand.h"
 
@@ -209,17 +210,12 @@ void throw_thing(const WandUse& use, const LiftData& data, LiftHand& hand) {
     ++belt.fired;
 }
 
-void tell_dry(const WandUse& use) {
-    const auto player = std::as_const(use.stage.world).get<Wizard>(use.wizard).player;
-    record(use.stage.world, {.tick = use.tick, .kind = EventKind::dry, .subject = player, .by = player});
-}
-
 void begin(const WandUse& use, const LiftData& data, LiftHand& hand) {
     auto& world = use.stage.world;
     const auto thing = aimed_at(use.stage, data, use.wizard);
     if (!thing) return;
     auto& belt = world.get<WandBelt>(use.wizard);
-    if (!spend(belt, use.stats)) return tell_dry(use);
+    if (!spend(belt, use.stats)) return note_dry(use);
     take(use.stage, data, use.wizard, thing, hand);
     belt.holds = 1;
     world.get<Health>(use.wizard).shielded_until = use.tick;  // who attacks is no longer protected
@@ -232,7 +228,7 @@ void go_on(const WandUse& use, const LiftData& data, const Controls& controls, L
     hand.impulse = 0;
     if (!spend(world.get<WandBelt>(use.wizard), use.stats, cost)) {
         let_thing_go(use.stage, use.wizard, hand);
-        return tell_dry(use);
+        return note_dry(use);
     }
     world.get<Prop>(hand.held) = {.moved_at = use.tick,
                                   .moved_by = std::as_const(world).get<Wizard>(use.wizard).player};

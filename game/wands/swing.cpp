@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "game/match/touch.h"
+#include "game/wands/shot.h"
 #include "game/wands/tug.h"
 #include "game/wands/wand.h"
 
@@ -96,16 +97,11 @@ void unlatch(Stage& stage, ecs::Entity wizard, SwingHand& hand) {
     let_go(stage, wizard);
 }
 
-void tell_dry(const WandUse& use) {
-    const auto player = std::as_const(use.stage.world).get<Wizard>(use.wizard).player;
-    record(use.stage.world, {.tick = use.tick, .kind = EventKind::dry, .subject = player, .by = player});
-}
-
 void latch(const WandUse& use, const SwingData& data, SwingHand& hand) {
     auto& world = use.stage.world;
     const auto point = latched_at(use.stage, data, use.wizard);
     if (!point) return;
-    if (!spend(world.get<WandBelt>(use.wizard), use.stats)) return tell_dry(use);
+    if (!spend(world.get<WandBelt>(use.wizard), use.stats)) return note_dry(use);
     hand = {.anchor = *point, .taken_device = std::as_const(world).get<Grip>(use.wizard).device.position};
     hand.length = glm::distance(*point, eye_now(use.stage, use.wizard));
     hand.rest_length = data.rest_share * hand.length;
@@ -125,7 +121,7 @@ void use(const WandUse& use) {
     if ((controls.held & fire) == 0) return unlatch(use.stage, use.wizard, hand);
     if (!spend(world.get<WandBelt>(use.wizard), use.stats, data.energy_per_use)) {
         unlatch(use.stage, use.wizard, hand);
-        tell_dry(use);
+        note_dry(use);
     }
 }
 

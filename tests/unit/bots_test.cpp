@@ -122,7 +122,7 @@ TEST(Bot, WhoAllowsForTheFoesMotionHitsMore) {
                                    << leading.shots;
 }
 
-/// Shots of 60 s by each cause of a bot at 9 m from a foe who stands still.
+/// Shots of 45 s by each cause of a bot at 9 m from a foe who stands still.
 std::array<std::uint32_t, causes.size()> shots_of(int level) {
     auto skill = skill_of(level);
     skill.variety = 0.9;
@@ -132,7 +132,7 @@ std::array<std::uint32_t, causes.size()> shots_of(int level) {
                  "lob.energy.regain_per_s=100", "wizard.health.start=100000", "wizard.health.cap=100000"});
     scene.put(0, {-14, 0, 8}, 0);
     scene.put(1, {-14, 0, -1}, 180);
-    scene.run(60, stands_still);
+    scene.run(45, stands_still);
     std::array<std::uint32_t, causes.size()> shots{};
     for (std::size_t cause = 0; cause < causes.size(); ++cause)
         shots[cause] = scene.match.world().single<Chronicle>().deeds[0][cause].shots;

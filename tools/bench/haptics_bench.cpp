@@ -175,7 +175,8 @@ haptics::SurfacePatch full_patch() {
     }
     constexpr double cell = 4e-4;  // m
     for (std::uint32_t i = 0; i < haptics::surface_capacity; ++i) {
-        const vec3 corner = cell * vec3(i / 2 % 4, -0.5, -1.0 - i / 8);
+        const std::uint32_t row = i / 8, column = i / 2 % 4;
+        const vec3 corner = cell * vec3(column, -0.5, -1.0 - row);
         const vec3 x(cell, 0, 0), z(0, 0, cell);
         patch.surfaces[i] = {.kind = haptics::SurfaceKind::triangle,
                              .body = i % patch.body_count,

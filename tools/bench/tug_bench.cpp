@@ -71,14 +71,14 @@ double spring_force(double t, double place) { return held_stiffness * (hand_at(t
 /// Largest error of the spring's force, N in the world, each millisecond: with the newest step's model, `age` ticks late, which goes on
 /// with its speed or stands still.
 double worst_force(const Held& held, std::int64_t step_ms, int age, bool moves_on, const Held& reference) {
-    constexpr int per_ms = 16;
+    constexpr std::size_t per_ms = 16;
     double worst = 0;
     for (int ms = 100; ms < static_cast<int>(held_seconds * 1000); ++ms) {
         const auto made = (ms - age) / step_ms;  // the step whose beginning the model shows
         const double late = (ms - static_cast<double>(made * step_ms)) * 1e-3;
         const auto at = static_cast<std::size_t>(made);
         const double place = held.place[at] + (moves_on ? late * held.speed[at] : 0);
-        const double exact = spring_force(ms * 1e-3, reference.place[static_cast<std::size_t>(ms * per_ms)]);
+        const double exact = spring_force(ms * 1e-3, reference.place[static_cast<std::size_t>(ms) * per_ms]);
         worst = std::max(worst, std::abs(spring_force(ms * 1e-3, place) - exact));
     }
     return worst;
