@@ -220,7 +220,7 @@ void add_force_plot(Overlay& out, const ForcePicture& force, const Corner& c) {
     }
     const float now = *std::max_element(force.strongest.end() - 8, force.strongest.end());
     add_text(out,
-             text("hand ", fixed(static_cast<double>(now), 2), " N of ", fixed(force.cap, 2), ", made ",
+             text(fixed(static_cast<double>(now), 2), " of ", fixed(force.cap, 2), " N, +",
                   fixed(1000 * force.created, 1), " mJ"),
              low - fvec2(0, high + 17 * u), 12 * u, white, Align::left);
 }
