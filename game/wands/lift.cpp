@@ -124,18 +124,6 @@ double greatest_inertia(const physics::BodyDesc& body) {
 
 double wrapped(double angle) { return angle - 2 * pi * std::round(angle / (2 * pi)); }
 
-/// Where the crosshair is, from the wizard's eye.
-struct Sight {
-    vec3 eye{}, ahead{};
-};
-
-Sight sight_of(const Stage& stage, ecs::Entity wizard) {
-    const auto& now = std::as_const(stage.world);
-    const auto& gaze = now.get<Gaze>(wizard);
-    return {eye_of(stage.data.wizard, stage.physics.state(wizard.index).position),
-            look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1)};
-}
-
 double newtons_per_newton(const LiftData& data, const LiftHand& hand) {
     return data.felt_stiffness / (hand.metres_per_metre * data.stiffness);
 }
@@ -253,8 +241,9 @@ void use(const WandUse& use) {
 
 // ---- every tick ---------------------------------------------------------------------------------------------------
 
-/// An implicit step of a critically damped spring of `frequency` rad/s; its new rate.
-double eased_rate(double rate, double off, double frequency) {
+/// An implicit step of a critically damped spring of `frequency` rad/s, about one axis or three; its new rate.
+template <class T>
+T eased_rate(T rate, T off, double frequency) {
     const double x = frequency * physics_dt;
     return (rate + x * frequency * off) / (1 + 2 * x + x * x);
 }
@@ -285,9 +274,8 @@ void hold_turned(Stage& stage, const LiftData& data, const LiftHand& hand) {
     if (off.w < 0) off = -off;
     const vec3 angle = 2.0 * vec3(off.x, off.y, off.z);  // rad, for small ones; less than that for large
     const double frequency = std::sqrt(data.stiffness / body.mass);
-    const double x = frequency * physics_dt;
     const vec3 reference(0, hand.yaw_rate, 0);
-    const vec3 spin = reference + (state.spin - reference + x * frequency * angle) / (1 + 2 * x + x * x);
+    const vec3 spin = reference + eased_rate(state.spin - reference, angle, frequency);
     const double most = data.turn_torque / greatest_inertia(body) * physics_dt;
     stage.physics.set_spin(key, state.spin + limited(spin - state.spin, most));
 }
@@ -314,11 +302,10 @@ void feel_blow(Stage& stage, const LiftData& data, const haptics::CouplingFrame&
 haptics::Tether tether_to(const LiftData& data, const haptics::CouplingFrame& frame, const LiftHand& hand,
                           vec3 device, vec3 object, vec3 object_velocity, vec3 base_velocity) {
     const mat3 to_device = glm::transpose(frame.player_to_world * frame.device_to_player);
-    const double felt = frame.newtons_per_newton * frame.metres_per_metre;
     return {.anchor = device - to_device * (hand.hip - object) / frame.metres_per_metre,
             .anchor_velocity = to_device * (object_velocity - base_velocity) / frame.metres_per_metre,
-            .stiffness = felt * data.stiffness,
-            .damping = felt * data.damping};
+            .stiffness = haptics::felt_stiffness(frame, data.stiffness),
+            .damping = haptics::felt_stiffness(frame, data.damping)};
 }
 
 /// More than one may hold it; its weight is held up once.

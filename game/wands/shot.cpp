@@ -73,6 +73,12 @@ bool holds_fire(const Controls& controls) {
     return ((controls.held | controls.pressed) & input::bit(input::Button::fire)) != 0;
 }
 
+Sight sight_of(const Stage& stage, ecs::Entity wizard) {
+    const auto& gaze = std::as_const(stage.world).get<Gaze>(wizard);
+    return {eye_of(stage.data.wizard, stage.physics.state(wizard.index).position),
+            look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1)};
+}
+
 Muzzle muzzle_of(const WandUse& use, double radius) {
     const auto& world = std::as_const(use.stage.world);
     const auto& physics = use.stage.physics;

@@ -16,6 +16,14 @@ Growing read_growing(const ConfigTable& table, std::string_view name, std::strin
 /// True while fire is held, and at the first look after it was pressed.
 bool holds_fire(const Controls& controls);
 
+/// Where the crosshair is, from the wizard's eye.
+struct Sight {
+    vec3 eye{};    ///< m, world
+    vec3 ahead{};  ///< unit
+};
+/// Reads Gaze.
+Sight sight_of(const Stage& stage, ecs::Entity wizard);
+
 /// Where a shot leaves, and which way.
 struct Muzzle {
     vec3 tip{};    ///< m, world: the wand's tip; the eye, where something stands between the two

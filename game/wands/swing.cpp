@@ -60,18 +60,13 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
     return std::make_shared<SwingData>(data);
 }
 
-vec3 eye_now(const Stage& stage, ecs::Entity wizard) {
-    return eye_of(stage.data.wizard, stage.physics.state(wizard.index).position);
-}
-
 // ---- latching -----------------------------------------------------------------------------------------------------
 
 /// The anchor nearest to the crosshair, else what stands still under it; nothing where both are too far.
 std::optional<vec3> latched_at(const Stage& stage, const SwingData& data, ecs::Entity wizard) {
     const auto& now = std::as_const(stage.world);
-    const auto& gaze = now.get<Gaze>(wizard);
-    const vec3 eye = eye_now(stage, wizard);
-    const vec3 ahead = look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1);
+    const Sight sight = sight_of(stage, wizard);
+    const vec3 eye = sight.eye, ahead = sight.ahead;
     std::optional<vec3> found;
     double best = data.aim_cos;
     now.view<const Anchor, const Motion>().each([&](const Motion& motion) {
@@ -103,7 +98,7 @@ void latch(const WandUse& use, const SwingData& data, SwingHand& hand) {
     if (!point) return;
     if (!spend(world.get<WandBelt>(use.wizard), use.stats)) return note_dry(use);
     hand = {.anchor = *point, .taken_device = std::as_const(world).get<Grip>(use.wizard).device.position};
-    hand.length = glm::distance(*point, eye_now(use.stage, use.wizard));
+    hand.length = glm::distance(*point, sight_of(use.stage, use.wizard).eye);
     hand.rest_length = data.rest_share * hand.length;
     hand.tug.expected = use.stage.physics.velocity(use.wizard.index);
 }
@@ -144,7 +139,7 @@ double slack_length(const SwingData& data, double distance, double pulled, Swing
 void pull(Stage& stage, const SwingData& data, ecs::Entity wizard, SwingHand& hand) {
     const auto key = wizard.index;
     const double mass = stage.physics.desc(key).mass;
-    const vec3 eye = eye_now(stage, wizard);
+    const vec3 eye = sight_of(stage, wizard).eye;
     const double distance = glm::distance(hand.anchor, eye);
     const double drawn = std::as_const(stage.world).get<Grip>(wizard).device.position.z - hand.taken_device.z;
     const double pulled = std::clamp(data.metres_per_metre * drawn, 0.0, 0.9 * hand.rest_length);
