@@ -79,7 +79,7 @@ struct Term {
     vec3 offset;
     vec3 dual;           ///< y: the term pulls with -y; |y| <= strength
     vec3 distance;       ///< m = P x - offset where it was last asked for
-    double rounding;     ///< m: of the coordinates of its position
+    double rounding;     ///< m: of the coordinates of its position, and a little of those of the farthest
     std::size_t source;  ///< index in the set
     bool held;           ///< x is taken to lie on its kink
 };
@@ -101,7 +101,7 @@ struct Terms {
 };
 
 struct Problem {
-    Terms terms{};
+    Terms terms;
     double stiffness{};
     vec3 centre{};      ///< world
     vec3 load{};        ///< N, constant forces
@@ -168,7 +168,9 @@ Term term_of(const Primitive& primitive, std::size_t source) {
 }
 
 Problem problem_of(const PrimitiveSet& set, const Spring& spring) {
-    Problem problem{.stiffness = spring.stiffness, .centre = spring.centre};
+    Problem problem;  // with {} the compiler clears 3 KB
+    problem.stiffness = spring.stiffness;
+    problem.centre = spring.centre;
     std::size_t source = 0;
     for (const Primitive& primitive : set.items()) {
         if (primitive.kind == PrimitiveKind::directed) {
@@ -181,6 +183,10 @@ Problem problem_of(const PrimitiveSet& set, const Spring& spring) {
         }
         ++source;
     }
+    // Where kinks meet at the world's origin, coordinates have no size of their own.
+    double farthest = 0;
+    for (const Term& term : terms_of(problem)) farthest = std::max(farthest, glm::length(term.position));
+    for (Term& term : terms_of(problem)) term.rounding = std::max(term.rounding, epsilon * farthest);
     return problem;
 }
 
@@ -280,15 +286,10 @@ struct Flat {
     }
 };
 
-/// Moves x within the flat onto q.x = height, and takes that up. A direction the flat already fixes is left to the
-/// check of distances.
+/// Moves x within the flat onto q.x = height, and takes that up.
 void fix(Flat& flat, vec3& x, vec3 q, double height) {
-    if (flat.count == 3) return;
     vec3 normal = flat.along(q);
-    const double length = glm::length(normal);
-    if (length < 1e-12) return;
-    normal = flat.along(normal / length);
-    normal = glm::normalize(normal);
+    normal = glm::normalize(flat.along(glm::normalize(normal)));
     x += normal * ((height - glm::dot(q, x)) / glm::dot(q, normal));
     flat.normals[flat.count++] = normal;
 }
@@ -300,19 +301,37 @@ std::array<vec3, 2> normals_to(vec3 q) {
     return {first, glm::cross(q, first)};
 }
 
-/// Puts x onto all held kinks.
+/// Of the unit vectors normal to a kink the one that the flat leaves most free.
+vec3 freest_normal(const Flat& flat, const Term& term) {
+    if (term.identity == 0) return term.q;
+    if (flat.count == 0) return normals_to(term.q)[0];
+    const vec3 free = flat.count == 2 ? project(term, glm::cross(flat.normals[0], flat.normals[1]))
+                                      : glm::cross(flat.normals[0], term.q);
+    const double length = glm::length(free);
+    return length > 1e-9 ? free / length : normals_to(term.q)[0];
+}
+
+/// Puts x onto all held kinks: the one that the others leave most free first, since what is nearly fixed already is badly known. A
+/// direction that is fixed is left to the check of distances.
 Flat flat_of_held(Problem& problem, vec3& x) {
     Flat flat;
     for (const Term& term : terms_of(problem)) {
-        if (!term.held) continue;
-        if (term.identity == 0) {
-            fix(flat, x, term.q, glm::dot(term.q, term.offset));
-        } else if (term.dyad == 0) {
-            x = term.offset;
-            return {{vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}, 3};
-        } else {
-            for (const vec3 normal : normals_to(term.q)) fix(flat, x, normal, glm::dot(normal, term.offset));
+        if (!term.held || term.identity == 0 || term.dyad != 0) continue;
+        x = term.offset;
+        return {{vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}, 3};
+    }
+    while (flat.count < 3) {
+        const Term* best = nullptr;
+        vec3 normal{};
+        double most = 1e-12;
+        for (const Term& term : terms_of(problem)) {
+            if (!term.held) continue;
+            const vec3 candidate = freest_normal(flat, term);
+            const double left = glm::length(flat.along(candidate));
+            if (left > most * (1 + 1e-9)) most = left, normal = candidate, best = &term;
         }
+        if (best == nullptr) break;
+        fix(flat, x, normal, glm::dot(normal, best->offset));
     }
     return flat;
 }
@@ -454,12 +473,21 @@ vec3 balance_held(Problem& problem, vec3 x) {
 
 // ---- all together --------------------------------------------------------------------------------------------------
 
+/// The best place so far.
 struct Answer {
-    Problem problem;
-    vec3 x{};
+    vec3 proxy;  ///< m, world
     double residual = std::numeric_limits<double>::infinity();
-    double spread = 0;  ///< m, of held kinks that do not meet; else 0
+    std::array<vec3, primitive_capacity> pulls;  ///< N, world: of the terms, in their order
 };
+
+/// Takes x and the forces as they are, where they are better.
+void improve(Answer& best, const Problem& problem, vec3 x, double residual) {
+    if (!(residual < best.residual)) return;
+    best.residual = residual;
+    best.proxy = world_of(problem, x);
+    std::size_t i = 0;
+    for (const Term& term : terms_of(problem)) best.pulls[i++] = -(problem.axes * term.dual);
+}
 
 /// Takes the point of the nearest kink next to x as origin, so that small distances are known to full precision. Not
 /// where the origin is nearer.
@@ -543,28 +571,25 @@ void align(Problem& problem, vec3& x) {
     measure_distances(problem, x);
 }
 
-/// Steps 2 and 3 from the smoothed state, whose kinks are held up to a distance: the best of up to four guesses. The residual
-/// is infinite where none from there is right; then spread tells whether because the held kinks do not meet.
-Answer settled(const Problem& smoothed, vec3 x, double square, double accepted, int& steps) {
-    Answer best, answer{smoothed, x};
-    Problem& problem = answer.problem;
-    move_origin(problem, answer.x);
+/// Steps 2 and 3 from the smoothed state, whose kinks are held up to a distance: improves on `best` by up to four guesses. By how much
+/// the held kinks miss each other, m, where that was in the way; else 0.
+double settle(Problem problem, vec3 x, double square, double accepted, Answer& best, int& steps) {
+    move_origin(problem, x);
     guess_held(problem, square);
     for (int tries = 0; tries < 4; ++tries) {
-        Flat flat = flat_of_held(problem, answer.x);
-        best.spread = spread_of_held(problem, answer.x);
-        if (best.spread > 0) break;
+        Flat flat = flat_of_held(problem, x);
+        const double spread = spread_of_held(problem, x);
+        if (spread > 0) return spread;
         Symmetric matrix;
-        if (!minimise_near(problem, flat, answer.x, matrix, steps)) break;
+        if (!minimise_near(problem, flat, x, matrix, steps)) break;
         for (Term& term : terms_of(problem)) {
             if (!term.held) term.dual = term.distance * (term.strength / glm::length(term.distance));
         }
-        const vec3 missing = balance_held(problem, answer.x);
-        answer.residual = residual_at(problem, answer.x);
-        if (answer.residual < best.residual) best = answer;
-        if (best.residual <= accepted || !release(problem, matrix, missing, answer.x)) break;
+        const vec3 missing = balance_held(problem, x);
+        improve(best, problem, x, residual_at(problem, x));
+        if (best.residual <= accepted || !release(problem, matrix, missing, x)) break;
     }
-    return best;
+    return 0;
 }
 
 /// How far the terms can move x from where it is without them; at least the rounding there.
@@ -575,20 +600,23 @@ double length_of(Problem& problem) {
                     4 * rounding_of(problem.centre));
 }
 
-double energy(Problem& problem, vec3 x) {
+/// J, at x; or some number above `most` where it is more than that.
+double energy(const Problem& problem, vec3 x, double most) {
     double result = 0.5 * problem.stiffness * glm::dot(x, x) - glm::dot(problem.target, x);
-    for (const Term& term : terms_of(problem))
+    for (const Term& term : terms_of(problem)) {
+        if (result > most) break;
         result += term.strength * glm::length(project(term, x) - term.offset);
+    }
     return result;
 }
 
 /// The best of where x would be without the terms and its nearest places on their kinks.
-vec3 start_of(Problem& problem, vec3 free) {
+vec3 start_of(const Problem& problem, vec3 free) {
     vec3 best = free;
-    double least = energy(problem, free);
+    double least = energy(problem, free, std::numeric_limits<double>::infinity());
     for (const Term& term : terms_of(problem)) {
         const vec3 foot = free - term.distance;
-        const double here = energy(problem, foot);
+        const double here = energy(problem, foot, least);
         if (here < least) least = here, best = foot;
     }
     return best;
@@ -621,8 +649,7 @@ void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& 
     measure_distances(problem, x);
     // Often the best start is held where it is.
     const double touching = 2 * rounding_of(world_of(problem, x));
-    const Answer first = settled(problem, x, touching * touching, accepted, steps);
-    if (first.residual < best.residual) best = first;
+    settle(problem, x, touching * touching, accepted, best, steps);
     if (best.residual <= accepted) return;
     double smoothing = 0.3 * length;
     for (int round = 0; round < pace.rounds && !spent(steps); ++round) {
@@ -635,17 +662,17 @@ void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& 
         ++steps;
         if (round >= hard_rounds) {
             const double bound = duality_bound(problem, x);
-            if (bound < best.residual) best = {problem, x, bound};
+            improve(best, problem, x, bound);
         }
         if (round >= 3) {
-            const double square = smoothing * std::max(length, 9 * smoothing);
-            const Answer answer = settled(problem, x, square, accepted, steps);
-            if (answer.residual < best.residual) best = answer;
+            const bool small = round >= hard_rounds && round % 2 == 1;  // kinks that nearly meet
+            const double square = smoothing * std::max(small ? 0 : length, 9 * smoothing);
+            const double spread = settle(problem, x, square, accepted, best, steps);
             if (best.residual <= accepted) return;
-            if (answer.spread > 0 && answer.spread < smoothing) {
+            if (spread > 0 && spread < smoothing) {
                 // From here these kinks look like one: nearer.
                 move_origin(problem, x);
-                length = 4 * answer.spread;
+                length = 4 * spread;
             }
         }
         smoothing = std::max(next_smoothing(problem, smoothing, good, pace), 1e-14 * length);
@@ -747,8 +774,7 @@ void hold_touched(Problem& problem, vec3 x) {
     for (Term& term : terms_of(problem)) term.held = term.held || touches(term, rounding);
 }
 
-Answer descended(Problem problem, vec3 x, double accepted, int& steps) {
-    Answer best;
+void descend(Problem problem, vec3 x, double accepted, Answer& best, int& steps) {
     double before = std::numeric_limits<double>::infinity();
     for (Term& term : terms_of(problem)) term.held = false;
     for (int tries = 0; tries < 40 && !spent(steps); ++tries, ++steps) {
@@ -773,30 +799,27 @@ Answer descended(Problem problem, vec3 x, double accepted, int& steps) {
         }
         const vec3 missing = least_missing(problem, x, steps);
         const double residual = residual_at(problem, x);
-        if (residual < best.residual) best = {problem, x, residual};
+        improve(best, problem, x, residual);
         vec3 there = x;
         if (residual <= accepted || !release(problem, matrix, missing, there)) break;
         vec3 unused = x;
         go_down(problem, x, flat_of_held(problem, unused).along(there - x));
     }
-    return best;
 }
 
-Answer solved(Problem problem, int& steps) {
+void solve(Problem& problem, Answer& best, int& steps) {
     set_origin(problem, problem.centre);
     const vec3 x = problem.load / problem.stiffness;
     measure_distances(problem, x);
-    if (problem.terms.count == 0) return {problem, x, 0};
+    if (problem.terms.count == 0) return improve(best, problem, x, 0);
     const double accepted = 256 * epsilon * (problem.strength + glm::length(problem.load));
-    Answer best;
     static constexpr std::array paces{Pace{0.1, 0.3, 0.01, 24}, Pace{0.3, 1, 0.05, 60},
                                       Pace{0.5, 1, 0.2, 150}};
     for (const Pace& pace : paces) {
         follow(problem, x, pace, accepted, best, steps);
-        if (best.residual <= accepted || spent(steps)) return best;
+        if (best.residual <= accepted || spent(steps)) return;
     }
-    const Answer other = descended(problem, start_of(problem, x), accepted, steps);
-    return other.residual < best.residual ? other : best;
+    descend(problem, start_of(problem, x), accepted, best, steps);
 }
 
 bool in_range(const Spring& spring) {
@@ -805,19 +828,20 @@ bool in_range(const Spring& spring) {
            spring.stiffness <= 1e9;
 }
 
-/// What each primitive exerts, from the forces of the terms.
-void share_forces(const PrimitiveSet& set, Problem& problem, Balance& result) {
+/// What each primitive exerts, from the pulls of the terms.
+void share_forces(const PrimitiveSet& set, const Problem& problem, const Answer& answer, Balance& result) {
     std::size_t i = 0;
     for (const Primitive& primitive : set.items()) {
         if (primitive.kind == PrimitiveKind::directed)
             result.primitive[i] = primitive.strength * primitive.direction;
         ++i;
     }
+    i = 0;
     for (const Term& term : terms_of(problem)) {
-        result.primitive[term.source] = -(problem.axes * term.dual);
-        if (term.identity == 0) result.primitive[term.source] += term.strength * term.direction;
+        vec3& force = result.primitive[term.source] = answer.pulls[i++];
+        if (term.identity == 0) force += term.strength * term.direction;
     }
-    for (const vec3 force : result.primitive) result.force += force;
+    for (std::size_t k = 0; k < set.items().size(); ++k) result.force += result.primitive[k];
 }
 
 }  // namespace
@@ -877,10 +901,12 @@ Balance balance(const PrimitiveSet& set, const Spring& spring) noexcept {
         result.residual = std::numeric_limits<double>::infinity();
         return result;
     }
-    Answer answer = solved(problem_of(set, spring), result.steps);
-    result.proxy = answer.problem.origin + answer.problem.axes * answer.x;
+    Problem problem = problem_of(set, spring);
+    Answer answer;
+    solve(problem, answer, result.steps);
+    result.proxy = answer.proxy;
     result.residual = answer.residual;
-    share_forces(set, answer.problem, result);
+    share_forces(set, problem, answer, result);
     return result;
 }
 
