@@ -54,14 +54,8 @@ vec3 interface_point(const CouplingFrame& f, vec3 device) {
                                                                                   (device - f.taken_device)));
 }
 
-vec3 interface_velocity(const CouplingFrame& f, vec3 device_velocity, vec3 player_velocity) {
-    return player_velocity +
-           f.player_to_world * (f.device_to_player * (f.metres_per_metre * device_velocity));
-}
-
-vec3 device_force(const CouplingFrame& f, vec3 force) {
-    return -f.newtons_per_newton *
-           (glm::transpose(f.device_to_player) * (glm::transpose(f.player_to_world) * force));
+vec3 to_device(const CouplingFrame& f, vec3 world) {
+    return glm::transpose(f.device_to_player) * (glm::transpose(f.player_to_world) * world);
 }
 
 double felt_stiffness(const CouplingFrame& f, double stiffness) {

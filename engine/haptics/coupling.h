@@ -71,11 +71,8 @@ struct CouplingFrame {
 
 /// P_HIP = P_player + R_g (P_obj0 + R_d s_x (P_device - P_device0)), m, world. Where the object is when it is taken.
 vec3 interface_point(const CouplingFrame& frame, vec3 device);
-/// V_HIP, m/s, world: the device's velocity carried over, and the player's. The view's rotation is left out: it may not
-/// throw the object.
-vec3 interface_velocity(const CouplingFrame& frame, vec3 device_velocity, vec3 player_velocity);
-/// F_device = -s_f R_d^T R_g^T F_world, N: what the hand bears while the object gets `force`.
-vec3 device_force(const CouplingFrame& frame, vec3 force);
+/// R_d^T R_g^T v: a vector of the world in the device's frame. What the hand bears while the object gets F is -s_f times that of F.
+vec3 to_device(const CouplingFrame& frame, vec3 world);
 /// N/m that the hand feels, s_f s_x k: must stay under the device's limit.
 double felt_stiffness(const CouplingFrame& frame, double stiffness);
 

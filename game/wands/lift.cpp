@@ -294,16 +294,16 @@ void feel_blow(Stage& stage, const LiftData& data, const haptics::CouplingFrame&
     const double size = glm::length(blow);
     if (size < data.blow_least || tick < hand.next_blow) return;
     hand.next_blow = tick + between_blows;
-    const vec3 way = glm::transpose(frame.player_to_world) * (blow / size);
+    const vec3 way = haptics::to_device(frame, blow / size);
     kick(stage, wizard, way * std::min(blow_force, data.blow * size), blow_length);
 }
 
 /// The spring as the hand feels it, until the next tick.
 haptics::Tether tether_to(const LiftData& data, const haptics::CouplingFrame& frame, const LiftHand& hand,
                           vec3 device, vec3 object, vec3 object_velocity, vec3 base_velocity) {
-    const mat3 to_device = glm::transpose(frame.player_to_world * frame.device_to_player);
-    return {.anchor = device - to_device * (hand.hip - object) / frame.metres_per_metre,
-            .anchor_velocity = to_device * (object_velocity - base_velocity) / frame.metres_per_metre,
+    return {.anchor = device - haptics::to_device(frame, hand.hip - object) / frame.metres_per_metre,
+            .anchor_velocity =
+                haptics::to_device(frame, object_velocity - base_velocity) / frame.metres_per_metre,
             .stiffness = haptics::felt_stiffness(frame, data.stiffness),
             .damping = haptics::felt_stiffness(frame, data.damping)};
 }
