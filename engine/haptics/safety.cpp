@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 // The stage knows two ways of holding back. What endangers the hand (a panic, a device shut off, a hand that flies, a player who
 // wants none) makes the force zero at once; a dead model ramps, for nothing says that its last force was wrong. And
@@ -16,14 +17,15 @@ constexpr double excess_over_peak = 4;  // of the device's peak
 constexpr double switching_slew = 40;   // N/s (game.md, "Total force")
 // m/s. A simulated hand that is flung across a Touch reaches 3.8, across a Premium 4.5. Chosen, without a source.
 constexpr double fastest_hand = 4;
-constexpr std::uint32_t freshest_ticks = 20;  // a model of at most this age is as good as new
 constexpr std::uint32_t ramp_ticks = 50;
 constexpr std::uint32_t calm_ticks = 100;  // below half the speed before an over-speed cut-out ends
 constexpr std::uint32_t apart_ticks = 20;  // without excess between two episodes of it
 constexpr std::uint32_t episode_ticks = 10'000;
 constexpr std::uint32_t bin_ticks = 500;
 constexpr double almost_there = 1 + 1e-9;  // else rounding may leave a slew one tick short of its end
-constexpr double warm_from = 0.8;          // of the thermal budget
+// Of the thermal budget: from the one on a burst is held back, by the other it is over. The rest is for what presses on.
+constexpr double warm_from = 0.8, burst_until = 0.9;
+constexpr double rise_time = 0.5;  // s, of what is held back to what can be kept up
 static_assert((thermal_bins - 2) * bin_ticks == ticks(thermal_window));
 
 bool latched(const SafetyState& state, SafetyCause cause) {
@@ -78,13 +80,14 @@ void note_excess(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
 }
 
 /// True while the hand is too fast, or was and has not calmed down.
-bool note_speed(const SafetyLimits& limits, SafetyState& state, vec3 velocity) {
-    const double speed = glm::length(velocity);
-    if (!(speed <= limits.fastest)) {
+bool note_speed(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
+    const double net = glm::length(input.velocity);
+    if (!(net <= limits.fastest && input.path_speed <= limits.fastest)) {
         state.fast_ticks = calm_ticks;
         return true;
     }
     if (state.fast_ticks == 0) return false;
+    const double speed = std::max(net, input.path_speed);
     state.fast_ticks = speed < limits.fastest / 2 ? state.fast_ticks - 1 : calm_ticks;
     return true;
 }
@@ -112,7 +115,7 @@ SafetyCause note(const SafetyLimits& limits, SafetyState& state, const SafetyInp
     note_excess(limits, state, input.wanted);
     if (input.panic) latch(state, SafetyCause::panic);
     note_gate(limits, state, input.wanted);
-    const bool too_fast = note_speed(limits, state, input.velocity);
+    const bool too_fast = note_speed(limits, state, input);
     const bool stale = note_age(state, input.model_age);
     if (latched(state, SafetyCause::panic)) return SafetyCause::panic;
     if (latched(state, SafetyCause::shut_off)) return SafetyCause::shut_off;
@@ -124,26 +127,55 @@ SafetyCause note(const SafetyLimits& limits, SafetyState& state, const SafetyInp
 
 // ---- heat ---------------------------------------------------------------------------------------------------------
 
-/// What the motors can still take.
-struct Warmth {
-    double scale;  // of what is wanted; 1 while cool
-    double most;   // N, that does not overrun the budget within this tick
-};
-
-/// N^2 s of the window and up to a bin more, never less: the bin that left it fades while another fills.
+/// N^2 s of the window that ends with this tick and up to a bin more, never less: the bin that left it fades while another fills.
 double heat_of(const SafetyState& state) {
     const std::size_t oldest = (state.bin + 1) % thermal_bins;
     double sum = 0;
     for (const double heat : state.heat) sum += heat;
-    return sum - state.heat[oldest] * (static_cast<double>(state.tick) / bin_ticks);
+    return sum - state.heat[oldest] * ((state.tick + 1.0) / bin_ticks);
 }
 
-Warmth warmth(const SafetyLimits& limits, const SafetyState& state) {
-    const double budget = limits.continuous * limits.continuous * thermal_window;
-    const double left = budget - heat_of(state);
-    if (!(left > 0)) return {0, 0};
-    const double cool = std::min(left / ((1 - warm_from) * budget), 1.0);
-    return {cool * (2 - cool), std::sqrt(left / tick_seconds)};  // without a kink where it sets in
+double budget_of(const SafetyLimits& limits) {
+    return limits.continuous * limits.continuous * thermal_window;
+}
+
+/// N^2, the most that can be kept up from now on: by the end of no bin, when another has faded, will there be more than the budget. Kept
+/// up, it never falls, since what was possible stays so; it ends at the square of the continuous force, less what the bin beyond the
+/// window costs.
+double sustained(const SafetyLimits& limits, const SafetyState& state, double heat) {
+    const double budget = budget_of(limits);
+    const std::size_t oldest = (state.bin + 1) % thermal_bins;
+    heat += state.heat[oldest] * ((state.tick + 1.0) / bin_ticks);
+    double seconds = (bin_ticks - state.tick) * tick_seconds;
+    double most = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < thermal_bins; ++i) {
+        heat -= state.heat[(oldest + i) % thermal_bins];
+        most = std::min(most, (budget - heat) / seconds);
+        seconds += bin_ticks * tick_seconds;
+    }
+    return std::max(most, 0.0);
+}
+
+/// N, that the motors can still take. A burst has most of the budget, as long as it comes after rest: while it is held back, only
+/// what can be kept up gives more. Else a hand that presses on would get the next burst when the first leaves the window, and
+/// nothing in between.
+double bearable(const SafetyLimits& limits, const SafetyState& state) {
+    const double budget = budget_of(limits), heat = heat_of(state), left = budget - heat;
+    if (!(left > 0)) return 0;
+    const bool held_back = state.cause == static_cast<std::uint32_t>(SafetyCause::warm);
+    const double share = (left - (1 - burst_until) * budget) / ((burst_until - warm_from) * budget);
+    if (share >= 1 && !held_back) return limits.cap;
+    const double cool = std::clamp(share, 0.0, 1.0);
+    double burst = limits.cap * cool * (2 - cool);  // without a kink where it sets in
+    double kept_up = std::sqrt(sustained(limits, state, heat));
+    if (held_back) {
+        const double before = glm::length(state.output);
+        burst = std::min(burst, before);
+        if (state.slewing == 0)
+            kept_up = std::min(kept_up, before + (kept_up - before) * (tick_seconds / rise_time));
+    }
+    const double at_most = std::sqrt(left / tick_seconds);  // does not overrun the budget within this tick
+    return std::min({std::max(burst, kept_up), at_most, limits.cap});
 }
 
 void add_heat(SafetyState& state, vec3 force) {
@@ -156,16 +188,11 @@ void add_heat(SafetyState& state, vec3 force) {
 
 // ---- the force ----------------------------------------------------------------------------------------------------
 
-/// The cap shrinks with warmth too: else a long slew from a large force would overrun the budget.
-double ceiling(const SafetyLimits& limits, const Warmth& warm) {
-    return std::min(limits.cap * warm.scale, warm.most);
-}
-
 /// After a switch the force walks to where it should be; from then on it follows freely, for a delay inside a passive source
 /// would make that source create energy. It walks from what the last output could be now: the cap may have come down.
-vec3 walked(const SafetyLimits& limits, const Warmth& warm, SafetyState& state, vec3 target) {
+vec3 walked(const SafetyLimits& limits, double most, SafetyState& state, vec3 target) {
     if (state.slewing == 0) return target;
-    const vec3 from = shortened(state.output, ceiling(limits, warm));
+    const vec3 from = shortened(state.output, most);
     const double step = limits.slew * tick_seconds;
     const vec3 gap = target - from;
     const double distance = glm::length(gap);
@@ -180,13 +207,13 @@ vec3 ramped_down(const SafetyState& state) {
     return state.output * (left / (left + 1));
 }
 
-SafetyCause shortening(const SafetyLimits& limits, const Warmth& warm, vec3 wanted) {
-    if (warm.scale < 1 && wanted != vec3(0)) return SafetyCause::warm;
-    return glm::length(wanted) <= limits.cap ? SafetyCause::none : SafetyCause::capped;
+SafetyCause shortening(const SafetyLimits& limits, double most, vec3 wanted) {
+    if (glm::length(wanted) <= most) return SafetyCause::none;
+    return most < limits.cap ? SafetyCause::warm : SafetyCause::capped;
 }
 
-vec3 last_word(const SafetyLimits& limits, const Warmth& warm, vec3 force) {
-    const vec3 last = shortened(force, ceiling(limits, warm));
+vec3 last_word(double most, vec3 force) {
+    const vec3 last = shortened(force, most);
     return is_finite(last) ? last : vec3(0);
 }
 
@@ -203,18 +230,18 @@ SafetyLimits safety_limits(const DeviceSpec& spec, double share) {
 
 vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     SafetyCause cause = note(limits, state, input);
-    const Warmth warm = warmth(limits, state);
+    const double most = bearable(limits, state);
     const vec3 wanted = is_finite(input.wanted) ? input.wanted : vec3(0);
     if (input.switched || cause != SafetyCause::none) state.slewing = 1;
 
     vec3 force{};
     if (cause == SafetyCause::none) {
-        force = walked(limits, warm, state, warm.scale * shortened(wanted, limits.cap));
-        cause = shortening(limits, warm, wanted);
+        force = walked(limits, most, state, shortened(wanted, most));
+        cause = shortening(limits, most, wanted);
     } else if (cause == SafetyCause::stale) {
         force = ramped_down(state);
     }
-    state.output = last_word(limits, warm, force);
+    state.output = last_word(most, force);
     state.cause = static_cast<std::uint32_t>(cause);
     add_heat(state, state.output);
     return state.output;

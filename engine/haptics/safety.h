@@ -26,8 +26,9 @@ struct SafetyLimits {
     double fastest{};     ///< m/s, of the tip: beyond, nothing is felt until the hand is slow again
 };
 
-inline constexpr double gentle_share = 0.45;  ///< of the device's peak: the cap of who chose nothing
-inline constexpr double thermal_window = 10;  ///< s
+inline constexpr double gentle_share = 0.45;         ///< of the device's peak: the cap of who chose nothing
+inline constexpr double thermal_window = 10;         ///< s
+inline constexpr std::uint32_t freshest_ticks = 20;  ///< a model of at most this age is as good as new
 
 /// share: the player's cap as a part of the device's peak, 0 to 1.
 SafetyLimits safety_limits(const DeviceSpec& spec, double share);
@@ -74,6 +75,7 @@ static_assert(sizeof(SafetyState) == (3 + thermal_bins) * sizeof(double) + 12 * 
 struct SafetyInput {
     vec3 wanted{};              ///< N, device frame
     vec3 velocity{};            ///< m/s, of the tip as measured
+    double path_speed{};        ///< m/s, along its path: one that is back where it was has moved all the same
     std::uint32_t model_age{};  ///< ticks since the model was made
     bool switched{};            ///< a source came or went, or the model jumped
     bool on{true};              ///< the player wants forces

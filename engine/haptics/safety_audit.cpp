@@ -93,7 +93,8 @@ void SafetyAudit::watch_latches(const SafetyLimits& limits, const SafetyInput& i
 }
 
 void SafetyAudit::watch_hand(const SafetyLimits& limits, const SafetyInput& input) {
-    const double speed = is_finite(input.velocity) ? size_of(input.velocity) : HUGE_VAL;
+    const bool known = is_finite(input.velocity) && !std::isnan(input.path_speed);
+    const double speed = known ? std::fmax(size_of(input.velocity), input.path_speed) : HUGE_VAL;
     if (now_ - last_hurry_ > calm_after) last_hurry_ = 0;
     const bool cut_out = last_hurry_ != 0;
     if (speed > limits.fastest || (cut_out && speed >= limits.fastest / 2)) last_hurry_ = now_;

@@ -196,13 +196,13 @@ double potential(const Primitive& primitive, vec3 proxy) {
 }
 
 /// J, that the passive sources hold and may give back.
-double stored_energy(const ServoState& state, const HapticModel& model, vec3 tip,
+double stored_energy(const ServoState& state, const HapticModel& model, const Tether& tether, vec3 tip,
                      const SurfaceFeel& surfaces) {
     double stored = surfaces.active ? 0 : surfaces.stored;
-    if (model.tether.stiffness > 0) {
-        const vec3 off = tip - model.tether.anchor;
-        stored += model.tether.stiffness * glm::dot(off, off) / 2 +
-                  model.tether.detents.depth * model.tether.detents.width / pi;
+    if (tether.stiffness > 0) {
+        const vec3 off = tip - tether.anchor;
+        stored +=
+            tether.stiffness * glm::dot(off, off) / 2 + tether.detents.depth * tether.detents.width / pi;
     }
     if (state.primitives != 0 && conservative(model.primitives)) {
         const vec3 off = tip - state.proxy;
@@ -212,20 +212,20 @@ double stored_energy(const ServoState& state, const HapticModel& model, vec3 tip
     return stored;
 }
 
-/// A thing that moves goes on: where it is now, by a model that is `age` ticks old.
+/// A thing that moves goes on: where it is now, by a model that is `age` ticks old. By one that is too old nothing is felt, so it stays
+/// where that began.
 Tether moved_on(Tether tether, std::uint32_t age) {
-    tether.anchor += tether.anchor_velocity * (age * tick_seconds);
+    tether.anchor += tether.anchor_velocity * (std::min(age, freshest_ticks) * tick_seconds);
     return tether;
 }
 
 /// Books what the last tick did, and adds what keeps the sources passive and within their budget. What a source holds when it comes is
 /// the switch's doing.
-void keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tip& tip,
-                const SurfaceFeel& surfaces, Sources& sources) {
-    const double stored = stored_energy(state, model, tip.position, surfaces);
+void keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
+                const Tip& tip, const SurfaceFeel& surfaces, Sources& sources) {
+    const double stored = stored_energy(state, model, tether, tip.position, surfaces);
     // Who is tethered touches nothing else.
-    const vec3 step =
-        model.tether.stiffness > 0 ? model.tether.anchor_velocity * tick_seconds : surfaces.world_step;
+    const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
     observe(state.energy, tip.position, step, stored, servo.latency);
     if (tip.switched) state.energy.created = -stored;
     sources.passive += passivity_control(state.energy, tip.velocity, servo.most_damping);
@@ -242,7 +242,10 @@ double half_sine(std::uint32_t at, std::uint32_t length) {
 }
 
 Servo servo_of(const DeviceSpec& spec, double share) {
-    return {.limits = safety_limits(spec, share), .most_damping = spec.max_damping, .latency = spec.latency};
+    return {.limits = safety_limits(spec, share),
+            .most_damping = spec.max_damping,
+            .latency = spec.latency,
+            .quantum = spec.position_quantum};
 }
 
 double detent_force(const Detents& detents, double along) {
@@ -286,6 +289,20 @@ vec3 tip_velocity(const ServoState& state) {
     return (at(0) - at(span)) / (span * tick_seconds);
 }
 
+double path_speed(const ServoState& state, double quantum) {
+    if (state.samples < 2) return 0;
+    const auto& ring = state.positions;
+    const std::uint32_t oldest = state.samples == velocity_window ? state.next_position : 0;
+    double path = 0;
+    for (std::uint32_t i = 1; i < state.samples; ++i)
+        path += glm::distance(ring[(oldest + i - 1) % velocity_window], ring[(oldest + i) % velocity_window]);
+    const std::uint32_t steps = state.samples - 1;
+    const double rounded =
+        std::sqrt(3.0) * quantum * steps;  // half a quantum at each end of a step, along each axis
+    const double least = path - rounded;
+    return least < 0 ? 0 : least / (steps * tick_seconds);
+}
+
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample) {
     const vec3 velocity = note_position(state, sample.position);
     const bool cut_off = start_pulse(state, model.pulse);
@@ -294,9 +311,9 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
     const bool patch_jumped = note_patch(state, model);
     const bool switched = set_jumped || source_jumped || patch_jumped;
     const SurfaceFeel surfaces = feel_surfaces(state, model, sample, velocity, patch_jumped);
-    Sources sources{
-        .active = play_pulses(state) + model.lean.force,
-        .world = tether_force(moved_on(model.tether, sample.model_age), sample.position, velocity)};
+    const Tether tether = moved_on(model.tether, sample.model_age);
+    Sources sources{.active = play_pulses(state) + model.lean.force,
+                    .world = tether_force(tether, sample.position, velocity)};
     (surfaces.active ? sources.active : sources.world) += surfaces.force;
     sources.passive = sources.world;
     if (model.primitives.items().empty()) {
@@ -306,10 +323,11 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
         const vec3 force = feel_primitives(state, model, sample.position, velocity);
         (conservative(model.primitives) ? sources.passive : sources.active) += force;
     }
-    keep_books(servo, state, model, {sample.position, velocity, switched}, surfaces, sources);
+    keep_books(servo, state, model, tether, {sample.position, velocity, switched}, surfaces, sources);
     const vec3 output = make_safe(servo.limits, state.safety,
                                   {.wanted = sources.passive + sources.active,
                                    .velocity = velocity,
+                                   .path_speed = path_speed(state, servo.quantum),
                                    .model_age = sample.model_age,
                                    .switched = cut_off || switched,
                                    .on = model.on,

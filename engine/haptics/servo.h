@@ -89,7 +89,8 @@ struct Servo {
     SafetyLimits limits{};
     double
         most_damping{};  ///< N s/m, that the device can render: what the passivity controller may add; 0: it is off
-    int latency{};  ///< ticks, the device's
+    int latency{};     ///< ticks, the device's
+    double quantum{};  ///< m, of its positions
 };
 
 /// share: the player's cap as a part of the device's peak, 0 to 1.
@@ -140,6 +141,10 @@ ServoState resumed(const ServoState& before);
 
 /// m/s, of the tip, over the window or what there is of it; zero before the second sample.
 vec3 tip_velocity(const ServoState& state);
+
+/// m/s, along the way from sample to sample, less what a quantum (m) can add to it: a tip that is here and there in turn has no
+/// velocity over the window, and is fast all the same. Over the window, because a sample may come late and the next one soon.
+double path_speed(const ServoState& state, double quantum);
 
 /// On the tip, N, with its velocity in m/s.
 vec3 tether_force(const Tether& tether, vec3 tip, vec3 velocity);

@@ -195,7 +195,7 @@ TEST(HapticsSafety, ThreeBurstsOfExcessInTenSecondsShutItOff) {
 
 TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
     // 2.75 N for 1 s is 0.87 N over 10 s of an Omni's 0.88 N (game.md): it may just be held, with the last fifth of the
-    // budget scaling it down, and another one right after it finds the motors warm.
+    // budget holding it back, and another one right after it finds the motors warm.
     Stage stage;
     stage.feel(vec3(0));
     double asked = 0;
@@ -206,7 +206,7 @@ TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
     }
     EXPECT_NEAR(std::sqrt(asked / 10'000), 0.87, 0.001);
     EXPECT_EQ(stage.cause(), SafetyCause::warm);
-    EXPECT_GT(stage.audit.warmth(), 0.84);
+    EXPECT_GT(stage.audit.warmth(), 0.82);
     EXPECT_LT(stage.audit.warmth(), 0.88);
     EXPECT_LT(stage.feel({0, 0, 2.75}).z, 0.75 * 2.75);
     RecordProperty("rms_n", std::to_string(stage.audit.warmth()));
@@ -233,6 +233,78 @@ TEST(HapticsSafety, HeatIsSharedOutSmoothlyAndNeverTooMuch) {
         EXPECT_LE(std::sqrt(most / 10'000), 0.88) << period;
         EXPECT_GE(std::sqrt(most / 10'000), 0.83) << period;  // and does not hold back more than it must
         EXPECT_LE(jump, 0.1) << period;                       // N in a tick, up or down
+    }
+}
+
+TEST(HapticsSafety, AHandThatPressesOnIsLedToTheContinuousForceAndKeptThere) {
+    // Of the budget B a burst takes nine tenths. What is left is shared out evenly until the burst leaves the window, which no law
+    // can spare it; then the force goes to the continuous one, and no second burst comes.
+    const double budget = 0.88 * 0.88 * 10,
+                 last = 0.88 * std::sqrt(10 / 10.5);  // the window and half a second more
+    for (const double wanted : {3.3, 2.0, 1.2}) {
+        Stage stage;
+        stage.feel(vec3(0));
+        double heat = 0, floor = 0, before = wanted, jump = 0;
+        bool fell = false;
+        for (int tick = 1; tick < 60'000; ++tick) {
+            const double force = stage.feel({0, wanted, 0}).y;
+            const double seconds = tick * tick_seconds;
+            jump = std::max(jump, std::abs(force - before));
+            if (fell) {
+                EXPECT_GE(force, before - 1e-9) << wanted << " at " << seconds;
+            }
+            if (seconds > 6 && !fell) {
+                fell = true;
+                floor = force;
+                EXPECT_NEAR(floor, std::sqrt((budget - heat) / (10.5 - seconds)), 1e-6) << wanted;
+                EXPECT_GT(floor, 0.3 * 0.88) << wanted;
+            }
+            if (seconds > 6 && seconds < 10.499) {
+                EXPECT_NEAR(force, floor, 1e-6) << seconds;
+            }
+            if (seconds > 10.5) {
+                EXPECT_NEAR(force, last - (last - floor) * std::exp((10.499 - seconds) / 0.5), 0.01)
+                    << wanted << " at " << seconds;
+            }
+            heat += force * force * tick_seconds;
+            before = force;
+        }
+        EXPECT_NEAR(before, last, 1e-9) << wanted;
+        EXPECT_LE(jump, 0.1) << wanted;
+        EXPECT_LE(stage.audit.warmth(), 0.88) << wanted;
+    }
+}
+
+TEST(HapticsSafety, WhoLetsGoAndRestsHasABurstAgain) {
+    Stage stage;
+    stage.feel(vec3(0));
+    stage.feel({.wanted = {3.3, 0, 0}}, 5000);
+    EXPECT_EQ(stage.cause(), SafetyCause::warm);
+    stage.feel({.wanted = {}}, 10'500);
+    EXPECT_EQ(stage.cause(), SafetyCause::none);
+    for (int tick = 0; tick < 500; ++tick) EXPECT_EQ(stage.feel({3.3, 0, 0}).x, 3.3) << tick;
+}
+
+TEST(HapticsSafety, WhatTheMotorsBearIsNotHeldBackHoweverWarmTheyAre) {
+    Stage stage;
+    stage.feel(vec3(0));
+    stage.feel({.wanted = {3.3, 0, 0}}, 2000);
+    const double bearable = stage.state.output.x;
+    for (int tick = 0; tick < 5000; ++tick) EXPECT_EQ(stage.feel({0.9 * bearable, 0, 0}).x, 0.9 * bearable);
+    EXPECT_EQ(stage.cause(), SafetyCause::none);
+}
+
+TEST(HapticsSafety, AFastPathIsAFastHandThoughItLeadsNowhere) {
+    for (const double fast : {4.001, 1e300, unlimited, not_a_number}) {
+        Stage stage;
+        stage.feel({.wanted = {1, 0, 0}, .path_speed = 4}, 60);
+        EXPECT_EQ(stage.state.output.x, 1);
+        EXPECT_EQ(stage.feel({.wanted = {1, 0, 0}, .path_speed = fast}), vec3(0)) << fast;
+        EXPECT_EQ(stage.cause(), SafetyCause::over_speed);
+        EXPECT_EQ(stage.feel({.wanted = {1, 0, 0}, .path_speed = 1.9}, 99), vec3(0));
+        EXPECT_EQ(stage.feel({.wanted = {1, 0, 0}, .path_speed = 2}), vec3(0));
+        EXPECT_EQ(stage.feel({.wanted = {1, 0, 0}, .path_speed = 1.9}, 100), vec3(0));
+        EXPECT_NEAR(stage.feel({1, 0, 0}).x, 0.04, 1e-12);
     }
 }
 
@@ -272,7 +344,7 @@ TEST(HapticsSafety, TheSameTicksGiveTheSameBits) {
     };
     EXPECT_EQ(run(), run());
     // Those of every build and processor. A change of the rules changes them: let it be on purpose.
-    EXPECT_EQ(run(), 6046352240339807962ULL);
+    EXPECT_EQ(run(), 16611928303249664958ULL);
 }
 
 // ---- the audit can fail -------------------------------------------------------------------------------------------

@@ -20,6 +20,7 @@ public:
         age_ = next_age();
         return {.wanted = wanted(),
                 .velocity = velocity(),
+                .path_speed = path_speed(),
                 .model_age = age_,
                 .switched = once_in(switches_),
                 .on = !once_in(offs_),
@@ -82,6 +83,11 @@ private:
         if (haste_ == 0 && once_in(300)) return hostile_vector();
         if (haste_ == 1 && once_in(500)) return {0, fastest * random_.uniform(0.9, 1.1), 0};
         return fastest * 0.55 * (once_in(50) ? direction_ : 0.3 * direction_);
+    }
+
+    double path_speed() {
+        if (haste_ == 2 && once_in(400)) return hostile_number();
+        return limits_.fastest * (haste_ == 3 && once_in(500) ? random_.uniform(0.9, 1.1) : 0.4);
     }
 
     std::uint32_t next_age() {
