@@ -1,7 +1,8 @@
 // The blast wand: fire held charges it, and more and more leans on the hand; let go, a ball of fire leaves it and kicks back.
 //
 // Let go before the charge begins, nothing goes off and no energy is lost. The charge grows evenly, only as far as the energy
-// can pay; so neither it nor the force jumps. The ball flies straight, as a bolt does, and is swept as one: as a sphere
+// can pay; so neither it nor the force jumps. As it goes off, what leans gives way to the recoil: so that no slew limit has to
+// walk it off, which would eat into the recoil, and the two together are never more than the greater of them. The ball flies straight, as a bolt does, and is swept as one: as a sphere
 // on the way of each physics step, after the bodies have moved. It bursts where it first touches something.
 #include <algorithm>
 #include <optional>
@@ -47,13 +48,16 @@ struct Blast {
 struct BlastHand {
     double charge{};      ///< 0 to 1
     double affordable{};  ///< how far the energy lets it grow
+    double leaning{};     ///< the charge that leaned when it went off, until that has given way
     Tick began{};
+    Tick went_off{};           ///< when the recoil began
     std::uint32_t charging{};  ///< 1 while fire is held
     std::uint32_t spare{};
     static constexpr std::string_view name = "BlastHand";
     static constexpr auto fields() {
         return std::tuple(field("charge", &BlastHand::charge), field("affordable", &BlastHand::affordable),
-                          field("began", &BlastHand::began), field("charging", &BlastHand::charging),
+                          field("leaning", &BlastHand::leaning), field("began", &BlastHand::began),
+                          field("went_off", &BlastHand::went_off), field("charging", &BlastHand::charging),
                           field("spare", &BlastHand::spare));
     }
 };
@@ -117,6 +121,16 @@ void put_away(const WandUse& use) {
     let_go(use.stage, use.wizard);
 }
 
+/// By as much as the recoil has risen, up to its peak.
+void give_way(Stage& stage, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
+    if (hand.leaning == 0) return;
+    const auto at = static_cast<std::uint32_t>(tick - hand.went_off);
+    const auto length = static_cast<std::uint32_t>(data.recoil_length);
+    const double left = 2 * at < length ? 1 - haptics::half_sine(at, length) : 0;
+    lean(stage, wizard, {0, 0, data.lean * hand.leaning * left});
+    if (left == 0) hand.leaning = 0;
+}
+
 void use(const WandUse& use) {
     const auto& data = data_of(use);
     auto& world = use.stage.world;
@@ -128,24 +142,26 @@ void use(const WandUse& use) {
         const bool pressed = (controls.pressed & input::bit(input::Button::fire)) != 0;
         if (!holds_fire(controls)) return;
         if (most < 0) return pressed ? note_dry(use) : void();
-        hand = {.affordable = most, .began = use.tick, .charging = 1};
+        hand.affordable = most;
+        hand.began = use.tick;
+        hand.charging = 1;
         return;
     }
     hand.affordable = most;
     if (holds_fire(controls)) return;
     const bool goes_off = use.tick >= hand.began + data.from;
     const double charge = std::min(hand.charge, most);
-    put_away(use);
-    if (goes_off && most >= 0 && spend(belt, use.stats, data.energy.at(charge))) shoot(use, charge);
+    if (!goes_off || most < 0 || !spend(belt, use.stats, data.energy.at(charge))) return put_away(use);
+    hand = {.leaning = hand.charge, .went_off = use.tick};
+    shoot(use, charge);
+    give_way(use.stage, data, use.wizard, use.tick, hand);
 }
 
 /// Every tick, so that the force on the hand grows without steps.
-void charge(Stage& stage, const BlastData& data, Tick tick) {
-    stage.world.view<BlastHand>().each([&](ecs::Entity e, BlastHand& hand) {
-        if (hand.charging == 0 || tick <= hand.began + data.from) return;
-        hand.charge = std::max(hand.charge, std::min(hand.charge + data.charge_step, hand.affordable));
-        lean(stage, e, {0, 0, data.lean * hand.charge});
-    });
+void charge(Stage& stage, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
+    if (hand.charging == 0 || tick <= hand.began + data.from) return;
+    hand.charge = std::max(hand.charge, std::min(hand.charge + data.charge_step, hand.affordable));
+    lean(stage, wizard, {0, 0, data.lean * hand.charge});
 }
 
 void add_forces(const WandSystems& to, const void* wand) {
@@ -154,8 +170,12 @@ void add_forces(const WandSystems& to, const void* wand) {
                      .reads = world.mask<Wizard>(),
                      .writes = world.mask<BlastHand, Grip>(),
                      .needs = world.mask<BlastHand>(),
-                     .run = [&stage = to.stage, wand](ecs::World&, Tick tick) {
-                         charge(stage, *static_cast<const BlastData*>(wand), tick);
+                     .run = [&stage = to.stage, wand](ecs::World& w, Tick tick) {
+                         const auto& data = *static_cast<const BlastData*>(wand);
+                         w.view<BlastHand>().each([&](ecs::Entity e, BlastHand& hand) {
+                             charge(stage, data, e, tick, hand);
+                             give_way(stage, data, e, tick, hand);
+                         });
                      }});
 }
 
