@@ -97,5 +97,31 @@ TEST(HapticsZWidth, DryFrictionSwallowsASmallShake) {
     EXPECT_GT(simulated_limit(spec), 2 * bare);
 }
 
+TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDelay) {
+    const auto spec = reference_device(0.5, 1);
+    constexpr double newtons = 2;
+    EXPECT_LE(delivered_limit(spec, {}, newtons),
+              exact_limit(spec));  // bare: 334, and less for one that is landed on
+    EXPECT_GE(delivered_limit(spec, {.damping = 2, .controller = 5}, newtons), 2000);
+    EXPECT_GE(delivered_limit(spec, {.controller = 5}, newtons), 1500);  // the controller alone
+    for (const double stiffness : {1000.0, 1500.0, 2000.0}) {
+        const Pressed at = pressed(spec, {stiffness, 2, 5}, newtons);
+        EXPECT_LE(at.depth + at.shake, 1.1 * newtons / stiffness) << stiffness;
+        EXPECT_NEAR(at.depth, newtons / stiffness, 1e-3 * newtons / stiffness)
+            << stiffness;                              // it pushes no deeper
+        EXPECT_LE(at.added_later, 0.05) << stiffness;  // N: once settled, it is the wall alone
+        EXPECT_LE(at.created, 0.02) << stiffness;
+    }
+    // Without either, the same wall throws the hand off.
+    EXPECT_GT(pressed(spec, {.stiffness = 1000}, newtons).shake, 0.5 * newtons / 1000);
+}
+
+TEST(HapticsZWidth, AControllerOfMoreThanTheLoopBearsShakesByItself) {
+    // Its damping goes by a velocity over eight ticks, which is late: that of the device's own limit, not the most that a number holds.
+    const auto spec = reference_device(0.5, 1);
+    EXPECT_LT(delivered_limit(spec, {.damping = 2, .controller = 1000}, 2),
+              delivered_limit(spec, {.damping = 2, .controller = 5}, 2) / 2);
+}
+
 }  // namespace
 }  // namespace thaum::bench

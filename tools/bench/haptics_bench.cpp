@@ -34,6 +34,35 @@ void z_width(Report& report) {
     }
 }
 
+/// What a wall delivers at 2 N with damping of its own and the passivity controller, and what these cost: the force that is felt beside
+/// the wall's while it settles, and how long that takes.
+void controlled_walls(Report& report) {
+    constexpr double newtons = 2;
+    for (const int latency : {0, 1, 2}) {
+        for (const auto& [damping, controller] :
+             {std::pair{0.0, 0.0}, {2.0, 0.0}, {0.0, 5.0}, {2.0, 2.0}, {2.0, 5.0}, {2.0, 50.0}}) {
+            const auto spec = reference_device(0.5, latency);
+            Wall wall{.damping = damping, .controller = controller};
+            const double limit = delivered_limit(spec, wall, newtons);
+            wall.stiffness = 1000;
+            const Pressed at = pressed(spec, wall, newtons);
+            report.rows.push_back(
+                {.area = "haptics",
+                 .name = "z_width_controlled",
+                 .setting = {{"wall_damping", damping},
+                             {"controller", controller},
+                             {"delay_ticks", std::int64_t{latency}}},
+                 .is_default = damping == 2 && controller == 5 && latency == 1,
+                 .metrics = {{"stiffness_n_per_m", limit},
+                             {"penetration_at_1000", (at.depth + at.shake) * wall.stiffness / newtons},
+                             {"settled_s", at.settled},
+                             {"added_n", at.added},
+                             {"added_later_n", at.added_later},
+                             {"created_j", at.created}}});
+        }
+    }
+}
+
 /// What a device is put through, and so which way through a tick is taken.
 struct Motion {
     const char* name;
@@ -228,6 +257,7 @@ void servo_steps(const Options& options, Report& report) {
 
 void haptics(const Options& options, Report& report) {
     z_width(report);
+    controlled_walls(report);
     simulated_ticks(options, report);
     safety_hostile(options, report);
     servo_steps(options, report);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "haptics/servo.h"
 #include "haptics/simulated.h"
 
 namespace thaum::bench {
@@ -100,6 +101,71 @@ inline bool wall_calms_down(const haptics::DeviceSpec& spec, double stiffness, d
 /// N/m, of the simulated device.
 inline double simulated_limit(const haptics::DeviceSpec& spec, double kick = 1e-4) {
     return largest_stable([&spec, kick](double k) { return wall_calms_down(spec, k, kick); });
+}
+
+// ---- with damping and the passivity controller ---------------------------------------------------------------------
+
+struct Wall {
+    double stiffness{};   ///< N/m
+    double damping{};     ///< N s/m, of the wall, on the way in
+    double controller{};  ///< N s/m, that the passivity controller may add; 0: it is off
+};
+
+/// How a wall feels that a device lands on and is then pressed into.
+struct Pressed {
+    double depth{};    ///< m, mean of the last second
+    double shake{};    ///< m, the farthest from that in the last second
+    double settled{};  ///< s, from which on the depth is within a tenth of force / stiffness
+    double
+        added{};  ///< N, the most that is felt beyond stiffness * depth while it settles: damping, controller, what shakes
+    double added_later{};  ///< N, likewise in the last second
+    double created{};      ///< J, the most that the wall gave beyond what it got
+};
+
+/// Lands at 0.1 m/s and is pressed with `newtons` for ten seconds. The whole servo step, safety stage included.
+inline Pressed pressed(const haptics::DeviceSpec& spec, const Wall& wall, double newtons) {
+    constexpr int ticks = 10'000, last_second = 9'000;
+    const auto device = haptics::simulated_device(spec, haptics::no_hand);
+    auto servo = haptics::servo_of(spec, 1);
+    servo.most_damping = wall.controller;
+    haptics::ServoState state;
+    haptics::HapticModel model;
+    model.patch.surfaces[0] = {.kind = haptics::SurfaceKind::plane, .b = {1, 0, 0}};
+    model.patch.bodies[0].material = {.stiffness = wall.stiffness, .damping = wall.damping};
+    model.patch.count = model.patch.body_count = 1;
+    auto at = haptics::resting_at({0.005, 0, 0});
+    at.velocity.x = -0.1;
+    std::vector<double> depths;
+    Pressed result;
+    for (int tick = 0; tick < ticks; ++tick) {
+        const vec3 measured = haptics::measured_position(device, at);
+        const double force = haptics::servo_step(servo, state, model, {measured, 0}).x;
+        const double wrong = std::abs(force - wall.stiffness * std::max(0.0, -measured.x));
+        if (tick < last_second && tick > 100) result.added = std::max(result.added, wrong);
+        if (tick >= last_second) result.added_later = std::max(result.added_later, wrong);
+        at = haptics::step(device, at, {}, {force - newtons, 0, 0});
+        depths.push_back(-at.position.x);
+        const double off = depths.back() - newtons / wall.stiffness;
+        if (std::abs(off) > 0.1 * newtons / wall.stiffness) result.settled = tick * tick_seconds;
+    }
+    for (int tick = last_second; tick < ticks; ++tick)
+        result.depth += depths[static_cast<std::size_t>(tick)] / (ticks - last_second);
+    for (int tick = last_second; tick < ticks; ++tick)
+        result.shake =
+            std::max(result.shake, std::abs(depths[static_cast<std::size_t>(tick)] - result.depth));
+    result.created = state.energy.most_created;
+    return result;
+}
+
+/// N/m: the last of 50, 51.5, ... that delivers: 3 % apart, for the loop is not linear, and above one that shakes may be one that does not.
+inline double delivered_limit(const haptics::DeviceSpec& spec, Wall wall, double newtons) {
+    double best = 0;
+    for (wall.stiffness = 50; wall.stiffness < 1e4; wall.stiffness *= 1.03) {
+        const Pressed now = pressed(spec, wall, newtons);
+        if (!(now.depth + now.shake <= 1.1 * newtons / wall.stiffness)) break;
+        best = wall.stiffness;
+    }
+    return best;
 }
 
 }  // namespace thaum::bench
