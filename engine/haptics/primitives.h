@@ -89,8 +89,7 @@ struct Balance {
     /// N: bounds the error of force and of stiffness * proxy, whatever the set. Infinite where the spring is out of range.
     ///
     /// Solved where it is <= 1e-9: then it is what is left of the sum of all forces, each being one that its primitive can
-    /// exert at x. Of random sets at the scale of a hand (0.01 m, 3 N, 300 N/m) all are, and of degenerate ones all but 3 in
-    /// a million, whose kinks meet, or nearly, in a place that holds x at the end of their strengths: at most 1 mN was left.
+    /// exert at x. Of random sets at the scale of a hand (0.01 m, 3 N, 300 N/m), half of them degenerate, all of 8 million are.
     /// Where strength / stiffness is 1e12 times the set's size, one in a thousand is left, and by any amount.
     double residual{};
     int steps{};  ///< Newton steps and what costs as much
@@ -101,7 +100,7 @@ struct Balance {
 inline constexpr int balance_step_budget = 128;
 
 /// Balances spring and primitives (eq. 8). What lies closer to x than positions are rounded to (4e-15 of the
-/// coordinates of its position or of x) counts as touched.
+/// coordinates of its position or of x, 2e-16 of those of the farthest position) counts as touched.
 Balance balance(const PrimitiveSet& set, const Spring& spring) noexcept;
 
 }  // namespace thaum::haptics

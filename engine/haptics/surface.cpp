@@ -190,6 +190,14 @@ bool over_triangle(const Surface& s, vec3 normal, vec3 p, double slack) {
 
 // ---- the swept point ----------------------------------------------------------------------------------------------
 
+/// A way, with what each surface asks of it.
+struct Way {
+    vec3 from{}, step{};
+    double length{};
+
+    Way(vec3 start, vec3 whole) : from(start), step(whole), length(glm::length(whole)) {}
+};
+
 struct Hit {
     double at{2};   // part of the way
     double drop{};  // m, of the way, against the wall
@@ -207,11 +215,11 @@ Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
     return {d.normal, glm::dot(d.normal, p) - d.value + scene.gap[i], 0, i};
 }
 
-void sweep_flat(const Scene& scene, const Facet& flat, vec3 from, vec3 way, Hit& first) {
+void sweep_flat(const Scene& scene, const Facet& flat, const Way& way, Hit& first) {
     vec3 normal = flat.normal;
     double offset = flat.offset;
-    double start = glm::dot(normal, from) - offset;
-    double drop = -glm::dot(normal, way);
+    double start = glm::dot(normal, way.from) - offset;
+    double drop = -glm::dot(normal, way.step);
     if (flat.kind == SurfaceKind::sheet && start < 0) {
         normal = -normal;
         offset = -offset;
@@ -222,16 +230,17 @@ void sweep_flat(const Scene& scene, const Facet& flat, vec3 from, vec3 way, Hit&
     if (!(drop > 0) || end >= flat.gap - tight) return;
     if (flat.kind != SurfaceKind::plane && start < -touch_gap / 2) return;
     const double at = std::clamp((start - flat.gap) / drop, 0.0, 1.0);
-    if (!sooner(at, drop, first, glm::length(way))) return;
+    if (!sooner(at, drop, first, way.length)) return;
     if (flat.kind != SurfaceKind::plane) {
         const double crossing = end < 0 ? std::clamp(start / drop, 0.0, 1.0) : 1.0;
-        if (!over_triangle(scene.surface(flat.surface), flat.normal, from + crossing * way, tight)) return;
+        if (!over_triangle(scene.surface(flat.surface), flat.normal, way.from + crossing * way.step, tight))
+            return;
     }
     first = {at, drop, {normal, offset + flat.gap, 0, flat.surface}};
 }
 
 /// At the nearest point of a convex shape stands a plane that has all of it behind, up to which a point may move at once.
-void sweep_solid(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& first) {
+void sweep_solid(const Scene& scene, std::uint32_t i, const Way& way, Hit& first) {
     const Surface& s = scene.surface(i);
     const quat orientation = scene.body_of(i).orientation;
     double at = 0;
@@ -239,24 +248,24 @@ void sweep_solid(const Scene& scene, std::uint32_t i, vec3 from, vec3 way, Hit& 
     double drop = 0;
     Distance here{};
     for (int n = 0; n < most_advances; ++n) {
-        here = to_solid(s, orientation, from + at * way);
-        drop = -glm::dot(here.normal, way);
+        here = to_solid(s, orientation, way.from + at * way.step);
+        drop = -glm::dot(here.normal, way.step);
         if (!(drop > 0) || here.value - (1 - at) * drop >= gap - tight) return;
         if (here.value <= gap + tight) break;
         at += (here.value - gap) / drop;
         if (at > first.at + 1e-9) return;
     }
-    if (sooner(at, drop, first, glm::length(way)))
-        first = {at, drop, wall_at(scene, from + at * way, here, i)};
+    if (sooner(at, drop, first, way.length))
+        first = {at, drop, wall_at(scene, way.from + at * way.step, here, i)};
 }
 
-Hit first_hit(const Scene& scene, vec3 from, vec3 way, std::uint32_t but = nothing) {
+Hit first_hit(const Scene& scene, const Way& way, std::uint32_t but = nothing) {
     Hit first;
     for (std::uint32_t i = 0; i < scene.flat_count; ++i) {
-        if (scene.flats[i].surface != but) sweep_flat(scene, scene.flats[i], from, way, first);
+        if (scene.flats[i].surface != but) sweep_flat(scene, scene.flats[i], way, first);
     }
     for (std::uint32_t i = 0; i < scene.solid_count; ++i) {
-        if (scene.solids[i] != but) sweep_solid(scene, scene.solids[i], from, way, first);
+        if (scene.solids[i] != but) sweep_solid(scene, scene.solids[i], way, first);
     }
     return first;
 }
@@ -392,7 +401,7 @@ bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, v
              Wall& wall) {
     if (from != x) {
         Hit hit;
-        sweep_flat(scene, flat, from, x - from, hit);
+        sweep_flat(scene, flat, Way(from, x - from), hit);
         wall = hit.wall;
         if (hit.at <= 1) return true;
     }
@@ -409,7 +418,7 @@ bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, v
 bool overran(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall) {
     if (from != x) {
         Hit hit;
-        sweep_solid(scene, i, from, x - from, hit);
+        sweep_solid(scene, i, Way(from, x - from), hit);
         wall = hit.wall;
         if (hit.at <= 1) return true;
     }
@@ -556,7 +565,7 @@ void round_off(const Scene& scene, Journey& slide, vec3 tip) {
     const vec3 end = tip + (gap - from_tip.value) * from_tip.normal;
     constexpr double same_side = 0.9;
     if (from_tip.value >= gap || glm::dot(from_tip.normal, wall.normal) < same_side) return;
-    if (first_hit(scene, slide.x, end - slide.x, wall.surface).at <= 1) return;
+    if (first_hit(scene, Way(slide.x, end - slide.x), wall.surface).at <= 1) return;
     slide.x = end;
     wall = wall_at(scene, tip, from_tip, wall.surface);
     wall.depth = gap - from_tip.value;
@@ -577,7 +586,7 @@ Journey slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
         vec3 way = held_back(scene, slide, goal.place, was_sliding) - slide.x;
         const double part = allowed(*scene.patch, slide.x, way);
         way *= part;
-        const Hit hit = first_hit(scene, slide.x, way);
+        const Hit hit = first_hit(scene, Way(slide.x, way));
         go(slide, std::min(hit.at, 1.0) * way);
         if (hit.at <= 1) {
             add_wall(slide.walls, hit.wall);

@@ -46,6 +46,86 @@ TEST(PrimitivesRandom, SixteenPrimitivesBalance) {
     EXPECT_LE(worst.fault, 1e-9);
 }
 
+/// Sets on which the proof once failed, of the few in a million.
+TEST(PrimitivesRandom, KinksThatNearlyMeetBalance) {
+    using enum PrimitiveKind;
+    const auto expect_balanced = [](const PrimitiveSet& set, const Spring& spring) {
+        const Balance found = balance(set, spring);
+        EXPECT_LE(found.residual, 1e-12) << set.items().size();
+        EXPECT_LE(sets::fault(set, spring, found, touching({})), 1e-9) << set.items().size();
+        EXPECT_LT(found.steps, 60);
+    };
+    {  // Two lines that cross, known each by a point and a direction: normals nearly along a line would place x badly.
+        PrimitiveSet set;
+        set.add({line,
+                 {0.0047499410918187346, 0.0041211621887245718, -0.0086053205396185457},
+                 {-0.70721573916907943, -0.026820298561281, -0.70648890285454324},
+                 1.5423277031913551});
+        set.add({line,
+                 {0.0011053190151131109, 0.0039829443199379854, -0.01224619688000724},
+                 {0.97665022477503138, 0.057702544857714554, -0.2069414283410265},
+                 2.9956764385774504});
+        expect_balanced(set, {{0.0047499410918187346, 0.0041211621887245718, -0.0086053205396185457}, 300});
+    }
+    {  // Lines through the world's origin, where coordinates have no size of their own; one is held at the end of its strength.
+        PrimitiveSet set;
+        set.add({plane,
+                 {0.0070340789584497259, 0.0025576690495779089, 0.0064541416609062057},
+                 {-0.76690165594063398, -0.074891806346451789, -0.63737984550633475},
+                 2.4456087765021346});
+        set.add({directed,
+                 {0.0024785146631532509, -0.0090250077076467778, -0.0038315470058384628},
+                 {-0.76690165594063398, -0.074891806346451789, -0.63737984550633475},
+                 0.29316082664550747});
+        set.add({point,
+                 {0.0070340789584497259, 0.0025576690495779089, 0.0064541416609062057},
+                 {-0.76690165594063398, -0.074891806346451789, -0.63737984550633475},
+                 2.4815562315560191});
+        set.add({point,
+                 {0.0070340789584497259, 0.0025576690495779089, 0.0064541416609062057},
+                 {0.76690165594063398, 0.074891806346451789, 0.63737984550633475},
+                 2.5956603611435831});
+        set.add({line, {0, 0, 0}, {1, 0, 0}, 2.25});
+        set.add({line,
+                 {0, 0, 0},
+                 {0.050659922789109156, 0.096343031965928819, 0.99405814337724407},
+                 1.1347032230390051});
+        expect_balanced(set, {{-0.0075218255406441165, -0.0064005220934359496, -0.0076340353066698041}, 300});
+    }
+    {  // A plane holds x, 2e-10 m beside a line that crosses another 5e-8 m away.
+        PrimitiveSet set;
+        set.add({point,
+                 {0.00075195538097018184, -0.0044505912991240756, -0.0094732851300347431},
+                 {-0.62989638736790288, -0.66705492178264425, -0.39782945153220517},
+                 2.1162141427361876});
+        set.add({line,
+                 {0.00075195538097018184, -0.0044505912991240756, -0.0094732851300347431},
+                 {0.62989638736790288, 0.66705492178264425, 0.39782945153220517},
+                 1.8090435142208612});
+        set.add({directed,
+                 {0.0076050064786270253, 0.009251180969485167, -0.0052999765569810963},
+                 {0.62989638736790288, 0.66705492178264425, 0.39782945153220517},
+                 2.0825026003573308});
+        set.add({line,
+                 {0.0059746671823202001, 0.0010802161193792298, -0.0061747290292068387},
+                 {0.70115796082588244, -0.70978667018246933, 0.067678628840815283},
+                 0.059290622190118492});
+        set.add({plane,
+                 {0.0059746671823202001, 0.0010802161193792298, -0.0061747290292068387},
+                 {0.70115796082588244, -0.70978667018246933, 0.067678628840815283},
+                 2.9579278758076408});
+        set.add({directed,
+                 {0.0090920101469053934, 0.010825905218625188, -0.0043608159813036864},
+                 {0.68596831228361255, 0.69468834492182518, 0.21646149304794937},
+                 0.02765492799316982});
+        set.add({line,
+                 {-0.0092684621410081738, 0.0014687888345560408, -0.0074865603151230212},
+                 {1, 0, 0},
+                 1.1154701145515611});
+        expect_balanced(set, {{0.0060898509456604804, -0.0021128578716546323, 0.0013748109511689988}, 300});
+    }
+}
+
 double f(const PrimitiveSet& set, const Spring& spring, vec3 x) {
     const vec3 d = x - spring.centre;
     double result = spring.stiffness / 2 * glm::dot(d, d);
@@ -211,7 +291,7 @@ TEST(PrimitivesRandom, StrengthsThatDwarfTheSetAreBalancedAllTheSame) {
 }
 
 TEST(PrimitivesRandom, TheStepBudgetHolds) {
-    // Lines that cross where the proxy is held at the very end of one's strength, of the hard sets that a million held.
+    // Where strength / stiffness dwarfs the set, some are left.
     Random random{5};
     Scale scale;
     int most = 0;
