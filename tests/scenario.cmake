@@ -4,8 +4,16 @@ foreach(script ${scenarios})
     get_filename_component(name ${script} NAME_WE)
     add_test(NAME scenario.${name}
         COMMAND thaum scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios)
-    set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 300 LABELS scenario)
+    set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 300 LABELS scenario
+        FIXTURES_SETUP scenarios)
 endforeach()
+
+# The tables of forces that they leave, summed by somebody else: what passive sources created.
+add_executable(passivity drivers/passivity.cpp)
+target_include_directories(passivity PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(passivity PRIVATE thaum_flags thaum_core)
+add_test(NAME haptics.passivity COMMAND passivity ${CMAKE_CURRENT_BINARY_DIR}/scenarios 0.02)
+set_tests_properties(haptics.passivity PROPERTIES FIXTURES_REQUIRED scenarios)
 
 # Every log in the folder is a test. Its name says under which rules version it was recorded: NAME_rules_VERSION.thaumlog.
 # Those of this version must still come to the same bits, in this build too; those of older ones must be refused politely.

@@ -1,5 +1,6 @@
 // thaum scenario: gameplay scenarios, each run twice.
 #include <cstdio>
+#include <cstdlib>
 
 #include "core/file.h"
 #include "core/text.h"
@@ -19,6 +20,9 @@ time. Each runs twice, with equal state hashes. Without a name: all of them.
 
   --json FILE   the results as JSON; - for standard output
   --out DIR     where logs, traces and pictures go (default: out/scenarios)
+
+What hands feel is compared with the force traces in tests/replays/forces, to the
+bit; THAUM_KEEP_FORCES=tests/replays/forces records them anew.
 
 Exit 0: all passed; 1: one failed.
 )";
@@ -72,6 +76,8 @@ int run_scenario(const std::vector<std::string>& words) {
     chosen.take_picture = [&](const auto& match, auto split, const auto& file) {
         return painter.take(match, split, file);
     };
+    chosen.read_screen = game::words_over_views;
+    if (const char* keep = std::getenv("THAUM_KEEP_FORCES"); keep != nullptr) chosen.keep_forces = keep;
     const auto results =
         game::run_scenarios(arguments->plain(), chosen, json == "-" ? nullptr : print_result);
     if (!results) return refuse(results.error());

@@ -51,6 +51,17 @@ double field_of_view(double fov_degrees, double aspect) {
     return 2 * std::atan(std::sqrt(area / aspect));
 }
 
+std::vector<std::string> words_over_views(const Simulation& match) {
+    Picture picture = make_picture();
+    take_picture(match, picture);
+    render::Overlay overlay;
+    make_overlay(picture, {}, {1280, 720}, overlay);
+    std::vector<std::string> words;
+    for (const auto& item : overlay.items)
+        if (const auto* line = std::get_if<render::TextItem>(&item)) words.push_back(line->text);
+    return words;
+}
+
 std::array<render::Rect, players> views_of(const HudSettings& settings, render::Size size) {
     const render::Rect whole{0, 0, size.width, size.height};
     switch (settings.watch) {

@@ -41,6 +41,9 @@ const render::Frame& make_frame(const Court& court, const Picture& picture, cons
 void make_overlay(const Picture& picture, const HudSettings& settings, render::Size size,
                   render::Overlay& out);
 
+/// All words that stand over both players' views.
+std::vector<std::string> words_over_views(const Simulation& match);
+
 /// Where each player's view is; of no size where it is not shown.
 std::array<render::Rect, players> views_of(const HudSettings& settings, render::Size size);
 

@@ -235,9 +235,9 @@ std::string_view caption_of(haptics::SafetyCause cause) {
         case SafetyCause::shut_off:
             return "Forces are shut off after a fault: the panic key brings them back";
         case SafetyCause::panic: return "All forces off: the panic key brings yours back";
+        case SafetyCause::waiting: return "Forces wait until the pull is small";
         case SafetyCause::none:
         case SafetyCause::capped:
-        case SafetyCause::waiting:
         case SafetyCause::off: break;
     }
     return {};

@@ -244,11 +244,23 @@ void append_state(const Simulation& match, std::string& out) {
     out += '\n';
 }
 
+namespace {
+
+bool holds_arm_of(const Simulation& match, std::uint32_t player) {
+    const auto& devices = match.setup().devices;
+    return std::any_of(devices.begin(), devices.end(), [player](const input::DeviceSpec& device) {
+        return device.player == player && device.kind == input::DeviceKind::arm;
+    });
+}
+
+}  // namespace
+
 std::string forces_header() {
     std::string out = "tick,time_s";
     for (std::uint32_t player = 1; player <= players; ++player) {
-        for (const auto* column :
-             {"x_m", "y_m", "z_m", "fx_n", "fy_n", "fz_n", "cause", "created_j", "given_j"})
+        for (const auto* column : {"x_m",       "y_m",     "z_m",     "fx_n", "fy_n", "fz_n",      "cause",
+                                   "created_j", "given_j", "px_n",    "py_n", "pz_n", "k_n_per_m", "ax_m",
+                                   "ay_m",      "az_m",    "touches", "sx_m", "sy_m", "sz_m",      "arm"})
             append_text(out, text(",p", player, "_", column));
     }
     return out + "\n";
@@ -262,7 +274,16 @@ void append_forces(const Simulation& match, std::string& out) {
         const vec3 at = grip.device.position, force = grip.servo.safety.output;
         append_numbers(out, {at.x, at.y, at.z, force.x, force.y, force.z});
         append_text(out, text(",", haptics::safety_cause_names[grip.servo.safety.cause]));
-        append_numbers(out, {grip.servo.energy.created, grip.servo.energy.given});
+        const auto& book = grip.servo.energy;
+        const vec3 passive = book.forces[book.newest].passive;
+        const auto& tether = grip.tether;
+        const vec3 anchor = tether.stiffness > 0 ? tether.anchor : vec3(0);
+        const auto& surface = grip.servo.surface;
+        const bool touches = surface.contacts != 0;
+        const vec3 point = touches ? surface.proxy - grip.servo.shift : vec3(0);
+        append_numbers(out, {book.created, book.given, passive.x, passive.y, passive.z, tether.stiffness,
+                             anchor.x, anchor.y, anchor.z, touches ? 1.0 : 0.0, point.x, point.y, point.z,
+                             holds_arm_of(match, player) ? 1.0 : 0.0});
     }
     out += '\n';
 }

@@ -64,7 +64,10 @@ void append_state(const Simulation& match, std::string& out);
 /// The columns of `append_forces`: tick, time_s, and for each player pN_x_m, pN_y_m, pN_z_m (of the device's tip after the tick, in
 /// its own frame: x right, y up, z to the user), pN_fx_n ... (what it was told in the tick) and pN_cause (why it was told less than
 /// was asked for: none, capped, warm, waiting, stale, over_speed, off, shut_off, panic). The sum of F dx over the rows is the
-/// work done on the hand.
+/// work done on the hand. Then, for books of energy by source (haptics/energy.h): pN_created_j and pN_given_j, what the observer
+/// has; pN_px_n ..., the passive sources' part of the force; pN_k_n_per_m and pN_ax_m ..., the stiffness of what the hand hangs on after
+/// the tick (0: nothing) and where that is; pN_touches (1 or 0) and pN_sx_m ..., where on a surface the tip was held for this tick's
+/// force; pN_arm, 1 for a real one: its place is then that at which this tick's force was computed, not where it led.
 std::string forces_header();
 /// One row of the tick that was just played.
 void append_forces(const Simulation& match, std::string& out);

@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/components/grip.h"
+#include "game/match/tables.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {
@@ -56,6 +57,7 @@ input::InputFrame frame_of(Play& play) {
         sample.buttons = from.buttons;
     }
     if (!play.bots.empty()) play.bots.sample(*play.match, frame);
+    take_samples(play.arms, frame);
     return frame;
 }
 
@@ -76,6 +78,13 @@ void keep_keyframe(Play& play) {
     play.match->save(play.keyframes.back().world);
 }
 
+void note_forces(Play& play) {
+    if (!play.felt) return;
+    play.felt->record.add(*play.match);
+    if (!play.keeps_files || play.options->out.empty() || play.felt->csv.size() > most_trace_bytes) return;
+    append_forces(*play.match, play.felt->csv);
+}
+
 }  // namespace
 
 Expected<void> begin_match(Play& play, const MatchWish& wish) {
@@ -88,6 +97,12 @@ Expected<void> begin_match(Play& play, const MatchWish& wish) {
         const int level = wish.bot_level[player];
         setup.devices.push_back(level == 0 ? script_device(player) : bot_device(player, level));
         if (wish.force[player]) setup.devices.back().ask_for_force(*wish.force[player]);
+    }
+    for (std::uint32_t player = 0; player < players; ++player) {
+        if (!wish.arm[player]) continue;
+        play.arms[player] = std::make_unique<ScriptArm>();
+        play.arms[player]->device = static_cast<std::uint32_t>(setup.devices.size());
+        setup.devices.push_back({.player = player, .kind = input::DeviceKind::arm, .name = "script"});
     }
     play.match = std::make_unique<Simulation>(play.data, setup);
     for (std::uint32_t player = 0; player < players; ++player) {
@@ -106,13 +121,25 @@ void tick(Play& play) {
     auto& match = *play.match;
     keep_keyframe(play);
     if (play.options->spoil) play.options->spoil(match, play.run);
+    if (play.behind == 0) {
+        step_arms(play.arms);
+    } else {
+        --play.behind;
+    }
     const auto frame = frame_of(play);
     tick_and_record(match, frame, play.log ? &*play.log : nullptr);
+    publish_orders(match, play.arms);
     play.frames.push_back(frame);
     collect_events(play);
     if (match.now() % hash_interval == 0) play.hashes.push_back(match.state_hash());
     if (play.save_at == match.now()) match.save(play.saved);
     for (auto& trace : play.traces) trace_now(play, trace);
+    note_forces(play);
+}
+
+void stall(Play& play, Tick ticks) {
+    for (Tick t = 0; t < ticks; ++t) step_arms(play.arms);
+    play.behind += ticks;
 }
 
 void scene_is_set(Play& play) {
@@ -135,6 +162,9 @@ void end_match(Play& play) {
         const auto file = text(play.name, ".", trace.name, ".csv");
         if (write_text_file(play.options->out / file, trace.csv)) play.files.push_back(file);
     }
+    if (!play.felt) return;
+    const auto file = play.name + ".forces.csv";
+    if (write_text_file(play.options->out / file, play.felt->csv)) play.files.push_back(file);
 }
 
 double readiness(const Play& play, std::uint32_t player) {

@@ -11,7 +11,9 @@
 #include "game/bots/bot.h"
 #include "game/match/record.h"
 #include "game/match/simulation.h"
+#include "game/scenario/force_trace.h"
 #include "game/scenario/runner.h"
+#include "game/scenario/script_arm.h"
 #include "input/log.h"
 
 namespace thaum::game {
@@ -30,6 +32,7 @@ struct MatchWish {
     std::uint64_t seed = 1;
     std::array<int, players> bot_level{};                       ///< 0: played by the script
     std::array<std::optional<std::uint32_t>, players> force{};  ///< %, of each player; nothing: by the rules
+    std::array<bool, players> arm{};                            ///< who holds a real one
 };
 
 /// Something that the script has put into the world.
@@ -44,6 +47,12 @@ struct Trace {
     std::string csv;
     std::vector<double (*)(const struct Play&, std::uint32_t)> readers;
     std::vector<std::uint32_t> subjects;  ///< of each reader: a player or a thing
+};
+
+/// What hands felt since a trace of forces began.
+struct FeltForces {
+    ForceRecord record;
+    std::string csv;  ///< as of `thaum replay --forces`
 };
 
 /// The state before a keyframe tick, from which a run can go on.
@@ -63,6 +72,8 @@ struct Play {
     Bots bots;
     std::array<int, players> bot_level{};
     std::array<Hand, players> hands{};
+    ScriptArms arms{};
+    Tick behind{};  ///< ticks for which the arms went on while the match stood still
 
     std::vector<input::InputFrame> frames;  ///< all so far
     std::vector<std::uint64_t> hashes;      ///< after every hash_interval ticks
@@ -74,6 +85,7 @@ struct Play {
     std::vector<Bytes> states;              ///< kept by the script
     std::vector<SpawnedThing> things;
     std::vector<Trace> traces;
+    std::optional<FeltForces> felt;
     std::vector<Pixels> pictures;
     std::vector<std::string> files;
 
@@ -92,6 +104,9 @@ Expected<void> begin_match(Play& play, const MatchWish& wish);
 
 /// One tick of the match, with what the hands do.
 void tick(Play& play);
+
+/// The match stands still, and then makes up for it, while arms go on.
+void stall(Play& play, Tick ticks);
 
 /// From here on the log and the frames do not tell the whole story.
 void scene_is_set(Play& play);

@@ -9,7 +9,7 @@ local raw = {}
 for _, name in ipairs {
     "wait", "match", "button", "trigger", "move", "look", "counts_to", "counts_of", "read", "place", "face", "spawn", "thing_there",
     "thing_position", "thing_velocity", "thing_place", "thing_push", "next_event", "picture", "picture_mean",
-    "picture_colours",
+    "picture_colours", "reach", "told", "stall",
 } do
     raw[name] = _G["raw_" .. name]
     _G["raw_" .. name] = nil
@@ -164,6 +164,13 @@ function Wizard:aim(target)
     end
     fail("cannot aim at it within 3 s")
 end
+
+-- The arm in the hand: it goes there at so many m/s, or is there at once.
+function Wizard:reach(place, speed) raw.reach(self.player, place, speed) end
+
+function Wizard:told() return raw.told(self.player) end
+
+function stall(seconds) raw.stall(ticks_of(seconds)) end
 
 function Wizard:place(feet) raw.place(self.player, feet) end
 

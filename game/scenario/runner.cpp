@@ -30,7 +30,8 @@ struct Outcome {
     std::vector<std::uint64_t> hashes;
     std::string output;
     std::vector<std::string> files;
-    Bytes saved;  ///< the state that was asked for
+    Bytes saved;                        ///< the state that was asked for
+    std::optional<std::string> forces;  ///< the force trace, of a scenario that has one
 };
 
 struct RunWish {
@@ -110,7 +111,9 @@ Outcome run_once(std::string_view source, const std::string& name, const Scenari
     play.save_at = wish.save_at;
     Outcome outcome;
     Sandbox sandbox(options.limits);
-    const auto done = run_script(sandbox, play, source);
+    auto done = run_script(sandbox, play, source);
+    if (done && differing_forces(play.arms) != 0)
+        done = fail("the match has computed other forces than an arm's thread had");
     outcome.ended = done.has_value();
     outcome.output = sandbox.output();
     outcome.no_picture = play.no_picture;
@@ -119,6 +122,7 @@ Outcome run_once(std::string_view source, const std::string& name, const Scenari
         outcome.ticks = play.match->now();
         outcome.hash = play.match->state_hash();
         outcome.changed = has_changed(play);
+        if (play.felt) outcome.forces = play.felt->record.file();
         if (!done) keep_failure_picture(play);
         end_match(play);
     }
@@ -160,6 +164,31 @@ std::string fault_of(const Outcome& one, const Outcome& two) {
     return {};
 }
 
+constexpr std::size_t most_force_trace = 1U << 20U;
+
+/// Keeps the force trace, or compares it with the one that was kept. Empty, or what is wrong.
+std::string check_forces(const std::string& forces, const std::string& name,
+                         const std::filesystem::path& folder, bool keep) {
+    const auto file = folder / (name + ".csv");
+    if (keep) {
+        const auto written = write_text_file(file, forces);
+        return written ? std::string() : written.error().message;
+    }
+    const auto kept = read_text_file(file, most_force_trace);
+    if (!kept)
+        return text("no force trace is kept: THAUM_KEEP_FORCES=", folder.string(), " thaum scenario ", name);
+    const auto found = difference_of_forces(*kept, forces);
+    return found.empty() ? found : text(found, " (", file.string(), ")");
+}
+
+/// Empty where there is none.
+std::filesystem::path forces_folder(const std::filesystem::path& script, const ScenarioOptions& options) {
+    if (!options.keep_forces.empty()) return options.keep_forces;
+    const auto beside = (script.parent_path() / "../replays/forces").lexically_normal();
+    std::error_code ignored;
+    return std::filesystem::is_directory(beside, ignored) ? beside : std::filesystem::path();
+}
+
 void write_result(const ScenarioOptions& options, ScenarioResult& result) {
     if (options.out.empty()) return;
     const auto file = result.name + ".json";
@@ -167,10 +196,9 @@ void write_result(const ScenarioOptions& options, ScenarioResult& result) {
     if (!write_text_file(options.out / file, scenario_report({result}))) result.files.pop_back();
 }
 
-}  // namespace
-
-ScenarioResult run_scenario_source(std::string_view source, const std::string& name,
-                                   const ScenarioOptions& options) {
+/// kept: the folder of force traces; empty: they are not looked at.
+ScenarioResult run_source(std::string_view source, const std::string& name, const ScenarioOptions& options,
+                          const std::filesystem::path& kept) {
     std::error_code ignored;
     if (!options.out.empty()) std::filesystem::create_directories(options.out, ignored);
     auto one = run_once(source, name, options, {.run = 1, .keeps_files = true});
@@ -181,24 +209,33 @@ ScenarioResult run_scenario_source(std::string_view source, const std::string& n
                           .message = {},
                           .output = std::move(one.output),
                           .files = std::move(one.files)};
-    const auto two = one.ended ? run_once(source, name, options, {.run = 2}) : Outcome{};
-    result.message = fault_of(one, two);
-    const auto differs = result.message.empty() ? first_difference(one, two) : std::nullopt;
+    const auto two = one.ended && !options.once ? run_once(source, name, options, {.run = 2}) : Outcome{};
+    result.message = fault_of(one, options.once ? one : two);
+    const auto differs = result.message.empty() && !options.once ? first_difference(one, two) : std::nullopt;
     if (differs) {
         result.message = text("tick ", *differs, ": the two runs have different states",
                               describe_difference(source, name, options, *differs));
     }
+    if (result.message.empty() && one.forces && !kept.empty())
+        result.message = check_forces(*one.forces, name, kept, !options.keep_forces.empty());
     result.passed = result.message.empty();
     if (result.passed && one.scene_set) result.message = "no log: the scenario has set the scene itself";
     write_result(options, result);
     return result;
 }
 
+}  // namespace
+
+ScenarioResult run_scenario_source(std::string_view source, const std::string& name,
+                                   const ScenarioOptions& options) {
+    return run_source(source, name, options, {});
+}
+
 ScenarioResult run_scenario(const std::filesystem::path& script, const ScenarioOptions& options) {
     const auto name = script.stem().string();
     const auto source = read_text_file(script, most_source);
     if (!source) return {.name = name, .message = source.error().message, .output = {}, .files = {}};
-    return run_scenario_source(*source, name, options);
+    return run_source(*source, name, options, forces_folder(script, options));
 }
 
 Expected<std::vector<std::filesystem::path>> find_scenarios(const std::vector<std::string>& names,

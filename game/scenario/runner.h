@@ -6,8 +6,11 @@
 //
 //     NAME.thaumlog   the match, for `thaum replay`; not where the script set the scene itself (place, spawn, push ...)
 //     NAME.TRACE.csv  for each `trace`
+//     NAME.forces.csv for a scenario with a trace of forces, from there on: as of `thaum replay --forces`
 //     NAME.PICTURE.png  for each `picture`, and NAME.failed.png where it failed
 //     NAME.json       the result, as of `thaum scenario --json`
+//
+// What hands felt in such a scenario is also compared with what was kept of it (game/scenario/force_trace.h), to the bit.
 //
 // The verbs of the scripts stand in game/scenario/verbs.h.
 #pragma once
@@ -35,12 +38,20 @@ struct Pixels {
 using TakePicture =
     std::function<Expected<Pixels>(const Simulation& match, Split split, const std::filesystem::path& file)>;
 
+/// All words that stand over both players' views of the match as it is.
+using ReadScreen = std::function<std::vector<std::string>(const Simulation& match)>;
+
 struct ScenarioOptions {
     std::filesystem::path assets;
     std::filesystem::path out;      ///< where files go; made when needed; empty: no files
     std::filesystem::path scripts;  ///< where scenarios are found by name
     TakePicture take_picture;       ///< null: scenarios that need pictures fail, saying so
-    Tick most_ticks = ticks(600);   ///< of one run
+    ReadScreen read_screen;         ///< likewise
+    /// Where force traces are written; empty: they are compared with those in ../replays/forces beside the script's folder, if
+    /// there is such a folder.
+    std::filesystem::path keep_forces{};
+    bool once{};  ///< the second run is left out: nothing is checked between the two
+    Tick most_ticks = ticks(600);  ///< of one run
     SandboxLimits limits;
     /// For tests of the runner itself: called before every tick of each run (1, 2), and may spoil the match.
     std::function<void(Simulation& match, int run)> spoil;

@@ -86,10 +86,22 @@ void read_forces(lua_State* lua, int index, MatchWish& wish) {
     }
 }
 
+void read_arms(lua_State* lua, int index, MatchWish& wish) {
+    if (!lua_istable(lua, index)) fault("arms must be a list of true and false");
+    index = lua_absindex(lua, index);
+    for (std::size_t i = 0; i < players; ++i) {
+        lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
+        wish.arm[i] = lua_toboolean(lua, -1) != 0;
+        lua_pop(lua, 1);
+        if (wish.arm[i] && wish.bot_level[i] != 0) fault("player ", i + 1, " is a bot, and holds no arm");
+    }
+}
+
 int verb_match(lua_State* lua, void* context) {
     auto& play = *static_cast<Play*>(context);
     if (play.match) fault("match{...} stands once in a scenario");
-    const Options options(lua, 1, "match", {"arena", "rules", "match", "seed", "set", "players", "forces"});
+    const Options options(lua, 1, "match",
+                          {"arena", "rules", "match", "seed", "set", "players", "forces", "arms"});
     MatchWish wish;
     if (options.has("arena")) wish.data.arena = arg::string(lua, -1, "arena");
     if (options.has("rules")) wish.data.rules = arg::string(lua, -1, "rules");
@@ -98,6 +110,7 @@ int verb_match(lua_State* lua, void* context) {
     if (options.has("set")) read_overrides(lua, -1, wish);
     if (options.has("players")) read_players(lua, -1, wish);
     if (options.has("forces")) read_forces(lua, -1, wish);
+    if (options.has("arms")) read_arms(lua, -1, wish);
     if (const auto made = begin_match(play, wish); !made) {
         play.match.reset();
         fault(made.error().message);
@@ -168,6 +181,38 @@ int verb_move(lua_State* lua, void* context) {
 int verb_trigger(lua_State* lua, void* context) {
     auto& hand = hand_of(began(context), lua);
     hand.trigger = static_cast<std::int32_t>(std::lround(255 * arg::number(lua, 2, "how far", {0, 1})));
+    return 0;
+}
+
+// ---- arms --------------------------------------------------------------------------------------------------------------
+
+ScriptArm& arm_of(Play& play, std::uint32_t player) {
+    if (!play.arms[player]) fault("player ", player + 1, " holds no arm: match{arms = {true, ...}}");
+    return *play.arms[player];
+}
+
+/// A device's workspace, m.
+constexpr double arm_reach = 0.3;
+/// What the match may be behind before it leaves samples out, s.
+constexpr double longest_stall = 0.25;
+
+int verb_reach(lua_State* lua, void* context) {
+    auto& arm = arm_of(began(context), arg::player(lua, 1));
+    arm.to = arg::place(lua, 2, "place", arm_reach);
+    arm.step = lua_isnoneornil(lua, 3) ? 0 : arg::number(lua, 3, "speed", {1e-6, 100}) * tick_seconds;
+    return 0;
+}
+
+int verb_told(lua_State* lua, void* context) {
+    arg::push_place(lua, arm_of(began(context), arg::player(lua, 1)).told);
+    return 1;
+}
+
+int verb_stall(lua_State* lua, void* context) {
+    auto& play = began(context);
+    const auto count = arg::integer(lua, 1, "ticks", {0, longest_stall / tick_seconds});
+    if (play.behind != 0) fault("stall: the match has not made up for the last one yet");
+    stall(play, static_cast<Tick>(count));
     return 0;
 }
 
@@ -308,6 +353,9 @@ constexpr VerbName match_verbs[] = {
     {"raw_trigger", verb_trigger},
     {"raw_move", verb_move},
     {"raw_look", verb_look},
+    {"raw_reach", verb_reach},
+    {"raw_told", verb_told},
+    {"raw_stall", verb_stall},
     {"raw_counts_to", verb_counts_to},
     {"raw_counts_of", verb_counts_of},
     {"raw_read", verb_read_wizard},

@@ -2,14 +2,18 @@
 // see; times are seconds of the match, places metres ({x, y, z} or {x = , y = , z = }), players 1 and 2.
 //
 //     match{arena = , rules = "thaum" | "classic", match = "quick" | "standard", seed = , set = {"quick.kills=1"},
-//           players = {"script", "bot 1"}, forces = {100, 0}}   first, and once; forces: % of what the devices can
+//           players = {"script", "bot 1"}, forces = {100, 0}, arms = {true, false}}   first, and once; forces: % of what the
+//                               devices can; arms: whose hand holds a real one, which the script moves
 //     wizard(n)                 hold(button), release(button), press(button [, seconds]), move(strafe, forward) in -1..1,
 //                               stop(), look(right, up) in degrees, aim(place | wizard | thing), trigger(share): how far fire is
 //                               pulled while it is held, in 0..1: through the device
 //                               position() (feet), centre(), eye(), velocity(), yaw(), pitch() in rad, health(), energy(),
 //                               shots(), readiness() of the wand in hand in 0..1, kills(), deaths(), dead(), grounded(), shielded()
+//                               reach(place [, speed]): the arm's tip goes there, in m of its frame and m/s, or jumps;
+//                               told(): N, by the arm's own thread in its last tick
 //                               place(feet), face(yaw, pitch) in degrees: set the scene
 //     wait(seconds), tick([n]), time(), now() in ticks, wait_until(condition, seconds), pause(n)
+//     stall(seconds)            the match stands still, arms go on; in the ticks that follow it makes up for it
 //     expect(condition, message), expect_near(value, wanted, tolerance, message), fail(message)
 //     events(kind | {kind = , subject = , by = }), expect_event{kind = , subject = , by = , within = seconds}
 //     spawn{kind = "box" | "sphere" | "cylinder", size = {x, y, z} | radius = , height = , mass = , at = , velocity = ,
@@ -24,6 +28,7 @@
 //     trace(name, columns)      a CSV line each tick: "1.x", "2.health", "t1.speed" (of the first thing spawned)
 //     picture{split = "side_by_side" | "top_bottom", name = }   colour(x, y), mean(x0, y0, x1, y1), colours(x0, y0, x1, y1):
 //                               of the picture's width and height, from the top left corner, in 0..1
+//     on_screen(words)          whether they stand over the views
 //     check_seek{ticks = {...} | count = , seed = }, check_late{seed = }
 //     distance(a, b), length(v), log(...)
 //

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "ecs/diff.h"
+#include "game/match/tables.h"
 #include "game/scenario/detail/verb.h"
 
 namespace thaum::game {
@@ -218,8 +219,11 @@ int verb_trace(lua_State* lua, void* context) {
     const auto count = std::min<lua_Unsigned>(lua_rawlen(lua, 2), 64);
     for (lua_Unsigned i = 1; i <= count; ++i) {
         lua_rawgeti(lua, 2, static_cast<lua_Integer>(i));
-        const auto added = add_column(play, arg::string(lua, -1, "a column"), trace);
+        const auto column = arg::string(lua, -1, "a column");
+        const auto added = add_column(play, column, trace);
         if (!added) fault(added.error().message);
+        if (!play.felt && column.find(".force_") != std::string::npos)
+            play.felt.emplace(FeltForces{{}, forces_header()});
         lua_pop(lua, 1);
     }
     trace.csv += '\n';
@@ -229,6 +233,19 @@ int verb_trace(lua_State* lua, void* context) {
 
 /// The text by which the runner knows that only the picture function was missing.
 constexpr std::string_view no_pictures = "no picture function here: this scenario needs one that draws";
+
+int verb_on_screen(lua_State* lua, void* context) {
+    auto& play = began(context);
+    const auto words = arg::string(lua, 1, "words");
+    if (!play.options->read_screen) {
+        play.no_picture = true;
+        fault(no_pictures);
+    }
+    const auto all = play.options->read_screen(*play.match);
+    const auto has = [&](const std::string& line) { return line.find(words) != std::string::npos; };
+    lua_pushboolean(lua, std::any_of(all.begin(), all.end(), has));
+    return 1;
+}
 
 std::filesystem::path picture_file(const Play& play, lua_State* lua, const Options& options) {
     if (!options.has("name") || !play.keeps_files || play.options->out.empty()) return {};
@@ -365,6 +382,7 @@ constexpr VerbName report_list[] = {
     {"state", verb_state},
     {"changes", verb_changes},
     {"trace", verb_trace},
+    {"on_screen", verb_on_screen},
     {"raw_picture", verb_picture},
     {"raw_picture_mean", verb_picture_mean},
     {"raw_picture_colours", verb_picture_colours},

@@ -13,6 +13,7 @@ local function shoot(at, held)
     local energy = me:energy()
     me:hold("fire")
     wait(held)
+    expect_near(me:force().z, 0.45 * 2.6 * me:readiness(), 0.03, "the charge leans on the hand")
     me:release("fire")
     local shot = expect_event {kind = "shot", by = 1, within = 0.02}
     local c = (energy - me:energy() - 8) / 17

@@ -24,6 +24,7 @@ for i = 1, 2000 do
 end
 expect(one:position().y > 0.8, "it is up")
 expect_near(two:position().y, one:position().y, 0.05, "and so is the other, but for what the hand gave way")
+expect_near(strong:force().y, -0.01 * 90, 0.05, "its weight, by the fader")
 expect(felt > 1.0, "one of them feels it")
 expect(clipped <= 0.2 * 3.3 + 1e-9, "the other within the cap")
 expect(clipped > 0.3)

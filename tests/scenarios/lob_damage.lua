@@ -23,6 +23,7 @@ local function throw(share, seconds)
     me:trigger(share)
     me:hold("fire")
     wait(seconds or 1)
+    if share == 1 then expect_near(length(me:force()), 0.45 * 3.3, 1e-9, "a full draw is more than the cap") end
     me:release("fire")
     return expect_event {kind = "shot", by = 1, within = 0.02}
 end

@@ -129,7 +129,7 @@ TEST(Touch, ARowOfForcesSaysWhatTheHandHad) {
         const vec3 x = grip.device.position, f = grip.servo.safety.output;
         const auto& energy = grip.servo.energy;
         append_text(expected, text(",", x.x, ",", x.y, ",", x.z, ",", f.x, ",", f.y, ",", f.z, ",none,",
-                                   energy.created, ",", energy.given));
+                                   energy.created, ",", energy.given, ",0,0,0,0,0,0,0,0,0,0,0,0"));
     }
     EXPECT_EQ(row, expected + "\n");
     const auto header = forces_header();

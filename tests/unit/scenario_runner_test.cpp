@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/file.h"
+#include "game/components/grip.h"
 #include "game/match/record.h"
 #include "game/scenario/runner.h"
 
@@ -169,6 +170,11 @@ TEST(ScenarioRunner, MisuseOfVerbsIsSaidAtTheLine) {
         {"check_seek {count = 3}", "nothing has been played yet"},
         {"wizard(1):place {0, 0, 16} tick() check_late {}", "this scenario has set the scene itself"},
         {"spawn {kind = 'sphere', radius = 0.1, mass = 1, at = {0, 5, 0}}:push {1000, 0, 0}", "faster than"},
+        {"wizard(1):reach {0, 0, 0}", "player 1 holds no arm"},
+        {"wizard(1):told()", "player 1 holds no arm"},
+        {"stall(1)", "must be in 0 .. 250"},
+        {"stall(0.1) stall(0.1)", "has not made up for the last one"},
+        {"on_screen('x')", "no picture function here"},
         {"raw_wait(1)", "a nil value (global 'raw_wait')"},
     };
     for (const auto& [source, wanted] : cases) {
@@ -181,6 +187,8 @@ TEST(ScenarioRunner, MisuseOfVerbsIsSaidAtTheLine) {
          {std::pair{"match {arena = 'nowhere'}", "nowhere"},
           std::pair{"match {set = {'quick.kils=1'}}", "kils"},
           std::pair{"match {players = {'script', 'bot 9'}}", "no bot of level 9"},
+          std::pair{"match {arms = {true}, players = {'bot 1', 'script'}}", "holds no arm"},
+          std::pair{"match {arms = 3}", "arms must be a list"},
           std::pair{"match {players = {'me'}}", "neither"}, std::pair{"match(5)", "match takes a table"}}) {
         const auto result = run(source, folder);
         EXPECT_TRUE(has(result.message, wanted)) << source << ": " << result.message;
@@ -266,6 +274,101 @@ TEST(ScenarioRunner, PicturesComeFromTheFunctionThatIsGiven) {
     EXPECT_EQ(drawn, (std::vector<std::string>{"test.shot.png top_bottom", "test.failed.png side_by_side"}));
     EXPECT_EQ(result.files[0], "test.shot.png");
     EXPECT_EQ(result.files[1], "test.failed.png");
+}
+
+/// A folder as the repository's: scripts, and force traces beside them.
+struct Kept {
+    Folder folder;
+    ScenarioOptions options = options_for(folder);
+    std::filesystem::path script = folder.path / "scenarios/shots.lua";
+    std::filesystem::path trace = folder.path / "replays/forces/shots.csv";
+
+    explicit Kept(std::string_view source) {
+        std::filesystem::create_directories(script.parent_path());
+        std::filesystem::create_directories(trace.parent_path());
+        EXPECT_TRUE(write_text_file(script, source));
+    }
+    std::string play() const { return run_scenario(script, options).message; }
+};
+
+constexpr std::string_view shots = R"(
+match {}
+trace("felt", {"1.force_z"})
+wizard(1):hold("fire")
+wait(1)
+)";
+
+TEST(ScenarioRunner, ForcesAreKeptAndComparedToTheBit) {
+    Kept kept(shots);
+    EXPECT_TRUE(has(kept.play(), "no force trace is kept")) << kept.play();
+    kept.options.keep_forces = kept.trace.parent_path();
+    EXPECT_EQ(kept.play(), "");
+    kept.options.keep_forces.clear();
+    EXPECT_EQ(kept.play(), "");
+    // A force of nearly nothing in one tick.
+    kept.options.spoil = [](Simulation& match, int) {
+        if (match.now() != 500) return;
+        auto& kick = match.world_to_change().get<Grip>(wizard_of(match.world(), 0)).kick;
+        kick = {.peak = vec3(0, 0, 1e-12), .length = 1, .number = kick.number + 1};
+    };
+    EXPECT_TRUE(has(kept.play(), "forces differ: kept 384,")) << kept.play();
+    kept.options.spoil = nullptr;
+    const auto good = read_text_file(kept.trace, 1U << 20U).value();
+    const auto with = [&](std::string_view from, std::string_view to) {
+        auto changed = good;
+        changed.replace(changed.find(from), from.size(), to);
+        EXPECT_TRUE(write_text_file(kept.trace, changed));
+        return kept.play();
+    };
+    EXPECT_TRUE(has(with("rules ", "rules 9"), "is of rules version 9"));
+    EXPECT_TRUE(has(with(" ticks, hash ", " ticks, hash 0"), "forces differ"));
+    EXPECT_EQ(with("maths ", "maths 9"), "") << "another mathematical library may come to other bits";
+    EXPECT_TRUE(write_text_file(kept.trace, ""));
+    EXPECT_TRUE(has(kept.play(), "empty"));
+}
+
+TEST(ScenarioRunner, EveryHapticScenarioHasItsForceTrace) {
+    const Folder folder;
+    const auto options = options_for(folder);
+    const auto traces = options.scripts / "../replays/forces";
+    std::size_t bytes = 0, scripts = 0, kept = 0;
+    for (const auto& file : std::filesystem::directory_iterator(traces)) {
+        bytes += file.file_size();
+        ++kept;
+        EXPECT_TRUE(std::filesystem::exists(options.scripts / (file.path().stem().string() + ".lua")))
+            << file.path();
+    }
+    const auto all = find_scenarios({}, options).value();
+    for (const auto& script : all) {
+        const auto source = read_text_file(script, 1U << 20U).value();
+        if (!has(source, ".force_")) continue;
+        ++scripts;
+        EXPECT_TRUE(std::filesystem::exists(traces / (script.stem().string() + ".csv"))) << script;
+    }
+    EXPECT_EQ(scripts, kept);
+    EXPECT_LT(bytes, 300'000U);
+}
+
+TEST(ScenarioRunner, AnArmFeelsWhatTheMatchComputes) {
+    const Folder folder;
+    constexpr std::string_view source = R"(
+        match {arms = {true, false}}
+        local me = wizard(1)
+        me:reach({0.01, 0.02, 0}, 0.1)
+        wait(0.5)
+        expect_near(me:hand().x, 0.01, 1e-9)
+        expect_near(me:hand().y, 0.02, 1e-9)
+        me:hold("fire")
+        for i = 1, 300 do
+            tick()
+            expect_near(distance(me:told(), me:force()), 0, 0)
+        end
+        stall(0.1)
+        wait(0.5)
+        check_seek {ticks = {700}}
+        check_late {})";
+    const auto result = run(source, folder);
+    EXPECT_TRUE(result.passed) << result.message;
 }
 
 TEST(ScenarioRunner, ScenariosAreFoundByName) {

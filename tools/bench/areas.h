@@ -16,8 +16,9 @@ void skip(const Options& options, Report& report);
 void coupling(const Options& options, Report& report);
 void tug(const Options& options, Report& report);
 void haptics(const Options& options, Report& report);
-/// A part of `haptics`.
+/// Parts of `haptics`.
 void surfaces(const Options& options, Report& report);
+void passivity(Report& report);
 void render(const Options& options, Report& report);
 
 }  // namespace thaum::bench

@@ -262,6 +262,7 @@ void haptics(const Options& options, Report& report) {
     safety_hostile(options, report);
     servo_steps(options, report);
     surfaces(options, report);
+    passivity(report);
 }
 
 }  // namespace thaum::bench

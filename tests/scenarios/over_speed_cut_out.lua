@@ -1,0 +1,48 @@
+-- A hand that flies faster than 4 m/s gets no force, at once; nor until it has been slower than 2 m/s for 100 ms. Then the force comes
+-- back at 40 N/s. Speed is taken over 8 ms.
+match {players = {"script", "script"}, arms = {true, false}}
+trace("fling", {"1.force_z", "1.hand_x"})
+local me = wizard(1)
+local full = 0.45 * 2.6
+me:press("wand_2")
+me:look(0, 40)
+me:reach {-0.08, 0, 0}
+me:hold("fire")
+wait(2)
+expect_near(me:force().z, full, 1e-12, "a full charge leans on the hand")
+local caption = "Forces wait until the hand is slower"
+
+-- Fast, but not too fast: 0.156 m at 3.9 m/s.
+me:reach({0.076, 0, 0}, 3.9)
+for _ = 1, 60 do
+    tick()
+    expect_near(me:force().z, full, 1e-12, "felt all the way")
+end
+
+-- Back at 5 m/s, 0.15 m in 30 ms. Tick 7 sees 7/8 of that, more than 4 m/s for the first time; the last to see more than 2 m/s is 4
+-- ticks after the stop, and 100 ticks later it is over.
+me:reach({-0.074, 0, 0}, 5)
+local last_fast = 30 + 4
+for i = 1, 220 do
+    tick()
+    local force = me:force().z
+    if i < 7 then
+        expect_near(force, full, 1e-12, "not yet, tick " .. i)
+    elseif i <= last_fast + 100 then
+        expect_near(force, 0, 0, "cut out, tick " .. i)
+        expect(me:force_cause() == "over_speed" and on_screen(caption), "and said why")
+    else
+        expect_near(force, math.min(full, 0.04 * (i - last_fast - 100)), 1e-9, "it walks back, tick " .. i)
+        expect(me:force_cause() == "none" and not on_screen(caption))
+    end
+    expect_near(me:told().z, force, 0)
+end
+
+-- A jump of the arm's own, 4 cm from one tick to the next, is 5 m/s over the window.
+me:reach {-0.034, 0, 0}
+tick()
+expect_near(me:force().z, 0, 0, "cut out in the very tick")
+wait(0.1)
+expect_near(me:force().z, 0, 0)
+wait(0.1)
+expect_near(me:force().z, full, 1e-9, "and back again")

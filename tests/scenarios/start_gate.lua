@@ -1,0 +1,72 @@
+-- Nobody is met by a large force. Where one would wait for the hand (forces come back after a panic, or an arm after the match has lost
+-- sight of it, and it pulls at something with more than its player wants to feel), it gets none until it has eased off; then it
+-- comes from zero at 40 N/s.
+match {players = {"script", "script"}, arms = {true, false}, set = {"lift.energy.per_s=0", "lift.energy.per_n_s=0"}}
+clear_props()
+local me = wizard(1)
+local cap = 0.45 * 3.3
+wizard(2):place {-15, 0, -15}
+me:place {16.5, 0, 16}
+me:face(-90, 0)
+local thing = spawn {kind = "box", size = {1, 1, 1}, mass = 20, at = {19.5, 0.5, 16}}  -- at the wall
+trace("gate", {"1.force_y", "1.force_z", "1.hand_z"})
+local caption = "Forces wait until the pull is small"
+wait(0.3)
+me:press("wand_4")
+me:aim(thing)
+wait(0.1)
+me:hold("fire")
+wait(0.5)
+local rest = length(me:force())
+expect(rest < 0.3, "nothing but its weight, by the fader")
+
+-- 8 mm forward, 16 cm into the wall: 300 N/m ask for 2.4 N, and the cap is what is felt.
+local depth = 0.008
+local function press()
+    me:reach({0, 0, -depth}, 0.05)
+    wait(0.5)
+    expect_near(length(me:force()), cap, 1e-9, "pressed, and clipped")
+    expect(me:force_cause() == "capped")
+end
+
+-- The force while the hand eases off at 2 cm/s. What it waits for is where 300 N/m come down to the cap.
+local function ease_off()
+    for _ = 1, 200 do
+        tick()
+        expect_near(length(me:force()), 0, 0, "none while it is pressed")
+        expect(me:force_cause() == "waiting" and on_screen(caption), "and it is said why")
+    end
+    me:reach({0, 0, 0}, 0.02)
+    local waited = 0
+    while me:force_cause() == "waiting" do
+        expect_near(length(me:force()), 0, 0)
+        tick()
+        waited = waited + 1
+    end
+    expect_near(300 * -me:hand().z, cap, 0.1, "it waited until the spring was within the cap")
+    expect(not on_screen(caption))
+    local before = {0, 0, 0}
+    for i = 1, 25 do
+        local force = me:force()
+        expect_near(distance(force, before), 0.04, 1e-12, "it walks, tick " .. i)
+        expect_near(length(force), 0.04 * i, 0.001, "from zero")
+        before = force
+        tick()
+    end
+    wait(0.5)
+    expect_near(length(me:force()), rest, 0.05, "and is as before")
+end
+
+press()
+me:press("panic")
+wait(0.2)
+expect_near(length(me:force()), 0, 0, "panic")
+me:press("panic")
+wait(0.1)
+ease_off()
+
+-- The match loses sight of the arm for longer than it remembers.
+press()
+stall(0.2)
+wait(0.3)
+ease_off()

@@ -1,0 +1,165 @@
+// tools/bench/passivity.h: the energy that passive sources created, summed from a table of forces (`thaum replay --forces`) by itself:
+// of the simulation's own books it reads nothing. Used by benchmark and test.
+#pragma once
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "core/maths.h"
+#include "core/text.h"
+
+namespace thaum::bench {
+
+/// What a table of forces comes to.
+struct PassiveEnergy {
+    double created{};      ///< J, the most that passive sources ever gave above what they got and held
+    double moved{};        ///< J, that went through them at the hand either way: nothing proves nothing
+    double held{};         ///< J, the most that a tether held
+    double most_booked{};  ///< J, the most that the simulation's own observer has: not used
+    std::size_t rows{};
+};
+
+namespace detail {
+
+/// A line of fields apart by commas; those of the table are never quoted.
+inline std::vector<std::string_view> fields_of(std::string_view line) {
+    std::vector<std::string_view> fields;
+    for (;;) {
+        const auto comma = line.find(',');
+        fields.push_back(line.substr(0, comma));
+        if (comma == std::string_view::npos) return fields;
+        line.remove_prefix(comma + 1);
+    }
+}
+
+/// One hand in one tick.
+struct HandRow {
+    vec3 at{};       ///< m, of the device
+    vec3 passive{};  ///< N
+    vec3 anchor{}, surface{};
+    double stiffness{}, booked{};
+    bool touches{}, real{};
+};
+
+/// Where the columns of a player are.
+class HandColumns {
+public:
+    static Expected<HandColumns> find(const std::vector<std::string_view>& header, int player) {
+        static constexpr std::array<std::string_view, count> names{
+            "x_m",  "y_m",  "z_m",     "px_n", "py_n", "pz_n", "k_n_per_m", "ax_m",
+            "ay_m", "az_m", "touches", "sx_m", "sy_m", "sz_m", "arm",       "created_j"};
+        HandColumns columns;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto name = text("p", player, "_", names[i]);
+            const auto found = std::find(header.begin(), header.end(), name);
+            if (found == header.end()) return fail(text("there is no column ", name));
+            columns.places_[i] = static_cast<std::size_t>(found - header.begin());
+        }
+        return columns;
+    }
+
+    Expected<HandRow> read(const std::vector<std::string_view>& row) const {
+        std::array<double, count> v{};
+        for (std::size_t i = 0; i < count; ++i) {
+            if (places_[i] >= row.size()) return fail("a row is too short");
+            const auto field = row[places_[i]];
+            const auto end = std::from_chars(field.data(), field.data() + field.size(), v[i]);
+            if (end.ec != std::errc{} || end.ptr != field.data() + field.size())
+                return fail(text("'", field, "' is no number"));
+        }
+        return HandRow{.at = {v[0], v[1], v[2]},
+                       .passive = {v[3], v[4], v[5]},
+                       .anchor = {v[7], v[8], v[9]},
+                       .surface = {v[11], v[12], v[13]},
+                       .stiffness = v[6],
+                       .booked = v[15],
+                       .touches = v[10] != 0,
+                       .real = v[14] != 0};
+    }
+
+private:
+    static constexpr std::size_t count = 16;
+    std::array<std::size_t, count> places_{};
+};
+
+/// The sum for one hand. A force F acts while the hand makes the step dx and the other end of what pulls the step da: F dx goes
+/// out at the hand, F da comes in from the world.
+class HandSum {
+public:
+    void add(const HandRow& now, PassiveEnergy& out) {
+        out.most_booked = std::max(out.most_booked, now.booked);
+        if (rows_ >= 2) {
+            // The force of the tick before this one, whose end and the next row's surface are now known.
+            const HandRow &first = before_[0], &row = before_[1];
+            const vec3 step = row.real ? now.at - row.at : row.at - first.at;
+            const double out_at_hand = glm::dot(row.passive, step);
+            work(first, row, now, out_at_hand, out);
+        }
+        before_[0] = before_[1];
+        before_[1] = now;
+        ++rows_;
+    }
+
+private:
+    void work(const HandRow& first, const HandRow& row, const HandRow& now, double out_at_hand,
+              PassiveEnergy& out) {
+        const bool hangs = first.stiffness > 0 && row.stiffness > 0;
+        const vec3 end = hangs                        ? row.anchor - first.anchor
+                         : row.touches && now.touches ? now.surface - row.surface
+                                                      : vec3(0);
+        // What a spring holds when it comes is whose it is that stretched it.
+        const vec3 stretch = row.at - row.anchor;
+        double held = row.stiffness * glm::dot(stretch, stretch) / 2;
+        if (row.touches) {
+            const vec3 pressed = row.surface - (row.real ? row.at : first.at);
+            held += std::max(0.0, glm::dot(row.passive, pressed)) / 2;
+        }
+        if (row.stiffness > 0 && first.stiffness == 0) created_ = -held;
+        if (row.stiffness == 0 && first.stiffness > 0) created_ = 0;
+        created_ += out_at_hand - glm::dot(row.passive, end);
+        // What damping took is gone: only what is held may come back.
+        created_ = std::max(created_, -held);
+        out.created = std::max(out.created, created_);
+        out.moved += std::abs(out_at_hand);
+        out.held = std::max(out.held, held);
+    }
+
+    std::array<HandRow, 2> before_{};
+    std::size_t rows_{};
+    double created_{};
+};
+
+}  // namespace detail
+
+/// Of both hands; the table begins with its header. The worse of the two is what was created.
+inline Expected<PassiveEnergy> passive_energy(std::string_view csv) {
+    const auto next_line = [&csv] {
+        const auto end = csv.find('\n');
+        const auto line = csv.substr(0, end);
+        csv.remove_prefix(end == std::string_view::npos ? csv.size() : end + 1);
+        return line;
+    };
+    const auto header = detail::fields_of(next_line());
+    std::vector<detail::HandColumns> columns;
+    for (int player = 1; player <= 2; ++player) {
+        auto found = detail::HandColumns::find(header, player);
+        if (!found) return tl::unexpected(found.error());
+        columns.push_back(*found);
+    }
+    std::array<detail::HandSum, 2> sums;
+    PassiveEnergy energy;
+    while (!csv.empty()) {
+        const auto fields = detail::fields_of(next_line());
+        for (std::size_t hand = 0; hand < sums.size(); ++hand) {
+            const auto row = columns[hand].read(fields);
+            if (!row) return fail(text("row ", energy.rows + 1, ": ", row.error().message));
+            sums[hand].add(*row, energy);
+        }
+        ++energy.rows;
+    }
+    return energy;
+}
+
+}  // namespace thaum::bench

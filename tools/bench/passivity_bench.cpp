@@ -1,0 +1,87 @@
+// Energy that passive sources create at the hand, over all haptic scenarios: the worst of them.
+#include <unistd.h>
+
+#include "core/file.h"
+#include "core/text.h"
+#include "game/hud/hud.h"
+#include "game/scenario/runner.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/passivity.h"
+
+namespace thaum::bench {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t most_script = 1U << 20U, most_table = 128U << 20U;
+
+/// A folder that goes when this does.
+struct Scratch {
+    fs::path path;
+    Scratch() {
+        auto name = (fs::temp_directory_path() / "thaum-bench-XXXXXX").string();
+        if (::mkdtemp(name.data()) != nullptr) path = name;
+    }
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    ~Scratch() {
+        std::error_code ignored;
+        if (!path.empty()) fs::remove_all(path, ignored);
+    }
+};
+
+bool is_haptic(const fs::path& script) {
+    const auto source = read_text_file(script, most_script);
+    return source && source->find(".force_") != std::string::npos;
+}
+
+game::ScenarioOptions options_in(const fs::path& folder) {
+    game::ScenarioOptions options;
+    options.assets = game::find_assets();
+    options.scripts = game::scenarios_beside(options.assets);
+    options.out = folder;
+    options.once = true;
+    options.read_screen = game::words_over_views;
+    // What is seen is not asked here.
+    options.take_picture = [](const auto&, auto, const auto&) -> Expected<game::Pixels> {
+        return game::Pixels{1, 1, {0, 0, 0}};
+    };
+    return options;
+}
+
+}  // namespace
+
+void passivity(Report& report) {
+    const Scratch scratch;
+    const auto options = options_in(scratch.path);
+    const auto scripts = game::find_scenarios({}, options);
+    if (!scripts || scratch.path.empty()) return;
+    PassiveEnergy all;
+    std::string worst;
+    std::int64_t count = 0;
+    for (const auto& script : *scripts) {
+        if (!is_haptic(script)) continue;
+        const auto result = game::run_scenario(script, options);
+        const auto csv = read_text_file(options.out / (result.name + ".forces.csv"), most_table);
+        const auto energy = csv ? passive_energy(*csv) : Expected<PassiveEnergy>(tl::unexpected(csv.error()));
+        if (!result.passed || !energy) {
+            std::fprintf(stderr, "bench: scenario %s: %s\n", result.name.c_str(),
+                         result.passed ? energy.error().message.c_str() : result.message.c_str());
+            continue;
+        }
+        ++count;
+        if (worst.empty() || energy->created > all.created) worst = result.name;
+        all.created = std::max(all.created, energy->created);
+        all.held = std::max(all.held, energy->held);
+        all.moved += energy->moved;
+    }
+    report.rows.push_back({.area = "haptics",
+                           .name = "passivity",
+                           .setting = {{"worst", worst}},
+                           .metrics = {{"energy_j", all.created},
+                                       {"held_j", all.held},
+                                       {"moved_j", all.moved},
+                                       {"scenarios", static_cast<double>(count)}}});
+}
+
+}  // namespace thaum::bench
