@@ -315,6 +315,15 @@ int holders(const ecs::World& world, ecs::Entity thing) {
     return count;
 }
 
+/// m/s, of what a thing that would move by `velocity` is held back: what has just pushed it aside by `blow` (m/s) does so again, as
+/// far as it goes there. Without this the hand would feel a thing at a wall as one that moves on.
+vec3 held_back(vec3 velocity, vec3 blow) {
+    const double size = glm::length(blow);
+    if (!(size > 0)) return vec3(0);
+    const vec3 way = blow / size;
+    return way * std::clamp(-glm::dot(velocity, way), 0.0, size);
+}
+
 void pull(Stage& stage, const LiftData& data, ecs::Entity wizard, Tick tick, LiftHand& hand) {
     const auto key = hand.held.index;
     const auto& now = std::as_const(stage.world);
@@ -339,7 +348,9 @@ void pull(Stage& stage, const LiftData& data, ecs::Entity wizard, Tick tick, Lif
                                .object_velocity = tugged_velocity(stage.physics, key, hand.tug),
                                .drag_velocity = base_velocity,
                                .object_acceleration = carry / mass + gravity * (1 - 1.0 / sharing)});
-    const vec3 object = body.position + result.displacement;
+    const vec3 blow = body.velocity - hand.tug.expected;
+    const vec3 back = held_back(result.displacement / physics_dt, blow);
+    const vec3 object = body.position + result.displacement + back * physics_dt;
     hand.hip = hip;
     hand.base = base;
     hand.base_velocity = base_velocity;
@@ -351,7 +362,8 @@ void pull(Stage& stage, const LiftData& data, ecs::Entity wizard, Tick tick, Lif
         give_tug(stage.physics, key, result, physics_dt, hand.tug);
         hold_turned(stage, data, hand);
     }
-    tether(stage, wizard, tether_to(data, frame, hand, device, object, hand.tug.expected, base_velocity));
+    const vec3 moving = hand.tug.expected + held_back(hand.tug.expected, blow);
+    tether(stage, wizard, tether_to(data, frame, hand, device, object, moving, base_velocity));
     lean(stage, wizard, vec3(0, -data.weight * mass, 0));
     if (glm::distance(hip, object) > data.lost) let_thing_go(stage, wizard, hand);
 }
