@@ -15,6 +15,9 @@ target_link_libraries(passivity PRIVATE thaum_flags thaum_core)
 add_test(NAME haptics.passivity COMMAND passivity ${CMAKE_CURRENT_BINARY_DIR}/scenarios 0.02)
 set_tests_properties(haptics.passivity PROPERTIES FIXTURES_REQUIRED scenarios)
 
+# The force traces beside them (replays/forces) are exact within one rules version. After a change of rules, data or
+# haptic scenarios: THAUM_KEEP_FORCES=tests/replays/forces ./thaum scenario, and say why they changed.
+
 # Every log in the folder is a test. Its name says under which rules version it was recorded: NAME_rules_VERSION.thaumlog.
 # Those of this version must still come to the same bits, in this build too; those of older ones must be refused politely.
 # After a change of rules or data: thaum --headless --seed 2 --seconds 30 --record tests/replays/bots_rules_N.thaumlog, and
