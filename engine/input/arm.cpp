@@ -3,11 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text.h"
+
 namespace thaum::input {
+namespace {
+
+/// Of the 26 letters; locales have no say in it.
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+}  // namespace
 
 std::int32_t quantised(double value) {
     constexpr double most = 1e9;
     return static_cast<std::int32_t>(std::lround(std::clamp(value, -most, most)));
+}
+
+std::string name_of(const ArmFacts& facts) {
+    return facts.serial.empty() ? facts.spec.name : text(facts.spec.name, " ", facts.serial);
+}
+
+bool is_called(const ArmFacts& facts, std::string_view word) {
+    const auto is = [&](std::string_view name) {
+        return !name.empty() && std::equal(name.begin(), name.end(), word.begin(), word.end(),
+                                           [](char a, char b) { return lower(a) == lower(b); });
+    };
+    return is("phantom") || is(facts.spec.name) || is(facts.serial) || is(name_of(facts));
 }
 
 vec3 rotation_vector(const mat3& rotation) {

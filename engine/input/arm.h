@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "core/maths.h"
 #include "haptics/device.h"
@@ -33,6 +34,11 @@ struct ArmFacts {
     std::string serial{};
     std::string driver{};  ///< version of the vendor's library
 };
+
+/// What people call it: "Touch F0000001".
+std::string name_of(const ArmFacts& facts);
+/// Whether `word` means this arm: its model, its serial number or both, whatever the case, or "phantom" for any of the class.
+bool is_called(const ArmFacts& facts, std::string_view word);
 
 enum class ArmPresence : std::uint8_t {
     present,

@@ -2,18 +2,14 @@
 
 #include <algorithm>
 
+#include "core/counter.h"
+
 namespace thaum::input {
 namespace {
 
-constexpr std::int64_t shortest_tick_ns = 250'000;  // two poses closer than that are one
 constexpr std::uint32_t newest_samples =
     40;                                 // a model made longer ago than that many samples is not taken up
 constexpr std::uint32_t patience = 20;  // ticks without a sample or a pose
-constexpr double metres_per_um = 1e-6;
-
-void count(std::atomic<std::uint64_t>& counter) {
-    counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-}
 
 /// A stylus has one or two buttons; the first is at the finger.
 std::uint32_t buttons_of(std::uint32_t arm) {
@@ -25,12 +21,10 @@ std::uint32_t buttons_of(std::uint32_t arm) {
     return buttons;
 }
 
-vec3 metres(const std::array<std::int32_t, 3>& um) { return vec3(um[0], um[1], um[2]) * metres_per_um; }
-
 /// The step that the arm's thread and the simulation share. age: of model or pose, whichever is older, in samples.
 vec3 arm_step(const haptics::Servo& servo, haptics::ServoState& state, const haptics::HapticModel& model,
-              const std::array<std::int32_t, 3>& position_um, std::uint32_t age) {
-    return haptics::servo_step(servo, state, model, {metres(position_um), age});
+              vec3 position, std::uint32_t age) {
+    return haptics::servo_step(servo, state, model, {position, age});
 }
 
 }  // namespace
@@ -42,16 +36,6 @@ ArmTick ArmServo::tick() {
         return static_cast<ArmServo*>(context)->step(reading);
     };
     return {step, this};
-}
-
-/// Whether the reading is a new pose. A clock that was set back is believed in the end.
-bool ArmServo::judge(const ArmReading& reading) {
-    if (!reading.usable) return count(unusable_), false;
-    if (!posed_) return true;
-    const auto later = reading.time_ns - pose_.time_ns;
-    if (later < 0) return count(backwards_), pose_age_ >= patience;
-    if (later < shortest_tick_ns) return count(repeated_), false;
-    return true;
 }
 
 void ArmServo::follow_orders() {
@@ -68,18 +52,12 @@ void ArmServo::follow_orders() {
 
 vec3 ArmServo::step(const ArmReading& reading) {
     follow_orders();
-    if (judge(reading)) {
-        pose_ = reading;
-        pose_age_ = 0;
-        posed_ = true;
-    } else {
-        ++pose_age_;
-    }
-    if (!posed_ || used_.epoch == 0) return vec3(0);
+    pose_.note(reading);
+    if (!pose_.known() || used_.epoch == 0) return vec3(0);
     ++sample_;
-    const auto age = std::max(sample_ - used_.samples, pose_age_);
-    const vec3 force = arm_step(used_.servo, state_, used_.model, pose_.position_um, age);
-    if (!samples_.push({pose_, used_.epoch, sample_, used_.number, pose_age_, force})) count(lost_);
+    const auto age = std::max(sample_ - used_.samples, pose_.age());
+    const vec3 force = arm_step(used_.servo, state_, used_.model, position_of(pose_.last()), age);
+    if (!samples_.push({pose_.last(), used_.epoch, sample_, used_.number, pose_.age(), force})) count(lost_);
     return force;
 }
 
@@ -128,9 +106,7 @@ DeviceSample ArmServo::take() {
 }
 
 ArmTroubles ArmServo::troubles() const {
-    return {.repeated = repeated_.load(std::memory_order_relaxed),
-            .backwards = backwards_.load(std::memory_order_relaxed),
-            .unusable = unusable_.load(std::memory_order_relaxed),
+    return {.poses = pose_.troubles(),
             .lost = lost_.load(std::memory_order_relaxed),
             .differing = differing_.load(std::memory_order_relaxed)};
 }
@@ -162,9 +138,10 @@ void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample&
     const auto pose_age = static_cast<std::uint32_t>(sample.counts[arm::pose_age]);
     arm.old_poses += pose_age != 0 ? 1 : 0;
     ++arm.samples;
-    arm_step(servo, arm.servo, used->model, arm.position_um, std::max(arm.samples - used->samples, pose_age));
+    arm_step(servo, arm.servo, used->model, position_of(arm),
+             std::max(arm.samples - used->samples, pose_age));
 }
 
-vec3 position_of(const ArmState& arm) { return metres(arm.position_um); }
+vec3 position_of(const ArmState& arm) { return position_of(ArmReading{.position_um = arm.position_um}); }
 
 }  // namespace thaum::input

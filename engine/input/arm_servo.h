@@ -9,8 +9,7 @@
 // remember the model any more, both begin anew from a state that the simulation names: a new *epoch*. Until then the arm's
 // force is that of a model which gets old, so it ramps to zero.
 //
-// A pose that did not come, or that was made no later than the one before, is stepped with the last good one and counted as old: a
-// force never stems from a pose of more than 20 ticks (haptics/safety.h).
+// A tick without a new pose is stepped with the last good one, which counts as old (input/arm_pose.h).
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -18,7 +17,7 @@
 #include "core/latest.h"
 #include "core/ring.h"
 #include "haptics/servo.h"
-#include "input/arm.h"
+#include "input/arm_pose.h"
 #include "input/frame.h"
 
 namespace thaum::input {
@@ -45,12 +44,10 @@ struct ArmSample {
     vec3 force{};                     ///< N, that it was answered with
 };
 
-/// What went wrong since the start. The first three are poses that were none.
+/// What went wrong since the start.
 struct ArmTroubles {
-    std::uint64_t repeated{};   ///< came again at once
-    std::uint64_t backwards{};  ///< were made before the one before
-    std::uint64_t unusable{};   ///< were no numbers
-    std::uint64_t lost{};       ///< samples that found no room in the queue
+    PoseTroubles poses{};
+    std::uint64_t lost{};  ///< samples that found no room in the queue
     std::uint64_t
         differing{};  ///< forces that the simulation computed otherwise: our mistake, never the arm's
 };
@@ -78,7 +75,6 @@ public:
     ArmTroubles troubles() const;
 
 private:
-    bool judge(const ArmReading& reading);
     void follow_orders();
 
     Latest<ArmOrder> orders_{ArmOrder{}};
@@ -87,10 +83,9 @@ private:
     // The arm's thread.
     ArmOrder used_{};
     haptics::ServoState state_{};
-    ArmReading pose_{};  ///< the last good one
-    std::uint32_t sample_ = 0, pose_age_ = 0;
-    bool posed_ = false;
-    std::atomic<std::uint64_t> repeated_{0}, backwards_{0}, unusable_{0}, lost_{0};
+    ArmPose pose_{};
+    std::uint32_t sample_ = 0;
+    std::atomic<std::uint64_t> lost_{0};
 
     // The simulation thread.
     bool taken_now_ = false;  ///< a sample, since the last order

@@ -106,8 +106,8 @@ Finding real_arm() {
     const bool good = status.state == input::ArmPresence::present;
     return {what,
             good ? State::good : State::missing,
-            text(facts.spec.name, " ", facts.serial, " of ", fixed(facts.spec.peak_force, 1), " N, library ",
-                 facts.driver, ": ", told(times), (*arm)->preferred() ? "" : "; its thread has no priority"),
+            text(input::name_of(facts), " of ", fixed(facts.spec.peak_force, 1), " N, library ", facts.driver,
+                 ": ", told(times), (*arm)->preferred() ? "" : "; its thread has no priority"),
             good && !(*arm)->preferred() ? "allow real-time priority: a line '@GROUP - rtprio 60' in "
                                            "/etc/security/limits.d, then log in again"
                                          : status.text,

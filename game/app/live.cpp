@@ -45,11 +45,10 @@ std::vector<input::DeviceSpec> devices_of(const LiveShared& shared) {
     std::vector<input::DeviceSpec> devices;
     for (const auto& seat : shared.seats) devices.push_back(seat.spec);
     if (shared.arm) {
-        const auto& facts = shared.arm->facts();
         input::DeviceSpec arm;
         arm.player = shared.arm_player;
         arm.kind = DeviceKind::arm;
-        arm.name = text(facts.spec.name, " ", facts.serial);
+        arm.name = input::name_of(shared.arm->facts());
         devices.push_back(std::move(arm));
     }
     return devices;
@@ -256,9 +255,9 @@ void tell_arm(const LiveShared& shared, LiveReport* report) {
     std::fprintf(stderr,
                  "arm: %s; poses: %llu repeated, %llu back in time, %llu no numbers; %llu forces differ "
                  "from the match's\n",
-                 told(times).c_str(), static_cast<unsigned long long>(troubles.repeated),
-                 static_cast<unsigned long long>(troubles.backwards),
-                 static_cast<unsigned long long>(troubles.unusable),
+                 told(times).c_str(), static_cast<unsigned long long>(troubles.poses.repeated),
+                 static_cast<unsigned long long>(troubles.poses.backwards),
+                 static_cast<unsigned long long>(troubles.poses.unusable),
                  static_cast<unsigned long long>(troubles.differing));
     if (report == nullptr) return;
     report->arm = times;

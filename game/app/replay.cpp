@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
+#include "game/app/feel.h"
 #include "game/app/shots.h"
 #include "game/app/watch.h"
 #include "game/match/tables.h"
@@ -29,6 +30,8 @@ else is computed again, without bots and devices.
   --state FILE.csv    place, speed, health, energy and gaze of both players
   --every N             at every Nth tick (1)
   --forces FILE.csv   each hand's device, a row a tick of play: where, what force
+  --feel DEVICE       plays these forces to a force feedback arm, in real time; what
+                      `thaum doctor` lists as arm, or phantom. --player N whose (1)
   --shots DIR         pictures (PNG), by default every 10 s
   --shot-every S        every S seconds
   --shot-at S           at second S; may be repeated
@@ -227,7 +230,8 @@ Expected<void> check_company(const Arguments& arguments, const Pass& pass) {
         if (arguments.has(word) && !pass.shots) return fail(text(word, " needs --shots"));
     }
     if (arguments.has("--every") && !pass.state) return fail("--every needs --state");
-    for (const auto* word : {"--at", "--speed", "--out", "--dump"}) {
+    if (arguments.has("--player") && !arguments.has("--feel")) return fail("--player needs --feel");
+    for (const auto* word : {"--at", "--speed", "--out", "--dump", "--feel"}) {
         if (arguments.has(word) && pass.any())
             return fail(text(word, " does not go with --verify, --events, --state, --forces and --shots"));
     }
@@ -252,23 +256,41 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
     return pass;
 }
 
-int watch_from(const Arguments& arguments, game::Playback playback) {
+/// To where --at says.
+Expected<void> play_to_start(const Arguments& arguments, game::Playback& playback) {
     const auto at = arguments.number("--at", 0, 1e6, 0);
-    if (!at) return refuse(at.error());
+    if (!at) return tl::unexpected(at.error());
+    if (playback.play_to(ticks(*at))) return {};
+    return fail(text("--at ", *at, ": the log has ", fixed(seconds(playback.log().ticks()), 1), " s"));
+}
+
+int watch_from(const Arguments& arguments, game::Playback playback) {
     const auto speed = arguments.number("--speed", 0.25, 16, 1);
     if (!speed) return refuse(speed.error());
-    if (!playback.play_to(ticks(*at))) {
-        return refuse(
-            {text("--at ", *at, ": the log has ", fixed(seconds(playback.log().ticks()), 1), " s")});
-    }
+    if (auto at = play_to_start(arguments, playback); !at) return refuse(at.error());
     return watch(std::move(playback), *speed, arguments.value("--out").value_or("out"));
+}
+
+/// A kick that lasts twice as long pushes a hand twice as far, and one of half the time is another kick: so only real time.
+int feel_from(const Arguments& arguments, game::Playback playback) {
+    if (arguments.has("--speed"))
+        return refuse(
+            {"--feel plays in real time only: at another --speed each push would last longer or "
+             "shorter than it was made for"});
+    if (arguments.has("--out")) return refuse({"--feel leaves nothing in --out"});
+    const auto player = arguments.whole("--player", 1, game::players, 1);
+    if (!player) return refuse(player.error());
+    if (auto at = play_to_start(arguments, playback); !at) return refuse(at.error());
+    return feel(std::move(playback),
+                {.device = *arguments.value("--feel"), .player = static_cast<std::uint32_t>(*player - 1)});
 }
 
 int run_replay(const std::vector<std::string>& words) {
     static constexpr Option options[] = {
-        {"--verify"},    {"--at", 1},         {"--speed", 1},         {"--dump", 2},         {"--out", 1},
-        {"--events", 1}, {"--state", 1},      {"--forces", 1},        {"--every", 1},        {"--shots", 1},
-        {"--size", 1},   {"--shot-every", 1}, {"--shot-at", 1, true}, {"--shot-on", 1, true}};
+        {"--verify"},    {"--at", 1},         {"--speed", 1},         {"--dump", 2},          {"--out", 1},
+        {"--events", 1}, {"--state", 1},      {"--forces", 1},        {"--every", 1},         {"--shots", 1},
+        {"--size", 1},   {"--shot-every", 1}, {"--shot-at", 1, true}, {"--shot-on", 1, true}, {"--feel", 1},
+        {"--player", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1)
@@ -280,7 +302,10 @@ int run_replay(const std::vector<std::string>& words) {
     warn(game::probe_warning(playback->log().header()));
     if (!playback->log().ended_cleanly()) warn(playback->log().ending_reason());
     if (pass->any()) return run_pass(*pass, *playback);
+    if (arguments->has("--dump") && arguments->has("--feel"))
+        return refuse({"--dump does not go with --feel"});
     if (arguments->has("--dump")) return dump(*playback, arguments->values("--dump"));
+    if (arguments->has("--feel")) return feel_from(*arguments, std::move(*playback));
     return watch_from(*arguments, std::move(*playback));
 }
 

@@ -244,7 +244,7 @@ struct BadPoses : ::testing::Test {
 TEST_F(BadPoses, ThatRepeat) {
     feed([&](int) { return reading(arm.now_ns); });
     expect_force_ended();
-    EXPECT_EQ(servo.troubles().repeated, 200U);
+    EXPECT_EQ(servo.troubles().poses.repeated, 200U);
     for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
     EXPECT_GT(glm::length(mirror.arm.servo.safety.output), 0.05) << "and begins again with good ones";
 }
@@ -256,12 +256,12 @@ TEST_F(BadPoses, ThatAreNoNumbers) {
         return r;
     });
     expect_force_ended();
-    EXPECT_EQ(servo.troubles().unusable, 200U);
+    EXPECT_EQ(servo.troubles().poses.unusable, 200U);
 }
 
 TEST_F(BadPoses, ThatJumpBackInTime) {
     feed([&](int i) { return reading(arm.now_ns - 100'000 * ms + i * ms); });
-    EXPECT_EQ(servo.troubles().backwards, 21U) << "a clock that was set back is believed after 20 ticks";
+    EXPECT_EQ(servo.troubles().poses.backwards, 21U) << "a clock that was set back is believed after 20 ticks";
     EXPECT_EQ(mirror.arm.old_poses, 20U);
     EXPECT_GT(glm::length(forces.back()), 0.05);
 }

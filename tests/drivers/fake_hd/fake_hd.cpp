@@ -12,6 +12,7 @@
 //     late=N            every Nth tick comes 5 ms late;  burst: and what was missed follows at once
 //     stop=N            after tick N no more ticks come
 //     rate=HZ           its clock is not ours: ticks come so often
+//     record=FILE       what the arm exerted and where it was, a line a tick: "fx fy fz x y z" (N, m), written when it is let go of
 //     path=FILE         where the hand wants to be: lines "ms x_mm y_mm z_mm buttons", straight between them
 #include "drivers/fake_hd/fake_hd.h"
 
@@ -149,6 +150,7 @@ struct Library {
     std::vector<Task> tasks{};
     unsigned long next_task = 1;
     FakeHdReport report{};
+    std::vector<std::array<double, 6>> recorded{};
     int buttons = 0;
 
     std::thread thread{};
@@ -191,6 +193,18 @@ void move_arm(Library& l) {
         l.report.position[static_cast<std::size_t>(i)] = l.arm.position[i];
     }
     l.report.greatest_force = std::max(l.report.greatest_force, glm::length(force));
+    const vec3 at = l.arm.position;
+    if (l.script.has("record")) l.recorded.push_back({force.x, force.y, force.z, at.x, at.y, at.z});
+}
+
+void write_record(const Library& l) {
+    if (!l.script.has("record")) return;
+    std::ofstream out(l.script.words.at("record"));
+    out.precision(17);
+    for (const auto& tick : l.recorded) {
+        for (const double number : tick) out << number << ' ';
+        out << '\n';
+    }
 }
 
 /// What a task leaves open is closed for it.
@@ -318,6 +332,7 @@ FAKE_HD_CALL unsigned int hdInitDevice(const char* name) {
     l.frame = l.force_output = l.clamping = l.updated = false;
     l.told = l.setting = vec3(0);
     l.tasks.clear();
+    l.recorded.clear();
     l.report = {};
     return only_handle;
 }
@@ -328,6 +343,7 @@ FAKE_HD_CALL void hdDisableDevice(unsigned int handle) {
     if (handle != only_handle || !l.initiated) return broken(l, fake_hd_wrong_value, bad_handle);
     if (l.running) broken(l, fake_hd_wrong_order, invalid_operation);
     l.initiated = false;
+    write_record(l);
 }
 
 FAKE_HD_CALL void hdMakeCurrentDevice(unsigned int handle) {

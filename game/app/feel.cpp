@@ -1,0 +1,187 @@
+#include "game/app/feel.h"
+
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+
+#include "core/clock.h"
+#include "core/text.h"
+#include "game/app/command.h"
+#include "game/app/live.h"
+#include "game/components/grip.h"
+#include "input/arm_playback.h"
+#include "input/drivers/openhaptics.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr std::size_t ahead = 500;             ///< ticks that are computed before they are played
+constexpr std::int64_t look_ns = 5'000'000;    ///< between two looks at keys and arm
+constexpr std::int64_t fade_ns = 150'000'000;  ///< in which the last force has gone
+
+// ---- whoever wants it to end ------------------------------------------------------------------------------------------
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void note_signal(int) { interrupted = 1; }
+
+/// Ctrl-C, a request to end, and any key on a terminal.
+class EndWatch {
+public:
+    EndWatch() {
+        interrupted = 0;
+        for (std::size_t i = 0; i < signals.size(); ++i) {
+            struct sigaction action {};
+            action.sa_handler = note_signal;
+            ::sigaction(signals[i], &action, &before_[i]);
+        }
+        terminal_ = ::isatty(STDIN_FILENO) != 0 && ::tcgetattr(STDIN_FILENO, &mode_) == 0;
+        if (!terminal_) return;
+        auto single_keys = mode_;
+        single_keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+        ::tcsetattr(STDIN_FILENO, TCSANOW, &single_keys);
+    }
+    ~EndWatch() {
+        if (terminal_) ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &mode_);
+        for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
+    }
+    EndWatch(const EndWatch&) = delete;
+    EndWatch& operator=(const EndWatch&) = delete;
+
+    bool asked() const {
+        if (interrupted != 0) return true;
+        pollfd keys{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
+        return terminal_ && ::poll(&keys, 1, 0) > 0;
+    }
+
+private:
+    static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
+    std::array<struct sigaction, signals.size()> before_{};
+    termios mode_{};
+    bool terminal_ = false;
+};
+
+// ---- the log's forces -------------------------------------------------------------------------------------------------
+
+/// The ticks of play of a log, one after the other.
+class RecordedForces {
+public:
+    RecordedForces(game::Playback playback, std::uint32_t player)
+        : playback_(std::move(playback)), player_(player), felt_(playback_.match().match().played) {}
+
+    /// Computes ahead; false where the log ends.
+    bool fill(input::ArmPlayback& hand) {
+        while (hand.waiting() < ahead) {
+            if (!playback_.step()) return false;
+            put(hand);
+        }
+        return true;
+    }
+
+private:
+    /// A pause, a round's end: there nothing was felt, and nothing is played.
+    void put(input::ArmPlayback& hand) {
+        const auto& match = playback_.match();
+        const auto& state = match.match();
+        const bool played = state.played == felt_ + 1;
+        const bool jumps = !followed_ || state.round != round_;
+        followed_ = played;
+        round_ = state.round;
+        felt_ = state.played;
+        if (!played) return;
+        const auto& world = match.world();
+        hand.push(world.get<game::Grip>(game::wizard_of(world, player_)).servo.safety.output, jumps);
+    }
+
+    game::Playback playback_;
+    std::uint32_t player_;
+    Tick felt_;
+    std::uint32_t round_ = 0;
+    bool followed_ = false;
+};
+
+// ---- the arm ----------------------------------------------------------------------------------------------------------
+
+using Arm = std::unique_ptr<input::OpenHaptics>;
+
+Expected<Arm> open_named(const std::string& name) {
+    auto arm = input::OpenHaptics::open();
+    if (!arm) return fail(text("--feel ", name, ": ", arm.error().message));
+    const auto& facts = (*arm)->facts();
+    if (input::is_called(facts, name)) return std::move(*arm);
+    return fail(text("--feel '", name, "': there is no such device; there is ", input::name_of(facts),
+                     " (or: phantom)"));
+}
+
+/// Share of the arm's peak that who sits here wants at most; 0: no forces.
+double wished_share() {
+    const auto settings = settings_to_play_with(settings_file(), game::find_assets());
+    const auto percent = force_wishes[settings.force[0]].percent;
+    return percent ? *percent / 100.0 : haptics::gentle_share;
+}
+
+/// "warm 12, capped 3": why the arm was told less than was recorded, in ticks.
+std::string held_back(const input::PlaybackReport& report) {
+    std::string out;
+    for (std::size_t i = 1; i < report.causes.size(); ++i) {
+        if (report.causes[i] == 0) continue;
+        out += text(out.empty() ? "" : ", ", haptics::safety_cause_names[i], " ", report.causes[i]);
+    }
+    return out.empty() ? "nothing held back" : text("held back in ticks: ", out);
+}
+
+void tell(const input::ArmPlayback& hand, const input::OpenHaptics& arm) {
+    const auto report = hand.report();
+    std::printf("%s s felt, at most %s N; %s; %llu ticks without a force\narm: %s\n",
+                fixed(seconds(report.played), 2).c_str(), fixed(report.strongest, 2).c_str(),
+                held_back(report).c_str(), static_cast<unsigned long long>(report.starved),
+                told(arm.times()).c_str());
+}
+
+/// Until all was felt or something ends it: then why.
+std::optional<std::string> play(RecordedForces& forces, input::ArmPlayback& hand,
+                                const input::OpenHaptics& arm) {
+    const EndWatch watch;
+    std::int64_t until = 0;  // 0: more will come
+    bool more = true;
+    while (until == 0 || monotonic_ns() < until) {
+        if (more) more = forces.fill(hand);
+        if (!more) hand.end();
+        if (watch.asked()) return "ended by hand: no force any more";
+        if (const auto status = arm.status(); status.state != input::ArmPresence::present) return status.text;
+        if (!more && hand.waiting() == 0 && until == 0) until = monotonic_ns() + fade_ns;
+        sleep_until_ns(monotonic_ns() + look_ns);
+    }
+    return {};
+}
+
+}  // namespace
+
+int feel(game::Playback playback, const FeelPlan& plan) {
+    const double share = wished_share();
+    if (!(share > 0)) return refuse({"--feel: your settings say that you want no forces (force: off)"});
+    auto arm = open_named(plan.device);
+    if (!arm) return refuse(arm.error());
+    const auto& spec = (*arm)->facts().spec;
+    input::ArmPlayback hand(haptics::servo_of(spec, share));
+    RecordedForces forces(std::move(playback), plan.player);
+    if (!forces.fill(hand) && hand.waiting() == 0)
+        return refuse({"--feel: the log has no tick of play there"});
+    std::printf("player %u's forces on %s, at most %s of %s N: any key or Ctrl-C ends them\n",
+                plan.player + 1, input::name_of((*arm)->facts()).c_str(),
+                fixed(share * spec.peak_force, 2).c_str(), fixed(spec.peak_force, 1).c_str());
+    std::fflush(stdout);
+    if (const auto started = (*arm)->start(hand.tick()); !started) return refuse(started.error());
+    const auto why = play(forces, hand, **arm);
+    const bool fault = (*arm)->status().state != input::ArmPresence::present;
+    hand.stop();
+    tell(hand, **arm);
+    arm->reset();  // its thread, before what that calls
+    if (why) std::printf("%s\n", why->c_str());
+    return fault ? does_not_hold : done;
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,104 @@
+#!/usr/bin/env bash
+# tests/drivers/fake_phantom_feels.sh THAUM FAKE_HD: `thaum replay LOG --feel` with a libHD.so that is ours: what the arm exerts, tick by
+# tick, is what --forces writes; it is ended cleanly by Ctrl-C and by a fault; and what cannot be is said in one line. No display.
+set -euo pipefail
+thaum=$1 fake=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+unset DISPLAY WAYLAND_DISPLAY
+export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
+failed() { echo "failed: $1"; exit 1; }
+
+"$thaum" --headless --seconds 8 --seed 3 --bots 2,2 --set haptics.share=1 --out "$folder" >/dev/null
+log=$folder/duel.thaumlog
+"$thaum" replay "$log" --forces "$folder/forces.csv" >/dev/null
+
+# feel FAKE_HD WORDS...: the log felt; what the arm did in $folder/exerted.
+feel() {
+    local told=$1
+    shift
+    THAUM_LIBHD=$fake FAKE_HD="$told,record=$folder/exerted" "$thaum" replay "$log" --feel "$@" >"$folder/said" 2>&1
+}
+
+# compare PLAYER: every force of the table, in its order, is one that the arm exerted. A tick without a force repeats the last one.
+compare() {
+    awk -F, -v column=$((3 + 9 * ($1 - 1) + 3)) 'NR > 1 { print $column, $(column + 1), $(column + 2) }' "$folder/forces.csv" |
+        awk -v OFMT=%.17g '
+            NR == FNR { wanted[n++] = $1 " " $2 " " $3; next }
+            { arm[m++] = $1 " " $2 " " $3 }
+            function near(a, b,   x, y) {
+                split(a, x, " "); split(b, y, " ")
+                return (x[1] - y[1]) ^ 2 + (x[2] - y[2]) ^ 2 + (x[3] - y[3]) ^ 2 < 1e-24
+            }
+            function size(a,   x) { split(a, x, " "); return x[1] ^ 2 + x[2] ^ 2 + x[3] ^ 2 }
+            END {
+                for (w = 0; w < n && size(wanted[w]) == 0;) w++
+                for (a = 0; a < m && size(arm[a]) == 0;) a++
+                first = w
+                for (; w < n && a < m; a++) {
+                    if (near(wanted[w], arm[a])) { w++; continue }
+                    if (a > 0 && near(arm[a], arm[a - 1])) { repeated++; continue }
+                    print "force", w, "is", wanted[w], "the arm exerts", arm[a]; exit 1
+                }
+                print n - first, "forces, from", first, "on, at the arm as in the table;", repeated + 0, "repeated"
+                if (n == first || w < n || repeated > 20) exit 1
+            }' - "$folder/exerted"
+}
+
+for player in 1 2; do
+    feel "" Touch --player $player || { cat "$folder/said"; failed "does not play"; }
+    cat "$folder/said"
+    grep -q "player $player's forces on Touch F0000001, at most 1.4[89] of 3.3 N" "$folder/said" || failed "does not say what it does"
+    compare $player || failed "other forces"
+done
+
+# Whose cap is lower gets less, never more; who wants none feels none.
+mkdir -p "$XDG_CONFIG_HOME/thaum"
+echo 'version = 1
+force_1 = "soft"' >"$XDG_CONFIG_HOME/thaum/settings.toml"
+feel "" phantom || failed "does not play softly"
+awk '{ size = sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2); if (size > most) most = size } END { print "softly at most", most, "N"; exit !(most > 0 && most <= 0.825 + 1e-9) }' \
+    "$folder/exerted" || failed "the cap does not hold"
+grep -q 'capped' "$folder/said" || failed "does not say what was held back"
+
+# ends CODE WORDS: what was said, and that the arm was left without force.
+ends() {
+    cat "$folder/said"
+    [ "$code" -eq "$1" ] || failed "exit $code instead of $1"
+    grep -q "$2" "$folder/said" || failed "does not say '$2'"
+    grep -q 'at most 0.8' <(tail -n +2 "$folder/said") || failed "nothing was felt before"
+    tail -n 1 "$folder/exerted" | awk '{ exit !($1 == 0 && $2 == 0 && $3 == 0) }' || failed "a force stays"
+}
+code=0
+THAUM_LIBHD=$fake FAKE_HD="record=$folder/exerted" "$thaum" replay "$log" --feel touch --at 2 >"$folder/said" 2>&1 &
+player=$!
+sleep 2
+kill -INT $player
+wait $player || code=$?
+ends 0 'ended by hand'
+[ "$(wc -l <"$folder/exerted")" -lt 6000 ] || failed "goes on after Ctrl-C"
+code=0; feel warm=1500 F0000001 --at 2 || code=$?
+ends 1 'too warm'
+code=0; feel vanish=1500 phantom --at 2 || code=$?
+ends 1 'plug it in'
+
+refuses() { # WORDS ARGUMENT...
+    local words=$1 said code=0
+    shift
+    said=$(THAUM_LIBHD=$fake "$thaum" replay "$log" "$@" 2>&1) || code=$?
+    echo "$said"
+    [ "$code" -eq 2 ] || failed "exit $code"
+    [ "$(wc -l <<<"$said")" -eq 1 ] || failed "more than a line"
+    grep -q -e "$words" <<<"$said" || failed "does not say '$words'"
+}
+refuses "there is Touch F0000001" --feel falcon
+refuses "real time only" --feel phantom --speed 2
+refuses "--player needs --feel" --player 2
+refuses "does not go with" --feel phantom --verify
+refuses "from 1 to 2" --feel phantom --player 3
+refuses "the log has" --feel phantom --at 60
+fake=$folder/none.so refuses "THAUM_LIBHD" --feel phantom
+echo 'version = 1
+force_1 = "off"' >"$XDG_CONFIG_HOME/thaum/settings.toml"
+refuses "you want no forces" --feel phantom
+echo "a log is felt"
