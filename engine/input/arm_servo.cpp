@@ -11,9 +11,9 @@ constexpr std::uint32_t newest_samples =
     40;                                 // a model made longer ago than that many samples is not taken up
 constexpr std::uint32_t patience = 20;  // ticks without a sample or a pose
 
-/// A stylus has one or two buttons; the first is at the finger.
+/// A stylus has one or two buttons, the first at the finger; other grips have more.
 std::uint32_t buttons_of(std::uint32_t arm) {
-    constexpr std::array meanings{Button::fire, Button::next_wand};
+    constexpr std::array meanings{Button::fire, Button::next_wand, Button::clutch};
     std::uint32_t buttons = 0;
     for (std::size_t i = 0; i < meanings.size(); ++i) {
         if ((arm >> i & 1U) != 0) buttons |= bit(meanings[i]);
@@ -56,7 +56,8 @@ vec3 ArmServo::step(const ArmReading& reading) {
     if (!pose_.known() || used_.epoch == 0) return vec3(0);
     ++sample_;
     const auto age = std::max(sample_ - used_.samples, pose_.age());
-    const vec3 force = arm_step(used_.servo, state_, used_.model, position_of(pose_.last()), age);
+    const vec3 force =
+        arm_step(used_.servo, state_, used_.model, position_of(pose_.last()) + used_.offset, age);
     if (!samples_.push({pose_.last(), used_.epoch, sample_, used_.number, pose_.age(), force})) count(lost_);
     return force;
 }
@@ -138,9 +139,17 @@ void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample&
     const auto pose_age = static_cast<std::uint32_t>(sample.counts[arm::pose_age]);
     arm.old_poses += pose_age != 0 ? 1 : 0;
     ++arm.samples;
-    arm_step(servo, arm.servo, used->model, position_of(arm),
-             std::max(arm.samples - used->samples, pose_age));
+    arm.hand = position_of(arm) + used->offset;
+    arm_step(servo, arm.servo, used->model, arm.hand, std::max(arm.samples - used->samples, pose_age));
 }
+
+void rest_hand(ArmState& arm, bool held, vec3 reach) {
+    if (held && arm.rests == 0) arm.rest = glm::clamp(arm.hand, -reach, reach);
+    arm.rests = held ? 1 : 0;
+    if (held) arm.offset = arm.rest - position_of(arm);
+}
+
+vec3 hand_of(const ArmState& arm) { return arm.rests != 0 ? arm.rest : arm.hand; }
 
 vec3 position_of(const ArmState& arm) { return position_of(ArmReading{.position_um = arm.position_um}); }
 

@@ -29,6 +29,7 @@ inline constexpr std::uint32_t models_kept = 80;
 struct ArmOrder {
     haptics::Servo servo{};
     haptics::HapticModel model{.on = false};
+    vec3 offset{};                ///< m, as KeptModel's
     haptics::ServoState start{};  ///< of the epoch
     std::uint32_t epoch{};        ///< 0: before the first
     std::uint32_t number{};       ///< of the model, from 1 in each epoch
@@ -100,6 +101,7 @@ private:
 /// A model that the simulation made, and remembers for models_kept ticks.
 struct KeptModel {
     haptics::HapticModel model{};
+    vec3 offset{};            ///< m, from the arm's tip to the hand that feels the model
     std::uint32_t number{};   ///< from 1 in each epoch
     std::uint32_t samples{};  ///< as ArmOrder's
 };
@@ -108,6 +110,9 @@ struct KeptModel {
 /// `number` and the `samples` so far, which is also the order for the arm's thread.
 struct ArmState {
     haptics::ServoState servo{};
+    vec3 hand{};    ///< m, device frame: what was felt with, the tip but for what the clutch has moved
+    vec3 offset{};  ///< m, from the tip to the hand, by the newest model
+    vec3 rest{};    ///< m: where the hand is while it rests
     std::array<std::int32_t, 3> position_um{}, rotation_urad{};
     std::uint32_t epoch{1};
     std::uint32_t number{};     ///< of the newest model
@@ -115,8 +120,11 @@ struct ArmState {
     std::uint32_t without{};    ///< ticks since there was a sample
     std::uint32_t old_poses{};  ///< samples, since the start, that measured nothing new
     std::uint32_t gaps{};       ///< epochs that ended because samples failed to come or were lost
+    std::uint32_t rests{};      ///< 1: the hand stays where it is, whatever the arm does
+    std::uint32_t spare{};
 };
-static_assert(sizeof(ArmState) == sizeof(haptics::ServoState) + 12 * sizeof(std::uint32_t));
+static_assert(sizeof(ArmState) ==
+              sizeof(haptics::ServoState) + 3 * sizeof(vec3) + 14 * sizeof(std::uint32_t));
 
 /// Whatever the arm's thread did, both go on from the same state.
 void begin_epoch(ArmState& arm);
@@ -129,7 +137,12 @@ std::uint32_t model_of(const ArmState& arm, const DeviceSample& sample);
 void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample& sample,
                  const KeptModel* used, bool skipped);
 
-/// m, device frame.
+/// The clutch: while it is held the hand rests where it is, or at the edge of its reach (m, either way), and the arm's tip moves free of
+/// it; let go, the hand follows the tip from there. Once a tick, before the model. A model with which the hand rests must be off.
+void rest_hand(ArmState& arm, bool held, vec3 reach);
+
+/// m, device frame: where the hand is, and where the arm's tip.
+vec3 hand_of(const ArmState& arm);
 vec3 position_of(const ArmState& arm);
 
 }  // namespace thaum::input

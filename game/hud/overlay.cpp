@@ -225,10 +225,18 @@ void add_force_plot(Overlay& out, const ForcePicture& force, const Corner& c) {
              low - fvec2(0, high + 17 * u), 12 * u, white, Align::left);
 }
 
-/// Empty where there is nothing to say.
-std::string_view caption_of(haptics::SafetyCause cause) {
+/// What a player is told of the device in hand, real or simulated; empty where there is nothing to say. The driver's own line,
+/// which says what to do, goes to standard error.
+std::string_view caption_of(const ForcePicture& force) {
     using haptics::SafetyCause;
-    switch (cause) {
+    switch (force.arm) {
+        case ArmCondition::gone: return "The arm does not answer: mouse and keys play on";
+        case ArmCondition::back: return "The arm is back: hold it still";
+        case ArmCondition::clutched: return "Clutch: the arm moves free of the hand";
+        case ArmCondition::none:
+        case ArmCondition::felt: break;
+    }
+    switch (force.cause) {
         case SafetyCause::warm: return "Forces are weaker for a while: the device is warm";
         case SafetyCause::stale: return "Forces fade: the game or the arm is late";
         case SafetyCause::over_speed: return "Forces wait until the hand is slower";
@@ -244,7 +252,7 @@ std::string_view caption_of(haptics::SafetyCause cause) {
 }
 
 void add_caption(Overlay& out, const PlayerPicture& p, const Corner& c) {
-    const auto words = caption_of(p.force.cause);
+    const auto words = caption_of(p.force);
     if (!words.empty())
         add_text(out, std::string(words), at(c.view, 0.5F, 0.82F), 15 * c.unit, white, Align::centre);
 }

@@ -75,6 +75,7 @@ void take_held(const Simulation& match, ecs::Entity wizard, const WandBelt& belt
 
 void take_force(const Simulation& match, std::uint32_t player, const Grip& grip, ForcePicture& out) {
     const auto& trace = match.felt(player);
+    out.arm = arm_condition(match.world(), player);
     out.cause = static_cast<haptics::SafetyCause>(grip.servo.safety.cause);
     out.cap = match.touch().servos[player].limits.cap;
     out.now = grip.servo.safety.output;

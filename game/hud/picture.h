@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "game/match/arm.h"
 #include "game/match/result.h"
 #include "haptics/safety.h"
 
@@ -71,6 +72,7 @@ inline constexpr std::size_t force_column = 16;
 
 /// What a player's hand has felt.
 struct ForcePicture {
+    ArmCondition arm{};            ///< of a real one
     haptics::SafetyCause cause{};  ///< why it feels less than it should
     double cap{};                  ///< N, the most it can feel
     vec3 now{};                    ///< N, in the frame of the eye

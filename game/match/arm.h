@@ -8,13 +8,20 @@
 
 namespace thaum::game {
 
-/// Does the player's hand hold a real arm?
-bool holds_arm(const Stage& stage, std::uint32_t player);
+/// How it is with the real arm of a player. While it is gone the simulated hand plays on, by mouse or pad; back, it is felt
+/// once it was held still.
+enum class ArmCondition : std::uint8_t { none, felt, clutched, gone, back };
+ArmCondition arm_condition(const ecs::World& world, std::uint32_t player);
+
+/// Whether the player's hand is a real arm now.
+bool plays_by_arm(const ecs::World& world, std::uint32_t player);
 
 /// All arms, before the scene is cleared.
 std::vector<Arm> arms_in(const ecs::World& world);
 /// One for each player with such a device; what was known of it goes on.
 void add_arms(Stage& stage, const std::vector<Arm>& before);
+/// Into a world that has them, from another match that it carries on.
+void carry_arms(const std::vector<Arm>& before, ecs::World& world);
 
 /// Every tick, in a pause too: the sample and its step. Writes Grip.
 void add_arm_system(Stage& stage, ecs::Schedule& schedule);

@@ -5,6 +5,7 @@
 #include "core/assert.h"
 #include "ecs/snapshot.h"
 #include "game/components/grip.h"
+#include "game/match/arm.h"
 #include "game/match/bodies.h"
 #include "game/match/touch.h"
 #include "game/player/walk.h"
@@ -92,6 +93,7 @@ void carry_over(const Stage& from, Stage& to) {
     } else {
         move_match(from, to);
         for (std::uint32_t player = 0; player < players; ++player) move_wizard(from, to, player);
+        carry_arms(arms_in(from.world), to.world);
     }
     refit_wizards(from, to);
     to.physics.rebuild();

@@ -83,7 +83,7 @@ void add_touch_system(Stage& stage, ecs::Schedule& schedule) {
                       w.view<const Wizard, const Controls, Grip>().each(
                           [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, Grip& grip) {
                               auto& trace = stage.felt[wizard.player];
-                              const bool real = holds_arm(stage, wizard.player);
+                              const bool real = plays_by_arm(w, wizard.player);
                               trace[tick % trace.size()] =
                                   static_cast<float>(real ? glm::length(grip.servo.safety.output)
                                                           : feel(stage, e, controls, panic, grip));

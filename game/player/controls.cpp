@@ -81,7 +81,7 @@ double stick_curve(std::int32_t deflection) {
 void add_controls_system(Stage& stage, ecs::Schedule& schedule) {
     auto& world = stage.world;
     schedule.add({.name = "controls",
-                  .reads = world.mask<Wizard, Match>(),
+                  .reads = world.mask<Wizard, Match, Arm>(),
                   .writes = world.mask<Controls, Gaze>(),
                   .needs = world.mask<Controls>(),
                   .run = [&stage](ecs::World& w, Tick) {
@@ -89,7 +89,7 @@ void add_controls_system(Stage& stage, ecs::Schedule& schedule) {
                       const bool live = match.paused == 0 && match.phase == Phase::playing;
                       w.view<const Wizard, Controls, Gaze>().each(
                           [&](const Wizard& wizard, Controls& controls, Gaze& gaze) {
-                              const bool arm = holds_arm(stage, wizard.player);
+                              const bool arm = plays_by_arm(w, wizard.player);
                               const auto buttons = arm_buttons(stage, wizard.player);
                               for (std::size_t d = 0; d < stage.devices.size(); ++d) {
                                   const auto& spec = stage.devices[d];

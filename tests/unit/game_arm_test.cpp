@@ -37,6 +37,7 @@ struct ArmMatch {
     std::uint32_t arm_buttons = 0, hand_buttons = 0;
     std::uint32_t epoch = 0, samples = 0;
     bool still = false;          ///< the arm's ticks have stopped
+    bool resting = false;        ///< it is not moved
     std::vector<vec3> told{{}};  ///< N, by height in um, which is the tick's number
     std::map<std::int32_t, vec3> computed{};
     std::vector<input::InputFrame> frames{};
@@ -48,7 +49,8 @@ struct ArmMatch {
         now_ns += 1'000'000;
         input::ArmReading reading{.time_ns = now_ns, .buttons = arm_buttons};
         // To and fro by 2 cm, half a metre a second; the height tells the tick.
-        const auto phase = ++arm_ticks % 80;
+        const auto phase = resting ? 0 : (arm_ticks + 1) % 80;
+        ++arm_ticks;
         reading.position_um = {500 * (phase < 40 ? phase : 80 - phase), arm_ticks, 0};
         told.push_back(servo.step(reading));
         strongest = std::max(strongest, glm::length(told.back()));
@@ -113,6 +115,18 @@ void play(ArmMatch& m) {
     m.run(150);
     m.still = false;
     m.run(1500);  // into the next round
+    m.hand_buttons = bit(Button::clutch);
+    m.run(150);
+    m.hand_buttons = 0;
+    m.run(300);
+    m.still = true;
+    m.run(600);
+    m.still = false;
+    m.run(200);
+    m.resting = true;
+    m.run(500);
+    m.resting = false;
+    m.run(500);
     for (int i = 0; i < 400; ++i) m.move_arm();
     m.run_match(399);
     m.run(1500);
@@ -202,13 +216,98 @@ TEST(Arm, ThatStopsIsNoReasonToStop) {
     ArmMatch m;
     m.run(300);
     m.still = true;
-    m.run(500);
+    m.run(240);
     EXPECT_EQ(m.grip().servo.safety.output, vec3(0));
     EXPECT_EQ(m.grip().servo.safety.cause, static_cast<std::uint32_t>(haptics::SafetyCause::stale));
-    EXPECT_EQ(m.match.match().played, 800U);
+    EXPECT_EQ(m.match.match().played, 540U);
     m.still = false;
     m.run(100);
     EXPECT_LE(m.arm().state.without, 3U);
+}
+
+TEST(Arm, ThatIsGoneLeavesTheHandToTheMouse) {
+    ArmMatch m;
+    m.run(310);
+    const auto left_at = m.grip().device.position;
+    m.still = true;
+    m.run(270);
+    EXPECT_EQ(arm_condition(m.match.world(), 0), ArmCondition::gone);
+    EXPECT_NEAR(glm::distance(m.grip().device.position, left_at), 0, 0.01) << "the hand goes on where it was";
+    const auto fired = m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)).fired;
+    m.hand_buttons = bit(Button::fire);
+    m.run(300);
+    EXPECT_GT(m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)).fired, fired);
+    m.run(40);
+    EXPECT_GT(glm::length(m.grip().device.velocity), 0) << "and the recoil moves it";
+}
+
+TEST(Arm, ThatIsBackIsFeltOnceItIsHeldStill) {
+    ArmMatch m;
+    m.arm_buttons = 1;
+    m.run(500);
+    m.still = true;
+    m.run(600);
+    m.still = false;
+    m.run(30);
+    const auto back = static_cast<std::size_t>(m.arm_ticks);
+    m.run(1000);
+    EXPECT_EQ(arm_condition(m.match.world(), 0), ArmCondition::back);
+    const auto there = m.grip().device.position;
+    m.resting = true;
+    m.run(290);
+    EXPECT_EQ(m.grip().device.position, there);
+    for (auto t = back; t < m.told.size(); ++t)
+        ASSERT_EQ(m.told[t], vec3(0)) << "moved, or not yet long enough still";
+    m.strongest = 0;
+    m.run(700);
+    EXPECT_EQ(arm_condition(m.match.world(), 0), ArmCondition::felt);
+    EXPECT_GT(m.strongest, 0.5);
+    EXPECT_NEAR(glm::distance(m.grip().device.position, there), 0, 0.002) << "the hand did not jump";
+    for (auto t = back; t + 1 < m.told.size() && m.told[t] == vec3(0); ++t)
+        ASSERT_LE(glm::length(m.told[t + 1]), 0.13) << "as a kick begins";
+    m.expect_same_forces();
+}
+
+TEST(Arm, TheClutchMovesTheArmFreeOfTheHand) {
+    ArmMatch m;
+    m.run(310);
+    const auto before = m.grip().device.position;
+    m.hand_buttons = bit(Button::clutch);
+    m.arm_buttons = 1;
+    m.run(30);
+    const auto clutched = static_cast<std::size_t>(m.arm_ticks);
+    const auto there = m.grip().device.position;
+    EXPECT_EQ(arm_condition(m.match.world(), 0), ArmCondition::clutched);
+    EXPECT_NEAR(glm::distance(there, before), 0, 0.01);
+    for (int t = 0; t < 10; ++t) {
+        m.run(33);
+        EXPECT_EQ(m.grip().device.position, there);
+    }
+    for (auto t = clutched; t < m.told.size(); ++t) ASSERT_EQ(m.told[t], vec3(0));
+    const auto tip = input::position_of(m.arm().state);
+    m.hand_buttons = 0;
+    m.run(500);
+    const auto moved = input::position_of(m.arm().state) - tip;
+    EXPECT_NEAR(glm::distance(m.grip().device.position, there + moved), 0, 0.005);
+    EXPECT_GT(glm::distance(there, tip), 0.001);
+    m.expect_same_forces();
+}
+
+/// Stroke after stroke, but not out of reach.
+TEST(Arm, TheClutchDoesNotLengthenTheReach) {
+    ArmMatch m;
+    m.run(100);
+    for (int stroke = 0; stroke < 30; ++stroke) {
+        m.hand_buttons = bit(Button::clutch);
+        while (m.arm_ticks % 80 != 38) m.run(1);
+        for (int t = 0; t < 60 && m.arm_ticks % 80 != 2; ++t) m.run(1);
+        m.hand_buttons = 0;
+        while (m.arm_ticks % 80 != 38) m.run(1);
+    }
+    const auto x = m.grip().device.position.x;
+    EXPECT_GT(x, 0.06);
+    EXPECT_LT(x, m.match.touch().device.reach.x + 0.021) << "and one stroke";
+    m.expect_same_forces();
 }
 
 TEST(Arm, NobodyElsePaysForIt) {
