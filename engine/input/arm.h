@@ -28,7 +28,7 @@ struct ArmTick {
     void* context{};
 };
 
-/// What an arm says of itself.
+/// What an arm says of itself. One that pushes in three degrees of freedom gets forces and no torques, however many it measures.
 struct ArmFacts {
     haptics::DeviceSpec spec{};  ///< what it does not tell is zero: mass, friction, quantum
     std::string serial{};
@@ -48,7 +48,8 @@ enum class ArmPresence : std::uint8_t {
 
 struct ArmStatus {
     ArmPresence state{};
-    std::string text{};  ///< one line: what is wrong and what to do; empty while present
+    std::string text{};        ///< one line: what is wrong and what to do; empty while present
+    std::int64_t newest_ns{};  ///< when it was measured last; monotonic clock; 0: not yet
 };
 
 /// To whole units, at most 1e9 of them either way. The value is finite.

@@ -106,8 +106,10 @@ Finding real_arm() {
     const bool good = status.state == input::ArmPresence::present;
     return {what,
             good ? State::good : State::missing,
-            text(input::name_of(facts), " of ", fixed(facts.spec.peak_force, 1), " N, library ", facts.driver,
-                 ": ", told(times), (*arm)->preferred() ? "" : "; its thread has no priority"),
+            text(input::name_of(facts), " of ", fixed(facts.spec.peak_force, 1), " N, measures ",
+                 facts.spec.sensed, " degrees of freedom, pushes in ", facts.spec.actuated,
+                 facts.spec.actuated <= 3 ? " (no torques)" : "", ", library ", facts.driver, ": ",
+                 told(times), (*arm)->preferred() ? "" : "; its thread has no priority"),
             good && !(*arm)->preferred() ? "allow real-time priority: a line '@GROUP - rtprio 60' in "
                                            "/etc/security/limits.d, then log in again"
                                          : status.text,

@@ -34,23 +34,27 @@ double Timings::at(double share) {
 
 // Seats --------------------------------------------------------------------------------------------------------------------
 
-Expected<SeatKind> seat_kind_of(std::string_view word) {
-    if (word == "mouse") return SeatKind::keyboard_mouse;
-    if (word == "half") return SeatKind::keyboard_half;
-    if (word == "pad") return SeatKind::pad;
-    return fail(text("--hands '", word, "': must be mouse, half or pad; in a match also arm"));
+Expected<Seat> hand_named(std::string_view word) {
+    if (word == "mouse") return Seat{.kind = SeatKind::keyboard_mouse};
+    if (word == "half") return Seat{.kind = SeatKind::keyboard_half};
+    if (word == "pad") return Seat{.kind = SeatKind::pad};
+    if (word == "arm") return Seat{.kind = SeatKind::keyboard_mouse, .arm = true};
+    return fail(text("--hands '", word, "': must be mouse, half, pad or arm"));
+}
+
+std::vector<input::DeviceSpec> arms_of(const LiveShared& shared) {
+    if (!shared.arm || shared.arm_player >= game::players) return {};
+    input::DeviceSpec arm;
+    arm.player = shared.arm_player;
+    arm.kind = DeviceKind::arm;
+    arm.name = input::name_of(shared.arm->facts());
+    return {std::move(arm)};
 }
 
 std::vector<input::DeviceSpec> devices_of(const LiveShared& shared) {
     std::vector<input::DeviceSpec> devices;
     for (const auto& seat : shared.seats) devices.push_back(seat.spec);
-    if (shared.arm) {
-        input::DeviceSpec arm;
-        arm.player = shared.arm_player;
-        arm.kind = DeviceKind::arm;
-        arm.name = input::name_of(shared.arm->facts());
-        devices.push_back(std::move(arm));
-    }
+    for (auto& arm : arms_of(shared)) devices.push_back(std::move(arm));
     return devices;
 }
 
@@ -103,6 +107,7 @@ std::array<Seat, game::players> joined_seats(const Desk& desk) {
         seats[p] = device ? seat_of(*device)
                           : Seat{.kind = SeatKind::bot, .level = desk.facts.levels[desk.menu.level]};
     }
+    for (auto& seat : seats) seat.arm = desk.shared.arm && seat.kind == SeatKind::keyboard_mouse;
     if (desk.range) seats[game::dummys] = {.kind = SeatKind::dummy};
     return seats;
 }
@@ -188,6 +193,9 @@ void take_seats(Desk& desk) {
     const auto seats = desk.plan.start_screen ? joined_seats(desk) : planned_seats(desk);
     for (std::uint32_t p = 0; p < game::players; ++p)
         desk.shared.seats[p] = take_seat(desk.menu.settings, seats[p], p);
+    const auto armed = std::find_if(seats.begin(), seats.end(), [](const Seat& seat) { return seat.arm; });
+    desk.shared.arm_player =
+        armed == seats.end() ? game::no_player : static_cast<std::uint32_t>(armed - seats.begin());
 }
 
 void play_match(Desk& desk, MatchStart start) {
@@ -228,23 +236,14 @@ Expected<void> play_matches(Desk& desk) {
 
 // Arms ---------------------------------------------------------------------------------------------------------------------
 
-/// What a match's forces are made for must not be more than the arm can give: it would feel another match than the log's.
-Expected<void> check_strength(const haptics::DeviceSpec& arm, const haptics::DeviceSpec& wanted) {
-    if (arm.peak_force >= wanted.peak_force) return {};
-    return fail(text("this arm gives ", fixed(arm.peak_force, 1), " N, hands hold a ", wanted.name, " of ",
-                     fixed(wanted.peak_force, 1), " N: choose another with --set haptics.device=..."));
-}
-
-/// The arm of the seat that wants one is opened, and its thread begins; forces come with the first match.
+/// The arm of the seat that wants one; forces come with the first match.
 Expected<void> open_arm(LiveShared& shared, const LivePlan& plan) {
-    const auto seat = std::find_if(plan.seats.begin(), plan.seats.end(), [](const Seat& s) { return s.arm; });
-    if (seat == plan.seats.end() || plan.replay != nullptr) return {};
-    auto arm = input::OpenHaptics::open();
+    const bool wanted =
+        std::any_of(plan.seats.begin(), plan.seats.end(), [](const Seat& s) { return s.arm; });
+    if (!wanted || plan.replay != nullptr) return {};
+    auto arm = ArmKeeper::open(shared.servo, plan.data->device);
     if (!arm) return tl::unexpected(arm.error());
-    if (auto strong = check_strength((*arm)->facts().spec, plan.data->device); !strong) return strong;
-    if (auto started = (*arm)->start(shared.servo.tick()); !started) return started;
     shared.arm = std::move(*arm);
-    shared.arm_player = static_cast<std::uint32_t>(seat - plan.seats.begin());
     return {};
 }
 
@@ -252,16 +251,18 @@ void tell_arm(const LiveShared& shared, LiveReport* report) {
     if (!shared.arm) return;
     const auto times = shared.arm->times();
     const auto troubles = shared.servo.troubles();
+    const int losses = shared.arm->losses();
     std::fprintf(stderr,
-                 "arm: %s; poses: %llu repeated, %llu back in time, %llu no numbers; %llu forces differ "
-                 "from the match's\n",
+                 "arm: %s; poses: %llu repeated, %llu back in time, %llu no numbers; lost %d times; %llu "
+                 "forces differ from the match's\n",
                  told(times).c_str(), static_cast<unsigned long long>(troubles.poses.repeated),
                  static_cast<unsigned long long>(troubles.poses.backwards),
-                 static_cast<unsigned long long>(troubles.poses.unusable),
+                 static_cast<unsigned long long>(troubles.poses.unusable), losses,
                  static_cast<unsigned long long>(troubles.differing));
     if (report == nullptr) return;
     report->arm = times;
     report->arm_troubles = troubles;
+    report->arm_losses = losses;
 }
 
 void fill_report(LiveShared& shared, LiveReport& report) {

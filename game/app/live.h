@@ -28,15 +28,15 @@ enum class SeatKind : std::uint8_t {
     dummy,  ///< of the range
 };
 
-/// What --hands calls mouse, half or pad.
-Expected<SeatKind> seat_kind_of(std::string_view word);
-
 struct Seat {
     SeatKind kind{};
     int pad = 0;       ///< which of the window's pads
     int level = 1;     ///< of a bot
     bool arm = false;  ///< the hand holds a real force feedback arm besides
 };
+
+/// What --hands calls mouse, half, pad or arm.
+Expected<Seat> hand_named(std::string_view word);
 
 /// Holds a thread up on purpose, for tests.
 struct Stall {
@@ -61,6 +61,7 @@ struct LiveReport {
     /// Where somebody holds a real arm.
     std::optional<input::TickReport> arm{};
     input::ArmTroubles arm_troubles{};
+    int arm_losses{};
 };
 
 /// One line: how well a real arm's thread kept time.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/text.h"
+
 namespace thaum::app {
 
 using game::Watch;
@@ -349,13 +351,17 @@ void follow_wish(Desk& desk) {
     if (wish == MenuWish::leave || wish == MenuWish::quit) leave_match(desk);
 }
 
-/// The match goes on without the arm: its player cannot use the hand, but has eyes and feet.
+/// The match goes on without the arm, by mouse; whoever keeps it looks for it.
 void follow_arm(Desk& desk) {
     if (!desk.shared.arm) return;
     const auto status = desk.shared.arm->status();
     const bool lost = status.state != input::ArmPresence::present;
-    if (lost == desk.arm_lost) return;
-    desk.arm_lost = lost;
+    const auto shown = text(input::name_of(desk.shared.arm->facts()), lost ? " (gone)" : "");
+    if (shown == desk.facts.arm) return;
+    const bool first = desk.facts.arm.empty();
+    desk.facts.arm = shown;
+    desk.stale = true;
+    if (first && !lost) return;
     std::fprintf(stderr, "%s\n", lost ? status.text.c_str() : "the arm is back");
 }
 
@@ -487,6 +493,7 @@ bool run_start_screen(Desk& desk) {
         shared.window.poll(events, menu_poll_s);
         follow_pads(desk);
         follow_plugs(desk);
+        follow_arm(desk);
         repeat_menu(desk);
         const auto wish = std::exchange(desk.menu.wish, MenuWish::none);
         if (wish == MenuWish::start && note_fault(desk, load_chosen(desk))) return true;

@@ -30,10 +30,9 @@ struct Desk {
     std::optional<game::RangeFiles> range;        ///< the next match is practice, with these
     MenuState menu;                               ///< its settings are those that hold
     MenuFacts facts;
-    Settings seated;        ///< the settings that the DeviceSpecs were made from
-    bool stale = true;      ///< shared.screen is not as it should be
-    bool forces = false;    ///< the views show what hands feel
-    bool arm_lost = false;  ///< and it was said
+    Settings seated;      ///< the settings that the DeviceSpecs were made from
+    bool stale = true;    ///< shared.screen is not as it should be
+    bool forces = false;  ///< the views show what hands feel
 
     std::array<render::PadState, 4> pads{};
     std::array<Grip, game::players> grips{};

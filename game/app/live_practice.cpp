@@ -39,9 +39,10 @@ void DataWatcher::watch() {
 
 const game::Reload* DataWatcher::take() { return reloads_.take() ? &reloads_.newest() : nullptr; }
 
-Practice::Practice(game::RangeFiles files, const input::DeviceSpec& device, game::DummyKind kind,
-                   std::uint64_t seed)
-    : range_(game::make_range(files.data(), device, kind, seed)) {
+Practice::Practice(game::RangeFiles files, const std::vector<input::DeviceSpec>& devices,
+                   game::DummyKind kind, std::uint64_t seed)
+    : range_(
+          game::make_range(files.data(), devices.front(), kind, seed, {devices.begin() + 1, devices.end()})) {
     say("The range: nothing is recorded, and data files that change are read at once", welcome_shown);
     watcher_ = std::make_unique<DataWatcher>(std::move(files));
 }

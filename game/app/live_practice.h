@@ -35,7 +35,8 @@ private:
 
 class Practice {
 public:
-    Practice(game::RangeFiles files, const input::DeviceSpec& device, game::DummyKind kind,
+    /// devices: of who practises: hands, and an arm if they hold one.
+    Practice(game::RangeFiles files, const std::vector<input::DeviceSpec>& devices, game::DummyKind kind,
              std::uint64_t seed);
 
     game::Simulation& match() { return *range_.match; }

@@ -7,11 +7,10 @@
 #include "core/latest.h"
 #include "core/ring.h"
 #include "game/app/live.h"
+#include "game/app/live_arm.h"
 #include "game/bots/range_files.h"
 #include "game/hud/menu.h"
-#include "input/arm_servo.h"
 #include "input/collector.h"
-#include "input/drivers/openhaptics.h"
 #include "input/log.h"
 #include "render/context.h"
 
@@ -70,8 +69,8 @@ struct LiveShared {
     render::Window& window;
     std::array<TakenSeat, game::players> seats;  ///< changed only while no simulation thread runs
     input::ArmServo servo;                       ///< of `arm`: between its thread and the simulation's
-    std::unique_ptr<input::OpenHaptics> arm;     ///< null: nobody holds one
-    std::uint32_t arm_player = game::no_player;  ///< whose hand holds it
+    std::unique_ptr<ArmKeeper> arm;              ///< main's; null: none was asked for
+    std::uint32_t arm_player = game::no_player;  ///< whose hand holds it in this match, if anybody's
     Latest<game::Picture> pictures;  ///< filled by the simulation thread, by main while there is none
     Latest<Screen> screen;           ///< filled by main
     /// Where the pictures are; filled by the simulation thread.
@@ -108,6 +107,8 @@ struct Staller {
 };
 
 std::vector<input::DeviceSpec> devices_of(const LiveShared& shared);
+/// The devices beyond the hands of both: the arm, if somebody holds it.
+std::vector<input::DeviceSpec> arms_of(const LiveShared& shared);
 
 /// A match is recorded, or it is practice by data that may change on the way, or neither. No value is both: what a log's
 /// header says of the data stays true.

@@ -55,6 +55,7 @@ struct Session {
 
 /// Null: it is not recorded.
 input::LogWriter* log_of(Round& round) { return std::get_if<input::LogWriter>(&round.kept); }
+bool holds_arm(const Session& s) { return s.shared.arm && s.shared.arm_player < game::players; }
 Practice* practice_of(Round& round) { return std::get_if<Practice>(&round.kept); }
 
 void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data) {
@@ -64,8 +65,9 @@ void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data)
 
 void start_practice(Session& s, game::RangeFiles files, std::uint64_t seed) {
     show_scene(s.shared, files.data().match);
-    const auto& device = s.shared.seats[game::practising].spec;
-    auto& practice = s.round.kept.emplace<Practice>(std::move(files), device, s.shared.dummy, seed);
+    auto devices = arms_of(s.shared);
+    devices.insert(devices.begin(), s.shared.seats[game::practising].spec);
+    auto& practice = s.round.kept.emplace<Practice>(std::move(files), devices, s.shared.dummy, seed);
     s.round.match = &practice.match();
 }
 
@@ -162,7 +164,7 @@ input::InputFrame take_frame(Session& s) {
     for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
     }
-    if (s.shared.arm) frame.devices[arm_device] = s.shared.servo.take();
+    if (holds_arm(s)) frame.devices[arm_device] = s.shared.servo.take();
     press_for_main(s.shared, going_of(s.round.match->match()), frame);
     if (const auto marks = s.shared.marks.load(); marks != s.marks_seen) {
         frame.devices[0].press(Button::mark);
@@ -182,7 +184,7 @@ input::InputFrame take_frame(Session& s) {
 /// at most 4 %. behind: ticks that are due, this one included.
 void keep_pace_with_arm(Session& s, Tick behind) {
     constexpr std::int64_t in_reserve = 2, most = 10, step_ns = 4000;
-    if (!s.shared.arm || going_of(s.round.match->match()) != Going::playing) return;
+    if (!holds_arm(s) || going_of(s.round.match->match()) != Going::playing) return;
     const auto waiting = static_cast<std::int64_t>(s.shared.servo.waiting());
     if (waiting == 0) return;  // it may have stopped
     const auto ahead = waiting - static_cast<std::int64_t>(behind - 1) - in_reserve;
@@ -259,7 +261,7 @@ void run_tick(Session& s) {
     follow_practice(s);
     const auto frame = take_frame(s);
     game::tick_and_record(*round.match, frame, log_of(round));
-    if (s.shared.arm && game::fill_order(*round.match, s.shared.arm_player, s.shared.servo.order()))
+    if (holds_arm(s) && game::fill_order(*round.match, s.shared.arm_player, s.shared.servo.order()))
         s.shared.servo.publish();
     const auto now = round.match->now();
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;

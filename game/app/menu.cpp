@@ -165,7 +165,8 @@ std::string label_of(const Control& control) {
 }
 
 std::string name_of(const Device& device, const MenuFacts& facts) {
-    if (device.kind == DeviceKind::keyboard_mouse) return "Mouse and keyboard";
+    if (device.kind == DeviceKind::keyboard_mouse)
+        return facts.arm.empty() ? "Mouse and keyboard" : text("Mouse, keys and ", facts.arm);
     if (device.kind == DeviceKind::keyboard_half) return "Half of the keyboard";
     const auto& name = facts.pads.at(static_cast<std::size_t>(device.pad));
     return name.empty() ? text("Pad ", device.pad + 1) : text("Pad ", device.pad + 1, " (", name, ")");

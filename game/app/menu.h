@@ -56,6 +56,7 @@ struct MenuFacts {
     std::vector<int> levels{};
     std::vector<Rules> rules{};
     std::array<std::string, 4> pads{};  ///< names; empty: not plugged in
+    std::string arm{};                  ///< that who plays by mouse holds, and how it is; empty: none
     bool practice = false;              ///< the pause is one of the range
     bool ends_match = false;  ///< leaving the pause goes to the start screen, not out of the program
 };

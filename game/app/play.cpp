@@ -24,7 +24,8 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
   --solo LEVEL     against a bot of level 1, 2 or 3
   --demo           two bots
   --hands A[,B]    what players hold: mouse, half (the keypad), pad, or arm: a force
-                   feedback arm (OpenHaptics) with mouse and keyboard beside it
+                   feedback arm (OpenHaptics) with mouse and keyboard beside it; alone it
+                   goes with the start screen too: who plays by mouse holds the arm
   --bots A,B       levels of the bots of --demo and --headless (1,1)
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
@@ -65,10 +66,9 @@ Expected<std::vector<Seat>> hands_of(std::string_view words) {
     for (;;) {
         const auto comma = std::min(words.find(','), words.size());
         const auto word = words.substr(0, comma);
-        const bool arm = word == "arm";
-        const auto hand = arm ? SeatKind::keyboard_mouse : seat_kind_of(word);
+        const auto hand = hand_named(word);
         if (!hand) return tl::unexpected(hand.error());
-        hands.push_back({.kind = *hand, .arm = arm});
+        hands.push_back(*hand);
         if (comma == words.size()) break;
         words.remove_prefix(comma + 1);
     }
@@ -107,7 +107,8 @@ Expected<Wish> read_wish(const std::vector<std::string>& words) {
         const auto hands = hands_of(*words);
         if (!hands) return tl::unexpected(hands.error());
         wish.hands = *hands;
-        if (!wish.vs && !wish.solo) return fail("--hands goes with --vs or --solo");
+        const bool start_screen = !wish.mode() && !wish.headless && hands->size() == 1 && hands->front().arm;
+        if (!wish.vs && !wish.solo && !start_screen) return fail("--hands goes with --vs or --solo");
         if (wish.solo && wish.hands.size() > 1) return fail("--solo has one player: one hand");
     }
     const auto bots = read_bots(arguments->value("--bots").value_or("1,1"));

@@ -22,7 +22,8 @@ while it runs; a wrong one is named, and the old numbers stay. The pause (Esc)
 changes the dummy.
 
   --dummy KIND     still (default), strafing: to and fro, shooting: at you
-  --hands HAND     what you hold: mouse (default), half (the keypad) or pad
+  --hands HAND     what you hold: mouse (default), half (the keypad), pad, or arm: a force
+                   feedback arm with mouse and keyboard beside it
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
   --set KEY=VALUE  another value for one number, such as bolt.shot.damage=12
@@ -39,7 +40,7 @@ constexpr Option range_options[] = {{"--dummy", 1}, {"--hands", 1}, {"--rules", 
 struct RangeWish {
     game::DataChoice data;
     game::DummyKind dummy{};
-    SeatKind hand = SeatKind::keyboard_mouse;
+    Seat hand{.kind = SeatKind::keyboard_mouse};
     bool headless = false;
     int bot = 3;
     std::optional<std::uint64_t> seed;
@@ -62,7 +63,7 @@ Expected<RangeWish> read_range_wish(const std::vector<std::string>& words) {
     const auto dummy = dummy_named(arguments->value("--dummy").value_or("still"));
     if (!dummy) return tl::unexpected(dummy.error());
     wish.dummy = *dummy;
-    const auto hand = seat_kind_of(arguments->value("--hands").value_or("mouse"));
+    const auto hand = hand_named(arguments->value("--hands").value_or("mouse"));
     if (!hand) return tl::unexpected(hand.error());
     wish.hand = *hand;
     wish.headless = arguments->has("--headless");
@@ -111,7 +112,7 @@ int practise_in_window(const RangeWish& wish, const game::RangeData& data) {
     plan.data = data.match;
     plan.seed = wish.seed.value_or(std::random_device{}());
     plan.practice = wish.dummy;
-    plan.seats = {Seat{.kind = wish.hand}, Seat{.kind = SeatKind::dummy}};
+    plan.seats = {wish.hand, Seat{.kind = SeatKind::dummy}};
     plan.assets = assets;
     plan.seconds = wish.seconds;
     plan.settings = settings_to_play_with(settings_file(), assets);

@@ -64,9 +64,10 @@ input::DeviceSpec dummy_device() {
 }
 
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
-                      std::uint64_t seed) {
-    auto match = std::make_unique<Simulation>(data.match,
-                                              MatchSetup{.seed = seed, .devices = {device, dummy_device()}});
+                      std::uint64_t seed, std::vector<input::DeviceSpec> more) {
+    MatchSetup setup{.seed = seed, .devices = {device, dummy_device()}};
+    for (auto& other : more) setup.devices.push_back(std::move(other));
+    auto match = std::make_unique<Simulation>(data.match, std::move(setup));
     Dummy dummy(*match, dummys, kind, data.dummy, seed);
     return {std::move(match), std::move(dummy)};
 }

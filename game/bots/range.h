@@ -33,7 +33,7 @@ struct RangeMatch {
 };
 
 RangeMatch make_range(const RangeData& data, const input::DeviceSpec& device, DummyKind kind,
-                      std::uint64_t seed);
+                      std::uint64_t seed, std::vector<input::DeviceSpec> more = {});
 
 /// What who practises has done since the scores were last wiped.
 struct RangeScore {

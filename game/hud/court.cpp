@@ -282,6 +282,17 @@ void add_thing(const Court& court, const ThingPicture& thing, std::vector<Instan
 
 fmat4 turned(double yaw, double pitch) { return glm::mat4_cast(fquat(look_rotation(yaw, pitch))); }
 
+/// In the frame of the eye: the wand, and the hand on it, as the stylus turns them about the tip; by so much at most, else the hand
+/// would come off its arm.
+fmat4 stylus_turned(const PlayerPicture& p) {
+    constexpr double most = 0.7;  // rad
+    const vec3 by = limited(p.wand_turn, most);
+    const double angle = glm::length(by);
+    if (!(angle > 1e-6)) return fmat4(1);
+    return render::translated(fvec3(wand_tip)) * glm::mat4_cast(fquat(rotation(by / angle, angle))) *
+           render::translated(-fvec3(wand_tip));
+}
+
 /// Body, arm and wand, as the other sees them and as they cast a shadow.
 void add_figure(const Court& court, std::uint32_t number, const PlayerPicture& p,
                 std::vector<Instance>& out) {
@@ -296,7 +307,7 @@ void add_figure(const Court& court, std::uint32_t number, const PlayerPicture& p
         out.push_back({.mesh = team.arm, .model = arm});
         if (!p.wand.empty())
             out.push_back({.mesh = court.wands[static_cast<std::size_t>(p.silhouette)],
-                           .model = arm * render::translated(-shoulder) * wand_in_hand()});
+                           .model = arm * render::translated(-shoulder) * stylus_turned(p) * wand_in_hand()});
     }
     set_sun(court, p.centre, std::span(out).subspan(first));
 }
@@ -328,7 +339,7 @@ void add_own_arm(const Court& court, std::uint32_t number, const PlayerPicture& 
     constexpr double most_reach = 0.22;  // m; beyond, hand and wand would leave the picture
     const auto first = out.size();
     const auto eye = render::translated(fvec3(p.eye)) * turned(p.yaw, p.pitch) *
-                     render::translated(fvec3(limited(p.wand_reach, most_reach)));
+                     render::translated(fvec3(limited(p.wand_reach, most_reach))) * stylus_turned(p);
     out.push_back({.mesh = court.teams[number].own_arm, .model = eye});
     if (!p.wand.empty()) {
         out.push_back(

@@ -100,6 +100,7 @@ struct PlayerPicture {
     double since_gift_s{};  ///< since this player last picked something up
     PowerUpKind gift{};
     double gift_amount{};        ///< HP or energy
+    vec3 wand_turn{};            ///< rad, axis times angle, likewise: how the stylus turns it about its tip
     vec3 wand_reach{};           ///< m, in the frame of the eye: how far the hand has moved the wand's tip
     std::optional<vec3> held{};  ///< m: what the wand holds or hangs on
     ForcePicture force{};

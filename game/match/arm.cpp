@@ -124,6 +124,14 @@ ArmCondition arm_condition(const ecs::World& world, std::uint32_t player) {
     return arm->state.rests != 0 ? ArmCondition::clutched : ArmCondition::felt;
 }
 
+vec3 stylus_turn(const ecs::World& world, std::uint32_t player) {
+    constexpr double rad_per_urad = 1e-6;
+    const auto* arm = arm_of(world, player);
+    if (arm == nullptr || is_gone(*arm)) return vec3(0);
+    const auto& urad = arm->state.rotation_urad;
+    return limited(vec3(urad[0], urad[1], urad[2]) * rad_per_urad, pi);
+}
+
 bool plays_by_arm(const ecs::World& world, std::uint32_t player) {
     const auto* arm = arm_of(world, player);
     return arm != nullptr && !is_gone(*arm);

@@ -13,6 +13,10 @@ namespace thaum::game {
 enum class ArmCondition : std::uint8_t { none, felt, clutched, gone, back };
 ArmCondition arm_condition(const ecs::World& world, std::uint32_t player);
 
+/// How the player's stylus is turned, device frame: axis times angle, rad; zero where no real arm is in the hand. It turns the
+/// wand about its tip, and that is all: who aims, aims by the view.
+vec3 stylus_turn(const ecs::World& world, std::uint32_t player);
+
 /// Whether the player's hand is a real arm now.
 bool plays_by_arm(const ecs::World& world, std::uint32_t player);
 

@@ -165,7 +165,8 @@ void take(Stage& stage, const LiftData& data, ecs::Entity wizard, ecs::Entity th
     hand.base_velocity = stage.physics.velocity(wizard.index);
     hand.tug.expected = body.velocity;
     const double size = extent(stage.physics.desc(thing.index));
-    hand.metres_per_metre = data.metres_per_metre * std::clamp(size, data.finest, 1.0);
+    hand.metres_per_metre =
+        stage.data.touch.stride * data.metres_per_metre * std::clamp(size, data.finest, 1.0);
 }
 
 bool holds(const Stage& stage, const LiftHand& hand) {

@@ -2,8 +2,8 @@
 // with the speed that the draw, as the device measured it, stands for.
 //
 // The hand moves at a limited speed to where the trigger says (a key: all the way), so the spring is felt as one that is
-// drawn; after letting go it glides back, and only when it is back a new draw begins. A draw too short sends nothing off
-// and costs nothing.
+// drawn; after letting go it glides back, and only when it is back a new draw begins. Who holds a real arm pulls it back, fire
+// held. A draw too short sends nothing off and costs nothing.
 //
 // In flight the stone is a sphere on a parabola, exact in each physics step, whose chord is swept after the bodies have moved: it
 // cannot pass through anything, and where it lands has a closed form. It bounces off everything but the foe, who sets it off,
@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "game/components/grip.h"
+#include "game/match/arm.h"
 #include "game/match/touch.h"
 #include "game/wands/shot.h"
 
@@ -164,13 +165,15 @@ double wanted_target(const LobData& data, const Controls& controls, const LobHan
     return held ? data.travel * (controls.trigger / 255.0) : hand.target;
 }
 
-/// Every tick, so that the hand moves evenly.
+/// Every tick, so that the hand moves evenly. Who holds a real arm draws by pulling it: no trigger takes that hand.
 void draw(Stage& stage, const LobData& data) {
-    stage.world.view<const Controls, LobHand, Grip>().each(
-        [&](const Controls& controls, LobHand& hand, Grip& grip) {
+    stage.world.view<const Wizard, const Controls, LobHand, Grip>().each(
+        [&](const Wizard& wizard, const Controls& controls, LobHand& hand, Grip& grip) {
+            const bool by_arm = plays_by_arm(stage.world, wizard.player);
             if (hand.drawing == 0 && hand.target == 0) return;
             const double most = hand.drawing != 0 ? data.step : data.return_step;
-            hand.target += std::clamp(wanted_target(data, controls, hand) - hand.target, -most, most);
+            const double wanted = by_arm ? 0 : wanted_target(data, controls, hand);
+            hand.target += std::clamp(wanted - hand.target, -most, most);
             grip.pull = hand.target * data.axis;
             if (hand.drawing == 0) return;
             const vec3 moved = haptics::measured_position(stage.touch.device, grip.device) - hand.anchor;
@@ -181,7 +184,7 @@ void draw(Stage& stage, const LobData& data) {
 void add_forces(const WandSystems& to, const void* wand) {
     auto& world = to.stage.world;
     to.schedule.add({.name = "lob draws",
-                     .reads = world.mask<Controls>(),
+                     .reads = world.mask<Wizard, Controls, Arm>(),
                      .writes = world.mask<LobHand, Grip>(),
                      .needs = world.mask<LobHand>(),
                      .run = [&stage = to.stage, wand](ecs::World&, Tick) {

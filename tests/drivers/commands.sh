@@ -25,14 +25,14 @@ expect 2 "unknown option '--frobnicate'" --frobnicate
 expect 2 "unknown command 'lab'" lab
 expect 2 "must be a number from 1 to 3" --solo 4
 expect 2 "exclude each other" --vs --demo
-expect 2 "must be mouse, half or pad" --vs --hands mouse,foot
+expect 2 "must be mouse, half, pad or arm" --vs --hands mouse,foot
 expect 2 "--hands takes one or two" --vs --hands mouse,mouse
 expect 2 "--hands goes with" --hands pad
 expect 2 "one hand" --solo 1 --hands pad,pad
 expect 2 "needs a display" --solo 1
 expect 2 "range needs a display" range
 expect 2 "must be still, strafing or shooting" range --headless --dummy dead
-expect 2 "must be mouse, half or pad" range --hands mouse,pad
+expect 2 "must be mouse, half, pad or arm" range --hands mouse,pad
 expect 2 "no --hands" range --headless --hands pad
 expect 2 "unknown option '--record'" range --headless --record "$folder/log"
 expect 2 "'damage' is -3" range --headless --set bolt.shot.damage=-3

@@ -438,14 +438,14 @@ Expected<void> OpenHaptics::start(ArmTick tick) {
 ArmStatus OpenHaptics::status() const {
     constexpr std::int64_t silence_ns = 500'000'000;
     const auto& s = *state_;
+    const auto newest = s.times.newest_ns();
     if (const auto code = s.code.load(); code != 0) {
         const bool silent = code == comm_error || code == comm_config || code == timer_error;
-        return {silent ? ArmPresence::lost : ArmPresence::fault, advice(s.api, code)};
+        return {silent ? ArmPresence::lost : ArmPresence::fault, advice(s.api, code), newest};
     }
-    const auto newest = s.times.newest_ns();
     if (newest != 0 && monotonic_ns() > newest + silence_ns)
-        return {ArmPresence::lost, "the arm's ticks have stopped: plug it in again and start anew"};
-    return {};
+        return {ArmPresence::lost, "the arm's ticks have stopped: plug it in again", newest};
+    return {.newest_ns = newest};
 }
 
 TickReport OpenHaptics::times() const { return state_->times.report(); }

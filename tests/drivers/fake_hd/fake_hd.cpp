@@ -8,6 +8,7 @@
 //     needs_update      it wants hdUpdateCalibration; manual: only a hand can calibrate it
 //     mute              hdGetString says nothing and no limits are told
 //     vanish=N          at tick N the arm no longer answers;  warm=N: its motors are too warm
+//     back=K            after a vanish, a stop or a warm hdInitDevice fails K times, and then all is well
 //     nan=N             tick N and the nine after it measure no number
 //     late=N            every Nth tick comes 5 ms late;  burst: and what was missed follows at once
 //     stop=N            after tick N no more ticks come
@@ -152,6 +153,8 @@ struct Library {
     FakeHdReport report{};
     std::vector<std::array<double, 6>> recorded{};
     int buttons = 0;
+    bool went_wrong = false, came_back = false;
+    std::uint64_t refused = 0;
 
     std::thread thread{};
     std::atomic<bool> running{false};
@@ -207,6 +210,22 @@ void write_record(const Library& l) {
     }
 }
 
+/// Whether it is time to go wrong in that way. Once is enough for an arm that comes back.
+bool goes_wrong(Library& l, const char* word) {
+    const auto at = l.script.tick(word);
+    if (at == 0 || l.report.ticks < at || l.came_back) return false;
+    l.went_wrong = true;
+    return true;
+}
+
+/// An arm that went wrong: true while it is not there.
+bool is_missing(Library& l) {
+    if (!l.went_wrong || !l.script.has("back") || l.came_back) return false;
+    if (l.refused++ < l.script.tick("back")) return true;
+    l.came_back = true;
+    return false;
+}
+
 /// What a task leaves open is closed for it.
 void close_frame(Library& l) {
     if (!l.frame) return;
@@ -243,12 +262,12 @@ void run_thread(Library& l) {
             move_arm(l);
             tick = l.report.ticks;
         }
-        const auto late = l.script.tick("late"), stop = l.script.tick("stop");
+        const auto late = l.script.tick("late");
         if (late != 0 && tick % late == 0) {
             std::this_thread::sleep_for(5 * ms);
             if (!l.script.has("burst")) due = Clock::now();
         }
-        if (stop == 0 || tick < stop) run_tasks(l);
+        if (!goes_wrong(l, "stop")) run_tasks(l);
         std::this_thread::sleep_until(due);
     }
 }
@@ -324,6 +343,7 @@ FAKE_HD_CALL unsigned int hdInitDevice(const char* name) {
     auto& l = library();
     const Lock lock(l.mutex);
     l.script = read_script();
+    if (is_missing(l)) return push(l, comm_error), no_handle;
     if (const auto code = l.initiated ? already_initiated : refusal(l.script, name); code != 0)
         return push(l, code), no_handle;
     l.device = haptics::simulated_device(touch_spec(), haptics::Hand{});
@@ -360,9 +380,8 @@ FAKE_HD_CALL void hdBeginFrame(unsigned int handle) {
     if (l.frame) return broken(l, fake_hd_unpaired, illegal_begin);
     l.frame = true;
     l.setting = l.told;
-    const auto vanish = l.script.tick("vanish"), warm = l.script.tick("warm");
-    if (vanish != 0 && l.report.ticks >= vanish) push(l, comm_error);
-    if (warm != 0 && l.report.ticks >= warm) push(l, warm_motors);
+    if (goes_wrong(l, "vanish")) push(l, comm_error);
+    if (goes_wrong(l, "warm")) push(l, warm_motors);
 }
 
 FAKE_HD_CALL void hdEndFrame(unsigned int handle) {

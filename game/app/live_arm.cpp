@@ -1,0 +1,96 @@
+#include "game/app/live_arm.h"
+
+#include <chrono>
+
+#include "core/text.h"
+
+namespace thaum::app {
+namespace {
+
+constexpr int look_ms = 50, try_again_ms = 1000;
+
+Expected<std::unique_ptr<input::OpenHaptics>> opened(input::ArmServo& servo,
+                                                     const haptics::DeviceSpec& wanted) {
+    auto arm = input::OpenHaptics::open();
+    if (!arm) return arm;
+    const auto& spec = (*arm)->facts().spec;
+    if (spec.peak_force < wanted.peak_force) {
+        return fail(text("this arm gives ", fixed(spec.peak_force, 1), " N, hands hold a ", wanted.name,
+                         " of ", fixed(wanted.peak_force, 1),
+                         " N: choose another with --set haptics.device=..."));
+    }
+    if (const auto started = (*arm)->start(servo.tick()); !started) return tl::unexpected(started.error());
+    return arm;
+}
+
+}  // namespace
+
+Expected<std::unique_ptr<ArmKeeper>> ArmKeeper::open(input::ArmServo& servo,
+                                                     const haptics::DeviceSpec& wanted) {
+    auto arm = opened(servo, wanted);
+    if (!arm) return tl::unexpected(arm.error());
+    return std::unique_ptr<ArmKeeper>(new ArmKeeper(std::move(*arm), servo, wanted));
+}
+
+ArmKeeper::ArmKeeper(Arm arm, input::ArmServo& servo, const haptics::DeviceSpec& wanted)
+    : servo_(servo), wanted_(wanted), facts_(arm->facts()), arm_(std::move(arm)), thread_([this] {
+          watch();
+      }) {}
+
+ArmKeeper::~ArmKeeper() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    stopped_.notify_one();
+    thread_.join();
+}
+
+input::ArmStatus ArmKeeper::status() const {
+    const std::lock_guard lock(mutex_);
+    return status_;
+}
+
+input::TickReport ArmKeeper::times() const {
+    const std::lock_guard lock(mutex_);
+    return times_;
+}
+
+int ArmKeeper::losses() const {
+    const std::lock_guard lock(mutex_);
+    return losses_;
+}
+
+/// False where the session ends.
+bool ArmKeeper::wait_for(int ms) {
+    std::unique_lock lock(mutex_);
+    return !stopped_.wait_for(lock, std::chrono::milliseconds(ms), [this] { return stop_; });
+}
+
+/// An arm that is lost is let go of, so that its thread has ended before another one takes its place in the servo.
+void ArmKeeper::watch() {
+    while (wait_for(arm_ ? look_ms : try_again_ms)) {
+        if (!arm_) {
+            if (auto again = opened(servo_, wanted_))
+                arm_ = std::move(*again);
+            else
+                continue;
+        }
+        const auto status = arm_->status();
+        const auto times = arm_->times();
+        const bool lost = status.state != input::ArmPresence::present;
+        {
+            const std::lock_guard lock(mutex_);
+            status_ = status;
+            times_ = times;
+            losses_ += lost ? 1 : 0;
+        }
+        if (lost) arm_.reset();
+    }
+    if (!arm_) return;
+    const auto times = arm_->times();
+    const std::lock_guard lock(mutex_);
+    times_ = times;
+}
+
+}  // namespace thaum::app
