@@ -41,6 +41,7 @@ struct Patch {
     /// there is none.
     MeshData plain{};
     float detail{};  ///< m: the size of what `plain` lacks
+    // Without `full`: `plain` stands behind others of that detail and shows only where one of them may be plain.
     bool sunless{};  ///< no sun ever gets there: nobody need look into the shadow map
 };
 

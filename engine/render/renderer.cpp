@@ -9,8 +9,10 @@
 #include "render/detail/shaders.h"
 #include "render/detail/shadow_map.h"
 #include "render/detail/shapes2d.h"
+#include "render/detail/sky_cells.h"
 #include "render/detail/software_memory.h"
 #include "render/detail/targets.h"
+#include "render/simplify.h"
 
 namespace thaum::render {
 
@@ -80,6 +82,7 @@ struct Renderer::State {
     Atlas atlas;
     std::vector<GpuMesh> meshes;
     std::vector<Bounds> mesh_bounds;       // by mesh, as `meshes`
+    std::vector<Levels> mesh_levels;       // by mesh
     std::vector<PatchTable> mesh_patches;  // by mesh
     std::uint64_t mesh_revision{};         // counts changes of meshes
     Buffer instance_buffer, patch_buffer;
@@ -92,6 +95,7 @@ struct Renderer::State {
     DrawStatistics statistics;
     int drawn_width{}, drawn_height{};  // what read_pixels reads
     bool cleared_to_fog{};              // this frame
+    SkyCells sky;                       // kept for its memory
 
     void draw_views(const Frame& frame);
     ShadowView update_shadow(const Frame& frame);
@@ -100,6 +104,7 @@ struct Renderer::State {
                    const Rect& at, int height);
     void draw_batches(std::size_t first, std::size_t count, bool sunless_too);
     void draw_sunless(const ViewScene& view, const ViewBatches& its);
+    void draw_open_sky(const ViewScene& view);
     void draw_overlay(const Frame& frame);
     void send_atlas();
 };
@@ -146,6 +151,7 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .atlas = {},
                                                .meshes = {},
                                                .mesh_bounds = {},
+                                               .mesh_levels = {},
                                                .mesh_patches = {},
                                                .mesh_revision = 0,
                                                .instance_buffer = make_buffer(),
@@ -160,7 +166,8 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .statistics = {},
                                                .drawn_width = 0,
                                                .drawn_height = 0,
-                                               .cleared_to_fog = false});
+                                               .cleared_to_fog = false,
+                                               .sky = {}});
     Renderer renderer(std::move(state));
     if (is_software(renderer.device())) keep_freed_memory();
     warm_up(renderer);
@@ -176,9 +183,18 @@ MeshId Renderer::upload(const MeshData& mesh) {
     auto& s = *state_;
     s.meshes.push_back(make_mesh());
     s.mesh_bounds.emplace_back();
+    s.mesh_levels.emplace_back();
     s.mesh_patches.emplace_back();
     const auto id = static_cast<MeshId>(s.meshes.size() - 1);
     replace(id, mesh);
+    return id;
+}
+
+MeshId Renderer::upload_with_copies(const MeshData& mesh) {
+    const auto id = upload(mesh);
+    Levels levels;
+    for (const auto& copy : coarser_copies(mesh)) levels.push_back({upload(copy.mesh), copy.error});
+    state_->mesh_levels[id] = std::move(levels);
     return id;
 }
 
@@ -195,6 +211,7 @@ void Renderer::replace(MeshId id, const MeshData& mesh) {
     auto& s = *state_;
     THAUM_ASSERT(id < s.meshes.size(), "a mesh that was never uploaded cannot be replaced");
     fill_mesh(s.meshes[id], mesh);
+    s.mesh_levels[id].clear();
     s.mesh_patches[id] = {};
     s.mesh_bounds[id] = bounds(mesh);
     ++s.mesh_revision;
@@ -288,9 +305,10 @@ ViewBatches Renderer::State::collect_view(const ViewScene& view, const Rect& at)
     const fmat4 matrix = projection_matrix(camera, aspect_of(view.viewport)) * view_matrix(camera);
     const float pixel_angle = 2 * std::tan(camera.fov_y / 2) / static_cast<float>(std::max(at.height, 1));
     ViewBatches its{.sight = {matrix, camera.position, pixel_angle}, .first = batches.batches.size()};
-    its.solid = collect(view.instances, mesh_bounds, matrix, batches);
+    const MeshTables tables{mesh_bounds, mesh_levels};
+    its.solid = collect(view.instances, tables, its.sight, batches);
     arrange(its.first, mesh_patches, its.sight, batches);
-    its.shades = collect(view.shades, mesh_bounds, matrix, batches);
+    its.shades = collect(view.shades, tables, its.sight, batches);
     return its;
 }
 
@@ -335,8 +353,7 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     glBindVertexArray(no_attributes.get());
     use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view,
                     aspect_of(view.viewport), cleared_to_fog);
-    glDrawArrays(GL_TRIANGLES, 0, sky_corners);
-    ++statistics.draws;
+    draw_open_sky(view);
     if (its.shades == 0) return;
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);
@@ -344,6 +361,15 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     glUseProgram(programs.shade.program.get());
     glUniformMatrix4fv(programs.shade.parameter, 1, GL_FALSE, &its.sight.to_clip[0][0]);
     draw_batches(its.first + its.solid, its.shades, true);
+}
+
+/// Only where no block is known to stand before it.
+void Renderer::State::draw_open_sky(const ViewScene& view) {
+    open_sky_cells(view.camera, aspect_of(view.viewport), view.blocks, sky);
+    if (sky.firsts.empty()) return;
+    glMultiDrawArrays(GL_TRIANGLES, sky.firsts.data(), sky.counts.data(),
+                      static_cast<GLsizei>(sky.firsts.size()));
+    ++statistics.draws;
 }
 
 void Renderer::State::send_atlas() {

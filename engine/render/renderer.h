@@ -38,6 +38,8 @@ public:
     ~Renderer();
 
     MeshId upload(const MeshData& mesh);
+    /// With coarser copies (render/simplify.h) for where it is small.
+    MeshId upload_with_copies(const MeshData& mesh);
     /// An instance of it stands in one place for each view.
     MeshId upload(const Patchwork& patchwork);
     /// New triangles for a mesh that changes, such as a surface; may be empty.

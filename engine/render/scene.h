@@ -13,6 +13,7 @@
 
 #include "core/maths.h"
 #include "render/colour.h"
+#include "render/occlusion.h"
 #include "render/quality.h"
 
 namespace thaum::render {
@@ -98,6 +99,8 @@ struct ViewScene {
     /// Flat shade over the ground, drawn last: what is there is multiplied by the mesh's colour. tint.r from 0 (not at
     /// all) to 1 says how strongly.
     std::span<const Instance> shades{};
+    /// Blocks that `instances` fill, or a little more: no sky is drawn where one of them hides it. Up to 64 count.
+    std::span<const Block> blocks{};
 };
 
 /// What keeps the sun away, in all views. `fixed` never changes from frame to frame: its shadow is drawn once and kept.

@@ -27,7 +27,7 @@ constexpr double shade_reach = 2.5;  // m above the ground, where contact shade 
 
 std::optional<render::MeshId> upload(render::Renderer& renderer, const MeshData& mesh) {
     if (mesh.indices.empty()) return {};
-    return renderer.upload(mesh);
+    return renderer.upload_with_copies(mesh);
 }
 
 Court::Meshes upload(render::Renderer& renderer, const FurnitureMesh& mesh) {
@@ -69,16 +69,16 @@ void add_kind(render::Renderer& renderer, const ShapeKey& key, Court& court) {
 }
 
 Court::Team make_team(render::Renderer& renderer, std::uint32_t team) {
-    return {.figure = renderer.upload(wizard_figure(team)),
-            .fallen = renderer.upload(fallen_wizard(team)),
-            .arm = renderer.upload(wizard_arm(team)),
-            .own_arm = renderer.upload(own_arm(team)),
-            .spark = renderer.upload(wand_spark(team)),
-            .bolt = renderer.upload(bolt_needle(team)),
-            .fireball = renderer.upload(fireball(team)),
-            .stone = renderer.upload(lob_stone(team)),
-            .burst = renderer.upload(burst_shell(team)),
-            .shield = renderer.upload(shield_rings(team)),
+    return {.figure = renderer.upload_with_copies(wizard_figure(team)),
+            .fallen = renderer.upload_with_copies(fallen_wizard(team)),
+            .arm = renderer.upload_with_copies(wizard_arm(team)),
+            .own_arm = renderer.upload_with_copies(own_arm(team)),
+            .spark = renderer.upload_with_copies(wand_spark(team)),
+            .bolt = renderer.upload_with_copies(bolt_needle(team)),
+            .fireball = renderer.upload_with_copies(fireball(team)),
+            .stone = renderer.upload_with_copies(lob_stone(team)),
+            .burst = renderer.upload_with_copies(burst_shell(team)),
+            .shield = renderer.upload_with_copies(shield_rings(team)),
             .plate = upload(renderer, start_plate(team))};
 }
 
@@ -97,6 +97,14 @@ Court::Ground ground_of(const Thing& thing, const Arena& arena) {
     const double rise = half.y / (along_x ? half.x : half.z);
     return {thing.position - half, thing.position + half, thing.position.y,
             along_x ? std::copysign(rise, top.x) : 0, along_x ? 0 : std::copysign(rise, top.z)};
+}
+
+/// A little less than the masonry fills, whose blocks are bevelled and sunk.
+void add_block(const Thing& thing, Court& court) {
+    constexpr double less = 0.12;  // m
+    const vec3 half = thing.body.size - less;
+    if (glm::all(glm::greaterThan(half, vec3(0))))
+        court.blocks.push_back({thing.position - half, thing.position + half});
 }
 
 /// What stands there gives light of its own.
@@ -147,6 +155,7 @@ Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRul
         else
             court.solids.push_back(make_solid(renderer, shade, arena, thing, stone));
         add_light_of(thing, court);
+        if (is_masonry(thing)) add_block(thing, court);
         if (thing.surface == Surface::floor || thing.surface == Surface::pit)
             court.grounds.push_back(ground_of(thing, arena));
     }
@@ -159,18 +168,18 @@ Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRul
     court.lamps = renderer.upload(lamps(shade));
     court.skyline = renderer.upload(skyline());
     for (std::size_t i = 0; i < court.wands.size(); ++i)
-        court.wands[i] = renderer.upload(wand_mesh(static_cast<Silhouette>(i)));
-    court.runes = renderer.upload(rune_circle(2.1F));
-    court.bubble = renderer.upload(render::sphere(1, 8, colour(0xFFB048)));
-    court.beam = renderer.upload(beam_of_light());
-    court.bead = renderer.upload(render::sphere(1, 8, fvec3(1)));
-    court.ember = renderer.upload(render::sphere(1, 5, colour(0xFFA040)));
-    court.contact = renderer.upload(contact_shade(0.42F));
+        court.wands[i] = renderer.upload_with_copies(wand_mesh(static_cast<Silhouette>(i)));
+    court.runes = renderer.upload_with_copies(rune_circle(2.1F));
+    court.bubble = renderer.upload_with_copies(render::sphere(1, 8, colour(0xFFB048)));
+    court.beam = renderer.upload_with_copies(beam_of_light());
+    court.bead = renderer.upload_with_copies(render::sphere(1, 8, fvec3(1)));
+    court.ember = renderer.upload_with_copies(render::sphere(1, 5, colour(0xFFA040)));
+    court.contact = renderer.upload_with_copies(contact_shade(0.42F));
     const fvec3 grey = colour(0x807890);
-    court.unit_shapes = {renderer.upload(render::box(fvec3(1), grey, 0.06F)),
-                         renderer.upload(render::sphere(1, 14, grey)),
-                         renderer.upload(render::capsule(0.5F, 1, 12, grey)),
-                         renderer.upload(render::cylinder(1, 2, 16, grey))};
+    court.unit_shapes = {renderer.upload_with_copies(render::box(fvec3(1), grey, 0.06F)),
+                         renderer.upload_with_copies(render::sphere(1, 14, grey)),
+                         renderer.upload_with_copies(render::capsule(0.5F, 1, 12, grey)),
+                         renderer.upload_with_copies(render::cylinder(1, 2, 16, grey))};
     return court;
 }
 

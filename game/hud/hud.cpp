@@ -31,7 +31,8 @@ void add_view(const Court& court, const Picture& picture, const HudSettings& set
                                   .instances = instances,
                                   .lights = lights,
                                   .environment = court.environment,
-                                  .shades = memory.shades});
+                                  .shades = memory.shades,
+                                  .blocks = court.blocks});
 }
 
 /// What both views share.

@@ -126,7 +126,7 @@ struct Cell {
 constexpr float out_of_reach = 3.1F;
 /// So high that joints have faded before one sees them (Vertex::far_away), m.
 constexpr float out_of_sight = 6;
-/// Of the bevel: how deep the core lies, just below the joints; it shows where a face was left out.
+/// Of the bevel: how deep the core lies, just below the joints.
 constexpr float core_depth = 1.25F;
 /// Of a stone's colour: what a joint looks like from far off.
 constexpr float core_shade = 0.9F;
@@ -175,28 +175,26 @@ void add_flat_block(MeshData& mesh, const Face& face, const Stonework& work, con
     add_quad(mesh, corner, inner, inner_far, far_left);
 }
 
-/// One block: a top, and four slanting edges down into the joint. At the border of the face the slant goes half way,
-/// to where it meets that of the next face.
+/// One block: a top, and four slanting edges down into the joint. At the border of the face, and below what has no bevel, an edge
+/// ends in the face's plane, so that no gap is left.
 void add_block(MeshData& mesh, const Face& face, const Stonework& work, const Cell& cell, fvec3 shade,
-               float sunk) {
+               float sunk, bool topmost) {
     const float b = work.bevel;
     const std::array<fvec2, 4> corners{
         fvec2(cell.u0, cell.v0), {cell.u1, cell.v0}, {cell.u1, cell.v1}, {cell.u0, cell.v1}};
     const std::array<fvec2, 4> inwards{fvec2(1, 1), {-1, 1}, {-1, -1}, {1, -1}};
     const auto at_border = [&](fvec2 corner) {
-        return fvec2(corner.x <= 0 || corner.x >= face.length_u ? 1.0F : 0.0F,
-                     corner.y <= 0 || corner.y >= face.length_v ? 1.0F : 0.0F);
+        return corner.x <= 0 || corner.x >= face.length_u || corner.y <= 0 || corner.y >= face.length_v ||
+               (topmost && corner.y >= cell.v1);
     };
     std::array<std::uint32_t, 4> top{}, foot{};
     for (std::size_t i = 0; i < 4; ++i) {
         const fvec2 in = corners[i] + b * inwards[i];
-        const fvec2 border = at_border(corners[i]);
-        const bool any = border.x + border.y > 0;
-        const fvec2 out = corners[i] + 0.5F * b * border * inwards[i];
+        const bool border = at_border(corners[i]);
         const fvec3 slant = glm::normalize(face.n - 0.6F * (inwards[i].x * face.u + inwards[i].y * face.v));
         top[i] = add_vertex(mesh, face, {in, -sunk}, face.n, shade);
-        foot[i] =
-            add_joint(mesh, face, {out, any ? -0.5F * b : -1.2F * b}, slant, shade, any ? 1.0F : work.joint);
+        foot[i] = add_joint(mesh, face, {corners[i], border ? 0.0F : -1.2F * b}, slant, shade,
+                            border ? 1.0F : work.joint);
     }
     add_quad(mesh, top[0], top[1], top[2], top[3]);
     for (std::size_t i = 0; i < 4; ++i) add_quad(mesh, foot[i], foot[(i + 1) % 4], top[(i + 1) % 4], top[i]);
@@ -234,9 +232,9 @@ bool hidden(const Shade& shade, vec3 point, vec3 normal) {
 /// A block whose edges are seen from the side. Far off only its top is drawn, and the core shows between the blocks as a
 /// joint would.
 render::Patch bevelled_block(const Face& face, const Stonework& work, const Cell& cell, fvec3 tone,
-                             float sunk) {
+                             float sunk, bool topmost) {
     render::Patch patch{.full = {}, .detail = work.bevel};
-    add_block(patch.full, face, work, cell, tone, sunk);
+    add_block(patch.full, face, work, cell, tone, sunk, topmost);
     const float b = work.bevel / 2;
     add_bare_block(patch.plain, face, {cell.u0 + b, cell.u1 - b, cell.v0 + b, cell.v1 - b}, tone);
     return patch;
@@ -255,7 +253,10 @@ render::Patch block(double height, const Face& face, const Stonework& work, cons
     const fvec3 tone = any_shade(work, random);
     const auto sunk = static_cast<float>(random.uniform(0, 0.3)) * work.bevel;
     render::Patch patch;
-    if (is_bevelled(height, face, work)) return bevelled_block(face, work, cell, tone, sunk);
+    if (is_bevelled(height, face, work)) {
+        const double next = height + face.v.y * (cell.v1 - cell.v0);
+        return bevelled_block(face, work, cell, tone, sunk, !is_bevelled(next, face, work));
+    }
     const bool slab = is_slab(face, work);
     if (!slab && height > out_of_sight) {
         add_bare_block(patch.full, face, cell, tone);
@@ -306,8 +307,8 @@ void set_up(const Shade& shade, vec3 position, render::Patch patch, render::Patc
     out.push_back(std::move(patch));
 }
 
-/// What is behind the bevelled blocks of a face: it shows where one looks past their edges, and from far off as joints. In
-/// pieces, so that it is dark close by and lighter far off. Some way up behind blocks without a bevel as well.
+/// What is behind the bevelled blocks of a face, and shows between them as joints where they are bare. In pieces, so that it is
+/// dark close by and lighter far off. Some way up behind blocks without a bevel as well.
 void add_core(const Shade& shade, vec3 position, Face face, const Stonework& work, Cell behind,
               render::Patchwork& out) {
     if (behind.u0 >= behind.u1) return;
@@ -319,11 +320,12 @@ void add_core(const Shade& shade, vec3 position, Face face, const Stonework& wor
         return glm::mix(low, high, static_cast<float>(i) / static_cast<float>(pieces));
     };
     for (int i = 0; i < pieces; ++i) {
-        render::Patch patch;
-        add_bare_block(patch.full, face, {edge(i), edge(i + 1), behind.v0, behind.v1},
+        MeshData piece;
+        add_bare_block(piece, face, {edge(i), edge(i + 1), behind.v0, behind.v1},
                        work.joint * core_shade * work.colours[0]);
-        for (auto& v : patch.full.vertices) v.far_away = 1 / work.joint;
-        set_up(shade, position, std::move(patch), out);
+        for (auto& v : piece.vertices) v.far_away = 1 / work.joint;
+        bake(shade, position, piece);
+        set_up(shade, position, {.full = {}, .plain = std::move(piece), .detail = work.bevel}, out);
     }
 }
 
@@ -571,25 +573,27 @@ render::Patchwork skyline() {
     return out;
 }
 
-MeshData lamps(const Shade& shade) {
-    MeshData mesh;
+render::Patchwork lamps(const Shade& shade) {
+    render::Patchwork out;
     const fvec3 flame = colour(0xFFB45A), window = colour(0xFFC878);
     for (const fvec3 place : shade.lamps) {
-        render::append(mesh, render::cone(0.05F, 0.16F, 0.3F, 6, colour(0x803A14)),
+        MeshData lamp;
+        render::append(lamp, render::cone(0.05F, 0.16F, 0.3F, 6, colour(0x803A14)),
                        render::translated(place));
-        render::append(mesh, render::cone(0.13F, 0, 0.5F, 6, flame),
+        render::append(lamp, render::cone(0.13F, 0, 0.5F, 6, flame),
                        render::translated(place + fvec3(0, 0.38F, 0)));
+        out.push_back({.full = std::move(lamp)});
     }
     for (const auto& tower : towers) {
         const fvec3 in = glm::normalize(fvec3(-tower.foot.x, 0, -tower.foot.z));
         const fmat4 turned = render::rotated({0, 1, 0}, std::atan2(in.x, in.z));
         for (const float up : {-2.5F, -7.0F}) {
             const fvec3 place = tower.foot + (tower.radius - 0.1F) * in + fvec3(0, tower.height + up, 0);
-            render::append(mesh, render::box({0.35F, 0.7F, 0.3F}, window),
-                           render::translated(place) * turned);
+            out.push_back({.full = render::transformed(render::box({0.35F, 0.7F, 0.3F}, window),
+                                                       render::translated(place) * turned)});
         }
     }
-    return mesh;
+    return out;
 }
 
 }  // namespace thaum::game

@@ -51,6 +51,6 @@ void add_decoration(const Shade& shade, render::Patchwork& out);
 /// The towers beyond; they are too far off to cast a shadow here.
 render::Patchwork skyline();
 /// What of both shines by itself.
-render::MeshData lamps(const Shade& shade);
+render::Patchwork lamps(const Shade& shade);
 
 }  // namespace thaum::game

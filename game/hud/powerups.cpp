@@ -82,10 +82,10 @@ PowerUpMeshes make_power_up_meshes(render::Renderer& renderer) {
     for (std::size_t i = 0; i < meshes.kinds.size(); ++i) {
         const auto kind = static_cast<PowerUpKind>(i);
         const auto paint = colour_of(kind);
-        meshes.kinds[i] = {
-            .shape = renderer.upload(power_up_mesh(kind)),
-            .ring = renderer.upload(ring(paint)),
-            .disc = renderer.upload(render::cylinder(0.85F * ring_radius, 0.02F, 24, 0.5F * paint))};
+        meshes.kinds[i] = {.shape = renderer.upload_with_copies(power_up_mesh(kind)),
+                           .ring = renderer.upload_with_copies(ring(paint)),
+                           .disc = renderer.upload_with_copies(
+                               render::cylinder(0.85F * ring_radius, 0.02F, 24, 0.5F * paint))};
     }
     return meshes;
 }

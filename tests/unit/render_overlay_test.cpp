@@ -141,7 +141,7 @@ TEST(Culling, CountsWhatACameraSees) {
         {.mesh = 0, .model = fmat4(std::numeric_limits<float>::infinity())},
     };
     detail::Batches out;
-    EXPECT_EQ(detail::collect(instances, meshes, matrix, out), 1U);
+    EXPECT_EQ(detail::collect(instances, {meshes}, {.to_clip = matrix}, out), 1U);
     EXPECT_EQ(out.instances.size(), 3U);
     EXPECT_EQ(out.culled, 5U);
 }

@@ -94,6 +94,16 @@ TEST(Patches, WhatIsOutOfViewOrShowsItsBackIsLeftOut) {
     EXPECT_TRUE(chosen(turned, sight_from(fvec3(0))).empty()) << "seen from behind";
 }
 
+TEST(Patches, WhatIsBehindOthersShowsWhereTheyMayBePlain) {
+    const auto table = joined({{.full = {}, .plain = sheet(-5), .detail = 0.05F}}).table;
+    EXPECT_EQ(table.full_count, 0U);
+    auto sight = sight_from(fvec3(0));
+    sight.pixel_angle = 0.001F;
+    EXPECT_TRUE(chosen(table, sight).empty()) << "all in front is drawn in full";
+    sight.pixel_angle = 0.05F;
+    EXPECT_EQ(chosen(table, sight).size(), 6U);
+}
+
 TEST(Patches, NoFrontIsEverTakenForABack) {
     Random random = random_stream(5, 1);
     const auto any = [&](double low, double high) { return static_cast<float>(random.uniform(low, high)); };

@@ -10,16 +10,27 @@
 namespace thaum::render::detail {
 namespace {
 
-bool visible(const Planes& planes, const Bounds& bounds, const fmat4& model) {
-    if (bounds.radius <= 0) return false;  // an empty mesh
-    return within(planes, placed(bounds, model));
-}
-
 constexpr float far_off = std::numeric_limits<float>::max();
 
 /// m along the way the camera looks.
 float ahead(const fmat4& view_projection, const Bounds& there) {
     return (view_projection * fvec4(there.centre, 1)).w - there.radius;
+}
+
+/// px: what moves less is not seen to.
+constexpr float unseen = 1;
+
+/// The coarsest whose error is too small to be seen at the instance's nearest point.
+MeshId level_for(MeshId mesh, const MeshTables& meshes, const Bounds& there, const Sight& sight) {
+    if (mesh >= meshes.levels.size() || meshes.levels[mesh].empty()) return mesh;
+    const float scale = there.radius / meshes.bounds[mesh].radius;
+    const float pixel = sight.pixel_angle * ahead(sight.to_clip, there);  // m
+    MeshId best = mesh;
+    for (const auto& coarser : meshes.levels[mesh]) {
+        if (coarser.error * scale > unseen * pixel) break;
+        best = coarser.mesh;
+    }
+    return best;
 }
 
 }  // namespace
@@ -47,17 +58,18 @@ fmat4 projection_matrix(const Camera& camera, float aspect) {
     return glm::perspective(camera.fov_y, aspect, camera.near_plane, camera.far_plane);
 }
 
-std::size_t collect(std::span<const Instance> instances, std::span<const Bounds> mesh_bounds,
-                    const fmat4& view_projection, Batches& out) {
-    const auto planes = frustum_planes(view_projection);
+std::size_t collect(std::span<const Instance> instances, const MeshTables& meshes, const Sight& sight,
+                    Batches& out) {
+    const auto planes = frustum_planes(sight.to_clip);
     auto& seen = out.seen;
     seen.clear();
     for (std::uint32_t i = 0; i < instances.size(); ++i) {
         const auto& instance = instances[i];
-        THAUM_ASSERT(instance.mesh < mesh_bounds.size(), "an instance of a mesh that was never uploaded");
-        if (finite(instance.model) && visible(planes, mesh_bounds[instance.mesh], instance.model)) {
-            seen.emplace_back(instance.mesh, i);
-        }
+        THAUM_ASSERT(instance.mesh < meshes.bounds.size(), "an instance of a mesh that was never uploaded");
+        const auto& own = meshes.bounds[instance.mesh];
+        if (own.radius <= 0 || !finite(instance.model)) continue;  // an empty mesh, or nowhere
+        const auto there = placed(own, instance.model);
+        if (within(planes, there)) seen.emplace_back(level_for(instance.mesh, meshes, there, sight), i);
     }
     out.culled += instances.size() - seen.size();
     std::sort(seen.begin(), seen.end());
@@ -69,7 +81,7 @@ std::size_t collect(std::span<const Instance> instances, std::span<const Bounds>
         auto& batch = out.batches.back();
         ++batch.count;
         batch.distance =
-            std::min(batch.distance, ahead(view_projection, placed(mesh_bounds[mesh], seen_one.model)));
+            std::min(batch.distance, ahead(sight.to_clip, placed(meshes.bounds[mesh], seen_one.model)));
         out.instances.push_back({seen_one.model, fvec4(seen_one.tint, seen_one.glow), seen_one.sun});
     }
     return out.batches.size() - before;

@@ -16,6 +16,14 @@ struct GpuInstance {
     float sun;
 };
 
+/// A mesh that may stand for a finer one where nobody sees the difference.
+struct Coarser {
+    MeshId mesh{};
+    float error{};  // m, as the finer one is made
+};
+/// Of one mesh, ever coarser; may be empty.
+using Levels = std::vector<Coarser>;
+
 struct Batch {
     MeshId mesh{};
     std::size_t first{}, count{};  // in Batches::instances
@@ -47,9 +55,15 @@ bool finite(const fmat4& m);
 /// The mesh's sphere where the instance has it, world frame.
 Bounds placed(const Bounds& bounds, const fmat4& model);
 
-/// Appends what a view sees; returns the number of batches added.
-std::size_t collect(std::span<const Instance> instances, std::span<const Bounds> mesh_bounds,
-                    const fmat4& view_projection, Batches& out);
+/// What there is to draw, by mesh. Of `levels` there may be none.
+struct MeshTables {
+    std::span<const Bounds> bounds;
+    std::span<const Levels> levels{};
+};
+
+/// Appends what a view sees, each as coarse as it may be there; returns the number of batches added.
+std::size_t collect(std::span<const Instance> instances, const MeshTables& meshes, const Sight& sight,
+                    Batches& out);
 
 /// Chooses the patches of the batches from `first` on, and puts what is near before what is far: what hides is drawn
 /// before what it hides. Patchworks are last, since they stand behind everything.

@@ -67,7 +67,9 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
     for (const auto& [farthest, i] : order.near_first) {
         const auto& patch = table.patches[i];
         if (patch.sunless != sunless) continue;
-        const float distance = farthest - 2 * patch.bounds.radius;
+        // What is behind others shows where the farthest of them may be plain.
+        const bool behind = patch.full.count == 0;
+        const float distance = behind ? farthest : farthest - 2 * patch.bounds.radius;
         const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;
         const auto& range = fine && patch.plain.count > 0 ? patch.plain : patch.full;
         const auto first = table.indices.begin() + range.first;
@@ -86,8 +88,9 @@ Fading fading_of(float pixel_angle) {
 JoinedPatches joined(const Patchwork& patchwork) {
     JoinedPatches out;
     for (const auto& patch : patchwork) {
-        PlacedPatch placed{.bounds = bounds(patch.full), .detail = patch.detail, .sunless = patch.sunless};
-        fit_cone(patch.full, placed);
+        const auto& shown = patch.full.indices.empty() ? patch.plain : patch.full;
+        PlacedPatch placed{.bounds = bounds(shown), .detail = patch.detail, .sunless = patch.sunless};
+        fit_cone(shown, placed);
         placed.full = append_part(patch.full, out);
         out.table.patches.push_back(placed);
     }

@@ -58,6 +58,5 @@ void use_sky_program(const SkyProgram& program, const ViewScene& view, float asp
 /// As tone.glsl has it.
 fvec3 tone_mapped(fvec3 light);
 
-inline constexpr GLsizei sky_corners = 16 * 10 * 6;  // as sky.vert has them
 
 }  // namespace thaum::render::detail

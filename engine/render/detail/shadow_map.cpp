@@ -90,7 +90,7 @@ ShadowMap::Counts ShadowMap::draw(std::span<const Instance> instances, std::span
                                   std::span<const Bounds> mesh_bounds, const SmallProgram& program) {
     batches_.clear();
     Counts counts;
-    counts.draws = collect(instances, mesh_bounds, to_clip_, batches_);
+    counts.draws = collect(instances, {mesh_bounds}, {.to_clip = to_clip_}, batches_);
     fill_buffer(GL_ARRAY_BUFFER, instances_, batches_.instances, GL_STREAM_DRAW);
     glUseProgram(program.program.get());
     glUniformMatrix4fv(program.parameter, 1, GL_FALSE, &to_clip_[0][0]);
