@@ -28,7 +28,7 @@ void Table::reserve(std::uint32_t rows_wanted) {
 }
 
 void Edge::aim() {
-    for (auto* list : {&lanes, &odd_lanes}) {
+    for (auto* list : {&lanes, &more_lanes, &odd_lanes}) {
         for (auto& lane : *list) {
             lane.from = from->cells[lane.component];
             lane.to = to->cells[lane.component];
@@ -44,13 +44,34 @@ void Table::join(std::uint32_t number, Table& other, std::uint32_t other_number,
     edge->to_number = other_number;
     for (const auto& column : columns) {
         if (column.component == component) continue;
-        auto& list = through_registers(column.size) ? edge->lanes : edge->odd_lanes;
+        auto& list = column.size == lane_size         ? edge->lanes
+                     : through_registers(column.size) ? edge->more_lanes
+                                                      : edge->odd_lanes;
         list.push_back({nullptr, nullptr, column.size, column.component});
     }
+    edge->only_lanes = edge->more_lanes.empty() && edge->odd_lanes.empty();
     edge->aim();
     incident.push_back(edge.get());
     other.incident.push_back(edge.get());
     edges[component] = std::move(edge);
+}
+
+// Comparisons instead of a jump table, which makes every address wait for the jump.
+void Table::move_other_cells(const Edge& edge, std::uint32_t row, std::uint32_t last, std::uint32_t to_row) {
+    for (const auto& lane : edge.more_lanes) {
+        if (lane.size == 24) {
+            move_cell<24>(lane, row, last, to_row);
+        } else if (lane.size == 8) {
+            move_cell<8>(lane, row, last, to_row);
+        } else if (lane.size == 4) {
+            move_cell<4>(lane, row, last, to_row);
+        } else if (lane.size == 16) {
+            move_cell<16>(lane, row, last, to_row);
+        } else {
+            move_cell<32>(lane, row, last, to_row);
+        }
+    }
+    move_odd_cells(edge.odd_lanes, row, last, to_row);
 }
 
 void Table::move_odd_cells(std::span<const Lane> lanes, std::uint32_t row, std::uint32_t last,

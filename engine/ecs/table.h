@@ -70,6 +70,9 @@ constexpr bool through_registers(std::uint32_t size) {
     return size == 4 || size == 8 || size == 12 || size == 16 || size == 24 || size == 32;
 }
 
+/// bytes: three floats, of which most of what is added and removed while a game runs is made.
+inline constexpr std::uint32_t lane_size = 12;
+
 /// Two arrays of one component, between which its cells move.
 struct Lane {
     std::byte* from;
@@ -84,8 +87,10 @@ struct Edge {
     Table* from = nullptr;
     Table* to = nullptr;
     std::uint32_t to_number = none;
-    std::vector<Lane> lanes;      ///< of what both have; those whose cells go through registers
-    std::vector<Lane> odd_lanes;  ///< and the others
+    std::vector<Lane> lanes;       ///< of what both have; those of `lane_size` bytes
+    std::vector<Lane> more_lanes;  ///< those of other sizes whose cells go through registers
+    std::vector<Lane> odd_lanes;   ///< and the others
+    bool only_lanes = true;        ///< there are no more and no odd ones
 
     /// Finds the arrays anew.
     void aim();
@@ -123,10 +128,11 @@ struct Table {
     /// Once, for a table without rows.
     void add_column(std::uint32_t component, std::uint32_t size);
     void reserve(std::uint32_t rows_wanted);
+    void grow() { reserve(capacity == 0 ? 16 : capacity * 2); }
     /// A new last row with uninitialised cells and no tags.
     std::uint32_t append(Entity entity) {
         if (rows == capacity) [[unlikely]] {
-            reserve(capacity == 0 ? 16 : capacity * 2);
+            grow();
         }
         const auto row = rows;
         entities()[row] = entity;
@@ -135,10 +141,14 @@ struct Table {
     }
     /// The last row takes the place of `row`; returns the entity that moved (the removed one if it was the last).
     Entity remove(std::uint32_t row);
-    /// `remove`, after the row was copied to row `to_row` of the neighbour at the end of one of this table's edges. Only
-    /// cells that both have are touched: where `to` has one column less, the caller fills the hole in it, whose type he may
-    /// know. Returns the entity that is in the old row now.
-    Entity move(std::uint32_t row, std::uint32_t to_row, const Edge& edge);
+    /// The entity's row becomes a new last row of the neighbour at the end of one of this table's edges, and the last row here
+    /// takes its place. Only cells that both have are touched: where `to` has one column less, the caller fills the hole in it,
+    /// whose type he may know.
+    struct Moved {
+        std::uint32_t to_row{};
+        Entity filler;  ///< that is in the old row now
+    };
+    Moved move(std::uint32_t row, Entity entity, const Edge& edge);
     /// Once, for two tables that differ in this component.
     void join(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component);
     /// The column of bits of a tag, made when it is first needed.
@@ -152,6 +162,8 @@ struct Table {
 
 private:
     TagColumn& new_tag_column(std::uint32_t component);
+    static void move_other_cells(const Edge& edge, std::uint32_t row, std::uint32_t last,
+                                 std::uint32_t to_row);
     static void move_odd_cells(std::span<const Lane> lanes, std::uint32_t row, std::uint32_t last,
                                std::uint32_t to_row);
     void move_tags(std::uint32_t row, Table& to, std::uint32_t to_row);
@@ -220,32 +232,29 @@ template <std::size_t size>
     copy_cell(hole, lane.from + last * size, constant);
 }
 
-// No calls in the loop, so that nothing need be kept on the stack through it, and comparisons instead of a jump table, which
-// makes every address wait for the jump.
-[[gnu::always_inline]] inline Entity Table::move(std::uint32_t row, std::uint32_t to_row, const Edge& edge) {
-    const std::uint32_t last = rows - 1;
-    for (const auto& lane : edge.lanes) {
-        if (lane.size == 12) {
-            move_cell<12>(lane, row, last, to_row);
-        } else if (lane.size == 24) {
-            move_cell<24>(lane, row, last, to_row);
-        } else if (lane.size == 8) {
-            move_cell<8>(lane, row, last, to_row);
-        } else if (lane.size == 4) {
-            move_cell<4>(lane, row, last, to_row);
-        } else if (lane.size == 16) {
-            move_cell<16>(lane, row, last, to_row);
-        } else {
-            move_cell<32>(lane, row, last, to_row);
-        }
+// One size of cells in the loop, since the places in arrays of every size would be worked out before it and kept on the stack; and
+// nothing is written before all that is needed of the two tables was read, since a byte's address may be anything's.
+[[gnu::always_inline]] inline Table::Moved Table::move(std::uint32_t row, Entity entity, const Edge& edge) {
+    auto& to = *edge.to;
+    if (to.rows == to.capacity) [[unlikely]] {
+        to.grow();
     }
-    if (!edge.odd_lanes.empty()) [[unlikely]] {
-        move_odd_cells(edge.odd_lanes, row, last, to_row);
+    const std::uint32_t last = rows - 1, to_row = to.rows;
+    auto *const here = entities(), *const there = to.entities();
+    const Entity filler = here[last];
+    if (!edge.only_lanes) [[unlikely]] {
+        move_other_cells(edge, row, last, to_row);
     }
     if (!tags.empty()) [[unlikely]] {
-        move_tags(row, *edge.to, to_row);
+        move_tags(row, to, to_row);
     }
-    return close(row);
+    to.rows = to_row + 1;
+    rows = last;
+    for (const auto *lane = edge.lanes.data(), *end = lane + edge.lanes.size(); lane != end; ++lane)
+        move_cell<lane_size>(*lane, row, last, to_row);
+    there[to_row] = entity;
+    here[row] = filler;
+    return {to_row, filler};
 }
 
 }  // namespace thaum::ecs

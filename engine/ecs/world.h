@@ -343,8 +343,7 @@ inline void World::unmark(Entity entity, std::uint32_t tag) {
 
 [[gnu::always_inline]] inline std::uint32_t World::follow(const Edge& edge, Record& record, Entity entity) {
     const auto row = record.row;
-    const auto to_row = edge.to->append(entity);
-    const auto filler = edge.from->move(row, to_row, edge);
+    const auto [to_row, filler] = edge.from->move(row, entity, edge);
     records_[filler.index].row = row;
     record.table = edge.to_number;  // after the line above: the entity may itself have been the last
     record.row = to_row;
