@@ -187,6 +187,66 @@ TEST_F(EcsWorld, AComponentMayBeCopiedFromTheTableThatGrowsForIt) {
 
 using EcsWorldDeath = EcsWorld;
 
+/// So many words that are all the same, since cells move in ways that depend on their size.
+template <std::size_t words>
+struct Cell {
+    std::array<std::uint32_t, words> value{};
+    static constexpr std::string_view name = "Cell";
+    static constexpr auto fields() { return std::tuple(field("value", &Cell::value)); }
+};
+
+template <std::size_t words>
+Cell<words> cell(std::uint32_t value) {
+    Cell<words> out;
+    out.value.fill(value);
+    return out;
+}
+
+TEST(EcsCells, OfEverySizeStayWithTheirEntityWhileItMovesBetweenTables) {
+    World world;
+    [&]<std::size_t... words>(std::index_sequence<words...>) {
+        (world.declare<Cell<words + 1>>(), ...);
+        // What each entity has, as bits, and what is in all its cells.
+        std::vector<std::pair<Entity, std::uint32_t>> all;
+        std::uint32_t state = 1;
+        const auto any = [&state](std::uint32_t below) {
+            state = state * 1664525U + 1013904223U;
+            return (state >> 8U) % below;
+        };
+        for (int step = 0; step < 20'000; ++step) {
+            if (all.size() < 60) all.emplace_back(world.create(), 0U);
+            const auto i = any(static_cast<std::uint32_t>(all.size()));
+            auto& [entity, has] = all[i];
+            const auto number = any(sizeof...(words));
+            const auto change = [&, e = entity,
+                                 was = has]<std::size_t n>(std::integral_constant<std::size_t, n>) {
+                if (n != number) return;
+                if (((was >> n) & 1U) != 0)
+                    world.remove<Cell<n + 1>>(e);
+                else
+                    world.add(e, cell<n + 1>(e.index));
+            };
+            (change(std::integral_constant<std::size_t, words>{}), ...);
+            has ^= 1U << number;
+            if (any(200) == 0) {
+                world.destroy(entity);
+                all.erase(all.begin() + i);
+            }
+        }
+        for (const auto& [entity, has] : all) {
+            const auto check = [&, e = entity,
+                                h = has]<std::size_t n>(std::integral_constant<std::size_t, n>) {
+                const auto* found = world.find<Cell<n + 1>>(e);
+                ASSERT_EQ(found != nullptr, ((h >> n) & 1U) != 0);
+                if (found != nullptr)
+                    EXPECT_EQ(found->value, cell<n + 1>(e.index).value) << n + 1 << " words";
+            };
+            (check(std::integral_constant<std::size_t, words>{}), ...);
+        }
+    }
+    (std::make_index_sequence<10>{});
+}
+
 TEST_F(EcsWorldDeath, WrongUseStopsAndNamesTheComponent) {
     const Entity e = world.create(Position{});
     const Entity gone = world.create(Position{});
