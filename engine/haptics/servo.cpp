@@ -99,6 +99,11 @@ bool note_patch(ServoState& state, const HapticModel& model) {
     return jumped || ended;
 }
 
+struct Tip {
+    vec3 position{}, velocity{};
+    bool switched{};  ///< a source came, went or jumped
+};
+
 struct SurfaceFeel {
     vec3 force{};       ///< N
     vec3 world_step{};  ///< m, by which what is touched moved over the tip in the last tick
@@ -125,41 +130,47 @@ bool has_active_texture(const SurfacePatch& patch) {
 /// Touches the patch. The world that comes closer because the player turns or walks, and the shift that fades, press nothing
 /// in: by as much the tip is shifted out. So a force grows by the hand's own motion and by that of things alone, and who stands
 /// with the wand at a wall feels as much as before he turned. After a jump nothing is pressed in at all.
-Touched touch_shifted(ServoState& state, const HapticModel& model, const ServoSample& sample, vec3 velocity,
-                      bool jumped) {
+Touched touch_shifted(ServoState& state, const SurfacePatch& patch, const Drift& drifting, const Tip& probe,
+                      double dt) {
     const vec3 fading = state.shift * (tick_seconds / shift_time);
     state.shift -= fading;
-    const vec3 tip = sample.position + state.shift;
-    const vec3 drift = model.drift.velocity + glm::cross(model.drift.spin, tip);
-    // An old patch stands still until the next one.
-    const double dt = sample.model_age == 0 ? tick_seconds : 0;
-    const vec3 over_drift = velocity + drift;
-    const Touched touched = touch(model.patch, state.surface, {tip, over_drift}, dt);
+    const vec3 tip = probe.position + state.shift;
+    const vec3 drift = drifting.velocity + glm::cross(drifting.spin, tip);
+    const vec3 over_drift = probe.velocity + drift;
+    const Touched touched = touch(patch, state.surface, {tip, over_drift}, dt);
     const double depth = glm::length(touched.push);
     if (depth == 0) return touched;
     const vec3 out = touched.push / depth;
-    const double pressed = jumped ? depth : std::min(glm::dot(drift * dt + fading, out), depth);
+    const double pressed = probe.switched ? depth : std::min(glm::dot(drift * dt + fading, out), depth);
     if (!(pressed > 0)) return touched;
     state.shift += pressed * out;
     if (!is_finite(state.shift)) state.shift = {};
-    return touch(model.patch, state.surface, {tip + pressed * out, over_drift}, 0);
+    return touch(patch, state.surface, {tip + pressed * out, over_drift}, 0);
 }
 
-SurfaceFeel feel_surfaces(ServoState& state, const HapticModel& model, const ServoSample& sample,
-                          vec3 velocity, bool jumped) {
+SurfaceFeel feel_patch(ServoState& state, const SurfacePatch& patch, const Drift& drift, const Tip& probe,
+                       double dt) {
+    const vec3 shift = state.shift;
+    const Touched touched = touch_shifted(state, patch, drift, probe, dt);
+    if (touched.force == vec3(0)) return {};
+    const vec3 stretch = touched.proxy - (probe.position + state.shift);
+    return {.force = touched.force,
+            .world_step = step_of_touched(patch, state.surface, touched.proxy) - (state.shift - shift),
+            .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
+            .active = has_active_texture(patch)};
+}
+
+/// By a model that is too old things stand still: soon there is no force.
+SurfaceFeel feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age, const Tip& probe) {
     if (model.patch.count == 0) {
         state.shift -= state.shift * (tick_seconds / shift_time);
         state.surface = {};
         return {};
     }
-    const vec3 shift = state.shift;
-    const Touched touched = touch_shifted(state, model, sample, velocity, jumped);
-    if (touched.force == vec3(0)) return {};
-    const vec3 stretch = touched.proxy - (sample.position + state.shift);
-    return {.force = touched.force,
-            .world_step = step_of_touched(model.patch, state.surface, touched.proxy) - (state.shift - shift),
-            .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
-            .active = has_active_texture(model.patch)};
+    if (age == 0) return feel_patch(state, model.patch, model.drift, probe, tick_seconds);
+    const bool moves = age <= freshest_ticks;
+    const auto patch = moved_on(model.patch, std::min(age, freshest_ticks) * tick_seconds);
+    return feel_patch(state, patch, model.drift, probe, moves ? tick_seconds : 0);
 }
 
 // ---- energy -------------------------------------------------------------------------------------------------------
@@ -168,11 +179,6 @@ SurfaceFeel feel_surfaces(ServoState& state, const HapticModel& model, const Ser
 struct Sources {
     vec3 passive{}, active{};
     vec3 world{};  ///< of the passive force, what the world has its other end of
-};
-
-struct Tip {
-    vec3 position{}, velocity{};
-    bool switched{};  ///< a source came, went or jumped
 };
 
 /// A directed force has no lowest place: it may push for ever, and is an active source.
@@ -310,7 +316,8 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
     const bool source_jumped = note_sources(state, model);
     const bool patch_jumped = note_patch(state, model);
     const bool switched = set_jumped || source_jumped || patch_jumped;
-    const SurfaceFeel surfaces = feel_surfaces(state, model, sample, velocity, patch_jumped);
+    const SurfaceFeel surfaces =
+        feel_surfaces(state, model, sample.model_age, {sample.position, velocity, patch_jumped});
     const Tether tether = moved_on(model.tether, sample.model_age);
     Sources sources{.active = play_pulses(state) + model.lean.force,
                     .world = tether_force(tether, sample.position, velocity)};

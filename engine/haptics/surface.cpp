@@ -467,9 +467,16 @@ vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start) {
 
 // ---- towards the tip ------------------------------------------------------------------------------------------------
 
+/// What a wall has of the force on the hand.
+struct Share {
+    vec3 force{};    // N
+    double depth{};  // m, as it is felt
+};
+
 struct Journey {
     vec3 x{};
     Walls walls{};
+    std::array<Share, most_planes> shares{};
     bool slid{};
     bool limited{};
 };
@@ -605,7 +612,15 @@ Journey slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
 
 // ---- the force ------------------------------------------------------------------------------------------------------
 
-vec3 force_of(const Scene& scene, const Journey& slide, const SurfaceTip& tip) {
+/// They are at most four.
+void most_loaded_first(Walls& walls) {
+    for (std::size_t i = 1; i < walls.count; ++i)
+        for (std::size_t j = i; j > 0 && walls.items[j - 1].depth < walls.items[j].depth; --j)
+            std::swap(walls.items[j - 1], walls.items[j]);
+}
+
+/// N, on the hand. Of it each wall's `share`: its own push, and by its depth of what all have together.
+vec3 force_of(const Scene& scene, Journey& slide, const SurfaceTip& tip) {
     double depth = 0, stiffness = 0, damping = 0;
     vec3 push(0), velocity(0), spring = slide.x - tip.position;
     for (std::size_t i = 0; i < slide.walls.count; ++i) {
@@ -617,24 +632,29 @@ vec3 force_of(const Scene& scene, const Journey& slide, const SurfaceTip& tip) {
         damping += here.depth * body.material.damping;
         push += here.depth * here.way;
         spring += here.depth * here.way - wall.depth * wall.normal;
+        slide.shares[i] = {here.depth * here.way, here.depth};
         velocity += here.depth * (body.velocity + glm::cross(body.spin, slide.x - body.position));
     }
     const double length = glm::length(push);
     if (!(depth > 0) || !(length > 0)) return vec3(0);
     const vec3 normal = push / length;
     const double inward = std::max(0.0, -glm::dot(tip.velocity - velocity / depth, normal));
-    return stiffness / depth * spring + damping / depth * inward * normal;
+    const vec3 force = stiffness / depth * spring + damping / depth * inward * normal;
+    for (std::size_t i = 0; i < slide.walls.count; ++i) {
+        Share& share = slide.shares[i];
+        share.force =
+            stiffness / depth * share.force + share.depth / depth * (force - stiffness / depth * push);
+    }
+    return force;
 }
 
-void remember(const Scene& scene, SurfaceState& state, Journey& slide) {
-    auto& walls = slide.walls;
-    std::sort(walls.items.begin(), walls.items.begin() + static_cast<std::ptrdiff_t>(walls.count),
-              [](const Wall& a, const Wall& b) { return a.depth > b.depth; });
+void remember(const Scene& scene, SurfaceState& state, const Journey& slide) {
+    const auto& walls = slide.walls;
     state = {.proxy = slide.x, .begun = 1};
     state.contacts = static_cast<std::uint32_t>(std::min<std::size_t>(walls.count, 3));
     for (std::uint32_t i = 0; i < state.contacts; ++i) {
         const std::uint32_t s = walls.items[i].surface;
-        state.touched[i] = {scene.body_of(s).key, scene.surface(s).part};
+        state.touched[i] = {scene.body_of(s).key, scene.surface(s).part, slide.shares[i].force};
     }
     state.sliding = state.contacts != 0 && slide.slid ? 1 : 0;
     state.limited = slide.limited ? 1 : 0;
@@ -694,6 +714,34 @@ Relief relief_at(const Texture& t, const BumpMap& bumps, vec3 place) noexcept {
             t.amplitude * 2 * pi / t.wavelength * det::cos(phase) * t.axes[0]};
 }
 
+SurfacePatch moved_on(SurfacePatch patch, double seconds) {
+    std::array<Carrier, surface_body_capacity> carriers;
+    const auto bodies = std::min<std::size_t>(patch.body_count, surface_body_capacity);
+    for (std::size_t i = 0; i < bodies; ++i) {
+        SurfaceBody& body = patch.bodies[i];
+        const vec3 before = body.position;
+        body.position += seconds * body.velocity;
+        carriers[i] = carrier_of(body, seconds);
+        carriers[i].pivot_before = before;
+        body.orientation = carriers[i].turning
+                               ? glm::normalize(glm::quat_cast(carriers[i].turn) * body.orientation)
+                               : body.orientation;
+    }
+    const auto count = std::min<std::size_t>(patch.count, surface_capacity);
+    for (std::size_t i = 0; i < count; ++i) {
+        Surface& surface = patch.surfaces[i];
+        if (surface.body >= bodies || !carriers[surface.body].moving) continue;
+        const Carrier& carrier = carriers[surface.body];
+        surface.a = carrier.now(surface.a);
+        if (surface.kind == SurfaceKind::plane)
+            surface.b = carrier.turning ? carrier.turn * surface.b : surface.b;
+        if (!is_triangle(surface.kind)) continue;
+        surface.b = carrier.now(surface.b);
+        surface.c = carrier.now(surface.c);
+    }
+    return patch;
+}
+
 Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip, double dt) noexcept {
     if (!is_finite(tip.position)) {
         state = {};
@@ -708,6 +756,7 @@ Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& 
     if (state.begun == 0) state.proxy = tip.position;
     const vec3 start = pushed_out(scene, state, carried(scene, state));
     Journey slide = slide_to(scene, start, tip.position, state.sliding != 0);
+    most_loaded_first(slide.walls);
     const vec3 force = force_of(scene, slide, tip);
     if (!is_finite(slide.x) || !is_finite(force)) {
         state = {};

@@ -124,6 +124,7 @@ struct SurfacePatch {
 struct SurfaceContact {
     std::uint32_t key{};
     std::uint32_t part{};
+    vec3 force{};  ///< N, its share of the force on the hand; the body has the opposite
 };
 
 /// All that a tick leaves behind; no padding.
@@ -135,7 +136,7 @@ struct SurfaceState {
     std::uint32_t begun{};    ///< 0: the proxy starts at the tip
     std::uint32_t limited{};  ///< 1: it was held at the end of the patch's reach
 };
-static_assert(sizeof(SurfaceState) == sizeof(vec3) + 10 * sizeof(std::uint32_t));
+static_assert(sizeof(SurfaceState) == 4 * sizeof(vec3) + 10 * sizeof(std::uint32_t));
 
 /// The probe, as measured.
 struct SurfaceTip {
@@ -155,6 +156,9 @@ struct Touched {
 Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip, double dt) noexcept;
 
 inline constexpr double surface_gap = 2e-10;  ///< m
+
+/// The patch when its bodies have gone on for so long, s.
+SurfacePatch moved_on(SurfacePatch patch, double seconds);
 
 /// Of a texture at a place, all in the body's frame. The slope lies in the axes' plane or line.
 struct Relief {

@@ -66,7 +66,8 @@ constexpr auto fields_of(const EnergyBook*) {
 }
 
 constexpr auto fields_of(const SurfaceContact*) {
-    return std::tuple(ecs::field("key", &SurfaceContact::key), ecs::field("part", &SurfaceContact::part));
+    return std::tuple(ecs::field("key", &SurfaceContact::key), ecs::field("part", &SurfaceContact::part),
+                      ecs::field("force", &SurfaceContact::force));
 }
 
 constexpr auto fields_of(const SurfaceState*) {

@@ -25,7 +25,7 @@ HandFrame frame_of(const Stage& stage, ecs::Entity wizard, vec3 eye) {
     const auto& gaze = stage.world.get<Gaze>(wizard);
     HandFrame frame{.turn = look_rotation(gaze.yaw, gaze.pitch),
                     .metres_per_metre = stage.data.touch.wand_per_hand};
-    frame.origin = eye + frame.turn * wand_tip_of(stage.data.touch, {});
+    frame.origin = eye + frame.turn * wand_tip;
     return frame;
 }
 
@@ -35,7 +35,42 @@ bool can_probe(const Stage& stage, ecs::Entity wizard, const Grip& grip) {
            !(grip.tether.stiffness > 0) && !stage.world.has<Dead>(wizard);
 }
 
+/// What it does is then the deed of who pushed it.
+void push(Stage& stage, const haptics::SurfaceContact& contact, vec3 impulse, vec3 place, const Prop& deed) {
+    const auto thing = stage.world.entity(contact.key);
+    if (!thing || !stage.world.has<Prop>(thing) || !stage.physics.has(contact.key)) return;
+    stage.physics.apply_impulse(contact.key, impulse, place);
+    stage.world.get<Prop>(thing) = deed;
+}
+
+void push_touched(Stage& stage, std::uint32_t player, const Grip& grip, Tick tick) {
+    const auto& rules = stage.data.touch;
+    const auto& surface = grip.servo.surface;
+    const HandFrame frame{grip.frame_origin, grip.frame_turn, rules.wand_per_hand};
+    const vec3 place = frame.to_world(surface.proxy);
+    for (std::uint32_t i = 0; i < surface.contacts; ++i) {
+        const vec3 force = frame.turn * surface.touched[i].force / -rules.probe.newtons_per_newton;
+        push(stage, surface.touched[i], force * physics_dt, place, {.moved_at = tick, .moved_by = player});
+    }
+}
+
 }  // namespace
+
+void add_probe_system(Stage& stage, ecs::Schedule& schedule) {
+    if (!(stage.data.touch.probe.newtons_per_newton > 0)) return;
+    auto& world = stage.world;
+    schedule.add({.name = "probe",
+                  .period = physics_period,
+                  .reads = world.mask<Wizard, Grip, Dead>(),
+                  .writes = world.mask<Prop>(),
+                  .needs = world.mask<Grip>(),
+                  .run = [&stage](ecs::World& w, Tick tick) {
+                      w.view<const Wizard, const Grip, ecs::Without<Dead>>().each(
+                          [&](const Wizard& wizard, const Grip& grip) {
+                              if (grip.probing != 0) push_touched(stage, wizard.player, grip, tick);
+                          });
+                  }});
+}
 
 void feel_about(const Stage& stage, ecs::Entity wizard, Grip& grip, haptics::HapticModel& model) {
     model.patch.count = 0;

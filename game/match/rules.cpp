@@ -77,6 +77,7 @@ TouchRules read_touch_rules(const Config& file) {
     rules.probe.damping = probe.number("damping_n_s_per_m", {0, 1000});
     rules.probe.static_friction = probe.number("static_friction", {0, 10});
     rules.probe.dynamic_friction = probe.number("dynamic_friction", {0, 10});
+    rules.probe.newtons_per_newton = probe.number("n_per_n", {0, 1});
     if (rules.probe.dynamic_friction > rules.probe.static_friction)
         probe.report("dynamic_friction", "'dynamic_friction' must not be more than static_friction");
     return rules;

@@ -47,10 +47,11 @@ struct WizardRules {
 
 /// How the wand's tip feels what it touches, for a device that can do it.
 struct ProbeRules {
-    double stiffness{};         ///< N/m at the device, at most what it can; 0: nothing is felt
-    double damping{};           ///< N s/m, likewise
-    double static_friction{};   ///< per unit of the thing's own
-    double dynamic_friction{};  ///< likewise
+    double stiffness{};           ///< N/m at the device, at most what it can; 0: nothing is felt
+    double damping{};             ///< N s/m, likewise
+    double static_friction{};     ///< per unit of the thing's own
+    double dynamic_friction{};    ///< likewise
+    double newtons_per_newton{};  ///< of the hand, for one on the thing; 0: things are not pushed
 };
 
 /// What hands hold and feel: assets/haptics.toml.

@@ -2,6 +2,7 @@
 
 #include "ecs/snapshot.h"
 #include "game/match/arm.h"
+#include "game/match/bare_probe.h"
 #include "game/match/bodies.h"
 #include "game/match/carry_over.h"
 #include "game/match/life.h"
@@ -56,6 +57,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
 
     add_touch_system(stage, live_);
     add_walk_system(stage, live_);
+    add_probe_system(stage, live_);
     add_wand_forces(stage, live_);
     add_body_systems(stage, live_);
     add_missile_systems(stage, live_);

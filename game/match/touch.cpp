@@ -121,7 +121,12 @@ void let_go(Stage& stage, ecs::Entity wizard) {
     grip.pull = {};
 }
 
-vec3 wand_tip_of(const TouchRules& rules, vec3 hand) { return wand_tip + rules.wand_per_hand * hand; }
+vec3 wand_tip_of(const TouchRules& rules, const Grip& grip) {
+    const auto& servo = grip.servo;
+    const bool touches = servo.surface.contacts != 0;
+    return wand_tip +
+           rules.wand_per_hand * (touches ? servo.surface.proxy : grip.device.position + servo.shift);
+}
 
 std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before) {
     world.view<const Grip>().each([&](const Grip& grip) {

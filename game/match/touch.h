@@ -28,8 +28,8 @@ void tether(Stage& stage, ecs::Entity wizard, const haptics::Tether& to);
 /// Nothing leans on the hand, nothing holds it or takes it along. Writes Grip.
 void let_go(Stage& stage, ecs::Entity wizard);
 
-/// Where the wand's tip is in the frame of the eye, m: it goes with the hand.
-vec3 wand_tip_of(const TouchRules& rules, vec3 hand);
+/// Where the wand's tip is in the frame of the eye, m: it goes with the hand, and stays outside of what it touches.
+vec3 wand_tip_of(const TouchRules& rules, const Grip& grip);
 
 /// Hash of the forces of this tick, chained to that of the ticks before.
 std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before);

@@ -259,6 +259,35 @@ TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {
     }
 }
 
+/// A wall that comes at a still hand, told of each tick, or each fifth.
+TEST(HapticsServo, ByAnOldModelAWallThatComesGoesOnComing) {
+    Rig late, fresh;
+    for (Rig* rig : {&late, &fresh}) {
+        rig->model.patch = wall_below(-0.002);
+        rig->model.patch.bodies[0].velocity = {0, 0.05, 0};
+        rig->feel();
+    }
+    for (std::uint32_t tick = 1; tick <= 100; ++tick) {
+        const double height = -0.002 + 5e-5 * tick;
+        fresh.model.patch.surfaces[0].a.y = fresh.model.patch.bodies[0].position.y = height;
+        late.sample.model_age = tick % 5;
+        if (tick % 5 == 0) late.model.patch = fresh.model.patch;
+        EXPECT_NEAR(late.feel().y, fresh.feel().y, 2 * gap_newtons) << tick;
+    }
+    EXPECT_NEAR(fresh.feel().y, 300 * 0.003, gap_newtons);
+}
+
+TEST(HapticsServo, ByAModelThatIsTooOldAWallStandsStill) {
+    Rig rig;
+    rig.model.patch = wall_below(-0.0005);
+    rig.model.patch.bodies[0].velocity = {0, 0.05, 0};
+    rig.feel();
+    for (std::uint32_t age = 1; age <= 200; ++age) {
+        rig.sample.model_age = age;
+        EXPECT_LE(rig.feel().y, 300 * 0.0005 + gap_newtons) << age;
+    }
+}
+
 TEST(HapticsServo, TurningTheViewPastAWallDoesNotKickTheHand) {
     Rig rig;
     rig.sample.position = {0.05, 0.001, 0};

@@ -309,6 +309,28 @@ TEST(Surface, ACreaseRubsOnBothSides) {
     EXPECT_EQ(last.contacts, 2U);
 }
 
+TEST(Surface, WhatIsTouchedHasItsShareOfTheForce) {
+    SurfacePatch patch;
+    add_body(patch, rough);
+    add(patch, SurfaceKind::plane, {}, {0, 1, 0});
+    add_body(patch);
+    add(patch, SurfaceKind::plane, {}, {-1, 0, 0});
+    Probe probe{patch};
+    probe.at({-0.01, 0.01, 0});
+    Touched last;
+    for (int i = 0; i <= 100; ++i) last = probe.at({0.004, -0.007, 0.0005 * i});
+    ASSERT_EQ(probe.state.contacts, 2U);
+    const auto& floor = probe.state.touched[0];
+    const auto& wall = probe.state.touched[1];
+    EXPECT_EQ(floor.key, 100U);
+    EXPECT_EQ(wall.key, 101U);
+    expect_near(floor.force + wall.force, last.force, rounding, "nothing is lost");
+    EXPECT_NEAR(floor.force.y, stiffness * 0.007, gap_force + rounding);
+    EXPECT_NEAR(wall.force.x, -stiffness * 0.004, gap_force + rounding);
+    EXPECT_EQ(floor.force.x, 0);
+    EXPECT_EQ(wall.force.y, 0);
+}
+
 // ---- moving bodies ------------------------------------------------------------------------------------------------
 
 TEST(Surface, AWallThatMovesIsFeltInEveryTickItOverlaps) {
@@ -338,6 +360,39 @@ TEST(Surface, AWallThatMovesIsFeltInEveryTickItOverlaps) {
             expect_near(force, {0, stiffness * top, 0}, gap_force + rounding, std::to_string(tick));
         }
         EXPECT_EQ(overlapping, 190);
+    }
+}
+
+/// A box that flies and turns, and what is fixed to it.
+TEST(Surface, APatchThatGoesOnIsWhereItsBodiesAre) {
+    Random random{5};
+    for (int n = 0; n < 100; ++n) {
+        SurfacePatch patch;
+        const vec3 half(0.02, 0.01, 0.03);
+        add_box_mesh(patch, half, SurfaceKind::triangle);
+        add(patch, SurfaceKind::plane, random_vec(random, 0.1), random_unit(random));
+        add(patch, SurfaceKind::sphere, random_vec(random, 0.1), {0.01, 0, 0});
+        SurfaceBody& body = patch.bodies[0];
+        body.position = random_vec(random, 0.1);
+        body.velocity = random_vec(random, 2);
+        if (n % 4 != 0) body.spin = random_vec(random, 20);
+        const double seconds = random.uniform(0, 0.02);
+        const double speed = glm::length(body.spin);
+        const quat turn = speed > 0 ? rotation(body.spin / speed, speed * seconds) : quat(1, 0, 0, 0);
+        const auto goes_to = [&](vec3 place) {
+            return body.position + seconds * body.velocity + turn * (place - body.position);
+        };
+        const SurfacePatch later = moved_on(patch, seconds);
+        EXPECT_EQ(later.bodies[0].velocity, body.velocity);
+        EXPECT_LE(glm::length(later.bodies[0].orientation - turn), 1e-14);
+        for (std::uint32_t i = 0; i < patch.count; ++i) {
+            const Surface &was = patch.surfaces[i], &is = later.surfaces[i];
+            expect_near(is.a, goes_to(was.a), 1e-15);
+            if (was.kind == SurfaceKind::triangle) expect_near(is.b, goes_to(was.b), 1e-15);
+            if (was.kind == SurfaceKind::triangle) expect_near(is.c, goes_to(was.c), 1e-15);
+            if (was.kind == SurfaceKind::plane) expect_near(is.b, turn * was.b, 1e-15);
+            if (was.kind == SurfaceKind::sphere) expect_near(is.b, was.b, 0);
+        }
     }
 }
 
