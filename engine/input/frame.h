@@ -105,6 +105,12 @@ struct DeviceSpec {
         8;  ///< flags, 7 bits from there: %, at most 100, of the device's force
     static constexpr std::uint32_t force_bits =
         0x7FU << force_shift;  ///< that reaches the hand; 0: the rules' share
+    static constexpr std::uint32_t weight_shift =
+        15;  ///< flags, 7 bits from there: %, at most 100, by which the
+             ///< weight of what is carried is felt less
+    static constexpr std::uint32_t weight_bits = 0x7FU << weight_shift;
+    static constexpr std::uint32_t blow_shift = 22;  ///< likewise the blows that it takes
+    static constexpr std::uint32_t blow_bits = 0x7FU << blow_shift;
 
     std::uint32_t player{};  ///< index into LogHeader::players
     DeviceKind kind{};
@@ -121,6 +127,16 @@ struct DeviceSpec {
     }
     /// %; 0 where the rules say it.
     std::uint32_t force_asked_for() const { return (flags & force_bits) >> force_shift; }
+
+    /// 0 to 100 %, of what the data files say.
+    void ask_for_carried(std::uint32_t weight_percent, std::uint32_t blow_percent) {
+        flags &= ~(weight_bits | blow_bits);
+        flags |= (100 - std::min(weight_percent, 100U)) << weight_shift;
+        flags |= (100 - std::min(blow_percent, 100U)) << blow_shift;
+    }
+    /// %, by which they are felt less.
+    std::uint32_t weight_kept_off() const { return (flags & weight_bits) >> weight_shift; }
+    std::uint32_t blows_kept_off() const { return (flags & blow_bits) >> blow_shift; }
 };
 
 }  // namespace thaum::input

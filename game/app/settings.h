@@ -43,6 +43,8 @@ struct Settings {
     double turn_deg_per_s = 200;
     bool invert_y = false;
     std::array<std::size_t, 2> force{gentle_force, gentle_force};  ///< of each player, into force_wishes
+    double carried_weight = 1;  ///< of a carried thing's weight, as the data files have it: what hands feel
+    double carried_blows = 1;   ///< likewise of the blows that it takes
     int logs_kept = 50;
     std::array<input::Bindings, input::device_kinds> bindings;  ///< by input::DeviceKind
     std::array<std::vector<input::Control>, session_keys> session;

@@ -100,14 +100,11 @@ struct Blows {
 
 struct WandBelt {
     std::uint32_t selected{};
-    std::uint32_t fired{};  ///< shots so far, all wands
-    std::uint32_t holds{};  ///< 1: the wand in hand holds something, and the wheel is for that
-    std::uint32_t spare{};
+    std::uint32_t fired{};                    ///< shots so far, all wands
     std::array<double, wand_slots> energy{};  ///< by WandStats::energy_slot
     static constexpr std::string_view name = "WandBelt";
     static constexpr auto fields() {
         return std::tuple(field("selected", &WandBelt::selected), field("fired", &WandBelt::fired),
-                          field("holds", &WandBelt::holds), field("spare", &WandBelt::spare),
                           field("energy", &WandBelt::energy));
     }
 };

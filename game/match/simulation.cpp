@@ -23,12 +23,16 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
 Touch touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
     Touch touch{.device = haptics::simulated_device(data.device, haptics::Hand{})};
     touch.on.fill(true);
+    touch.weight.fill(1);
+    touch.blows.fill(1);
     for (auto& servo : touch.servos) servo = haptics::servo_of(data.device, data.touch.share);
     for (const auto& device : devices) {
         if (device.player >= players) continue;
         if ((device.flags & input::DeviceSpec::no_forces) != 0) touch.on[device.player] = false;
         const auto percent = device.force_asked_for();
         if (percent != 0) touch.servos[device.player] = haptics::servo_of(data.device, percent / 100.0);
+        touch.weight[device.player] *= 1 - device.weight_kept_off() / 100.0;
+        touch.blows[device.player] *= 1 - device.blows_kept_off() / 100.0;
     }
     return touch;
 }

@@ -22,7 +22,9 @@ inline constexpr double gameplay_dt = seconds(gameplay_period);
 struct Touch {
     haptics::SimulatedDevice device;
     std::array<haptics::Servo, players> servos{};
-    std::array<bool, players> on{};  ///< who wants to feel forces at all
+    std::array<bool, players> on{};        ///< who wants to feel forces at all
+    std::array<double, players> weight{};  ///< how much of a carried thing's weight he wants to feel, 0 to 1
+    std::array<double, players> blows{};   ///< and of the blows that it takes
 };
 
 /// N, of each of the last ticks.

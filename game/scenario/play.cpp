@@ -97,6 +97,8 @@ Expected<void> begin_match(Play& play, const MatchWish& wish) {
         const int level = wish.bot_level[player];
         setup.devices.push_back(level == 0 ? script_device(player) : bot_device(player, level));
         if (wish.force[player]) setup.devices.back().ask_for_force(*wish.force[player]);
+        setup.devices.back().ask_for_carried(wish.weight[player].value_or(100),
+                                             wish.blows[player].value_or(100));
     }
     for (std::uint32_t player = 0; player < players; ++player) {
         if (!wish.arm[player]) continue;

@@ -30,9 +30,12 @@ struct Hand {
 struct MatchWish {
     DataChoice data;
     std::uint64_t seed = 1;
-    std::array<int, players> bot_level{};                       ///< 0: played by the script
-    std::array<std::optional<std::uint32_t>, players> force{};  ///< %, of each player; nothing: by the rules
-    std::array<bool, players> arm{};                            ///< who holds a real one
+    std::array<int, players> bot_level{};  ///< 0: played by the script
+    using Percents = std::array<std::optional<std::uint32_t>, players>;
+    Percents force{};                 ///< of the device's, for each player; nothing: by the rules
+    Percents weight{};                ///< of the weight of what he carries that he feels; nothing: all
+    Percents blows{};                 ///< likewise of its blows
+    std::array<bool, players> arm{};  ///< who holds a real one
 };
 
 /// Something that the script has put into the world.

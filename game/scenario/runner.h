@@ -50,7 +50,7 @@ struct ScenarioOptions {
     /// Where force traces are written; empty: they are compared with those in ../replays/forces beside the script's folder, if
     /// there is such a folder.
     std::filesystem::path keep_forces{};
-    bool once{};  ///< the second run is left out: nothing is checked between the two
+    bool once{};                   ///< the second run is left out: nothing is checked between the two
     Tick most_ticks = ticks(600);  ///< of one run
     SandboxLimits limits;
     /// For tests of the runner itself: called before every tick of each run (1, 2), and may spoil the match.

@@ -75,13 +75,13 @@ void read_overrides(lua_State* lua, int index, MatchWish& wish) {
     }
 }
 
-void read_forces(lua_State* lua, int index, MatchWish& wish) {
-    if (!lua_istable(lua, index)) fault("forces must be a list of percentages");
+void read_percents(lua_State* lua, int index, const char* name, MatchWish::Percents& percents) {
+    if (!lua_istable(lua, index)) fault(name, " must be a list of percentages");
     index = lua_absindex(lua, index);
     for (std::size_t i = 0; i < players; ++i) {
         lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
         if (!lua_isnil(lua, -1))
-            wish.force[i] = static_cast<std::uint32_t>(arg::integer(lua, -1, "forces", {0, 100}));
+            percents[i] = static_cast<std::uint32_t>(arg::integer(lua, -1, name, {0, 100}));
         lua_pop(lua, 1);
     }
 }
@@ -100,8 +100,9 @@ void read_arms(lua_State* lua, int index, MatchWish& wish) {
 int verb_match(lua_State* lua, void* context) {
     auto& play = *static_cast<Play*>(context);
     if (play.match) fault("match{...} stands once in a scenario");
-    const Options options(lua, 1, "match",
-                          {"arena", "rules", "match", "seed", "set", "players", "forces", "arms"});
+    const Options options(
+        lua, 1, "match",
+        {"arena", "rules", "match", "seed", "set", "players", "forces", "weights", "blows", "arms"});
     MatchWish wish;
     if (options.has("arena")) wish.data.arena = arg::string(lua, -1, "arena");
     if (options.has("rules")) wish.data.rules = arg::string(lua, -1, "rules");
@@ -109,7 +110,9 @@ int verb_match(lua_State* lua, void* context) {
     if (options.has("seed")) wish.seed = static_cast<std::uint64_t>(arg::integer(lua, -1, "seed", {0, 1e15}));
     if (options.has("set")) read_overrides(lua, -1, wish);
     if (options.has("players")) read_players(lua, -1, wish);
-    if (options.has("forces")) read_forces(lua, -1, wish);
+    if (options.has("forces")) read_percents(lua, -1, "forces", wish.force);
+    if (options.has("weights")) read_percents(lua, -1, "weights", wish.weight);
+    if (options.has("blows")) read_percents(lua, -1, "blows", wish.blows);
     if (options.has("arms")) read_arms(lua, -1, wish);
     if (const auto made = begin_match(play, wish); !made) {
         play.match.reset();

@@ -23,7 +23,11 @@ std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t
     return from;
 }
 
-void choose(const MatchData& data, const Controls& controls, WandBelt& belt) {
+bool needs_wheel(const ecs::World& world, ecs::Entity wizard, const LoadedWand* wand) {
+    return wand != nullptr && wand->kind->moves_by_wheel && wand->kind->held_at(world, wizard);
+}
+
+void choose(const MatchData& data, const Controls& controls, bool wheel_is_taken, WandBelt& belt) {
     constexpr auto forward = std::uint32_t{1};
     constexpr auto backward = static_cast<std::uint32_t>(wand_slots - 1);
     const auto pressed = [&](Button b) { return (controls.pressed & input::bit(b)) != 0; };
@@ -31,7 +35,7 @@ void choose(const MatchData& data, const Controls& controls, WandBelt& belt) {
         const auto key = static_cast<Button>(input::bit(Button::wand_1) << slot);
         if (pressed(key) && wand_in_slot(data, slot) != nullptr) belt.selected = slot;
     }
-    if (belt.holds != 0) return;
+    if (wheel_is_taken) return;
     if (pressed(Button::next_wand)) belt.selected = next_slot(data, belt.selected, forward);
     if (pressed(Button::previous_wand)) belt.selected = next_slot(data, belt.selected, backward);
 }
@@ -49,7 +53,7 @@ void put_away(Stage& stage, ecs::Entity wizard, const LoadedWand* wand, Tick tic
 
 void use_wands(Stage& stage, ecs::Entity wizard, const Controls& controls, WandBelt& belt, Tick tick) {
     const auto* before = wand_in_hand(stage.data, belt);
-    choose(stage.data, controls, belt);
+    choose(stage.data, controls, needs_wheel(stage.world, wizard, before), belt);
     regain(stage.data, belt);
     const auto* wand = wand_in_hand(stage.data, belt);
     if (wand != before) put_away(stage, wizard, before, tick);

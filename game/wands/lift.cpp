@@ -176,7 +176,6 @@ bool holds(const Stage& stage, const LiftHand& hand) {
 void let_thing_go(Stage& stage, ecs::Entity wizard, LiftHand& hand) {
     if (holds(stage, hand)) end_tug(stage.physics, hand.held.index, hand.tug);
     hand = {};
-    stage.world.get<WandBelt>(wizard).holds = 0;
     let_go(stage, wizard);
 }
 
@@ -203,10 +202,8 @@ void begin(const WandUse& use, const LiftData& data, LiftHand& hand) {
     auto& world = use.stage.world;
     const auto thing = aimed_at(use.stage, data, use.wizard);
     if (!thing) return;
-    auto& belt = world.get<WandBelt>(use.wizard);
-    if (!spend(belt, use.stats)) return note_dry(use);
+    if (!spend(world.get<WandBelt>(use.wizard), use.stats)) return note_dry(use);
     take(use.stage, data, use.wizard, thing, hand);
-    belt.holds = 1;
     world.get<Health>(use.wizard).shielded_until = use.tick;  // who attacks is no longer protected
 }
 
@@ -296,7 +293,8 @@ void feel_blow(Stage& stage, const LiftData& data, const haptics::CouplingFrame&
     if (size < data.blow_least || tick < hand.next_blow) return;
     hand.next_blow = tick + between_blows;
     const vec3 way = haptics::to_device(frame, blow / size);
-    kick(stage, wizard, way * std::min(blow_force, data.blow * size), blow_length);
+    const double share = stage.touch.blows[std::as_const(stage.world).get<Wizard>(wizard).player];
+    if (share > 0) kick(stage, wizard, way * (share * std::min(blow_force, data.blow * size)), blow_length);
 }
 
 /// The spring as the hand feels it, until the next tick.
@@ -365,7 +363,7 @@ void pull(Stage& stage, const LiftData& data, ecs::Entity wizard, Tick tick, Lif
     }
     const vec3 moving = hand.tug.expected + held_back(hand.tug.expected, blow);
     tether(stage, wizard, tether_to(data, frame, hand, device, object, moving, base_velocity));
-    lean(stage, wizard, vec3(0, -data.weight * mass, 0));
+    lean(stage, wizard, vec3(0, -data.weight * stage.touch.weight[now.get<Wizard>(wizard).player] * mass, 0));
     if (glm::distance(hip, object) > data.lost) let_thing_go(stage, wizard, hand);
 }
 
@@ -404,6 +402,7 @@ const WandRegistration registration({
         const auto* motion = held ? world.find<Motion>(held) : nullptr;
         return motion != nullptr ? std::optional(motion->position) : std::nullopt;
     },
+    .moves_by_wheel = true,
 });
 
 }  // namespace

@@ -91,6 +91,8 @@ struct WandKind {
     void (*show)(const ecs::World&, const std::function<void(const Missile&)>&);
     /// The point, m, that this wizard holds or hangs on by it; nothing where there is none.
     std::optional<vec3> (*held_at)(const ecs::World&, ecs::Entity wizard);
+    /// While it holds something the wheel moves that, and does not change wands.
+    bool moves_by_wheel = false;
     /// A shot that was readied to that share, 0 to 1. Null: the wand does not shoot.
     ShotKind (*shot)(const void* data, double readiness) = nullptr;
     /// How far it is charged or drawn, 0 to 1. Null: nothing of it grows.

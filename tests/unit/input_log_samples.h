@@ -69,6 +69,7 @@ inline LogHeader header(std::size_t devices = 2) {
         device.kind = i == 0 ? DeviceKind::keyboard_mouse : DeviceKind::pad;
         device.name = text("device ", i);
         device.flags = i == 1 ? DeviceSpec::invert_y : 0;
+        if (i == 1) device.ask_for_carried(75, 0);
         h.devices.push_back(device);
     }
     h.files = {{"wands/lift.toml", 1}, {"wands/blast.toml", 2}};

@@ -154,6 +154,8 @@ TEST(InputLog, HeaderBeyondTheLimitsIsRefused) {
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].player = 2; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].turn_rad_per_s = NAN; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 0x80; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 101U << DeviceSpec::weight_shift; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 127U << DeviceSpec::blow_shift; }));
 }
 
 TEST(InputLog, OtherFilesAreRefusedInOneLine) {

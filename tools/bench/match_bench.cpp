@@ -8,6 +8,7 @@
 #include "game/bots/duel.h"
 #include "game/components/grip.h"
 #include "game/match/playback.h"
+#include "game/wands/belt.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
@@ -278,8 +279,8 @@ void tick_duel_haptic(const Options& options, Report& report) {
     const auto allocated = allocation_count() - allocations;
     int held = 0;
     match.world().view<const game::WandBelt, const game::Grip>().each(
-        [&](const game::WandBelt& belt, const game::Grip& grip) {
-            held += belt.holds != 0;
+        [&](ecs::Entity wizard, const game::WandBelt& belt, const game::Grip& grip) {
+            held += game::wand_in_hand(match.data(), belt)->kind->held_at(match.world(), wizard) ? 1 : 0;
             created = std::max(created, grip.servo.energy.most_created);
         });
     report.rows.push_back({.area = "tick",

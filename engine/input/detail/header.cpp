@@ -45,9 +45,12 @@ std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
     if (static_cast<std::size_t>(device.kind) >= device_kinds) return "a device's kind is unknown";
     if (!std::isfinite(device.look_rad_per_count)) return "a device's look_rad_per_count is not finite";
     if (!std::isfinite(device.turn_rad_per_s)) return "a device's turn_rad_per_s is not finite";
-    constexpr auto known = DeviceSpec::invert_y | DeviceSpec::no_forces | DeviceSpec::force_bits;
+    constexpr auto known = DeviceSpec::invert_y | DeviceSpec::no_forces | DeviceSpec::force_bits |
+                           DeviceSpec::weight_bits | DeviceSpec::blow_bits;
     if ((device.flags & ~known) != 0) return "a device's flag is unknown";
     if (device.force_asked_for() > 100) return "a device's force is above 100 %";
+    if (device.weight_kept_off() > 100) return "more than 100 % of a weight is kept off";
+    if (device.blows_kept_off() > 100) return "more than 100 % of the blows is kept off";
     return {};
 }
 
