@@ -480,7 +480,7 @@ TEST(SwingStress, AnAnchorThatIsGoneStillHoldsOrLetsGo) {
 // ---- devices that vanish, matches that stall -------------------------------------------------------------------------
 
 TEST_P(StressedHands, OfAnArmThatVanishesAndComesBackElsewhere) {
-    for (const Tick gone : {1, 5, 19, 20, 60, 300, 3000}) {
+    for (const Tick gone : std::initializer_list<Tick>{1, 5, 19, 20, 60, 300, 3000}) {
         SCOPED_TRACE(gone);
         Court court({}, 1);
         bool there = true;
