@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "core/units.h"
 #include "game/match/surfaces.h"
+#include "haptics/servo.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
 
@@ -135,6 +136,92 @@ void proxy_mesh(const Options& options, Report& report) {
     }
 }
 
+// ---- among many bodies ----------------------------------------------------------------------------------------------
+
+constexpr std::array<std::int64_t, 3> crowds{1, 100, 1000};
+constexpr int crowd_ticks = 4000;
+
+/// Crates of 0.4 m on a grid; the first lies below the wand's tip.
+void add_crates(physics::Physics& world, std::int64_t count) {
+    for (std::int64_t i = 0; i < count; ++i) {
+        const vec3 place(static_cast<double>(i % 10), static_cast<double>(i / 100),
+                         static_cast<double>(i / 10 % 10));
+        physics::BodyDesc crate{.shape = physics::Shape::box, .size = vec3(0.2)};
+        crate.mass = 5;
+        crate.friction = 0.6;
+        world.add(static_cast<physics::Key>(i + 1), crate, {.position = 0.8 * place});
+    }
+}
+
+struct CrowdRun {
+    std::int64_t bodies{};
+    bool steps{};  // else it is looked up alone, along the same way
+    physics::Physics world{};
+    haptics::ServoState state{};
+    double pressed{};  // N, mean
+};
+
+/// As a match does it for a wizard who turns and whose hand slides on a crate: what is near is looked up and published, then comes the
+/// servo step.
+void feel_crowd(CrowdRun& run) {
+    const haptics::DeviceSpec spec{
+        .peak_force = 12, .continuous_force = 12, .max_damping = 5, .position_quantum = 5.5e-5};
+    const haptics::Servo servo = haptics::servo_of(spec, 1);
+    const game::Feel feel{.stiffness = 300, .static_friction = 0.9, .dynamic_friction = 0.6};
+    haptics::HapticModel model;
+    model.start = {0.01, 0.003, 0};
+    model.patch_number = 1;
+    run.state = {};
+    run.pressed = 0;
+    game::HandFrame before{.origin = {0, 0.2, 0}, .metres_per_metre = 10};
+    for (int tick = 0; tick < crowd_ticks; ++tick) {
+        game::HandFrame frame = before;
+        frame.turn = rotation({0, 1, 0}, 0.2 * det::sin(0.002 * tick));
+        const double down = std::min(tick / 300.0, 1.0);  // from above: what a hand begins in is not felt
+        const vec3 tip(0.01 * det::cos(0.005 * tick), 0.003 - 0.006 * down, 0.01 * det::sin(0.005 * tick));
+        const auto& surface = run.state.surface;
+        const vec3 at = frame.to_world(tip);
+        const vec3 proxy = surface.begun != 0 ? before.to_world(surface.proxy) : at;
+        model.drift = game::drift_of(frame, before);
+        game::fill_patch(model.patch, run.world,
+                         {.point = 0.5 * (at + proxy), .radius = 0.5 * glm::length(at - proxy) + 0.15}, frame,
+                         before, feel);
+        if (run.steps)
+            run.pressed += glm::length(haptics::servo_step(servo, run.state, model, {tip, 0})) / crowd_ticks;
+        do_not_optimise(model.patch.count);
+        before = frame;
+    }
+}
+
+/// The step alone knows the patch and nothing of the bodies; the look-up goes over all of them.
+void servo_among_bodies(const Options& options, Report& report) {
+    std::vector<CrowdRun> runs;
+    for (const bool steps : {false, true}) {
+        for (const auto bodies : crowds) {
+            runs.push_back({.bodies = bodies, .steps = steps});
+            add_crates(runs.back().world, bodies);
+        }
+    }
+    std::vector<Contestant> contestants;
+    for (CrowdRun& run : runs) contestants.push_back({{}, [&run] { feel_crowd(run); }});
+    auto samples = measure(contestants, {.seconds = options.quick ? 0.5 : 3.0, .least = 11});
+    std::vector<double> to_one;
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        to_one.push_back(ratio(samples[i], samples[i / crowds.size() * crowds.size()]));
+    for (auto& of_one : samples) {
+        for (double& us : of_one) us /= crowd_ticks;
+    }
+    for (std::size_t i = 0; i < runs.size(); ++i)
+        report.rows.push_back(
+            {.area = "haptics",
+             .name = "servo",
+             .setting = {{"bodies", runs[i].bodies},
+                         {"part", std::string(runs[i].steps ? "look_up_and_step" : "look_up")}},
+             .time_us = times(samples[i]),
+             .metrics = {{"to_one_body", to_one[i]}, {"mean_force_n", runs[i].pressed}},
+             .hash = hex(hash_value(runs[i].state))});
+}
+
 // ---- a box that rises -----------------------------------------------------------------------------------------------
 
 /// As it was measured of CHAI3D: 0.1 m/s from below, until it has gone by.
@@ -164,6 +251,7 @@ void rising_box(Report& report) {
 void surfaces(const Options& options, Report& report) {
     proxy_plane(report);
     proxy_mesh(options, report);
+    servo_among_bodies(options, report);
     rising_box(report);
 }
 
