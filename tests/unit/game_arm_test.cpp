@@ -1,8 +1,10 @@
 // A real arm in a match: what its thread told the device is what the match, a replay and a restored match come to, to the bit.
+#include <cmath>
 #include <map>
 
 #include "game/match/arm.h"
 #include "game/match/touch.h"
+#include "game/wands/belt.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -25,7 +27,7 @@ MatchSetup one_arm() {
                         {.player = 0, .kind = input::DeviceKind::arm, .name = "arm"}}};
 }
 
-/// A match and an arm's thread that runs beside it, now ahead, now behind, in an order that a generator gives.
+/// A match, of short rounds where nothing else is said, and an arm's thread that runs beside it, now ahead, now behind, in an order that a generator gives.
 struct ArmMatch {
     std::shared_ptr<const MatchData> data = short_rounds();
     Simulation match{data, one_arm()};
@@ -36,8 +38,10 @@ struct ArmMatch {
     int ahead = 0;
     std::uint32_t arm_buttons = 0, hand_buttons = 0;
     std::uint32_t epoch = 0, samples = 0;
-    bool still = false;          ///< the arm's ticks have stopped
-    bool resting = false;        ///< it is not moved
+    bool still = false;        ///< the arm's ticks have stopped
+    bool resting = false;      ///< it is not moved
+    std::int32_t back_um = 0;  ///< towards the user
+    std::array<std::int32_t, 3> turned_urad{};
     std::vector<vec3> told{{}};  ///< N, by height in um, which is the tick's number
     std::map<std::int32_t, vec3> computed{};
     std::vector<input::InputFrame> frames{};
@@ -51,7 +55,8 @@ struct ArmMatch {
         // To and fro by 2 cm, half a metre a second; the height tells the tick.
         const auto phase = resting ? 0 : (arm_ticks + 1) % 80;
         ++arm_ticks;
-        reading.position_um = {500 * (phase < 40 ? phase : 80 - phase), arm_ticks, 0};
+        reading.position_um = {500 * (phase < 40 ? phase : 80 - phase), arm_ticks, back_um};
+        reading.rotation_urad = turned_urad;
         told.push_back(servo.step(reading));
         strongest = std::max(strongest, glm::length(told.back()));
     }
@@ -308,6 +313,133 @@ TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     EXPECT_GT(x, 0.06);
     EXPECT_LT(x, m.match.touch().device.reach.x + 0.021) << "and one stroke";
     m.expect_same_forces();
+}
+
+/// The wand of that name in hand, after the arm was held still in the middle.
+void take_wand(ArmMatch& m, std::string_view name) {
+    m.resting = true;
+    m.run(100);
+    for (const auto& wand : m.data->wands) {
+        if (wand.kind->name == name) m.hand_buttons = bit(Button::wand_1) << wand.stats.slot;
+    }
+    m.run(20);
+    m.hand_buttons = 0;
+    m.run(20);
+}
+
+const WandKind& kind_of(const ArmMatch& m) {
+    return *wand_in_hand(*m.data, m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)))->kind;
+}
+std::uint32_t shots_of(const ArmMatch& m) {
+    return m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)).fired;
+}
+
+TEST(Arm, ChargesABlastByItsButton) {
+    ArmMatch m{duel_data()};
+    take_wand(m, "blast");
+    m.arm_buttons = 1;
+    m.run(1500);
+    EXPECT_GT(glm::length(m.told.back()), 0.5) << "the charge leans on the hand";
+    m.arm_buttons = 0;
+    m.run(50);
+    EXPECT_EQ(shots_of(m), 1U);
+    m.expect_same_forces();
+}
+
+TEST(Arm, DrawsALobByPullingBack) {
+    ArmMatch m{duel_data()};
+    take_wand(m, "lob");
+    m.arm_buttons = 1;
+    m.run(1500);
+    m.arm_buttons = 0;
+    m.run(50);
+    EXPECT_EQ(shots_of(m), 0U) << "a button alone draws nothing";
+    m.arm_buttons = 1;
+    m.run(50);
+    for (int t = 0; t < 600; ++t) {
+        m.back_um += 100;  // 0.1 m/s
+        m.run(1);
+    }
+    m.run(100);
+    const double drawn = kind_of(m).readiness(m.match.world(), wizard_of(m.match.world(), 0));
+    EXPECT_NEAR(drawn, 0.06 * 0.51 / 0.055, 0.03);
+    const vec3 felt = m.told.back();
+    EXPECT_LT(felt.z, -0.3) << "the spring pulls back";
+    m.arm_buttons = 0;
+    m.run(50);
+    EXPECT_EQ(shots_of(m), 1U);
+    m.back_um = 0;
+    m.run(100);
+    m.arm_buttons = 1;
+    m.run(20);
+    EXPECT_GT(m.grip().tether.stiffness, 0) << "and can be drawn again at once";
+    m.expect_same_forces();
+}
+
+/// Looks at a place, m.
+void look_at(ArmMatch& m, vec3 place) {
+    const auto wizard = wizard_of(m.match.world(), 0);
+    const auto& motion = std::as_const(m.match.world_to_change()).get<Motion>(wizard);
+    const vec3 to = place - eye_of(m.data->wizard, motion.position);
+    m.match.world_to_change().get<Gaze>(wizard) = {.yaw = det::atan2(-to.x, -to.z),
+                                                   .pitch = det::atan2(to.y, std::hypot(to.x, to.z))};
+}
+
+TEST(Arm, SwingsAndShortensTheRope) {
+    ArmMatch m{duel_data()};
+    take_wand(m, "swing");
+    const auto& motion = m.match.world().get<Motion>(wizard_of(m.match.world(), 0));
+    look_at(m, motion.position + vec3(1, -0.6, 0.5));  // the ground
+    m.arm_buttons = 1;
+    m.run(60);
+    EXPECT_TRUE(kind_of(m).held_at(m.match.world(), wizard_of(m.match.world(), 0)));
+    m.expect_same_forces();
+}
+
+TEST(Arm, LiftsWhatTheHandMoves) {
+    ArmMatch m{duel_data()};
+    take_wand(m, "lift");
+    const auto wizard = wizard_of(m.match.world(), 0);
+    std::vector<vec3> things;
+    m.match.world().view<const Prop, const Motion>().each(
+        [&](const Prop&, const Motion& motion) { things.push_back(motion.position); });
+    std::optional<vec3> held;
+    for (const vec3 thing : things) {
+        look_at(m, thing);
+        m.arm_buttons = 1;
+        m.run(30);
+        held = kind_of(m).held_at(m.match.world(), wizard);
+        if (held) break;
+        m.arm_buttons = 0;
+        m.run(20);
+    }
+    ASSERT_TRUE(held) << "of " << things.size() << " things";
+    m.run(500);
+    const vec3 before = *kind_of(m).held_at(m.match.world(), wizard);
+    m.resting = false;  // to and fro by 2 cm
+    double farthest = 0;
+    for (int t = 0; t < 200; ++t) {
+        m.run(1);
+        if (const auto at = kind_of(m).held_at(m.match.world(), wizard))
+            farthest = std::max(farthest, glm::distance(*at, before));
+    }
+    EXPECT_GT(farthest, 0.02) << "the hand's centimetres move it";
+    EXPECT_GT(m.strongest, 0.1);
+    m.expect_same_forces();
+}
+
+TEST(Arm, TheStylusTurnsTheWand) {
+    ArmMatch m;
+    m.turned_urad = {200'000, -300'000, 50'000};
+    m.run(100);
+    EXPECT_NEAR(glm::distance(stylus_turn(m.match.world(), 0), vec3(0.2, -0.3, 0.05)), 0, 1e-12);
+    EXPECT_EQ(stylus_turn(m.match.world(), 1), vec3(0));
+    Simulation again(m.data, one_arm());
+    for (const auto& frame : m.frames) again.tick(frame);
+    EXPECT_EQ(stylus_turn(again.world(), 0), stylus_turn(m.match.world(), 0));
+    m.still = true;
+    m.run(300);
+    EXPECT_EQ(stylus_turn(m.match.world(), 0), vec3(0)) << "an arm that is gone holds nothing";
 }
 
 TEST(Arm, NobodyElsePaysForIt) {

@@ -101,6 +101,22 @@ TEST(Touch, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
     EXPECT_NE(gaze(), yaw);
 }
 
+/// The tip goes as far over the workspace of any device.
+TEST(Touch, ANarrowerDeviceReachesAsFar) {
+    double reached = 0;
+    for (const auto* device : {"touch", "falcon", "omega3", "premium"}) {
+        DataChoice choice;
+        choice.overrides = {text("haptics.device=\"", device, "\"")};
+        const auto data = load_match_data(assets(), choice);
+        ASSERT_TRUE(data) << device;
+        const vec3 edge(data->device.workspace.x / 2, 0, 0);
+        const double reach = wand_tip_of(data->touch, edge).x - wand_tip_of(data->touch, {}).x;
+        if (reached == 0) reached = reach;
+        EXPECT_NEAR(reach, reached, 1e-12) << device;
+    }
+    EXPECT_NEAR(reached, 0.8, 1e-12);
+}
+
 TEST(Touch, TheHashOfForcesSeesAForceThatTheStateNoLongerShows) {
     Hands one, two;
     one.hold(64, 0);
