@@ -46,8 +46,8 @@ thaum_driver_test(fake_phantom_plays ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_ph
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:fake_hd_old>)
 thaum_driver_test(fake_phantom_feels ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_feels.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd>)
-# slow: half a minute in real time; what the sanitizers could find there they find in shorter ones.
-set_tests_properties(drivers.fake_phantom_plays drivers.fake_phantom_feels PROPERTIES LABELS slow)
+# slow: a minute in real time; what the sanitizers could find there they find in shorter ones.
+set_tests_properties(drivers.fake_phantom_plays drivers.fake_phantom_feels PROPERTIES LABELS slow TIMEOUT 240)
 # A hundred times, by hand: kill_recording 100
 add_executable(kill_recording drivers/kill_recording.cpp)
 target_link_libraries(kill_recording PRIVATE thaum_flags thaum_duel)
