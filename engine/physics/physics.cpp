@@ -13,6 +13,7 @@
 
 #include "core/assert.h"
 #include "core/text.h"
+#include "physics/detail/bound_tree.h"
 #include "physics/detail/bullet_world.h"
 #include "physics/detail/cast.h"
 #include "physics/detail/pool.h"
@@ -20,6 +21,7 @@
 namespace thaum::physics {
 namespace {
 
+using detail::Box;
 using detail::from_bullet;
 using detail::to_bullet;
 
@@ -43,6 +45,7 @@ struct Body {
     double fall_s2{};       ///< path that gravity gives in it, per gravity
     vec3 start_velocity{};  ///< m/s, at the start of the step
     detail::BulletBody bullet;
+    detail::BoundTree::Leaf leaf{};
 
     btRigidBody& bt() const { return *bullet.body; }
     bool dynamic() const { return desc.mass > 0; }
@@ -52,10 +55,6 @@ struct Body {
 struct Pair {
     Key a, b;
     auto operator<=>(const Pair&) const = default;
-};
-
-struct Box {
-    vec3 low, high;
 };
 
 std::string about(Key key, const char* what) { return text("body ", key, ": ", what); }
@@ -178,6 +177,7 @@ struct Physics::Inside {
     Settings settings;
     std::vector<detail::Mesh> meshes;
     std::vector<Body> bodies;  ///< sorted by key
+    detail::BoundTree tree;    ///< of these, as they lie now
     std::unique_ptr<detail::BulletWorld> world;
     std::vector<Contact> contacts;
     std::vector<Pair> touching;  ///< pairs that have pressed and are still near; sorted
@@ -203,6 +203,9 @@ struct Physics::Inside {
     std::optional<detail::Touch> cast_at(const Body&, const detail::Path&) const;
     /// Adds the body's surfaces within the radius of the point.
     void gather_from(const Body&, vec3 point, detail::Gathering&) const;
+    /// Calls back for each body whose box comes within the radius, and maybe for others, in the order of keys.
+    template <class Each>
+    void each_near(vec3 point, double radius, const Each& each) const;
 };
 
 Physics::Inside::Inside(const Settings& s, const std::vector<TriangleMesh>& m)
@@ -309,6 +312,7 @@ bool Physics::Inside::after_step() {
         if (settings.exact_flight) fly_exactly(body, from);
         body.state.velocity = limited(body.state.velocity, settings.max_speed);
         body.state.spin = limited(body.state.spin, settings.max_spin);
+        tree.move(body.leaf, box_around(body));
     }
     return still;
 }
@@ -388,6 +392,7 @@ void Physics::add(Key key, const BodyDesc& desc, const BodyState& state) {
     body.reach = reach_of(desc);
     in.prepare_damping(body);
     in.enter_world(body);
+    body.leaf = in.tree.add(key, box_around(body));
     in.quiet = false;
 }
 
@@ -396,6 +401,7 @@ void Physics::remove(Key key) {
     Body& body = in.at(key);
     const Box place = box_around(body);
     (*in.world)->removeRigidBody(&body.bt());
+    in.tree.remove(body.leaf);
     in.bodies.erase(in.bodies.begin() + (&body - in.bodies.data()));
     std::erase_if(in.touching, [&](const Pair& pair) { return pair.a == key || pair.b == key; });
     in.quiet = false;
@@ -416,6 +422,7 @@ void Physics::set_state(Key key, const BodyState& state) {
     body.state = settled(state);
     detail::write_motion(body.bt(), body.state);
     detail::write_sleep(body.bt(), body.state);
+    in.tree.move(body.leaf, box_around(body));
     in.quiet = false;
     if (!body.dynamic()) in.wake_near(box_around(body));
 }
@@ -531,17 +538,33 @@ void Physics::Inside::gather_from(const Body& body, vec3 point, detail::Gatherin
     }
 }
 
+template <class Each>
+void Physics::Inside::each_near(vec3 point, double radius, const Each& each) const {
+    const double size = radius + detail::touching;
+    detail::NearKeys keys;
+    const auto near = tree.near({point - size, point + size}, keys);
+    if (!near) {
+        for (const Body& body : bodies) each(body);
+        return;
+    }
+    auto from = bodies.begin();
+    for (const Key key : *near) {
+        from = std::ranges::lower_bound(from, bodies.end(), key, {}, &Body::key);
+        each(*from);
+    }
+}
+
 Surroundings Physics::nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask,
                              Key ignore_key) const {
     THAUM_ASSERT(is_finite(point) && radius >= 0, "surroundings of a point that is not finite");
     const Inside& in = *inside_;
     detail::Gathering gathering{into, {0, radius}};
-    for (const Body& body : in.bodies) {
-        if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
+    in.each_near(point, radius, [&](const Body& body) {
+        if ((body.desc.layer & mask) == 0 || body.key == ignore_key) return;
         const vec3 apart = body.state.position - point;
         const double meeting = body.reach + radius;
         if (glm::dot(apart, apart) <= meeting * meeting) in.gather_from(body, point, gathering);
-    }
+    });
     return gathering.found;
 }
 
