@@ -403,6 +403,15 @@ const WandRegistration registration({
         return motion != nullptr ? std::optional(motion->position) : std::nullopt;
     },
     .moves_by_wheel = true,
+    .grasp =
+        [](const void* wand) {
+            const auto& data = *static_cast<const LiftData*>(wand);
+            return GraspKind{.reach = data.range,
+                             .mass_max = data.mass_max,
+                             .speed = data.throw_speed,
+                             .energy_per_impulse = data.energy_per_impulse,
+                             .crossing = throw_reach};
+        },
 });
 
 }  // namespace

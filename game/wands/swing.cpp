@@ -69,15 +69,16 @@ std::optional<vec3> latched_at(const Stage& stage, const SwingData& data, ecs::E
     const vec3 eye = sight.eye, ahead = sight.ahead;
     std::optional<vec3> found;
     double best = data.aim_cos;
-    now.view<const Anchor, const Motion>().each([&](const Motion& motion) {
+    now.view<const Anchor, const Motion>().each([&](ecs::Entity e, const Motion& motion) {
         const vec3 to = motion.position - eye;
         const double distance = glm::length(to);
         if (distance > data.reach || distance < 1e-6) return;
         const double nearness = glm::dot(to / distance, ahead);
-        if (nearness >= best && !stage.physics.ray(eye, motion.position, layer::ground, wizard.index)) {
-            best = nearness;
-            found = motion.position;
-        }
+        if (nearness < best) return;
+        const auto hit = stage.physics.ray(eye, motion.position, layer::ground, wizard.index);
+        if (hit && hit->key != e.index) return;  // the anchor is of the ground, too
+        best = nearness;
+        found = motion.position;
     });
     if (found) return found;
     const auto hit = stage.physics.ray(eye, eye + ahead * data.reach, physics::all_layers, wizard.index);
@@ -198,6 +199,11 @@ const WandRegistration registration({
         const auto& hand = world.get<SwingHand>(wizard);
         return hand.length > 0 ? std::optional(hand.anchor) : std::nullopt;
     },
+    .rope =
+        [](const void* wand) {
+            const auto& data = *static_cast<const SwingData*>(wand);
+            return RopeKind{.reach = data.reach, .aim_cos = data.aim_cos};
+        },
 });
 
 }  // namespace

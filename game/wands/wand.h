@@ -66,6 +66,21 @@ struct ShotKind {
     bool held{};      ///< it is readied while fire is held, and goes when it is let go
 };
 
+/// How a wand takes up loose things and throws them, for who means to.
+struct GraspKind {
+    double reach{};               ///< m from the eye
+    double mass_max{};            ///< kg
+    double speed{};               ///< m/s, of a throw, at most
+    double energy_per_impulse{};  ///< for 1 N s of a throw
+    double crossing{};            ///< m from the eye: where a throw meets the crosshair
+};
+
+/// What a wand's rope latches on.
+struct RopeKind {
+    double reach{};    ///< m from the eye
+    double aim_cos{};  ///< of the angle between crosshair and anchor, at least
+};
+
 /// Where a wand's tip is, in the frame of the eye, m.
 inline constexpr vec3 wand_tip{0.22, -0.2, -0.75};
 
@@ -97,6 +112,10 @@ struct WandKind {
     ShotKind (*shot)(const void* data, double readiness) = nullptr;
     /// How far it is charged or drawn, 0 to 1. Null: nothing of it grows.
     double (*readiness)(const ecs::World&, ecs::Entity wizard) = nullptr;
+    /// Null: it takes nothing up.
+    GraspKind (*grasp)(const void* data) = nullptr;
+    /// Null: it has no rope.
+    RopeKind (*rope)(const void* data) = nullptr;
 };
 
 /// Registers a kind for the life of the program.
