@@ -16,13 +16,6 @@ double normal(Random& random) {
     return sum;
 }
 
-double angle_between(double from, double to) {
-    double d = std::fmod(to - from, 2 * pi);
-    if (d > pi) d -= 2 * pi;
-    if (d < -pi) d += 2 * pi;
-    return d;
-}
-
 bool worth_a_shot(const Self& self, const Seat& seat, const Mind& mind) {
     const double distance = glm::distance(self.eye, mind.foe);
     const bool near = distance < near_share * seat.skill.keep;
@@ -43,6 +36,13 @@ Aim aim_at(vec3 eye, vec3 target) {
     return {det::atan2(-d.x, -d.z), det::atan2(d.y, std::sqrt(d.x * d.x + d.z * d.z))};
 }
 
+double angle_between(double from, double to) {
+    double d = std::fmod(to - from, 2 * pi);
+    if (d > pi) d -= 2 * pi;
+    if (d < -pi) d += 2 * pi;
+    return d;
+}
+
 void wander_aim(const Seat& seat, Mind& mind) {
     constexpr double keep = 0.98;
     const double fresh = std::sqrt(1 - keep * keep);
@@ -50,9 +50,9 @@ void wander_aim(const Seat& seat, Mind& mind) {
     mind.error_up = keep * mind.error_up + fresh * 0.5 * seat.skill.aim_error * normal(mind.random);
 }
 
-vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind) {
+vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind, double lead) {
     const double flight = self.shot.speed > 0 ? glm::distance(self.eye, mind.foe) / self.shot.speed : 0;
-    vec3 moved = mind.foe_velocity * (seat.skill.lead * (seconds(seat.skill.reaction) + flight));
+    vec3 moved = mind.foe_velocity * (lead * (seconds(seat.skill.reaction) + flight));
     moved.y = 0;  // jumps end soon
     return mind.foe + moved;
 }

@@ -12,11 +12,14 @@ struct Aim {
 
 Aim aim_at(vec3 eye, vec3 target);
 
+/// rad, the shorter way round.
+double angle_between(double from, double to);
+
 /// The aim wanders slowly, with the skill's standard deviation.
 void wander_aim(const Seat& seat, Mind& mind);
 
-/// Where the foe will be when the shot is there, as far as the skill allows for that.
-vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind);
+/// Where the foe will be when the shot is there, as far as `lead` of the foe's motion is allowed for.
+vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind, double lead);
 
 /// So that the next shot comes down there; what flies in an arc takes the lower of its two ways.
 Aim aim_of_shot(const Self& self, vec3 target);

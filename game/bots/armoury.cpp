@@ -11,8 +11,6 @@ using input::Button;
 
 constexpr double clear_of_burst = 1.4;  ///< of its reach: nearer, it would hurt oneself
 constexpr double throw_within = 14;     ///< m; farther, the fuse is over before
-constexpr double over_cover = 0.0004;   ///< chance at a look to take what flies over it
-constexpr double throws_share = 0.12;   ///< of the choices for variety
 constexpr auto wand_keys = bit(Button::wand_1) | bit(Button::wand_2) | bit(Button::wand_3) |
                            bit(Button::wand_4) | bit(Button::wand_5);
 
@@ -80,33 +78,44 @@ void choose_anew(const MatchData& data, const WandBelt& belt, const Prospect& pr
                  Tick tick) {
     mind.wand_until = tick + ticks(mind.random.uniform(1.5, 3.0));
     const bool varies = mind.random.uniform() < prospect.seat.skill.variety;
-    const bool throws = mind.random.uniform() < throws_share;
+    const bool throws = mind.random.uniform() < prospect.seat.skill.throws;
     if (varies && throws && take(data, belt, prospect, Way::arc, mind)) return;
     if (varies && take(data, belt, prospect, Way::charged, mind)) return;
     if (take(data, belt, prospect, Way::rapid, mind) || take(data, belt, prospect, Way::charged, mind))
         return;
-    take(data, belt, prospect, Way::arc, mind);
+    if (take(data, belt, prospect, Way::arc, mind)) return;
+    // All are empty: rather one that shoots than one for other things, so that it knows what it lacks.
+    const auto shoots = [](const LoadedWand& wand) { return wand.kind->shot != nullptr; };
+    const auto in_mind = [&](const LoadedWand& wand) { return shoots(wand) && wand.stats.slot == mind.wand; };
+    if (std::any_of(data.wands.begin(), data.wands.end(), in_mind)) return;
+    const auto first = std::find_if(data.wands.begin(), data.wands.end(), shoots);
+    if (first != data.wands.end()) mind.wand = first->stats.slot;
 }
 
 }  // namespace
 
+bool in_hand(const Self& self, Mind& mind) {
+    mind.buttons &= ~wand_keys;
+    if (mind.wand == self.wand) return true;
+    mind.buttons &= ~(bit(Button::fire) | bit(Button::throw_));
+    mind.buttons |= bit(Button::wand_1) << mind.wand;
+    return false;
+}
+
 bool choose_wand(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Tick tick) {
     const auto& belt = match.world().get<WandBelt>(wizard_of(match.world(), seat.player));
-    mind.buttons &= ~wand_keys;
     const bool readying = self.shot.held && (mind.buttons & bit(Button::fire)) != 0;
     if (!readying) {
         const vec3 to = mind.foe - self.eye;
         const Prospect prospect{self, seat, glm::length(to), to.y, hidden(mind, tick)};
-        const bool over = prospect.hidden && self.shot.fall == 0 && mind.random.uniform() < over_cover;
+        const bool over =
+            prospect.hidden && self.shot.fall == 0 && mind.random.uniform() < seat.skill.over_cover;
         if (over && take(match.data(), belt, prospect, Way::arc, mind))
             mind.wand_until = tick + ticks(2.0);
         else if (tick >= mind.wand_until || !self.can_shoot)
             choose_anew(match.data(), belt, prospect, mind, tick);
     }
-    if (mind.wand == self.wand) return true;
-    mind.buttons &= ~bit(Button::fire);
-    mind.buttons |= bit(Button::wand_1) << mind.wand;
-    return false;
+    return in_hand(self, mind);
 }
 
 }  // namespace thaum::game

@@ -9,8 +9,10 @@
 #include "game/bots/aim.h"
 #include "game/bots/armoury.h"
 #include "game/bots/errands.h"
+#include "game/bots/lifting.h"
 #include "game/bots/mind.h"
 #include "game/bots/nav.h"
+#include "game/bots/roping.h"
 #include "game/bots/senses.h"
 
 // Every gameplay tick a bot looks, chooses an aim and a way, and spreads its turn over the ticks until the next look.
@@ -137,43 +139,86 @@ struct BotWays {
     WalkGrid::Ways to_goal, from_here;
 };
 
+/// What a bot remembers and is at.
+struct Thoughts {
+    Eyes& eyes;
+    Mind& mind;
+    Porter& porter;
+    Climber& climber;
+};
+
+/// What all bots know of the court: a cache.
+struct Court {
+    const WalkGrid& grid;
+    const std::vector<Crossing>& crossings;
+};
+
 /// Nothing of what it knew is true any more.
-void begin_anew(const Match& match, Eyes& eyes, Mind& mind) {
-    eyes.looks = 0;
-    eyes.back_at = {};
-    mind = {.random = mind.random, .round = match.round};
+void begin_anew(const Match& match, const Thoughts& own) {
+    own.eyes.looks = 0;
+    own.eyes.back_at = {};
+    own.eyes.things = {};
+    own.mind = {.random = own.mind.random, .round = match.round};
+    own.porter = {};
+    own.climber = {};
 }
 
-void rest(Eyes& eyes, Mind& mind) {
-    eyes.looks = 0;
+void rest(const Thoughts& own) {
+    auto& mind = own.mind;
+    own.eyes.looks = 0;
     mind.right_left = mind.up_left = mind.move_strafe = mind.move_forward = 0;
     mind.buttons = 0;
     mind.foe_seen_at = 0;
     mind.errand = Errand::none;
+    own.porter = {};
+    own.climber = {};
 }
 
-void think(const Simulation& match, const Seat& seat, Eyes& eyes, Mind& mind, const WalkGrid& grid,
-           BotWays& ways) {
-    const Tick tick = match.match().played;
-    if (mind.round != match.match().round) begin_anew(match.match(), eyes, mind);
-    const auto self = self_of(match, seat.player, mind.readiness);
-    if (!self.alive) return rest(eyes, mind);
-    see_foe(match, self, seat, eyes, mind, tick);
-    see_power_ups(match, self, seat, eyes);
-    wander_aim(seat, mind);
-    choose_errand(match, self, seat, eyes, grid, ways.from_here, mind, tick);
-    choose_step(match, self, seat, mind, tick);
-    const vec3 way = choose_way(self, seat, grid, mind, ways.to_goal, tick);
+/// Where the eye wants to be, and the trigger, while it shoots or looks for whom to shoot.
+std::optional<Aim> shoot(const Simulation& match, const Self& self, const Seat& seat, vec3 way, Mind& mind,
+                         Tick tick) {
     const bool watches = mind.foe_seen_at != 0 && tick - mind.foe_seen_at < ticks(1.5);
-    auto aim = watches ? aim_of_shot(self, aim_point(self, seat, mind)) : aim_at(self.eye, self.eye + way);
+    auto aim = watches ? aim_of_shot(self, aim_point(self, seat, mind, seat.skill.lead))
+                       : aim_at(self.eye, self.eye + way);
     if (!watches) aim.pitch = 0;
-    const auto wanted = aim;
-    aim.yaw += mind.error_right;
-    aim.pitch += mind.error_up;
-    if (watches || glm::length(way) > 0) turn_towards(self, seat, aim, mind);
-    if (choose_wand(match, self, seat, mind, tick)) choose_fire(self, seat, wanted, mind, tick);
+    if (choose_wand(match, self, seat, mind, tick)) choose_fire(self, seat, aim, mind, tick);
+    return watches || glm::length(way) > 0 ? std::optional(aim) : std::nullopt;
+}
+
+/// What the hands do.
+std::optional<Aim> use_hands(const Simulation& match, const Self& self, const Seat& seat, vec3 way,
+                             const Thoughts& own, Tick tick) {
+    if (hands_full(own.climber)) return aim_on_rope(self, own.climber);
+    if (hands_full(own.porter)) return handle_thing(match, self, seat, own.mind, own.porter, tick);
+    return shoot(match, self, seat, way, own.mind, tick);
+}
+
+void think(const Simulation& match, const Seat& seat, const Thoughts& own, const Court& court,
+           BotWays& ways) {
+    auto& mind = own.mind;
+    const Tick tick = match.match().played;
+    if (mind.round != match.match().round) begin_anew(match.match(), own);
+    const auto self = self_of(match, seat.player, mind.readiness);
+    if (!self.alive) return rest(own);
+    see_foe(match, self, seat, own.eyes, mind, tick);
+    see_power_ups(match, self, seat, own.eyes);
+    if (seat.skill.lift.share > 0) see_things(match, self, seat, own.eyes);
+    wander_aim(seat, mind);
+    choose_errand(match, self, seat, own.eyes, court.grid, ways.from_here, mind, tick);
+    if (!roped(own.climber)) plan_to_lift(match, self, seat, own.eyes, court.grid, mind, own.porter, tick);
+    choose_step(match, self, seat, mind, tick);
+    vec3 way = choose_way(self, seat, court.grid, mind, ways.to_goal, tick);
+    if (own.porter.what == Porting::none)
+        plan_to_swing(match, self, seat, court.grid, court.crossings, ways.to_goal, mind, own.climber, tick);
+    if (roped(own.climber)) way = swing_over(match, self, seat, mind, own.climber, tick);
+    if (auto aim = use_hands(match, self, seat, way, own, tick)) {
+        aim->yaw += mind.error_right;
+        aim->pitch += mind.error_up;
+        turn_towards(self, seat, *aim, mind);
+    }
     set_move(self, way, mind);
     mind.wishes_to_move = glm::length(way) > 0 ? 1 : 0;
+    if (hands_full(own.climber)) return;
     unstick(self, mind, tick);
     if (tick < mind.dodge_until) mind.move_strafe = mind.strafe > 0 ? 127 : -127;
 }
@@ -191,6 +236,23 @@ BotSkill read_marksmanship(const ConfigTable& table) {
     skill.range = table.number("range_m", {0, 100});
     return skill;
 }
+
+namespace {
+
+LiftSkill read_lifting(const ConfigTable& table) {
+    LiftSkill lift;
+    lift.share = table.number("share", {0, 1});
+    lift.seek = table.number("seek_m", {0, 40});
+    lift.largest = table.number("largest_m", {0, 40});
+    lift.lead = table.number("lead", {0, 2});
+    lift.within = table.number("within_deg", {0.1, 90}) * radians_per_degree;
+    lift.hold = ticks(table.number("hold_s", {0, 60}));
+    lift.rest = ticks(table.number("rest_s", {0, 60}));
+    lift.guards = table.boolean("guards", false) ? 1 : 0;
+    return lift;
+}
+
+}  // namespace
 
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level) {
     if (level < 1 || level > bot_levels)
@@ -216,6 +278,12 @@ Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level
     skill.variety = root.number("variety", share);
     skill.charge = root.number("charge", share);
     skill.arcs = root.boolean("arcs", false) ? 1 : 0;
+    if (skill.arcs != 0) {
+        skill.throws = root.number("throws", share);
+        skill.over_cover = root.number("over_cover_per_s", {0, 100}) * gameplay_dt;
+    }
+    if (root.has("lift")) skill.lift = read_lifting(root.table("lift"));
+    if (root.has("swing")) skill.swing_gain = root.table("swing").number("gain_m", {0.1, 100});
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return skill;
 }
@@ -230,12 +298,15 @@ input::DeviceSpec bot_device(std::uint32_t player, int level) {
 struct Bots::Inside {
     ecs::World minds;
     std::unique_ptr<WalkGrid> grid;
+    std::vector<Crossing> crossings;
     std::vector<BotWays> ways;  // a cache, by the bot's entity number
 
     Inside() {
         minds.declare<Seat>();
         minds.declare<Eyes>();
         minds.declare<Mind>();
+        minds.declare<Porter>();
+        minds.declare<Climber>();
     }
 };
 
@@ -247,9 +318,12 @@ Bots& Bots::operator=(Bots&&) noexcept = default;
 void Bots::add(const Simulation& match, std::size_t device, std::uint32_t player, const BotSkill& skill,
                std::uint64_t seed) {
     auto& in = *inside_;
-    if (!in.grid) in.grid = std::make_unique<WalkGrid>(match.physics());
+    if (!in.grid) {
+        in.grid = std::make_unique<WalkGrid>(match.physics());
+        in.crossings = find_crossings(match, *in.grid);
+    }
     const Seat seat{.device = device, .player = player, .skill = skill};
-    in.minds.create(seat, Eyes{}, Mind{.random = random_stream(seed, 100 + player)});
+    in.minds.create(seat, Eyes{}, Mind{.random = random_stream(seed, 100 + player)}, Porter{}, Climber{});
     in.ways.emplace_back();
     in.grid->find_ways(0, in.ways.back().from_here);
     in.grid->find_ways(0, in.ways.back().to_goal);  // so that no memory is asked for during the match
@@ -261,9 +335,11 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
     if (match.match().paused != 0 || match.match().phase != Phase::playing) return;
     const Tick phase = match.match().played % gameplay_period;
     auto& in = *inside_;
-    in.minds.view<const Seat, Eyes, Mind>().each(
-        [&](ecs::Entity e, const Seat& seat, Eyes& eyes, Mind& mind) {
-            if (phase == 0) think(match, seat, eyes, mind, *in.grid, in.ways[e.index]);
+    in.minds.view<const Seat, Eyes, Mind, Porter, Climber>().each(
+        [&](ecs::Entity e, const Seat& seat, Eyes& eyes, Mind& mind, Porter& porter, Climber& climber) {
+            if (phase == 0) {
+                think(match, seat, {eyes, mind, porter, climber}, {*in.grid, in.crossings}, in.ways[e.index]);
+            }
             auto& sample = frame.devices[seat.device];
             sample = {};
             turn_hand(mind, gameplay_period - phase, sample);

@@ -16,6 +16,26 @@ namespace thaum::game {
 /// Levels go from 1 to this.
 inline constexpr int bot_levels = 3;
 
+/// How it uses what takes loose things up.
+struct LiftSkill {
+    double share{};          ///< of its chances to take something up; 0: it never does
+    double seek{};           ///< m that it walks to a thing
+    double largest{};        ///< m, from the middle of a thing to its corners
+    double lead{};           ///< share of the foe's motion that a throw allows for
+    double within{};         ///< rad: it throws when its aim is that close
+    Tick hold{};             ///< ticks that it waits for the right moment
+    Tick rest{};             ///< ticks between two things, about
+    std::uint32_t guards{};  ///< 1: holds it before itself while shots come
+    std::uint32_t spare{};
+    static constexpr auto fields() {
+        using S = LiftSkill;
+        return std::tuple(
+            ecs::field("share", &S::share), ecs::field("seek", &S::seek), ecs::field("largest", &S::largest),
+            ecs::field("lead", &S::lead), ecs::field("within", &S::within), ecs::field("hold", &S::hold),
+            ecs::field("rest", &S::rest), ecs::field("guards", &S::guards), ecs::field("spare", &S::spare));
+    }
+};
+
 /// From assets/bots/level_N.toml, which says what each number does.
 struct BotSkill {
     std::uint32_t level{};
@@ -37,6 +57,10 @@ struct BotSkill {
     double cover_below{};    ///< HP: it hides below that, where there is nothing to fetch
     double variety{};        ///< share of its choices that fall on a wand that is readied first
     double charge{};         ///< how far it readies one at most, 0 to 1
+    double throws{};         ///< share of these that fly in an arc
+    double over_cover{};     ///< chance at a look to throw over what hides the foe
+    LiftSkill lift{};
+    double swing_gain{};  ///< m of way that a rope over a gap must save; 0: it never swings
     static constexpr auto fields() {
         using S = BotSkill;
         return std::tuple(
@@ -49,7 +73,9 @@ struct BotSkill {
             ecs::field("strafe_step", &S::strafe_step), ecs::field("vial_below", &S::vial_below),
             ecs::field("spark_below", &S::spark_below), ecs::field("reserve", &S::reserve),
             ecs::field("cover_below", &S::cover_below), ecs::field("variety", &S::variety),
-            ecs::field("charge", &S::charge));
+            ecs::field("charge", &S::charge), ecs::field("throws", &S::throws),
+            ecs::field("over_cover", &S::over_cover), ecs::field("lift", &S::lift),
+            ecs::field("swing_gain", &S::swing_gain));
     }
 };
 

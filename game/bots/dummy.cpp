@@ -60,7 +60,7 @@ void Dummy::shoot(const Simulation& match, const Self& self, Tick tick) {
         mind_.buttons = 0;
         return;
     }
-    const auto wanted = aim_of_shot(self, aim_point(self, seat_, mind_));
+    const auto wanted = aim_of_shot(self, aim_point(self, seat_, mind_, seat_.skill.lead));
     turn_towards(self, seat_, {wanted.yaw + mind_.error_right, wanted.pitch + mind_.error_up}, mind_);
     choose_fire(self, seat_, wanted, mind_, tick);
 }

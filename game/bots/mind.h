@@ -6,6 +6,7 @@ namespace thaum::game {
 
 inline constexpr std::size_t bot_memory = 128;     ///< glimpses; at 8 ms one second
 inline constexpr std::size_t most_power_ups = 16;  ///< that a bot can keep in mind
+inline constexpr std::size_t most_things = 32;     ///< loose ones, likewise
 
 /// What the eye saw at one look.
 struct Glimpse {
@@ -13,6 +14,15 @@ struct Glimpse {
     std::uint64_t seen{};
     static constexpr auto fields() {
         return std::tuple(ecs::field("chest", &Glimpse::chest), ecs::field("seen", &Glimpse::seen));
+    }
+};
+
+/// A loose thing, where it saw it last.
+struct Sighting {
+    ecs::Entity thing{};
+    vec3 place{};  ///< m
+    static constexpr auto fields() {
+        return std::tuple(ecs::field("thing", &Sighting::thing), ecs::field("place", &Sighting::place));
     }
 };
 
@@ -33,15 +43,16 @@ struct Eyes {
     std::uint64_t looks{};
     std::array<Glimpse, bot_memory> glimpses{};
     std::array<Tick, most_power_ups> back_at{};  ///< of each power-up, as it looked last
+    std::array<Sighting, most_things> things{};
     static constexpr std::string_view name = "Eyes";
     static constexpr auto fields() {
         return std::tuple(ecs::field("looks", &Eyes::looks), ecs::field("glimpses", &Eyes::glimpses),
-                          ecs::field("back_at", &Eyes::back_at));
+                          ecs::field("back_at", &Eyes::back_at), ecs::field("things", &Eyes::things));
     }
 };
 
 /// Where a bot goes when it does not just fight.
-enum class Errand : std::uint32_t { none, fetch, hide };
+enum class Errand : std::uint32_t { none, fetch, hide, lift };
 
 struct Mind {
     Random random;
@@ -89,17 +100,60 @@ struct Mind {
     }
 };
 
+/// What it does with a loose thing: walks to it, takes it up, has it.
+enum class Porting : std::uint32_t { none, approach, take, hold };
+
+struct Porter {
+    ecs::Entity thing{};
+    vec3 place{};                  ///< m, of the thing, as it saw it last
+    Tick until{};                  ///< when it gives up what it is at
+    Tick not_before{};             ///< when it may think of another thing
+    Tick shots_from{}, shot_at{};  ///< since when it has seen shots come, and the last
+    double off_left{}, off_up{};   ///< rad, of the thing from the crosshair when it was taken up
+    Porting what{};
+    std::uint32_t spare{};
+    static constexpr std::string_view name = "Porter";
+    static constexpr auto fields() {
+        using P = Porter;
+        return std::tuple(ecs::field("thing", &P::thing), ecs::field("place", &P::place),
+                          ecs::field("until", &P::until), ecs::field("not_before", &P::not_before),
+                          ecs::field("shots_from", &P::shots_from), ecs::field("shot_at", &P::shot_at),
+                          ecs::field("off_left", &P::off_left), ecs::field("off_up", &P::off_up),
+                          ecs::field("what", &P::what), ecs::field("spare", &P::spare));
+    }
+};
+
+/// What it does with a rope: walks to the edge, aims at the anchor, hangs, flies on.
+enum class Roping : std::uint32_t { none, approach, aim, hang, fly };
+
+struct Climber {
+    vec3 from{}, anchor{}, to{};  ///< m: feet, anchor, feet
+    Tick until{};                 ///< when it gives up
+    Tick not_before{};
+    Roping what{};
+    std::uint32_t spare{};
+    static constexpr std::string_view name = "Climber";
+    static constexpr auto fields() {
+        using C = Climber;
+        return std::tuple(ecs::field("from", &C::from), ecs::field("anchor", &C::anchor),
+                          ecs::field("to", &C::to), ecs::field("until", &C::until),
+                          ecs::field("not_before", &C::not_before), ecs::field("what", &C::what),
+                          ecs::field("spare", &C::spare));
+    }
+};
+
 /// The bot's own wizard, as it knows itself.
 struct Self {
     vec3 centre{}, eye{}, velocity{};
     double yaw{}, pitch{};
-    double health{};         ///< HP
-    vec3 tip{};              ///< m, of the wand in hand
-    double energy_share{};   ///< of the wand in hand
-    double readiness{};      ///< of the wand in hand
-    ShotKind shot{};         ///< the next one from it
-    std::uint32_t wand{};    ///< its slot
-    bool can_shoot = false;  ///< there is energy for a shot
+    double health{};             ///< HP
+    vec3 tip{};                  ///< m, of the wand in hand
+    double energy_share{};       ///< of the wand in hand
+    double readiness{};          ///< of the wand in hand
+    ShotKind shot{};             ///< the next one from it
+    std::uint32_t wand{};        ///< its slot
+    bool can_shoot = false;      ///< there is energy for a shot
+    std::optional<vec3> held{};  ///< m, what the wand in hand holds or hangs on
     std::uint32_t key{};
     bool alive = false;
 };

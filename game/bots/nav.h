@@ -21,6 +21,9 @@ public:
     static vec3 centre_of(int cell);
     bool walkable(int cell) const { return height_[static_cast<std::size_t>(cell)] > blocked; }
 
+    /// Of the ground in a walkable cell, m.
+    double height(int cell) const { return height_[static_cast<std::size_t>(cell)]; }
+
     /// Steps to a goal from every cell (breadth first); memory is used again.
     struct Ways {
         int goal = -1;

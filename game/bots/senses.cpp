@@ -11,7 +11,9 @@ namespace {
 
 constexpr std::uint64_t stride = 12;    ///< looks between the two glimpses that tell the foe's velocity
 constexpr double noticed_within = 2.0;  ///< m; what lies at one's feet is felt rather than seen
+constexpr vec3 head{0, 0.5, 0};         ///< m, from the chest
 constexpr double bolt_reach = 0.9;      ///< m; a bolt that passes farther away misses
+constexpr double shot_near = 2.0;       ///< m; a shot that passes nearer was meant for it
 constexpr double bolt_soon = 0.7;       ///< s; later ones are left for later
 
 bool in_view(const Self& self, const Seat& seat, vec3 place) {
@@ -27,8 +29,13 @@ Glimpse look(const Simulation& match, const Self& self, const Seat& seat) {
     if (world.has<Dead>(foe)) return {};
     const vec3 chest = world.get<Motion>(foe).position + vec3(0, 0.2, 0);
     if (!in_view(self, seat, chest)) return {};
-    const auto hit = match.physics().ray(self.eye, chest, physics::all_layers, self.key);
-    if (hit && hit->key != foe.index) return {};
+    const auto hidden = [&](vec3 place) {
+        const auto hit = match.physics().ray(self.eye, place, physics::all_layers, self.key);
+        return hit && hit->key != foe.index ? match.physics().desc(hit->key).layer : 0;
+    };
+    // A loose thing may hide the chest and leave the head: the one that either of the two holds before itself.
+    const auto by = hidden(chest);
+    if (by != 0 && ((by & layer::prop) == 0 || hidden(chest + head) != 0)) return {};
     return {chest, 1};
 }
 
@@ -87,6 +94,7 @@ Self self_of(const Simulation& match, std::uint32_t player, double readiness) {
         const double energy = energy_in_hand(match.data(), belt);
         self.can_shoot = wand->kind->shot != nullptr && energy >= stats.energy_cost;
         self.energy_share = stats.energy_cap > 0 ? energy / stats.energy_cap : 1;
+        self.held = wand->kind->held_at(world, wizard);
     }
     return self;
 }
@@ -118,6 +126,45 @@ void see_power_ups(const Simulation& match, const Self& self, const Seat& seat, 
     match.world().view<const PowerUp>().each([&](const PowerUp& p) {
         if (p.number == number) eyes.back_at[number] = p.back_at;
     });
+}
+
+void see_things(const Simulation& match, const Self& self, const Seat& seat, Eyes& eyes) {
+    const auto count = std::min<std::uint64_t>(match.world().count<Prop>(), most_things);
+    if (count == 0) return;
+    const auto number = eyes.looks % count;
+    std::uint64_t i = 0;
+    match.world().view<const Prop, const Motion>().each(
+        [&](ecs::Entity e, const Prop&, const Motion& motion) {
+            if (i++ != number) return;
+            const vec3 place = motion.position;
+            const bool near = glm::distance(place, self.centre) < noticed_within;
+            if (!near && !in_view(self, seat, place)) return;
+            const auto hit = match.physics().ray(self.eye, place, physics::all_layers, self.key);
+            if (hit && hit->key == e.index) eyes.things[number] = {e, place};
+        });
+}
+
+bool crosshair_on(const Simulation& match, const Self& self, ecs::Entity thing, double reach) {
+    const vec3 ahead = look_rotation(self.yaw, self.pitch) * vec3(0, 0, -1);
+    const auto hit = match.physics().ray(self.eye, self.eye + ahead * reach, physics::all_layers, self.key);
+    return hit && hit->key == thing.index;
+}
+
+bool sees_a_shot_come(const Simulation& match, const Self& self, const Seat& seat) {
+    bool comes = false;
+    const auto note = [&](const Missile& missile) {
+        const vec3 to = self.centre - missile.position;
+        const double ahead = glm::dot(to, missile.velocity);
+        const double speed = glm::length(missile.velocity);
+        if (missile.player == seat.player || ahead <= 0 || !in_view(self, seat, missile.position)) return;
+        const double off = glm::length(to - missile.velocity * (ahead / (speed * speed)));
+        comes = comes || off < shot_near;
+    };
+    for (const auto& wand : match.data().wands) {
+        // One reference, so that no memory is asked for.
+        wand.kind->show(match.world(), [&note](const Missile& missile) { note(missile); });
+    }
+    return comes;
 }
 
 std::int32_t step_aside(const Simulation& match, const Self& self, const Seat& seat, const Mind& mind) {

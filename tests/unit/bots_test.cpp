@@ -3,6 +3,7 @@
 
 #include "game/bots/aim.h"
 #include "game/bots/league.h"
+#include "game/bots/roping.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -17,7 +18,9 @@ BotSkill skill_of(int level) {
 /// A bot (player 0) and somebody who does as the test says (player 1).
 struct Scene {
     explicit Scene(const BotSkill& skill, std::vector<std::string> overrides = {}, std::uint64_t seed = 3)
-        : match(duel_data(std::move(overrides)), {seed, {bot_device(0, 1), bot_device(1, 1)}}) {
+        : Scene(skill, duel_data(std::move(overrides)), seed) {}
+    Scene(const BotSkill& skill, std::shared_ptr<const MatchData> data, std::uint64_t seed = 3)
+        : match(std::move(data), {seed, {bot_device(0, 1), bot_device(1, 1)}}) {
         bots.add(match, 0, 0, skill, seed);
     }
 
@@ -126,6 +129,8 @@ TEST(Bot, WhoAllowsForTheFoesMotionHitsMore) {
 std::array<std::uint32_t, causes.size()> shots_of(int level) {
     auto skill = skill_of(level);
     skill.variety = 0.9;
+    skill.throws = 0.3;
+    skill.lift.share = 0;
     skill.vial_below = skill.spark_below = skill.cover_below = 0;
     Scene scene(skill,
                 {"bolt.energy.regain_per_s=100", "blast.energy.regain_per_s=100",
@@ -185,7 +190,7 @@ TEST(Bot, KeepsItsReserveForAFoeWhoIsNear) {
     auto skill = skill_of(3);
     skill.aim_error = 0;
     skill.reserve = 0.5;
-    skill.spark_below = skill.vial_below = skill.variety = 0;
+    skill.spark_below = skill.vial_below = skill.variety = skill.lift.share = 0;
     Scene scene(skill, {"bolt.energy.regain_per_s=0", "wizard.health.start=100000",
                         "wizard.health.cap=100000", "quick.seconds=60"});
     scene.put(0, {-14, 0, 18.5}, 0);
@@ -202,6 +207,102 @@ TEST(Bot, KeepsItsReserveForAFoeWhoIsNear) {
         scene.run(0.5, stands_still);
     }
     EXPECT_LT(scene.match.world().get<WandBelt>(wizard_of(scene.match.world(), 0)).energy[0], 25);
+}
+
+/// What things did that the bot threw, in 12 s at 10 m from a foe who stands still, a stone of 120 kg between the two.
+Deeds throws_of(int level) {
+    auto skill = skill_of(level);
+    if (skill.lift.share > 0) skill.lift.share = 1;
+    skill.vial_below = skill.spark_below = skill.cover_below = 0;
+    Scene scene(skill, {"wizard.health.start=100000", "wizard.health.cap=100000"});
+    scene.put(0, {7, 0, 15.5}, -90);
+    scene.put(1, {17, 0, 15}, 90);
+    scene.run(12, stands_still);
+    return scene.match.world().single<Chronicle>().deeds[0][cause_of(EventKind::object_hit)];
+}
+
+TEST(Bot, FromLevelTwoItTakesThingsUpAndThrowsThem) {
+    for (int level = 1; level <= bot_levels; ++level) {
+        const auto blows = throws_of(level);
+        EXPECT_EQ(blows.hits > 0, level > 1) << level;
+        EXPECT_EQ(blows.damage > 8, level > 1) << level;
+    }
+}
+
+TEST(Bot, WhoMayNotLiftOrSwingNeverHoldsAnything) {
+    for (const bool may : {false, true}) {
+        auto skill = skill_of(3);
+        skill.lift.share = may ? 1 : 0;
+        skill.swing_gain = 0;
+        Scene scene(skill);
+        scene.put(0, {7, 0, 15.5}, -90);
+        scene.put(1, {17, 0, 15}, 90);
+        bool held = false;
+        for (int i = 0; i < 60; ++i) {
+            scene.run(0.1, stands_still);
+            const auto& world = scene.match.world();
+            held = held || world.get<WandBelt>(wizard_of(world, 0)).holds != 0;
+        }
+        EXPECT_EQ(held, may);
+    }
+}
+
+TEST(Bot, KnowsTheGapsThatAnAnchorSpans) {
+    const Simulation match(duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}});
+    const WalkGrid grid(match.physics());
+    const auto crossings = find_crossings(match, grid);
+    ASSERT_EQ(crossings.size(), 8U) << "four anchors over the two pits, both ways";
+    for (const auto& c : crossings) {
+        EXPECT_TRUE(grid.walkable(WalkGrid::cell_at(c.from)) && grid.walkable(WalkGrid::cell_at(c.to)));
+        EXPECT_FALSE(grid.straight(c.from, c.to));
+        EXPECT_NEAR(glm::distance(c.from, c.anchor), glm::distance(c.to, c.anchor), 1e-9);
+        const auto back = std::any_of(crossings.begin(), crossings.end(), [&](const Crossing& other) {
+            return other.from == c.to && other.to == c.from && other.anchor == c.anchor;
+        });
+        EXPECT_TRUE(back);
+    }
+}
+
+struct Trip {
+    double seconds{};  ///< until the spark was picked up
+    double lowest{};   ///< m, of the feet
+    double health{};   ///< HP
+};
+
+/// A bot without bolts, and the only spark of the court beyond the pit.
+Trip errand_over_the_pit(double swing_gain) {
+    auto skill = skill_of(3);
+    skill.swing_gain = swing_gain;
+    skill.vial_below = skill.cover_below = skill.lift.share = 0;
+    skill.spark_below = 1;
+    auto data = *duel_data({"bolt.energy.regain_per_s=0"});
+    auto& power_ups = data.arena.power_ups;
+    std::erase_if(power_ups, [](const auto& p) { return p.kind != PowerUpKind::spark || p.position.z < 10; });
+    EXPECT_EQ(power_ups.size(), 1U);
+    Scene scene(skill, std::make_shared<const MatchData>(std::move(data)));
+    auto& world = scene.match.world_to_change();
+    const auto bot = wizard_of(world, 0);
+    for (const auto* shoots : {"bolt", "blast", "lob"})
+        world.get<WandBelt>(bot).energy[wand_of(scene.match.data(), shoots).stats.energy_slot] = 0;
+    scene.put(0, {-1, 0, 3.5}, 180);
+    scene.put(1, {18, 0, -18}, 0);
+    Trip errand{.lowest = 100};
+    while (!scene.picked_up() && errand.seconds < 20) {
+        scene.run(0.008, stands_still);
+        errand.seconds += 0.008;
+        const auto& motion = scene.match.world().get<Motion>(bot);
+        errand.lowest = std::min(errand.lowest, motion.position.y - scene.match.data().wizard.height / 2);
+    }
+    errand.health = scene.match.world().get<Health>(bot).points;
+    return errand;
+}
+
+TEST(Bot, SwingsOverAPitWhereThatIsSooner) {
+    const auto walks = errand_over_the_pit(0), swings = errand_over_the_pit(3);
+    EXPECT_LT(walks.seconds, 15);
+    EXPECT_LT(swings.seconds, walks.seconds - 0.5);
+    EXPECT_GT(swings.lowest, -0.2) << "never in the pit";
+    EXPECT_EQ(swings.health, 100);
 }
 
 TEST(Bot, SavedAndRestoredItGoesOnAsItWould) {

@@ -1,0 +1,169 @@
+#include "game/bots/roping.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "game/bots/armoury.h"
+
+namespace thaum::game {
+namespace {
+
+using input::bit;
+using input::Button;
+
+constexpr double half_gap = 4;        ///< m along the ground, from the anchor to either side
+constexpr double level_ground = 0.3;  ///< m, between both sides
+constexpr double deep = 1.5;          ///< m; a gap that is not so deep is walked through
+constexpr double knee = 0.9;          ///< m; nothing may stand in the way from there up
+constexpr double near_anchor = 0.5;   ///< m; what a ray meets so near is the anchor itself
+constexpr double walk_to_edge = 7;    ///< m, at most
+constexpr double at_edge = 0.5;       ///< m
+constexpr double costs_as = 9;        ///< m of walking that a swing takes as long as
+constexpr double let_go_past = 2.2;   ///< m behind the anchor
+constexpr double aim_share = 0.7;     ///< of the angle in which a rope finds its anchor
+constexpr double energy_needed = 20;
+constexpr double least_health = 15;  ///< HP: a fall into the gap must not be its end
+constexpr Tick again_after = ticks(2.0), look_again = ticks(0.1);
+constexpr Tick edge_time = ticks(3.0), latch_time = ticks(1.5), hang_time = ticks(4.0), fly_time = ticks(1.5);
+constexpr Tick tug_time = ticks(0.03);
+
+vec3 flat(vec3 v) { return {v.x, 0, v.z}; }
+
+vec3 across(const Climber& c) {
+    const vec3 way = flat(c.to - c.from);
+    return way / std::max(1e-9, glm::length(way));
+}
+
+const LoadedWand* roper_of(const Simulation& match) {
+    for (const auto& wand : match.data().wands) {
+        if (wand.kind->rope != nullptr) return &wand;
+    }
+    return nullptr;
+}
+
+bool spans_a_gap(const Simulation& match, const WalkGrid& grid, const RopeKind& rope, const Crossing& c) {
+    const int from = WalkGrid::cell_at(c.from), to = WalkGrid::cell_at(c.to);
+    if (!grid.walkable(from) || !grid.walkable(to)) return false;
+    const int under = WalkGrid::cell_at(c.anchor);
+    const bool gap = !grid.walkable(under) || grid.height(under) < grid.height(from) - deep;
+    if (!gap || std::abs(grid.height(from) - grid.height(to)) > level_ground) return false;
+    const vec3 low = c.from + vec3(0, knee, 0);
+    const vec3 eye = c.from + vec3(0, match.data().wizard.eye, 0);
+    const auto seen = match.physics().ray(eye, c.anchor, layer::ground);
+    return glm::distance(eye, c.anchor) < rope.reach &&
+           !match.physics().ray(low, c.to + vec3(0, knee, 0), layer::ground) &&
+           (!seen || glm::distance(seen->point, c.anchor) < near_anchor);
+}
+
+void begin(Climber& climber, Roping what, Tick until) {
+    climber.what = what;
+    climber.until = until;
+}
+
+void end(Mind& mind, Climber& climber, Tick tick) {
+    mind.buttons &= ~bit(Button::fire);
+    mind.wand_until = tick;
+    climber.what = Roping::none;
+    climber.not_before = tick + again_after;
+}
+
+/// The rope's wand into the hand, the crosshair to the anchor, and fire.
+void latch(const Self& self, const LoadedWand& roper, Mind& mind, Climber& climber, Tick tick) {
+    const auto fire = bit(Button::fire);
+    mind.wand = roper.stats.slot;
+    if (!in_hand(self, mind)) return;
+    if (self.held) return begin(climber, Roping::hang, tick + hang_time);
+    if ((mind.buttons & fire) != 0) {
+        if (tick >= mind.fire_from + tug_time) mind.buttons &= ~fire;
+        return;
+    }
+    const vec3 to = climber.anchor - self.eye;
+    const vec3 ahead = look_rotation(self.yaw, self.pitch) * vec3(0, 0, -1);
+    const double aim = det::acos(roper.kind->rope(roper.data.get()).aim_cos) * aim_share;
+    if (glm::dot(to, ahead) < glm::length(to) * det::cos(aim)) return;
+    mind.buttons |= fire;
+    mind.fire_from = tick;
+}
+
+}  // namespace
+
+std::vector<Crossing> find_crossings(const Simulation& match, const WalkGrid& grid) {
+    std::vector<Crossing> crossings;
+    const auto* roper = roper_of(match);
+    if (roper == nullptr) return crossings;
+    const auto rope = roper->kind->rope(roper->data.get());
+    for (const vec3 anchor : match.data().arena.anchors) {
+        for (const vec3 way : {vec3(1, 0, 0), vec3(-1, 0, 0), vec3(0, 0, 1), vec3(0, 0, -1)}) {
+            Crossing c{flat(anchor) - way * half_gap, anchor, flat(anchor) + way * half_gap};
+            const int cell = WalkGrid::cell_at(c.from);
+            if (!grid.walkable(cell)) continue;
+            c.from.y = c.to.y = grid.height(cell);
+            if (spans_a_gap(match, grid, rope, c)) crossings.push_back(c);
+        }
+    }
+    return crossings;
+}
+
+void plan_to_swing(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
+                   const std::vector<Crossing>& crossings, const WalkGrid::Ways& to_goal, const Mind& mind,
+                   Climber& climber, Tick tick) {
+    if (seat.skill.swing_gain <= 0 || roped(climber) || tick < climber.not_before) return;
+    climber.not_before = tick + look_again;
+    const bool hunts = mind.foe_seen_at == 0 || tick > mind.foe_seen_at + ticks(1.0);
+    const bool errand = mind.errand == Errand::fetch || mind.errand == Errand::hide;
+    const auto* roper = roper_of(match);
+    if (roper == nullptr || self.health < least_health || (!hunts && !errand)) return;
+    const auto& belt = match.world().get<WandBelt>(wizard_of(match.world(), seat.player));
+    if (belt.energy[roper->stats.energy_slot] < energy_needed) return;
+    if (to_goal.goal != WalkGrid::cell_at(mind.goal)) return;
+    const auto steps = [&](vec3 place) {
+        return static_cast<double>(to_goal.steps[static_cast<std::size_t>(WalkGrid::cell_at(place))]);
+    };
+    double most = seat.skill.swing_gain;
+    for (const auto& c : crossings) {
+        const double walk = glm::length(flat(c.from - self.centre));
+        const double gain = steps(self.centre) - (walk + costs_as + steps(c.to));
+        if (walk > walk_to_edge || gain < most || !grid.straight(self.centre, c.from)) continue;
+        most = gain;
+        climber.from = c.from;
+        climber.anchor = c.anchor;
+        climber.to = c.to;
+        begin(climber, Roping::approach, tick + edge_time);
+    }
+}
+
+vec3 swing_over(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Climber& climber,
+                Tick tick) {
+    const auto* roper = roper_of(match);
+    if (roper == nullptr || tick >= climber.until) {
+        end(mind, climber, tick);
+        return {};
+    }
+    const vec3 to_edge = flat(climber.from - self.centre);
+    switch (climber.what) {
+        case Roping::approach:
+            if (glm::length(to_edge) > at_edge) return to_edge;
+            mind.buttons &= ~bit(Button::fire);
+            begin(climber, Roping::aim, tick + latch_time);
+            return {};
+        case Roping::aim: latch(self, *roper, mind, climber, tick); return {};
+        case Roping::hang:
+            mind.buttons |= bit(Button::fire);
+            if (!self.held || glm::dot(self.centre - climber.anchor, across(climber)) > let_go_past) {
+                mind.buttons &= ~bit(Button::fire);
+                begin(climber, Roping::fly, tick + fly_time);
+            }
+            return across(climber);
+        default: break;
+    }
+    const auto& stance = match.world().get<Stance>(wizard_of(match.world(), seat.player));
+    if (stance.grounded != 0) end(mind, climber, tick);
+    return across(climber);
+}
+
+Aim aim_on_rope(const Self& self, const Climber& climber) {
+    if (climber.what == Roping::aim) return aim_at(self.eye, climber.anchor);
+    return aim_at(self.eye, self.eye + across(climber));
+}
+
+}  // namespace thaum::game
