@@ -1,12 +1,17 @@
-// What a picture of the duel costs at each quality, and how far it is from the best one.
+// What a picture of the duel costs at each quality, and how far it is from the best one; and what a tick costs while pictures are
+// drawn beside it, compared with none, by turns in the same run.
+#include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <mutex>
 #include <optional>
+#include <thread>
 
 #include "game/bots/duel.h"
 #include "game/hud/hud.h"
 #include "render/context.h"
 #include "render/perceptual.h"
+#include "render/priority.h"
 #include "render/renderer.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
@@ -88,6 +93,112 @@ Row row_of(RenderScene& scene, Quality quality, const std::vector<double>& sampl
                         {"shadow_triangles", static_cast<double>(s.shadow_triangles)}}};
 }
 
+// Ticks beside pictures ------------------------------------------------------------------------------------------------
+
+/// Draws what was last handed over, on a thread of its own as a match on the screen does, while it may.
+class Drawer {
+public:
+    Drawer(RenderScene& scene, Quality quality)
+        : scene_(scene), quality_(quality), newest_(scene.picture), thread_([this] { run(); }) {}
+    Drawer(const Drawer&) = delete;
+    Drawer& operator=(const Drawer&) = delete;
+    ~Drawer() {
+        may_ = false;
+        over_ = true;
+        thread_.join();
+    }
+    /// Returns when it does so.
+    void set_drawing(bool drawing) {
+        may_ = drawing;
+        while (draws_ != drawing) std::this_thread::yield();
+    }
+    void hand_over(const game::Picture& picture) {
+        const std::scoped_lock lock(mutex_);
+        newest_ = picture;
+    }
+    int drawn() const { return drawn_; }
+
+private:
+    void run() {
+        scene_.context.make_current();
+        render::draw_behind_others();
+        while (!over_) {
+            draws_ = may_.load();
+            if (draws_) {
+                draw();
+            } else {
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+        }
+        scene_.context.release_current();
+    }
+    void draw() {
+        {
+            const std::scoped_lock lock(mutex_);
+            own_ = newest_;
+        }
+        scene_.renderer->draw(
+            game::make_frame(scene_.court, own_, {.quality = quality_}, window, scene_.memory));
+        do_not_optimise(scene_.renderer->read_pixels().rgb.data());
+        ++drawn_;
+    }
+
+    RenderScene& scene_;
+    Quality quality_;
+    game::Picture newest_, own_ = game::make_picture();
+    std::mutex mutex_;
+    std::atomic<bool> may_ = false, draws_ = false, over_ = false;
+    std::atomic<int> drawn_ = 0;
+    std::thread thread_;
+};
+
+/// One tick a millisecond, and a picture of every 16th.
+void paced_ticks(RenderScene& scene, Drawer& drawer, int count, std::vector<double>& samples) {
+    using Clock = std::chrono::steady_clock;
+    auto due = Clock::now();
+    for (int i = 0; i < count; ++i) {
+        due = std::max(due + std::chrono::milliseconds(1), Clock::now());
+        std::this_thread::sleep_until(due);
+        const auto start = Clock::now();
+        scene.duel.match->tick(scene.duel.next_frame());
+        samples.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
+        if (i % between_pictures != 0) continue;
+        game::take_picture(*scene.duel.match, scene.picture);
+        drawer.hand_over(scene.picture);
+    }
+}
+
+void tick_beside_pictures(RenderScene& scene, const Options& options, Report& report) {
+    constexpr int slice = 250;  // ticks
+    const int rounds = options.quick ? 12 : 60;
+    const auto quality = render::first_quality(scene.renderer->device());
+    scene.context.release_current();
+    std::array<std::vector<double>, 2> samples;
+    int drawn = 0;
+    {
+        Drawer drawer(scene, quality);
+        for (int i = 0; i < 2 * rounds; ++i) {
+            const bool drawing = i % 2 == 1;
+            drawer.set_drawing(drawing);
+            paced_ticks(scene, drawer, slice, samples[drawing ? 1 : 0]);
+        }
+        drawn = drawer.drawn();
+    }
+    scene.context.make_current();
+    const double alone = percentile(samples[0], 0.99);
+    for (const bool drawing : {false, true}) {
+        const auto& own = samples[drawing ? 1 : 0];
+        report.rows.push_back({.area = "render",
+                               .name = "tick",
+                               .setting = {{"drawing", std::string(drawing ? "beside" : "no")}},
+                               .time_us = times(own),
+                               .is_default = drawing,
+                               .metrics = {{"ticks", static_cast<double>(own.size())},
+                                           {"p99_to_alone", percentile(own, 0.99) / alone},
+                                           {"pictures", drawing ? static_cast<double>(drawn) : 0.0}}});
+    }
+}
+
 }  // namespace
 
 void render(const Options& options, Report& report) {
@@ -108,6 +219,7 @@ void render(const Options& options, Report& report) {
         const auto best = picture_at(scene, Quality::high);
         report.rows.push_back(row_of(scene, quality, samples[static_cast<std::size_t>(quality)], best));
     }
+    tick_beside_pictures(scene, options, report);
     scene.renderer.reset();
 }
 
