@@ -18,8 +18,8 @@ void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, in
         book.open = 0;
         return;
     }
-    if (book.open != 0) {
-        const vec3 step = position - book.position;
+    const vec3 step = position - book.position;
+    if (book.open != 0 && glm::length(step) <= longest_step) {
         const auto back = static_cast<std::uint32_t>(std::clamp(latency, 0, most_latency));
         const auto& force = book.forces[(book.newest + kept - back) % kept];
         book.created += glm::dot(force.passive, step) - glm::dot(force.world, world_step);

@@ -34,11 +34,14 @@ struct EnergyBook {
 static_assert(sizeof(EnergyBook) ==
               (3 + 9 * (most_latency + 1) + 3) * sizeof(double) + 2 * sizeof(std::uint32_t));
 
+inline constexpr double longest_step = 0.05;  ///< m, of a tick
+
 /// J that active sources may give in about a second.
 inline constexpr double active_budget = 0.5;
 
 /// Books the work of the last tick, now that the device has measured where it led. world_step: m, by which the world moved the other end
-/// of what `world` pulls at. stored: J, that the passive sources hold now. latency: ticks, of the device.
+/// of what `world` pulls at. stored: J, that the passive sources hold now. latency: ticks, of the device. A step that no hand makes was
+/// measured wrongly at one of its ends: it is no work, or one bad pose would keep the controller busy for ever.
 void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, int latency);
 
 /// N: against the velocity (m/s), as much as takes out what was created within the next tick, at most `most` N s/m.

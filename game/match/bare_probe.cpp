@@ -35,12 +35,15 @@ bool can_probe(const Stage& stage, ecs::Entity wizard, const Grip& grip) {
            !(grip.tether.stiffness > 0) && !stage.world.has<Dead>(wizard);
 }
 
-/// What it does is then the deed of who pushed it.
+/// What it does is then the deed of who pushed it; but not where another has set it going just before: who is struck by a thing has
+/// mostly touched it with the wand.
 void push(Stage& stage, const haptics::SurfaceContact& contact, vec3 impulse, vec3 place, const Prop& deed) {
     const auto thing = stage.world.entity(contact.key);
     if (!thing || !stage.world.has<Prop>(thing) || !stage.physics.has(contact.key)) return;
     stage.physics.apply_impulse(contact.key, impulse, place);
-    stage.world.get<Prop>(thing) = deed;
+    auto& prop = stage.world.get<Prop>(thing);
+    const bool anothers = prop.moved_by < players && deed.moved_at <= prop.moved_at + stage.data.wizard.blame;
+    if (!anothers || prop.moved_by == deed.moved_by) prop = deed;
 }
 
 void push_touched(Stage& stage, std::uint32_t player, const Grip& grip, Tick tick) {

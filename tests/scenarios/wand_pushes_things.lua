@@ -50,3 +50,19 @@ local heavy, heavy_felt = push(120)
 expect(light > 0.02, "8 kg moved " .. light .. " m")
 expect(math.abs(heavy) < 0.01, "120 kg moved " .. heavy .. " m")
 expect(heavy_felt > light_felt and light_felt > 0.2, "the heavy one is felt more: " .. heavy_felt .. " and " .. light_felt .. " N")
+
+-- What it does is the deed of who pushed it; but who is struck by another's throw and touched it with the wand has not done it himself.
+local foe = wizard(2)
+foe:place {-10, 0, -6}
+foe:face(180)
+local thrown = spawn {kind = "box", size = {0.4, 1.6, 0.4}, mass = 10, at = {-9.6, 0.9, -4}, velocity = {0, 0, 0}}
+foe:press("wand_4")
+wait(0.2)
+foe:aim(thrown)
+wait(0.1)
+foe:hold("fire")
+wait(0.5)
+foe:aim(me)
+wait(0.7)
+foe:press("throw")
+expect_event {kind = "object_hit", subject = 1, by = 2, within = 1.5}

@@ -74,8 +74,8 @@ struct Mirror {
         if (arm.epoch != epoch) kept.assign(models_kept, {});
         epoch = arm.epoch;
         const auto number = ++arm.number;
-        kept[number % models_kept] = {next_model(), number, arm.samples};
-        servo.order() = {touch_servo, kept[number % models_kept].model, arm.servo, arm.epoch, number,
+        kept[number % models_kept] = {next_model(), {}, number, arm.samples};
+        servo.order() = {touch_servo, kept[number % models_kept].model, {}, arm.servo, arm.epoch, number,
                          arm.samples};
         servo.publish();
     }
@@ -261,7 +261,8 @@ TEST_F(BadPoses, ThatAreNoNumbers) {
 
 TEST_F(BadPoses, ThatJumpBackInTime) {
     feed([&](int i) { return reading(arm.now_ns - 100'000 * ms + i * ms); });
-    EXPECT_EQ(servo.troubles().poses.backwards, 21U) << "a clock that was set back is believed after 20 ticks";
+    EXPECT_EQ(servo.troubles().poses.backwards, 21U)
+        << "a clock that was set back is believed after 20 ticks";
     EXPECT_EQ(mirror.arm.old_poses, 20U);
     EXPECT_GT(glm::length(forces.back()), 0.05);
 }

@@ -109,8 +109,10 @@ TEST(Touch, ANarrowerDeviceReachesAsFar) {
         choice.overrides = {text("haptics.device=\"", device, "\"")};
         const auto data = load_match_data(assets(), choice);
         ASSERT_TRUE(data) << device;
-        const vec3 edge(data->device.workspace.x / 2, 0, 0);
-        const double reach = wand_tip_of(data->touch, edge).x - wand_tip_of(data->touch, {}).x;
+        Grip grip = empty_grip();
+        const double rests = wand_tip_of(data->touch, grip).x;
+        grip.device.position.x = data->device.workspace.x / 2;
+        const double reach = wand_tip_of(data->touch, grip).x - rests;
         if (reached == 0) reached = reach;
         EXPECT_NEAR(reach, reached, 1e-12) << device;
     }

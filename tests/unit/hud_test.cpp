@@ -409,7 +409,7 @@ TEST(Silhouettes, AWandsFileNamesOneOfFive) {
 TEST_F(Drawn, TrianglesStayWithinTheBudget) {
     draw({});
     EXPECT_LT(renderer->statistics().triangles, 2U * 26000U);
-    EXPECT_LT(renderer->statistics().draws, 90U);
+    EXPECT_LT(renderer->statistics().draws, 120U);  // a coarser copy of a mesh is a draw of its own
 }
 
 TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {
