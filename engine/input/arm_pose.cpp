@@ -6,7 +6,7 @@ namespace thaum::input {
 namespace {
 
 constexpr std::int64_t shortest_tick_ns = 250'000;  // two poses closer than that are one
-constexpr std::uint32_t set_back_after = 20;              // ticks after which a clock that was set back is believed
+constexpr std::uint32_t set_back_after = 20;        // ticks after which a clock that was set back is believed
 constexpr double metres_per_um = 1e-6;
 
 }  // namespace

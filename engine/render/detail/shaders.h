@@ -58,5 +58,4 @@ void use_sky_program(const SkyProgram& program, const ViewScene& view, float asp
 /// As tone.glsl has it.
 fvec3 tone_mapped(fvec3 light);
 
-
 }  // namespace thaum::render::detail
