@@ -9,7 +9,7 @@ unset DISPLAY WAYLAND_DISPLAY
 export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 failed() { echo "failed: $1"; exit 1; }
 
-"$thaum" --headless --seconds 8 --seed 3 --bots 2,2 --set haptics.share=1 --out "$folder" >/dev/null
+"$thaum" --headless --seconds 8 --seed 3 --bots 2,2 --out "$folder" >/dev/null
 log=$folder/duel.thaumlog
 "$thaum" replay "$log" --forces "$folder/forces.csv" >/dev/null
 
@@ -22,7 +22,9 @@ feel() {
 
 # compare PLAYER: every force of the table, in its order, is one that the arm exerted. A tick without a force repeats the last one.
 compare() {
-    awk -F, -v column=$((3 + 9 * ($1 - 1) + 3)) 'NR > 1 { print $column, $(column + 1), $(column + 2) }' "$folder/forces.csv" |
+    awk -F, -v name="p$1_fx_n" '
+        NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) column = i; next }
+        { print $column, $(column + 1), $(column + 2) }' "$folder/forces.csv" |
         awk -v OFMT=%.17g '
             NR == FNR { wanted[n++] = $1 " " $2 " " $3; next }
             { arm[m++] = $1 " " $2 " " $3 }

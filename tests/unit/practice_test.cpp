@@ -91,7 +91,7 @@ TEST_F(PracticeTest, ItsThreadReadsWhatChangedWithinASecondAndEndsAtOnce) {
 }
 
 TEST_F(PracticeTest, SaysWhatWasReadForAWhileAndWhatIsWrongUntilItIsRight) {
-    Practice practice(files(), {}, game::DummyKind::still, 1);
+    Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::still, 1);
     EXPECT_NE(caption(practice).words.find("nothing is recorded"), std::string::npos);
     play(practice, 9);
     EXPECT_EQ(caption(practice).words, "");
@@ -113,7 +113,7 @@ TEST_F(PracticeTest, SaysWhatWasReadForAWhileAndWhatIsWrongUntilItIsRight) {
 }
 
 TEST_F(PracticeTest, AnotherDummyCountsAnew) {
-    Practice practice(files(), {}, game::DummyKind::still, 1);
+    Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::still, 1);
     input::InputFrame firing;
     firing.devices[game::practising].press(input::Button::fire);
     for (int t = 0; t < 1500; ++t) practice.match().tick(firing);
@@ -133,7 +133,7 @@ bool shows(const render::Overlay& overlay, std::string_view words) {
 }
 
 TEST_F(PracticeTest, ItsScoreStandsInThePlaceOfAMatchsAndTheCaptionInTheWindow) {
-    Practice practice(files(), {}, game::DummyKind::shooting, 1);
+    Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::shooting, 1);
     auto shown = picture(practice);
     const game::HudSettings settings{.watch = game::Watch::first};
     render::Overlay overlay;

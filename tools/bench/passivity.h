@@ -41,17 +41,18 @@ struct HandRow {
     vec3 anchor{}, surface{};
     double stiffness{}, booked{};
     bool touches{}, real{};
+    bool cut{};  ///< the hand was told less than the sources wanted
 };
 
 /// Where the columns of a player are.
 class HandColumns {
 public:
     static Expected<HandColumns> find(const std::vector<std::string_view>& header, int player) {
-        static constexpr std::array<std::string_view, count> names{
-            "x_m",  "y_m",  "z_m",     "px_n", "py_n", "pz_n", "k_n_per_m", "ax_m",
-            "ay_m", "az_m", "touches", "sx_m", "sy_m", "sz_m", "arm",       "created_j"};
+        static constexpr std::array<std::string_view, count + 1> names{
+            "x_m",  "y_m",     "z_m",  "px_n", "py_n", "pz_n", "k_n_per_m", "ax_m", "ay_m",
+            "az_m", "touches", "sx_m", "sy_m", "sz_m", "arm",  "created_j", "cause"};
         HandColumns columns;
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
             const auto name = text("p", player, "_", names[i]);
             const auto found = std::find(header.begin(), header.end(), name);
             if (found == header.end()) return fail(text("there is no column ", name));
@@ -61,6 +62,7 @@ public:
     }
 
     Expected<HandRow> read(const std::vector<std::string_view>& row) const {
+        if (places_[count] >= row.size()) return fail("a row is too short");
         std::array<double, count> v{};
         for (std::size_t i = 0; i < count; ++i) {
             if (places_[i] >= row.size()) return fail("a row is too short");
@@ -69,6 +71,7 @@ public:
             if (end.ec != std::errc{} || end.ptr != field.data() + field.size())
                 return fail(text("'", field, "' is no number"));
         }
+        const auto cause = row[places_[count]];
         return HandRow{.at = {v[0], v[1], v[2]},
                        .passive = {v[3], v[4], v[5]},
                        .anchor = {v[7], v[8], v[9]},
@@ -76,12 +79,13 @@ public:
                        .stiffness = v[6],
                        .booked = v[15],
                        .touches = v[10] != 0,
-                       .real = v[14] != 0};
+                       .real = v[14] != 0,
+                       .cut = cause == "capped" || cause == "warm"};
     }
 
 private:
-    static constexpr std::size_t count = 16;
-    std::array<std::size_t, count> places_{};
+    static constexpr std::size_t count = 16;  // of those that are numbers
+    std::array<std::size_t, count + 1> places_{};
 };
 
 /// The sum for one hand. A force F acts while the hand makes the step dx and the other end of what pulls the step da: F dx goes
@@ -114,7 +118,8 @@ private:
         double held = row.stiffness * glm::dot(stretch, stretch) / 2;
         if (row.touches) {
             const vec3 pressed = row.surface - (row.real ? row.at : first.at);
-            held += std::max(0.0, glm::dot(row.passive, pressed)) / 2;
+            // Of one that pulls no harder from somewhere on, at most the whole rectangle.
+            held += std::max(0.0, glm::dot(row.passive, pressed)) / (row.cut ? 1 : 2);
         }
         if (row.stiffness > 0 && first.stiffness == 0) created_ = -held;
         if (row.stiffness == 0 && first.stiffness > 0) created_ = 0;
