@@ -1,9 +1,14 @@
 # Every scenario is a test of its own, run by the program as anybody would.
+# The sanitizers have seen all of it after one run.
+set(scenario_runs "")
+if(THAUM_SANITIZE)
+    set(scenario_runs --once)
+endif()
 file(GLOB scenarios CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scenarios/*.lua)
 foreach(script ${scenarios})
     get_filename_component(name ${script} NAME_WE)
     add_test(NAME scenario.${name}
-        COMMAND thaum scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios)
+        COMMAND thaum scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios ${scenario_runs})
     set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 300 LABELS scenario
         FIXTURES_SETUP scenarios)
 endforeach()

@@ -13,13 +13,14 @@ namespace thaum::app {
 namespace {
 
 constexpr std::string_view scenario_help =
-    R"(usage: thaum scenario [NAME|FILE ...] [--json FILE] [--out DIR]
+    R"(usage: thaum scenario [NAME|FILE ...] [--json FILE] [--out DIR] [--once]
 
 Plays scenarios (Lua scripts) through the players' own devices, faster than real
 time. Each runs twice, with equal state hashes. Without a name: all of them.
 
   --json FILE   the results as JSON; - for standard output
   --out DIR     where logs, traces and pictures go (default: out/scenarios)
+  --once        without the second run: in half the time, and no hashes compared
 
 What hands feel is compared with the force traces in tests/replays/forces, to the
 bit; THAUM_KEEP_FORCES=tests/replays/forces records them anew.
@@ -64,7 +65,7 @@ void print_result(const game::ScenarioResult& result) {
 }
 
 int run_scenario(const std::vector<std::string>& words) {
-    static constexpr Option options[] = {{"--json", 1}, {"--out", 1}};
+    static constexpr Option options[] = {{"--json", 1}, {"--out", 1}, {"--once"}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     const auto json = arguments->value("--json");
@@ -76,6 +77,7 @@ int run_scenario(const std::vector<std::string>& words) {
     chosen.take_picture = [&](const auto& match, auto split, const auto& file) {
         return painter.take(match, split, file);
     };
+    chosen.once = arguments->has("--once");
     chosen.read_screen = game::words_over_views;
     if (const char* keep = std::getenv("THAUM_KEEP_FORCES"); keep != nullptr) chosen.keep_forces = keep;
     const auto results =
