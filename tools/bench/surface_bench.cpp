@@ -144,8 +144,8 @@ constexpr int crowd_ticks = 4000;
 /// Crates of 0.4 m on a grid; the first lies below the wand's tip.
 void add_crates(physics::Physics& world, std::int64_t count) {
     for (std::int64_t i = 0; i < count; ++i) {
-        const vec3 place(static_cast<double>(i % 10), static_cast<double>(i / 100),
-                         static_cast<double>(i / 10 % 10));
+        const std::int64_t column = i % 10, row = i / 10 % 10, layer = i / 100;
+        const vec3 place(static_cast<double>(column), static_cast<double>(layer), static_cast<double>(row));
         physics::BodyDesc crate{.shape = physics::Shape::box, .size = vec3(0.2)};
         crate.mass = 5;
         crate.friction = 0.6;

@@ -31,7 +31,9 @@ if(CMAKE_UNITY_BUILD)
     target_compile_options(thaum_flags INTERFACE -Wno-subobject-linkage)
 endif()
 if(NOT THAUM_PORTABLE)
-    target_compile_options(thaum_flags INTERFACE -march=x86-64-v3)
+    # Without FMA: GCC 12 joins additions and subtractions side by side into vfmaddsub whatever -ffp-contract says, and then two
+    # builds differ in the last bit.
+    target_compile_options(thaum_flags INTERFACE -march=x86-64-v3 -mno-fma)
 endif()
 if(THAUM_SANITIZE)
     target_compile_options(thaum_flags INTERFACE -fsanitize=${THAUM_SANITIZE} -fno-omit-frame-pointer)

@@ -37,7 +37,9 @@ void look_through_corners(const Camera& camera, float aspect, std::span<const Bl
 
 /// Seen from one place a block covers a convex part of a picture: with its four corners it covers a cell.
 bool is_open(const std::vector<std::uint64_t>& hidden, int column, int row) {
-    const auto at = [&](int x, int y) { return hidden[static_cast<std::size_t>(y * (sky_columns + 1) + x)]; };
+    const auto at = [&](int x, int y) {
+        return hidden[static_cast<std::size_t>(y) * (sky_columns + 1) + static_cast<std::size_t>(x)];
+    };
     return (at(column, row) & at(column + 1, row) & at(column, row + 1) & at(column + 1, row + 1)) == 0;
 }
 
