@@ -5,6 +5,7 @@
 
 #include "game/bots/armoury.h"
 #include "game/bots/senses.h"
+#include "game/match/bodies.h"
 
 // What a thing is worth is the harm that it would do over the time that it takes to throw it.
 namespace thaum::game {
@@ -43,15 +44,10 @@ std::optional<Lifter> lifter_of(const Simulation& match, const Seat& seat) {
     return {};
 }
 
-double throw_speed(const GraspKind& grasp, double mass, double energy) {
-    const double per_speed = grasp.energy_per_impulse * mass;
-    return per_speed > 0 ? std::min(grasp.speed, std::max(0.0, energy) / per_speed) : grasp.speed;
-}
-
 /// HP, of one who is struck squarely.
 double harm_of(const WizardRules& rules, double mass, double speed) {
     const double impulse = mass * rules.mass / (mass + rules.mass) * speed;
-    return std::clamp(rules.object_damage * (impulse - rules.object_safe), 0.0, rules.object_damage_max);
+    return harm_of_blow(rules, impulse);
 }
 
 /// m, from the middle to the farthest point.

@@ -59,8 +59,7 @@ void count_blows(Stage& stage, Tick tick) {
     stage.world.view<Blows, const Motion>().each([&](ecs::Entity wizard, Blows& blows, const Motion& motion) {
         for (auto& blow : blows.recent) {
             if (!blow.by || blow.impulse < 0 || tick < blow.began + blow_length) continue;
-            const double points =
-                std::min(rules.object_damage_max, rules.object_damage * (blow.impulse - rules.object_safe));
+            const double points = harm_of_blow(rules, blow.impulse);
             blow.impulse = -1;
             hurt(stage.world, wizard, tick,
                  {.points = points,
@@ -90,6 +89,10 @@ void copy_places(Stage& stage) {
     stage.world.view<const Body, Motion>().each([&](ecs::Entity e, const Body& body, Motion& motion) {
         if (body.mass > 0) static_cast<physics::BodyState&>(motion) = stage.physics.state(e.index);
     });
+}
+
+double harm_of_blow(const WizardRules& rules, double impulse) {
+    return std::clamp(rules.object_damage * (impulse - rules.object_safe), 0.0, rules.object_damage_max);
 }
 
 void rebuild_physics(Stage& stage) {

@@ -11,6 +11,9 @@ void add_body_hooks(Stage& stage);
 /// physics step, blows, places.
 void add_body_systems(Stage& stage, ecs::Schedule& schedule);
 
+/// HP, of a blow of so many N s.
+double harm_of_blow(const WizardRules& rules, double impulse);
+
 /// Motion of every body as the physics has it now.
 void copy_places(Stage& stage);
 

@@ -3,6 +3,7 @@
 #include "core/text.h"
 #include "game/components/grip.h"
 #include "game/components/power_up.h"
+#include "game/match/arm.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {
@@ -244,17 +245,6 @@ void append_state(const Simulation& match, std::string& out) {
     out += '\n';
 }
 
-namespace {
-
-bool holds_arm_of(const Simulation& match, std::uint32_t player) {
-    const auto& devices = match.setup().devices;
-    return std::any_of(devices.begin(), devices.end(), [player](const input::DeviceSpec& device) {
-        return device.player == player && device.kind == input::DeviceKind::arm;
-    });
-}
-
-}  // namespace
-
 std::string forces_header() {
     std::string out = "tick,time_s";
     for (std::uint32_t player = 1; player <= players; ++player) {
@@ -283,7 +273,7 @@ void append_forces(const Simulation& match, std::string& out) {
         const vec3 point = touches ? surface.proxy - grip.servo.shift : vec3(0);
         append_numbers(out, {book.created, book.given, passive.x, passive.y, passive.z, tether.stiffness,
                              anchor.x, anchor.y, anchor.z, touches ? 1.0 : 0.0, point.x, point.y, point.z,
-                             holds_arm_of(match, player) ? 1.0 : 0.0});
+                             plays_by_arm(match.world(), player) ? 1.0 : 0.0});
     }
     out += '\n';
 }

@@ -2,8 +2,9 @@
 //
 // Let go before the charge begins, nothing goes off and no energy is lost. The charge grows evenly, only as far as the energy
 // can pay; so neither it nor the force jumps. As it goes off, what leans gives way to the recoil: so that no slew limit has to
-// walk it off, which would eat into the recoil, and the two together are never more than the greater of them. The ball flies straight, as a bolt does, and is swept as one: as a sphere
-// on the way of each physics step, after the bodies have moved. It bursts where it first touches something.
+// walk it off, which would eat into the recoil, and the two together are never more than the greater of them. The ball flies
+// straight, as a bolt does, and is swept as one: as a sphere on the way of each physics step, after the bodies have moved. It
+// bursts where it first touches something.
 #include <algorithm>
 #include <optional>
 

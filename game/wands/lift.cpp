@@ -179,6 +179,14 @@ void let_thing_go(Stage& stage, ecs::Entity wizard, LiftHand& hand) {
     let_go(stage, wizard);
 }
 
+GraspKind grasp_of(const LiftData& data) {
+    return {.reach = data.range,
+            .mass_max = data.mass_max,
+            .speed = data.throw_speed,
+            .energy_per_impulse = data.energy_per_impulse,
+            .crossing = throw_reach};
+}
+
 /// As fast as the energy that is left allows, across the crosshair.
 void throw_thing(const WandUse& use, const LiftData& data, LiftHand& hand) {
     auto& stage = use.stage;
@@ -186,11 +194,12 @@ void throw_thing(const WandUse& use, const LiftData& data, LiftHand& hand) {
     auto& energy = belt.energy[use.stats.energy_slot];
     const auto key = hand.held.index;
     const double mass = stage.physics.desc(key).mass;
-    const double per_speed = data.energy_per_impulse * mass;
-    const double speed = per_speed > 0 ? std::min(data.throw_speed, energy / per_speed) : data.throw_speed;
+    const auto grasp = grasp_of(data);
+    const double speed = throw_speed(grasp, mass, energy);
     const auto [eye, ahead] = sight_of(stage, use.wizard);
     const vec3 way = glm::normalize(eye + ahead * throw_reach - stage.physics.state(key).position);
     const double before = glm::dot(tugged_velocity(stage.physics, key, hand.tug), way);
+    const double per_speed = grasp.energy_per_impulse * mass;
     energy = std::max(0.0, energy - per_speed * std::max(0.0, speed - before));
     let_thing_go(stage, use.wizard, hand);
     stage.physics.set_velocity(key, way * std::max(speed, before));
@@ -284,11 +293,9 @@ bool touches_holder(const Stage& stage, ecs::Entity wizard, ecs::Entity held) {
     return std::any_of(contacts.begin(), contacts.end(), [=](const auto& c) { return c.a == a && c.b == b; });
 }
 
-/// What struck the thing since the last tick kicks the hand.
+/// What struck the thing since the last tick, N s, kicks the hand.
 void feel_blow(Stage& stage, const LiftData& data, const haptics::CouplingFrame& frame, ecs::Entity wizard,
-               Tick tick, LiftHand& hand) {
-    const auto key = hand.held.index;
-    const vec3 blow = stage.physics.desc(key).mass * (stage.physics.velocity(key) - hand.tug.expected);
+               Tick tick, vec3 blow, LiftHand& hand) {
     const double size = glm::length(blow);
     if (size < data.blow_least || tick < hand.next_blow) return;
     hand.next_blow = tick + between_blows;
@@ -333,8 +340,9 @@ void pull(Stage& stage, const LiftData& data, ecs::Entity wizard, Tick tick, Lif
     const vec3 base = haptics::interface_point(frame, hand.taken_device);
     const auto& body = stage.physics.state(key);
     const int sharing = holders(now, hand.held);
-    if (sharing == 1) feel_blow(stage, data, frame, wizard, tick, hand);
     const double mass = stage.physics.desc(key).mass;
+    const vec3 blow = body.velocity - hand.tug.expected;
+    if (sharing == 1) feel_blow(stage, data, frame, wizard, tick, mass * blow, hand);
     const double drag = data.drag_ratio * 2 * std::sqrt(data.stiffness * mass);
     const auto step = haptics::coupling_step({data.stiffness, data.damping, drag}, 1 / mass, 0, physics_dt);
     const vec3 base_velocity = (base - hand.base) / physics_dt;
@@ -347,7 +355,6 @@ void pull(Stage& stage, const LiftData& data, ecs::Entity wizard, Tick tick, Lif
                                .object_velocity = tugged_velocity(stage.physics, key, hand.tug),
                                .drag_velocity = base_velocity,
                                .object_acceleration = carry / mass + gravity * (1 - 1.0 / sharing)});
-    const vec3 blow = body.velocity - hand.tug.expected;
     const vec3 back = held_back(result.displacement / physics_dt, blow);
     const vec3 object = body.position + result.displacement + back * physics_dt;
     hand.hip = hip;
@@ -403,15 +410,7 @@ const WandRegistration registration({
         return motion != nullptr ? std::optional(motion->position) : std::nullopt;
     },
     .moves_by_wheel = true,
-    .grasp =
-        [](const void* wand) {
-            const auto& data = *static_cast<const LiftData*>(wand);
-            return GraspKind{.reach = data.range,
-                             .mass_max = data.mass_max,
-                             .speed = data.throw_speed,
-                             .energy_per_impulse = data.energy_per_impulse,
-                             .crossing = throw_reach};
-        },
+    .grasp = [](const void* wand) { return grasp_of(*static_cast<const LiftData*>(wand)); },
 });
 
 }  // namespace

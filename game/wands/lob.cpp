@@ -169,8 +169,8 @@ double wanted_target(const LobData& data, const Controls& controls, const LobHan
 void draw(Stage& stage, const LobData& data) {
     stage.world.view<const Wizard, const Controls, LobHand, Grip>().each(
         [&](const Wizard& wizard, const Controls& controls, LobHand& hand, Grip& grip) {
-            const bool by_arm = plays_by_arm(stage.world, wizard.player);
             if (hand.drawing == 0 && hand.target == 0) return;
+            const bool by_arm = plays_by_arm(stage.world, wizard.player);
             const double most = hand.drawing != 0 ? data.step : data.return_step;
             const double wanted = by_arm ? 0 : wanted_target(data, controls, hand);
             hand.target += std::clamp(wanted - hand.target, -most, most);

@@ -38,6 +38,11 @@ LoadedWand read_wand(const WandKind& kind, const Config& file) {
     return wand;
 }
 
+double throw_speed(const GraspKind& grasp, double mass, double energy) {
+    const double per_speed = grasp.energy_per_impulse * mass;
+    return per_speed > 0 ? std::min(grasp.speed, std::max(0.0, energy) / per_speed) : grasp.speed;
+}
+
 bool spend(WandBelt& belt, const WandStats& stats, double amount) {
     auto& energy = belt.energy[stats.energy_slot];
     if (energy < amount) return false;

@@ -134,6 +134,9 @@ struct LoadedWand {
 
 LoadedWand read_wand(const WandKind& kind, const Config& file);
 
+/// m/s, at which `energy` throws a thing of `mass` kg that rests.
+double throw_speed(const GraspKind& grasp, double mass, double energy);
+
 /// True, and the energy is taken, where the wand in hand has enough; of the amount, or of one use.
 bool spend(WandBelt& belt, const WandStats& stats, double amount);
 bool spend(WandBelt& belt, const WandStats& stats);
