@@ -27,10 +27,9 @@ namespace thaum::fluid {
 enum class Solver : std::uint8_t { thaum, classic };
 
 inline constexpr std::size_t substances_most = 3;
-inline constexpr int cells_most = 256;          ///< along one axis
-inline constexpr double viscosity_most = 1e6;   ///< m^2/s
-inline constexpr double speed_most = 1e6;       ///< m/s; what would be faster is refused
-inline constexpr int substeps_most = 8;
+inline constexpr double viscosity_most = 1e6;  ///< m^2/s
+inline constexpr double speed_most = 1e6;      ///< m/s; what would be faster is refused
+inline constexpr int substeps_most = 4;        ///< of one step; the rest is taken by a semi-Lagrangian one
 
 struct Substance {
     double viscosity{};  ///< m^2/s, added where its density is 1
@@ -51,13 +50,17 @@ struct Settings {
     std::vector<Substance> substances{};
     /// Share of a place that is solid, 0 to 1, by the place, m. Null: no solids but the edges.
     std::function<double(vec3)> solid{};
+    bool solid_holds = true;  ///< no slip at solids
 };
 
 /// What stands in the box. State; all that the next step depends on.
 struct State {
     std::array<Samples, 3> velocity;  ///< m/s, ghosts as the edges say; where components stand: Fluid::place
-    Samples pressure;                 ///< m^2/s^2, of the last step: the next one's first guess
+    std::array<Samples, 3> push;      ///< m/s, what the next step adds
+    Samples pressure;                 ///< m^2/s^2, of the last step; where there are solids
     std::vector<Samples> substances;  ///< densities, >= 0
+    bool pushed = false;
+    bool asleep = true;  ///< nothing moves or is going to
 };
 
 struct Workspace;  // what a step needs besides: tables, scratch; no state
@@ -107,6 +110,9 @@ struct StepReport {
 
 /// By dt seconds, 0 < dt <= 1. At rest and without forces nothing is visited.
 StepReport advance(Fluid& fluid, double dt);
+
+/// The substances' part of a step alone, by the velocity that stands there.
+void carry_substances(Fluid& fluid, double dt);
 
 /// Of a place inside a cell to be sampled by: the velocity there, m/s, linear between samples.
 vec3 velocity_at(const Fluid& fluid, vec3 place);

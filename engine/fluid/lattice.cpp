@@ -1,38 +1,112 @@
 #include "fluid/lattice.h"
 
+#include <algorithm>
+#include <cstring>
+
 namespace thaum::fluid {
 namespace {
 
-/// Layers of ghosts across one axis: where a layer is copied from, and by which factor.
+/// A layer across an axis, and what it holds: another one, times a factor.
 struct Mirror {
     int to, from;
     float factor;
 };
 
-/// The layers across an axis of n cells.
-std::vector<Mirror> mirrors_of(int n, Edge edge, Beyond beyond) {
-    std::vector<Mirror> result;
+using Mirrors = std::array<Mirror, 2 * ghosts + 1>;
+
+Mirrors round_about(int n) {
+    Mirrors result{};
+    std::size_t count = 0;
     for (int layer = 1; layer <= ghosts; ++layer) {
-        if (edge == Edge::periodic) {
-            // Of few cells the same one stands several times in the ghosts.
-            const int low = ((-layer) % n + n) % n;
-            result.push_back({-layer, low, 1});
-            result.push_back({n - 1 + layer, (layer - 1) % n, 1});
-            continue;
-        }
-        const float factor = beyond == Beyond::even ? 1.0F : -1.0F;
-        // Mirrored at the wall; of fewer cells than ghosts the last one goes on.
-        const int inward = std::min(layer - 1, n - 1);
-        if (beyond == Beyond::through_wall) {
-            result.push_back({-layer, std::min(layer, n), factor});
-            if (layer > 1) result.push_back({n + layer - 1, std::max(n - layer + 1, 0), factor});
-        } else {
-            result.push_back({-layer, inward, factor});
-            result.push_back({n - 1 + layer, n - 1 - inward, factor});
-        }
+        // Of few cells the same one stands in several layers.
+        result[count++] = {-layer, (n - layer % n) % n, 1};
+        result[count++] = {n - 1 + layer, (layer - 1) % n, 1};
+    }
+    result[count] = {0, 0, 1};
+    return result;
+}
+
+Mirrors about_walls(int n, float factor) {
+    Mirrors result{};
+    std::size_t count = 0;
+    for (int layer = 1; layer <= ghosts; ++layer) {
+        const int inward = std::min(layer, n) - 1;
+        result[count++] = {-layer, inward, factor};
+        result[count++] = {n - 1 + layer, n - 1 - inward, factor};
+    }
+    result[count] = {0, 0, 1};
+    return result;
+}
+
+/// The walls themselves are layers 0 and n.
+Mirrors through_walls(int n) {
+    Mirrors result{{{0, 0, 0}, {n, n, 0}}};
+    std::size_t count = 2;
+    for (int layer = 1; layer <= ghosts; ++layer) {
+        const int inward = std::min(layer, n);
+        result[count++] = {-layer, inward, -1};
+        if (layer < ghosts) result[count++] = {n + layer, n - inward, -1};
     }
     return result;
 }
 
+Mirrors mirrors(int n, Edge edge, Beyond beyond) {
+    if (edge == Edge::periodic) return round_about(n);
+    if (beyond == Beyond::through_wall) return through_walls(n);
+    return about_walls(n, beyond == Beyond::even ? 1.0F : -1.0F);
+}
+
+void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float factor) {
+    if (factor == 1) {
+        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+    } else if (factor == 0) {
+        std::fill_n(to, count, 0.0F);
+    } else {
+        for (std::ptrdiff_t i = 0; i < count; ++i) to[i] = factor * from[i];
+    }
+}
+
+void fill_x(const Lattice& lattice, const Mirrors& all, float* cells) {
+    for (int k = 0; k < lattice.cells[2]; ++k) {
+        for (int j = 0; j < lattice.cells[1]; ++j) {
+            float* row = cells + lattice.at(0, j, k);
+            for (const Mirror& m : all) row[m.to] = m.factor * row[m.from];
+        }
+    }
+}
+
+void fill_y(const Lattice& lattice, const Mirrors& all, float* cells) {
+    const auto row = lattice.stride[1];
+    for (int k = 0; k < lattice.cells[2]; ++k) {
+        float* plane = cells + lattice.at(-ghosts, 0, k);
+        for (const Mirror& m : all) copy_scaled(plane + m.from * row, plane + m.to * row, row, m.factor);
+    }
+}
+
+void fill_z(const Lattice& lattice, const Mirrors& all, float* cells) {
+    const auto plane = lattice.stride[2];
+    float* first = cells + lattice.at(-ghosts, -ghosts, 0);
+    for (const Mirror& m : all) copy_scaled(first + m.from * plane, first + m.to * plane, plane, m.factor);
+}
+
 }  // namespace
+
+void fill_ghosts_across(const Lattice& lattice, std::size_t axis, Beyond beyond, Samples& samples) {
+    constexpr std::array fill{fill_x, fill_y, fill_z};
+    fill[axis](lattice, mirrors(lattice.cells[axis], lattice.edges[axis], beyond), samples.data());
+}
+
+void fill_ghosts(const Lattice& lattice, const std::array<Beyond, 3>& beyond, Samples& samples) {
+    // One axis after another, so that edges and corners follow from what was filled before.
+    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(lattice, axis, beyond[axis], samples);
+}
+
+std::array<Beyond, 3> beyond_of_velocity(const Lattice& lattice, std::size_t axis) {
+    std::array<Beyond, 3> result{};
+    for (std::size_t across = 0; across < 3; ++across)
+        result[across] = lattice.edges[across] == Edge::no_slip ? Beyond::odd : Beyond::even;
+    result[axis] = Beyond::through_wall;
+    return result;
+}
+
 }  // namespace thaum::fluid

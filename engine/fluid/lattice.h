@@ -24,6 +24,7 @@ enum class Edge : std::uint8_t { periodic, free_slip, no_slip };
 using Edges = std::array<Edge, 3>;
 
 inline constexpr int ghosts = 3;
+inline constexpr int cells_most = 256;  ///< along one axis
 
 struct Lattice {
     Cells cells{};                           ///< along x, y, z
@@ -56,7 +57,8 @@ enum class Beyond : std::uint8_t {
     through_wall,  ///< stands on the faces across this axis: zero on both walls, which it sets, odd beyond
 };
 
-/// Writes the ghosts; `beyond` counts at walls only.
+/// Writes the ghosts; `beyond` counts at walls only. `across`: those beyond the sides across one axis, rows without corners.
+void fill_ghosts_across(const Lattice& lattice, std::size_t axis, Beyond beyond, Samples& samples);
 void fill_ghosts(const Lattice& lattice, const std::array<Beyond, 3>& beyond, Samples& samples);
 
 /// Of component `axis` of the velocity.

@@ -1,0 +1,251 @@
+#include "fluid/fluid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/text.h"
+#include "fluid/sample.h"
+#include "fluid/staggered.h"
+
+namespace thaum::fluid {
+
+struct Workspace {
+    std::unique_ptr<Staggered> staggered;
+};
+
+namespace {
+
+constexpr double h_least = 1e-6;  // m
+constexpr double h_most = 1e3;
+constexpr double lid_most = 1e3;      // m/s
+constexpr double gravity_most = 1e3;  // m/s^2
+constexpr double weight_most = 1e3;
+constexpr double diffusion_most = 1e3;  // m^2/s
+constexpr int sweeps_most = 1000;
+
+bool within(double value, double low, double high) { return value >= low && value <= high; }
+
+std::optional<std::string> fault_of(const Substance& substance) {
+    if (!within(substance.viscosity, 0, viscosity_most))
+        return text("viscosity must be 0 to ", viscosity_most, " m^2/s");
+    if (!within(substance.weight, -weight_most, weight_most))
+        return text("weight must be within ", weight_most);
+    if (!within(substance.diffusion, 0, diffusion_most))
+        return text("diffusion must be 0 to ", diffusion_most, " m^2/s");
+    return {};
+}
+
+std::optional<std::string> fault_of(const Settings& settings) {
+    for (const int cells : settings.cells)
+        if (cells < 1 || cells > cells_most)
+            return text("cells must be 1 to ", cells_most, " along each axis");
+    if (!within(settings.h, h_least, h_most)) return text("h must be ", h_least, " to ", h_most, " m");
+    if (settings.order != 2 && settings.order != 4) return text("order must be 2 or 4");
+    if (settings.sweeps < 1 || settings.sweeps > sweeps_most)
+        return text("sweeps must be 1 to ", sweeps_most);
+    if (!within(settings.viscosity, 0, viscosity_most))
+        return text("viscosity must be 0 to ", viscosity_most, " m^2/s");
+    if (!within(settings.lid, -lid_most, lid_most)) return text("lid must be within ", lid_most, " m/s");
+    if (!(glm::length(settings.gravity) <= gravity_most))
+        return text("gravity must be at most ", gravity_most, " m/s^2");
+    if (settings.substances.size() > substances_most)
+        return text("there can be at most ", substances_most, " substances");
+    for (std::size_t i = 0; i < settings.substances.size(); ++i)
+        if (const auto fault = fault_of(settings.substances[i]))
+            return text("substance ", i + 1, ": ", *fault);
+    return {};
+}
+
+template <class Visit>
+void each_cell(const Lattice& lattice, Visit&& visit) {
+    for (int k = 0; k < lattice.cells[2]; ++k)
+        for (int j = 0; j < lattice.cells[1]; ++j)
+            for (int i = 0; i < lattice.cells[0]; ++i)
+                visit(vec3(i, j, k), static_cast<std::size_t>(lattice.at(i, j, k)));
+}
+
+/// Whether a component can be anything but 0 there.
+bool free_at(const Fluid& fluid, std::size_t axis, vec3 cell, std::size_t at) {
+    if (fluid.settings.solver != Solver::thaum) return true;
+    if (fluid.lattice.edges[axis] != Edge::periodic && cell[static_cast<int>(axis)] <= 0) return false;
+    const Solids* solids = fluid.work->staggered->solids();
+    return solids == nullptr || solids->open()[axis][at] > 0;
+}
+
+bool holds_fluid(const Fluid& fluid, std::size_t at) {
+    const Solids* solids = fluid.work->staggered ? fluid.work->staggered->solids() : nullptr;
+    return solids == nullptr || solids->fluid()[at] > 0;
+}
+
+/// Smooth to its rim, and 0 beyond.
+double kernel(const Fluid& fluid, vec3 place, vec3 at, double radius) {
+    vec3 apart = at - place;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (fluid.lattice.edges[static_cast<std::size_t>(axis)] != Edge::periodic) continue;
+        const double length = fluid.lattice.h * fluid.lattice.cells[static_cast<std::size_t>(axis)];
+        apart[axis] -= length * std::round(apart[axis] / length);
+    }
+    const double part = 1 - glm::dot(apart, apart) / (radius * radius);
+    return part > 0 ? part * part : 0;
+}
+
+/// Cells along one axis that a kernel may reach, [low, high).
+std::array<int, 2> reach(const Fluid& fluid, std::size_t axis, vec3 place, double radius) {
+    const int n = fluid.lattice.cells[axis];
+    if (fluid.lattice.edges[axis] == Edge::periodic) return {0, n};
+    const double at = place[static_cast<int>(axis)] / fluid.lattice.h;
+    const double wide = radius / fluid.lattice.h + 1;
+    const auto inside = [n](double cell) {
+        return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(n)));
+    };
+    return {inside(at - wide), inside(at + wide + 1)};
+}
+
+/// Adds `total` to the samples whose places, `first` in cells for cell (0, 0, 0), are within `radius` and for which `counts` holds.
+/// False where there is none.
+template <class Counts>
+bool add_smoothly(const Fluid& fluid, vec3 place, double radius, double total, vec3 first, Samples& samples,
+                  Counts&& counts) {
+    const auto [x0, x1] = reach(fluid, 0, place, radius);
+    const auto [y0, y1] = reach(fluid, 1, place, radius);
+    const auto [z0, z1] = reach(fluid, 2, place, radius);
+    const auto each = [&, x0 = x0, x1 = x1, y0 = y0, y1 = y1, z0 = z0, z1 = z1](auto&& visit) {
+        for (int k = z0; k < z1; ++k)
+            for (int j = y0; j < y1; ++j)
+                for (int i = x0; i < x1; ++i) {
+                    const vec3 cell(i, j, k);
+                    const double weight = kernel(fluid, place, fluid.lattice.h * (cell + first), radius);
+                    const auto at = static_cast<std::size_t>(fluid.lattice.at(i, j, k));
+                    if (weight > 0 && counts(cell, at)) visit(at, weight);
+                }
+    };
+    double sum = 0;
+    each([&](std::size_t, double weight) { sum += weight; });
+    if (!(sum > 0)) return false;
+    each([&](std::size_t at, double weight) { samples[at] += static_cast<float>(total * weight / sum); });
+    return true;
+}
+
+double sum_of(const Lattice& lattice, const Samples& samples) {
+    double sum = 0;
+    each_cell(lattice, [&](vec3, std::size_t at) { sum += static_cast<double>(samples[at]); });
+    return sum;
+}
+
+double volume_of_cell(const Lattice& lattice) { return lattice.h * lattice.h * lattice.h; }
+
+}  // namespace
+
+Expected<Fluid> make_fluid(const Settings& settings) {
+    if (const auto fault = fault_of(settings)) return fail("fluid: " + *fault);
+    Fluid fluid{.settings = settings,
+                .lattice = make_lattice(settings.cells, settings.h, settings.edges),
+                .now = {},
+                .work = std::make_shared<Workspace>()};
+    fluid.now.velocity.fill(make_samples(fluid.lattice));
+    fluid.now.push.fill(make_samples(fluid.lattice));
+    fluid.now.pressure = make_samples(fluid.lattice);
+    fluid.now.substances.assign(settings.substances.size(), make_samples(fluid.lattice));
+    fluid.now.asleep = settings.lid == 0;
+    if (settings.solver == Solver::thaum) {
+        fluid.work->staggered = std::make_unique<Staggered>(settings, fluid.lattice);
+        fluid.work->staggered->fill(settings, fluid.now.velocity);
+    }
+    return fluid;
+}
+
+bool push(Fluid& fluid, const Push& push) {
+    const double volume = volume_of_cell(fluid.lattice);
+    if (!is_finite(push.place) || !is_finite(push.impulse) || !(push.radius >= 0) ||
+        !std::isfinite(push.radius))
+        return false;
+    if (glm::length(push.impulse) > speed_most * volume) return false;
+    const double radius = std::max(push.radius, 1.5 * fluid.lattice.h);
+    bool taken = false;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double change = push.impulse[static_cast<int>(axis)] / volume;
+        if (change == 0) continue;
+        taken |= add_smoothly(fluid, push.place, radius, change, fluid.place(axis), fluid.now.push[axis],
+                              [&](vec3 cell, std::size_t at) { return free_at(fluid, axis, cell, at); });
+    }
+    if (!taken) return false;
+    fluid.now.pushed = true;
+    fluid.now.asleep = false;
+    return true;
+}
+
+bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double amount) {
+    if (substance >= fluid.now.substances.size() || !is_finite(place) || !(radius >= 0) ||
+        !std::isfinite(radius))
+        return false;
+    if (!(amount > 0) || !std::isfinite(amount)) return false;
+    const double total = amount / volume_of_cell(fluid.lattice);
+    const bool poured = add_smoothly(fluid, place, std::max(radius, 1.5 * fluid.lattice.h), total, vec3(0.5),
+                                     fluid.now.substances[substance],
+                                     [&](vec3, std::size_t at) { return holds_fluid(fluid, at); });
+    if (poured) fluid.now.asleep = false;
+    return poured;
+}
+
+StepReport advance(Fluid& fluid, double dt) {
+    if (fluid.now.asleep || !(dt > 0)) return {};
+    return fluid.work->staggered->step(fluid.settings, fluid.now, std::min(dt, 1.0));
+}
+
+void carry_substances(Fluid& fluid, double dt) {
+    (void)fluid;
+    (void)dt;
+}
+
+vec3 velocity_at(const Fluid& fluid, vec3 place) {
+    if (!is_finite(place)) return vec3(0);
+    const vec3 inside = into_box(fluid.lattice, place / fluid.lattice.h);
+    vec3 result;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        result[static_cast<int>(axis)] =
+            linear(fluid.lattice, fluid.now.velocity[axis], fluid.place(axis), inside);
+    return result;
+}
+
+void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        each_cell(fluid.lattice, [&](vec3 cell, std::size_t at) {
+            const vec3 value = velocity(fluid.lattice.h * (cell + fluid.place(axis)));
+            fluid.now.velocity[axis][at] = static_cast<float>(value[static_cast<int>(axis)]);
+        });
+    if (fluid.work->staggered) fluid.work->staggered->fill(fluid.settings, fluid.now.velocity);
+    fluid.now.asleep = false;
+}
+
+void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density) {
+    each_cell(fluid.lattice, [&](vec3 cell, std::size_t at) {
+        const double value = density(fluid.lattice.h * (cell + 0.5));
+        fluid.now.substances[substance][at] =
+            static_cast<float>(holds_fluid(fluid, at) ? std::max(value, 0.0) : 0.0);
+    });
+    fluid.now.asleep = false;
+}
+
+vec3 momentum(const Fluid& fluid) {
+    vec3 result;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        result[static_cast<int>(axis)] =
+            volume_of_cell(fluid.lattice) * sum_of(fluid.lattice, fluid.now.velocity[axis]);
+    return result;
+}
+
+double energy(const Fluid& fluid) {
+    double sum = 0;
+    for (const Samples& u : fluid.now.velocity)
+        each_cell(fluid.lattice, [&](vec3, std::size_t at) {
+            sum += static_cast<double>(u[at]) * static_cast<double>(u[at]);
+        });
+    return 0.5 * volume_of_cell(fluid.lattice) * sum;
+}
+
+double amount(const Fluid& fluid, std::size_t substance) {
+    return volume_of_cell(fluid.lattice) * sum_of(fluid.lattice, fluid.now.substances[substance]);
+}
+
+}  // namespace thaum::fluid

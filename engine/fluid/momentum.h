@@ -1,0 +1,46 @@
+// fluid/momentum.h: how fast a flow carries its own momentum, and how viscosity spreads it, on the staggered grid.
+//
+// Component a, carried along b: the carrying velocity T is interpolated along a, the carried one is the plain mean of two
+// neighbours h apart and of two 3 h apart (Morinishi, Lund, Vasilyev and Moin 1998),
+//
+//     d(T q)/db  ~  9/8 d1( T mean1 q ) - 1/8 d3( T mean3 q )
+//
+// Of the sum over b, what multiplies q itself is half of the divergence (pressure.h), which is zero: it is left out. What remains
+// is skew-symmetric, so it conserves energy whatever the divergence is (Verstappen and Veldman 2003), and momentum where that is
+// zero. Order 2 has the first term alone, and is the scheme of Harlow and Welch 1965.
+#pragma once
+#include <array>
+
+#include "fluid/lattice.h"
+
+namespace thaum::fluid {
+
+/// One stage of a Runge-Kutta step:  next = start + next_part * rate(from),  sum = (first ? start : sum) + sum_part * rate(from).
+struct Stage {
+    const std::array<Samples, 3>& from;  ///< ghosts filled
+    const std::array<Samples, 3>& start;
+    const std::array<Samples, 3>* force{};  ///< m/s^2; null: none
+    std::array<Samples, 3>* next{};         ///< null: the last stage needs none
+    std::array<Samples, 3>& sum;
+    float next_part{}, sum_part{};  ///< s
+    bool first{};
+};
+
+/// What a stage is computed by, made once.
+class Momentum {
+public:
+    Momentum(const Lattice& lattice, int order);
+    /// Of all cells; what stands on walls is left to fill_ghosts. viscosity in m^2/s.
+    void take(const Stage& stage, double viscosity);
+
+private:
+    template <bool fourth, bool viscous>
+    void component(const Stage& stage, std::size_t axis, float viscosity);
+
+    Lattice lattice_;
+    int order_;
+    std::array<Samples, 6> planes_;  ///< of the carrying velocity: along x, y, and a ring of four along z
+    Samples row_;
+};
+
+}  // namespace thaum::fluid

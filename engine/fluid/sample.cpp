@@ -1,0 +1,98 @@
+#include "fluid/sample.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::fluid {
+
+vec3 into_box(const Lattice& lattice, vec3 place) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double n = lattice.cells[static_cast<std::size_t>(axis)];
+        if (lattice.edges[static_cast<std::size_t>(axis)] == Edge::periodic)
+            place[axis] -= n * std::floor(place[axis] / n);
+        else
+            place[axis] = std::clamp(place[axis], 0.0, n);
+    }
+    return place;
+}
+
+double linear(const Lattice& lattice, const Samples& samples, vec3 first, vec3 place) {
+    const vec3 at = place - first;
+    const vec3 low = glm::floor(at);
+    const vec3 part = at - low;
+    const float* p = samples.data() +
+                     lattice.at(static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(low.z));
+    const auto [x, y, z] = lattice.stride;
+    const auto along_x = [&](std::ptrdiff_t from) {
+        const auto a = static_cast<double>(p[from]);
+        return a + part.x * (static_cast<double>(p[from + x]) - a);
+    };
+    const auto along_y = [&](std::ptrdiff_t from) {
+        const double a = along_x(from);
+        return a + part.y * (along_x(from + y) - a);
+    };
+    const double a = along_y(0);
+    return a + part.z * (along_y(z) - a);
+}
+
+namespace {
+
+/// As `linear`, in float; `at` counts from where the value of cell (0, 0, 0) stands, not before the ghosts.
+inline float between(const float* first, const std::array<std::ptrdiff_t, 3>& stride,
+                     const std::array<float, 3>& at) {
+    const float* p = first;
+    std::array<float, 3> part{};
+    for (std::size_t a = 0; a < 3; ++a) {
+        // Truncation is the floor of what is not negative.
+        const auto low = static_cast<int>(at[a] + ghosts) - ghosts;
+        part[a] = at[a] - static_cast<float>(low);
+        p += low * stride[a];
+    }
+    const auto along_x = [&](const float* q) { return q[0] + part[0] * (q[1] - q[0]); };
+    const auto along_y = [&](const float* q) {
+        const float low = along_x(q);
+        return low + part[1] * (along_x(q + stride[1]) - low);
+    };
+    const float low = along_y(p);
+    return low + part[2] * (along_y(p + stride[2]) - low);
+}
+
+inline float into_box(const Lattice& lattice, std::size_t axis, float place) {
+    const auto n = static_cast<float>(lattice.cells[axis]);
+    if (lattice.edges[axis] == Edge::periodic) return place - n * std::floor(place / n);
+    return std::clamp(place, 0.0F, n);
+}
+
+/// What another component is where one stands: the mean of the four round that place.
+inline float mean_of_four(const float* u, std::ptrdiff_t own, std::ptrdiff_t other) {
+    return 0.25F * ((u[0] + u[other]) + (u[-own] + u[other - own]));
+}
+
+}  // namespace
+
+void carry_back(const Lattice& lattice, const std::array<Samples, 3>& velocity, std::size_t axis, double dt,
+                Samples& out) {
+    const vec3 stands = face_place(axis);
+    const auto cells_per_speed = static_cast<float>(dt / lattice.h);
+    const auto& stride = lattice.stride;
+    const float* first = velocity[axis].data() + lattice.first;
+    for (int k = 0; k < lattice.cells[2]; ++k) {
+        for (int j = 0; j < lattice.cells[1]; ++j) {
+            for (int i = 0; i < lattice.cells[0]; ++i) {
+                const auto at = lattice.at(i, j, k);
+                const std::array cell{i, j, k};
+                std::array<float, 3> from{};
+                for (std::size_t a = 0; a < 3; ++a) {
+                    const float* u = velocity[a].data() + at;
+                    const float speed = a == axis ? u[0] : mean_of_four(u, stride[axis], stride[a]);
+                    const auto own = static_cast<float>(stands[static_cast<int>(a)]);
+                    const float place = static_cast<float>(cell[a]) + own - cells_per_speed * speed;
+                    from[a] = into_box(lattice, a, place) - own;
+                }
+                out[static_cast<std::size_t>(at)] = between(first, stride, from);
+            }
+        }
+    }
+}
+
+}  // namespace thaum::fluid

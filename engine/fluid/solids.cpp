@@ -1,0 +1,234 @@
+#include "fluid/solids.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::fluid {
+namespace {
+
+constexpr int per_edge = 4;           ///< places asked along one edge of a face
+constexpr double open_least = 0.125;  ///< less of a face is taken for closed
+
+/// The share of a face that is open, by places spread evenly over it.
+double open_share(const std::function<double(vec3)>& solid, vec3 low, std::size_t axis, double h) {
+    const auto first = static_cast<int>((axis + 1) % 3);
+    const auto second = static_cast<int>((axis + 2) % 3);
+    double sum = 0;
+    for (int a = 0; a < per_edge; ++a) {
+        for (int b = 0; b < per_edge; ++b) {
+            vec3 place = low;
+            place[first] += (a + 0.5) * h / per_edge;
+            place[second] += (b + 0.5) * h / per_edge;
+            sum += 1 - std::clamp(solid(place), 0.0, 1.0);
+        }
+    }
+    const double share = sum / (per_edge * per_edge);
+    return share < open_least ? 0 : share;
+}
+
+template <class Row>
+void each_row(const Lattice& lattice, Row&& row) {
+    for (int k = 0; k < lattice.cells[2]; ++k)
+        for (int j = 0; j < lattice.cells[1]; ++j) row(lattice.at(0, j, k));
+}
+
+/// In double and one fixed order: eight sums side by side.
+double dot(const Lattice& lattice, const Samples& a, const Samples& b) {
+    std::array<double, 8> sums{};
+    each_row(lattice, [&](std::ptrdiff_t at) {
+        const float* x = a.data() + at;
+        const float* y = b.data() + at;
+        const std::ptrdiff_t whole = lattice.cells[0] / 8 * 8;
+        for (std::ptrdiff_t i = 0; i < whole; i += 8)
+            for (std::size_t lane = 0; lane < 8; ++lane)
+                sums[lane] += static_cast<double>(x[i + static_cast<std::ptrdiff_t>(lane)]) *
+                              static_cast<double>(y[i + static_cast<std::ptrdiff_t>(lane)]);
+        for (std::ptrdiff_t i = whole; i < lattice.cells[0]; ++i)
+            sums[0] += static_cast<double>(x[i]) * static_cast<double>(y[i]);
+    });
+    double sum = 0;
+    for (const double s : sums) sum += s;
+    return sum;
+}
+
+double largest(const Lattice& lattice, const Samples& a) {
+    float most = 0;
+    each_row(lattice, [&](std::ptrdiff_t at) {
+        for (std::ptrdiff_t i = 0; i < lattice.cells[0]; ++i)
+            most = std::max(most, std::abs(a[static_cast<std::size_t>(at + i)]));
+    });
+    return static_cast<double>(most);
+}
+
+/// to += part * from
+void add(const Lattice& lattice, Samples& to, double part, const Samples& from) {
+    const auto factor = static_cast<float>(part);
+    each_row(lattice, [&](std::ptrdiff_t at) {
+        float* x = to.data() + at;
+        const float* y = from.data() + at;
+        const std::ptrdiff_t nx = lattice.cells[0];
+#pragma GCC ivdep
+        for (std::ptrdiff_t i = 0; i < nx; ++i) x[i] += factor * y[i];
+    });
+}
+
+constexpr std::array evenly{Beyond::even, Beyond::even, Beyond::even};
+
+void fill_sides(const Lattice& lattice, Samples& samples) {
+    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(lattice, axis, Beyond::even, samples);
+}
+
+}  // namespace
+
+Solids::Solids(const Lattice& lattice, const std::function<double(vec3)>& solid)
+    : lattice_(lattice), box_(lattice, 2) {
+    for (auto* samples : {&fluid_, &diagonal_, &residual_, &smoothed_, &direction_, &image_})
+        *samples = make_samples(lattice);
+    packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
+                   static_cast<std::size_t>(lattice.cells[2]));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        open_[axis] = make_samples(lattice);
+        for (int k = 0; k < lattice.cells[2]; ++k)
+            for (int j = 0; j < lattice.cells[1]; ++j)
+                for (int i = 0; i < lattice.cells[0]; ++i)
+                    open_[axis][static_cast<std::size_t>(lattice.at(i, j, k))] =
+                        static_cast<float>(open_share(solid, lattice.h * vec3(i, j, k), axis, lattice.h));
+        std::array<Beyond, 3> beyond = evenly;
+        beyond[axis] = Beyond::through_wall;
+        fill_ghosts(lattice, beyond, open_[axis]);
+    }
+    each_row(lattice_, [&](std::ptrdiff_t at) {
+        for (std::ptrdiff_t i = at; i < at + lattice_.cells[0]; ++i) {
+            float sum = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                sum += open_[axis][static_cast<std::size_t>(i)] +
+                       open_[axis][static_cast<std::size_t>(i + lattice_.stride[axis])];
+            diagonal_[static_cast<std::size_t>(i)] = sum;
+            fluid_[static_cast<std::size_t>(i)] = sum > 0 ? 1.0F : 0.0F;
+        }
+    });
+}
+
+void Solids::close(std::array<Samples, 3>& velocity) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float* open = open_[axis].data();
+        float* u = velocity[axis].data();
+        each_row(lattice_, [&](std::ptrdiff_t at) {
+            const std::ptrdiff_t end = at + lattice_.cells[0];
+#pragma GCC ivdep
+            for (std::ptrdiff_t i = at; i < end; ++i) u[i] = open[i] > 0 ? u[i] : 0.0F;
+        });
+    }
+}
+
+void Solids::divergence(const std::array<Samples, 3>& velocity) {
+    const auto [x, y, z] = lattice_.stride;
+    const auto per_h = static_cast<float>(1 / lattice_.h);
+    const float *u = velocity[0].data(), *v = velocity[1].data(), *w = velocity[2].data();
+    const float *a = open_[0].data(), *b = open_[1].data(), *c = open_[2].data();
+    float* out = residual_.data();
+    each_row(lattice_, [&, x = x, y = y, z = z](std::ptrdiff_t at) {
+        const std::ptrdiff_t end = at + lattice_.cells[0];
+#pragma GCC ivdep
+        for (std::ptrdiff_t i = at; i < end; ++i)
+            out[i] = -per_h * ((a[i + x] * u[i + x] - a[i] * u[i]) +
+                               ((b[i + y] * v[i + y] - b[i] * v[i]) + (c[i + z] * w[i + z] - c[i] * w[i])));
+    });
+}
+
+/// image = minus the divergence, through open faces, of the gradient; the ghosts of the potential are filled.
+void Solids::apply(const Samples& potential) {
+    const auto [x, y, z] = lattice_.stride;
+    const auto per_h2 = static_cast<float>(1 / (lattice_.h * lattice_.h));
+    const float* p = potential.data();
+    const float *a = open_[0].data(), *b = open_[1].data(), *c = open_[2].data();
+    const float* d = diagonal_.data();
+    float* out = image_.data();
+    each_row(lattice_, [&, x = x, y = y, z = z](std::ptrdiff_t at) {
+        const std::ptrdiff_t end = at + lattice_.cells[0];
+#pragma GCC ivdep
+        for (std::ptrdiff_t i = at; i < end; ++i)
+            out[i] = per_h2 * (d[i] * p[i] - ((a[i + x] * p[i + x] + a[i] * p[i - x]) +
+                                              ((b[i + y] * p[i + y] + b[i] * p[i - y]) +
+                                               (c[i + z] * p[i + z] + c[i] * p[i - z]))));
+    });
+}
+
+/// smoothed = preconditioner * residual
+void Solids::precondition() {
+    const std::ptrdiff_t nx = lattice_.cells[0];
+    float* packed = packed_.data();
+    each_row(lattice_, [&](std::ptrdiff_t at) {
+        std::copy_n(residual_.data() + at, nx, packed);
+        packed += nx;
+    });
+    box_.solve(packed_);
+    packed = packed_.data();
+    const auto h2 = static_cast<float>(lattice_.h * lattice_.h);
+    each_row(lattice_, [&](std::ptrdiff_t at) {
+        const float* d = diagonal_.data() + at;
+        const float* r = residual_.data() + at;
+        float* z = smoothed_.data() + at;
+#pragma GCC ivdep
+        for (std::ptrdiff_t i = 0; i < nx; ++i) {
+            // -lap in the operator, lap in the box's solve.
+            const float own = d[i] < 5 && d[i] > 0 ? h2 * r[i] / d[i] : 0.0F;
+            z[i] = d[i] > 0 ? own - packed[i] : 0.0F;
+        }
+        packed += nx;
+    });
+}
+
+Solids::Found Solids::project(std::array<Samples, 3>& velocity, Samples& potential, double tolerance,
+                              int iterations_most) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        fill_ghosts_across(lattice_, axis, Beyond::through_wall, velocity[axis]);
+    divergence(velocity);
+    std::fill(potential.begin(), potential.end(), 0.0F);
+    Found found{.divergence = largest(lattice_, residual_)};
+    double before = 0;
+    while (found.divergence > tolerance && found.iterations < iterations_most) {
+        precondition();
+        const double now = dot(lattice_, residual_, smoothed_);
+        if (!(now > 0)) break;
+        if (found.iterations == 0) {
+            direction_ = smoothed_;
+        } else {
+            const auto turn = static_cast<float>(now / before);
+            each_row(lattice_, [&](std::ptrdiff_t at) {
+                float* s = direction_.data() + at;
+                const float* z = smoothed_.data() + at;
+                const std::ptrdiff_t nx = lattice_.cells[0];
+#pragma GCC ivdep
+                for (std::ptrdiff_t i = 0; i < nx; ++i) s[i] = z[i] + turn * s[i];
+            });
+        }
+        before = now;
+        fill_sides(lattice_, direction_);
+        apply(direction_);
+        const double curvature = dot(lattice_, direction_, image_);
+        if (!(curvature > 0)) break;
+        add(lattice_, potential, now / curvature, direction_);
+        add(lattice_, residual_, -now / curvature, image_);
+        found.divergence = largest(lattice_, residual_);
+        ++found.iterations;
+    }
+    fill_ghosts(lattice_, evenly, potential);
+    // -lap potential = -div u, so u - grad potential has none.
+    const auto per_h = static_cast<float>(1 / lattice_.h);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto s = lattice_.stride[axis];
+        const float* open = open_[axis].data();
+        const float* p = potential.data();
+        float* u = velocity[axis].data();
+        each_row(lattice_, [&](std::ptrdiff_t at) {
+            const std::ptrdiff_t end = at + lattice_.cells[0];
+#pragma GCC ivdep
+            for (std::ptrdiff_t i = at; i < end; ++i)
+                u[i] = open[i] > 0 ? u[i] - per_h * (p[i] - p[i - s]) : 0.0F;
+        });
+    }
+    return found;
+}
+
+}  // namespace thaum::fluid

@@ -1,0 +1,55 @@
+// fluid/solids.h: walls of any shape on the staggered grid.
+//
+// Each face is open by a share of its area; a cell with open faces is fluid. The pressure makes what flows through the open parts
+// of a cell's faces cancel (Batty, Bertails and Bridson 2007), which is solved by conjugate gradients. Their preconditioner is the
+// direct solve of the whole box, as if nothing were solid: it is the energy of the smoothest continuation into the solid, which is
+// at most a small multiple of that in the fluid, however fine the grid is; so the number of iterations does not grow with it.
+// Cells that are mostly closed add a term of their own.
+#pragma once
+#include <functional>
+#include <memory>
+
+#include "core/maths.h"
+#include "fluid/lattice.h"
+#include "fluid/separable.h"
+
+namespace thaum::fluid {
+
+class Solids {
+public:
+    /// solid: share of a place that is solid, 0 to 1, by the place in m.
+    Solids(const Lattice& lattice, const std::function<double(vec3)>& solid);
+
+    /// Shares of the faces of each component that are open, 0 to 1, ghosts included: 0 at walls.
+    const std::array<Samples, 3>& open() const { return open_; }
+    /// 1 in cells that hold fluid, otherwise 0.
+    const Samples& fluid() const { return fluid_; }
+
+    /// Velocities on closed faces become 0.
+    void close(std::array<Samples, 3>& velocity) const;
+
+    struct Found {
+        int iterations{};
+        double divergence{};  ///< 1/s, the largest that is left
+    };
+    /// Takes the divergence away, down to `tolerance` 1/s in each cell; `potential`, ghosts included, is what was subtracted the
+    /// gradient of.
+    Found project(std::array<Samples, 3>& velocity, Samples& potential, double tolerance,
+                  int iterations_most);
+
+private:
+    void divergence(const std::array<Samples, 3>& velocity);
+    void apply(const Samples& potential);
+    void precondition();
+
+    Lattice lattice_;
+    std::array<Samples, 3> open_;
+    Samples fluid_;
+    Samples diagonal_;  ///< sum of the open shares round a cell
+    PressureSolver box_;
+    // Of the conjugate gradients: residual, its preconditioned, the direction, and the operator on that.
+    Samples residual_, smoothed_, direction_, image_;
+    std::vector<float> packed_;
+};
+
+}  // namespace thaum::fluid

@@ -1,0 +1,57 @@
+// fluid/staggered.h: the solver `thaum`. One sub-step:
+//
+//     four Runge-Kutta stages of momentum, forces and pressure  ->  viscosity, where it is not in the stages  ->  substances
+//
+// In a box without solids each stage ends with a direct pressure solve, so that it is free of divergence. With solids the stages
+// take the pressure of the step before and the last one is projected (Le and Moin 1991): one solve for each sub-step.
+#pragma once
+#include <memory>
+
+#include "fluid/fluid.h"
+#include "fluid/momentum.h"
+#include "fluid/separable.h"
+#include "fluid/solids.h"
+#include "fluid/viscosity.h"
+
+namespace thaum::fluid {
+
+/// Tables and scratch, made once for a Fluid; no state.
+class Staggered {
+public:
+    Staggered(const Settings& settings, const Lattice& lattice);
+
+    StepReport step(const Settings& settings, State& now, double dt);
+    /// Substances alone, by the velocity that stands there.
+    void carry(const Settings& settings, State& now, double dt);
+    /// Null: none but the edges.
+    const Solids* solids() const { return solids_.get(); }
+    /// Writes the ghosts, and 0 on walls.
+    void fill(const Settings& settings, std::array<Samples, 3>& velocity) const;
+
+private:
+    using Velocity = std::array<Samples, 3>;
+
+    bool viscosity_varies(const Settings& settings) const;
+    double steps_wanted(const Settings& settings, const State& now, double dt) const;
+    void gather_forces(const Settings& settings, const State& now, double share);
+    void add_buoyancy(const Settings& settings, const State& now);
+    void substep(const Settings& settings, State& now, double dt, StepReport& report);
+    void end_stage(const Settings& settings, Velocity& velocity);
+    void end_step(const Settings& settings, State& now, double dt, StepReport& report);
+    void spread(const Settings& settings, const State& now, double dt);
+    void semi_lagrangian(const Settings& settings, State& now, double dt, StepReport& report);
+
+    Lattice lattice_;
+    int order_;
+    PressureSolver pressure_;
+    Momentum momentum_;
+    Viscosity viscosity_;
+    std::unique_ptr<Solids> solids_;
+    Velocity force_, stage_, other_, sum_;
+    bool forced_ = false;    ///< force_ is not all zero
+    bool explicit_ = false;  ///< viscosity is in the stages of this step
+    Samples potential_, mixed_;
+    std::vector<float> packed_;
+};
+
+}  // namespace thaum::fluid

@@ -1,0 +1,191 @@
+#include "fluid/viscosity.h"
+
+#include <algorithm>
+
+#include "fluid/transpose.h"
+
+namespace thaum::fluid {
+namespace {
+
+/// How lines are laid out in the samples, and how they end.
+struct Lines {
+    std::ptrdiff_t count;  ///< places along a line
+    std::ptrdiff_t width;  ///< lines side by side
+    std::ptrdiff_t place;  ///< from a place to the next one, in the samples
+    std::ptrdiff_t line;   ///< from a line to the next one
+    Edge edge;
+    bool through;  ///< the component goes along the line: it is 0 on the walls at both ends
+    bool solid_holds;
+    float lid;  ///< m/s, what the wall at the high end moves by
+};
+
+/// Coefficient of the link between two places; closed ones count below 0.
+inline float link(float a, float b, bool holds) {
+    const float both = 0.5F * (a + b);
+    const float one = holds ? std::max(std::max(a, b), 0.0F) : 0.0F;
+    return std::min(a, b) >= 0 ? both : one;
+}
+
+/// Rows of lines side by side. Before the first row of values, links and uppers stands one of zeros.
+struct Slab {
+    float* value;
+    float* coefficient;
+    float* link;   ///< to the next place
+    float* upper;  ///< what elimination leaves of that
+    float* corner;
+};
+
+void find_links(const Lines& lines, const Slab& slab) {
+    const auto last = (lines.count - 1) * lines.width;
+    const bool holds = lines.solid_holds;
+#pragma GCC ivdep
+    for (std::ptrdiff_t i = 0; i < last; ++i)
+        slab.link[i] = link(slab.coefficient[i], slab.coefficient[i + lines.width], holds);
+    std::fill_n(slab.link + last, lines.width, 0.0F);
+}
+
+/// Forward elimination and back substitution of every line at once. `ends`: multiples of the first and last place's own
+/// coefficient that its diagonal has besides.
+void eliminate(const Lines& lines, const Slab& slab, float* value, const std::array<float, 2>& ends) {
+    const auto n = lines.count;
+    const auto w = lines.width;
+    for (std::ptrdiff_t r = 0; r < n; ++r) {
+        const float* own = slab.coefficient + r * w;
+        const float* above = slab.link + r * w;
+        const float* below = above - w;
+        float* v = value + r * w;
+        const float* v_before = v - w;
+        float* c = slab.upper + r * w;
+        const float* c_before = c - w;
+        const float more = (r == 0 ? ends[0] : 0.0F) + (r == n - 1 ? ends[1] : 0.0F);
+#pragma GCC ivdep
+        for (std::ptrdiff_t i = 0; i < w; ++i) {
+            const float per =
+                1 / (1 + below[i] * (1 - c_before[i]) + above[i] + more * std::max(own[i], 0.0F));
+            const float open = own[i] < 0 ? 0.0F : per;
+            c[i] = above[i] * open;
+            v[i] = (v[i] + below[i] * v_before[i]) * open;
+        }
+    }
+    for (std::ptrdiff_t r = n - 2; r >= 0; --r) {
+        float* v = value + r * w;
+        const float* after = v + w;
+        const float* c = slab.upper + r * w;
+#pragma GCC ivdep
+        for (std::ptrdiff_t i = 0; i < w; ++i) v[i] += c[i] * after[i];
+    }
+}
+
+/// The ends of periodic lines are linked: Sherman and Morrison's correction by a second solution.
+void solve_ring(const Lines& lines, const Slab& slab) {
+    const auto n = lines.count;
+    const auto w = lines.width;
+    const auto last = (n - 1) * w;
+    // The matrix is that of open ends plus ends * (e0 - en)(e0 - en)^T.
+    std::fill_n(slab.corner, n * w, 0.0F);
+    for (std::ptrdiff_t i = 0; i < w; ++i) {
+        const float ends = link(slab.coefficient[last + i], slab.coefficient[i], lines.solid_holds);
+        slab.corner[i] += ends;
+        slab.corner[last + i] -= ends;
+    }
+    eliminate(lines, slab, slab.value, {});
+    eliminate(lines, slab, slab.corner, {});
+    for (std::ptrdiff_t i = 0; i < w; ++i) {
+        const float by =
+            (slab.value[i] - slab.value[last + i]) / (1 + slab.corner[i] - slab.corner[last + i]);
+        for (std::ptrdiff_t r = 0; r < n; ++r) slab.value[r * w + i] -= by * slab.corner[r * w + i];
+    }
+}
+
+void solve(const Lines& lines, const Slab& slab) {
+    if (lines.edge == Edge::periodic) {
+        find_links(lines, slab);
+        if (lines.count > 1) solve_ring(lines, slab);
+        return;
+    }
+    const auto last = (lines.count - 1) * lines.width;
+    if (lines.through) {
+        // The first place is the wall.
+        std::fill_n(slab.coefficient, lines.width, -1.0F);
+        Lines to_wall = lines;
+        to_wall.solid_holds = true;
+        find_links(to_wall, slab);
+        eliminate(to_wall, slab, slab.value, {0, 1});
+        return;
+    }
+    const float wall = lines.edge == Edge::no_slip ? 2.0F : 0.0F;
+    if (wall > 0 && lines.lid != 0)
+        for (std::ptrdiff_t i = last; i < last + lines.width; ++i)
+            slab.value[i] += wall * lines.lid * std::max(slab.coefficient[i], 0.0F);
+    find_links(lines, slab);
+    eliminate(lines, slab, slab.value, {wall, wall});
+}
+
+}  // namespace
+
+Viscosity::Viscosity(const Lattice& lattice) : lattice_(lattice), nodal_(make_samples(lattice)) {
+    const auto [nx, ny, nz] = lattice.cells;
+    const int width = std::max(nx, ny);
+    const auto most = static_cast<std::size_t>(width + std::max(nx * ny, nx * nz));
+    for (auto* slab : {&value_, &coefficient_, &link_, &upper_, &corner_}) slab->assign(most, 0.0F);
+}
+
+void Viscosity::take(const Spread& spread, std::array<Samples, 3>& velocity) {
+    for (std::size_t axis = 0; axis < 3; ++axis) component(spread, axis, velocity[axis]);
+}
+
+void Viscosity::component(const Spread& spread, std::size_t axis, Samples& u) {
+    const auto s = lattice_.stride[axis];
+    const auto half = static_cast<float>(0.5 * spread.dt / (lattice_.h * lattice_.h));
+    const float* nu = spread.viscosity->data();
+    const float* open = spread.open != nullptr ? (*spread.open)[axis].data() : nullptr;
+    for (int k = 0; k < lattice_.cells[2]; ++k) {
+        for (int j = 0; j < lattice_.cells[1]; ++j) {
+            const auto at = lattice_.at(0, j, k);
+            for (std::ptrdiff_t i = at; i < at + lattice_.cells[0]; ++i) {
+                const float both = half * (nu[i - s] + nu[i]);
+                nodal_[static_cast<std::size_t>(i)] = open != nullptr && open[i] <= 0 ? -1.0F : both;
+            }
+        }
+    }
+    for (std::size_t across = 0; across < 3; ++across) along(spread, axis, across, u);
+}
+
+void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across, Samples& u) {
+    // Slabs of lines side by side along x; lines along x stand side by side along y.
+    const std::size_t beside = across == 0 ? 1 : 0;
+    const std::size_t outer = 3 - across - beside;
+    const Lines lines{.count = lattice_.cells[across],
+                      .width = lattice_.cells[beside],
+                      .place = lattice_.stride[across],
+                      .line = lattice_.stride[beside],
+                      .edge = lattice_.edges[across],
+                      .through = axis == across,
+                      .solid_holds = spread.solid_holds,
+                      .lid = axis == 0 && across == 1 ? static_cast<float>(spread.lid) : 0.0F};
+    const auto w = lines.width;
+    const Slab slab{value_.data() + w, coefficient_.data() + w, link_.data() + w, upper_.data() + w,
+                    corner_.data() + w};
+    for (auto* rows : {&value_, &link_, &upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
+    for (int o = 0; o < lattice_.cells[outer]; ++o) {
+        const auto first = lattice_.first + o * lattice_.stride[outer];
+        float* values = u.data() + first;
+        const float* nodal = nodal_.data() + first;
+        if (lines.line == 1) {
+            for (std::ptrdiff_t r = 0; r < lines.count; ++r) {
+                std::copy_n(values + r * lines.place, w, slab.value + r * w);
+                std::copy_n(nodal + r * lines.place, w, slab.coefficient + r * w);
+            }
+            solve(lines, slab);
+            for (std::ptrdiff_t r = 0; r < lines.count; ++r)
+                std::copy_n(slab.value + r * w, w, values + r * lines.place);
+        } else {
+            transpose({values, lines.line}, {slab.value, w}, w, lines.count);
+            transpose({nodal, lines.line}, {slab.coefficient, w}, w, lines.count);
+            solve(lines, slab);
+            transpose({slab.value, w}, {values, lines.line}, lines.count, w);
+        }
+    }
+}
+
+}  // namespace thaum::fluid
