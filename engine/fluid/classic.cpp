@@ -1,0 +1,335 @@
+#include "fluid/classic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::fluid {
+namespace {
+
+/// How a field goes on in the one layer of ghosts that this solver looks at.
+struct Border {
+    std::array<float, 3> factor{1, 1, 1};  ///< of the cell inside, at walls across each axis
+    float lid{};                           ///< added at the top of y
+};
+
+Border border_of_scalar() { return {}; }
+
+Border border_of_velocity(const Settings& settings, std::size_t component) {
+    Border result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const bool through = axis == component;
+        if (through || settings.edges[axis] == Edge::no_slip) result.factor[axis] = -1;
+    }
+    // The wall lies half-way between the two cells: their mean is its speed.
+    if (component == 0 && settings.edges[1] == Edge::no_slip)
+        result.lid = static_cast<float>(2 * settings.lid);
+    return result;
+}
+
+/// The ghosts of both sides of one row of cells along an axis.
+struct Sides {
+    std::ptrdiff_t last;    ///< from the first cell of the row to the last
+    std::ptrdiff_t stride;  ///< from a cell to the next
+    bool periodic;
+    float factor, lid;
+
+    void fill(float* first) const {
+        float* const end = first + last;
+        first[-stride] = periodic ? *end : factor * *first;
+        end[stride] = periodic ? *first : factor * *end + lid;
+    }
+};
+
+/// Axis after axis, each with the ghosts of those before, so that edges and corners follow.
+void fill_border(const Lattice& lattice, const Border& border, Samples& samples) {
+    const auto [nx, ny, nz] = lattice.cells;
+    const auto sides = [&](std::size_t axis) {
+        const auto stride = lattice.stride[axis];
+        return Sides{(lattice.cells[axis] - 1) * stride, stride, lattice.edges[axis] == Edge::periodic,
+                     border.factor[axis], axis == 1 ? border.lid : 0.0F};
+    };
+    float* const field = samples.data();
+    const Sides x = sides(0), y = sides(1), z = sides(2);
+    for (int k = 0; k < nz; ++k) {
+        for (int j = 0; j < ny; ++j) x.fill(field + lattice.at(0, j, k));
+    }
+    for (int k = 0; k < nz; ++k) {
+        for (int i = -1; i <= nx; ++i) y.fill(field + lattice.at(i, 0, k));
+    }
+    for (int j = -1; j <= ny; ++j) {
+        for (int i = -1; i <= nx; ++i) z.fill(field + lattice.at(i, j, 0));
+    }
+}
+
+void fill_velocity_borders(Fluid& fluid) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        fill_border(fluid.lattice, border_of_velocity(fluid.settings, axis), fluid.now.velocity[axis]);
+}
+
+/// Calls with where the first cell of each row along x stands.
+template <class F>
+void each_row(const Lattice& lattice, F&& f) {
+    for (int k = 0; k < lattice.cells[2]; ++k) {
+        for (int j = 0; j < lattice.cells[1]; ++j) f(lattice.at(0, j, k));
+    }
+}
+
+/// x = (source + share * sum of the six neighbours) / (1 or 0 + 6 share), by Gauss-Seidel: each cell in turn from what stands there.
+/// `own` is 1 for diffusion, 0 for pressure.
+void relax(const Lattice& lattice, const Border& border, int sweeps, float own, float share,
+           const Samples& source, Samples& x) {
+    const auto ny = lattice.stride[1], nz = lattice.stride[2];
+    const int n = lattice.cells[0];
+    const float inverse = 1 / (own + 6 * share);
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        each_row(lattice, [&](std::ptrdiff_t first) {
+            const float* const b = source.data() + first;
+            float* const c = x.data() + first;
+            float west = c[-1];
+            for (int i = 0; i < n; ++i) {
+                // The one that was just written comes last: the next cell waits for it alone.
+                const float others = c[i + 1] + c[i - ny] + c[i + ny] + c[i - nz] + c[i + nz];
+                west = (b[i] + share * (others + west)) * inverse;
+                c[i] = west;
+            }
+        });
+        fill_border(lattice, border, x);
+    }
+}
+
+/// Implicit: the field whose diffusion backwards is the one given.
+void diffuse(const Fluid& fluid, const Border& border, double coefficient, double dt, ClassicScratch& scratch,
+             Samples& samples) {
+    if (!(coefficient > 0)) return;
+    const double share = coefficient * dt / (fluid.lattice.h * fluid.lattice.h);
+    scratch.source = samples;
+    relax(fluid.lattice, border, fluid.settings.sweeps, 1, static_cast<float>(share), scratch.source,
+          samples);
+}
+
+/// h^2 by the divergence, negative: what the sum of the neighbours' pressures less 6 times the own one must make up for.
+void write_divergence(const Fluid& fluid, Samples& result) {
+    const auto [sx, sy, sz] = fluid.lattice.stride;
+    const int n = fluid.lattice.cells[0];
+    const auto scale = static_cast<float>(-0.5 * fluid.lattice.h);
+    each_row(fluid.lattice, [&, sy = sy, sz = sz](std::ptrdiff_t first) {
+        const float* const u = fluid.now.velocity[0].data() + first;
+        const float* const v = fluid.now.velocity[1].data() + first;
+        const float* const w = fluid.now.velocity[2].data() + first;
+        float* const to = result.data() + first;
+        for (int i = 0; i < n; ++i)
+            to[i] = scale * (u[i + 1] - u[i - 1] + v[i + sy] - v[i - sy] + w[i + sz] - w[i - sz]);
+    });
+}
+
+void subtract_gradient(Fluid& fluid, const Samples& pressure) {
+    const auto scale = static_cast<float>(0.5 / fluid.lattice.h);
+    const int n = fluid.lattice.cells[0];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto next = fluid.lattice.stride[axis];
+        each_row(fluid.lattice, [&](std::ptrdiff_t first) {
+            const float* const p = pressure.data() + first;
+            float* const u = fluid.now.velocity[axis].data() + first;
+            for (int i = 0; i < n; ++i) u[i] -= scale * (p[i + next] - p[i - next]);
+        });
+    }
+}
+
+/// What is left of the divergence is what the sweeps leave and what half a difference across two cells cannot see.
+void project(Fluid& fluid, ClassicScratch& scratch) {
+    write_divergence(fluid, scratch.source);
+    std::ranges::fill(fluid.now.pressure, 0.0F);
+    relax(fluid.lattice, border_of_scalar(), fluid.settings.sweeps, 0, 1, scratch.source, fluid.now.pressure);
+    subtract_gradient(fluid, fluid.now.pressure);
+    fill_velocity_borders(fluid);
+}
+
+/// A place between eight cells.
+struct Traced {
+    std::ptrdiff_t corner;      ///< the lowest of the eight
+    std::array<float, 3> part;  ///< of the way to the highest
+};
+
+/// Where the fluid in a cell came from along one axis: between which cell and the next, and how far.
+struct Along {
+    std::ptrdiff_t cell;
+    float part;
+};
+
+/// `place` in cells, 0 at the centre of the first. Walls hold it within half a cell of their centres; round a periodic box it goes.
+Along along(float place, int n, bool periodic) {
+    const auto cells = static_cast<float>(n);
+    if (periodic) place -= cells * std::floor(place / cells);
+    // What is not a number becomes the first bound.
+    place = std::min(std::max(-0.5F, place), cells - (periodic ? 0.0F : 0.5F));
+    const float low = std::min(std::floor(place), cells - 1);
+    return {static_cast<std::ptrdiff_t>(low), place - low};
+}
+
+struct Tracer {
+    const Lattice& lattice;
+    const std::array<Samples, 3>& velocity;
+    float cells_per_speed;  ///< dt / h
+    std::array<bool, 3> periodic;
+
+    Traced back(int i, int j, int k) const {
+        const std::array<int, 3> from{i, j, k};
+        const auto at = static_cast<std::size_t>(lattice.at(i, j, k));
+        Traced result{lattice.first, {}};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float place = static_cast<float>(from[axis]) - cells_per_speed * velocity[axis][at];
+            const Along found = along(place, lattice.cells[axis], periodic[axis]);
+            result.corner += found.cell * lattice.stride[axis];
+            result.part[axis] = found.part;
+        }
+        return result;
+    }
+};
+
+Tracer tracer_of(const Fluid& fluid, const std::array<Samples, 3>& velocity, double dt) {
+    Tracer result{fluid.lattice, velocity, static_cast<float>(dt / fluid.lattice.h), {}};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        result.periodic[axis] = fluid.settings.edges[axis] == Edge::periodic;
+    return result;
+}
+
+float mix(float a, float b, float part) { return a + part * (b - a); }
+
+/// Linear in each axis.
+float sample(const Lattice& lattice, const Traced& place, const Samples& samples) {
+    const auto [sx, sy, sz] = lattice.stride;
+    const float* const c = samples.data() + place.corner;
+    const auto [px, py, pz] = place.part;
+    const float low = mix(mix(c[0], c[sx], px), mix(c[sy], c[sy + sx], px), py);
+    const float high = mix(mix(c[sz], c[sz + sx], px), mix(c[sz + sy], c[sz + sy + sx], px), py);
+    return mix(low, high, pz);
+}
+
+/// Calls with each cell and where the fluid in it was dt ago.
+template <class F>
+void trace_back(const Tracer& tracer, F&& f) {
+    const auto [nx, ny, nz] = tracer.lattice.cells;
+    for (int k = 0; k < nz; ++k) {
+        for (int j = 0; j < ny; ++j) {
+            for (int i = 0; i < nx; ++i)
+                f(static_cast<std::size_t>(tracer.lattice.at(i, j, k)), tracer.back(i, j, k));
+        }
+    }
+}
+
+void carry_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
+    std::swap(fluid.now.velocity, scratch.before);
+    auto& to = fluid.now.velocity;
+    trace_back(tracer_of(fluid, scratch.before, dt), [&](std::size_t cell, const Traced& from) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            to[axis][cell] = sample(fluid.lattice, from, scratch.before[axis]);
+    });
+    fill_velocity_borders(fluid);
+}
+
+void carry_substance(Fluid& fluid, Samples& substance, ClassicScratch& scratch, double dt) {
+    Samples& before = scratch.before[0];
+    std::swap(substance, before);
+    trace_back(tracer_of(fluid, fluid.now.velocity, dt), [&](std::size_t cell, const Traced& from) {
+        substance[cell] = sample(fluid.lattice, from, before);
+    });
+    fill_border(fluid.lattice, border_of_scalar(), substance);
+}
+
+double sum_of(const Lattice& lattice, const Samples& samples) {
+    double result = 0;
+    each_row(lattice, [&](std::ptrdiff_t first) {
+        for (int i = 0; i < lattice.cells[0]; ++i)
+            result += double{samples[static_cast<std::size_t>(first + i)]};
+    });
+    return result;
+}
+
+double cells_of(const Lattice& lattice) {
+    return double(lattice.cells[0]) * double(lattice.cells[1]) * double(lattice.cells[2]);
+}
+
+double viscosity_of(const Fluid& fluid) {
+    double result = fluid.settings.viscosity;
+    for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
+        const double added = fluid.settings.substances[s].viscosity;
+        if (added > 0)
+            result += added * sum_of(fluid.lattice, fluid.now.substances[s]) / cells_of(fluid.lattice);
+    }
+    return result;
+}
+
+void add_buoyancy(Fluid& fluid, double dt) {
+    for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
+        const vec3 change = fluid.settings.gravity * (fluid.settings.substances[s].weight * dt);
+        const Samples& density = fluid.now.substances[s];
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto along_axis = static_cast<float>(change[static_cast<int>(axis)]);
+            if (along_axis == 0) continue;
+            Samples& velocity = fluid.now.velocity[axis];
+            for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += along_axis * density[i];
+        }
+    }
+    fill_velocity_borders(fluid);
+}
+
+void diffuse_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
+    const double viscosity = viscosity_of(fluid);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        diffuse(fluid, border_of_velocity(fluid.settings, axis), viscosity, dt, scratch,
+                fluid.now.velocity[axis]);
+}
+
+StepReport report_of(const Fluid& fluid, Samples& divergence) {
+    StepReport result{.substeps = 1, .pressure_iterations = 2 * fluid.settings.sweeps};
+    float most = 0, worst = 0;
+    double squares = 0;
+    write_divergence(fluid, divergence);
+    each_row(fluid.lattice, [&](std::ptrdiff_t first) {
+        const auto row = static_cast<std::size_t>(first);
+        for (std::size_t i = row; i < row + static_cast<std::size_t>(fluid.lattice.cells[0]); ++i) {
+            for (const Samples& component : fluid.now.velocity) {
+                most = std::max(most, std::abs(component[i]));
+                squares += double{component[i]} * double{component[i]};
+            }
+            worst = std::max(worst, std::abs(divergence[i]));
+        }
+    });
+    const double h = fluid.lattice.h;
+    result.speed = double{most};
+    // What was written has a factor of h^2, the measure one of h.
+    result.divergence = most > 0 ? double{worst} / (h * double{most}) : 0;
+    result.energy = 0.5 * squares * h * h * h;
+    result.cells = static_cast<std::int64_t>(cells_of(fluid.lattice));
+    return result;
+}
+
+void prepare(const Lattice& lattice, ClassicScratch& scratch) {
+    for (Samples& s : scratch.before) s.resize(lattice.size);
+    scratch.source.resize(lattice.size);
+}
+
+}  // namespace
+
+void classic_carry_substances(Fluid& fluid, ClassicScratch& scratch, double dt) {
+    prepare(fluid.lattice, scratch);
+    for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
+        Samples& substance = fluid.now.substances[s];
+        fill_border(fluid.lattice, border_of_scalar(), substance);
+        diffuse(fluid, border_of_scalar(), fluid.settings.substances[s].diffusion, dt, scratch, substance);
+        carry_substance(fluid, substance, scratch, dt);
+    }
+}
+
+StepReport classic_step(Fluid& fluid, ClassicScratch& scratch, double dt) {
+    prepare(fluid.lattice, scratch);
+    add_buoyancy(fluid, dt);
+    diffuse_velocity(fluid, scratch, dt);
+    project(fluid, scratch);
+    carry_velocity(fluid, scratch, dt);
+    project(fluid, scratch);
+    classic_carry_substances(fluid, scratch, dt);
+    return report_of(fluid, scratch.source);
+}
+
+}  // namespace thaum::fluid
