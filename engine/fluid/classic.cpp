@@ -259,6 +259,15 @@ double viscosity_of(const Fluid& fluid) {
     return result;
 }
 
+void add_pushes(State& now) {
+    if (!now.pushed) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < now.push[axis].size(); ++i) now.velocity[axis][i] += now.push[axis][i];
+        std::ranges::fill(now.push[axis], 0.0F);
+    }
+    now.pushed = false;
+}
+
 void add_buoyancy(Fluid& fluid, double dt) {
     for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
         const vec3 change = fluid.settings.gravity * (fluid.settings.substances[s].weight * dt);
@@ -270,6 +279,11 @@ void add_buoyancy(Fluid& fluid, double dt) {
             for (std::size_t i = 0; i < velocity.size(); ++i) velocity[i] += along_axis * density[i];
         }
     }
+}
+
+void add_forces(Fluid& fluid, double dt) {
+    add_pushes(fluid.now);
+    add_buoyancy(fluid, dt);
     fill_velocity_borders(fluid);
 }
 
@@ -323,7 +337,7 @@ void classic_carry_substances(Fluid& fluid, ClassicScratch& scratch, double dt) 
 
 StepReport classic_step(Fluid& fluid, ClassicScratch& scratch, double dt) {
     prepare(fluid.lattice, scratch);
-    add_buoyancy(fluid, dt);
+    add_forces(fluid, dt);
     diffuse_velocity(fluid, scratch, dt);
     project(fluid, scratch);
     carry_velocity(fluid, scratch, dt);

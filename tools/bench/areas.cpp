@@ -10,7 +10,7 @@ std::span<const Area> areas() {
         Area{"physics", physics},   Area{"replay", replay},
         Area{"skip", skip},         Area{"render", render},
         Area{"coupling", coupling}, Area{"primitives", primitives},
-        Area{"haptics", haptics},
+        Area{"haptics", haptics},   Area{"fluid", fluid, fluid_stress},
     };
     return list;
 }

@@ -20,5 +20,8 @@ void haptics(const Options& options, Report& report);
 void surfaces(const Options& options, Report& report);
 void passivity(Report& report);
 void render(const Options& options, Report& report);
+void fluid(const Options& options, Report& report);
+/// The long attack on the fluid.
+void fluid_stress(const Options& options, Report& report);
 
 }  // namespace thaum::bench

@@ -11,12 +11,14 @@ constexpr std::string_view bench_help =
     R"(usage: thaum bench [AREA ...] [--quick | --stress [--ticks N]] [--json FILE]
 
 Measures and prints one row for each setting of a case. Areas: ecs, tick,
-physics, replay, skip, render, coupling, primitives, haptics; without one, all.
+physics, replay, skip, render, coupling, primitives, haptics, fluid; without
+one, all.
 
   --quick       at most 20 s an area: every case, at smaller sizes
   --stress      the long attack instead: tick plays ten million ticks of the best
-                bots, alone and on two threads, and looks at hashes, bounds, memory
-  --ticks N     so many instead
+                bots, alone and on two threads, and looks at hashes, bounds, memory;
+                fluid is pushed, thickened and thinned for 100,000 steps
+  --ticks N     so many ticks or steps instead
   --json FILE   the report as JSON; - for standard output
 )";
 

@@ -1,0 +1,239 @@
+// The fluid's own solver against exact solutions: how fast its errors fall with the grid, and what it must keep to the last digits.
+#include <gtest/gtest.h>
+
+#include "fluid/fluid.h"
+#include "tools/bench/fluid_flows.h"
+
+namespace thaum::fluid {
+namespace {
+
+using flows::Flow;
+using flows::Scheme;
+
+constexpr Scheme fourth{Solver::thaum, 4}, second{Solver::thaum, 2}, stam{Solver::classic};
+
+/// The accuracy gate: relative error of the drifting vortex after 1 s in 16^3 (0.012 when rounded) and 32^3 cells.
+constexpr double gate_16 = 0.0125, gate_32 = 8e-4;
+
+Fluid begun(const Flow& flow, const Scheme& scheme, int n) {
+    auto fluid = flows::start(flow, scheme, n);
+    EXPECT_TRUE(fluid.has_value()) << fluid.error().message;
+    return std::move(*fluid);
+}
+
+double error_of(const Flow& flow, const Scheme& scheme, int n, double step = flows::step) {
+    Fluid fluid = begun(flow, scheme, n);
+    for (const double dt : flows::steps_until(flow.end, step)) advance(fluid, dt);
+    return flows::error_at(flow, fluid, flow.end);
+}
+
+/// Between a grid and one of half its cells' edge.
+double order_between(double coarse, double fine) { return std::log2(coarse / fine); }
+
+// ---- convergence --------------------------------------------------------------------------------------------------
+
+TEST(FluidAccuracy, ADriftingVortexConvergesInFourthOrder) {
+    for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
+        const double coarse = error_of(flow, fourth, 8), middle = error_of(flow, fourth, 16);
+        const double fine = error_of(flow, fourth, 32);
+        EXPECT_LE(middle, gate_16) << flow.name;
+        EXPECT_LE(fine, gate_32) << flow.name;
+        EXPECT_GE(order_between(coarse, middle), 3) << flow.name;
+        EXPECT_GE(order_between(middle, fine), 3.8) << flow.name;
+    }
+}
+
+TEST(FluidAccuracy, AndInSecondOrder) {
+    for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
+        const double middle = error_of(flow, second, 16), fine = error_of(flow, second, 32);
+        EXPECT_LE(fine, 0.05) << flow.name;
+        EXPECT_GE(order_between(middle, fine), 1.9) << flow.name;
+    }
+}
+
+TEST(FluidAccuracy, TheBoxsVortexIsTheSameInAllOrientations) {
+    for (const Scheme& scheme : {fourth, second}) {
+        const double error = error_of(flows::taylor_green_box(0), scheme, 16);
+        EXPECT_LE(error, scheme.order == 4 ? 1e-6 : 1e-4);
+        for (const int first : {1, 2})
+            EXPECT_NEAR(error_of(flows::taylor_green_box(first), scheme, 16), error, 2e-7);
+    }
+}
+
+TEST(FluidAccuracy, ALidDragsTheFluidAsTheSeriesSays) {
+    const Flow flow = flows::couette_start();
+    for (const Scheme& scheme : {fourth, second}) {
+        // In steps so short that only the grid errs.
+        const auto error = [&](int n) { return error_of(flow, scheme, n, 1e-3); };
+        const double coarse = error(8), middle = error(16), fine = error(32);
+        EXPECT_LE(fine, 1.5e-3);
+        EXPECT_GE(order_between(coarse, middle), 1.9);
+        EXPECT_GE(order_between(middle, fine), 1.9);
+        // A whole step may be too long to take viscosity explicitly.
+        for (const int n : {8, 16, 32, 64}) EXPECT_LE(error_of(flow, scheme, n), 0.025) << n;
+    }
+}
+
+TEST(FluidAccuracy, AnyViscosityDampsAsItOught) {
+    for (const double ratio : {1e-3, 1e-1, 1.0, 10.0, 1e4})
+        EXPECT_LE(error_of(flows::high_viscosity(ratio, 16), fourth, 16), 0.01) << ratio;
+}
+
+// ---- the gate would notice ----------------------------------------------------------------------------------------
+
+// Were nothing carried, the vortex would fade in its place.
+TEST(FluidAccuracy, TheGateFailsAFluidThatIsNotCarried) {
+    for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
+        Fluid fluid = begun(flow, fourth, 16);
+        const double fade = det::exp(-8 * pi * pi * flows::vortex_viscosity * flow.end);
+        set_velocity(fluid,
+                     [&](vec3 place) { return flow.mean + fade * (flow.velocity(place, 0) - flow.mean); });
+        EXPECT_GT(flows::error_at(flow, fluid, flow.end), 20 * gate_16) << flow.name;
+    }
+}
+
+TEST(FluidAccuracy, TheGateFailsAFluidWithoutViscosity) {
+    const Flow flow = flows::taylor_green_moving();
+    Fluid fluid = begun(flow, fourth, 16);
+    const double faded = det::exp(-8 * pi * pi * flows::vortex_viscosity * flow.end);
+    set_velocity(
+        fluid, [&](vec3 place) { return flow.mean + (flow.velocity(place, flow.end) - flow.mean) / faded; });
+    EXPECT_GT(flows::error_at(flow, fluid, flow.end), 5 * gate_16);
+}
+
+TEST(FluidAccuracy, TheGateFailsTheBaseline) {
+    EXPECT_GT(error_of(flows::taylor_green_moving(), stam, 16), 20 * gate_16);
+}
+
+TEST(FluidAccuracy, TheExactFieldPassesItsOwnMeasure) {
+    for (const Scheme& scheme : {fourth, stam}) {
+        const Flow flow = flows::taylor_green_oblique();
+        Fluid fluid = begun(flow, scheme, 16);
+        set_velocity(fluid, [&](vec3 place) { return flow.velocity(place, 0.7); });
+        EXPECT_LT(flows::error_at(flow, fluid, 0.7), 1e-6);
+    }
+}
+
+// ---- what is kept -------------------------------------------------------------------------------------------------
+
+/// Pushed here and there, without viscosity.
+Fluid stirred(Edge edge, int order) {
+    Flow flow = flows::taylor_green_box(0);
+    flow.settings.edges = {edge, edge, edge};
+    flow.settings.viscosity = 0;
+    flow.velocity = [](vec3, double) { return vec3(0.3, 0.2, 0.1); };
+    Fluid fluid = begun(flow, {Solver::thaum, order}, 16);
+    Random random{11};
+    for (int i = 0; i < 6; ++i) {
+        Push one = flows::random_push(fluid.settings, 200, random);
+        one.radius = 0.3;
+        EXPECT_TRUE(push(fluid, one));
+    }
+    advance(fluid, 1e-3);  // frees it of divergence
+    return fluid;
+}
+
+TEST(FluidAccuracy, MomentumGivenIsMomentumInTheFluid) {
+    Flow flow = flows::taylor_green_moving();
+    flow.velocity = [](vec3, double) { return vec3(0); };
+    Fluid fluid = begun(flow, fourth, 16);
+    const vec3 impulse(0.02, -0.05, 0.03);
+    ASSERT_TRUE(push(fluid, {.place = {0.4, 0.5, 0.9}, .radius = 0.2, .impulse = impulse}));
+    for (int i = 0; i < 30; ++i) advance(fluid, flows::step);
+    EXPECT_LT(glm::length(momentum(fluid) - impulse), 1e-6 * glm::length(impulse));
+}
+
+TEST(FluidAccuracy, WithoutViscosityEnergyIsKeptButForTheStepper) {
+    for (const int order : {2, 4}) {
+        for (const Edge edge : {Edge::periodic, Edge::free_slip, Edge::no_slip}) {
+            Fluid fluid = stirred(edge, order);
+            const double before = energy(fluid);
+            double last = before;
+            for (int i = 0; i < 60; ++i) {
+                const StepReport report = advance(fluid, 1e-3);
+                EXPECT_LE(report.energy, last * (1 + 1e-6));
+                EXPECT_LE(report.divergence, 1e-6);
+                EXPECT_NEAR(report.energy, energy(fluid), 1e-6 * before);
+                last = report.energy;
+            }
+            EXPECT_GT(before, 0.0);
+            EXPECT_NEAR(last, before, 1e-3 * before) << order;
+        }
+    }
+}
+
+/// Of places and velocities across x.
+vec3 mirrored(vec3 v) { return {-v.x, v.y, v.z}; }
+
+TEST(FluidAccuracy, AMirrorImageStaysOne) {
+    Flow flow = flows::taylor_green_box(0);
+    const auto swirl = [](vec3 p) {
+        return vec3(det::sin(pi * p.x) * det::cos(pi * p.y), -det::cos(pi * p.x) * det::sin(pi * p.y), 0) +
+               0.3 * vec3(0, det::sin(pi * p.y) * det::cos(pi * p.z) * p.x,
+                          -det::cos(pi * p.y) * det::sin(pi * p.z) * p.x);
+    };
+    const auto run = [&](const std::function<vec3(vec3)>& velocity) {
+        Fluid fluid = begun(flow, fourth, 16);
+        set_velocity(fluid, velocity);
+        for (int i = 0; i < 20; ++i) advance(fluid, flows::step);
+        return fluid;
+    };
+    const Fluid one = run(swirl);
+    const Fluid other = run([&](vec3 p) { return mirrored(swirl({1 - p.x, p.y, p.z})); });
+    const int n = one.lattice.cells[0];
+    double worst = 0;
+    for (int k = 0; k < n; ++k) {
+        for (int j = 0; j < n; ++j) {
+            for (int i = 0; i < n; ++i) {
+                const auto there = [&](int at) { return static_cast<std::size_t>(one.lattice.at(at, j, k)); };
+                const auto off = [&](std::size_t axis, int mirror, float sign) {
+                    return std::abs(one.now.velocity[axis][there(i)] -
+                                    sign * other.now.velocity[axis][there(mirror)]);
+                };
+                worst = std::max({worst, double{off(0, n - i, -1)}, double{off(1, n - 1 - i, 1)},
+                                  double{off(2, n - 1 - i, 1)}});
+            }
+        }
+    }
+    EXPECT_LE(worst, 1e-6);
+}
+
+TEST(FluidAccuracy, RestIsNotVisited) {
+    auto fluid = make_fluid(flows::settings_of(Flow{}, fourth, 16));
+    ASSERT_TRUE(fluid.has_value());
+    const StepReport report = advance(*fluid, flows::step);
+    EXPECT_EQ(report.cells, 0);
+    EXPECT_EQ(report.speed, 0.0);
+    EXPECT_EQ(energy(*fluid), 0.0);
+}
+
+TEST(FluidAccuracy, LayersStay) {
+    auto fluid = flows::resting(fourth, 16);
+    ASSERT_TRUE(fluid.has_value());
+    StepReport report;
+    for (int i = 0; i < 100; ++i) report = advance(*fluid, flows::step);
+    EXPECT_LE(report.speed, 1e-6 * glm::length(fluid->settings.gravity) * flows::step);
+}
+
+// Upside down they fall, so the test above can fail.
+TEST(FluidAccuracy, LayersUpsideDownFall) {
+    auto fluid = flows::resting(fourth, 16);
+    ASSERT_TRUE(fluid.has_value());
+    set_substance(*fluid, 0,
+                  [](vec3 place) { return place.y > 0.5 + 0.1 * det::cos(pi * place.x) ? 1.0 : 0.0; });
+    StepReport report;
+    for (int i = 0; i < 30; ++i) report = advance(*fluid, flows::step);
+    EXPECT_GT(report.speed, 0.1);
+}
+
+TEST(FluidAccuracy, TheSameCallsGiveTheSameBits) {
+    const auto run = [] {
+        Fluid fluid = stirred(Edge::free_slip, 4);
+        for (int i = 0; i < 10; ++i) advance(fluid, flows::step);
+        return fluid.now.velocity;
+    };
+    EXPECT_EQ(run(), run());
+}
+
+}  // namespace
+}  // namespace thaum::fluid

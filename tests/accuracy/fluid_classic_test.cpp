@@ -1,0 +1,142 @@
+// The baseline solver: it is the published method, no worse and no better, and it keeps what that method promises.
+#include <gtest/gtest.h>
+
+#include "fluid/classic.h"
+#include "tools/bench/fluid_flows.h"
+
+namespace thaum::fluid {
+namespace {
+
+using flows::Flow;
+using flows::Scheme;
+
+constexpr Scheme classic{Solver::classic};
+
+Fluid started(const Flow& flow, int n) {
+    auto fluid = flows::start(flow, classic, n);
+    EXPECT_TRUE(fluid.has_value());
+    return std::move(*fluid);
+}
+
+double error_at_end(const Flow& flow, int n) {
+    Fluid fluid = started(flow, n);
+    for (const double dt : flows::steps_until(flow.end)) advance(fluid, dt);
+    return flows::error_at(flow, fluid, flow.end);
+}
+
+// A port of Stam's solver that is passed round was measured with its slips repaired, and with the same 20 sweeps.
+TEST(FluidClassic, ErrsAsMuchAsThePublishedSolver) {
+    EXPECT_NEAR(error_at_end(flows::taylor_green_box(0), 16), 0.22, 0.005);
+    EXPECT_NEAR(error_at_end(flows::taylor_green_box(0), 32), 0.20, 0.005);
+}
+
+TEST(FluidClassic, IsTheSameAlongEveryAxis) {
+    const double error = error_at_end(flows::taylor_green_box(0), 16);
+    EXPECT_NEAR(error_at_end(flows::taylor_green_box(1), 16), error, 1e-4);
+    EXPECT_NEAR(error_at_end(flows::taylor_green_box(2), 16), error, 1e-4);
+}
+
+TEST(FluidClassic, ALidDragsTheFluidAsTheSeriesSays) {
+    const double coarse = error_at_end(flows::couette_start(), 8);
+    const double fine = error_at_end(flows::couette_start(), 16);
+    EXPECT_LT(fine, 0.02);
+    EXPECT_LT(fine, coarse);
+}
+
+/// One substance in still fluid, a cosine along y.
+Fluid striped(Edge edge, double waves, double diffusion, int sweeps) {
+    Settings settings = flows::settings_of(Flow{}, classic, 16);
+    settings.edges = {edge, edge, edge};
+    settings.sweeps = sweeps;
+    settings.substances = {Substance{.diffusion = diffusion}};
+    auto fluid = make_fluid(settings);
+    EXPECT_TRUE(fluid.has_value());
+    set_substance(*fluid, 0, [&](vec3 place) { return 1 + det::cos(2 * pi * waves * place.y); });
+    return std::move(*fluid);
+}
+
+// Backward Euler on the grid: a wave whose second difference is -q times itself shrinks by 1 / (1 + k dt q / h^2).
+TEST(FluidClassic, SolvesTheDiffusionOfAWaveByItsOwnRecurrence) {
+    for (const auto& [edge, waves] : {std::pair{Edge::periodic, 2.0}, {Edge::free_slip, 1.5}}) {
+        const double diffusion = 0.05;
+        Fluid fluid = striped(edge, waves, diffusion, 400);
+        advance(fluid, flows::step);
+        const double h = fluid.lattice.h, sine = det::sin(pi * waves * h);
+        const double shrinks = 1 / (1 + diffusion * flows::step / (h * h) * 4 * sine * sine);
+        for (int j = 0; j < 16; ++j) {
+            const double expected = 1 + shrinks * det::cos(2 * pi * waves * (j + 0.5) * h);
+            EXPECT_NEAR(fluid.now.substances[0][static_cast<std::size_t>(fluid.lattice.at(3, j, 5))],
+                        expected, 2e-6);
+        }
+    }
+}
+
+TEST(FluidClassic, CarriesAWaveByWholeCellsExactly) {
+    Fluid fluid = striped(Edge::periodic, 2, 0, 20);
+    const Samples before = fluid.now.substances[0];
+    // 3 cells of 1/16 m in a step; a uniform flow has nothing to diffuse or to project.
+    set_velocity(fluid, [](vec3) { return vec3(0, 3.0 / 16 / flows::step, 0); });
+    advance(fluid, flows::step);
+    for (int j = 0; j < 16; ++j) {
+        const auto to = static_cast<std::size_t>(fluid.lattice.at(3, j, 5));
+        const auto from = static_cast<std::size_t>(fluid.lattice.at(3, (j + 13) % 16, 5));
+        EXPECT_NEAR(fluid.now.substances[0][to], before[from], 1e-5);
+    }
+}
+
+TEST(FluidClassic, DensitiesStayBetweenTheirBoundsAtAnySpeedAndStep) {
+    Random random{7};
+    for (const double dt : {1e-4, flows::step, 1.0}) {
+        Fluid fluid = striped(Edge::free_slip, 1.5, 0, 20);
+        for (int i = 0; i < 20; ++i) {
+            push(fluid, flows::random_push(fluid.settings, 1e4, random));
+            advance(fluid, dt);
+        }
+        const auto found = flows::densities_of(fluid, 0, [](vec3) { return 1.0; });
+        EXPECT_GE(found.least, 0.0);
+        EXPECT_LE(found.most, 2.0);
+        EXPECT_LT(found.least, found.most);
+    }
+}
+
+/// After a push into the vortex, one step.
+double divergence_left(int sweeps) {
+    Flow flow = flows::taylor_green_box(0);
+    flow.settings.sweeps = sweeps;
+    Fluid fluid = started(flow, 16);
+    push(fluid, {.place = {0.3, 0.4, 0.5}, .radius = 0.4, .impulse = {0.01, 0.02, 0.005}});
+    return advance(fluid, flows::step).divergence;
+}
+
+// What is left then is what a difference across two cells cannot see, however many sweeps there are.
+TEST(FluidClassic, MoreSweepsLeaveLessDivergenceDownToAFloor) {
+    EXPECT_LT(divergence_left(20), 0.5 * divergence_left(1));
+    EXPECT_LT(divergence_left(80), 0.5 * divergence_left(20));
+    EXPECT_GT(divergence_left(400), 1e-3);
+}
+
+TEST(FluidClassic, RestStaysRest) {
+    Fluid fluid = striped(Edge::no_slip, 1, 0, 20);
+    const Samples before = fluid.now.substances[0];
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(advance(fluid, flows::step).speed, 0.0);
+    for (int j = 0; j < 16; ++j) {
+        const auto at = static_cast<std::size_t>(fluid.lattice.at(2, j, 7));
+        EXPECT_EQ(fluid.now.substances[0][at], before[at]);
+    }
+}
+
+TEST(FluidClassic, TheSameCallsGiveTheSameBits) {
+    const auto run = [] {
+        Fluid fluid = started(flows::taylor_green_box(0), 8);
+        Random random{3};
+        for (int i = 0; i < 10; ++i) {
+            push(fluid, flows::random_push(fluid.settings, 10, random));
+            advance(fluid, flows::step);
+        }
+        return fluid.now.velocity;
+    };
+    EXPECT_EQ(run(), run());
+}
+
+}  // namespace
+}  // namespace thaum::fluid

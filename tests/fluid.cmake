@@ -1,0 +1,3 @@
+thaum_test(test_fluid
+    SOURCES accuracy/fluid_accuracy_test.cpp accuracy/fluid_classic_test.cpp stability/fluid_hostile_test.cpp
+    LINK thaum_fluid)

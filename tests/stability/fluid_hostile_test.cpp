@@ -1,0 +1,76 @@
+// The fluid under attack (tools/bench/fluid_attack.h), in short; `thaum bench fluid --stress` is the long form.
+#include <gtest/gtest.h>
+
+#include "tools/bench/fluid_attack.h"
+
+namespace thaum::fluid {
+namespace {
+
+using flows::Scheme;
+
+Attack attacked(const Scheme& scheme, std::uint64_t seed, int steps, const AttackPlan& plan,
+                const AttackBounds& bounds) {
+    auto attack = make_attack(scheme, 12, seed, plan);
+    EXPECT_TRUE(attack.has_value());
+    for (int i = 0; i < steps && attack->fault.empty(); ++i) {
+        strike(*attack);
+        judge(*attack, advance(attack->fluid, flows::step), bounds);
+    }
+    return std::move(*attack);
+}
+
+TEST(FluidHostile, OurSolverStandsPushesJumpsAndNonsense) {
+    for (const int order : {2, 4}) {
+        for (const std::uint64_t seed : {1U, 2U, 3U}) {
+            const Attack attack = attacked({Solver::thaum, order}, seed, 150, {}, {});
+            EXPECT_EQ(attack.fault, "") << "order " << order << " seed " << seed;
+            EXPECT_GT(attack.refused, 0);
+        }
+    }
+}
+
+TEST(FluidHostile, TheBaselineStandsThemToo) {
+    // It promises neither to be free of divergence nor to keep amounts.
+    const AttackBounds loose{.divergence = 10, .energy_growth = 10, .amount_drift = 1e9};
+    for (const std::uint64_t seed : {1U, 2U, 3U})
+        EXPECT_EQ(attacked({Solver::classic}, seed, 150, {}, loose).fault, "");
+}
+
+TEST(FluidHostile, AnyStepUpToASecond) {
+    for (const Solver solver : {Solver::thaum, Solver::classic}) {
+        auto attack = make_attack({solver, 4}, 12, 5);
+        ASSERT_TRUE(attack.has_value());
+        for (const double dt : {1e-9, 1e-4, 0.016, 0.3, 1.0}) {
+            push(attack->fluid, flows::random_push(attack->fluid.settings, 1e4, attack->random));
+            const StepReport report = advance(attack->fluid, dt);
+            EXPECT_TRUE(all_finite(attack->fluid)) << dt;
+            EXPECT_LE(report.substeps, substeps_most + 1);
+        }
+    }
+}
+
+TEST(FluidHostile, SettingsThatCannotBeAreRefused) {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto refused = [](auto change) {
+        Settings settings;
+        settings.cells = {8, 8, 8};
+        change(settings);
+        return !make_fluid(settings).has_value();
+    };
+    EXPECT_FALSE(refused([](Settings&) {}));
+    EXPECT_TRUE(refused([](Settings& s) { s.cells[1] = 0; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.cells[2] = 1 << 20; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.order = 3; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.sweeps = 0; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.viscosity = -1; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.viscosity = 1e7; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.viscosity = nan; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.h = 0; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.h = nan; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.gravity.y = nan; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.lid = nan; }));
+    EXPECT_TRUE(refused([](Settings& s) { s.substances.resize(4); }));
+}
+
+}  // namespace
+}  // namespace thaum::fluid

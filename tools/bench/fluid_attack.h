@@ -1,0 +1,153 @@
+// What nobody sane does to a fluid, and what must hold all the same; for the tests and for `thaum bench fluid --stress`.
+//
+// A step is: strike (pushes of all sizes, some that must be refused, a ladle that is somewhere else each time, viscosity that jumps
+// between 0 and the most there is, substances poured in), advance, judge.
+#pragma once
+#include <cmath>
+#include <limits>
+
+#include "core/text.h"
+#include "tools/bench/fluid_flows.h"
+
+namespace thaum::fluid {
+
+struct AttackPlan {
+    double speed = 1e4;  ///< m/s, given to a cell at most by one push
+    bool jumps = true;   ///< of viscosity
+};
+
+/// What must hold after each step.
+struct AttackBounds {
+    double divergence = 1e-4;
+    double energy_growth = 1e-5;  ///< of a step without forces, relative
+    double amount_drift = 1e-5;   ///< of a substance in a step, relative
+};
+
+struct Attack {
+    Fluid fluid;
+    AttackPlan plan{};
+    Random random{};
+    double energy{};                                ///< m^5/s^2, given by the strike
+    std::array<double, substances_most> amounts{};  ///< m^3, after the strike
+    int refused{};
+    std::string fault{};  ///< the first; empty: none
+    double worst_divergence{}, worst_growth{}, worst_drift{};
+
+    bool once_in(std::uint64_t n) { return random.below(n) == 0; }
+    /// 10 to a power between those given.
+    double magnitude(double low, double high) { return det::exp(random.uniform(low, high) * det::log(10)); }
+};
+
+/// In a closed box, with substances that weigh as much as the base fluid, so that no force but the strikes adds energy.
+inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uint64_t seed,
+                                    const AttackPlan& plan = {}) {
+    Settings settings = flows::settings_of(flows::Flow{}, scheme, n);
+    settings.substances = {Substance{.viscosity = 1e-2}, Substance{.diffusion = 1e-4}};
+    auto fluid = make_fluid(settings);
+    if (!fluid) return tl::unexpected(fluid.error());
+    return Attack{.fluid = std::move(*fluid), .plan = plan, .random = random_stream(seed, 0)};
+}
+
+/// Not a number, or none that a hand could mean.
+inline double absurd_number(Attack& attack) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    constexpr std::array numbers{std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, 1e300,
+                                 -1e300};
+    return numbers[attack.random.below(numbers.size())];
+}
+
+/// With one absurd number in its place, radius or impulse.
+inline Push absurd_push(Attack& attack) {
+    Push result = flows::random_push(attack.fluid.settings, 1, attack.random);
+    const auto which = static_cast<int>(attack.random.below(7));
+    const double number = absurd_number(attack);
+    if (which < 3)
+        result.place[which] = number;
+    else if (which < 6)
+        result.impulse[which - 3] = number;
+    else
+        result.radius = std::isfinite(number) ? std::numeric_limits<double>::quiet_NaN() : number;
+    return result;
+}
+
+/// Anywhere in the box or beside it, of any size.
+inline Push teleported_ladle(Attack& attack) {
+    const double h = attack.fluid.lattice.h;
+    Push result{.radius = attack.random.uniform(0, 0.5)};
+    for (int axis = 0; axis < 3; ++axis) {
+        result.place[axis] = attack.random.uniform(-0.2, 1.2);
+        result.impulse[axis] = attack.random.uniform(-1, 1);
+    }
+    result.impulse *= attack.plan.speed * h * h * h;
+    return result;
+}
+
+inline void note(Attack& attack, std::string_view fault) {
+    if (attack.fault.empty()) attack.fault = fault;
+}
+
+inline void push_absurdly(Attack& attack) {
+    const double before = flows::energy_given(attack.fluid);
+    if (push(attack.fluid, absurd_push(attack))) note(attack, "took an absurd push");
+    if (flows::energy_given(attack.fluid) != before) note(attack, "an absurd push changed something");
+    ++attack.refused;
+}
+
+inline void pour_something(Attack& attack) {
+    const auto substance = static_cast<std::size_t>(attack.random.below(2));
+    const vec3 place(attack.random.uniform(), attack.random.uniform(), attack.random.uniform());
+    pour(attack.fluid, substance, place, attack.random.uniform(0, 0.3), attack.magnitude(-6, -2));
+    const double before = amount(attack.fluid, substance);
+    if (pour(attack.fluid, substance, place, 0.1, absurd_number(attack)) ||
+        amount(attack.fluid, substance) != before)
+        note(attack, "took an absurd amount");
+}
+
+inline void strike(Attack& attack) {
+    auto& settings = attack.fluid.settings;
+    for (auto pushes = attack.random.below(4); pushes > 0; --pushes) {
+        const double speed = attack.plan.speed * attack.magnitude(-6, 0);
+        push(attack.fluid, flows::random_push(settings, speed, attack.random));
+    }
+    if (attack.once_in(3)) push(attack.fluid, teleported_ladle(attack));
+    if (attack.once_in(5)) push_absurdly(attack);
+    if (attack.once_in(20)) pour_something(attack);
+    if (attack.plan.jumps && attack.once_in(50))
+        settings.viscosity = attack.once_in(3) ? 0 : viscosity_most * attack.magnitude(-12, 0);
+    attack.energy = flows::energy_given(attack.fluid);
+    for (std::size_t s = 0; s < settings.substances.size(); ++s) attack.amounts[s] = amount(attack.fluid, s);
+}
+
+inline bool all_finite(const Fluid& fluid) {
+    bool result = true;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        flows::each_component(fluid, axis, [&](double v, vec3) { result = result && std::isfinite(v); });
+    return result;
+}
+
+inline double least_density(const Fluid& fluid, std::size_t substance) {
+    return flows::densities_of(fluid, substance, [](vec3) { return 1.0; }).least;
+}
+
+inline void judge(Attack& attack, const StepReport& report, const AttackBounds& bounds) {
+    const Fluid& fluid = attack.fluid;
+    const auto [nx, ny, nz] = fluid.lattice.cells;
+    const double growth = attack.energy > 0 ? energy(fluid) / attack.energy - 1 : 0;
+    attack.worst_divergence = std::max(attack.worst_divergence, report.divergence);
+    attack.worst_growth = std::max(attack.worst_growth, growth);
+    if (!all_finite(fluid)) note(attack, "not finite");
+    if (!(report.divergence <= bounds.divergence)) note(attack, text("divergence ", report.divergence));
+    if (!(growth <= bounds.energy_growth)) note(attack, text("energy grew by ", growth));
+    // One more than the most is the step that a solver falls back to.
+    if (report.substeps > substeps_most + 1) note(attack, text("sub-steps ", report.substeps));
+    if (report.cells > std::int64_t{nx} * ny * nz * (substeps_most + 1))
+        note(attack, text("cells ", report.cells));
+    for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
+        const double drift = attack.amounts[s] > 0 ? std::abs(amount(fluid, s) / attack.amounts[s] - 1) : 0;
+        attack.worst_drift = std::max(attack.worst_drift, drift);
+        if (!(drift <= bounds.amount_drift)) note(attack, text("amount changed by ", drift));
+        if (!(least_density(fluid, s) >= 0)) note(attack, "a density below zero");
+    }
+}
+
+}  // namespace thaum::fluid

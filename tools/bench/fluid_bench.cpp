@@ -1,0 +1,350 @@
+// The fluid: run time against error of both solvers, in flows that are known exactly (fluid_flows.h), and how they stand an attack.
+//
+// Times are of one step of 16 ms with all its sub-steps, on one thread. Solvers that are compared step by turns, so that
+// what slows the machine slows all of them.
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include "core/hash.h"
+#include "core/text.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/fluid_attack.h"
+#include "tools/bench/fluid_flows.h"
+#include "tools/bench/measure.h"
+
+namespace thaum::bench {
+namespace {
+
+namespace flows = fluid::flows;
+using flows::Flow;
+using flows::Scheme;
+using fluid::Fluid;
+using fluid::Solver;
+using fluid::StepReport;
+
+constexpr std::array schemes{Scheme{Solver::thaum, 4}, Scheme{Solver::thaum, 2}, Scheme{Solver::classic}};
+
+/// Steps of each fluid are timed and what they did is kept.
+struct FluidRun {
+    Scheme scheme;
+    int n;
+    Fluid fluid;
+    std::vector<double> us{};  ///< of each whole step
+    double divergence{};       ///< the worst after a step
+    double steps{}, substeps{};
+    StepReport last{};
+};
+
+double us_of(const std::function<void()>& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+}
+
+void advance_timed(FluidRun& run, double dt) {
+    const double us = us_of([&] { run.last = advance(run.fluid, dt); });
+    run.us.push_back(us);
+    run.divergence = std::max(run.divergence, run.last.divergence);
+    run.steps += 1;
+    run.substeps += run.last.substeps;
+}
+
+std::vector<FluidRun> runs_of(const std::function<Expected<Fluid>(const Scheme&, int n)>& make, int n,
+                              Report& report) {
+    std::vector<FluidRun> result;
+    for (const Scheme& scheme : schemes) {
+        auto fluid = make(scheme, n);
+        if (fluid)
+            result.push_back({.scheme = scheme, .n = n, .fluid = std::move(*fluid)});
+        else
+            report.faults.push_back(text("fluid: ", fluid.error().message));
+    }
+    return result;
+}
+
+std::vector<FluidRun> runs_of(const Flow& flow, int n, Report& report) {
+    return runs_of([&](const Scheme& scheme, int cells) { return flows::start(flow, scheme, cells); }, n,
+                   report);
+}
+
+/// Until `end`, one step of each by turns. What is left beyond whole steps is not timed, nor is a first step that fills caches.
+void run_by_turns(std::vector<FluidRun>& runs, double end) {
+    for (const double dt : flows::steps_until(end)) {
+        for (FluidRun& run : runs) {
+            advance_timed(run, dt);
+            if (dt < flows::step) run.us.pop_back();
+        }
+    }
+    for (FluidRun& run : runs) {
+        if (run.us.size() > 1) run.us.erase(run.us.begin());
+    }
+}
+
+std::string solver_name(const Scheme& scheme) { return scheme.solver == Solver::thaum ? "thaum" : "classic"; }
+
+std::uint64_t velocity_hash(const Fluid& fluid) {
+    std::uint64_t result = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        // The ghosts follow from the rest.
+        flows::each_component(fluid, axis,
+                              [&](double v, vec3) { result = hash_combine(result, hash_value(v)); });
+    }
+    return result;
+}
+
+/// What all rows have; the error, the metrics and what else is set come after.
+Row row_of(const std::string& name, const FluidRun& run) {
+    Row row{.area = "fluid",
+            .name = name,
+            .setting = {{"solver", solver_name(run.scheme)}, {"n", std::int64_t{run.n}}},
+            .is_default = run.scheme.solver == Solver::thaum && run.scheme.order == 4 && run.n == 32,
+            .hash = hex(velocity_hash(run.fluid))};
+    if (run.scheme.solver == Solver::thaum) row.setting.emplace_back("order", std::int64_t{run.scheme.order});
+    if (!run.us.empty()) row.time_us = times(run.us);
+    return row;
+}
+
+/// Of classic the time of a sweep, of thaum's the share of classic's time.
+void add_time_metrics(const FluidRun& run, const std::vector<FluidRun>& all, Row& row) {
+    row.metrics.emplace_back("substeps_per_step", run.substeps / run.steps);
+    if (run.scheme.solver == Solver::classic) {
+        // Three components are diffused and the pressure is solved for twice.
+        const double sweeps = 5.0 * run.fluid.settings.sweeps;
+        const auto [nx, ny, nz] = run.fluid.lattice.cells;
+        row.metrics.emplace_back("ns_per_cell_and_sweep",
+                                 median(run.us) * 1e3 / (sweeps * double(nx) * double(ny) * double(nz)));
+        return;
+    }
+    for (const FluidRun& other : all) {
+        if (other.scheme.solver == Solver::classic)
+            row.metrics.emplace_back("ratio_to_classic", ratio(run.us, other.us));
+    }
+}
+
+void add_flow(const Flow& flow, int n, const std::vector<std::pair<std::string, Value>>& setting,
+              Report& report) {
+    auto runs = runs_of(flow, n, report);
+    run_by_turns(runs, flow.end);
+    for (const FluidRun& run : runs) {
+        Row row = row_of(flow.name, run);
+        row.setting.insert(row.setting.end(), setting.begin(), setting.end());
+        row.error = ErrorMeasure{flow.fades ? "velocity_l2_of_start" : "relative_l2_velocity",
+                                 flows::error_at(flow, run.fluid, flow.end)};
+        row.metrics.emplace_back("divergence", run.divergence);
+        add_time_metrics(run, runs, row);
+        report.rows.push_back(std::move(row));
+    }
+}
+
+// ---- flows known exactly ------------------------------------------------------------------------------------------
+
+void vortices(const Options& options, Report& report) {
+    const std::vector<int> sizes = options.quick ? std::vector{16, 32} : std::vector{15, 16, 24, 32, 48, 64};
+    for (const int n : sizes) add_flow(flows::taylor_green_moving(), n, {}, report);
+    for (const int n : sizes) {
+        if (!options.quick || n == 16) add_flow(flows::taylor_green_oblique(), n, {}, report);
+    }
+    constexpr std::array orientations{"xy", "yz", "zx"};
+    for (const int n : sizes) {
+        for (int first = 0; first < 3 && (!options.quick || n == 16); ++first)
+            add_flow(flows::taylor_green_box(first), n,
+                     {{"plane", std::string(orientations[static_cast<std::size_t>(first)])}}, report);
+    }
+}
+
+void viscous(const Options& options, Report& report) {
+    const std::vector<int> sizes = options.quick ? std::vector{16} : std::vector{16, 32, 64};
+    for (const int n : sizes) add_flow(flows::couette_start(), n, {}, report);
+    const int n = options.quick ? 16 : 32;
+    for (const double ratio : {1e-3, 1e-2, 1e-1, 1.0, 1e1, 1e2, 1e3, 1e4})
+        add_flow(flows::high_viscosity(ratio, n), n, {{"nu_dt_per_h2", ratio}}, report);
+}
+
+// ---- the cavity ---------------------------------------------------------------------------------------------------
+
+double change_since(const Fluid& fluid, std::vector<float>& before) {
+    double most = 0;
+    const auto& u = fluid.now.velocity[0];
+    if (before.size() == u.size()) {
+        for (std::size_t i = 0; i < u.size(); ++i)
+            most = std::max(most, std::abs(double{u[i]} - double{before[i]}));
+    } else {
+        most = 1;
+    }
+    before = u;
+    return most;
+}
+
+/// Until nothing changes by more than `still` m/s in a second, or `most_s` have passed. s.
+double run_until_steady(FluidRun& run, double still, double most_s) {
+    std::vector<float> before;
+    double time = 0;
+    while (time < most_s && change_since(run.fluid, before) > still) {
+        for (const double dt : flows::steps_until(1)) advance_timed(run, dt);
+        time += 1;
+    }
+    return time;
+}
+
+void cavities(const Options& options, Report& report) {
+    const std::vector<int> sizes = options.quick ? std::vector{16} : std::vector{16, 32, 64};
+    for (const int n : sizes) {
+        for (std::size_t which = 0; which < flows::cavity_reynolds.size(); ++which) {
+            for (FluidRun& run : runs_of(flows::cavity_2d(which), n, report)) {
+                const double took_s = run_until_steady(run, 1e-5, options.quick ? 20 : 150);
+                Row row = row_of("cavity_2d", run);
+                row.setting.emplace_back("reynolds", flows::cavity_reynolds[which]);
+                row.error = ErrorMeasure{"rms_velocity_m_s", flows::cavity_error(run.fluid, which)};
+                row.metrics = {{"divergence", run.divergence}, {"steady_after_s", took_s}};
+                report.rows.push_back(std::move(row));
+            }
+        }
+    }
+}
+
+// ---- substances ---------------------------------------------------------------------------------------------------
+
+struct Shape {
+    const char* name;
+    double (*density)(vec3 place);
+};
+
+/// One turn, by the substances' part of a step alone; no 16 ms here, but as many steps as `cfl` allows.
+void add_turn(const Shape& shape, int n, double cfl, Report& report) {
+    auto runs = runs_of(
+        [](const Scheme& scheme, int cells) { return make_fluid(flows::turning_settings(scheme, cells)); }, n,
+        report);
+    for (FluidRun& run : runs) {
+        // Substances are carried in one way only, whatever the order of the flow.
+        if (run.scheme.solver == Solver::thaum && run.scheme.order != 4) continue;
+        set_velocity(run.fluid, flows::turning);
+        set_substance(run.fluid, 0, shape.density);
+        const double before = amount(run.fluid, 0);
+        const int steps = flows::steps_of_turn(n, cfl);
+        for (int i = 0; i < steps; ++i)
+            run.us.push_back(us_of([&] { carry_substances(run.fluid, 1.0 / steps); }));
+        const auto found = flows::densities_of(run.fluid, 0, shape.density);
+        Row row = row_of(shape.name, run);
+        row.setting.emplace_back("cfl", cfl);
+        row.error = ErrorMeasure{"relative_l2_density", found.error};
+        row.metrics = {{"steps", steps},
+                       {"amount_change", amount(run.fluid, 0) / before - 1},
+                       {"least_density", found.least},
+                       {"most_density", found.most}};
+        row.hash = hex(hash_bytes(std::as_bytes(std::span(run.fluid.now.substances[0]))));
+        report.rows.push_back(std::move(row));
+    }
+}
+
+void turns(const Options& options, Report& report) {
+    const std::vector<int> sizes = options.quick ? std::vector{16, 32} : std::vector{16, 32, 64};
+    for (const Shape& shape :
+         {Shape{"gaussian_turn", flows::gaussian}, Shape{"slotted_sphere_turn", flows::slotted_sphere}}) {
+        for (const int n : sizes) {
+            for (const double cfl : {1.0, 4.0}) add_turn(shape, n, cfl, report);
+        }
+    }
+}
+
+// ---- rest and attack ----------------------------------------------------------------------------------------------
+
+void rest(const Options& options, Report& report) {
+    const int steps = options.quick ? 100 : 10'000;
+    auto runs = runs_of(flows::resting, 16, report);
+    run_by_turns(runs, steps * flows::step);
+    for (const FluidRun& run : runs) {
+        Row row = row_of("rest", run);
+        const double pull = glm::length(run.fluid.settings.gravity) * flows::step;
+        row.error = ErrorMeasure{"largest_velocity_per_g_dt", run.last.speed / pull};
+        row.metrics.emplace_back("steps", steps);
+        add_time_metrics(run, runs, row);
+        report.rows.push_back(std::move(row));
+    }
+}
+
+Expected<Fluid> attacked(const Scheme& scheme, int n) {
+    Flow flow = flows::taylor_green_box(0);
+    flow.settings.viscosity = 1e-3;
+    return flows::start(flow, scheme, n);
+}
+
+/// Every step one push of up to 100 m/s.
+void hostile(const Options& options, Report& report) {
+    const int n = 24, steps = options.quick ? 50 : 2000;
+    auto runs = runs_of(attacked, n, report);
+    run_by_turns(runs, 20 * flows::step);
+    for (FluidRun& run : runs) {
+        const double calm = median(run.us);
+        run.us.clear();
+        run.divergence = run.steps = run.substeps = 0;
+        Random random = random_stream(1, 0);
+        double fallen_back = 0, grown = 0;
+        for (int i = 0; i < steps; ++i) {
+            push(run.fluid, flows::random_push(run.fluid.settings, 100, random));
+            const double given = flows::energy_given(run.fluid);
+            advance_timed(run, flows::step);
+            fallen_back += run.last.fell_back ? 1 : 0;
+            grown = std::max(grown, run.last.energy / given - 1);
+        }
+        Row row = row_of("hostile", run);
+        row.error = ErrorMeasure{"largest_divergence", run.divergence};
+        row.metrics = {{"steps", steps},
+                       {"worst_step_us", percentile(run.us, 1)},
+                       {"worst_step_per_calm", percentile(run.us, 1) / calm},
+                       {"largest_energy_growth", grown},
+                       {"fallen_back_share", fallen_back / steps},
+                       {"substeps_per_step", run.substeps / run.steps}};
+        report.rows.push_back(std::move(row));
+    }
+}
+
+// ---- stress -------------------------------------------------------------------------------------------------------
+
+constexpr std::uint64_t usual_strikes = 100'000;
+
+/// The paper's method promises neither to be free of divergence nor to keep energy and amounts: it must only stay finite.
+fluid::AttackBounds bounds_of(const Scheme& scheme) {
+    if (scheme.solver == Solver::thaum) return {};
+    constexpr double any = std::numeric_limits<double>::infinity();
+    return {.divergence = any, .energy_growth = any, .amount_drift = any};
+}
+
+void stress_one(const Scheme& scheme, std::uint64_t steps, Report& report) {
+    auto made = fluid::make_attack(scheme, 24, 1);
+    if (!made) return report.faults.push_back(text("fluid: ", made.error().message));
+    fluid::Attack& attack = *made;
+    FluidRun run{.scheme = scheme, .n = 24, .fluid = {}};
+    for (std::uint64_t i = 0; i < steps && attack.fault.empty(); ++i) {
+        strike(attack);
+        run.us.push_back(us_of([&] { run.last = advance(attack.fluid, flows::step); }));
+        judge(attack, run.last, bounds_of(scheme));
+        if (!attack.fault.empty())
+            report.faults.push_back(text("fluid: ", solver_name(scheme), " order ", scheme.order, " step ", i,
+                                         ": ", attack.fault));
+    }
+    run.fluid = attack.fluid;
+    Row row = row_of("stress", run);
+    row.metrics = {
+        {"steps", static_cast<double>(run.us.size())},   {"worst_step_us", percentile(run.us, 1)},
+        {"largest_divergence", attack.worst_divergence}, {"largest_energy_growth", attack.worst_growth},
+        {"largest_amount_change", attack.worst_drift},   {"refused_pushes", attack.refused}};
+    report.rows.push_back(std::move(row));
+}
+
+}  // namespace
+
+void fluid_stress(const Options& options, Report& report) {
+    for (const Scheme& scheme : schemes) stress_one(scheme, options.ticks.value_or(usual_strikes), report);
+}
+
+void fluid(const Options& options, Report& report) {
+    vortices(options, report);
+    viscous(options, report);
+    cavities(options, report);
+    turns(options, report);
+    rest(options, report);
+    hostile(options, report);
+}
+
+}  // namespace thaum::bench

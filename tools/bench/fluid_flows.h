@@ -1,0 +1,392 @@
+// The flows by which the fluid is tested and measured, each with what is known of it exactly. Written once, for the benchmarks
+// (fluid_bench.cpp) and for the tests.
+//
+// Boxes are cubes of edge 1 m and n cells unless a flow says otherwise.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/random.h"
+#include "fluid/fluid.h"
+#include "tools/bench/ghia.h"
+
+namespace thaum::fluid::flows {
+
+/// A tick of the fluid, s.
+inline constexpr double step = 0.016;
+
+/// A flow whose course is known.
+struct Flow {
+    std::string name;
+    Settings settings{};  ///< but for solver, order, cells and h
+    Cells fixed{};        ///< cells along each axis; 0: n, which fill 1 m
+    double end{1};        ///< s, when it is compared
+    vec3 mean{};          ///< m/s, what errors are not measured against
+    bool fades = false;   ///< perhaps to nothing: errors are measured against its start
+    std::function<vec3(vec3, double)> velocity{};  ///< m/s, exact, by place and time
+};
+
+struct Scheme {
+    Solver solver = Solver::thaum;
+    int order = 4;
+};
+
+inline Settings settings_of(const Flow& flow, const Scheme& scheme, int n) {
+    Settings result = flow.settings;
+    result.solver = scheme.solver;
+    result.order = scheme.order;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        result.cells[axis] = flow.fixed[axis] != 0 ? flow.fixed[axis] : n;
+    result.h = 1.0 / n;
+    return result;
+}
+
+/// At its start.
+inline Expected<Fluid> start(const Flow& flow, const Scheme& scheme, int n) {
+    auto fluid = make_fluid(settings_of(flow, scheme, n));
+    if (fluid) set_velocity(*fluid, [&](vec3 place) { return flow.velocity(place, 0); });
+    return fluid;
+}
+
+/// Calls with each cell's velocity component `axis`, m/s, and where it stands, m.
+template <class F>
+void each_component(const Fluid& fluid, std::size_t axis, F&& f) {
+    const vec3 place = fluid.place(axis);
+    const auto [nx, ny, nz] = fluid.lattice.cells;
+    for (int k = 0; k < nz; ++k) {
+        for (int j = 0; j < ny; ++j) {
+            for (int i = 0; i < nx; ++i) {
+                const auto at = static_cast<std::size_t>(fluid.lattice.at(i, j, k));
+                f(double{fluid.now.velocity[axis][at]}, (vec3(i, j, k) + place) * fluid.lattice.h);
+            }
+        }
+    }
+}
+
+/// What velocities are off by, against what `reference` is; both as the root of the sum of squares (L2).
+inline double relative_error(const Fluid& fluid, const std::function<vec3(vec3)>& exact,
+                             const std::function<vec3(vec3)>& reference) {
+    double off = 0, of = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int a = static_cast<int>(axis);
+        each_component(fluid, axis, [&](double found, vec3 place) {
+            const double miss = found - exact(place)[a], against = reference(place)[a];
+            off += miss * miss;
+            of += against * against;
+        });
+    }
+    return std::sqrt(off / of);
+}
+
+inline double error_at(const Flow& flow, const Fluid& fluid, double time) {
+    return relative_error(
+        fluid, [&](vec3 place) { return flow.velocity(place, time); },
+        [&](vec3 place) { return flow.velocity(place, flow.fades ? 0 : time) - flow.mean; });
+}
+
+/// Whole steps and the rest.
+inline std::vector<double> steps_until(double end, double dt = step) {
+    std::vector<double> result(static_cast<std::size_t>(end / dt + 1e-9), dt);
+    const double rest = end - dt * static_cast<double>(result.size());
+    if (rest > 1e-9 * dt) result.push_back(rest);
+    return result;
+}
+
+// ---- vortices -----------------------------------------------------------------------------------------------------
+
+inline constexpr double vortex_viscosity = 1e-3;
+
+/// The vortex sheet of Taylor and Green as the sum of two plane waves of equal length: sin(k1 . x) and sin(k2 . x) along d1 and d2.
+/// Any two such waves in one plane solve eq. 1 exactly, since their vorticity is a function of their stream function; they decay
+/// as exp(-k^2 nu t). On a mean flow they drift.
+struct Waves {
+    vec3 k1, k2;  ///< 1/m
+    vec3 d1, d2;  ///< m/s, across k1 and k2, in one plane
+};
+
+inline vec3 waves_at(const Waves& waves, vec3 place, double viscosity, double time) {
+    const double fade = det::exp(-glm::dot(waves.k1, waves.k1) * viscosity * time);
+    return fade *
+           (waves.d1 * det::sin(glm::dot(waves.k1, place)) + waves.d2 * det::sin(glm::dot(waves.k2, place)));
+}
+
+inline Flow drifting(std::string name, const Waves& waves) {
+    Flow flow{.name = std::move(name), .mean = {1, 0.5, 0.25}};
+    flow.settings.edges = {Edge::periodic, Edge::periodic, Edge::periodic};
+    flow.settings.viscosity = vortex_viscosity;
+    flow.velocity = [waves, mean = flow.mean](vec3 place, double time) {
+        return mean + waves_at(waves, place - mean * time, vortex_viscosity, time);
+    };
+    return flow;
+}
+
+/// u = sin 2 pi x cos 2 pi y, v = -cos 2 pi x sin 2 pi y.
+inline Flow taylor_green_moving() {
+    return drifting("taylor_green_moving", {.k1 = 2 * pi * vec3(1, 1, 0),
+                                            .k2 = 2 * pi * vec3(1, -1, 0),
+                                            .d1 = {0.5, -0.5, 0},
+                                            .d2 = {0.5, 0.5, 0}});
+}
+
+/// The same lengths of waves and the same speeds in the plane across (-1, 1, 1), so that no component and no direction of the grid
+/// is spared. A turn that keeps the right angle between the waves has a period of 3 m, or waves half as long in the same box, and
+/// could not be compared: here they meet at 60 degrees. Of such pairs it is the one whose waves the mean flow crosses most
+/// nearly as fast as those of the straight vortex (root mean square of k . mean / 2 pi: 1.08 and 1.12 per s).
+inline Flow taylor_green_oblique() {
+    const vec3 across = vec3(-1, 1, 1) / std::sqrt(3.0);
+    const vec3 a(1, 1, 0), b(0, 1, -1);
+    return drifting("taylor_green_oblique", {.k1 = 2 * pi * a,
+                                             .k2 = 2 * pi * b,
+                                             .d1 = 0.5 * glm::cross(across, a),
+                                             .d2 = 0.5 * glm::cross(across, b)});
+}
+
+/// u = sin pi x cos pi y, v = -cos pi x sin pi y between free-slip walls; x and y being the axes `first` and the next.
+inline Flow taylor_green_box(int first) {
+    Flow flow{.name = "taylor_green_box"};
+    flow.settings.viscosity = vortex_viscosity;
+    flow.velocity = [first](vec3 place, double time) {
+        const int a = first, b = (first + 1) % 3;
+        const double fade = det::exp(-2 * pi * pi * vortex_viscosity * time);
+        vec3 result{};
+        result[a] = fade * det::sin(pi * place[a]) * det::cos(pi * place[b]);
+        result[b] = -fade * det::cos(pi * place[a]) * det::sin(pi * place[b]);
+        return result;
+    };
+    return flow;
+}
+
+// ---- walls and viscosity ------------------------------------------------------------------------------------------
+
+/// Between two plates 1 m apart, the upper one of which moves at 1 m/s from the start on. Uniform along x and z.
+inline Flow couette_start() {
+    Flow flow{.name = "couette_start", .fixed = {4, 0, 4}, .end = 0.32};
+    flow.settings.edges = {Edge::periodic, Edge::no_slip, Edge::periodic};
+    flow.settings.viscosity = 0.1;
+    flow.settings.lid = 1;
+    flow.velocity = [nu = flow.settings.viscosity](vec3 place, double time) {
+        if (time <= 0) return vec3(0);
+        double u = place.y;
+        for (int m = 1; m <= 200; ++m) {
+            const double fade = det::exp(-(m * pi) * (m * pi) * nu * time);
+            if (fade < 1e-18) break;
+            u += (m % 2 == 0 ? 2 : -2) / (m * pi) * fade * det::sin(m * pi * place.y);
+        }
+        return vec3(u, 0, 0);
+    };
+    return flow;
+}
+
+/// The vortex in the box at nu dt / h^2 = `ratio`, which may take all of it in one step.
+inline Flow high_viscosity(double ratio, int n) {
+    Flow flow = taylor_green_box(0);
+    flow.name = "high_viscosity";
+    flow.end = 8 * step;
+    flow.fades = true;
+    flow.settings.viscosity = ratio / (step * n * n);
+    flow.velocity = [nu = flow.settings.viscosity](vec3 place, double time) {
+        const double fade = det::exp(std::max(-2 * pi * pi * nu * time, -700.0));
+        return fade * vec3(det::sin(pi * place.x) * det::cos(pi * place.y),
+                           -det::cos(pi * place.x) * det::sin(pi * place.y), 0);
+    };
+    return flow;
+}
+
+// ---- the cavity ---------------------------------------------------------------------------------------------------
+
+/// A square of 1 m with a lid that moves at 1 m/s; one cell deep. `which` of ghia.h's Reynolds numbers 100, 400, 1000.
+inline constexpr std::array<double, 3> cavity_reynolds{100, 400, 1000};
+inline Flow cavity_2d(std::size_t which) {
+    Flow flow{.name = "cavity_2d", .fixed = {0, 0, 1}};
+    flow.settings.edges = {Edge::no_slip, Edge::no_slip, Edge::periodic};
+    flow.settings.viscosity = 1 / cavity_reynolds[which];
+    flow.settings.lid = 1;
+    flow.velocity = [](vec3, double) { return vec3(0); };
+    return flow;
+}
+
+/// A value between others by the cubic through the four nearest. Places rise.
+inline double cubic_between(const std::vector<double>& places, const std::vector<double>& values,
+                            double place) {
+    const auto above = std::ranges::upper_bound(places, place) - places.begin();
+    const auto most = std::max<std::ptrdiff_t>(std::ssize(places) - 4, 0);
+    const auto low = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 2, 0, most));
+    const auto end = std::min(low + 4, places.size());
+    double result = 0;
+    for (auto i = low; i < end; ++i) {
+        double weight = 1;
+        for (auto j = low; j < end; ++j) {
+            if (j != i) weight *= (place - places[j]) / (places[i] - places[j]);
+        }
+        result += weight * values[i];
+    }
+    return result;
+}
+
+/// Component `axis` of a cavity's velocity along axis `along`, 0 or 1 both, at `across` of the other; with the walls.
+struct Profile {
+    std::vector<double> places, values;
+};
+
+/// Samples of one row with the two walls, of which a row on the faces has the lower one already.
+inline Profile with_walls(const Profile& row, double low, double high) {
+    Profile result = row;
+    if (result.places.front() > 1e-9) {
+        result.places.insert(result.places.begin(), 0.0);
+        result.values.insert(result.values.begin(), low);
+    }
+    result.places.push_back(1);
+    result.values.push_back(high);
+    return result;
+}
+
+inline Profile cavity_profile(const Fluid& fluid, std::size_t axis, std::size_t along, double across) {
+    const std::size_t other = 1 - along;
+    const vec3 stands = fluid.place(axis);
+    const auto lid = [&](std::size_t through) {
+        return axis == 0 && through == 1 ? fluid.settings.lid : 0.0;
+    };
+    Profile result;
+    for (int i = 0; i < fluid.lattice.cells[along]; ++i) {
+        Profile row;
+        for (int j = 0; j < fluid.lattice.cells[other]; ++j) {
+            Cells cell{};
+            cell[along] = i;
+            cell[other] = j;
+            const auto at = static_cast<std::size_t>(fluid.lattice.at(cell[0], cell[1], 0));
+            row.places.push_back((j + stands[static_cast<int>(other)]) * fluid.lattice.h);
+            row.values.push_back(double{fluid.now.velocity[axis][at]});
+        }
+        row = with_walls(row, 0, lid(other));
+        result.places.push_back((i + stands[static_cast<int>(along)]) * fluid.lattice.h);
+        result.values.push_back(cubic_between(row.places, row.values, across));
+    }
+    return with_walls(result, 0, lid(along));
+}
+
+/// m/s, root of the mean square over Ghia's tables.
+inline double cavity_error(const Fluid& fluid, std::size_t which) {
+    const Profile u = cavity_profile(fluid, 0, 1, 0.5), v = cavity_profile(fluid, 1, 0, 0.5);
+    double squares = 0;
+    int points = 0;
+    const auto add = [&](const Profile& profile, const GhiaPoint& point) {
+        const double off =
+            cubic_between(profile.places, profile.values, point.coordinate) - point.velocity[which];
+        squares += off * off;
+        ++points;
+    };
+    for (const GhiaPoint& point : ghia_u) add(u, point);
+    for (const GhiaPoint& point : ghia_v) {
+        if (cavity_reynolds[which] != 400 || point.coordinate != ghia_misprint) add(v, point);
+    }
+    return std::sqrt(squares / points);
+}
+
+// ---- substances ---------------------------------------------------------------------------------------------------
+
+/// A rigid turn in 1 s about the axis (0.5, 0.5, z); periodic, so that every row carries as much out of the box as into it. Each component
+/// is constant along its own direction, so it has no divergence on any grid.
+inline vec3 turning(vec3 place) { return 2 * pi * vec3(0.5 - place.y, place.x - 0.5, 0); }
+inline constexpr double turn_radius =
+    0.5;  ///< m, within which all stays in the box, and densities are compared
+
+inline Settings turning_settings(const Scheme& scheme, int n) {
+    Settings result;
+    result.solver = scheme.solver;
+    result.order = scheme.order;
+    result.cells = {n, n, n};
+    result.h = 1.0 / n;
+    result.edges = {Edge::periodic, Edge::periodic, Edge::periodic};
+    result.substances = {Substance{}};
+    return result;
+}
+
+/// Steps of one turn in which the fastest component, at the edge of the box, crosses at most `cfl` cells.
+inline int steps_of_turn(int n, double cfl) { return static_cast<int>(std::ceil(pi * n / cfl)); }
+
+inline double gaussian(vec3 place) {
+    const vec3 off = place - vec3(0.5, 0.75, 0.5);
+    return det::exp(-glm::dot(off, off) / (2 * 0.1 * 0.1));
+}
+
+/// Of radius 0.15 m with a slot 0.05 m wide that is cut 0.25 m into it from the axis' side (Enright, Fedkiw, Ferziger and Mitchell 2002, to scale).
+inline double slotted_sphere(vec3 place) {
+    const vec3 off = place - vec3(0.5, 0.75, 0.5);
+    const bool slot = std::abs(off.x) < 0.025 && off.y < 0.1;
+    return glm::dot(off, off) < 0.15 * 0.15 && !slot ? 1 : 0;
+}
+
+struct Densities {
+    double error{};  ///< relative L2, within turn_radius
+    double least{}, most{};
+};
+
+inline Densities densities_of(const Fluid& fluid, std::size_t substance,
+                              const std::function<double(vec3)>& exact) {
+    Densities result{.least = 1e300, .most = -1e300};
+    double off = 0, of = 0;
+    const auto [nx, ny, nz] = fluid.lattice.cells;
+    for (int k = 0; k < nz; ++k) {
+        for (int j = 0; j < ny; ++j) {
+            for (int i = 0; i < nx; ++i) {
+                const double found = double{
+                    fluid.now.substances[substance][static_cast<std::size_t>(fluid.lattice.at(i, j, k))]};
+                const vec3 place = (vec3(i, j, k) + 0.5) * fluid.lattice.h;
+                result.least = std::min(result.least, found);
+                result.most = std::max(result.most, found);
+                if (std::hypot(place.x - 0.5, place.y - 0.5) > turn_radius) continue;
+                const double expected = exact(place);
+                off += (found - expected) * (found - expected);
+                of += expected * expected;
+            }
+        }
+    }
+    result.error = std::sqrt(off / of);
+    return result;
+}
+
+// ---- rest and attack ----------------------------------------------------------------------------------------------
+
+/// Three substances in layers, heavier ones below, which ought to stay there for ever.
+inline Expected<Fluid> resting(const Scheme& scheme, int n) {
+    Settings settings = settings_of(Flow{}, scheme, n);
+    settings.viscosity = 1e-3;
+    settings.substances = {Substance{.viscosity = 1e-2, .weight = 0.5}, Substance{.weight = -0.3},
+                           Substance{.viscosity = 1e-3, .weight = 0.1}};
+    auto fluid = make_fluid(settings);
+    if (!fluid) return fluid;
+    set_substance(*fluid, 0, [](vec3 place) { return det::exp(-4 * place.y); });
+    set_substance(*fluid, 1, [](vec3 place) { return place.y * place.y; });
+    set_substance(*fluid, 2, [](vec3 place) { return 1 - place.y; });
+    return fluid;
+}
+
+/// m^5/s^2, the most that a step can make of what moves and of what has been pushed since the last one: speeds add up.
+inline double energy_given(const Fluid& fluid) {
+    double pushes = 0;
+    for (const Samples& push : fluid.now.push) {
+        for (const float p : push) pushes += double{p} * double{p};
+    }
+    const double h = fluid.lattice.h;
+    const double root = std::sqrt(energy(fluid)) + std::sqrt(0.5 * pushes * h * h * h);
+    return root * root;
+}
+
+/// A cell is given up to `speed` m/s in any direction.
+inline Push random_push(const Settings& settings, double speed, Random& random) {
+    Push result{.radius = settings.h};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto n = static_cast<std::uint64_t>(settings.cells[static_cast<std::size_t>(axis)]);
+        result.place[axis] = (static_cast<double>(random.below(n)) + 0.5) * settings.h;
+        result.impulse[axis] = random.uniform(-1, 1);
+    }
+    result.impulse = limited(result.impulse, 1) * (speed * settings.h * settings.h * settings.h);
+    return result;
+}
+
+}  // namespace thaum::fluid::flows
