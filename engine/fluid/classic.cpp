@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fluid/sums.h"
+
 namespace thaum::fluid {
 namespace {
 
@@ -64,14 +66,6 @@ void fill_border(const Lattice& lattice, const Border& border, Samples& samples)
 void fill_velocity_borders(Fluid& fluid) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         fill_border(fluid.lattice, border_of_velocity(fluid.settings, axis), fluid.now.velocity[axis]);
-}
-
-/// Calls with where the first cell of each row along x stands.
-template <class F>
-void each_row(const Lattice& lattice, F&& f) {
-    for (int k = 0; k < lattice.cells[2]; ++k) {
-        for (int j = 0; j < lattice.cells[1]; ++j) f(lattice.at(0, j, k));
-    }
 }
 
 /// x = (source + share * sum of the six neighbours) / (1 or 0 + 6 share), by Gauss-Seidel: each cell in turn from what stands there.
@@ -236,15 +230,6 @@ void carry_substance(Fluid& fluid, Samples& substance, ClassicScratch& scratch, 
     fill_border(fluid.lattice, border_of_scalar(), substance);
 }
 
-double sum_of(const Lattice& lattice, const Samples& samples) {
-    double result = 0;
-    each_row(lattice, [&](std::ptrdiff_t first) {
-        for (int i = 0; i < lattice.cells[0]; ++i)
-            result += double{samples[static_cast<std::size_t>(first + i)]};
-    });
-    return result;
-}
-
 double cells_of(const Lattice& lattice) {
     return double(lattice.cells[0]) * double(lattice.cells[1]) * double(lattice.cells[2]);
 }
@@ -254,7 +239,7 @@ double viscosity_of(const Fluid& fluid) {
     for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
         const double added = fluid.settings.substances[s].viscosity;
         if (added > 0)
-            result += added * sum_of(fluid.lattice, fluid.now.substances[s]) / cells_of(fluid.lattice);
+            result += added * total(fluid.lattice, fluid.now.substances[s]) / cells_of(fluid.lattice);
     }
     return result;
 }
@@ -296,24 +281,13 @@ void diffuse_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
 
 StepReport report_of(const Fluid& fluid, Samples& divergence) {
     StepReport result{.substeps = 1, .pressure_iterations = 2 * fluid.settings.sweeps};
-    float most = 0, worst = 0;
-    double squares = 0;
+    for (const Samples& component : fluid.now.velocity)
+        result.speed = std::max(result.speed, largest(fluid.lattice, component));
     write_divergence(fluid, divergence);
-    each_row(fluid.lattice, [&](std::ptrdiff_t first) {
-        const auto row = static_cast<std::size_t>(first);
-        for (std::size_t i = row; i < row + static_cast<std::size_t>(fluid.lattice.cells[0]); ++i) {
-            for (const Samples& component : fluid.now.velocity) {
-                most = std::max(most, std::abs(component[i]));
-                squares += double{component[i]} * double{component[i]};
-            }
-            worst = std::max(worst, std::abs(divergence[i]));
-        }
-    });
-    const double h = fluid.lattice.h;
-    result.speed = double{most};
     // What was written has a factor of h^2, the measure one of h.
-    result.divergence = most > 0 ? double{worst} / (h * double{most}) : 0;
-    result.energy = 0.5 * squares * h * h * h;
+    if (result.speed > 0)
+        result.divergence = largest(fluid.lattice, divergence) / (fluid.lattice.h * result.speed);
+    result.energy = energy(fluid);
     result.cells = static_cast<std::int64_t>(cells_of(fluid.lattice));
     return result;
 }

@@ -5,13 +5,16 @@
 #include <optional>
 
 #include "core/text.h"
+#include "fluid/classic.h"
 #include "fluid/sample.h"
 #include "fluid/staggered.h"
+#include "fluid/sums.h"
 
 namespace thaum::fluid {
 
 struct Workspace {
-    std::unique_ptr<Staggered> staggered;
+    std::unique_ptr<Staggered> staggered;  ///< null: classic
+    ClassicScratch classic{};
 };
 
 namespace {
@@ -127,12 +130,6 @@ bool add_smoothly(const Fluid& fluid, vec3 place, double radius, double total, v
     return true;
 }
 
-double sum_of(const Lattice& lattice, const Samples& samples) {
-    double sum = 0;
-    each_cell(lattice, [&](vec3, std::size_t at) { sum += static_cast<double>(samples[at]); });
-    return sum;
-}
-
 double volume_of_cell(const Lattice& lattice) { return lattice.h * lattice.h * lattice.h; }
 
 }  // namespace
@@ -190,7 +187,9 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
 
 StepReport advance(Fluid& fluid, double dt) {
     if (fluid.now.asleep || !(dt > 0)) return {};
-    return fluid.work->staggered->step(fluid.settings, fluid.now, std::min(dt, 1.0));
+    dt = std::min(dt, 1.0);
+    if (fluid.work->staggered) return fluid.work->staggered->step(fluid.settings, fluid.now, dt);
+    return classic_step(fluid, fluid.work->classic, dt);
 }
 
 void carry_substances(Fluid& fluid, double dt) {
@@ -231,21 +230,18 @@ vec3 momentum(const Fluid& fluid) {
     vec3 result;
     for (std::size_t axis = 0; axis < 3; ++axis)
         result[static_cast<int>(axis)] =
-            volume_of_cell(fluid.lattice) * sum_of(fluid.lattice, fluid.now.velocity[axis]);
+            volume_of_cell(fluid.lattice) * total(fluid.lattice, fluid.now.velocity[axis]);
     return result;
 }
 
 double energy(const Fluid& fluid) {
     double sum = 0;
-    for (const Samples& u : fluid.now.velocity)
-        each_cell(fluid.lattice, [&](vec3, std::size_t at) {
-            sum += static_cast<double>(u[at]) * static_cast<double>(u[at]);
-        });
+    for (const Samples& u : fluid.now.velocity) sum += dot(fluid.lattice, u, u);
     return 0.5 * volume_of_cell(fluid.lattice) * sum;
 }
 
 double amount(const Fluid& fluid, std::size_t substance) {
-    return volume_of_cell(fluid.lattice) * sum_of(fluid.lattice, fluid.now.substances[substance]);
+    return volume_of_cell(fluid.lattice) * total(fluid.lattice, fluid.now.substances[substance]);
 }
 
 }  // namespace thaum::fluid

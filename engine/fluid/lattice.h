@@ -50,6 +50,13 @@ inline Lattice make_lattice(Cells cells, double h, Edges edges) {
 
 inline Samples make_samples(const Lattice& lattice) { return Samples(lattice.size, 0.0F); }
 
+/// Calls with where the first cell of each row along x stands.
+template <class Visit>
+void each_row(const Lattice& lattice, Visit&& visit) {
+    for (int k = 0; k < lattice.cells[2]; ++k)
+        for (int j = 0; j < lattice.cells[1]; ++j) visit(lattice.at(0, j, k));
+}
+
 /// How a quantity goes on beyond a wall across one axis.
 enum class Beyond : std::uint8_t {
     even,          ///< cell-centred across this axis, mirrored

@@ -1,7 +1,8 @@
 #include "fluid/solids.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "fluid/sums.h"
 
 namespace thaum::fluid {
 namespace {
@@ -24,40 +25,6 @@ double open_share(const std::function<double(vec3)>& solid, vec3 low, std::size_
     }
     const double share = sum / (per_edge * per_edge);
     return share < open_least ? 0 : share;
-}
-
-template <class Row>
-void each_row(const Lattice& lattice, Row&& row) {
-    for (int k = 0; k < lattice.cells[2]; ++k)
-        for (int j = 0; j < lattice.cells[1]; ++j) row(lattice.at(0, j, k));
-}
-
-/// In double and one fixed order: eight sums side by side.
-double dot(const Lattice& lattice, const Samples& a, const Samples& b) {
-    std::array<double, 8> sums{};
-    each_row(lattice, [&](std::ptrdiff_t at) {
-        const float* x = a.data() + at;
-        const float* y = b.data() + at;
-        const std::ptrdiff_t whole = lattice.cells[0] / 8 * 8;
-        for (std::ptrdiff_t i = 0; i < whole; i += 8)
-            for (std::size_t lane = 0; lane < 8; ++lane)
-                sums[lane] += static_cast<double>(x[i + static_cast<std::ptrdiff_t>(lane)]) *
-                              static_cast<double>(y[i + static_cast<std::ptrdiff_t>(lane)]);
-        for (std::ptrdiff_t i = whole; i < lattice.cells[0]; ++i)
-            sums[0] += static_cast<double>(x[i]) * static_cast<double>(y[i]);
-    });
-    double sum = 0;
-    for (const double s : sums) sum += s;
-    return sum;
-}
-
-double largest(const Lattice& lattice, const Samples& a) {
-    float most = 0;
-    each_row(lattice, [&](std::ptrdiff_t at) {
-        for (std::ptrdiff_t i = 0; i < lattice.cells[0]; ++i)
-            most = std::max(most, std::abs(a[static_cast<std::size_t>(at + i)]));
-    });
-    return static_cast<double>(most);
 }
 
 /// to += part * from

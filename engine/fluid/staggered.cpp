@@ -1,11 +1,11 @@
 #include "fluid/staggered.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "fluid/pressure.h"
 #include "fluid/sample.h"
+#include "fluid/sums.h"
 
 namespace thaum::fluid {
 namespace {
@@ -27,51 +27,17 @@ constexpr double divergence_most = 5e-5;  ///< where there are solids, times h b
 constexpr int iterations_most = 40;
 constexpr double rest_speed = 1e-6;  ///< m/s; slower than that a fluid without forces falls asleep
 
-/// The largest size of a value inside the box.
-float largest(const Lattice& lattice, const Samples& samples) {
-    // As integers, which compare like the sizes of floats and, unlike these, side by side.
-    std::uint32_t most = 0;
-    const std::ptrdiff_t nx = lattice.cells[0];
-    for (int k = 0; k < lattice.cells[2]; ++k) {
-        for (int j = 0; j < lattice.cells[1]; ++j) {
-            const float* row = samples.data() + lattice.at(0, j, k);
-            for (std::ptrdiff_t i = 0; i < nx; ++i)
-                most = std::max(most, std::bit_cast<std::uint32_t>(row[i]) & 0x7fffffffU);
-        }
-    }
-    return std::bit_cast<float>(most);
-}
-
 double sum_of_largest(const Lattice& lattice, const std::array<Samples, 3>& velocity) {
     double sum = 0;
-    for (const Samples& component : velocity) sum += static_cast<double>(largest(lattice, component));
+    for (const Samples& component : velocity) sum += largest(lattice, component);
     return sum;
-}
-
-template <class Row>
-void each_row(const Lattice& lattice, Row&& row) {
-    for (int k = 0; k < lattice.cells[2]; ++k)
-        for (int j = 0; j < lattice.cells[1]; ++j) row(lattice.at(0, j, k));
 }
 
 constexpr std::array evenly{Beyond::even, Beyond::even, Beyond::even};
 
 double half_square(const Lattice& lattice, const std::array<Samples, 3>& velocity) {
     double sum = 0;
-    for (const Samples& component : velocity) {
-        each_row(lattice, [&](std::ptrdiff_t at) {
-            std::array<float, 8> row{};
-            const std::ptrdiff_t whole = lattice.cells[0] / 8 * 8;
-            const float* u = component.data() + at;
-            for (std::ptrdiff_t i = 0; i < whole; i += 8)
-                for (std::size_t lane = 0; lane < 8; ++lane) {
-                    const float value = u[i + static_cast<std::ptrdiff_t>(lane)];
-                    row[lane] += value * value;
-                }
-            for (std::ptrdiff_t i = whole; i < lattice.cells[0]; ++i) row[0] += u[i] * u[i];
-            for (const float part : row) sum += static_cast<double>(part);
-        });
-    }
+    for (const Samples& component : velocity) sum += dot(lattice, component, component);
     return 0.5 * sum;
 }
 
@@ -294,8 +260,7 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
     now.pushed = false;
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
     report.energy = half_square(lattice_, now.velocity) * lattice_.h * lattice_.h * lattice_.h;
-    for (const Samples& u : now.velocity)
-        report.speed = std::max(report.speed, static_cast<double>(largest(lattice_, u)));
+    for (const Samples& u : now.velocity) report.speed = std::max(report.speed, largest(lattice_, u));
     if (!solids_) {
         divergence(lattice_, order_, now.velocity, packed_);
         for (const float d : packed_)

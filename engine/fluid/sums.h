@@ -1,0 +1,12 @@
+// fluid/sums.h: what is summed over all cells, in double and one fixed order, and the largest of them.
+#pragma once
+#include "fluid/lattice.h"
+
+namespace thaum::fluid {
+
+double total(const Lattice& lattice, const Samples& samples);
+double dot(const Lattice& lattice, const Samples& a, const Samples& b);
+/// The largest size of a value; of NaNs, one.
+double largest(const Lattice& lattice, const Samples& samples);
+
+}  // namespace thaum::fluid
