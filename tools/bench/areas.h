@@ -19,6 +19,8 @@ void haptics(const Options& options, Report& report);
 /// Parts of `haptics`.
 void surfaces(const Options& options, Report& report);
 void passivity(Report& report);
+/// The brew's surface.
+void surface(const Options& options, Report& report);
 void render(const Options& options, Report& report);
 void fluid(const Options& options, Report& report);
 /// The long attack on the fluid.

@@ -1,0 +1,482 @@
+#include "fluid/sheet.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/assert.h"
+#include "core/text.h"
+
+// With no constant terms but the probes', x'' = -K x - 2 d x' + f(x); Runge-Kutta's stages then need only the accelerations
+// a0 to a3, the velocities being combinations of them:
+//
+//     h1 = h0 + t/2 v0     h2 = h1 + t^2/4 a0     h3 = h0 + t v0 + t^2/2 a1
+//     v1 = v0 + t/2 a0     v2 = v0 + t/2 a1       v3 = v0 + t a2
+//     h += t v0 + t^2/6 (a0 + a1 + a2)            v += t/6 (a0 + 2 a1 + 2 a2 + a3)
+namespace thaum::fluid {
+namespace {
+
+/// rad of the stiffest mode in a sub-step. Up to 2, of frequency and of damping alike, no step can add energy; 1 keeps what is
+/// lost to less than 1.4 % of that mode's and 1e-6 of all modes five times slower.
+constexpr double longest_step = 1;
+
+/// The springs, per kg of a node.
+struct Net {
+    std::size_t stride{}, first{}, end{};  ///< nodes that move, in x and in z: [first, end)
+    double structural{}, shear{}, level{}, drag{};
+    double mass{};  ///< kg, of a node
+    bool mirrored{};
+};
+
+Net net_of(const SheetSettings& s) {
+    const double a = sheet_spacing(s);
+    const double mass = s.areal_mass * a * a;
+    const std::size_t rim = s.rim == Rim::pinned ? 1 : 0;
+    return {.stride = sheet_stride(s),
+            .first = rim,
+            .end = s.nodes - rim,
+            .structural = (1 - s.shear) * s.tension / mass,
+            .shear = s.shear * s.tension / (2 * mass),
+            .level = s.level / s.areal_mass,
+            .drag = 2 * s.damping,
+            .mass = mass,
+            .mirrored = s.rim == Rim::free};
+}
+
+/// 1/s^2
+double stiffest(const Net& net) {
+    return std::max(8 * net.structural, 4 * net.structural + 8 * net.shear) + net.level;
+}
+
+struct Span {
+    std::size_t begin, end;
+};
+
+/// The places in memory of a row's nodes that move.
+Span row(const Net& net, std::size_t z) {
+    const std::size_t at = (z + 1) * net.stride + 1;
+    return {at + net.first, at + net.end};
+}
+
+/// The same, and up to three more: whole vectors. What they come to there is taken back by close_rows.
+Span vectors(const Net& net, std::size_t z) {
+    const auto [begin, end] = row(net, z);
+    return {begin, begin + (end - begin + 3) / 4 * 4};
+}
+
+void close_rows(const Net& net, double* values) {
+    for (std::size_t z = net.first; z < net.end; ++z) {
+        for (std::size_t i = row(net, z).end; i < vectors(net, z).end; ++i) values[i] = 0;
+    }
+}
+
+// ---- springs -------------------------------------------------------------------------------------------------------
+
+/// m/s^2, of the springs and the level. Sums in pairs that lie opposite each other, so that a mirror changes nothing.
+inline double pull(const Net& net, const double* h, std::size_t i) {
+    const std::size_t s = net.stride;
+    const double middle = h[i];
+    const double sides = (h[i - 1] + h[i + 1]) + (h[i - s] + h[i + s]);
+    const double corners = (h[i - s - 1] + h[i + s + 1]) + (h[i - s + 1] + h[i + s - 1]);
+    return net.structural * (sides - 4 * middle) + net.shear * (corners - 4 * middle) - net.level * middle;
+}
+
+/// What lies outside a free rim is what lies inside it: waves come back as they went. The shear springs that would lead
+/// out lie along the rim instead.
+void mirror(const Net& net, double* h) {
+    if (!net.mirrored) return;
+    const std::size_t n = net.end, s = net.stride;
+    std::copy_n(h + s + 1, n, h + 1);
+    std::copy_n(h + n * s + 1, n, h + (n + 1) * s + 1);
+    for (std::size_t z = 0; z < n + 2; ++z) {
+        h[z * s] = h[z * s + 1];
+        h[z * s + n + 1] = h[z * s + n];
+    }
+}
+
+// ---- probes ----------------------------------------------------------------------------------------------------------
+
+/// Where a probe presses: a square of nodes and the weights of each, whose sum is 1.
+struct Footprint {
+    std::size_t x0{}, x1{}, z0{}, z1{};  ///< none where x0 == x1
+    const double* weights{};             ///< row by row
+    double squares{};                    ///< sum of the weights' squares
+    double height{};                     ///< m, of the probe
+};
+
+struct Grip {
+    std::array<Footprint, sheet_probe_capacity> prints{};
+    std::size_t count{};
+};
+
+template <class Visit>
+void each_node(const Net& net, const Footprint& print, Visit visit) {
+    const double* weight = print.weights;
+    for (std::size_t z = print.z0; z < print.z1; ++z) {
+        for (std::size_t x = print.x0; x < print.x1; ++x) visit((z + 1) * net.stride + x + 1, *weight++);
+    }
+}
+
+bool is_there(const SheetSettings& s, const SheetProbe& p) {
+    const double half = s.side / 2;
+    return std::abs(p.place.x) <= half && std::abs(p.place.y) <= half && std::isfinite(p.height) &&
+           std::isfinite(p.radius);
+}
+
+Span nodes_within(const SheetSettings& s, double place, double radius) {
+    const double a = sheet_spacing(s), middle = 0.5 * (s.nodes - 1), last = s.nodes - 1;
+    const double from = std::clamp(std::ceil((place - radius) / a + middle), 0.0, last);
+    const double to = std::clamp(std::floor((place + radius) / a + middle), 0.0, last);
+    return {static_cast<std::size_t>(from), static_cast<std::size_t>(to) + 1};
+}
+
+/// Weights (1 - (r / radius)^2)^2.
+Footprint footprint(const SheetSettings& s, const SheetProbe& p, double* weights) {
+    const double a = sheet_spacing(s), middle = 0.5 * (s.nodes - 1);
+    const double radius = std::clamp(p.radius, 1.5 * a, s.side);
+    const Span xs = nodes_within(s, p.place.x, radius), zs = nodes_within(s, p.place.y, radius);
+    Footprint print{xs.begin, xs.end, zs.begin, zs.end, weights, 0, p.height};
+    double sum = 0;
+    double* weight = weights;
+    for (std::size_t z = zs.begin; z < zs.end; ++z) {
+        const double dz = a * (static_cast<double>(z) - middle) - p.place.y;
+        for (std::size_t x = xs.begin; x < xs.end; ++x) {
+            const double dx = a * (static_cast<double>(x) - middle) - p.place.x;
+            const double within = std::max(0.0, 1 - (dx * dx + dz * dz) / (radius * radius));
+            sum += * weight++ = within * within;
+        }
+    }
+    for (double* w = weights; w != weight; ++w) {
+        *w /= sum;
+        print.squares += *w * *w;
+    }
+    return print;
+}
+
+double height_under(const Net& net, const Footprint& print, const double* h) {
+    double sum = 0;
+    each_node(net, print, [&](std::size_t i, double w) { sum += w * h[i]; });
+    return sum;
+}
+
+/// N, up on the probe: it pushes from outside only, and pulls from inside only.
+double contact_force(const SheetSettings& s, const Footprint& print, bool inside, double height) {
+    const double gap = s.contact * (height - print.height);
+    return inside ? std::clamp(gap, -s.cling, 0.0) : std::clamp(gap, 0.0, s.pop_through);
+}
+
+/// Breaks through, or is torn off.
+void cross(const SheetSettings& s, const Footprint& print, std::uint32_t& inside, double height) {
+    const double gap = s.contact * (height - print.height);
+    if (inside != 0 ? gap <= -s.cling && gap < 0 : gap >= s.pop_through && gap > 0) inside = 1 - inside;
+}
+
+// ---- a step --------------------------------------------------------------------------------------------------------
+
+/// One call's arrays, constants and probes.
+struct March {
+    const SheetSettings& settings;
+    const Net net;
+    const Grip grip;
+    std::array<std::uint32_t, sheet_probe_capacity>& inside;
+    double* h;
+    double* v;
+    double* stage;  ///< heights of a stage
+    std::array<double*, 4> a;
+    std::array<double, sheet_probe_capacity> impulse{};  ///< N s, up on the probes
+};
+
+/// Adds what the probes do to the accelerations of a stage, and `share` s of it to their impulses.
+void add_probes(March& m, const double* h, double* a, double share) {
+    for (std::size_t p = 0; p < m.grip.count; ++p) {
+        const Footprint& print = m.grip.prints[p];
+        if (print.x0 == print.x1) continue;
+        const double force =
+            contact_force(m.settings, print, m.inside[p] != 0, height_under(m.net, print, h));
+        if (force == 0) continue;
+        m.impulse[p] += share * force;
+        const double per_mass = force / m.net.mass;
+        // Nodes of a pinned rim do not move, whatever they are given.
+        each_node(m.net, print, [&](std::size_t i, double w) { a[i] -= per_mass * w; });
+    }
+}
+
+using Values = const double* __restrict;
+
+/// a = springs of h - drag v
+void accelerate(const Net& net, Values h, Values v, double* __restrict a) {
+    for (std::size_t z = net.first; z < net.end; ++z) {
+        const auto [begin, end] = vectors(net, z);
+        for (std::size_t i = begin; i < end; ++i) a[i] = pull(net, h, i) - net.drag * v[i];
+    }
+}
+
+/// a = springs of h - drag (v + t before)
+void accelerate(const Net& net, Values h, Values v, Values before, double t, double* __restrict a) {
+    for (std::size_t z = net.first; z < net.end; ++z) {
+        const auto [begin, end] = vectors(net, z);
+        for (std::size_t i = begin; i < end; ++i) a[i] = pull(net, h, i) - net.drag * (v[i] + t * before[i]);
+    }
+}
+
+void close(const Net& net, double* values) {
+    close_rows(net, values);
+    mirror(net, values);
+}
+
+/// stage = h + t v
+void place_stage(const Net& net, Values h, Values v, double t, double* __restrict stage) {
+    for (std::size_t z = net.first; z < net.end; ++z) {
+        const auto [begin, end] = vectors(net, z);
+        for (std::size_t i = begin; i < end; ++i) stage[i] = h[i] + t * v[i];
+    }
+    close(net, stage);
+}
+
+/// stage = h + t v + t2 a
+void place_stage(const Net& net, Values h, Values v, double t, Values a, double t2,
+                 double* __restrict stage) {
+    for (std::size_t z = net.first; z < net.end; ++z) {
+        const auto [begin, end] = vectors(net, z);
+        for (std::size_t i = begin; i < end; ++i) stage[i] = (h[i] + t * v[i]) + t2 * a[i];
+    }
+    close(net, stage);
+}
+
+void finish(const March& m, double t) {
+    double* __restrict h = m.h;
+    double* __restrict v = m.v;
+    const Values a0 = m.a[0], a1 = m.a[1], a2 = m.a[2], a3 = m.a[3];
+    for (std::size_t z = m.net.first; z < m.net.end; ++z) {
+        const auto [begin, end] = vectors(m.net, z);
+        for (std::size_t i = begin; i < end; ++i) {
+            const double inner = a1[i] + a2[i];
+            h[i] += t * v[i] + t * t / 6 * (a0[i] + inner);
+            v[i] += t / 6 * ((a0[i] + a3[i]) + 2 * inner);
+        }
+    }
+    close(m.net, h);
+    close_rows(m.net, v);
+}
+
+/// Classical Runge-Kutta, t s.
+void runge_kutta(March& m, double t) {
+    const auto& [a0, a1, a2, a3] = m.a;
+    accelerate(m.net, m.h, m.v, a0);
+    add_probes(m, m.h, a0, t / 6);
+    place_stage(m.net, m.h, m.v, t / 2, m.stage);
+    accelerate(m.net, m.stage, m.v, a0, t / 2, a1);
+    add_probes(m, m.stage, a1, t / 3);
+    place_stage(m.net, m.h, m.v, t / 2, a0, t * t / 4, m.stage);
+    accelerate(m.net, m.stage, m.v, a1, t / 2, a2);
+    add_probes(m, m.stage, a2, t / 3);
+    place_stage(m.net, m.h, m.v, t, a1, t * t / 2, m.stage);
+    accelerate(m.net, m.stage, m.v, a2, t, a3);
+    add_probes(m, m.stage, a3, t / 6);
+    finish(m, t);
+}
+
+void cross_all(March& m) {
+    for (std::size_t p = 0; p < m.grip.count; ++p) {
+        const Footprint& print = m.grip.prints[p];
+        if (print.x0 != print.x1) cross(m.settings, print, m.inside[p], height_under(m.net, print, m.h));
+    }
+}
+
+SheetReaction reaction(const March& m, std::size_t p, double seconds) {
+    const Footprint& print = m.grip.prints[p];
+    if (print.x0 == print.x1) return {};
+    return {.force = m.impulse[p] / seconds,
+            .height = height_under(m.net, print, m.h),
+            .inside = m.inside[p] != 0};
+}
+
+// ---- sleep ---------------------------------------------------------------------------------------------------------
+
+double sum_of_squares(std::span<const double> values) {
+    std::array<double, 4> sums{};
+    for (std::size_t i = 0; i + 4 <= values.size(); i += 4) {
+        for (std::size_t lane = 0; lane < 4; ++lane) sums[lane] += values[i + lane] * values[i + lane];
+    }
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+/// An upper bound of its energy is below what `still` allows.
+bool is_still(const Sheet& sheet, const Net& net) {
+    const double most =
+        net.mass / 2 * (sum_of_squares(sheet.velocity) + stiffest(net) * sum_of_squares(sheet.height));
+    return most <= sheet.settings.tension * sheet.settings.still * sheet.settings.still;
+}
+
+void fall_asleep(Sheet& sheet) {
+    std::ranges::fill(sheet.height, 0.0);
+    std::ranges::fill(sheet.velocity, 0.0);
+    sheet.asleep = 1;
+}
+
+/// A probe that touches a level sheet wakes it.
+bool touches_level(const Sheet& sheet, const Grip& grip) {
+    for (std::size_t p = 0; p < grip.count; ++p) {
+        const Footprint& print = grip.prints[p];
+        if (print.x0 != print.x1 && contact_force(sheet.settings, print, sheet.inside[p] != 0, 0) != 0)
+            return true;
+    }
+    return false;
+}
+
+/// Footprints of the probes that are there, with their weights from `weights` on. One that is not there is outside.
+Grip grip_of(Sheet& sheet, std::span<const SheetProbe> probes, double* weights) {
+    Grip grip{.count = std::min(probes.size(), sheet_probe_capacity)};
+    for (std::size_t p = 0; p < sheet_probe_capacity; ++p) {
+        if (p >= grip.count || !is_there(sheet.settings, probes[p])) {
+            sheet.inside[p] = 0;
+            continue;
+        }
+        Footprint& print = grip.prints[p];
+        print = footprint(sheet.settings, probes[p], weights);
+        weights += (print.x1 - print.x0) * (print.z1 - print.z0);
+    }
+    return grip;
+}
+
+double stiffness_of_probes(const SheetSettings& s, const Net& net, const Grip& grip) {
+    double sum = 0;
+    for (const Footprint& print : grip.prints) sum += s.contact * print.squares / net.mass;
+    return sum;
+}
+
+/// Sub-steps and the length of each, s.
+std::pair<std::uint32_t, double> sub_steps(const SheetSettings& s, const Net& net, const Grip& grip,
+                                           double dt) {
+    const double rate = std::max(std::sqrt(stiffest(net) + stiffness_of_probes(s, net, grip)), net.drag);
+    const double wanted = std::max(1.0, std::ceil(dt * rate / longest_step));
+    if (wanted <= s.most_steps) return {static_cast<std::uint32_t>(wanted), dt / wanted};
+    return {s.most_steps, longest_step / rate};
+}
+
+std::size_t array_size(const SheetSettings& s) { return (s.nodes + std::size_t{2}) * sheet_stride(s); }
+
+}  // namespace
+
+Sheet sheet_of(const SheetSettings& settings) {
+    THAUM_ASSERT(checked(settings), "settings of the surface are not checked");
+    Sheet sheet{.settings = settings};
+    sheet.height.assign(array_size(settings), 0);
+    sheet.velocity.assign(array_size(settings), 0);
+    return sheet;
+}
+
+void altered(Sheet& sheet) {
+    const Net net = net_of(sheet.settings);
+    const std::size_t n = sheet.settings.nodes;
+    for (std::size_t z = 0; z < n && !net.mirrored; ++z) {
+        for (std::size_t x = 0; x < n; x += z == 0 || z == n - 1 ? 1 : n - 1) {
+            sheet.height[sheet_index(sheet.settings, x, z)] = 0;
+            sheet.velocity[sheet_index(sheet.settings, x, z)] = 0;
+        }
+    }
+    mirror(net, sheet.height.data());
+    sheet.asleep = 0;
+}
+
+SheetStep advance(Sheet& sheet, SheetScratch& scratch, std::span<const SheetProbe> probes, double dt) {
+    const SheetSettings& s = sheet.settings;
+    const Net net = net_of(s);
+    const std::size_t size = array_size(s);
+    scratch.values.resize((5 + sheet_probe_capacity) * size);
+    double* const values = scratch.values.data();
+    const Grip grip = grip_of(sheet, probes, values + 5 * size);
+    SheetStep result;
+    if (!(dt > 0)) return result;
+    dt = std::min(dt, longest_sheet_call);
+    result.seconds = dt;
+    if (sheet.asleep != 0 && !touches_level(sheet, grip)) return result;
+    sheet.asleep = 0;
+    const auto [steps, t] = sub_steps(s, net, grip, dt);
+    result.steps = steps;
+    result.seconds = t * steps;
+    result.visited = steps * static_cast<std::uint32_t>((net.end - net.first) * (net.end - net.first));
+    March march{s, net, grip, sheet.inside, sheet.height.data(), sheet.velocity.data(), values, {}};
+    for (std::size_t i = 0; i < 4; ++i) march.a[i] = values + (i + 1) * size;
+    for (std::uint32_t i = 0; i < steps; ++i) {
+        cross_all(march);
+        runge_kutta(march, t);
+    }
+    for (std::size_t p = 0; p < grip.count; ++p) result.probes[p] = reaction(march, p, result.seconds);
+    const bool held = std::ranges::any_of(march.impulse, [](double impulse) { return impulse != 0; });
+    if (!held && is_still(sheet, net)) fall_asleep(sheet);
+    return result;
+}
+
+double energy(const Sheet& sheet) {
+    const Net net = net_of(sheet.settings);
+    const double* h = sheet.height.data();
+    const double* v = sheet.velocity.data();
+    double sum = 0;
+    for (std::size_t z = net.first; z < net.end; ++z) {
+        const auto [begin, end] = row(net, z);
+        for (std::size_t i = begin; i < end; ++i) sum += v[i] * v[i] - h[i] * pull(net, h, i);
+    }
+    return net.mass / 2 * sum;
+}
+
+double stiffest_frequency(const SheetSettings& settings) { return std::sqrt(stiffest(net_of(settings))); }
+
+double mode_frequency(const SheetSettings& settings, std::uint32_t p, std::uint32_t q) {
+    const Net net = net_of(settings);
+    const double parts = net.mirrored ? settings.nodes : settings.nodes - 1;
+    const double x = pi * p / parts, z = pi * q / parts;
+    const double sx = det::sin(x / 2), sz = det::sin(z / 2);
+    // 1 - cos x cos z, without the loss of digits for slow modes
+    const double corners = 2 * (sx * sx + sz * sz) - 4 * sx * sx * sz * sz;
+    return std::sqrt(4 * net.structural * (sx * sx + sz * sz) + 4 * net.shear * corners + net.level);
+}
+
+double height_at(const Sheet& sheet, vec2 place) {
+    const SheetSettings& s = sheet.settings;
+    const double half = s.side / 2;
+    if (!(std::abs(place.x) <= half && std::abs(place.y) <= half)) return 0;
+    const double last = s.nodes - 1, a = sheet_spacing(s);
+    const double x = std::clamp(place.x / a + last / 2, 0.0, last);
+    const double z = std::clamp(place.y / a + last / 2, 0.0, last);
+    const double x0 = std::min(std::floor(x), last - 1), z0 = std::min(std::floor(z), last - 1);
+    const std::size_t i = sheet_index(s, static_cast<std::size_t>(x0), static_cast<std::size_t>(z0));
+    const double* h = sheet.height.data() + i;
+    const double* next = h + sheet_stride(s);
+    const double low = h[0] + (x - x0) * (h[1] - h[0]), high = next[0] + (x - x0) * (next[1] - next[0]);
+    return low + (z - z0) * (high - low);
+}
+
+double transmitted(const SheetSettings& settings, double depth, double density) {
+    if (!std::isfinite(depth) || !std::isfinite(density)) return 0;
+    const double fall = std::max(0.0, depth) / settings.reach * std::max(0.0, density);
+    return std::isfinite(fall) ? det::exp(-fall) : 0;
+}
+
+Expected<SheetSettings> checked(const SheetSettings& s) {
+    struct Bound {
+        const char* name;
+        double value, low, high;
+    };
+    const std::array bounds{
+        Bound{"nodes", static_cast<double>(s.nodes), 3, 129},
+        Bound{"side", s.side, 1e-3, 1e3},
+        Bound{"tension", s.tension, 0, 1e12},
+        Bound{"shear", s.shear, 0, 1},
+        Bound{"areal_mass", s.areal_mass, 1e-6, 1e9},
+        Bound{"level", s.level, 0, 1e12},
+        Bound{"damping", s.damping, 0, 1e6},
+        Bound{"contact", s.contact, 0, 1e12},
+        Bound{"pop_through", s.pop_through, 0, 1e9},
+        Bound{"cling", s.cling, 0, 1e9},
+        Bound{"reach", s.reach, 1e-6, 1e6},
+        Bound{"still", s.still, 0, 1},
+        Bound{"most_steps", static_cast<double>(s.most_steps), 1, 1000},
+    };
+    for (const Bound& b : bounds) {
+        if (!(b.value >= b.low && b.value <= b.high))
+            return fail(text("surface: ", b.name, " is ", b.value, "; it must be ", b.low, " to ", b.high));
+    }
+    return s;
+}
+
+}  // namespace thaum::fluid

@@ -1,0 +1,205 @@
+// The brew's surface (engine/fluid/sheet.h): time of a second against how far a wave's frequency is off the
+// membrane's own, and how far a ripple is from round; the energy lost; what a push costs; that sleep is free.
+#include <array>
+#include <cmath>
+
+#include "core/hash.h"
+#include "core/text.h"
+#include "core/units.h"
+#include "fluid/sheet.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/measure.h"
+
+namespace thaum::bench {
+namespace {
+
+using fluid::Sheet;
+using fluid::SheetProbe;
+using fluid::SheetScratch;
+using fluid::SheetSettings;
+
+constexpr std::array<std::uint32_t, 3> sheet_sizes{fluid::classic_nodes, 33, 65};
+
+struct Wave {
+    std::uint32_t p, q;
+};
+
+/// Between waves along the sides and along the diagonals, of all but the same length.
+constexpr std::array round_waves{Wave{7, 0}, Wave{5, 5}};
+constexpr std::array one_wave{Wave{3, 2}};
+
+/// As mode_frequency() counts them.
+double wave_shape(const SheetSettings& s, Wave wave, std::size_t x, std::size_t z) {
+    const auto X = static_cast<double>(x), Z = static_cast<double>(z);
+    if (s.rim == fluid::Rim::pinned)
+        return det::sin(wave.p * pi * X / (s.nodes - 1)) * det::sin(wave.q * pi * Z / (s.nodes - 1));
+    return det::cos(wave.p * pi * (X + 0.5) / s.nodes) * det::cos(wave.q * pi * (Z + 0.5) / s.nodes);
+}
+
+template <class Visit>
+void each_node(const SheetSettings& s, Wave wave, Visit visit) {
+    for (std::size_t z = 0; z < s.nodes; ++z) {
+        for (std::size_t x = 0; x < s.nodes; ++x) visit(sheet_index(s, x, z), wave_shape(s, wave, x, z));
+    }
+}
+
+Sheet sheet_with_waves(const SheetSettings& s, std::span<const Wave> waves) {
+    Sheet sheet = sheet_of(s);
+    for (const Wave wave : waves)
+        each_node(s, wave, [&](std::size_t i, double shape) { sheet.height[i] += 0.01 * shape; });
+    altered(sheet);
+    return sheet;
+}
+
+/// rad/s
+double membrane_frequency(const SheetSettings& s, Wave wave) {
+    const double side = s.rim == fluid::Rim::pinned ? s.side : s.nodes * sheet_spacing(s);
+    return pi / side * std::sqrt(s.tension / s.areal_mass * (wave.p * wave.p + wave.q * wave.q));
+}
+
+/// What a second of waves comes to.
+struct WaveRun {
+    SheetSettings settings{};
+    double dt{};  ///< s, of a call
+    std::span<const Wave> waves{};
+    double error{}, energy_lost{}, steps{};
+    std::uint64_t hash{};
+};
+
+/// The frequency by which a wave went on, over the membrane's. Right while it is less than half a turn off.
+double relative_frequency(const Sheet& sheet, Wave wave, double seconds) {
+    double height = 0, velocity = 0;
+    each_node(sheet.settings, wave, [&](std::size_t i, double shape) {
+        height += shape * sheet.height[i];
+        velocity += shape * sheet.velocity[i];
+    });
+    const double frequency = membrane_frequency(sheet.settings, wave), turned = frequency * seconds;
+    const double off = det::atan2(-velocity / frequency, height) - turned;
+    return 1 + (off - 2 * pi * std::round(off / (2 * pi))) / turned;
+}
+
+void run_waves(WaveRun& run) {
+    Sheet sheet = sheet_with_waves(run.settings, run.waves);
+    SheetScratch scratch;
+    const double before = energy(sheet);
+    double seconds = 0;
+    run.steps = 0;
+    while (seconds < 1) {
+        const auto step = advance(sheet, scratch, {}, run.dt);
+        seconds += step.seconds;
+        run.steps += step.steps;
+    }
+    const double first = relative_frequency(sheet, run.waves[0], seconds);
+    run.error =
+        std::abs(first / (run.waves.size() > 1 ? relative_frequency(sheet, run.waves[1], seconds) : 1) - 1);
+    run.energy_lost = 1 - energy(sheet) / before;
+    run.hash = hash_bytes(std::as_bytes(std::span(sheet.height)));
+}
+
+std::vector<WaveRun> wave_runs() {
+    std::vector<WaveRun> runs;
+    for (const double shear : {0.0, 1.0 / 3}) {
+        for (const std::uint32_t nodes : sheet_sizes) {
+            for (const double dt : {0.001, 0.004, 0.016}) {
+                SheetSettings s{.nodes = nodes, .shear = shear, .damping = 0, .still = 0};
+                runs.push_back({s, dt, one_wave});
+                s.rim = fluid::Rim::free;
+                runs.push_back({s, dt, round_waves});
+            }
+        }
+    }
+    return runs;
+}
+
+/// What the hand and the picture ask for.
+bool is_shipped(const WaveRun& run) {
+    const SheetSettings shipped;
+    return run.settings.nodes == shipped.nodes && run.settings.shear == shipped.shear && run.dt == 0.004;
+}
+
+void waves(const Options& options, Report& report) {
+    std::vector<WaveRun> runs = wave_runs();
+    std::vector<Contestant> contestants;
+    for (WaveRun& run : runs) contestants.push_back({{}, [&run] { run_waves(run); }});
+    const auto samples = measure(contestants, {.seconds = options.quick ? 2.0 : 8.0, .least = 5});
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const WaveRun& run = runs[i];
+        const Times second = times(samples[i]);
+        const bool round = run.waves.size() > 1;
+        report.rows.push_back(
+            {.area = "surface",
+             .name = round ? "round_ripple" : "wave",
+             .setting = {{"nodes", std::int64_t{run.settings.nodes}},
+                         {"shear", run.settings.shear},
+                         {"dt_ms", 1e3 * run.dt}},
+             .time_us = second,
+             .error = ErrorMeasure{round ? "speed_across_to_along" : "relative_frequency", run.error},
+             .is_default = is_shipped(run),
+             .metrics = {{"us_per_step", second.median / run.steps},
+                         {"energy_lost", run.energy_lost},
+                         {"steps", run.steps}},
+             .hash = hex(run.hash)});
+    }
+}
+
+// ---- one call --------------------------------------------------------------------------------------------------------
+
+struct CallRun {
+    std::string name;
+    std::uint32_t nodes{};
+    Sheet sheet{};
+    SheetScratch scratch{};
+    std::vector<SheetProbe> probes{};
+    double stiffness{1};
+    double dt{0.004};
+    fluid::SheetStep last{};
+};
+
+std::vector<CallRun> call_runs() {
+    std::vector<CallRun> runs;
+    const SheetProbe press{.place = {0.2, -0.1}, .height = -0.02, .radius = 0.15};
+    for (const std::uint32_t nodes : sheet_sizes) {
+        runs.push_back({.name = "ripples", .nodes = nodes});
+        runs.push_back({.name = "push", .nodes = nodes, .probes = {press}});
+        runs.push_back({.name = "asleep", .nodes = nodes});
+        runs.push_back({.name = "million_times_as_stiff", .nodes = nodes, .stiffness = 1e6});
+    }
+    for (CallRun& run : runs) {
+        SheetSettings s{.nodes = run.nodes, .still = 0};
+        s.tension *= run.stiffness;
+        run.sheet = run.name == "asleep" ? sheet_of(s) : sheet_with_waves(s, one_wave);
+    }
+    return runs;
+}
+
+void calls(const Options& options, Report& report) {
+    constexpr std::size_t in_a_sample = 32;
+    std::vector<CallRun> runs = call_runs();
+    std::vector<Contestant> contestants;
+    for (CallRun& run : runs)
+        contestants.push_back(
+            {{}, [&run] { run.last = advance(run.sheet, run.scratch, run.probes, run.dt); }});
+    const auto samples =
+        measure(contestants, {.seconds = options.quick ? 1.0 : 4.0, .least = 11, .calls = in_a_sample});
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const CallRun& run = runs[i];
+        const auto& last = run.last;
+        report.rows.push_back({.area = "surface",
+                               .name = run.name,
+                               .setting = {{"nodes", std::int64_t{run.nodes}}, {"dt_ms", 1e3 * run.dt}},
+                               .time_us = times(samples[i]),
+                               .metrics = {{"steps", static_cast<double>(last.steps)},
+                                           {"visited_nodes", static_cast<double>(last.visited)},
+                                           {"advanced_s", last.seconds},
+                                           {"force_n", last.probes[0].force}}});
+    }
+}
+
+}  // namespace
+
+void surface(const Options& options, Report& report) {
+    waves(options, report);
+    calls(options, report);
+}
+
+}  // namespace thaum::bench
