@@ -4,3 +4,6 @@ thaum_test(test_fluid
 thaum_test(test_sheet
     SOURCES accuracy/fluid_sheet_test.cpp stability/fluid_sheet_hostile_test.cpp
     LINK thaum_fluid)
+thaum_test(test_transport
+    SOURCES accuracy/fluid_transport_test.cpp
+    LINK thaum_fluid)

@@ -25,6 +25,7 @@ constexpr double lid_most = 1e3;      // m/s
 constexpr double gravity_most = 1e3;  // m/s^2
 constexpr double weight_most = 1e3;
 constexpr double diffusion_most = 1e3;  // m^2/s
+constexpr double density_most = 1e6;    // of one cell
 constexpr int sweeps_most = 1000;
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }
@@ -176,8 +177,9 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
     if (substance >= fluid.now.substances.size() || !is_finite(place) || !(radius >= 0) ||
         !std::isfinite(radius))
         return false;
-    if (!(amount > 0) || !std::isfinite(amount)) return false;
-    const double total = amount / volume_of_cell(fluid.lattice);
+    const double volume = volume_of_cell(fluid.lattice);
+    if (!(amount > 0) || !(amount <= density_most * volume)) return false;
+    const double total = amount / volume;
     const bool poured = add_smoothly(fluid, place, std::max(radius, 1.5 * fluid.lattice.h), total, vec3(0.5),
                                      fluid.now.substances[substance],
                                      [&](vec3, std::size_t at) { return holds_fluid(fluid, at); });

@@ -50,8 +50,11 @@ Staggered::Staggered(const Settings& settings, const Lattice& lattice)
       momentum_(lattice, order_),
       viscosity_(lattice),
       solids_(settings.solid ? std::make_unique<Solids>(lattice, settings.solid) : nullptr),
+      currents_(make_currents(lattice)),
+      transport_(make_transport_scratch(lattice)),
       potential_(make_samples(lattice)),
       mixed_(make_samples(lattice)) {
+    if (solids_) openings_ = make_openings(lattice, solids_->open());
     for (auto* velocity : {&force_, &stage_, &other_, &sum_}) velocity->fill(make_samples(lattice));
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
                    static_cast<std::size_t>(lattice.cells[2]));
@@ -196,6 +199,7 @@ void Staggered::substep(const Settings& settings, State& now, double dt, StepRep
     momentum_.take({stage_, start, force, nullptr, sum_, 0, part(weight_4), false}, nu);
     if (!explicit_) spread(settings, now, dt);
     end_step(settings, now, dt, report);
+    carry_along(settings, now, dt);
     ++report.substeps;
 }
 
@@ -217,6 +221,28 @@ void Staggered::spread(const Settings& settings, const State& now, double dt) {
                     sum_);
 }
 
+void Staggered::carry_by(const Velocity& velocity, const Settings& settings, State& now, double dt) {
+    if (now.substances.empty()) return;
+    set_currents(lattice_, velocity, solids_ ? &openings_ : nullptr, dt, currents_);
+    for (std::size_t s = 0; s < now.substances.size(); ++s)
+        transport(lattice_, currents_, {.diffusion = settings.substances[s].diffusion}, now.substances[s],
+                  transport_);
+}
+
+void Staggered::carry(const Settings& settings, State& now, double dt) {
+    carry_by(now.velocity, settings, now, dt);
+}
+
+/// Substances, by the mean of the velocities before and after a sub-step; the former stands in sum_.
+void Staggered::carry_along(const Settings& settings, State& now, double dt) {
+    if (now.substances.empty()) return;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        std::transform(now.velocity[axis].begin(), now.velocity[axis].end(), sum_[axis].begin(),
+                       stage_[axis].begin(),
+                       [](float after, float before) { return 0.5F * (before + after); });
+    carry_by(stage_, settings, now, dt);
+}
+
 /// Whatever dt is: each place takes what came from where its flow was. Energy that the interpolation made is taken away again.
 void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt, StepReport& report) {
     const double before = half_square(lattice_, now.velocity);
@@ -234,6 +260,7 @@ void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt,
     }
     spread(settings, now, dt);
     end_step(settings, now, dt, report);
+    carry_along(settings, now, dt);
     report.fell_back = true;
 }
 

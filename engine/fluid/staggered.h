@@ -11,6 +11,7 @@
 #include "fluid/momentum.h"
 #include "fluid/separable.h"
 #include "fluid/solids.h"
+#include "fluid/transport.h"
 #include "fluid/viscosity.h"
 
 namespace thaum::fluid {
@@ -39,6 +40,8 @@ private:
     void end_stage(const Settings& settings, Velocity& velocity);
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
     void spread(const Settings& settings, const State& now, double dt);
+    void carry_along(const Settings& settings, State& now, double dt);
+    void carry_by(const Velocity& velocity, const Settings& settings, State& now, double dt);
     void semi_lagrangian(const Settings& settings, State& now, double dt, StepReport& report);
 
     Lattice lattice_;
@@ -47,6 +50,9 @@ private:
     Momentum momentum_;
     Viscosity viscosity_;
     std::unique_ptr<Solids> solids_;
+    Openings openings_;  ///< of the solids
+    Currents currents_;
+    TransportScratch transport_;
     Velocity force_, stage_, other_, sum_;
     bool forced_ = false;    ///< force_ is not all zero
     bool explicit_ = false;  ///< viscosity is in the stages of this step

@@ -1,0 +1,381 @@
+#include "fluid/transport.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+// With F the flux of a field by the fifth order and q, q1, q2 Runge-Kutta's three fields,
+//
+//     q1 = q - div F(q)     q2 = q - 1/4 div (F(q) + F(q1))     high = 1/6 (F(q) + F(q1)) + 2/3 F(q2)
+//
+// so one array per axis holds all that is to be kept of the fluxes. Layer by layer: fluxes through the faces of a layer, and as soon
+// as those above it are there, what they make of the layer.
+//
+// The flux of fifth order through a face with the cells a b c | d e f around it and the Courant number u is
+//
+//     u/60 (37 (d + c) - 8 (e + b) + (f + a)) - |u|/60 (10 (d - c) - 5 (e - b) + (f - a))
+//
+// a mirror exchanges the terms within each bracket and the sign of u, so it turns the sign of the flux and nothing else.
+namespace thaum::fluid {
+namespace {
+
+constexpr std::array<Beyond, 3> mirrored{Beyond::even, Beyond::even, Beyond::even};
+constexpr float least_density = 1e-20F;  // numbers of less precision, which are slow, begin at 1e-38
+
+using Row = const float* __restrict;
+
+// The loops over rows are functions that are not inlined, and written without branches: so GCC 12 makes vectors of all of them.
+
+/// What a row of faces is crossed by.
+struct FaceRow {
+    Row courant;
+    Row aperture, third, fifth;  ///< null where all is open
+    std::ptrdiff_t step;         ///< from a cell to the next across the face
+};
+
+/// Of a sub-step.
+struct Pace {
+    float courant;    ///< its part of the currents
+    float diffusion;  ///< k dt / h^2
+};
+
+enum class Stage { first, second, third };
+
+// Exact, and without a branch: GCC makes no vectors of loops with several.
+inline float above_zero(float x) { return 0.5F * (x + std::abs(x)); }
+inline float below_zero(float x) { return 0.5F * (x - std::abs(x)); }
+
+/// Of first order; `low` and `high` are the values of the cells below and above the face.
+inline float donor(float courant, float diffusion, float low, float high) {
+    return (above_zero(courant) * low + below_zero(courant) * high) - diffusion * (high - low);
+}
+
+/// Adds a stage's flux to the sum; the last one turns the sum into high less first order of `start`.
+template <Stage stage, bool solids>
+[[gnu::noinline]] void flux_row(Pace pace, const FaceRow& face, Row value, Row start, std::ptrdiff_t count,
+                                float* __restrict sum) {
+    const std::ptrdiff_t s = face.step;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const float u = pace.courant * face.courant[i];
+        const float p0 = value[i] + value[i - s], p1 = value[i + s] + value[i - 2 * s];
+        const float p2 = value[i + 2 * s] + value[i - 3 * s];
+        const float d0 = value[i] - value[i - s], d1 = value[i + s] - value[i - 2 * s];
+        const float d2 = value[i + 2 * s] - value[i - 3 * s];
+        float mean = 0, jump = 0, diffusion = pace.diffusion;
+        if constexpr (solids) {
+            mean = (30 * p0 + face.third[i] * (5 * p0 - 5 * p1)) + face.fifth[i] * ((2 * p0 - 3 * p1) + p2);
+            jump = (30 * d0 - face.third[i] * (15 * d0 + 5 * d1)) + face.fifth[i] * (d2 - 5 * d0);
+            diffusion *= face.aperture[i];
+        } else {
+            mean = (37 * p0 - 8 * p1) + p2;
+            jump = (10 * d0 - 5 * d1) + d2;
+        }
+        const float flux = (u * mean - std::abs(u) * jump) * (1.0F / 60) - diffusion * d0;
+        if constexpr (stage == Stage::first) sum[i] = flux;
+        if constexpr (stage == Stage::second) sum[i] += flux;
+        if constexpr (stage == Stage::third)
+            sum[i] = (sum[i] * (1.0F / 6) + flux * (2.0F / 3)) - donor(u, diffusion, start[i - s], start[i]);
+    }
+}
+
+/// The three rows of fluxes that meet a row of cells from below; those from above lie a step farther.
+struct Fluxes {
+    std::array<const float*, 3> low;
+    std::array<std::ptrdiff_t, 3> step;
+};
+
+[[gnu::noinline]] void stage_row(const Fluxes& flux, Row start, float part, std::ptrdiff_t count,
+                                 float* __restrict value) {
+    const Row x = flux.low[0], y = flux.low[1], z = flux.low[2];
+    const std::ptrdiff_t sy = flux.step[1], sz = flux.step[2];
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        value[i] = start[i] - part * (((x[i + 1] - x[i]) + (y[i + sy] - y[i])) + (z[i + sz] - z[i]));
+}
+
+/// What leaves a cell across one axis by the fluxes of first order.
+template <bool solids>
+inline float donors(float part, float diffusion, Row courant, Row aperture, Row value, std::ptrdiff_t i,
+                    std::ptrdiff_t s) {
+    float below = diffusion, above = diffusion;
+    if constexpr (solids) {
+        below *= aperture[i];
+        above *= aperture[i + s];
+    }
+    return donor(part * courant[i + s], above, value[i], value[i + s]) -
+           donor(part * courant[i], below, value[i - s], value[i]);
+}
+
+/// What the first-order fluxes make of a row of cells, and what part of the differences it can afford.
+template <bool solids>
+[[gnu::noinline]] void afford_row(Pace pace, const std::array<FaceRow, 3>& faces, const Fluxes& difference,
+                                  Row start, std::ptrdiff_t count, float* __restrict value,
+                                  float* __restrict part) {
+    const Row x = difference.low[0], y = difference.low[1], z = difference.low[2];
+    const Row cx = faces[0].courant, cy = faces[1].courant, cz = faces[2].courant;
+    const Row ax = faces[0].aperture, ay = faces[1].aperture, az = faces[2].aperture;
+    const std::ptrdiff_t sy = faces[1].step, sz = faces[2].step;
+    const float u = pace.courant, k = pace.diffusion;
+#pragma GCC ivdep
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const float left =
+            start[i] -
+            ((donors<solids>(u, k, cx, ax, start, i, 1) + donors<solids>(u, k, cy, ay, start, i, sy)) +
+             donors<solids>(u, k, cz, az, start, i, sz));
+        const float taken =
+            ((above_zero(x[i + 1]) - below_zero(x[i])) + (above_zero(y[i + sy]) - below_zero(y[i]))) +
+            (above_zero(z[i + sz]) - below_zero(z[i]));
+        // A little less than all, so that the rounding of what is taken cannot go beyond it.
+        const float most = left * 0.999999F / (taken + 1e-30F);
+        value[i] = left;
+        part[i] = most < 1 ? most : 1;
+    }
+}
+
+/// Takes the differences, each as far as the cell that it leaves can afford.
+[[gnu::noinline]] void cut_row(const Fluxes& difference, Row value, Row part, std::ptrdiff_t count,
+                               float* __restrict result) {
+    const Row x = difference.low[0], y = difference.low[1], z = difference.low[2];
+    const std::ptrdiff_t sy = difference.step[1], sz = difference.step[2];
+    const auto cut = [&](Row d, std::ptrdiff_t i, std::ptrdiff_t s) {
+        return above_zero(d[i]) * part[i - s] + below_zero(d[i]) * part[i];
+    };
+#pragma GCC ivdep
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const float now =
+            value[i] - (((cut(x, i + 1, 1) - cut(x, i, 1)) + (cut(y, i + sy, sy) - cut(y, i, sy))) +
+                        (cut(z, i + sz, sz) - cut(z, i, sz)));
+        result[i] = now < least_density ? 0 : now;
+    }
+}
+
+// ---- over the lattice --------------------------------------------------------------------------------------------
+
+/// One sub-step's arrays.
+struct Crossing {
+    const Lattice& lattice;
+    const Currents& currents;
+    Pace pace;
+    const Samples& start;
+    TransportScratch& scratch;
+
+    FaceRow face(std::size_t axis, std::ptrdiff_t at) const {
+        FaceRow row{currents.courant[axis].data() + at, nullptr, nullptr, nullptr, lattice.stride[axis]};
+        if (const Openings* open = currents.openings; open != nullptr) {
+            row.aperture = open->aperture[axis].data() + at;
+            row.third = open->third[axis].data() + at;
+            row.fifth = open->fifth[axis].data() + at;
+        }
+        return row;
+    }
+    Fluxes fluxes(std::ptrdiff_t at) const {
+        const auto& f = scratch.flux;
+        return {{f[0].data() + at, f[1].data() + at, f[2].data() + at}, lattice.stride};
+    }
+};
+
+constexpr std::ptrdiff_t whole_vectors(int count) { return (count + 7) / 8 * 8; }
+
+template <Stage stage, bool solids>
+[[gnu::noinline]] void flux_rows(const Crossing& c, const Samples& value, std::size_t axis, int k, int rows,
+                                 std::ptrdiff_t count) {
+    for (int j = 0; j < rows; ++j) {
+        const std::ptrdiff_t at = c.lattice.at(0, j, k);
+        flux_row<stage, solids>(c.pace, c.face(axis, at), value.data() + at, c.start.data() + at, count,
+                                c.scratch.flux[axis].data() + at);
+    }
+}
+
+/// All fluxes of a stage, and `layer(k)` once those of layer k are there. Rows are taken in whole vectors; what that writes beyond
+/// them is nowhere read.
+template <Stage stage, bool solids, class Layer>
+void each_layer(const Crossing& c, const Samples& value, Layer layer) {
+    const auto [nx, ny, nz] = c.lattice.cells;
+    const std::ptrdiff_t across = whole_vectors(nx);
+    for (int k = 0; k <= nz; ++k) {
+        flux_rows<stage, solids>(c, value, 2, k, ny, across);
+        if (k > 0) layer(k - 1);
+        if (k == nz) break;
+        flux_rows<stage, solids>(c, value, 0, k, ny, whole_vectors(nx + 1));
+        flux_rows<stage, solids>(c, value, 1, k, ny + 1, across);
+    }
+}
+
+template <class Visit>
+void each_row(const Lattice& lattice, int k, Visit visit) {
+    for (int j = 0; j < lattice.cells[1]; ++j) visit(lattice.at(0, j, k));
+}
+
+/// The field after `part` of the fluxes so far.
+template <Stage stage, bool solids>
+void take_stage(const Crossing& c, const Samples& value, float part, Samples& next) {
+    const std::ptrdiff_t count = whole_vectors(c.lattice.cells[0]);
+    each_layer<stage, solids>(c, value, [&](int k) {
+        each_row(c.lattice, k, [&](std::ptrdiff_t at) {
+            stage_row(c.fluxes(at), c.start.data() + at, part, count, next.data() + at);
+        });
+    });
+    fill_ghosts(c.lattice, mirrored, next);
+}
+
+template <bool solids>
+void substep(const Lattice& lattice, const Currents& currents, Pace pace, Samples& density,
+             TransportScratch& scratch) {
+    const Crossing c{lattice, currents, pace, density, scratch};
+    const std::ptrdiff_t count = whole_vectors(lattice.cells[0]);
+    Samples& first = scratch.first;
+    Samples& second = scratch.second;
+    take_stage<Stage::first, solids>(c, density, 1, first);
+    take_stage<Stage::second, solids>(c, first, 0.25F, second);
+    Samples& left = first;  // the stages' fields have served
+    each_layer<Stage::third, solids>(c, second, [](int) {});
+    Samples& part = second;
+    for (int k = 0; k < lattice.cells[2]; ++k) {
+        each_row(lattice, k, [&](std::ptrdiff_t at) {
+            afford_row<solids>(pace, {c.face(0, at), c.face(1, at), c.face(2, at)}, c.fluxes(at),
+                               density.data() + at, count, left.data() + at, part.data() + at);
+        });
+    }
+    fill_ghosts(lattice, mirrored, part);
+    for (int k = 0; k < lattice.cells[2]; ++k) {
+        each_row(lattice, k, [&](std::ptrdiff_t at) {
+            cut_row(c.fluxes(at), left.data() + at, part.data() + at, lattice.cells[0], density.data() + at);
+        });
+    }
+    fill_ghosts(lattice, mirrored, density);
+}
+
+// ---- how many sub-steps ----------------------------------------------------------------------------------------------
+
+struct Schedule {
+    int substeps;
+    double carried, spread;
+};
+
+/// outflow and diffusion, k dt / h^2, over the whole time.
+Schedule schedule(double outflow, double diffusion, int most) {
+    const double spreading = 6 * diffusion;
+    const double wanted = std::max(1.0, std::ceil((outflow + spreading) / courant_most));
+    if (wanted <= most) return {static_cast<int>(wanted), 1, 1};
+    const double room = courant_most * most;
+    const double spread = std::min(spreading, std::max(room / 2, room - outflow));
+    const double carried = std::min(outflow, room - spread);
+    return {most, outflow > 0 ? carried / outflow : 1, spreading > 0 ? spread / spreading : 1};
+}
+
+bool is_empty(const Lattice& lattice, const Samples& density) {
+    std::uint32_t bits = 0;
+    for (int k = 0; k < lattice.cells[2]; ++k) {
+        each_row(lattice, k, [&](std::ptrdiff_t at) {
+            const float* row = density.data() + at;
+            for (int i = 0; i < lattice.cells[0]; ++i) bits |= std::bit_cast<std::uint32_t>(row[i]);
+        });
+    }
+    return bits == 0;
+}
+
+/// What can leave each cell of a row, kept where it is more than before.
+[[gnu::noinline]] void outflow_row(const Fluxes& courant, std::ptrdiff_t count, float* __restrict most) {
+    const Row x = courant.low[0], y = courant.low[1], z = courant.low[2];
+    const std::ptrdiff_t sy = courant.step[1], sz = courant.step[2];
+#pragma GCC ivdep
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        const float out =
+            ((above_zero(x[i + 1]) - below_zero(x[i])) + (above_zero(y[i + sy]) - below_zero(y[i]))) +
+            (above_zero(z[i + sz]) - below_zero(z[i]));
+        most[i] = out > most[i] ? out : most[i];
+    }
+}
+
+}  // namespace
+
+Openings make_openings(const Lattice& lattice, const std::array<Samples, 3>& aperture) {
+    Openings result{.aperture = aperture};
+    const Cells n = lattice.cells;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::ptrdiff_t step = lattice.stride[axis];
+        const bool round = lattice.edges[axis] == Edge::periodic;
+        result.third[axis] = result.fifth[axis] = make_samples(lattice);
+        for (int k = 0; k <= n[2]; ++k) {
+            for (int j = 0; j <= n[1]; ++j) {
+                for (int i = 0; i <= n[0]; ++i) {
+                    const std::array<int, 3> cell{i, j, k};
+                    const std::ptrdiff_t at = lattice.at(i, j, k), from = at - cell[axis] * step;
+                    const auto open = [&](int farther) {
+                        const int face = cell[axis] + farther;
+                        if (round)
+                            return aperture[axis][static_cast<std::size_t>(from + (face + n[axis]) % n[axis] *
+                                                                                      step)] > 0;
+                        return face <= 0 || face >= n[axis] ||
+                               aperture[axis][static_cast<std::size_t>(from + face * step)] > 0;
+                    };
+                    const bool third = open(-1) && open(0) && open(1);
+                    const auto to = static_cast<std::size_t>(at);
+                    result.third[axis][to] = third ? 1.0F : 0.0F;
+                    result.fifth[axis][to] = third && open(-2) && open(2) ? 1.0F : 0.0F;
+                    if (round && cell[axis] == n[axis])
+                        result.aperture[axis][to] = aperture[axis][static_cast<std::size_t>(from)];
+                }
+            }
+        }
+    }
+    return result;
+}
+
+Currents make_currents(const Lattice& lattice) {
+    Currents currents;
+    for (Samples& samples : currents.courant) samples = make_samples(lattice);
+    return currents;
+}
+
+TransportScratch make_transport_scratch(const Lattice& lattice) {
+    TransportScratch scratch{.first = make_samples(lattice), .second = make_samples(lattice)};
+    for (Samples& samples : scratch.flux) samples = make_samples(lattice);
+    return scratch;
+}
+
+void set_currents(const Lattice& lattice, const std::array<Samples, 3>& velocity, const Openings* openings,
+                  double dt, Currents& currents) {
+    const auto factor = static_cast<float>(dt / lattice.h);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Row from = velocity[axis].data();
+        float* const __restrict to = currents.courant[axis].data();
+        if (openings != nullptr) {
+            const Row aperture = openings->aperture[axis].data();
+            for (std::size_t i = 0; i < lattice.size; ++i) to[i] = from[i] * factor * aperture[i];
+        } else {
+            for (std::size_t i = 0; i < lattice.size; ++i) to[i] = from[i] * factor;
+        }
+    }
+    currents.openings = openings;
+    currents.dt = dt;
+    std::array<float, cells_most> most{};
+    for (int k = 0; k < lattice.cells[2]; ++k) {
+        each_row(lattice, k, [&](std::ptrdiff_t at) {
+            const auto& c = currents.courant;
+            outflow_row({{c[0].data() + at, c[1].data() + at, c[2].data() + at}, lattice.stride},
+                        lattice.cells[0], most.data());
+        });
+    }
+    currents.outflow = *std::ranges::max_element(most);
+}
+
+TransportReport transport(const Lattice& lattice, const Currents& currents, const TransportSettings& settings,
+                          Samples& density, TransportScratch& scratch) {
+    const double diffusion = settings.diffusion * currents.dt / (lattice.h * lattice.h);
+    if ((currents.outflow == 0 && diffusion == 0) || is_empty(lattice, density)) return {};
+    const auto [substeps, carried, spread] = schedule(currents.outflow, diffusion, settings.most_substeps);
+    const Pace pace{static_cast<float>(carried / substeps),
+                    static_cast<float>(diffusion * spread / substeps)};
+    fill_ghosts(lattice, mirrored, density);
+    for (int i = 0; i < substeps; ++i) {
+        if (currents.openings != nullptr) {
+            substep<true>(lattice, currents, pace, density, scratch);
+        } else {
+            substep<false>(lattice, currents, pace, density, scratch);
+        }
+    }
+    const auto [nx, ny, nz] = lattice.cells;
+    return {substeps, carried, spread, std::int64_t{nx} * ny * nz * substeps};
+}
+
+}  // namespace thaum::fluid
