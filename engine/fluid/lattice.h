@@ -64,6 +64,8 @@ enum class Beyond : std::uint8_t {
     through_wall,  ///< stands on the faces across this axis: zero on both walls, which it sets, odd beyond
 };
 
+inline constexpr std::array evenly{Beyond::even, Beyond::even, Beyond::even};
+
 /// Writes the ghosts; `beyond` counts at walls only. `across`: those beyond the sides across one axis, rows without corners.
 void fill_ghosts_across(const Lattice& lattice, std::size_t axis, Beyond beyond, Samples& samples);
 void fill_ghosts(const Lattice& lattice, const std::array<Beyond, 3>& beyond, Samples& samples);

@@ -39,8 +39,6 @@ void add(const Lattice& lattice, Samples& to, double part, const Samples& from) 
     });
 }
 
-constexpr std::array evenly{Beyond::even, Beyond::even, Beyond::even};
-
 void fill_sides(const Lattice& lattice, Samples& samples) {
     for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(lattice, axis, Beyond::even, samples);
 }

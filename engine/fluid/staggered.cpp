@@ -20,7 +20,7 @@ constexpr double weight_2 = (1.0 / 6 - weight_3 * (0.5 - place_1)) / place_1;
 constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 
 /// Cells by which a sub-step may carry, summed over the axes. The steepest wave turns by 7/6 of that at order 4.
-constexpr double courant_most = 2.0;
+constexpr double carried_most = 2.0;
 /// nu dt / h^2 up to which viscosity is taken by the stages: 16 times that is at most 2.4 for the steepest wave.
 constexpr double explicit_most = 0.15;
 constexpr double divergence_most = 5e-5;  ///< where there are solids, times h by the largest speed
@@ -32,8 +32,6 @@ double sum_of_largest(const Lattice& lattice, const std::array<Samples, 3>& velo
     for (const Samples& component : velocity) sum += largest(lattice, component);
     return sum;
 }
-
-constexpr std::array evenly{Beyond::even, Beyond::even, Beyond::even};
 
 double half_square(const Lattice& lattice, const std::array<Samples, 3>& velocity) {
     double sum = 0;
@@ -84,7 +82,7 @@ bool Staggered::viscosity_varies(const Settings& settings) const {
 double Staggered::steps_wanted(const Settings& settings, const State& now, double dt) const {
     double carried = sum_of_largest(lattice_, now.velocity) + std::abs(settings.lid);
     if (forced_) carried += dt * sum_of_largest(lattice_, force_);
-    return std::ceil(carried * dt / (lattice_.h * courant_most));
+    return std::ceil(carried * dt / (lattice_.h * carried_most));
 }
 
 /// share: 1/s, of what was pushed.

@@ -19,7 +19,6 @@ void haptics(const Options& options, Report& report);
 /// Parts of `haptics`.
 void surfaces(const Options& options, Report& report);
 void passivity(Report& report);
-/// Part of `fluid`: what is carried.
 /// The brew's surface.
 void surface(const Options& options, Report& report);
 void render(const Options& options, Report& report);
