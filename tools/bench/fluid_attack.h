@@ -18,6 +18,8 @@ struct AttackPlan {
 
 /// What must hold after each step.
 struct AttackBounds {
+    /// Largest, times h by the speed after the step or by a hundredth of that at its start: of the little that a huge viscosity
+    /// leaves, much is rounding.
     double divergence = 1e-4;
     double energy_growth = 1e-5;  ///< of a step without forces, relative
     double amount_drift = 1e-5;   ///< of a substance in a step, relative
@@ -28,6 +30,7 @@ struct Attack {
     AttackPlan plan{};
     Random random{};
     double energy{};                                ///< m^5/s^2, given by the strike
+    double speed{};                                 ///< m/s, the largest component with what the strike adds
     std::array<double, substances_most> amounts{};  ///< m^3, after the strike
     int refused{};
     std::string fault{};  ///< the first; empty: none
@@ -103,6 +106,17 @@ inline void pour_something(Attack& attack) {
         note(attack, "took an absurd amount");
 }
 
+/// Of what moves and of what is pushed.
+inline double speed_given(const Fluid& fluid) {
+    double result = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < fluid.now.push[axis].size(); ++i)
+            result = std::max({result, double{std::abs(fluid.now.push[axis][i])},
+                               double{std::abs(fluid.now.velocity[axis][i])}});
+    }
+    return result;
+}
+
 inline void strike(Attack& attack) {
     auto& settings = attack.fluid.settings;
     for (auto pushes = attack.random.below(4); pushes > 0; --pushes) {
@@ -115,6 +129,7 @@ inline void strike(Attack& attack) {
     if (attack.plan.jumps && attack.once_in(50))
         settings.viscosity = attack.once_in(3) ? 0 : viscosity_most * attack.magnitude(-12, 0);
     attack.energy = flows::energy_given(attack.fluid);
+    attack.speed = speed_given(attack.fluid);
     for (std::size_t s = 0; s < settings.substances.size(); ++s) attack.amounts[s] = amount(attack.fluid, s);
 }
 
@@ -133,10 +148,12 @@ inline void judge(Attack& attack, const StepReport& report, const AttackBounds& 
     const Fluid& fluid = attack.fluid;
     const auto [nx, ny, nz] = fluid.lattice.cells;
     const double growth = attack.energy > 0 ? energy(fluid) / attack.energy - 1 : 0;
-    attack.worst_divergence = std::max(attack.worst_divergence, report.divergence);
+    const double against = std::max(report.speed, 0.01 * attack.speed);
+    const double divergence = against > 0 ? report.divergence * report.speed / against : 0;
+    attack.worst_divergence = std::max(attack.worst_divergence, divergence);
     attack.worst_growth = std::max(attack.worst_growth, growth);
     if (!all_finite(fluid)) note(attack, "not finite");
-    if (!(report.divergence <= bounds.divergence)) note(attack, text("divergence ", report.divergence));
+    if (!(divergence <= bounds.divergence)) note(attack, text("divergence ", divergence));
     if (!(growth <= bounds.energy_growth)) note(attack, text("energy grew by ", growth));
     // One more than the most is the step that a solver falls back to.
     if (report.substeps > substeps_most + 1) note(attack, text("sub-steps ", report.substeps));
