@@ -350,6 +350,54 @@ inline Densities densities_of(const Fluid& fluid, std::size_t substance,
     return result;
 }
 
+// ---- the bowl -----------------------------------------------------------------------------------------------------
+
+/// Half a ball, open at the top of y, in a box half as high as it is wide; turning about its axis to begin with.
+inline constexpr double bowl_radius = 0.46;  ///< m
+inline constexpr double bowl_turn = 2;       ///< rad/s
+inline constexpr double bowl_viscosity = 0.01, bowl_end = 1;
+inline const vec3 bowl_centre(0.5);
+
+inline vec3 bowl_turning(vec3 place) { return glm::cross(vec3(0, bowl_turn, 0), place - bowl_centre); }
+inline bool in_bowl(vec3 place, double part = 1) {
+    return glm::length(place - bowl_centre) < part * bowl_radius;
+}
+
+/// n even. With a wall that holds it spins down; with one that it slips along, and no viscosity, it turns for ever.
+inline Expected<Fluid> turning_bowl(const Scheme& scheme, int n, bool holds) {
+    Settings settings = settings_of(Flow{}, scheme, n);
+    settings.cells[1] = n / 2;
+    settings.viscosity = holds ? bowl_viscosity : 0;
+    settings.solid_holds = holds;
+    settings.solid = [](vec3 place) { return in_bowl(place) ? 0.0 : 1.0; };
+    auto fluid = make_fluid(settings);
+    if (fluid) set_velocity(*fluid, bowl_turning);
+    return fluid;
+}
+
+/// Places in the bowl, not nearer to its wall than 5 % of its radius.
+inline std::vector<vec3> bowl_places() {
+    std::vector<vec3> result;
+    Random random = random_stream(1, 0);
+    while (result.size() < 128) {
+        const vec3 place(random.uniform(), 0.5 * random.uniform(), random.uniform());
+        if (in_bowl(place, 0.95)) result.push_back(place);
+    }
+    return result;
+}
+
+/// Relative, L2, over bowl_places.
+inline double bowl_error(const Fluid& fluid, const std::function<vec3(std::size_t, vec3)>& exact) {
+    double off = 0, of = 0;
+    const auto places = bowl_places();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const vec3 expected = exact(i, places[i]), miss = velocity_at(fluid, places[i]) - expected;
+        off += glm::dot(miss, miss);
+        of += glm::dot(expected, expected);
+    }
+    return std::sqrt(off / of);
+}
+
 // ---- rest and attack ----------------------------------------------------------------------------------------------
 
 /// Three substances in layers, heavier ones below, which ought to stay there for ever.
