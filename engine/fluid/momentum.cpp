@@ -1,15 +1,17 @@
 #include "fluid/momentum.h"
 
+#include "fluid/eight.h"
+
 namespace thaum::fluid {
 namespace {
 
 /// The carrying velocity between a place and the one before it, `step` away; order 4: times 16 / 9, order 2: times 2.
 template <bool fourth>
 void interpolate_row(const float* u, std::ptrdiff_t step, std::ptrdiff_t count, float* out) {
-#pragma GCC ivdep
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        out[i] = u[i - step] + u[i];
-        if constexpr (fourth) out[i] -= (1.0F / 9) * (u[i - 2 * step] + u[i + step]);
+    for (std::ptrdiff_t i = 0; i < count; i += 8) {
+        Eight sum = load(u + i - step) + load(u + i);
+        if constexpr (fourth) sum -= (1.0F / 9) * (load(u + i - 2 * step) + load(u + i + step));
+        store(out + i, sum);
     }
 }
 
@@ -23,89 +25,91 @@ struct Carrier {
 };
 
 /// What flows out to the next places and in from those before them.
-inline float near_flux(const Carrier& by, const float* q, std::ptrdiff_t i) {
-    return by.high[i] * q[i + by.step] - by.low[i] * q[i - by.step];
+inline Eight near_flux(const Carrier& by, const float* q, std::ptrdiff_t i) {
+    return load(by.high + i) * load(q + by.step) - load(by.low + i) * load(q - by.step);
 }
-inline float far_flux(const Carrier& by, const float* q, std::ptrdiff_t i) {
-    return by.after[i] * q[i + 3 * by.step] - by.before[i] * q[i - 3 * by.step];
+inline Eight far_flux(const Carrier& by, const float* q, std::ptrdiff_t i) {
+    return load(by.after + i) * load(q + 3 * by.step) - load(by.before + i) * load(q - 3 * by.step);
 }
-inline float round_about(const float* q, std::ptrdiff_t i, std::ptrdiff_t step) {
-    return q[i - step] + q[i + step];
-}
+inline Eight round_about(const float* q, std::ptrdiff_t step) { return load(q - step) + load(q + step); }
 
-/// The component's own axis apart from the other two, whose sum comes first: so that exchanging these changes no bit.
+struct Factors {
+    float near, far, spread;
+};
+
+/// One axis apart from the other two, whose sum comes first: so that exchanging these changes no bit.
 template <bool fourth, bool viscous>
-void rate_row(const Carrier& a, const Carrier& b, const Carrier& c, const float* q, std::ptrdiff_t count,
-              float h, float viscosity, float* rate) {
-    const float near = -(fourth ? 81.0F / 256 : 0.25F) / h;
-    const float far = 9.0F / 768 / h;
-    const float spread = viscosity / (h * h);
-#pragma GCC ivdep
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        float sum = near * (near_flux(a, q, i) + (near_flux(b, q, i) + near_flux(c, q, i)));
-        if constexpr (fourth) sum += far * (far_flux(a, q, i) + (far_flux(b, q, i) + far_flux(c, q, i)));
-        if constexpr (viscous) {
-            const float ones =
-                round_about(q, i, a.step) + (round_about(q, i, b.step) + round_about(q, i, c.step));
-            if constexpr (fourth) {
-                const float twos = round_about(q, i, 2 * a.step) +
-                                   (round_about(q, i, 2 * b.step) + round_about(q, i, 2 * c.step));
-                sum += spread * ((4.0F / 3 * ones - 1.0F / 12 * twos) - 7.5F * q[i]);
-            } else {
-                sum += spread * (ones - 6 * q[i]);
-            }
+inline Eight rate_at(const Carrier& a, const Carrier& b, const Carrier& c, const float* q, std::ptrdiff_t i,
+                     const Factors& factors) {
+    Eight sum = factors.near * (near_flux(a, q, i) + (near_flux(b, q, i) + near_flux(c, q, i)));
+    if constexpr (fourth) sum += factors.far * (far_flux(a, q, i) + (far_flux(b, q, i) + far_flux(c, q, i)));
+    if constexpr (viscous) {
+        const Eight ones = round_about(q, a.step) + (round_about(q, b.step) + round_about(q, c.step));
+        if constexpr (fourth) {
+            const Eight twos =
+                round_about(q, 2 * a.step) + (round_about(q, 2 * b.step) + round_about(q, 2 * c.step));
+            sum += factors.spread * ((4.0F / 3 * ones - 1.0F / 12 * twos) - 7.5F * load(q));
+        } else {
+            sum += factors.spread * (ones - 6.0F * load(q));
         }
-        rate[i] = sum;
     }
+    return sum;
 }
 
-void add_row(const Stage& stage, std::size_t axis, std::ptrdiff_t at, std::ptrdiff_t count, float* rate) {
-    const float* start = stage.start[axis].data() + at;
-    float* sum = stage.sum[axis].data() + at;
-    if (stage.force != nullptr) {
-        const float* force = (*stage.force)[axis].data() + at;
-#pragma GCC ivdep
-        for (std::ptrdiff_t i = 0; i < count; ++i) rate[i] += force[i];
+/// Where a row's results go.
+struct Row {
+    const float* start;
+    const float* before;  ///< what the sum was
+    const float* force;   ///< null: none
+    float* sum;
+    float* next;  ///< null: none
+};
+
+template <bool fourth, bool viscous>
+[[gnu::always_inline]] inline void take_row(const Carrier& a, const Carrier& b, const Carrier& c,
+                                            const float* q, std::ptrdiff_t count, const Factors& factors,
+                                            const Row& row, float sum_part, float next_part) {
+    for (std::ptrdiff_t i = 0; i < count; i += 8) {
+        Eight rate = rate_at<fourth, viscous>(a, b, c, q + i, i, factors);
+        if (row.force != nullptr) rate += load(row.force + i);
+        store(row.sum + i, load(row.before + i) + sum_part * rate);
+        if (row.next != nullptr) store(row.next + i, load(row.start + i) + next_part * rate);
     }
-    const float* before = stage.first ? start : sum;
-#pragma GCC ivdep
-    for (std::ptrdiff_t i = 0; i < count; ++i) sum[i] = before[i] + stage.sum_part * rate[i];
-    if (stage.next == nullptr) return;
-    float* next = (*stage.next)[axis].data() + at;
-#pragma GCC ivdep
-    for (std::ptrdiff_t i = 0; i < count; ++i) next[i] = start[i] + stage.next_part * rate[i];
 }
 
 }  // namespace
 
-Momentum::Momentum(const Lattice& lattice, int order)
-    : lattice_(lattice), order_(order), row_(static_cast<std::size_t>(lattice.stride[1])) {
+Momentum::Momentum(const Lattice& lattice, int order) : lattice_(lattice), order_(order) {
     for (auto& plane : planes_) plane.resize(static_cast<std::size_t>(lattice.stride[2]) + 8);
 }
 
-template <bool fourth, bool viscous>
-void Momentum::component(const Stage& stage, std::size_t axis, float viscosity) {
+template <bool fourth, bool viscous, std::size_t axis>
+void Momentum::component(const Stage& stage, float viscosity) {
     const auto& [nx, ny, nz] = lattice_.cells;
     const auto& stride = lattice_.stride;
     const auto along = stride[axis];
+    const auto count = whole_eights(nx);
+    const auto h = static_cast<float>(lattice_.h);
+    const Factors factors{-(fourth ? 81.0F / 256 : 0.25F) / h, 9.0F / 768 / h, viscosity / (h * h)};
     const auto in_plane = [&](int i, int j) { return (j + ghosts) * stride[1] + i + ghosts; };
     const auto ring = [&](int k) { return planes_[2 + static_cast<std::size_t>(k + 1) % 4].data(); };
     const auto lift = [&](int k) {
         for (int j = 0; j < ny; ++j)
-            interpolate_row<fourth>(stage.from[2].data() + lattice_.at(0, j, k), along, nx,
+            interpolate_row<fourth>(stage.from[2].data() + lattice_.at(0, j, k), along, count,
                                     ring(k) + in_plane(0, j));
     };
     for (int k = -1; k < 2; ++k) lift(k);
     for (int k = 0; k < nz; ++k) {
         lift(k + 2);
         for (int j = 0; j < ny; ++j)
-            interpolate_row<fourth>(stage.from[0].data() + lattice_.at(-1, j, k), along, nx + 3,
+            interpolate_row<fourth>(stage.from[0].data() + lattice_.at(-1, j, k), along, whole_eights(nx + 3),
                                     planes_[0].data() + in_plane(-1, j));
         for (int j = -1; j < ny + 2; ++j)
-            interpolate_row<fourth>(stage.from[1].data() + lattice_.at(0, j, k), along, nx,
+            interpolate_row<fourth>(stage.from[1].data() + lattice_.at(0, j, k), along, count,
                                     planes_[1].data() + in_plane(0, j));
         for (int j = 0; j < ny; ++j) {
             const auto here = in_plane(0, j);
+            const auto at = lattice_.at(0, j, k);
             const float* x = planes_[0].data() + here;
             const float* y = planes_[1].data() + here;
             const std::array<Carrier, 3> by{
@@ -113,22 +117,31 @@ void Momentum::component(const Stage& stage, std::size_t axis, float viscosity) 
                 Carrier{y - stride[1], y, y + stride[1], y + 2 * stride[1], stride[1]},
                 Carrier{ring(k - 1) + here, ring(k) + here, ring(k + 1) + here, ring(k + 2) + here,
                         stride[2]}};
-            rate_row<fourth, viscous>(by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3],
-                                      stage.from[axis].data() + lattice_.at(0, j, k), nx,
-                                      static_cast<float>(lattice_.h), viscosity, row_.data());
-            add_row(stage, axis, lattice_.at(0, j, k), nx, row_.data());
+            const Row row{.start = stage.start[axis].data() + at,
+                          .before = (stage.first ? stage.start : stage.sum)[axis].data() + at,
+                          .force = stage.force != nullptr ? (*stage.force)[axis].data() + at : nullptr,
+                          .sum = stage.sum[axis].data() + at,
+                          .next = stage.next != nullptr ? (*stage.next)[axis].data() + at : nullptr};
+            take_row<fourth, viscous>(by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3],
+                                      stage.from[axis].data() + at, count, factors, row, stage.sum_part,
+                                      stage.next_part);
         }
     }
 }
 
+template <bool fourth, bool viscous>
+void Momentum::components(const Stage& stage, float viscosity) {
+    component<fourth, viscous, 0>(stage, viscosity);
+    component<fourth, viscous, 1>(stage, viscosity);
+    component<fourth, viscous, 2>(stage, viscosity);
+}
+
 void Momentum::take(const Stage& stage, double viscosity) {
     const auto nu = static_cast<float>(viscosity);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (order_ == 4 && nu > 0) component<true, true>(stage, axis, nu);
-        if (order_ == 4 && nu <= 0) component<true, false>(stage, axis, nu);
-        if (order_ == 2 && nu > 0) component<false, true>(stage, axis, nu);
-        if (order_ == 2 && nu <= 0) component<false, false>(stage, axis, nu);
-    }
+    if (order_ == 4)
+        nu > 0 ? components<true, true>(stage, nu) : components<true, false>(stage, nu);
+    else
+        nu > 0 ? components<false, true>(stage, nu) : components<false, false>(stage, nu);
 }
 
 }  // namespace thaum::fluid

@@ -30,17 +30,18 @@ struct Stage {
 class Momentum {
 public:
     Momentum(const Lattice& lattice, int order);
-    /// Of all cells; what stands on walls is left to fill_ghosts. viscosity in m^2/s.
+    /// Of all cells; what stands on walls, and in the ghosts of sum and next, is left to fill_ghosts. viscosity in m^2/s.
     void take(const Stage& stage, double viscosity);
 
 private:
     template <bool fourth, bool viscous>
-    void component(const Stage& stage, std::size_t axis, float viscosity);
+    void components(const Stage& stage, float viscosity);
+    template <bool fourth, bool viscous, std::size_t axis>
+    void component(const Stage& stage, float viscosity);
 
     Lattice lattice_;
     int order_;
     std::array<Samples, 6> planes_;  ///< of the carrying velocity: along x, y, and a ring of four along z
-    Samples row_;
 };
 
 }  // namespace thaum::fluid

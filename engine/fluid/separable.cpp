@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/maths.h"
+#include "fluid/eight.h"
 #include "fluid/transpose.h"
 
 namespace thaum::fluid {
@@ -56,14 +57,13 @@ std::vector<float> transposed(const std::vector<float>& matrix, std::size_t rows
 
 /// Columns that are changed together.
 constexpr std::ptrdiff_t wide = 16;
-using Vector = float __attribute__((vector_size(32)));
 
 /// out[r] = sum over d of matrix[d][r] in[d], for `rows` at once; every row is `wide` long.
 template <int rows>
-inline void multiply_block(const float* matrix, std::ptrdiff_t pitch, int depth, const Vector* in,
-                           Vector* out) {
-    Vector low[rows];
-    Vector high[rows];
+inline void multiply_block(const float* matrix, std::ptrdiff_t pitch, int depth, const Eight* in,
+                           Eight* out) {
+    Eight low[rows];
+    Eight high[rows];
     // Unrolled, so that the sums stay in registers.
 #pragma GCC unroll 8
     for (int r = 0; r < rows; ++r) {
@@ -86,7 +86,7 @@ inline void multiply_block(const float* matrix, std::ptrdiff_t pitch, int depth,
 }
 
 /// matrix[n][n]
-void multiply(const float* matrix, int n, const Vector* in, Vector* out) {
+void multiply(const float* matrix, int n, const Eight* in, Eight* out) {
     int r = 0;
     for (; r + 6 <= n; r += 6) multiply_block<6>(matrix + r, n, n, in, out + 2 * r);
     for (; r + 4 <= n; r += 4) multiply_block<4>(matrix + r, n, n, in, out + 2 * r);
@@ -94,94 +94,124 @@ void multiply(const float* matrix, int n, const Vector* in, Vector* out) {
     for (; r < n; ++r) multiply_block<1>(matrix + r, n, n, in, out + 2 * r);
 }
 
-/// Rows of up to `wide` values, each `pitch` from the next one in memory.
+/// Rows of `width` values, at most `wide`, each `pitch` from the next one in memory.
 struct Rows {
     float* first;
     std::ptrdiff_t pitch;
+    std::size_t width;
 };
 
+/// `whole`: of `wide` values, which is faster where the compiler knows it.
 template <bool whole>
-inline void load(const Rows& rows, int row, std::size_t width, Vector* to) {
-    if constexpr (!whole) to[0] = to[1] = Vector{};
-    std::memcpy(to, rows.first + row * rows.pitch, sizeof(float) * (whole ? std::size_t{wide} : width));
+inline void load_row(const Rows& rows, int row, Eight* to) {
+    if constexpr (!whole) to[0] = to[1] = Eight{};
+    std::memcpy(to, rows.first + row * rows.pitch, sizeof(float) * (whole ? std::size_t{wide} : rows.width));
 }
 
 template <bool whole>
-inline void store(const Rows& rows, int row, std::size_t width, const Vector* from) {
-    std::memcpy(rows.first + row * rows.pitch, from, sizeof(float) * (whole ? std::size_t{wide} : width));
+inline void store_row(const Rows& rows, int row, const Eight* from) {
+    std::memcpy(rows.first + row * rows.pitch, from,
+                sizeof(float) * (whole ? std::size_t{wide} : rows.width));
 }
 
+/// Columns of n values as their symmetric part, the middle included, and their antisymmetric part; two vectors for each value.
 struct Halves {
-    Vector symmetric[cells_most];  // two for each of half of the cells
-    Vector antisymmetric[cells_most];
+    Eight symmetric[cells_most + 2];
+    Eight antisymmetric[cells_most + 2];
 };
 
-template <bool full>
-void to_waves(const Waves& waves, const Rows& from, const Rows& to, std::size_t width) {
-    const int n = waves.count;
-    const int whole = (n + 1) / 2;
-    const int half = n / 2;
-    Halves folded;
-    Halves found;
-    for (int i = 0; i < half; ++i) {
-        Vector a[2];
-        Vector b[2];
-        load<full>(from, i, width, a);
-        load<full>(from, n - 1 - i, width, b);
+template <bool whole>
+inline void fold(const Rows& rows, int n, Halves& halves) {
+    for (int i = 0; i < n / 2; ++i) {
+        Eight a[2];
+        Eight b[2];
+        load_row<whole>(rows, i, a);
+        load_row<whole>(rows, n - 1 - i, b);
         for (int v = 0; v < 2; ++v) {
-            folded.symmetric[2 * i + v] = a[v] + b[v];
-            folded.antisymmetric[2 * i + v] = a[v] - b[v];
+            halves.symmetric[2 * i + v] = a[v] + b[v];
+            halves.antisymmetric[2 * i + v] = a[v] - b[v];
         }
     }
-    if (whole > half) load<full>(from, half, width, folded.symmetric + 2 * half);
-    multiply(waves.symmetric.data(), whole, folded.symmetric, found.symmetric);
-    multiply(waves.antisymmetric.data(), half, folded.antisymmetric, found.antisymmetric);
-    for (int k = 0; k < whole; ++k) store<full>(to, k, width, found.symmetric + 2 * k);
-    for (int k = 0; k < half; ++k) store<full>(to, whole + k, width, found.antisymmetric + 2 * k);
+    if (n % 2 != 0) load_row<whole>(rows, n / 2, halves.symmetric + 2 * (n / 2));
 }
 
-template <bool full>
-void from_waves(const Waves& waves, const Rows& from, const Rows& to, std::size_t width) {
-    const int n = waves.count;
-    const int whole = (n + 1) / 2;
-    const int half = n / 2;
+template <bool whole>
+inline void unfold(const Halves& halves, int n, const Rows& rows) {
+    for (int i = 0; i < n / 2; ++i) {
+        Eight a[2];
+        Eight b[2];
+        for (int v = 0; v < 2; ++v) {
+            a[v] = halves.symmetric[2 * i + v] + halves.antisymmetric[2 * i + v];
+            b[v] = halves.symmetric[2 * i + v] - halves.antisymmetric[2 * i + v];
+        }
+        store_row<whole>(rows, i, a);
+        store_row<whole>(rows, n - 1 - i, b);
+    }
+    if (n % 2 != 0) store_row<whole>(rows, n / 2, halves.symmetric + 2 * (n / 2));
+}
+
+/// From cells to waves, back, or both in one.
+enum class Way : std::uint8_t { to_waves, from_waves, through };
+
+/// A matrix for each half, [in][out].
+struct Tables {
+    int count;
+    const std::vector<float>& symmetric;
+    const std::vector<float>& antisymmetric;
+};
+
+template <Way way, bool whole>
+void change_columns(const Tables& by, const Rows& from, const Rows& to) {
+    const int n = by.count;
+    const int odd_first = (n + 1) / 2;  // waves stand the symmetric ones first
     Halves given;
     Halves found;
-    for (int k = 0; k < whole; ++k) load<full>(from, k, width, given.symmetric + 2 * k);
-    for (int k = 0; k < half; ++k) load<full>(from, whole + k, width, given.antisymmetric + 2 * k);
-    multiply(waves.symmetric_back.data(), whole, given.symmetric, found.symmetric);
-    multiply(waves.antisymmetric_back.data(), half, given.antisymmetric, found.antisymmetric);
-    for (int i = 0; i < half; ++i) {
-        Vector a[2];
-        Vector b[2];
-        for (int v = 0; v < 2; ++v) {
-            a[v] = found.symmetric[2 * i + v] + found.antisymmetric[2 * i + v];
-            b[v] = found.symmetric[2 * i + v] - found.antisymmetric[2 * i + v];
-        }
-        store<full>(to, i, width, a);
-        store<full>(to, n - 1 - i, width, b);
+    if constexpr (way == Way::from_waves) {
+        for (int k = 0; k < odd_first; ++k) load_row<whole>(from, k, given.symmetric + 2 * k);
+        for (int k = odd_first; k < n; ++k)
+            load_row<whole>(from, k, given.antisymmetric + 2 * (k - odd_first));
+    } else {
+        fold<whole>(from, n, given);
     }
-    if (whole > half) store<full>(to, half, width, found.symmetric + 2 * half);
+    multiply(by.symmetric.data(), odd_first, given.symmetric, found.symmetric);
+    multiply(by.antisymmetric.data(), n / 2, given.antisymmetric, found.antisymmetric);
+    if constexpr (way == Way::to_waves) {
+        for (int k = 0; k < odd_first; ++k) store_row<whole>(to, k, found.symmetric + 2 * k);
+        for (int k = odd_first; k < n; ++k)
+            store_row<whole>(to, k, found.antisymmetric + 2 * (k - odd_first));
+    } else {
+        unfold<whole>(found, n, to);
+    }
 }
-
-enum class Way : std::uint8_t { to_waves, from_waves };
 
 /// Along the outer index of from[count][width]; `to` may be the same.
 template <Way way>
-void change(const Waves& waves, float* from, float* to, std::ptrdiff_t width) {
+void change(const Tables& by, float* from, float* to, std::ptrdiff_t width) {
     std::ptrdiff_t c = 0;
-    for (; c + wide <= width; c += wide) {
-        if constexpr (way == Way::to_waves)
-            to_waves<true>(waves, {from + c, width}, {to + c, width}, wide);
-        else
-            from_waves<true>(waves, {from + c, width}, {to + c, width}, wide);
-    }
+    for (; c + wide <= width; c += wide)
+        change_columns<way, true>(by, {from + c, width, wide}, {to + c, width, wide});
     if (c == width) return;
     const auto left = static_cast<std::size_t>(width - c);
-    if constexpr (way == Way::to_waves)
-        to_waves<false>(waves, {from + c, width}, {to + c, width}, left);
-    else
-        from_waves<false>(waves, {from + c, width}, {to + c, width}, left);
+    change_columns<way, false>(by, {from + c, width, left}, {to + c, width, left});
+}
+
+Tables forth(const Waves& waves) { return {waves.count, waves.symmetric, waves.antisymmetric}; }
+Tables back(const Waves& waves) { return {waves.count, waves.symmetric_back, waves.antisymmetric_back}; }
+
+/// sum over waves of back[wave][i] factor[wave] back[wave][j]
+std::vector<float> damped(const std::vector<float>& waves, std::span<const double> factor) {
+    const std::size_t n = factor.size();
+    std::vector<float> result(n * n);
+    for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) {
+            double sum = 0;
+            for (std::size_t k = 0; k < n; ++k)
+                sum +=
+                    factor[k] * static_cast<double>(waves[k * n + i]) * static_cast<double>(waves[k * n + j]);
+            result[i * n + j] = static_cast<float>(sum);
+        }
+    }
+    return result;
 }
 
 }  // namespace
@@ -237,11 +267,11 @@ void PressureSolver::solve(std::span<float> field) {
     float* turned = scratch_.data();
     for (std::ptrdiff_t k = 0; k < nz; ++k) {
         float* here = values + k * plane;
-        change<Way::to_waves>(waves_[1], here, here, nx);
+        change<Way::to_waves>(forth(waves_[1]), here, here, nx);
         transpose({here, nx}, {turned, ny}, ny, nx);
-        change<Way::to_waves>(waves_[0], turned, here, ny);
+        change<Way::to_waves>(forth(waves_[0]), turned, here, ny);
     }
-    change<Way::to_waves>(waves_[2], values, values, plane);
+    change<Way::to_waves>(forth(waves_[2]), values, values, plane);
     for (std::ptrdiff_t k = 0; k < nz; ++k) {
         for (std::ptrdiff_t i = 0; i < nx; ++i) {
             const float outer =
@@ -252,13 +282,75 @@ void PressureSolver::solve(std::span<float> field) {
         }
     }
     values[0] = 0;
-    change<Way::from_waves>(waves_[2], values, values, plane);
+    change<Way::from_waves>(back(waves_[2]), values, values, plane);
     for (std::ptrdiff_t k = 0; k < nz; ++k) {
         float* here = values + k * plane;
-        change<Way::from_waves>(waves_[0], here, turned, ny);
+        change<Way::from_waves>(back(waves_[0]), here, turned, ny);
         transpose({turned, ny}, {here, nx}, nx, ny);
-        change<Way::from_waves>(waves_[1], here, here, nx);
+        change<Way::from_waves>(back(waves_[1]), here, here, nx);
     }
+}
+
+Diffusion::Diffusion(const Lattice& lattice, int order) : lattice_(lattice), order_(order) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto beyond = beyond_of_velocity(lattice, axis);
+        for (std::size_t across = 0; across < 3; ++across)
+            waves_[axis][across] = make_waves(lattice.cells[across], lattice.edges[across], beyond[across]);
+    }
+    packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
+                   static_cast<std::size_t>(lattice.cells[2]));
+    turned_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]));
+}
+
+void Diffusion::take(double part, double lid, std::array<Samples, 3>& velocity) {
+    const auto carried = [&](int j) { return static_cast<float>(lid * (j + 0.5) / lattice_.cells[1]); };
+    const auto add_carried = [&](float sign) {
+        each_row(lattice_, [&](std::ptrdiff_t at) {
+            const auto j = (at - lattice_.first) % lattice_.stride[2] / lattice_.stride[1];
+            float* row = velocity[0].data() + at;
+            for (int i = 0; i < lattice_.cells[0]; ++i) row[i] += sign * carried(static_cast<int>(j));
+        });
+    };
+    // What the moving wall draws along at last is left out: it does not spread any more.
+    if (lid != 0) add_carried(-1);
+    for (std::size_t axis = 0; axis < 3; ++axis) component(part, waves_[axis], velocity[axis]);
+    if (lid != 0) add_carried(1);
+}
+
+void Diffusion::component(double part, const std::array<Waves, 3>& waves, Samples& u) {
+    std::array<std::vector<float>, 3> symmetric;
+    std::array<std::vector<float>, 3> antisymmetric;
+    std::vector<Tables> tables;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        std::vector<double> factor;
+        for (const double angle : waves[axis].angle)
+            factor.push_back(det::exp(-part * laplace_symbol(angle, order_)));
+        const auto odd_first = static_cast<std::size_t>((waves[axis].count + 1) / 2);
+        symmetric[axis] = damped(waves[axis].symmetric_back, std::span(factor).first(odd_first));
+        antisymmetric[axis] = damped(waves[axis].antisymmetric_back, std::span(factor).subspan(odd_first));
+        tables.push_back({waves[axis].count, symmetric[axis], antisymmetric[axis]});
+    }
+    const std::ptrdiff_t nx = waves[0].count;
+    const std::ptrdiff_t ny = waves[1].count;
+    const std::ptrdiff_t nz = waves[2].count;
+    const std::ptrdiff_t plane = nx * ny;
+    float* values = packed_.data();
+    float* turned = turned_.data();
+    const auto row_of = [&](std::ptrdiff_t j, std::ptrdiff_t k) {
+        return u.data() + lattice_.at(waves[0].start, waves[1].start + static_cast<int>(j),
+                                      waves[2].start + static_cast<int>(k));
+    };
+    for (std::ptrdiff_t k = 0; k < nz; ++k) {
+        float* here = values + k * plane;
+        for (std::ptrdiff_t j = 0; j < ny; ++j) std::copy_n(row_of(j, k), nx, here + j * nx);
+        change<Way::through>(tables[1], here, here, nx);
+        transpose({here, nx}, {turned, ny}, ny, nx);
+        change<Way::through>(tables[0], turned, turned, ny);
+        transpose({turned, ny}, {here, nx}, nx, ny);
+    }
+    change<Way::through>(tables[2], values, values, plane);
+    for (std::ptrdiff_t k = 0; k < nz; ++k)
+        for (std::ptrdiff_t j = 0; j < ny; ++j) std::copy_n(values + k * plane + j * nx, nx, row_of(j, k));
 }
 
 }  // namespace thaum::fluid

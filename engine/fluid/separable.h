@@ -47,4 +47,21 @@ private:
     std::vector<float> scratch_;
 };
 
+/// du/dt = nu lap u over a time, exactly: each wave decays at its own rate. Viscosity is the same everywhere.
+class Diffusion {
+public:
+    Diffusion(const Lattice& lattice, int order);
+    /// part: nu dt / h^2, >= 0. lid: as Settings say; where it is not 0 the edges across x and z do not hold. Ghosts of the velocity
+    /// are left as they are.
+    void take(double part, double lid, std::array<Samples, 3>& velocity);
+
+private:
+    void component(double part, const std::array<Waves, 3>& waves, Samples& u);
+
+    Lattice lattice_;
+    int order_;
+    std::array<std::array<Waves, 3>, 3> waves_;  ///< of each component
+    std::vector<float> packed_, turned_;
+};
+
 }  // namespace thaum::fluid

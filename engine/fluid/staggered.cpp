@@ -47,6 +47,7 @@ Staggered::Staggered(const Settings& settings, const Lattice& lattice)
       pressure_(lattice, order_),
       momentum_(lattice, order_),
       viscosity_(lattice),
+      diffusion_(lattice, order_),
       solids_(settings.solid ? std::make_unique<Solids>(lattice, settings.solid) : nullptr),
       currents_(make_currents(lattice)),
       transport_(make_transport_scratch(lattice)),
@@ -204,6 +205,11 @@ void Staggered::substep(const Settings& settings, State& now, double dt, StepRep
 /// Of sum_.
 void Staggered::spread(const Settings& settings, const State& now, double dt) {
     if (settings.viscosity <= 0 && !viscosity_varies(settings)) return;
+    const bool lid_alone = lattice_.edges[0] != Edge::no_slip && lattice_.edges[2] != Edge::no_slip;
+    if (!solids_ && !viscosity_varies(settings) && (settings.lid == 0 || lid_alone)) {
+        diffusion_.take(settings.viscosity * dt / (lattice_.h * lattice_.h), settings.lid, sum_);
+        return;
+    }
     std::fill(mixed_.begin(), mixed_.end(), static_cast<float>(settings.viscosity));
     for (std::size_t s = 0; s < now.substances.size(); ++s) {
         const auto viscosity = static_cast<float>(settings.substances[s].viscosity);

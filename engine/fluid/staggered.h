@@ -49,6 +49,7 @@ private:
     PressureSolver pressure_;
     Momentum momentum_;
     Viscosity viscosity_;
+    Diffusion diffusion_;
     std::unique_ptr<Solids> solids_;
     Openings openings_;  ///< of the solids
     Currents currents_;

@@ -1,11 +1,10 @@
 #include "fluid/transpose.h"
 
-#include <cstring>
+#include "fluid/eight.h"
 
 namespace thaum::fluid {
 namespace {
 
-using Eight = float __attribute__((vector_size(32)));
 using Choice = int __attribute__((vector_size(32)));
 
 /// Rows r and r + distance exchange half of what they hold.
@@ -22,12 +21,12 @@ void transpose_tile(const float* from, std::ptrdiff_t from_pitch, float* to, std
     Eight row[8];
     Eight turned[8];
 #pragma GCC unroll 8
-    for (int r = 0; r < 8; ++r) std::memcpy(&row[r], from + r * from_pitch, sizeof(Eight));
+    for (int r = 0; r < 8; ++r) row[r] = load(from + r * from_pitch);
     exchange(row, turned, 4, Choice{0, 1, 2, 3, 8, 9, 10, 11}, Choice{4, 5, 6, 7, 12, 13, 14, 15});
     exchange(turned, row, 2, Choice{0, 1, 8, 9, 4, 5, 12, 13}, Choice{2, 3, 10, 11, 6, 7, 14, 15});
     exchange(row, turned, 1, Choice{0, 8, 2, 10, 4, 12, 6, 14}, Choice{1, 9, 3, 11, 5, 13, 7, 15});
 #pragma GCC unroll 8
-    for (int r = 0; r < 8; ++r) std::memcpy(to + r * to_pitch, &turned[r], sizeof(Eight));
+    for (int r = 0; r < 8; ++r) store(to + r * to_pitch, turned[r]);
 }
 
 }  // namespace
