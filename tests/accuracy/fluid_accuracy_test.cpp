@@ -74,6 +74,20 @@ TEST(FluidAccuracy, ALidDragsTheFluidAsTheSeriesSays) {
     }
 }
 
+double bowl_error(int n) {
+    auto fluid = flows::turning_bowl(second, n);
+    EXPECT_TRUE(fluid.has_value());
+    for (const double dt : flows::steps_until(flows::bowl_end)) advance(*fluid, dt);
+    return flows::bowl_error(*fluid, flows::bowl_end);
+}
+
+TEST(FluidAccuracy, ABowlBrakesTheFluidAsTheSeriesSays) {
+    const double coarse = bowl_error(12), middle = bowl_error(24), fine = bowl_error(48);
+    EXPECT_LE(fine, 0.15);
+    EXPECT_GE(order_between(coarse, middle), 0.8);
+    EXPECT_GE(order_between(middle, fine), 0.9);
+}
+
 TEST(FluidAccuracy, AnyViscosityDampsAsItOught) {
     for (const double ratio : {1e-3, 1e-1, 1.0, 10.0, 1e4})
         EXPECT_LE(error_of(flows::high_viscosity(ratio, 16), fourth, 16), 0.01) << ratio;

@@ -203,6 +203,26 @@ void cavities(const Options& options, Report& report) {
     }
 }
 
+// ---- the bowl -----------------------------------------------------------------------------------------------------
+
+/// Of our solver alone: the paper's knows no walls but the box. Where there are solids it is of second order.
+void bowls(const Options& options, Report& report) {
+    const std::vector<int> sizes = options.quick ? std::vector{16, 32} : std::vector{16, 32, 64};
+    for (const int n : sizes) {
+        const Scheme scheme{Solver::thaum, 2};
+        auto fluid = flows::turning_bowl(scheme, n);
+        if (!fluid) return report.faults.push_back(text("fluid: ", fluid.error().message));
+        std::vector<FluidRun> runs;
+        runs.push_back({.scheme = scheme, .n = n, .fluid = std::move(*fluid)});
+        run_by_turns(runs, flows::bowl_end);
+        Row row = row_of("bowl_spin_down", runs[0]);
+        row.error = ErrorMeasure{"relative_l2_velocity", flows::bowl_error(runs[0].fluid, flows::bowl_end)};
+        row.metrics = {{"divergence", runs[0].divergence},
+                       {"substeps_per_step", runs[0].substeps / runs[0].steps}};
+        report.rows.push_back(std::move(row));
+    }
+}
+
 // ---- substances ---------------------------------------------------------------------------------------------------
 
 struct Shape {
@@ -343,6 +363,7 @@ void fluid(const Options& options, Report& report) {
     viscous(options, report);
     cavities(options, report);
     turns(options, report);
+    bowls(options, report);
     rest(options, report);
     hostile(options, report);
 }
