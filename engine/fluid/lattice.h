@@ -50,11 +50,14 @@ inline Lattice make_lattice(Cells cells, double h, Edges edges) {
 
 inline Samples make_samples(const Lattice& lattice) { return Samples(lattice.size, 0.0F); }
 
-/// Calls with where the first cell of each row along x stands.
+/// Calls with where the first cell of each row along x stands, of one layer or of all.
+template <class Visit>
+void each_row(const Lattice& lattice, int k, Visit&& visit) {
+    for (int j = 0; j < lattice.cells[1]; ++j) visit(lattice.at(0, j, k));
+}
 template <class Visit>
 void each_row(const Lattice& lattice, Visit&& visit) {
-    for (int k = 0; k < lattice.cells[2]; ++k)
-        for (int j = 0; j < lattice.cells[1]; ++j) visit(lattice.at(0, j, k));
+    for (int k = 0; k < lattice.cells[2]; ++k) each_row(lattice, k, visit);
 }
 
 /// How a quantity goes on beyond a wall across one axis.

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "fluid/eight.h"
+
 // With F the flux of a field by the fifth order and q, q1, q2 Runge-Kutta's three fields,
 //
 //     q1 = q - div F(q)     q2 = q - 1/4 div (F(q) + F(q1))     high = 1/6 (F(q) + F(q1)) + 2/3 F(q2)
@@ -19,7 +21,6 @@
 namespace thaum::fluid {
 namespace {
 
-constexpr std::array<Beyond, 3> mirrored{Beyond::even, Beyond::even, Beyond::even};
 constexpr float least_density = 1e-20F;  // numbers of less precision, which are slow, begin at 1e-38
 
 using Row = const float* __restrict;
@@ -173,8 +174,6 @@ struct Crossing {
     }
 };
 
-constexpr std::ptrdiff_t whole_vectors(int count) { return (count + 7) / 8 * 8; }
-
 template <Stage stage, bool solids>
 [[gnu::noinline]] void flux_rows(const Crossing& c, const Samples& value, std::size_t axis, int k, int rows,
                                  std::ptrdiff_t count) {
@@ -190,38 +189,33 @@ template <Stage stage, bool solids>
 template <Stage stage, bool solids, class Layer>
 void each_layer(const Crossing& c, const Samples& value, Layer layer) {
     const auto [nx, ny, nz] = c.lattice.cells;
-    const std::ptrdiff_t across = whole_vectors(nx);
+    const std::ptrdiff_t across = whole_eights(nx);
     for (int k = 0; k <= nz; ++k) {
         flux_rows<stage, solids>(c, value, 2, k, ny, across);
         if (k > 0) layer(k - 1);
         if (k == nz) break;
-        flux_rows<stage, solids>(c, value, 0, k, ny, whole_vectors(nx + 1));
+        flux_rows<stage, solids>(c, value, 0, k, ny, whole_eights(nx + 1));
         flux_rows<stage, solids>(c, value, 1, k, ny + 1, across);
     }
-}
-
-template <class Visit>
-void each_row(const Lattice& lattice, int k, Visit visit) {
-    for (int j = 0; j < lattice.cells[1]; ++j) visit(lattice.at(0, j, k));
 }
 
 /// The field after `part` of the fluxes so far.
 template <Stage stage, bool solids>
 void take_stage(const Crossing& c, const Samples& value, float part, Samples& next) {
-    const std::ptrdiff_t count = whole_vectors(c.lattice.cells[0]);
+    const std::ptrdiff_t count = whole_eights(c.lattice.cells[0]);
     each_layer<stage, solids>(c, value, [&](int k) {
         each_row(c.lattice, k, [&](std::ptrdiff_t at) {
             stage_row(c.fluxes(at), c.start.data() + at, part, count, next.data() + at);
         });
     });
-    fill_ghosts(c.lattice, mirrored, next);
+    fill_ghosts(c.lattice, evenly, next);
 }
 
 template <bool solids>
 void substep(const Lattice& lattice, const Currents& currents, Pace pace, Samples& density,
              TransportScratch& scratch) {
     const Crossing c{lattice, currents, pace, density, scratch};
-    const std::ptrdiff_t count = whole_vectors(lattice.cells[0]);
+    const std::ptrdiff_t count = whole_eights(lattice.cells[0]);
     Samples& first = scratch.first;
     Samples& second = scratch.second;
     take_stage<Stage::first, solids>(c, density, 1, first);
@@ -235,13 +229,13 @@ void substep(const Lattice& lattice, const Currents& currents, Pace pace, Sample
                                density.data() + at, count, left.data() + at, part.data() + at);
         });
     }
-    fill_ghosts(lattice, mirrored, part);
+    fill_ghosts(lattice, evenly, part);
     for (int k = 0; k < lattice.cells[2]; ++k) {
         each_row(lattice, k, [&](std::ptrdiff_t at) {
             cut_row(c.fluxes(at), left.data() + at, part.data() + at, lattice.cells[0], density.data() + at);
         });
     }
-    fill_ghosts(lattice, mirrored, density);
+    fill_ghosts(lattice, evenly, density);
 }
 
 // ---- how many sub-steps ----------------------------------------------------------------------------------------------
@@ -366,7 +360,7 @@ TransportReport transport(const Lattice& lattice, const Currents& currents, cons
     const auto [substeps, carried, spread] = schedule(currents.outflow, diffusion, settings.most_substeps);
     const Pace pace{static_cast<float>(carried / substeps),
                     static_cast<float>(diffusion * spread / substeps)};
-    fill_ghosts(lattice, mirrored, density);
+    fill_ghosts(lattice, evenly, density);
     for (int i = 0; i < substeps; ++i) {
         if (currents.openings != nullptr) {
             substep<true>(lattice, currents, pace, density, scratch);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "fluid/eight.h"
 #include "fluid/transpose.h"
 
 namespace thaum::fluid {
@@ -11,6 +12,7 @@ namespace {
 struct Lines {
     std::ptrdiff_t count;  ///< places along a line
     std::ptrdiff_t width;  ///< lines side by side
+    std::ptrdiff_t pitch;  ///< the same in whole eights
     std::ptrdiff_t place;  ///< from a place to the next one, in the samples
     std::ptrdiff_t line;   ///< from a line to the next one
     Edge edge;
@@ -19,14 +21,23 @@ struct Lines {
     float lid;  ///< m/s, what the wall at the high end moves by
 };
 
+const Eight none = Eight{};
+
+inline Eight larger(const Eight& a, const Eight& b) { return a > b ? a : b; }
+
 /// Coefficient of the link between two places; closed ones count below 0.
-inline float link(float a, float b, bool holds) {
-    const float both = 0.5F * (a + b);
-    const float one = holds ? std::max(std::max(a, b), 0.0F) : 0.0F;
-    return std::min(a, b) >= 0 ? both : one;
+template <bool holds>
+inline Eight link(const Eight& a, const Eight& b) {
+    const Eight both = 0.5F * (a + b);
+    const Eight one = holds ? larger(larger(a, b), none) : none;
+    return (a < none) | (b < none) ? one : both;
 }
 
-/// Rows of lines side by side. Before the first row of values, links and uppers stands one of zeros.
+inline Eight link(const Lines& lines, const float* a, const float* b) {
+    return lines.solid_holds ? link<true>(load(a), load(b)) : link<false>(load(a), load(b));
+}
+
+/// Rows of lines side by side, in whole eights. Before the first row of values, links and uppers stands one of zeros.
 struct Slab {
     float* value;
     float* coefficient;
@@ -36,64 +47,52 @@ struct Slab {
 };
 
 void find_links(const Lines& lines, const Slab& slab) {
-    const auto last = (lines.count - 1) * lines.width;
-    const bool holds = lines.solid_holds;
-#pragma GCC ivdep
-    for (std::ptrdiff_t i = 0; i < last; ++i)
-        slab.link[i] = link(slab.coefficient[i], slab.coefficient[i + lines.width], holds);
-    std::fill_n(slab.link + last, lines.width, 0.0F);
+    const auto last = (lines.count - 1) * lines.pitch;
+    for (std::ptrdiff_t i = 0; i < last; i += 8)
+        store(slab.link + i, link(lines, slab.coefficient + i, slab.coefficient + i + lines.pitch));
+    std::fill_n(slab.link + last, lines.pitch, 0.0F);
 }
 
 /// Forward elimination and back substitution of every line at once. `ends`: multiples of the first and last place's own
 /// coefficient that its diagonal has besides.
 void eliminate(const Lines& lines, const Slab& slab, float* value, const std::array<float, 2>& ends) {
     const auto n = lines.count;
-    const auto w = lines.width;
+    const auto w = lines.pitch;
     for (std::ptrdiff_t r = 0; r < n; ++r) {
-        const float* own = slab.coefficient + r * w;
-        const float* above = slab.link + r * w;
-        const float* below = above - w;
-        float* v = value + r * w;
-        const float* v_before = v - w;
-        float* c = slab.upper + r * w;
-        const float* c_before = c - w;
         const float more = (r == 0 ? ends[0] : 0.0F) + (r == n - 1 ? ends[1] : 0.0F);
-#pragma GCC ivdep
-        for (std::ptrdiff_t i = 0; i < w; ++i) {
-            const float per =
-                1 / (1 + below[i] * (1 - c_before[i]) + above[i] + more * std::max(own[i], 0.0F));
-            const float open = own[i] < 0 ? 0.0F : per;
-            c[i] = above[i] * open;
-            v[i] = (v[i] + below[i] * v_before[i]) * open;
+        for (std::ptrdiff_t i = r * w; i < (r + 1) * w; i += 8) {
+            const Eight own = load(slab.coefficient + i);
+            const Eight above = load(slab.link + i);
+            const Eight below = load(slab.link + i - w);
+            const Eight kept = 1.0F - load(slab.upper + i - w);
+            const Eight per = 1.0F / (1.0F + below * kept + above + more * larger(own, none));
+            const Eight open = own < none ? none : per;
+            store(slab.upper + i, above * open);
+            store(value + i, (load(value + i) + below * load(value + i - w)) * open);
         }
     }
-    for (std::ptrdiff_t r = n - 2; r >= 0; --r) {
-        float* v = value + r * w;
-        const float* after = v + w;
-        const float* c = slab.upper + r * w;
-#pragma GCC ivdep
-        for (std::ptrdiff_t i = 0; i < w; ++i) v[i] += c[i] * after[i];
-    }
+    for (std::ptrdiff_t i = (n - 1) * w - 8; i >= 0; i -= 8)
+        store(value + i, load(value + i) + load(slab.upper + i) * load(value + i + w));
 }
 
 /// The ends of periodic lines are linked: Sherman and Morrison's correction by a second solution.
 void solve_ring(const Lines& lines, const Slab& slab) {
-    const auto n = lines.count;
-    const auto w = lines.width;
-    const auto last = (n - 1) * w;
+    const auto w = lines.pitch;
+    const auto last = (lines.count - 1) * w;
     // The matrix is that of open ends plus ends * (e0 - en)(e0 - en)^T.
-    std::fill_n(slab.corner, n * w, 0.0F);
-    for (std::ptrdiff_t i = 0; i < w; ++i) {
-        const float ends = link(slab.coefficient[last + i], slab.coefficient[i], lines.solid_holds);
-        slab.corner[i] += ends;
-        slab.corner[last + i] -= ends;
+    std::fill_n(slab.corner, last + w, 0.0F);
+    for (std::ptrdiff_t i = 0; i < w; i += 8) {
+        const Eight ends = link(lines, slab.coefficient + last + i, slab.coefficient + i);
+        store(slab.corner + i, load(slab.corner + i) + ends);
+        store(slab.corner + last + i, load(slab.corner + last + i) - ends);
     }
     eliminate(lines, slab, slab.value, {});
     eliminate(lines, slab, slab.corner, {});
-    for (std::ptrdiff_t i = 0; i < w; ++i) {
-        const float by =
-            (slab.value[i] - slab.value[last + i]) / (1 + slab.corner[i] - slab.corner[last + i]);
-        for (std::ptrdiff_t r = 0; r < n; ++r) slab.value[r * w + i] -= by * slab.corner[r * w + i];
+    for (std::ptrdiff_t i = 0; i < w; i += 8) {
+        const Eight by = (load(slab.value + i) - load(slab.value + last + i)) /
+                         (1.0F + load(slab.corner + i) - load(slab.corner + last + i));
+        for (std::ptrdiff_t at = i; at <= last + i; at += w)
+            store(slab.value + at, load(slab.value + at) - by * load(slab.corner + at));
     }
 }
 
@@ -103,10 +102,10 @@ void solve(const Lines& lines, const Slab& slab) {
         if (lines.count > 1) solve_ring(lines, slab);
         return;
     }
-    const auto last = (lines.count - 1) * lines.width;
+    const auto last = (lines.count - 1) * lines.pitch;
     if (lines.through) {
         // The first place is the wall.
-        std::fill_n(slab.coefficient, lines.width, -1.0F);
+        std::fill_n(slab.coefficient, lines.pitch, -1.0F);
         Lines to_wall = lines;
         to_wall.solid_holds = true;
         find_links(to_wall, slab);
@@ -125,8 +124,8 @@ void solve(const Lines& lines, const Slab& slab) {
 
 Viscosity::Viscosity(const Lattice& lattice) : lattice_(lattice), nodal_(make_samples(lattice)) {
     const auto [nx, ny, nz] = lattice.cells;
-    const int width = std::max(nx, ny);
-    const auto most = static_cast<std::size_t>(width + std::max(nx * ny, nx * nz));
+    const auto width = whole_eights(std::max(nx, ny));
+    const auto most = static_cast<std::size_t>(width * (1 + std::max({nx, ny, nz})));
     for (auto* slab : {&value_, &coefficient_, &link_, &upper_, &corner_}) slab->assign(most, 0.0F);
 }
 
@@ -157,13 +156,14 @@ void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across
     const std::size_t outer = 3 - across - beside;
     const Lines lines{.count = lattice_.cells[across],
                       .width = lattice_.cells[beside],
+                      .pitch = whole_eights(lattice_.cells[beside]),
                       .place = lattice_.stride[across],
                       .line = lattice_.stride[beside],
                       .edge = lattice_.edges[across],
                       .through = axis == across,
                       .solid_holds = spread.solid_holds,
                       .lid = axis == 0 && across == 1 ? static_cast<float>(spread.lid) : 0.0F};
-    const auto w = lines.width;
+    const auto w = lines.pitch;
     const Slab slab{value_.data() + w, coefficient_.data() + w, link_.data() + w, upper_.data() + w,
                     corner_.data() + w};
     for (auto* rows : {&value_, &link_, &upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
@@ -173,17 +173,17 @@ void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across
         const float* nodal = nodal_.data() + first;
         if (lines.line == 1) {
             for (std::ptrdiff_t r = 0; r < lines.count; ++r) {
-                std::copy_n(values + r * lines.place, w, slab.value + r * w);
-                std::copy_n(nodal + r * lines.place, w, slab.coefficient + r * w);
+                std::copy_n(values + r * lines.place, lines.width, slab.value + r * w);
+                std::copy_n(nodal + r * lines.place, lines.width, slab.coefficient + r * w);
             }
             solve(lines, slab);
             for (std::ptrdiff_t r = 0; r < lines.count; ++r)
-                std::copy_n(slab.value + r * w, w, values + r * lines.place);
+                std::copy_n(slab.value + r * w, lines.width, values + r * lines.place);
         } else {
-            transpose({values, lines.line}, {slab.value, w}, w, lines.count);
-            transpose({nodal, lines.line}, {slab.coefficient, w}, w, lines.count);
+            transpose({values, lines.line}, {slab.value, w}, lines.width, lines.count);
+            transpose({nodal, lines.line}, {slab.coefficient, w}, lines.width, lines.count);
             solve(lines, slab);
-            transpose({slab.value, w}, {values, lines.line}, lines.count, w);
+            transpose({slab.value, w}, {values, lines.line}, lines.count, lines.width);
         }
     }
 }
