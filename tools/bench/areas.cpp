@@ -11,7 +11,7 @@ std::span<const Area> areas() {
         Area{"skip", skip},         Area{"render", render},
         Area{"coupling", coupling}, Area{"primitives", primitives},
         Area{"haptics", haptics},   Area{"fluid", fluid, fluid_stress},
-        Area{"surface", surface},
+        Area{"surface", surface},   Area{"field", field},
     };
     return list;
 }

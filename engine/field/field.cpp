@@ -1,0 +1,112 @@
+#include "field/field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thaum::field {
+namespace {
+
+/// Up to four samples along an axis, and what their values and slopes weigh.
+struct Taps {
+    std::array<std::ptrdiff_t, 4> offset{};
+    std::array<double, 4> value{}, slope{};
+    std::size_t count{};
+};
+
+/// Of the samples at -1, 0, 1, 2 at t within [0, 1].
+struct Weights {
+    std::array<double, 4> value, slope;
+};
+
+Weights catmull_rom(double t) {
+    const double t2 = t * t, t3 = t2 * t;
+    return {
+        {0.5 * (2 * t2 - t - t3), 0.5 * (3 * t3 - 5 * t2 + 2), 0.5 * (t + 4 * t2 - 3 * t3), 0.5 * (t3 - t2)},
+        {0.5 * (4 * t - 1 - 3 * t2), 0.5 * (9 * t2 - 10 * t), 0.5 * (1 + 8 * t - 9 * t2),
+         0.5 * (3 * t2 - 2 * t)}};
+}
+
+/// The tap `from` is beyond the samples; the parabola through the next three, in this order, stands for it.
+void fold(Taps& taps, std::size_t from, std::array<std::size_t, 3> to) {
+    constexpr std::array<double, 3> parabola{3, -3, 1};
+    for (std::size_t i = 0; i < 3; ++i) {
+        taps.value[to[i]] += parabola[i] * taps.value[from];
+        taps.slope[to[i]] += parabola[i] * taps.slope[from];
+    }
+    taps.value[from] = taps.slope[from] = 0;
+    taps.offset[from] = taps.offset[to[0]];
+}
+
+/// x in samples from the first one; per_metre samples.
+Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kernel kernel) {
+    Taps taps;
+    if (count == 1) {
+        taps.count = 1;
+        taps.value[0] = 1;
+        return taps;
+    }
+    x = std::clamp(x, 0.0, static_cast<double>(count - 1));
+    const int low = std::min(static_cast<int>(x), count - 2);
+    const double t = x - low;
+    if (kernel == Kernel::linear || count == 2) {
+        taps.count = 2;
+        taps.offset = {low * stride, (low + 1) * stride};
+        taps.value = {1 - t, t};
+        taps.slope = {-per_metre, per_metre};
+        return taps;
+    }
+    const Weights weights = catmull_rom(t);
+    taps.count = 4;
+    for (std::size_t i = 0; i < 4; ++i) {
+        taps.offset[i] = (low - 1 + static_cast<int>(i)) * stride;
+        taps.value[i] = weights.value[i];
+        taps.slope[i] = weights.slope[i] * per_metre;
+    }
+    const bool low_edge = low == 0, high_edge = low == count - 2;
+    // Of three samples both edges may be near, but never in one cell.
+    if (low_edge) fold(taps, 0, {1, 2, 3});
+    if (high_edge) fold(taps, 3, {2, 1, 0});
+    return taps;
+}
+
+}  // namespace
+
+Scalar Grid::operator()(vec3 place) const {
+    if (first == nullptr || *std::ranges::min_element(count) < 1 || !is_finite(place)) return {};
+    const vec3 at = (place - origin) / spacing;
+    const double per_metre = 1 / spacing;
+    const Taps x = taps_at(at.x, count[0], stride[0], per_metre, kernel);
+    const Taps y = taps_at(at.y, count[1], stride[1], per_metre, kernel);
+    const Taps z = taps_at(at.z, count[2], stride[2], per_metre, kernel);
+    Scalar result;
+    for (std::size_t k = 0; k < z.count; ++k) {
+        double value = 0, across_x = 0, across_y = 0;
+        for (std::size_t j = 0; j < y.count; ++j) {
+            const float* row = first + (z.offset[k] + y.offset[j]);
+            double along = 0, slope = 0;
+            for (std::size_t i = 0; i < x.count; ++i) {
+                const double sample = row[x.offset[i]];
+                along += x.value[i] * sample;
+                slope += x.slope[i] * sample;
+            }
+            value += y.value[j] * along;
+            across_x += y.value[j] * slope;
+            across_y += y.slope[j] * along;
+        }
+        result.value += z.value[k] * value;
+        result.gradient += vec3(z.value[k] * across_x, z.value[k] * across_y, z.slope[k] * value);
+    }
+    return result;
+}
+
+Vector StaggeredGrid::operator()(vec3 place) const {
+    Vector result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const Scalar one = component[axis](place);
+        result.value[static_cast<int>(axis)] = one.value;
+        result.gradient[axis] = one.gradient;
+    }
+    return result;
+}
+
+}  // namespace thaum::field

@@ -1,0 +1,36 @@
+// fluid/fields.h: a fluid's samples as fields that the hand and pictures can read.
+//
+// The ghosts are part of them, so near a wall a kernel reads what is mirrored there; they must be filled.
+#pragma once
+#include "field/field.h"
+#include "fluid/lattice.h"
+
+namespace thaum::fluid {
+
+/// `first`: where the value of cell (0, 0, 0) stands, in cells: the middle of the cell, or of its low face across an axis.
+inline field::Grid grid_of(const Lattice& lattice, const Samples& samples, vec3 first,
+                           field::Kernel kernel = field::Kernel::catmull_rom) {
+    field::Grid grid{.first = samples.data() + lattice.at(-ghosts, -ghosts, -ghosts),
+                     .stride = lattice.stride,
+                     .origin = lattice.h * (first - vec3(ghosts)),
+                     .spacing = lattice.h,
+                     .kernel = kernel};
+    for (std::size_t axis = 0; axis < 3; ++axis) grid.count[axis] = lattice.cells[axis] + 2 * ghosts;
+    return grid;
+}
+
+/// Of a density, or anything else in the middles of cells.
+inline field::Grid cell_grid(const Lattice& lattice, const Samples& samples,
+                             field::Kernel kernel = field::Kernel::catmull_rom) {
+    return grid_of(lattice, samples, vec3(0.5), kernel);
+}
+
+/// Of a velocity on the faces.
+inline field::StaggeredGrid face_grid(const Lattice& lattice, const std::array<Samples, 3>& velocity,
+                                      field::Kernel kernel = field::Kernel::catmull_rom) {
+    return {{grid_of(lattice, velocity[0], {0, 0.5, 0.5}, kernel),
+             grid_of(lattice, velocity[1], {0.5, 0, 0.5}, kernel),
+             grid_of(lattice, velocity[2], {0.5, 0.5, 0}, kernel)}};
+}
+
+}  // namespace thaum::fluid
