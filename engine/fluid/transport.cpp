@@ -42,17 +42,25 @@ struct Pace {
 
 enum class Stage { first, second, third };
 
+/// What costs nothing where there is none of it.
+struct Kind {
+    bool solids, diffuses;
+};
+
 // Exact, and without a branch: GCC makes no vectors of loops with several.
 inline float above_zero(float x) { return 0.5F * (x + std::abs(x)); }
 inline float below_zero(float x) { return 0.5F * (x - std::abs(x)); }
 
 /// Of first order; `low` and `high` are the values of the cells below and above the face.
+template <Kind kind>
 inline float donor(float courant, float diffusion, float low, float high) {
-    return (above_zero(courant) * low + below_zero(courant) * high) - diffusion * (high - low);
+    const float carried = above_zero(courant) * low + below_zero(courant) * high;
+    if constexpr (kind.diffuses) return carried - diffusion * (high - low);
+    return carried;
 }
 
 /// Adds a stage's flux to the sum; the last one turns the sum into high less first order of `start`.
-template <Stage stage, bool solids>
+template <Stage stage, Kind kind>
 [[gnu::noinline]] void flux_row(Pace pace, const FaceRow& face, Row value, Row start, std::ptrdiff_t count,
                                 float* __restrict sum) {
     const std::ptrdiff_t s = face.step;
@@ -63,19 +71,23 @@ template <Stage stage, bool solids>
         const float d0 = value[i] - value[i - s], d1 = value[i + s] - value[i - 2 * s];
         const float d2 = value[i + 2 * s] - value[i - 3 * s];
         float mean = 0, jump = 0, diffusion = pace.diffusion;
-        if constexpr (solids) {
+        if constexpr (kind.solids) {
             mean = (30 * p0 + face.third[i] * (5 * p0 - 5 * p1)) + face.fifth[i] * ((2 * p0 - 3 * p1) + p2);
             jump = (30 * d0 - face.third[i] * (15 * d0 + 5 * d1)) + face.fifth[i] * (d2 - 5 * d0);
-            diffusion *= face.aperture[i];
         } else {
             mean = (37 * p0 - 8 * p1) + p2;
             jump = (10 * d0 - 5 * d1) + d2;
         }
-        const float flux = (u * mean - std::abs(u) * jump) * (1.0F / 60) - diffusion * d0;
+        float flux = (u * mean - std::abs(u) * jump) * (1.0F / 60);
+        if constexpr (kind.diffuses) {
+            if constexpr (kind.solids) diffusion *= face.aperture[i];
+            flux -= diffusion * d0;
+        }
         if constexpr (stage == Stage::first) sum[i] = flux;
         if constexpr (stage == Stage::second) sum[i] += flux;
         if constexpr (stage == Stage::third)
-            sum[i] = (sum[i] * (1.0F / 6) + flux * (2.0F / 3)) - donor(u, diffusion, start[i - s], start[i]);
+            sum[i] =
+                (sum[i] * (1.0F / 6) + flux * (2.0F / 3)) - donor<kind>(u, diffusion, start[i - s], start[i]);
     }
 }
 
@@ -94,20 +106,20 @@ struct Fluxes {
 }
 
 /// What leaves a cell across one axis by the fluxes of first order.
-template <bool solids>
+template <Kind kind>
 inline float donors(float part, float diffusion, Row courant, Row aperture, Row value, std::ptrdiff_t i,
                     std::ptrdiff_t s) {
     float below = diffusion, above = diffusion;
-    if constexpr (solids) {
+    if constexpr (kind.solids && kind.diffuses) {
         below *= aperture[i];
         above *= aperture[i + s];
     }
-    return donor(part * courant[i + s], above, value[i], value[i + s]) -
-           donor(part * courant[i], below, value[i - s], value[i]);
+    return donor<kind>(part * courant[i + s], above, value[i], value[i + s]) -
+           donor<kind>(part * courant[i], below, value[i - s], value[i]);
 }
 
 /// What the first-order fluxes make of a row of cells, and what part of the differences it can afford.
-template <bool solids>
+template <Kind kind>
 [[gnu::noinline]] void afford_row(Pace pace, const std::array<FaceRow, 3>& faces, const Fluxes& difference,
                                   Row start, std::ptrdiff_t count, float* __restrict value,
                                   float* __restrict part) {
@@ -119,9 +131,8 @@ template <bool solids>
 #pragma GCC ivdep
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const float left =
-            start[i] -
-            ((donors<solids>(u, k, cx, ax, start, i, 1) + donors<solids>(u, k, cy, ay, start, i, sy)) +
-             donors<solids>(u, k, cz, az, start, i, sz));
+            start[i] - ((donors<kind>(u, k, cx, ax, start, i, 1) + donors<kind>(u, k, cy, ay, start, i, sy)) +
+                        donors<kind>(u, k, cz, az, start, i, sz));
         const float taken =
             ((above_zero(x[i + 1]) - below_zero(x[i])) + (above_zero(y[i + sy]) - below_zero(y[i]))) +
             (above_zero(z[i + sz]) - below_zero(z[i]));
@@ -174,36 +185,36 @@ struct Crossing {
     }
 };
 
-template <Stage stage, bool solids>
+template <Stage stage, Kind kind>
 [[gnu::noinline]] void flux_rows(const Crossing& c, const Samples& value, std::size_t axis, int k, int rows,
                                  std::ptrdiff_t count) {
     for (int j = 0; j < rows; ++j) {
         const std::ptrdiff_t at = c.lattice.at(0, j, k);
-        flux_row<stage, solids>(c.pace, c.face(axis, at), value.data() + at, c.start.data() + at, count,
-                                c.scratch.flux[axis].data() + at);
+        flux_row<stage, kind>(c.pace, c.face(axis, at), value.data() + at, c.start.data() + at, count,
+                              c.scratch.flux[axis].data() + at);
     }
 }
 
 /// All fluxes of a stage, and `layer(k)` once those of layer k are there. Rows are taken in whole vectors; what that writes beyond
 /// them is nowhere read.
-template <Stage stage, bool solids, class Layer>
+template <Stage stage, Kind kind, class Layer>
 void each_layer(const Crossing& c, const Samples& value, Layer layer) {
     const auto [nx, ny, nz] = c.lattice.cells;
     const std::ptrdiff_t across = whole_eights(nx);
     for (int k = 0; k <= nz; ++k) {
-        flux_rows<stage, solids>(c, value, 2, k, ny, across);
+        flux_rows<stage, kind>(c, value, 2, k, ny, across);
         if (k > 0) layer(k - 1);
         if (k == nz) break;
-        flux_rows<stage, solids>(c, value, 0, k, ny, whole_eights(nx + 1));
-        flux_rows<stage, solids>(c, value, 1, k, ny + 1, across);
+        flux_rows<stage, kind>(c, value, 0, k, ny, whole_eights(nx + 1));
+        flux_rows<stage, kind>(c, value, 1, k, ny + 1, across);
     }
 }
 
 /// The field after `part` of the fluxes so far.
-template <Stage stage, bool solids>
+template <Stage stage, Kind kind>
 void take_stage(const Crossing& c, const Samples& value, float part, Samples& next) {
     const std::ptrdiff_t count = whole_eights(c.lattice.cells[0]);
-    each_layer<stage, solids>(c, value, [&](int k) {
+    each_layer<stage, kind>(c, value, [&](int k) {
         each_row(c.lattice, k, [&](std::ptrdiff_t at) {
             stage_row(c.fluxes(at), c.start.data() + at, part, count, next.data() + at);
         });
@@ -211,22 +222,22 @@ void take_stage(const Crossing& c, const Samples& value, float part, Samples& ne
     fill_ghosts(c.lattice, evenly, next);
 }
 
-template <bool solids>
+template <Kind kind>
 void substep(const Lattice& lattice, const Currents& currents, Pace pace, Samples& density,
              TransportScratch& scratch) {
     const Crossing c{lattice, currents, pace, density, scratch};
     const std::ptrdiff_t count = whole_eights(lattice.cells[0]);
     Samples& first = scratch.first;
     Samples& second = scratch.second;
-    take_stage<Stage::first, solids>(c, density, 1, first);
-    take_stage<Stage::second, solids>(c, first, 0.25F, second);
+    take_stage<Stage::first, kind>(c, density, 1, first);
+    take_stage<Stage::second, kind>(c, first, 0.25F, second);
     Samples& left = first;  // the stages' fields have served
-    each_layer<Stage::third, solids>(c, second, [](int) {});
+    each_layer<Stage::third, kind>(c, second, [](int) {});
     Samples& part = second;
     for (int k = 0; k < lattice.cells[2]; ++k) {
         each_row(lattice, k, [&](std::ptrdiff_t at) {
-            afford_row<solids>(pace, {c.face(0, at), c.face(1, at), c.face(2, at)}, c.fluxes(at),
-                               density.data() + at, count, left.data() + at, part.data() + at);
+            afford_row<kind>(pace, {c.face(0, at), c.face(1, at), c.face(2, at)}, c.fluxes(at),
+                             density.data() + at, count, left.data() + at, part.data() + at);
         });
     }
     fill_ghosts(lattice, evenly, part);
@@ -236,6 +247,13 @@ void substep(const Lattice& lattice, const Currents& currents, Pace pace, Sample
         });
     }
     fill_ghosts(lattice, evenly, density);
+}
+
+using Substep = void (*)(const Lattice&, const Currents&, Pace, Samples&, TransportScratch&);
+
+Substep substep_of(Kind kind) {
+    if (kind.solids) return kind.diffuses ? substep<Kind{true, true}> : substep<Kind{true, false}>;
+    return kind.diffuses ? substep<Kind{false, true}> : substep<Kind{false, false}>;
 }
 
 // ---- how many sub-steps ----------------------------------------------------------------------------------------------
@@ -361,13 +379,8 @@ TransportReport transport(const Lattice& lattice, const Currents& currents, cons
     const Pace pace{static_cast<float>(carried / substeps),
                     static_cast<float>(diffusion * spread / substeps)};
     fill_ghosts(lattice, evenly, density);
-    for (int i = 0; i < substeps; ++i) {
-        if (currents.openings != nullptr) {
-            substep<true>(lattice, currents, pace, density, scratch);
-        } else {
-            substep<false>(lattice, currents, pace, density, scratch);
-        }
-    }
+    const auto step = substep_of({currents.openings != nullptr, diffusion > 0});
+    for (int i = 0; i < substeps; ++i) step(lattice, currents, pace, density, scratch);
     const auto [nx, ny, nz] = lattice.cells;
     return {substeps, carried, spread, std::int64_t{nx} * ny * nz * substeps};
 }
