@@ -48,7 +48,7 @@ keys() {
 check_one() {
     local key=${1%%$'\t'*} source=${1#*$'\t'} output
     if output=$(clang-tidy --quiet -p "$build" --extra-arg=-Wno-error --extra-arg=-Wno-unknown-warning-option \
-        "$source" 2>&1); then
+        --extra-arg=-Wno-unknown-pragmas "$source" 2>&1); then
         : >"$cache/$key"
     else
         printf '%s\n' "$output" | grep -v -e 'warnings generated' -e '^Suppressed' -e '^Use -header-filter'

@@ -9,10 +9,12 @@
 //     linear        degree 1      h^2, h                      jumps between cells
 //     catmull_rom   degree 2      h^3, h^2                    continuous
 //
-// (Keys 1981, "Cubic convolution interpolation", for the second. A cubic B-spline over the same four samples takes the same time;
-// its gradient was 7 times and its value 100 times as wrong at 32 samples a wave, so there is none.) Up to the outermost samples: where the wider ones lack a
-// sample, the parabola through the nearest three stands for it. Beyond, all is as at the nearest place within; a
-// grid without samples and a place that is not finite give zeros. So a reader near an edge never reads a jump to nothing.
+// (Keys 1981, "Cubic convolution interpolation", for the second. A cubic B-spline over the same four samples takes the same
+// time; at 32 samples a wave its gradient was 7 times as wrong and its value 100 times, so there is none.)
+//
+// This holds up to the outermost samples: where the four lack one, the parabola through the nearest three stands for it.
+// Beyond, all is as at the nearest place within, so a reader who crosses an edge never reads a jump to nothing. A grid without
+// samples and a place that is not finite give zeros.
 //
 // Views: nothing here owns samples. Plain functions, no allocation. Lengths in m.
 #pragma once
