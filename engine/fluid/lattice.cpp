@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "fluid/eight.h"
+
 namespace thaum::fluid {
 namespace {
 
@@ -70,7 +72,10 @@ void fill_x(const Lattice& lattice, const Mirrors& all, float* cells) {
     for (int k = 0; k < lattice.cells[2]; ++k) {
         for (int j = 0; j < lattice.cells[1]; ++j) {
             float* row = cells + lattice.at(0, j, k);
-            for (const Mirror& m : all) row[m.to] = m.factor * row[m.from];
+            // Rows are written in whole eights: what that left beyond the cells may be anything.
+            for (const Mirror& m : all) row[m.to] = m.factor == 0 ? 0 : m.factor * row[m.from];
+            std::fill(row + lattice.cells[0] + ghosts,
+                      std::max(row + whole_eights(lattice.cells[0]), row + lattice.cells[0] + ghosts), 0.0F);
         }
     }
 }

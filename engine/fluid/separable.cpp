@@ -278,7 +278,8 @@ void PressureSolver::solve(std::span<float> field) {
                 symbols_[2][static_cast<std::size_t>(k)] + symbols_[0][static_cast<std::size_t>(i)];
             float* row = values + k * plane + i * ny;
             const float* symbols = symbols_[1].data();
-            for (std::ptrdiff_t j = 0; j < ny; ++j) row[j] *= scale_ / (outer + symbols[j]);
+            // The mean comes first of all.
+            for (std::ptrdiff_t j = k + i == 0 ? 1 : 0; j < ny; ++j) row[j] *= scale_ / (outer + symbols[j]);
         }
     }
     values[0] = 0;

@@ -41,14 +41,16 @@ private:
     void divergence(const std::array<Samples, 3>& velocity);
     void apply(const Samples& potential);
     void precondition();
+    int solve(double tolerance, int iterations_most);
+    void subtract_correction(std::array<Samples, 3>& velocity) const;
 
     Lattice lattice_;
     std::array<Samples, 3> open_;
     Samples fluid_;
     Samples diagonal_;  ///< sum of the open shares round a cell
     PressureSolver box_;
-    // Of the conjugate gradients: residual, its preconditioned, the direction, and the operator on that.
-    Samples residual_, smoothed_, direction_, image_;
+    // Of the conjugate gradients: residual, its preconditioned, the direction, the operator on that, and their sum.
+    Samples residual_, smoothed_, direction_, image_, correction_;
     std::vector<float> packed_;
 };
 

@@ -23,7 +23,8 @@ constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 constexpr double carried_most = 2.0;
 /// nu dt / h^2 up to which viscosity is taken by the stages: 16 times that is at most 2.4 for the steepest wave.
 constexpr double explicit_most = 0.15;
-constexpr double divergence_most = 8e-5;  ///< where there are solids, times h by the largest speed
+constexpr double divergence_most =
+    5e-5;  ///< where there are solids, times h by the mean of the components' largest
 constexpr int iterations_most = 40;
 constexpr double rest_speed = 1e-6;  ///< m/s; slower than that a fluid without forces falls asleep
 
@@ -169,7 +170,7 @@ void Staggered::end_stage(const Settings& settings, Velocity& velocity) {
 void Staggered::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
     if (solids_) {
         solids_->close(sum_);
-        const double speed = sum_of_largest(lattice_, sum_);
+        const double speed = sum_of_largest(lattice_, sum_) / 3;
         const auto found =
             solids_->project(sum_, potential_, divergence_most * speed / lattice_.h, iterations_most);
         report.pressure_iterations += found.iterations;

@@ -1,0 +1,208 @@
+// Walls of any shape, and viscosity that is solved for: what a projection leaves, that it takes energy only, that its cost does not
+// grow with the grid; that what rests in a bowl goes on resting; that implicit viscosity is the exact one as its step shrinks.
+#include <gtest/gtest.h>
+
+#include "core/random.h"
+#include "fluid/fluid.h"
+#include "fluid/separable.h"
+#include "fluid/solids.h"
+#include "fluid/sums.h"
+#include "fluid/viscosity.h"
+
+namespace thaum::fluid {
+namespace {
+
+constexpr Edges open_above{Edge::no_slip, Edge::free_slip, Edge::no_slip};
+constexpr Edges round_about{Edge::periodic, Edge::periodic, Edge::periodic};
+
+/// A hemisphere below a cylinder, in the unit box.
+double bowl(vec3 place) {
+    vec3 apart = place - vec3(0.5);
+    if (place.y > 0.5) apart.y = 0;
+    return glm::length(apart) > 0.49 ? 1 : 0;
+}
+
+std::array<Samples, 3> random_flow(const Lattice& lattice, const Solids* solids) {
+    Random random = random_stream(7, 0);
+    std::array<Samples, 3> velocity;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        velocity[axis] = make_samples(lattice);
+        for (int k = 0; k < lattice.cells[2]; ++k)
+            for (int j = 0; j < lattice.cells[1]; ++j)
+                for (int i = 0; i < lattice.cells[0]; ++i)
+                    velocity[axis][static_cast<std::size_t>(lattice.at(i, j, k))] =
+                        static_cast<float>(random.uniform(-1, 1));
+    }
+    if (solids != nullptr) solids->close(velocity);
+    return velocity;
+}
+
+double square(const Lattice& lattice, const std::array<Samples, 3>& velocity) {
+    double sum = 0;
+    for (const Samples& u : velocity) sum += dot(lattice, u, u);
+    return sum;
+}
+
+TEST(FluidSolids, AProjectionLeavesNoFlowAndItsCostDoesNotGrowWithTheGrid) {
+    for (const int n : {12, 24, 48}) {
+        const Lattice lattice = make_lattice({n, n, n}, 1.0 / n, open_above);
+        Solids solids(lattice, bowl);
+        auto velocity = random_flow(lattice, &solids);
+        Samples potential = make_samples(lattice);
+        const double tolerance = 1e-4 * n;
+        const auto found = solids.project(velocity, potential, tolerance, 100);
+        EXPECT_LE(found.divergence, tolerance) << n;
+        EXPECT_LE(found.iterations, 16) << n;
+        EXPECT_GE(found.iterations, 4) << n;
+        // Judged anew: what is left is there when it is asked for again.
+        EXPECT_EQ(solids.project(velocity, potential, 2 * tolerance, 100).iterations, 0) << n;
+    }
+}
+
+TEST(FluidSolids, AProjectionTakesTheWholeOfAGradientAndNothingOfWhatIsFree) {
+    const int n = 24;
+    const Lattice lattice = make_lattice({n, n, n}, 1.0 / n, open_above);
+    Solids solids(lattice, bowl);
+    auto velocity = random_flow(lattice, &solids);
+    Samples potential = make_samples(lattice);
+    const double before = square(lattice, velocity);
+    solids.project(velocity, potential, 1e-6 * n, 100);
+    const double free = square(lattice, velocity);
+    EXPECT_LT(free, 0.9 * before);
+    auto again = velocity;
+    solids.project(again, potential, 1e-6 * n, 100);
+    EXPECT_NEAR(square(lattice, again), free, 1e-5 * free);
+    for (auto& u : velocity) std::fill(u.begin(), u.end(), 0.0F);
+    for (int k = 0; k < n; ++k)
+        for (int j = 0; j < n; ++j)
+            for (int i = 0; i < n; ++i)
+                velocity[1][static_cast<std::size_t>(lattice.at(i, j, k))] =
+                    static_cast<float>(j * j) / (n * n);
+    solids.close(velocity);
+    const double gradient = square(lattice, velocity);
+    solids.project(velocity, potential, 1e-6 * n, 100);
+    EXPECT_LT(square(lattice, velocity), 1e-10 * gradient);
+}
+
+Fluid brew(int n) {
+    Settings settings{.cells = {n, n, n},
+                      .h = 1.0 / n,
+                      .edges = open_above,
+                      .viscosity = 1e-3,
+                      .substances = {{.viscosity = 0.1, .weight = 0.5}, {.weight = -0.2}},
+                      .solid = bowl};
+    auto fluid = make_fluid(settings);
+    EXPECT_TRUE(fluid.has_value());
+    return std::move(*fluid);
+}
+
+TEST(FluidSolids, LayersInABowlStay) {
+    Fluid fluid = brew(16);
+    set_substance(fluid, 0, [](vec3 place) { return place.y < 0.4 ? 1.0 : 0.0; });
+    set_substance(fluid, 1, [](vec3 place) { return place.y > 0.6 ? 0.5 : 0.0; });
+    const double mass = amount(fluid, 0);
+    for (int i = 0; i < 100; ++i) {
+        const auto report = advance(fluid, 0.016);
+        ASSERT_EQ(report.speed, 0) << i;
+    }
+    EXPECT_EQ(amount(fluid, 0), mass);
+}
+
+TEST(FluidSolids, AStirredBowlKeepsItsSubstancesAndLosesItsEnergy) {
+    Fluid fluid = brew(16);
+    ASSERT_TRUE(pour(fluid, 0, {0.4, 0.4, 0.5}, 0.15, 0.01));
+    const double mass = amount(fluid, 0);
+    EXPECT_NEAR(mass, 0.01, 1e-8);
+    for (int i = 0; i < 60; ++i) {
+        const double angle = 0.1 * i;
+        const vec3 along(-det::sin(angle), 0, det::cos(angle));
+        ASSERT_TRUE(push(fluid, {{0.5 + 0.25 * along.z, 0.5, 0.5 - 0.25 * along.x}, 0.1, 1e-4 * along}));
+        const auto report = advance(fluid, 0.016);
+        ASSERT_LE(report.divergence, 1e-4) << i;
+        ASSERT_FALSE(report.fell_back) << i;
+    }
+    // Round the way of the ladle.
+    EXPECT_GT(velocity_at(fluid, {0.75, 0.5, 0.5}).z, 0.01);
+    EXPECT_LT(velocity_at(fluid, {0.25, 0.5, 0.5}).z, -0.01);
+    EXPECT_NEAR(amount(fluid, 0), mass, 1e-6 * mass);
+    set_substance(fluid, 0, [](vec3) { return 0.0; });
+    double before = energy(fluid);
+    for (int i = 0; i < 30; ++i) {
+        advance(fluid, 0.016);
+        const double now = energy(fluid);
+        ASSERT_LT(now, before) << i;
+        before = now;
+    }
+}
+
+TEST(FluidSolids, AThickBrewIsStiller) {
+    const auto after_a_push = [](double viscosity) {
+        Fluid fluid = brew(16);
+        set_substance(fluid, 0, [=](vec3) { return viscosity / 0.1; });
+        push(fluid, {{0.5, 0.5, 0.5}, 0.15, {1e-3, 0, 0}});
+        for (int i = 0; i < 30; ++i) advance(fluid, 0.016);
+        return energy(fluid);
+    };
+    const double thin = after_a_push(0), thick = after_a_push(0.01), thicker = after_a_push(1);
+    EXPECT_LT(thick, 0.5 * thin);
+    EXPECT_LT(thicker, 0.01 * thin);
+    EXPECT_GT(thin, 0);
+}
+
+// ---- implicit viscosity -----------------------------------------------------------------------------------------------
+
+void spread(const Lattice& lattice, double nu, double dt, std::array<Samples, 3>& velocity) {
+    Viscosity viscosity(lattice);
+    const Samples everywhere(lattice.size, static_cast<float>(nu));
+    viscosity.take({.viscosity = &everywhere, .dt = dt}, velocity);
+}
+
+TEST(FluidViscosity, ConvergesToTheExactOneInFirstOrder) {
+    for (const Edge edge : {Edge::periodic, Edge::free_slip, Edge::no_slip}) {
+        const Lattice lattice = make_lattice({12, 10, 9}, 1, {edge, edge, edge});
+        const auto start = random_flow(lattice, nullptr);
+        auto exact = start;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            fill_ghosts(lattice, beyond_of_velocity(lattice, axis), exact[axis]);
+        const auto begun = exact;
+        Diffusion(lattice, 2).take(2, 0, exact);
+        std::vector<double> errors;
+        for (const int steps : {16, 32, 64}) {
+            auto found = begun;
+            for (int i = 0; i < steps; ++i) spread(lattice, 1, 2.0 / steps, found);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                each_row(lattice, [&](std::ptrdiff_t at) {
+                    for (int i = 0; i < lattice.cells[0]; ++i)
+                        found[axis][static_cast<std::size_t>(at + i)] -=
+                            exact[axis][static_cast<std::size_t>(at + i)];
+                });
+            errors.push_back(std::sqrt(square(lattice, found) / square(lattice, exact)));
+        }
+        EXPECT_LT(errors[2], 0.03) << static_cast<int>(edge);
+        EXPECT_GT(errors[0] / errors[1], 1.7) << static_cast<int>(edge);
+        EXPECT_GT(errors[1] / errors[2], 1.8) << static_cast<int>(edge);
+    }
+}
+
+TEST(FluidViscosity, NothingLeavesTheRangeHoweverThickItIs) {
+    const Lattice lattice = make_lattice({15, 8, 11}, 0.1, open_above);
+    for (const double nu : {1e-9, 1.0, 1e6, 1e12}) {
+        auto velocity = random_flow(lattice, nullptr);
+        const double before = largest(lattice, velocity[0]);
+        spread(lattice, nu, 1, velocity);
+        EXPECT_LE(largest(lattice, velocity[0]), before) << nu;
+    }
+}
+
+TEST(FluidViscosity, RoundAboutItKeepsMomentum) {
+    const Lattice lattice = make_lattice({15, 8, 11}, 0.1, round_about);
+    for (const double nu : {1e-4, 0.1, 100.0}) {
+        auto velocity = random_flow(lattice, nullptr);
+        const double before = total(lattice, velocity[0]);
+        spread(lattice, nu, 0.1, velocity);
+        EXPECT_NEAR(total(lattice, velocity[0]), before, 1e-3) << nu;
+    }
+}
+
+}  // namespace
+}  // namespace thaum::fluid
