@@ -44,7 +44,8 @@ double us_of(const std::function<void()>& work) {
 
 void advance_timed(FluidRun& run, double dt) {
     const double us = us_of([&] { run.last = advance(run.fluid, dt); });
-    run.us.push_back(us);
+    // Not the rest of a second, nor a fluid that has come to rest.
+    if (dt == flows::step && run.last.cells > 0) run.us.push_back(us);
     run.divergence = std::max(run.divergence, run.last.divergence);
     run.steps += 1;
     run.substeps += run.last.substeps;
@@ -68,13 +69,10 @@ std::vector<FluidRun> runs_of(const Flow& flow, int n, Report& report) {
                    report);
 }
 
-/// Until `end`, one step of each by turns. What is left beyond whole steps is not timed, nor is a first step that fills caches.
+/// Until `end`, one step of each by turns. A first step that fills caches is not counted.
 void run_by_turns(std::vector<FluidRun>& runs, double end) {
     for (const double dt : flows::steps_until(end)) {
-        for (FluidRun& run : runs) {
-            advance_timed(run, dt);
-            if (dt < flows::step) run.us.pop_back();
-        }
+        for (FluidRun& run : runs) advance_timed(run, dt);
     }
     for (FluidRun& run : runs) {
         if (run.us.size() > 1) run.us.erase(run.us.begin());
@@ -108,6 +106,7 @@ Row row_of(const std::string& name, const FluidRun& run) {
 /// Of classic the time of a sweep, of thaum's the share of classic's time.
 void add_time_metrics(const FluidRun& run, const std::vector<FluidRun>& all, Row& row) {
     row.metrics.emplace_back("substeps_per_step", run.substeps / run.steps);
+    if (run.us.empty()) return;
     if (run.scheme.solver == Solver::classic) {
         // Three components are diffused and the pressure is solved for twice.
         const double sweeps = 5.0 * run.fluid.settings.sweeps;
@@ -117,7 +116,7 @@ void add_time_metrics(const FluidRun& run, const std::vector<FluidRun>& all, Row
         return;
     }
     for (const FluidRun& other : all) {
-        if (other.scheme.solver == Solver::classic)
+        if (other.scheme.solver == Solver::classic && other.us.size() == run.us.size())
             row.metrics.emplace_back("ratio_to_classic", ratio(run.us, other.us));
     }
 }
