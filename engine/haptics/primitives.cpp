@@ -53,8 +53,13 @@ void add_pair(Symmetric& m, double a, vec3 u, vec3 v) {
 
 void add_identity(Symmetric& m, double a) { m.xx += a, m.yy += a, m.zz += a; }
 
+vec3 times(const Symmetric& m, vec3 v) {
+    return {m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
+            m.xz * v.x + m.yz * v.y + m.zz * v.z};
+}
+
 /// M x = b by L D L^T. A pivot below `least` is rounding error and taken for `least`.
-vec3 solve(const Symmetric& m, vec3 b, double least) {
+inline vec3 solve(const Symmetric m, vec3 b, double least) {
     const double d0 = 1 / std::max(m.xx, least);
     const double l10 = m.xy * d0, l20 = m.xz * d0;
     const double d1 = 1 / std::max(m.yy - l10 * m.xy, least);
@@ -106,7 +111,8 @@ struct Problem {
     vec3 centre{};      ///< world
     vec3 load{};        ///< N, constant forces
     vec3 origin{};      ///< world; x is from here, along
-    mat3 axes{1};       ///< these columns
+    mat3 axes{1};       ///< these columns,
+    bool turned{};      ///< other than the world's
     vec3 target{};      ///< N: stiffness * (centre - origin) + load, in this frame
     double strength{};  ///< N, of all terms together
 };
@@ -125,7 +131,11 @@ void add_projector(Symmetric& m, const Term& term, double weight) {
     add_dyad(m, weight * term.dyad, term.q);
 }
 
-vec3 world_of(const Problem& problem, vec3 x) { return problem.origin + problem.axes * x; }
+/// A vector in the problem's frame, and one of that in the world's.
+vec3 inward(const Problem& problem, vec3 v) { return problem.turned ? v * problem.axes : v; }
+vec3 outward(const Problem& problem, vec3 v) { return problem.turned ? problem.axes * v : v; }
+
+vec3 world_of(const Problem& problem, vec3 x) { return problem.origin + outward(problem, x); }
 
 double rounding_of(vec3 position) { return 16 * epsilon * (1e-30 + glm::length(position)); }
 
@@ -142,50 +152,52 @@ void measure_distances(Problem& problem, vec3 x) {
 
 void set_origin(Problem& problem, vec3 origin) {
     problem.origin = origin;
-    problem.target = (problem.stiffness * (problem.centre - origin) + problem.load) * problem.axes;
-    for (Term& term : terms_of(problem)) term.offset = project(term, (term.position - origin) * problem.axes);
+    problem.target = inward(problem, problem.stiffness * (problem.centre - origin) + problem.load);
+    for (Term& term : terms_of(problem)) term.offset = project(term, inward(problem, term.position - origin));
 }
 
-Term term_of(const Primitive& primitive, std::size_t source) {
-    Term term{};
-    term.q = term.direction = primitive.direction;
-    term.strength = primitive.strength;
+/// What each kind makes of strength and direction. Tables and no branches: kinds come in any order.
+constexpr std::array<double, 4> load_of_kind{1, 0, 0, 0.5}, identity_of_kind{0, 1, 1, 0},
+    dyad_of_kind{0, 0, -1, 1}, strength_of_kind{0, 1, 1, 0.5};
+
+/// All but the rounding and what set_origin finds.
+void fill(Term& term, const Primitive& primitive, std::size_t source) {
+    const auto kind = static_cast<std::size_t>(primitive.kind);
+    // A point's may be anything, and is left out without a branch too.
+    static constexpr vec3 none{};
+    const vec3& direction = primitive.kind == PrimitiveKind::point ? none : primitive.direction;
+    term.q = term.direction = direction;
+    term.identity = identity_of_kind[kind];
+    term.dyad = dyad_of_kind[kind];
+    term.strength = strength_of_kind[kind] * primitive.strength;
     term.position = primitive.position;
-    term.rounding = rounding_of(primitive.position);
     term.source = source;
-    switch (primitive.kind) {
-        case PrimitiveKind::point:
-            term.q = term.direction = {};
-            term.identity = 1;
-            break;
-        case PrimitiveKind::line:
-            term.identity = 1;
-            term.dyad = -1;
-            break;
-        default: term.dyad = 1; term.strength /= 2;
+}
+
+/// Terms are those of strength that have a kink.
+void take_primitives(Problem& problem, const PrimitiveSet& set) {
+    std::size_t source = 0;
+    for (const Primitive& primitive : set.items()) {
+        Term& next = problem.terms.items[problem.terms.count];
+        fill(next, primitive, source++);
+        problem.load += load_of_kind[static_cast<std::size_t>(primitive.kind)] * primitive.strength * next.q;
+        problem.strength += next.strength;
+        problem.terms.count += next.strength > 0 ? 1 : 0;
     }
-    return term;
 }
 
 Problem problem_of(const PrimitiveSet& set, const Spring& spring) {
     Problem problem;  // with {} the compiler clears 3 KB
     problem.stiffness = spring.stiffness;
     problem.centre = spring.centre;
-    std::size_t source = 0;
-    for (const Primitive& primitive : set.items()) {
-        if (primitive.kind == PrimitiveKind::directed) {
-            problem.load += primitive.strength * primitive.direction;
-        } else if (primitive.strength > 0) {
-            Term& term = problem.terms.items[problem.terms.count++];
-            term = term_of(primitive, source);
-            if (primitive.kind == PrimitiveKind::plane) problem.load += term.strength * term.q;
-            problem.strength += term.strength;
-        }
-        ++source;
-    }
+    take_primitives(problem, set);
     // Where kinks meet at the world's origin, coordinates have no size of their own.
     double farthest = 0;
-    for (const Term& term : terms_of(problem)) farthest = std::max(farthest, glm::length(term.position));
+    for (Term& term : terms_of(problem)) {
+        const double size = glm::length(term.position);
+        term.rounding = 16 * epsilon * (1e-30 + size);
+        farthest = std::max(farthest, size);
+    }
     for (Term& term : terms_of(problem)) term.rounding = std::max(term.rounding, epsilon * farthest);
     return problem;
 }
@@ -286,8 +298,13 @@ struct Flat {
     }
 };
 
-/// Moves x within the flat onto q.x = height, and takes that up.
+/// Moves x within the flat onto q.x = height, and takes that up. q: unit.
 void fix(Flat& flat, vec3& x, vec3 q, double height) {
+    if (flat.count == 0) {
+        x += q * (height - glm::dot(q, x));
+        flat.normals[flat.count++] = q;
+        return;
+    }
     vec3 normal = flat.along(q);
     normal = glm::normalize(flat.along(glm::normalize(normal)));
     x += normal * ((height - glm::dot(q, x)) / glm::dot(q, normal));
@@ -311,6 +328,25 @@ vec3 freest_normal(const Flat& flat, const Term& term) {
     return length > 1e-9 ? free / length : normals_to(term.q)[0];
 }
 
+/// The one that is held, where only one is.
+Term* only_held(Problem& problem) {
+    Term* result = nullptr;
+    for (Term& term : terms_of(problem)) {
+        if (!term.held) continue;
+        if (result != nullptr) return nullptr;
+        result = &term;
+    }
+    return result;
+}
+
+/// Puts x onto a line or plane.
+Flat flat_of(const Term& term, vec3& x) {
+    x -= project(term, x) - term.offset;
+    if (term.identity == 0) return {{term.q}, 1};
+    const auto normals = normals_to(term.q);
+    return {{normals[0], normals[1]}, 2};
+}
+
 /// Puts x onto all held kinks: the one that the others leave most free first, since what is nearly fixed already is badly known. A
 /// direction that is fixed is left to the check of distances.
 Flat flat_of_held(Problem& problem, vec3& x) {
@@ -320,6 +356,7 @@ Flat flat_of_held(Problem& problem, vec3& x) {
         x = term.offset;
         return {{vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}, 3};
     }
+    if (const Term* const only = only_held(problem)) return flat_of(*only, x);
     while (flat.count < 3) {
         const Term* best = nullptr;
         vec3 normal{};
@@ -336,22 +373,27 @@ Flat flat_of_held(Problem& problem, vec3& x) {
     return flat;
 }
 
-/// The gradient of the smooth rest at x, N; infinite on the kink of a term that is not held. Matrix: its derivative.
+/// The gradient of the smooth rest at x, N; infinite on the kink of a term that is not held. Matrix: its derivative. Of the
+/// terms that are not held it leaves distances and pulls.
 vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
-    matrix = scaled_identity(problem.stiffness);
+    Symmetric sum = scaled_identity(problem.stiffness);
     vec3 gradient = problem.stiffness * x - problem.target;
     for (Term& term : terms_of(problem)) {
         if (term.held) continue;
         // Twice, since a small distance has been left a large part of rounding the other way.
-        term.distance = project(term, project(term, x) - term.offset);
-        const double square = glm::dot(term.distance, term.distance);
+        const vec3 distance = project(term, project(term, x) - term.offset);
+        const double square = glm::dot(distance, distance);
         if (square == 0) return vec3(std::numeric_limits<double>::infinity());
         const double over = 1 / std::sqrt(square);
         const double weight = term.strength * over;
-        gradient += weight * term.distance;
-        add_projector(matrix, term, weight);
-        add_dyad(matrix, -weight * over * over, term.distance);
+        const vec3 pull = weight * distance;
+        gradient += pull;
+        add_projector(sum, term, weight);
+        add_dyad(sum, -weight * over * over, distance);
+        term.distance = distance;
+        term.dual = pull;
     }
+    matrix = sum;
     return gradient;
 }
 
@@ -361,8 +403,7 @@ Symmetric restricted(const Symmetric& m, const Flat& flat, double stiffness) {
     for (std::size_t i = 0; i < flat.count; ++i) {
         const vec3 n = flat.normals[i];
         const Symmetric& r = result;
-        const vec3 rn(r.xx * n.x + r.xy * n.y + r.xz * n.z, r.xy * n.x + r.yy * n.y + r.yz * n.z,
-                      r.xz * n.x + r.yz * n.y + r.zz * n.z);
+        const vec3 rn = times(r, n);
         const double nrn = glm::dot(n, rn);
         add_pair(result, -1, n, rn);
         add_dyad(result, nrn + stiffness, n);
@@ -370,18 +411,38 @@ Symmetric restricted(const Symmetric& m, const Flat& flat, double stiffness) {
     return result;
 }
 
-/// Newton's method on the flat. False where it does not converge: then x is not near, or some kink holds it after all.
+/// Newton's step from a slope along the flat.
+vec3 newton_step(const Symmetric& m, const Flat& flat, vec3 slope, double stiffness) {
+    if (flat.count == 0) return -solve(m, slope, stiffness);
+    if (flat.count < 2) return -flat.along(solve(restricted(m, flat, stiffness), slope, stiffness));
+    const vec3 free = glm::cross(flat.normals[0], flat.normals[1]);
+    const double bend = std::max(stiffness, glm::dot(free, times(m, free)));
+    return flat.along(free * (-glm::dot(free, slope) / bend));
+}
+
+/// N: of the held terms together.
+double strength_of_held(const Problem& problem) {
+    double result = 0;
+    for (const Term& term : terms_of(problem)) result += term.held ? term.strength : 0;
+    return result;
+}
+
+/// Newton's method on the flat. False where it does not converge: then x is not near, or some kink holds it after all. Ends
+/// early where it is plain that the held ones cannot hold x.
 bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix, int& steps) {
     const double rounding = 4 * epsilon * (problem.strength + glm::length(problem.target));
+    const double holding = strength_of_held(problem);
     double before = std::numeric_limits<double>::infinity();
     while (!spent(steps)) {
-        const vec3 slope = flat.along(smooth_gradient(problem, x, matrix));
+        const vec3 gradient = smooth_gradient(problem, x, matrix);
+        const vec3 slope = flat.along(gradient);
         const double size = glm::length(slope);
         if (size <= rounding) return true;
+        if (flat.count > 0 && glm::length(gradient - slope) > holding + size) return true;
         // Where rounding sets the floor, it cannot fall further.
         if (!(size < 0.5 * before)) return before <= 16 * rounding && size <= 16 * rounding;
         before = size;
-        x -= flat.along(solve(restricted(matrix, flat, problem.stiffness), slope, problem.stiffness));
+        x += newton_step(matrix, flat, slope, problem.stiffness);
         ++steps;
     }
     return false;
@@ -424,6 +485,21 @@ double residual_at(Problem& problem, vec3 x) {
     return glm::length(missing);
 }
 
+/// N: what counts as solved.
+constexpr double solved = 1e-9;
+
+/// How far the most mistaken force is from the one that its primitive exerts at x, N.
+double worst_misfit(const Problem& problem, vec3 x) {
+    const double rounding = rounding_of(world_of(problem, x));
+    double worst = 0;
+    for (const Term& term : terms_of(problem)) {
+        if (touches(term, rounding)) continue;
+        const vec3 pull = term.distance * (term.strength / glm::length(term.distance));
+        worst = std::max(worst, glm::length(term.dual - pull));
+    }
+    return worst;
+}
+
 /// The bound of the error, N, with the forces as they are: f is by k/2 |x - minimum|^2 above its minimum, and the dual
 /// problem's value at these forces is below it.
 double duality_bound(Problem& problem, vec3 x) {
@@ -434,14 +510,27 @@ double duality_bound(Problem& problem, vec3 x) {
         missing += term.dual;
         gap += std::max(0.0, term.strength * glm::length(term.distance) - glm::dot(term.dual, term.distance));
     }
-    return std::sqrt(glm::dot(missing, missing) + 2 * problem.stiffness * gap);
+    const double bound = std::sqrt(glm::dot(missing, missing) + 2 * problem.stiffness * gap);
+    // The sum may be known while a strong force next to its kink is not: that is not solved.
+    return bound <= solved && worst_misfit(problem, x) > solved ? 2 * solved : bound;
 }
 
 /// Spreads what is missing over the held terms by the room each has left, and again what did not fit. What is left, N.
 vec3 balance_held(Problem& problem, vec3 x) {
     const vec3 gradient = problem.stiffness * x - problem.target;
+    vec3 missing = gradient;
+    std::size_t held = 0;
+    for (Term& term : terms_of(problem)) {
+        if (!term.held) missing += term.dual;
+        held += term.held ? 1 : 0;
+    }
+    if (held == 0) return missing;
+    if (Term* const only = held == 1 ? only_held(problem) : nullptr) {
+        only->dual = -project(*only, missing);
+        limit_dual(*only);
+        return missing + only->dual;
+    }
     const double rounding = 2 * epsilon * (problem.strength + glm::length(gradient));
-    vec3 missing{};
     for (Term& term : terms_of(problem)) {
         if (term.held) term.dual = project(term, term.dual);
     }
@@ -486,7 +575,7 @@ void improve(Answer& best, const Problem& problem, vec3 x, double residual) {
     best.residual = residual;
     best.proxy = world_of(problem, x);
     std::size_t i = 0;
-    for (const Term& term : terms_of(problem)) best.pulls[i++] = -(problem.axes * term.dual);
+    for (const Term& term : terms_of(problem)) best.pulls[i++] = -outward(problem, term.dual);
 }
 
 /// Takes the point of the nearest kink next to x as origin, so that small distances are known to full precision. Not
@@ -502,8 +591,8 @@ void move_origin(Problem& problem, vec3& x) {
     const bool is_point = nearest->dyad == 0;
     const vec3 before = problem.origin;
     const vec3 distance = nearest->distance;
-    set_origin(problem, is_point ? nearest->position : before + problem.axes * (x - distance));
-    x = is_point ? distance : x + (before - problem.origin) * problem.axes;
+    set_origin(problem, is_point ? nearest->position : before + outward(problem, x - distance));
+    x = is_point ? distance : x + inward(problem, before - problem.origin);
     measure_distances(problem, x);
 }
 
@@ -539,10 +628,7 @@ bool release(Problem& problem, const Symmetric& matrix, vec3 missing, vec3& x) {
         any = true;
     }
     const vec3 d = missing;
-    const vec3 bent(matrix.xx * d.x + matrix.xy * d.y + matrix.xz * d.z,
-                    matrix.xy * d.x + matrix.yy * d.y + matrix.yz * d.z,
-                    matrix.xz * d.x + matrix.yz * d.y + matrix.zz * d.z);
-    x -= d * (glm::dot(d, d) / glm::dot(d, bent));
+    x -= d * (glm::dot(d, d) / glm::dot(d, times(matrix, d)));
     return any;
 }
 
@@ -557,6 +643,7 @@ void align(Problem& problem, vec3& x) {
     turn[1] = flat.count == 2 ? flat.normals[1] : normals_to(turn[0])[0];
     turn[2] = glm::normalize(glm::cross(turn[0], turn[1]));
     problem.axes = problem.axes * turn;
+    problem.turned = true;
     x = x * turn;
     for (Term& term : terms_of(problem)) {
         term.q = term.direction * problem.axes;
@@ -573,7 +660,7 @@ void align(Problem& problem, vec3& x) {
 
 /// Steps 2 and 3 from the smoothed state, whose kinks are held up to a distance: improves on `best` by up to four guesses. By how much
 /// the held kinks miss each other, m, where that was in the way; else 0.
-double settle(Problem problem, vec3 x, double square, double accepted, Answer& best, int& steps) {
+double settle(Problem& problem, vec3 x, double square, double accepted, Answer& best, int& steps) {
     move_origin(problem, x);
     guess_held(problem, square);
     for (int tries = 0; tries < 4; ++tries) {
@@ -582,11 +669,10 @@ double settle(Problem problem, vec3 x, double square, double accepted, Answer& b
         if (spread > 0) return spread;
         Symmetric matrix;
         if (!minimise_near(problem, flat, x, matrix, steps)) break;
-        for (Term& term : terms_of(problem)) {
-            if (!term.held) term.dual = term.distance * (term.strength / glm::length(term.distance));
-        }
         const vec3 missing = balance_held(problem, x);
-        improve(best, problem, x, residual_at(problem, x));
+        // What is not held exerts what it does at x; so do the held ones, if x has stayed on their kinks.
+        const bool stayed = spread_of_held(problem, x) == 0;
+        improve(best, problem, x, stayed ? glm::length(missing) : residual_at(problem, x));
         if (best.residual <= accepted || !release(problem, matrix, missing, x)) break;
     }
     return 0;
@@ -647,10 +733,6 @@ void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& 
     double length = length_of(problem);
     x = start_of(problem, x);
     measure_distances(problem, x);
-    // Often the best start is held where it is.
-    const double touching = 2 * rounding_of(world_of(problem, x));
-    settle(problem, x, touching * touching, accepted, best, steps);
-    if (best.residual <= accepted) return;
     double smoothing = 0.3 * length;
     for (int round = 0; round < pace.rounds && !spent(steps); ++round) {
         if (problem.strength > 1e6 * problem.stiffness * smoothing) {
@@ -667,7 +749,8 @@ void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& 
         if (round >= 3) {
             const bool small = round >= hard_rounds && round % 2 == 1;  // kinks that nearly meet
             const double square = smoothing * std::max(small ? 0 : length, 9 * smoothing);
-            const double spread = settle(problem, x, square, accepted, best, steps);
+            Problem guess = problem;
+            const double spread = settle(guess, x, square, accepted, best, steps);
             if (best.residual <= accepted) return;
             if (spread > 0 && spread < smoothing) {
                 // From here these kinks look like one: nearer.
@@ -789,9 +872,7 @@ void descend(Problem problem, vec3 x, double accepted, Answer& best, int& steps)
         const bool stalls = size < 1e-9 && size > 0.5 * before;
         before = size;
         if (size > 0.25 * accepted && !stalls) {
-            go_down(
-                problem, x,
-                -flat.along(solve(restricted(matrix, flat, problem.stiffness), slope, problem.stiffness)));
+            go_down(problem, x, newton_step(matrix, flat, slope, problem.stiffness));
             continue;
         }
         for (Term& term : terms_of(problem)) {
@@ -807,12 +888,29 @@ void descend(Problem problem, vec3 x, double accepted, Answer& best, int& steps)
     }
 }
 
-void solve(Problem& problem, Answer& best, int& steps) {
+/// At x, which is where the proxy would be without the terms.
+void begin(Problem& problem, vec3 x) {
     set_origin(problem, problem.centre);
-    const vec3 x = problem.load / problem.stiffness;
+    for (Term& term : terms_of(problem)) term.dual = {}, term.held = false;
     measure_distances(problem, x);
+}
+
+/// The best start, held where it is, and what becomes of it when it is let go of: settles nine of ten small sets.
+void settle_start(Problem& problem, vec3 x, double accepted, Answer& best, int& steps) {
+    x = start_of(problem, x);
+    measure_distances(problem, x);
+    const double touching = 2 * rounding_of(world_of(problem, x));
+    settle(problem, x, touching * touching, accepted, best, steps);
+}
+
+void solve(Problem& problem, Answer& best, int& steps) {
+    const vec3 x = problem.load / problem.stiffness;
+    begin(problem, x);
     if (problem.terms.count == 0) return improve(best, problem, x, 0);
     const double accepted = 256 * epsilon * (problem.strength + glm::length(problem.load));
+    settle_start(problem, x, accepted, best, steps);
+    if (best.residual <= accepted) return;
+    begin(problem, x);
     static constexpr std::array paces{Pace{0.1, 0.3, 0.01, 24}, Pace{0.3, 1, 0.05, 60},
                                       Pace{0.5, 1, 0.2, 150}};
     for (const Pace& pace : paces) {
