@@ -11,6 +11,8 @@ namespace {
 /// Of the 26 letters; locales have no say in it.
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
 }  // namespace
 
 std::int32_t quantised(double value) {
@@ -28,6 +30,13 @@ bool is_called(const ArmFacts& facts, std::string_view word) {
                                            [](char a, char b) { return lower(a) == lower(b); });
     };
     return is("phantom") || is(facts.spec.name) || is(facts.serial) || is(name_of(facts));
+}
+
+std::string caption_of(const ArmStatus& status) {
+    if (status.state == ArmPresence::present) return {};
+    auto words = status.text.substr(0, status.text.find(';'));
+    if (!words.empty()) words.front() = upper(words.front());
+    return words;
 }
 
 vec3 rotation_vector(const mat3& rotation) {

@@ -52,6 +52,9 @@ struct ArmStatus {
     std::int64_t newest_ns{};  ///< when it was measured last; monotonic clock; 0: not yet
 };
 
+/// The first sentence of its text, for whoever holds the arm: "The arm's motors are too warm: let them rest". Empty while present.
+std::string caption_of(const ArmStatus& status);
+
 /// To whole units, at most 1e9 of them either way. The value is finite.
 std::int32_t quantised(double value);
 

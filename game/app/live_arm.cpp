@@ -71,10 +71,13 @@ bool ArmKeeper::wait_for(int ms) {
 void ArmKeeper::watch() {
     while (wait_for(arm_ ? look_ms : try_again_ms)) {
         if (!arm_) {
-            if (auto again = opened(servo_, wanted_))
-                arm_ = std::move(*again);
-            else
+            auto again = opened(servo_, wanted_);
+            if (!again) {
+                const std::lock_guard lock(mutex_);
+                status_.text = again.error().message;  // of what keeps it away now
                 continue;
+            }
+            arm_ = std::move(*again);
         }
         const auto status = arm_->status();
         const auto times = arm_->times();

@@ -92,6 +92,8 @@ void publish_screen(Desk& desk) {
                   .can_play_again = desk.plan.replay == nullptr,
                   .forces = desk.forces,
                   .menu = menu_open(desk)};
+    if (desk.shared.arm_player < game::players)
+        screen.hud.device_says[desk.shared.arm_player] = desk.arm_says;
     screen.quality = settings.quality;
     screen.menu = picture_of(desk.menu, desk.facts);
     screen.court = menu_open(desk) && desk.menu.pages.front().page == Page::start;
@@ -357,6 +359,11 @@ void follow_arm(Desk& desk) {
     const auto status = desk.shared.arm->status();
     const bool lost = status.state != input::ArmPresence::present;
     const auto shown = text(input::name_of(desk.shared.arm->facts()), lost ? " (gone)" : "");
+    auto says = input::caption_of(status);
+    if (says != desk.arm_says) {
+        desk.arm_says = std::move(says);
+        desk.stale = true;
+    }
     if (shown == desk.facts.arm) return;
     const bool first = desk.facts.arm.empty();
     desk.facts.arm = shown;

@@ -30,9 +30,10 @@ struct Desk {
     std::optional<game::RangeFiles> range;        ///< the next match is practice, with these
     MenuState menu;                               ///< its settings are those that hold
     MenuFacts facts;
-    Settings seated;      ///< the settings that the DeviceSpecs were made from
-    bool stale = true;    ///< shared.screen is not as it should be
-    bool forces = false;  ///< the views show what hands feel
+    Settings seated;       ///< the settings that the DeviceSpecs were made from
+    bool stale = true;     ///< shared.screen is not as it should be
+    bool forces = false;   ///< the views show what hands feel
+    std::string arm_says;  ///< what is wrong with the arm, if anything
 
     std::array<render::PadState, 4> pads{};
     std::array<Grip, game::players> grips{};

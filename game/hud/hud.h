@@ -19,6 +19,8 @@ struct HudSettings {
     bool can_play_again = true;  ///< the result screen offers it
     bool forces = false;         ///< what hands feel, as a curve in each view
     bool menu = false;           ///< a menu will stand over the views: nothing else does
+    /// What is wrong with each player's device, in its driver's words; filled by the session.
+    std::array<std::string, players> device_says{};
 };
 
 /// Memory that frames are built in; a Frame's spans point into it.

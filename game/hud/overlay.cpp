@@ -225,12 +225,13 @@ void add_force_plot(Overlay& out, const ForcePicture& force, const Corner& c) {
              low - fvec2(0, high + 17 * u), 12 * u, white, Align::left);
 }
 
-/// What a player is told of the device in hand, real or simulated; empty where there is nothing to say. The driver's own line,
-/// which says what to do, goes to standard error.
-std::string_view caption_of(const ForcePicture& force) {
+/// What a player is told of the device in hand, real or simulated; empty where there is nothing to say. told: its driver says
+/// what is wrong with it.
+std::string_view caption_of(const ForcePicture& force, bool told) {
     using haptics::SafetyCause;
     switch (force.arm) {
-        case ArmCondition::gone: return "The arm does not answer: mouse and keys play on";
+        case ArmCondition::gone:
+            return told ? "Mouse and keys play on" : "The arm does not answer: mouse and keys play on";
         case ArmCondition::back: return "The arm is back: hold it still";
         case ArmCondition::clutched: return "Clutch: the arm moves free of the hand";
         case ArmCondition::none:
@@ -251,10 +252,25 @@ std::string_view caption_of(const ForcePicture& force) {
     return {};
 }
 
-void add_caption(Overlay& out, const PlayerPicture& p, const Corner& c) {
-    const auto words = caption_of(p.force);
-    if (!words.empty())
-        add_text(out, std::string(words), at(c.view, 0.5F, 0.82F), 15 * c.unit, white, Align::centre);
+/// Of the widest type.
+constexpr float em_per_character = 0.6F;
+
+/// As large as `size`, or as the view is wide.
+float size_that_fits(std::string_view words, float size, const Rect& view) {
+    constexpr float most_of_view = 0.94F;
+    const float em = em_per_character * static_cast<float>(words.size());
+    return std::min(size, most_of_view * static_cast<float>(view.width) / std::max(em, 1.0F));
+}
+
+/// The driver's words above our own.
+void add_caption(Overlay& out, const PlayerPicture& p, const std::string& device_says, const Corner& c) {
+    const fvec2 place = at(c.view, 0.5F, 0.82F);
+    const float size = 15 * c.unit;
+    const auto words = caption_of(p.force, !device_says.empty());
+    if (!words.empty()) add_text(out, std::string(words), place, size, white, Align::centre);
+    if (!device_says.empty())
+        add_text(out, device_says, place - fvec2(0, 1.3F * size), size_that_fits(device_says, size, c.view),
+                 red, Align::centre);
 }
 
 void add_death(Overlay& out, const PlayerPicture& p, const Corner& c) {
@@ -264,7 +280,8 @@ void add_death(Overlay& out, const PlayerPicture& p, const Corner& c) {
              24 * c.unit, white, Align::centre);
 }
 
-void add_player(Overlay& out, const Picture& picture, std::uint32_t player, const Corner& c) {
+void add_player(Overlay& out, const Picture& picture, std::uint32_t player, const std::string& device_says,
+                const Corner& c) {
     const auto& p = picture.wizards[player];
     if (p.dead && picture.phase == Phase::playing) add_death(out, p, c);
     if (!p.dead) {
@@ -272,7 +289,7 @@ void add_player(Overlay& out, const Picture& picture, std::uint32_t player, cons
         add_hurt_marks(out, p, c);
         add_gift(out, p, c);
     }
-    add_caption(out, p, c);
+    add_caption(out, p, device_says, c);
     add_health(out, p, player, c);
     add_wand(out, p, player, c);
     add_feed(out, picture, c);
@@ -312,10 +329,8 @@ void add_score(Overlay& out, const Picture& picture, fvec2 middle, float u) {
 /// Words on a panel that is as wide as they are, by the widest type; long ones shrink until the window holds them.
 void add_line(Overlay& out, const std::string& words, fvec2 top, float size, fvec4 paint,
               const Rect& window) {
-    constexpr float em_per_character = 0.6F, most_of_window = 0.94F;
+    size = size_that_fits(words, size, window);
     const float em = em_per_character * static_cast<float>(words.size());
-    const float fits = most_of_window * static_cast<float>(window.width) / std::max(em, 1.0F);
-    size = std::min(size, fits);
     const fvec2 half(0.5F * em * size + 0.5F * size, 0.85F * size), middle = top + fvec2(0, 0.6F * size);
     out.items.emplace_back(
         render::RectItem{middle - half, middle + half, colour(0x140E22, 0.8F), 0.5F * size});
@@ -468,7 +483,7 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     for (std::uint32_t player = 0; player < players; ++player) {
         if (views[player].width <= 0 || views[player].height <= 0) continue;
         unit = unit_of(views[player], window, settings.text_scale);
-        add_player(out, picture, player, {views[player], unit});
+        add_player(out, picture, player, settings.device_says[player], {views[player], unit});
         if (settings.forces) add_force_plot(out, picture.wizards[player].force, {views[player], unit});
     }
     const auto middle = place_of_score(settings, window, unit);

@@ -38,6 +38,16 @@ TEST(Arm, HalfATurnIsEitherWayRound) {
 
 constexpr std::int64_t us = 1000, ms = 1'000'000;
 
+TEST(Arm, ItsCaptionIsTheFirstSentenceOfWhatIsWrong) {
+    EXPECT_EQ(caption_of({}), "");
+    EXPECT_EQ(caption_of({ArmPresence::present, "all is well"}), "");
+    EXPECT_EQ(caption_of({ArmPresence::fault, "the arm is warm: let it rest; WARM (0200)"}),
+              "The arm is warm: let it rest");
+    EXPECT_EQ(caption_of({ArmPresence::lost, "It is gone"}), "It is gone");
+    EXPECT_EQ(caption_of({ArmPresence::fault, ";"}), "");
+    EXPECT_EQ(caption_of({ArmPresence::lost, ""}), "");
+}
+
 TEST(TickTimes, KnowNothingAtFirst) {
     const TickTimes times;
     const auto report = times.report();

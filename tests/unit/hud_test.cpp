@@ -439,6 +439,54 @@ TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {
     EXPECT_FALSE(has_text(overlay, "Enter"));
 }
 
+// Captions of the device ------------------------------------------------------------------------------------------------
+
+const render::TextItem* find_text(const render::Overlay& overlay, std::string_view words) {
+    for (const auto& item : overlay.items) {
+        const auto* found = std::get_if<render::TextItem>(&item);
+        if (found != nullptr && found->text == words) return found;
+    }
+    return nullptr;
+}
+
+TEST(DeviceCaption, WhatADriverSaysStandsInItsPlayersViewAboveOurOwnWords) {
+    const render::Size size{1280, 720};
+    auto picture = picture_of(*new_match());
+    for (std::uint32_t player = 0; player < players; ++player) {
+        picture.wizards[player].force.arm = ArmCondition::gone;
+        HudSettings settings;
+        render::Overlay overlay;
+        make_overlay(picture, settings, size, overlay);
+        EXPECT_NE(find_text(overlay, "The arm does not answer: mouse and keys play on"), nullptr);
+        settings.device_says[player] = "The arm's motors are too warm: let them rest";
+        make_overlay(picture, settings, size, overlay);
+        EXPECT_EQ(find_text(overlay, "The arm does not answer: mouse and keys play on"), nullptr);
+        const auto* told = find_text(overlay, settings.device_says[player]);
+        const auto* ours = find_text(overlay, "Mouse and keys play on");
+        ASSERT_TRUE(told != nullptr && ours != nullptr);
+        EXPECT_LT(told->position.y, ours->position.y);
+        const auto view = views_of(settings, size)[player];
+        for (const auto* item : {told, ours}) {
+            EXPECT_GT(item->position.y, static_cast<float>(view.y));
+            EXPECT_LT(item->position.y + item->size, static_cast<float>(view.y + view.height));
+        }
+        picture.wizards[player].force.arm = ArmCondition::none;
+    }
+}
+
+TEST(DeviceCaption, LongOnesAreSmallerSoThatTheViewHoldsThem) {
+    const HudSettings side{.split = render::Split::side_by_side,
+                           .text_scale = 2.5,
+                           .device_says = {std::string(200, 'w'), "short"}};
+    const render::Size size{640, 360};
+    render::Overlay overlay;
+    make_overlay(picture_of(*new_match()), side, size, overlay);
+    const auto* lengthy = find_text(overlay, side.device_says[0]);
+    ASSERT_NE(lengthy, nullptr);
+    EXPECT_LE(0.6F * 200 * lengthy->size, static_cast<float>(views_of(side, size)[0].width));
+    EXPECT_LT(lengthy->size, find_text(overlay, "short")->size);
+}
+
 TEST(PowerUpMesh, TheKindsDifferInOutlineAndAreSmall) {
     // How much of a 16 x 16 raster of the front each one covers.
     std::vector<std::array<bool, 256>> outlines;

@@ -286,6 +286,7 @@ TEST(OpenHaptics, WarmMotorsAreAFault) {
     ASSERT_TRUE((*arm)->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return (*arm)->status().state == ArmPresence::fault; }));
     EXPECT_TRUE(has((*arm)->status().text, "too warm"));
+    EXPECT_EQ(caption_of((*arm)->status()), "The arm's motors are too warm: let them rest");
     arm->reset();
     expect_no_rule_broken();
 }
@@ -297,6 +298,7 @@ TEST(OpenHaptics, TicksThatStopAreALostArm) {
     ASSERT_TRUE((*arm)->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return (*arm)->status().state == ArmPresence::lost; }));
     EXPECT_TRUE(has((*arm)->status().text, "ticks have stopped"));
+    EXPECT_EQ(caption_of((*arm)->status()), "The arm's ticks have stopped: plug it in again");
     arm->reset();
     expect_no_rule_broken();
 }
