@@ -13,11 +13,11 @@ failed() { echo "failed: $1"; exit 1; }
 log=$folder/duel.thaumlog
 "$thaum" replay "$log" --forces "$folder/forces.csv" >/dev/null
 
-# feel FAKE_HD WORDS...: the log felt; what the arm did in $folder/exerted.
+# feel NAME FAKE_HD WORDS...: the log felt; what the arm did in $folder/NAME.exerted, and what was said in $folder/NAME.said.
 feel() {
-    local told=$1
-    shift
-    THAUM_LIBHD=$fake FAKE_HD="$told,record=$folder/exerted" "$thaum" replay "$log" --feel "$@" >"$folder/said" 2>&1
+    local name=$1 told=$2
+    shift 2
+    THAUM_LIBHD=$fake FAKE_HD="$told,record=$folder/$name.exerted" "$thaum" replay "$log" --feel "$@" >"$folder/$name.said" 2>&1
 }
 
 # compare PLAYER: every force of the table, in its order, is one that the arm exerted. A tick without a force repeats the last one.
@@ -44,45 +44,52 @@ compare() {
                 }
                 print n - first, "forces, from", first, "on, at the arm as in the table;", repeated + 0, "repeated"
                 if (n == first || w < n || repeated > 20) exit 1
-            }' - "$folder/exerted"
+            }' - "$folder/$1.exerted"
 }
 
+# Every one of these takes as long as the log, and nearly all of that is waiting for the next tick: so all at once, each with an
+# arm of its own.
+mkdir -p "$folder/softly/thaum"
+echo 'version = 1
+force_1 = "soft"' >"$folder/softly/thaum/settings.toml"
+declare -A pids
+for player in 1 2; do feel $player "" Touch --player $player & pids[$player]=$!; done
+XDG_CONFIG_HOME=$folder/softly feel soft "" phantom & pids[soft]=$!
+XDG_CONFIG_HOME=$folder/softly feel warm warm=1500 F0000001 --at 2 & pids[warm]=$!
+XDG_CONFIG_HOME=$folder/softly feel vanish vanish=1500 phantom --at 2 & pids[vanish]=$!
+
 for player in 1 2; do
-    feel "" Touch --player $player || { cat "$folder/said"; failed "does not play"; }
-    cat "$folder/said"
-    grep -q "player $player's forces on Touch F0000001, at most 1.4[89] of 3.3 N" "$folder/said" || failed "does not say what it does"
+    wait ${pids[$player]} || { cat "$folder/$player.said"; failed "does not play"; }
+    cat "$folder/$player.said"
+    grep -q "player $player's forces on Touch F0000001, at most 1.4[89] of 3.3 N" "$folder/$player.said" || failed "does not say what it does"
     compare $player || failed "other forces"
 done
 
 # Whose cap is lower gets less, never more; who wants none feels none.
-mkdir -p "$XDG_CONFIG_HOME/thaum"
-echo 'version = 1
-force_1 = "soft"' >"$XDG_CONFIG_HOME/thaum/settings.toml"
-feel "" phantom || failed "does not play softly"
+wait ${pids[soft]} || failed "does not play softly"
 awk '{ size = sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2); if (size > most) most = size } END { print "softly at most", most, "N"; exit !(most > 0 && most <= 0.825 + 1e-9) }' \
-    "$folder/exerted" || failed "the cap does not hold"
-grep -q 'capped' "$folder/said" || failed "does not say what was held back"
+    "$folder/soft.exerted" || failed "the cap does not hold"
+grep -q 'capped' "$folder/soft.said" || failed "does not say what was held back"
 
-# ends CODE WORDS: what was said, and that the arm was left without force.
+# ends NAME CODE WORDS: what was said, and that the arm was left without force.
 ends() {
-    cat "$folder/said"
-    [ "$code" -eq "$1" ] || failed "exit $code instead of $1"
-    grep -q "$2" "$folder/said" || failed "does not say '$2'"
-    grep -q 'at most 0.8' <(tail -n +2 "$folder/said") || failed "nothing was felt before"
-    tail -n 1 "$folder/exerted" | awk '{ exit !($1 == 0 && $2 == 0 && $3 == 0) }' || failed "a force stays"
+    local name=$1 code=0
+    wait ${pids[$name]} || code=$?
+    cat "$folder/$name.said"
+    [ "$code" -eq "$2" ] || failed "exit $code instead of $2"
+    grep -q "$3" "$folder/$name.said" || failed "does not say '$3'"
+    grep -q 'at most 0.8' <(tail -n +2 "$folder/$name.said") || failed "nothing was felt before"
+    tail -n 1 "$folder/$name.exerted" | awk '{ exit !($1 == 0 && $2 == 0 && $3 == 0) }' || failed "a force stays"
 }
-code=0
-THAUM_LIBHD=$fake FAKE_HD="record=$folder/exerted" "$thaum" replay "$log" --feel touch --at 2 >"$folder/said" 2>&1 &
-player=$!
+THAUM_LIBHD=$fake FAKE_HD="record=$folder/stop.exerted" XDG_CONFIG_HOME=$folder/softly \
+    "$thaum" replay "$log" --feel touch --at 2 >"$folder/stop.said" 2>&1 &
+pids[stop]=$!
 sleep 2
-kill -INT $player
-wait $player || code=$?
-ends 0 'ended by hand'
-[ "$(wc -l <"$folder/exerted")" -lt 6000 ] || failed "goes on after Ctrl-C"
-code=0; feel warm=1500 F0000001 --at 2 || code=$?
-ends 1 'too warm'
-code=0; feel vanish=1500 phantom --at 2 || code=$?
-ends 1 'plug it in'
+kill -INT ${pids[stop]}
+ends stop 0 'ended by hand'
+[ "$(wc -l <"$folder/stop.exerted")" -lt 6000 ] || failed "goes on after Ctrl-C"
+ends warm 1 'too warm'
+ends vanish 1 'plug it in'
 
 refuses() { # WORDS ARGUMENT...
     local words=$1 said code=0
@@ -101,6 +108,6 @@ refuses "from 1 to 2" --feel phantom --player 3
 refuses "the log has" --feel phantom --at 60
 fake=$folder/none.so refuses "THAUM_LIBHD" --feel phantom
 echo 'version = 1
-force_1 = "off"' >"$XDG_CONFIG_HOME/thaum/settings.toml"
-refuses "you want no forces" --feel phantom
+force_1 = "off"' >"$folder/softly/thaum/settings.toml"
+XDG_CONFIG_HOME=$folder/softly refuses "you want no forces" --feel phantom
 echo "a log is felt"
