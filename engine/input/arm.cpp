@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "input/frame.h"
 
 namespace thaum::input {
 namespace {
@@ -22,6 +23,16 @@ std::int32_t quantised(double value) {
 
 std::string name_of(const ArmFacts& facts) {
     return facts.serial.empty() ? facts.spec.name : text(facts.spec.name, " ", facts.serial);
+}
+
+std::array<std::uint32_t, 3> box_um(const ArmFacts& facts) {
+    std::array<std::uint32_t, 3> um{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double edge = facts.spec.workspace[axis] * 1e6;
+        if (!(edge >= 1 && edge <= DeviceSpec::most_box_um)) return {};
+        um[static_cast<std::size_t>(axis)] = static_cast<std::uint32_t>(std::lround(edge));
+    }
+    return um;
 }
 
 bool is_called(const ArmFacts& facts, std::string_view word) {

@@ -37,6 +37,8 @@ struct ArmFacts {
 
 /// What people call it: "Touch F0000001".
 std::string name_of(const ArmFacts& facts);
+/// The box that it says it reaches, as DeviceSpec::box_um; zero where it says none.
+std::array<std::uint32_t, 3> box_um(const ArmFacts& facts);
 /// Whether `word` means this arm: its model, its serial number or both, whatever the case, or "phantom" for any of the class.
 bool is_called(const ArmFacts& facts, std::string_view word);
 

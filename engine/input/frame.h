@@ -99,6 +99,7 @@ struct InputFrame {
 /// What else decides how a device's counts act; it stands in the log's header, so a setting changed later
 /// does not change a replay.
 struct DeviceSpec {
+    static constexpr std::uint32_t most_box_um = 10'000'000;
     static constexpr std::uint32_t invert_y = 1U << 0U;   ///< flag: look_up and turn_up act downwards
     static constexpr std::uint32_t no_forces = 1U << 1U;  ///< flag: the player wants to feel none
     static constexpr std::uint32_t force_shift =
@@ -118,6 +119,8 @@ struct DeviceSpec {
     double look_rad_per_count{0.00087};  ///< rad of view a mouse count turns; about 0.05 degrees
     double turn_rad_per_s{3.5};          ///< rad/s of view at full stick
     std::uint32_t flags{};
+    /// Of an arm: the edges of the box that it says it reaches, um, at most most_box_um; zero: it did not say.
+    std::array<std::uint32_t, 3> box_um{};
     bool operator==(const DeviceSpec&) const = default;
 
     /// 0 to 100 %: how much of the device's force its player wants at most. 0 is none at all.

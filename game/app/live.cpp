@@ -49,6 +49,7 @@ std::vector<input::DeviceSpec> arms_of(const LiveShared& shared) {
     arm.player = shared.arm_player;
     arm.kind = DeviceKind::arm;
     arm.name = input::name_of(shared.arm->facts());
+    arm.box_um = input::box_um(shared.arm->facts());
     return {std::move(arm)};
 }
 

@@ -83,8 +83,8 @@ Self self_of(const Simulation& match, std::uint32_t player, double readiness) {
               .health = world.get<Health>(wizard).points,
               .key = wizard.index,
               .alive = !world.has<Dead>(wizard)};
-    self.tip = self.eye +
-               look_rotation(gaze.yaw, gaze.pitch) * wand_tip_of(match.data().touch, world.get<Grip>(wizard));
+    const vec3 tip = wand_tip_of(match.touch().wand_per_hand[player], world.get<Grip>(wizard));
+    self.tip = self.eye + look_rotation(gaze.yaw, gaze.pitch) * tip;
     if (const auto* wand = wand_in_hand(match.data(), belt)) {
         const auto& stats = wand->stats;
         self.wand = stats.slot;

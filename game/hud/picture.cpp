@@ -116,7 +116,7 @@ void take_wizards(const Simulation& match, Picture& out) {
                 p.returns_in_s = seconds(dead->returns_at - state.played);
             take_belt(match, e, belt, p);
             if (!p.dead) take_held(match, e, belt, p);
-            p.wand_reach = wand_tip_of(match.data().touch, grip) - wand_tip;
+            p.wand_reach = wand_tip_of(match.touch().wand_per_hand[wizard.player], grip) - wand_tip;
             p.wand_turn = stylus_turn(match.world(), wizard.player);
             take_force(match, wizard.player, grip, p.force);
         });

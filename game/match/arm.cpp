@@ -189,7 +189,7 @@ void publish_models(Stage& stage, bool live) {
         const auto wizard = wizard_of(world, arm.player);
         const bool clutch =
             (std::as_const(world).get<Controls>(wizard).held & bit(input::Button::clutch)) != 0;
-        input::rest_hand(arm.state, clutch || arm.away != 0, stage.touch.device.reach);
+        input::rest_hand(arm.state, clutch || arm.away != 0, stage.touch.reach[arm.player]);
         // Gone: the simulated hand has asked for its own already.
         auto model = is_gone(arm) ? haptics::HapticModel{.panic = arm.panic_left > 0}
                                   : next_model(stage, wizard, world.get<Grip>(wizard), arm.panic_left > 0);

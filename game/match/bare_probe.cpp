@@ -21,17 +21,21 @@ Feel feel_of(const MatchData& data) {
             .dynamic_friction = probe.dynamic_friction};
 }
 
+double wand_per_hand(const Stage& stage, ecs::Entity wizard) {
+    return stage.touch.wand_per_hand[stage.world.get<Wizard>(wizard).player];
+}
+
 HandFrame frame_of(const Stage& stage, ecs::Entity wizard, vec3 eye) {
     const auto& gaze = stage.world.get<Gaze>(wizard);
     HandFrame frame{.turn = look_rotation(gaze.yaw, gaze.pitch),
-                    .metres_per_metre = stage.data.touch.wand_per_hand};
+                    .metres_per_metre = wand_per_hand(stage, wizard)};
     frame.origin = eye + frame.turn * wand_tip;
     return frame;
 }
 
 /// Who holds something by a tether feels that.
 bool can_probe(const Stage& stage, ecs::Entity wizard, const Grip& grip) {
-    return stage.data.touch.wand_per_hand > 0 && stage.data.touch.probe.stiffness > 0 &&
+    return wand_per_hand(stage, wizard) > 0 && stage.data.touch.probe.stiffness > 0 &&
            !(grip.tether.stiffness > 0) && !stage.world.has<Dead>(wizard);
 }
 
@@ -49,7 +53,7 @@ void push(Stage& stage, const haptics::SurfaceContact& contact, vec3 impulse, ve
 void push_touched(Stage& stage, std::uint32_t player, const Grip& grip, Tick tick) {
     const auto& rules = stage.data.touch;
     const auto& surface = grip.servo.surface;
-    const HandFrame frame{grip.frame_origin, grip.frame_turn, rules.wand_per_hand};
+    const HandFrame frame{grip.frame_origin, grip.frame_turn, stage.touch.wand_per_hand[player]};
     const vec3 place = frame.to_world(surface.proxy);
     for (std::uint32_t i = 0; i < surface.contacts; ++i) {
         const vec3 force = frame.turn * surface.touched[i].force / -rules.probe.newtons_per_newton;

@@ -10,10 +10,6 @@
 namespace thaum::game {
 namespace {
 
-/// m: the workspace, from left to right, that hand scales in data files are for: a Touch's. In another the hand goes as much
-/// farther as it is narrower, so that it reaches as far in the world.
-constexpr double usual_width = 0.16;
-
 constexpr std::size_t max_data_file = 1U << 20U;
 
 /// Reads data files, applies overrides and notes each file's hash.
@@ -143,8 +139,6 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     auto device = loader.load("devices/" + data.touch.device + ".toml", haptics::read_device);
     if (!device) return tl::unexpected(device.error());
     data.device = std::move(*device);
-    data.touch.stride = usual_width / data.device.workspace.x;
-    data.touch.wand_per_hand *= data.touch.stride;
     for (const auto& kind : wand_kinds()) {
         data.wands.push_back(loader.load(text("wands/", kind.name, ".toml"), [&](const Config& file) {
             auto wand = read_wand(kind, file);

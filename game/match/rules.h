@@ -56,10 +56,9 @@ struct ProbeRules {
 
 /// What hands hold and feel: assets/haptics.toml.
 struct TouchRules {
-    std::string device;      ///< a model in assets/devices
-    double share{};          ///< of its peak force, at most
-    double wand_per_hand{};  ///< m of the wand's tip for a metre of the hand
-    double stride{1};        ///< how much farther the device's hand goes than one in a usual workspace
+    std::string device;               ///< a model in assets/devices
+    double share{};                   ///< of its peak force, at most
+    double wand_per_hand{};           ///< m of the wand's tip for a metre of the hand, in a usual workspace
     std::int32_t clutch_per_count{};  ///< um of the hand for a count of the mouse
     std::int32_t clutch_per_tick{};   ///< um of the hand in a tick, with a stick fully pushed
     ProbeRules probe{};

@@ -20,17 +20,41 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
     world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, Chronicle{});
 }
 
+/// m: the workspace, from left to right, that hand scales in data files are for: a Touch's. In another the hand goes as much
+/// farther as it is narrower, so that it reaches as far in the world.
+constexpr double usual_width = 0.16;
+
+void set_box(const MatchData& data, std::uint32_t player, vec3 box, Touch& touch) {
+    touch.reach[player] = box / 2.0;
+    touch.stride[player] = usual_width / box.x;
+    touch.wand_per_hand[player] = data.touch.wand_per_hand * touch.stride[player];
+}
+
+/// m; zero where it has not said one that an arm can have. A wider one than the widest of real ones is no reason to crawl.
+vec3 box_of(const input::DeviceSpec& device) {
+    constexpr std::uint32_t least_um = 20'000, most_um = 1'000'000;
+    vec3 box{};
+    for (std::size_t i = 0; i < device.box_um.size(); ++i) {
+        const auto edge = device.box_um[i];
+        if (device.kind != input::DeviceKind::arm || edge < least_um) return vec3(0);
+        box[static_cast<int>(i)] = std::min(edge, most_um) * 1e-6;
+    }
+    return box;
+}
+
 Touch touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
     Touch touch{.device = haptics::simulated_device(data.device, haptics::Hand{})};
     touch.on.fill(true);
     touch.weight.fill(1);
     touch.blows.fill(1);
     for (auto& servo : touch.servos) servo = haptics::servo_of(data.device, data.touch.share);
+    for (std::uint32_t p = 0; p < players; ++p) set_box(data, p, data.device.workspace, touch);
     for (const auto& device : devices) {
         if (device.player >= players) continue;
         if ((device.flags & input::DeviceSpec::no_forces) != 0) touch.on[device.player] = false;
         const auto percent = device.force_asked_for();
         if (percent != 0) touch.servos[device.player] = haptics::servo_of(data.device, percent / 100.0);
+        if (const vec3 box = box_of(device); box.x > 0) set_box(data, device.player, box, touch);
         touch.weight[device.player] *= 1 - device.weight_kept_off() / 100.0;
         touch.blows[device.player] *= 1 - device.blows_kept_off() / 100.0;
     }

@@ -121,11 +121,10 @@ void let_go(Stage& stage, ecs::Entity wizard) {
     grip.pull = {};
 }
 
-vec3 wand_tip_of(const TouchRules& rules, const Grip& grip) {
+vec3 wand_tip_of(double wand_per_hand, const Grip& grip) {
     const auto& servo = grip.servo;
     const bool touches = servo.surface.contacts != 0;
-    return wand_tip +
-           rules.wand_per_hand * (touches ? servo.surface.proxy : grip.device.position + servo.shift);
+    return wand_tip + wand_per_hand * (touches ? servo.surface.proxy : grip.device.position + servo.shift);
 }
 
 std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before) {

@@ -29,7 +29,7 @@ void tether(Stage& stage, ecs::Entity wizard, const haptics::Tether& to);
 void let_go(Stage& stage, ecs::Entity wizard);
 
 /// Where the wand's tip is in the frame of the eye, m: it goes with the hand, and stays outside of what it touches.
-vec3 wand_tip_of(const TouchRules& rules, const Grip& grip);
+vec3 wand_tip_of(double wand_per_hand, const Grip& grip);
 
 /// Hash of the forces of this tick, chained to that of the ticks before.
 std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before);

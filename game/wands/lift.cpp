@@ -165,8 +165,9 @@ void take(Stage& stage, const LiftData& data, ecs::Entity wizard, ecs::Entity th
     hand.base_velocity = stage.physics.velocity(wizard.index);
     hand.tug.expected = body.velocity;
     const double size = extent(stage.physics.desc(thing.index));
+    const auto player = now.get<Wizard>(wizard).player;
     hand.metres_per_metre =
-        stage.data.touch.stride * data.metres_per_metre * std::clamp(size, data.finest, 1.0);
+        stage.touch.stride[player] * data.metres_per_metre * std::clamp(size, data.finest, 1.0);
 }
 
 bool holds(const Stage& stage, const LiftHand& hand) {

@@ -89,7 +89,8 @@ Muzzle muzzle_of(const WandUse& use, double radius) {
     const vec3 ahead = looking * vec3(0, 0, -1);
     const auto seen = physics.ray(eye, eye + ahead * aim_reach, physics::all_layers, key);
     const double depth = std::max(nearest_aim, seen ? seen->fraction * aim_reach : aim_reach);
-    vec3 tip = eye + looking * wand_tip_of(use.stage.data.touch, world.get<Grip>(use.wizard));
+    const double wand_per_hand = use.stage.touch.wand_per_hand[world.get<Wizard>(use.wizard).player];
+    vec3 tip = eye + looking * wand_tip_of(wand_per_hand, world.get<Grip>(use.wizard));
     if (blocked(physics, eye, tip, radius, key)) tip = eye;
     return {.tip = tip, .ahead = ahead, .aim = glm::normalize(eye + ahead * depth - tip)};
 }

@@ -48,6 +48,20 @@ TEST(Arm, ItsCaptionIsTheFirstSentenceOfWhatIsWrong) {
     EXPECT_EQ(caption_of({ArmPresence::lost, ""}), "");
 }
 
+TEST(Arm, ItsBoxIsInWholeMicrometresOrNotSaid) {
+    using Box = std::array<std::uint32_t, 3>;
+    const auto box = [](vec3 workspace) {
+        ArmFacts facts;
+        facts.spec.workspace = workspace;
+        return box_um(facts);
+    };
+    EXPECT_EQ(box({0.16, 0.12, 0.0700004}), (Box{160'000, 120'000, 70'000}));
+    EXPECT_EQ(box({0, 0, 0}), Box{});
+    EXPECT_EQ(box({0.16, -0.12, 0.07}), Box{});
+    EXPECT_EQ(box({0.16, 1e300, 0.07}), Box{});
+    EXPECT_EQ(box({0.16, NAN, 0.07}), Box{});
+}
+
 TEST(TickTimes, KnowNothingAtFirst) {
     const TickTimes times;
     const auto report = times.report();

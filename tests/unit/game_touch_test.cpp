@@ -101,6 +101,15 @@ TEST(Touch, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
     EXPECT_NE(gaze(), yaw);
 }
 
+/// m: how far the player's wand goes to the right when the hand is at the edge of a device so many m wide.
+double reach_of_tip(const Simulation& match, std::uint32_t player, double width) {
+    const double wand_per_hand = match.touch().wand_per_hand[player];
+    Grip grip = empty_grip();
+    const double rests = wand_tip_of(wand_per_hand, grip).x;
+    grip.device.position.x = width / 2;
+    return wand_tip_of(wand_per_hand, grip).x - rests;
+}
+
 /// The tip goes as far over the workspace of any device.
 TEST(Touch, ANarrowerDeviceReachesAsFar) {
     double reached = 0;
@@ -109,14 +118,33 @@ TEST(Touch, ANarrowerDeviceReachesAsFar) {
         choice.overrides = {text("haptics.device=\"", device, "\"")};
         const auto data = load_match_data(assets(), choice);
         ASSERT_TRUE(data) << device;
-        Grip grip = empty_grip();
-        const double rests = wand_tip_of(data->touch, grip).x;
-        grip.device.position.x = data->device.workspace.x / 2;
-        const double reach = wand_tip_of(data->touch, grip).x - rests;
+        const Simulation match(std::make_shared<const MatchData>(*data), {});
+        const double reach = reach_of_tip(match, 0, data->device.workspace.x);
         if (reached == 0) reached = reach;
         EXPECT_NEAR(reach, reached, 1e-12) << device;
     }
     EXPECT_NEAR(reached, 0.8, 1e-12);
+}
+
+/// The box that a real arm reports counts, not that of the model whose forces the match makes.
+TEST(Touch, AnArmReachesAsFarOverTheBoxThatItReports) {
+    constexpr auto arm_kind = input::DeviceKind::arm;
+    const auto data = duel_data();
+    const auto reach = [&](std::array<std::uint32_t, 3> box_um, input::DeviceKind kind, double width) {
+        const input::DeviceSpec arm{.player = 1, .kind = kind, .name = "arm", .box_um = box_um};
+        const Simulation match(data, {.seed = 1, .devices = {bot_device(0, 1), bot_device(1, 1), arm}});
+        EXPECT_NEAR(reach_of_tip(match, 0, data->device.workspace.x), 0.8, 1e-12);
+        EXPECT_EQ(match.touch().reach[0], data->device.workspace / 2.0);
+        return reach_of_tip(match, 1, width);
+    };
+    EXPECT_NEAR(reach({100'000, 100'000, 100'000}, arm_kind, 0.1), 0.8, 1e-12);
+    EXPECT_NEAR(reach({381'000, 267'000, 191'000}, arm_kind, 0.381), 0.8, 1e-12);
+    // What no arm has counts as not said; nor does that which is none have a box.
+    EXPECT_NEAR(reach({}, arm_kind, 0.16), 0.8, 1e-12);
+    EXPECT_NEAR(reach({100'000, 0, 100'000}, arm_kind, 0.16), 0.8, 1e-12);
+    EXPECT_NEAR(reach({1, 1, 1}, arm_kind, 0.16), 0.8, 1e-12);
+    EXPECT_NEAR(reach({10'000'000, 10'000'000, 10'000'000}, arm_kind, 1), 0.8, 1e-12);
+    EXPECT_NEAR(reach({100'000, 100'000, 100'000}, input::DeviceKind::script, 0.16), 0.8, 1e-12);
 }
 
 TEST(Touch, TheHashOfForcesSeesAForceThatTheStateNoLongerShows) {

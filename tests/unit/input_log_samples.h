@@ -70,6 +70,7 @@ inline LogHeader header(std::size_t devices = 2) {
         device.name = text("device ", i);
         device.flags = i == 1 ? DeviceSpec::invert_y : 0;
         if (i == 1) device.ask_for_carried(75, 0);
+        if (i == 1) device.box_um = {160'000, 1, DeviceSpec::most_box_um};
         h.devices.push_back(device);
     }
     h.files = {{"wands/lift.toml", 1}, {"wands/blast.toml", 2}};

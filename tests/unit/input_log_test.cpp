@@ -156,6 +156,8 @@ TEST(InputLog, HeaderBeyondTheLimitsIsRefused) {
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 0x80; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 101U << DeviceSpec::weight_shift; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 127U << DeviceSpec::blow_shift; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 1U << 31U; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].box_um[2] = DeviceSpec::most_box_um + 1; }));
 }
 
 TEST(InputLog, OtherFilesAreRefusedInOneLine) {

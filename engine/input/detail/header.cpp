@@ -51,6 +51,9 @@ std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
     if (device.force_asked_for() > 100) return "a device's force is above 100 %";
     if (device.weight_kept_off() > 100) return "more than 100 % of a weight is kept off";
     if (device.blows_kept_off() > 100) return "more than 100 % of the blows is kept off";
+    for (const auto edge : device.box_um) {
+        if (edge > DeviceSpec::most_box_um) return "a device's box is larger than 10 m";
+    }
     return {};
 }
 
@@ -93,13 +96,20 @@ std::vector<std::string> get_strings(ByteReader& in) {
     return get_list(in, [&] { return in.get_string(); });
 }
 
+/// In the file's flags alone: the edges of the box stand behind them.
+constexpr std::uint32_t box_follows = 1U << 31U;
+
+bool has_box(const DeviceSpec& d) { return d.box_um != std::array<std::uint32_t, 3>{}; }
+
 void put_device(ByteWriter& out, const DeviceSpec& d) {
     out.put(d.player);
     out.put(d.kind);
     out.put_string(d.name);
     out.put(d.look_rad_per_count);
     out.put(d.turn_rad_per_s);
-    out.put(d.flags);
+    out.put(d.flags | (has_box(d) ? box_follows : 0));
+    if (!has_box(d)) return;
+    for (const auto edge : d.box_um) out.put(edge);
 }
 
 DeviceSpec get_device(ByteReader& in) {
@@ -110,6 +120,9 @@ DeviceSpec get_device(ByteReader& in) {
     d.look_rad_per_count = in.get<double>();
     d.turn_rad_per_s = in.get<double>();
     d.flags = in.get<std::uint32_t>();
+    if ((d.flags & box_follows) == 0) return d;
+    d.flags &= ~box_follows;
+    for (auto& edge : d.box_um) edge = in.get<std::uint32_t>();
     return d;
 }
 
