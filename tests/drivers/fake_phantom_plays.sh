@@ -34,19 +34,19 @@ awk -F, 'NR > 1 { if ($8 > most) most = $8; if ($8 > 1 && before <= 1) shots++; 
     "$folder/good.csv" || failed "the forces are not those of shots"
 
 # An arm that goes wrong: the match goes on, and its forces end.
-play vanished 4 "path=$folder/way,vanish=1500,back=1000000"
+play vanished 3 "path=$folder/way,vanish=1500,back=1000000"
 grep -q 'plug it in' "$folder/vanished.txt" || failed "nobody says that the arm is lost"
 awk -F, 'END { print "at the end:", $6, $7, $8, $9; exit !($2 > 2 && $6 == 0 && $7 == 0 && $8 == 0) }' "$folder/vanished.csv" ||
     failed "forces of an arm that is not there"
-play stopped 4 "path=$folder/way,stop=1500,back=1000000"
-play late 4 "path=$folder/way,late=50,burst"
-play numberless 4 "path=$folder/way,nan=1000"
+play stopped 3 "path=$folder/way,stop=1500,back=1000000"
+play late 3 "path=$folder/way,late=50,burst"
+play numberless 3 "path=$folder/way,nan=1000"
 
 # An arm that comes back, on a hand that is still at first: shots, none, and shots again.
 awk 'BEGIN {
     print 0, 0, 0, 0, 0; print 1000, 0, 0, 0, 1
     for (ms = 1020; ms <= 60000; ms += 20) print ms, 20 * sin((ms - 1000) / 400), 5 * sin((ms - 1000) / 150), 0, 1 }' >"$folder/calm"
-play back 9 "path=$folder/calm,vanish=2500,back=3"
+play back 7 "path=$folder/calm,vanish=2500,back=1"
 grep -q 'the arm is back' "$folder/back.txt" || failed "nobody says that it is back"
 grep -q 'lost 1 times' "$folder/back.txt" || failed "it was not lost once"
 awk -F, 'NR > 1 { force = $6 ^ 2 + $7 ^ 2 + $8 ^ 2
@@ -55,11 +55,11 @@ awk -F, 'NR > 1 { force = $6 ^ 2 + $7 ^ 2 + $8 ^ 2
                   shots += force > 1 && last <= 1; last = force }
     END { print before, "shots, nothing for", longest, "ms,", shots - before, "shots"; exit !(before >= 3 && longest > 1500 && shots - before >= 3) }' \
     "$folder/back.csv" || failed "it is not felt again"
-play stopped_and_back 8 "path=$folder/calm,stop=2500,back=0"
+play stopped_and_back 5 "path=$folder/calm,stop=2500,back=0"
 grep -q 'the arm is back' "$folder/stopped_and_back.txt" || failed "nobody says that it is back"
 
 # The range and the start screen know it.
-THAUM_LIBHD=$fake FAKE_HD="path=$folder/way" "$thaum" range --hands arm --seconds 4 >"$folder/range.txt" 2>&1 || failed "no range by arm"
+THAUM_LIBHD=$fake FAKE_HD="path=$folder/way" "$thaum" range --hands arm --seconds 3 >"$folder/range.txt" 2>&1 || failed "no range by arm"
 cat "$folder/range.txt"
 grep -Eq 'range: [0-9]+ of [1-9]' "$folder/range.txt" || failed "its button does not shoot on the range"
 grep -q '; 0 forces differ' "$folder/range.txt" || failed "the range computes other forces than the arm's thread"
@@ -68,7 +68,7 @@ THAUM_LIBHD=$fake FAKE_HD="path=$folder/way,vanish=1000" "$thaum" --hands arm --
 grep -q 'plug it in' "$folder/start.txt" || failed "the start screen does not see that it goes"
 
 # An arm whose clock is faster than ours: the match follows it, else samples would pile up until the forces were old ones.
-play faster 6 "path=$folder/way,rate=1008"
+play faster 5 "path=$folder/way,rate=1008"
 tail -n 1000 "$folder/faster.csv" | awk -F, '$9 == "stale" { stale++ } END { print "stale for", stale + 0, "of the last", NR
     exit !(stale < NR / 2) }' || failed "the match does not keep pace with the arm"
 
