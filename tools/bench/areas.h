@@ -19,6 +19,7 @@ void haptics(const Options& options, Report& report);
 /// Parts of `haptics`.
 void surfaces(const Options& options, Report& report);
 void passivity(Report& report);
+void arms(const Options& options, Report& report);
 void field(const Options& options, Report& report);
 /// The brew's surface.
 void surface(const Options& options, Report& report);

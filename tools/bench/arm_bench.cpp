@@ -1,0 +1,152 @@
+// A real arm's thread without an arm: what a tick costs there and in the simulation, which makes the same step once more; and how
+// well a thread of our own keeps 1 kHz on this machine. A vendor's library brings its own thread: of a real arm `thaum doctor` tells.
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <thread>
+
+#include "core/clock.h"
+#include "input/arm_servo.h"
+#include "input/tick_times.h"
+#include "tools/bench/allocations.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/measure.h"
+
+namespace thaum::bench {
+namespace {
+
+constexpr std::int64_t arm_period_ns = 1'000'000;
+constexpr int exchange_ticks = 4000;
+
+/// A point that pulls the hand: a Touch's limits.
+haptics::HapticModel pulling_model() {
+    haptics::HapticModel model;
+    model.coupling = {.stiffness = 300, .damping = 1};
+    model.primitives.add({.kind = haptics::PrimitiveKind::point, .strength = 1});
+    return model;
+}
+
+haptics::Servo touch_servo() {
+    haptics::DeviceSpec spec;
+    spec.peak_force = 3.3;
+    spec.continuous_force = 0.88;
+    return {haptics::safety_limits(spec, 1)};
+}
+
+/// To and fro by 2 cm.
+input::ArmReading reading_at(int tick) {
+    const auto phase = tick % 80;
+    return {.time_ns = (tick + 1) * arm_period_ns,
+            .position_um = {500 * (phase < 40 ? phase : 80 - phase), 1000, 0}};
+}
+
+/// The simulation's half, as a match has it.
+struct ArmMatchHalf {
+    input::ArmServo& door;
+    haptics::Servo servo = touch_servo();
+    haptics::HapticModel model = pulling_model();
+    input::ArmState state{};
+    std::array<input::KeptModel, input::models_kept> models{};
+
+    void tick() {
+        const auto sample = door.take();
+        const auto number = input::model_of(state, sample);
+        const auto& used = models[number % models.size()];
+        const bool known = number != 0 && used.number == number;
+        input::take_sample(state, servo, sample, known ? &used : nullptr, false);
+        const auto next = ++state.number;
+        models[next % models.size()] = {model, state.offset, next, state.samples};
+        door.order() = {.servo = servo,
+                        .model = model,
+                        .offset = state.offset,
+                        .start = state.servo,
+                        .epoch = state.epoch,
+                        .number = next,
+                        .samples = state.samples};
+        door.publish();
+    }
+};
+
+/// Ticks of both halves by turns.
+struct Exchange {
+    input::ArmServo door{};
+    ArmMatchHalf half{door};
+    double allocations = 0, strongest = 0;
+
+    void run() {
+        const auto before = allocation_count();
+        for (int tick = 0; tick < exchange_ticks; ++tick) {
+            half.tick();
+            strongest = std::max(strongest, glm::length(door.step(reading_at(tick))));
+        }
+        allocations = static_cast<double>(allocation_count() - before);
+    }
+};
+
+void arm_exchange(const Options& options, Report& report) {
+    Exchange exchange;
+    auto samples = measure(std::array{Contestant{{}, [&] { exchange.run(); }}},
+                           {.seconds = options.quick ? 0.3 : 2.0, .least = 11});
+    for (double& us : samples[0]) us /= exchange_ticks;
+    const auto troubles = exchange.door.troubles();
+    report.rows.push_back({.area = "haptics",
+                           .name = "arm_exchange",
+                           .time_us = times(samples[0]),
+                           .is_default = true,
+                           .metrics = {{"allocations", exchange.allocations},
+                                       {"strongest_n", exchange.strongest},
+                                       {"differing", static_cast<double>(troubles.differing)},
+                                       {"lost", static_cast<double>(troubles.lost)}}});
+}
+
+/// The arm's thread until `stop`: sleeps to the next tick, measures, answers.
+void run_arm(input::ArmServo& door, input::TickTimes& kept, const std::atomic<bool>& stop) {
+    auto due = monotonic_ns();
+    for (int tick = 0; !stop; ++tick) {
+        sleep_until_ns(due += arm_period_ns);
+        const auto now = monotonic_ns();
+        kept.begins(now);
+        auto reading = reading_at(tick);
+        reading.time_ns = now;
+        do_not_optimise(door.step(reading));
+        kept.ends(monotonic_ns());
+    }
+}
+
+/// Both at 1 kHz, each in a thread of its own, neither waiting for the other.
+void arm_thread(const Options& options, Report& report) {
+    input::ArmServo door;
+    input::TickTimes kept;
+    std::atomic<bool> stop = false;
+    std::thread arm([&] { run_arm(door, kept, stop); });
+    ArmMatchHalf half{door};
+    auto due = monotonic_ns();
+    for (int tick = 0; tick < (options.quick ? 500 : 3000); ++tick) {
+        half.tick();
+        sleep_until_ns(due += arm_period_ns);
+    }
+    stop = true;
+    arm.join();
+    const auto times = kept.report();
+    report.rows.push_back({.area = "haptics",
+                           .name = "arm_thread",
+                           .is_default = true,
+                           .metrics = {{"ticks", static_cast<double>(times.ticks)},
+                                       {"missed", static_cast<double>(times.missed)},
+                                       {"jitter_us_median", times.jitter_median},
+                                       {"jitter_us_p99", times.jitter_p99},
+                                       {"jitter_us_worst", times.jitter_worst},
+                                       {"pose_to_force_us_median", times.answer_median},
+                                       {"pose_to_force_us_p99", times.answer_p99},
+                                       {"pose_to_force_us_worst", times.answer_worst},
+                                       {"differing", static_cast<double>(door.troubles().differing)}}});
+}
+
+}  // namespace
+
+void arms(const Options& options, Report& report) {
+    arm_exchange(options, report);
+    arm_thread(options, report);
+}
+
+}  // namespace thaum::bench
