@@ -76,17 +76,20 @@ EGLConfig choose_config(EGLDisplay display) {
         EGL_TRUE) {
         return nullptr;
     }
-    // EGL sorts deeper colours first, and 10 bits take a software rasteriser twice as long as 8.
+    // EGL sorts deeper colours first, and 10 bits take a software rasteriser twice as long as 8. With alpha a pixel is laid
+    // out as windows have it, and read_pixels has only to copy.
     const auto has = [&](EGLConfig config, EGLint name, EGLint wanted_value) {
         EGLint value = 0;
         return eglGetConfigAttrib(display, config, name, &value) == EGL_TRUE && value == wanted_value;
     };
-    const auto* const end = configs.data() + count;
-    const auto* found = std::find_if(std::as_const(configs).data(), end, [&](EGLConfig c) {
-        return has(c, EGL_RED_SIZE, 8) && has(c, EGL_DEPTH_SIZE, 24) && has(c, EGL_STENCIL_SIZE, 0) &&
-               has(c, EGL_SAMPLES, 0);
-    });
-    if (found != end) return *found;
+    for (const EGLint alpha : {8, 0}) {
+        const auto* const end = configs.data() + count;
+        const auto* found = std::find_if(std::as_const(configs).data(), end, [&](EGLConfig c) {
+            return has(c, EGL_RED_SIZE, 8) && has(c, EGL_ALPHA_SIZE, alpha) && has(c, EGL_DEPTH_SIZE, 24) &&
+                   has(c, EGL_STENCIL_SIZE, 0) && has(c, EGL_SAMPLES, 0);
+        });
+        if (found != end) return *found;
+    }
     return count > 0 ? configs[0] : nullptr;
 }
 
