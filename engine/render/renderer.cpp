@@ -115,6 +115,7 @@ struct Renderer::State {
     int drawn_width{}, drawn_height{};  // what read_pixels reads
     bool cleared_to_fog{};              // this frame
     SkyCells sky;                       // kept for its memory
+    std::vector<Hidden> hidden;         // from the view that is collected
 
     void draw_views(const Frame& frame);
     ShadowView update_shadow(const Frame& frame);
@@ -186,7 +187,8 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .drawn_width = 0,
                                                .drawn_height = 0,
                                                .cleared_to_fog = false,
-                                               .sky = {}});
+                                               .sky = {},
+                                               .hidden = {}});
     Renderer renderer(std::move(state));
     if (is_software(renderer.device())) keep_freed_memory();
     warm_up(renderer);
@@ -329,11 +331,14 @@ ViewBatches Renderer::State::collect_view(const ViewScene& view, const Rect& at)
     const auto& camera = view.camera;
     const fmat4 matrix = projection_matrix(camera, aspect_of(view.viewport)) * view_matrix(camera);
     const float pixel_angle = 2 * std::tan(camera.fov_y / 2) / static_cast<float>(std::max(at.height, 1));
-    ViewBatches its{.sight = {matrix, camera.position, pixel_angle}, .first = batches.batches.size()};
+    hidden.clear();
+    add_hidden(view.blocks, vec3(camera.position), hidden);
+    ViewBatches its{.sight = {matrix, camera.position, pixel_angle, hidden}, .first = batches.batches.size()};
     const MeshTables tables{mesh_bounds, mesh_levels};
     its.solid = collect(view.instances, tables, its.sight, batches);
     arrange(its.first, mesh_patches, its.sight, batches);
     its.shades = collect(view.shades, tables, its.sight, batches);
+    its.sight.hidden = {};
     return its;
 }
 

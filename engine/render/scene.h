@@ -99,7 +99,7 @@ struct ViewScene {
     /// Flat shade over the ground, drawn last: what is there is multiplied by the mesh's colour. tint.r from 0 (not at
     /// all) to 1 says how strongly.
     std::span<const Instance> shades{};
-    /// Blocks that `instances` fill, or a little more: no sky is drawn where one of them hides it. Up to 64 count.
+    /// Blocks that `instances` fill, or a little more: what one of them hides is not drawn. For the sky up to 64 count.
     std::span<const Block> blocks{};
 };
 

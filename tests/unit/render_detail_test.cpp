@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "render/detail/batches.h"
+#include "render/detail/hidden.h"
 #include "render/detail/sky_cells.h"
 #include "render/simplify.h"
 
@@ -155,6 +156,70 @@ TEST(SkyCells, NoRayToTheSkyGoesThroughACellThatIsLeftOut) {
         }
     }
     EXPECT_GT(left_out, 500) << "the test tests something";
+}
+
+bool hides(const Block& block, vec3 eye, fvec3 centre, fvec3 half) {
+    std::vector<detail::Hidden> hidden;
+    detail::add_hidden({&block, 1}, eye, hidden);
+    return detail::is_hidden(hidden, centre, half);
+}
+
+TEST(Hidden, BehindAWallUpToItsOutline) {
+    const Block wall{{-2, -2, -5}, {2, 2, -4}};
+    const auto at = [&](fvec3 centre) { return hides(wall, vec3(0), centre, fvec3(0.5F)); };
+    EXPECT_TRUE(at({0, 0, -6}));
+    EXPECT_TRUE(at({0, 0, -100}));
+    EXPECT_FALSE(at({0, 0, -3})) << "before it";
+    EXPECT_FALSE(at({0, 0, 6})) << "behind the eye";
+    // The outline widens as the ways from the eye through the near face's edges do: by 2 m in 4.
+    EXPECT_TRUE(at({4.2F, 0, -10}));
+    EXPECT_FALSE(at({4.3F, 0, -10}));
+    EXPECT_FALSE(hides(wall, {0, 0, -4.5}, {0, 0, -6}, fvec3(0.5F))) << "the eye in it";
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(hides({vec3(nan), vec3(nan)}, vec3(0), {0, 0, -6}, fvec3(0.5F)));
+    EXPECT_FALSE(hides({{-2, -2, -5}, {2, nan, -4}}, vec3(0), {0, 0, -6}, fvec3(0.5F)));
+    EXPECT_FALSE(hides(wall, vec3(nan), {0, 0, -6}, fvec3(0.5F)));
+    EXPECT_FALSE(at(fvec3(std::numeric_limits<float>::quiet_NaN())));
+}
+
+TEST(Hidden, NoWayToTheEyeIsFreeAndNoneThatIsBlockedCounts) {
+    Random random = random_stream(4, 2);
+    const auto any = [&](double most) { return random.uniform(-most, most); };
+    const auto anywhere = [&](double most) { return vec3(any(most), any(most), any(most)); };
+    int hidden = 0;
+    for (int round = 0; round < 4000; ++round) {
+        const vec3 middle = anywhere(8), size(2 + any(1.9), 2 + any(1.9), 2 + any(1.9));
+        const Block block{middle - size, middle + size};
+        const vec3 eye = anywhere(8), centre = anywhere(20);
+        const vec3 half(0.5 + any(0.4), 0.5 + any(0.4), 0.5 + any(0.4));
+        // Of the way from a point to the eye; what is beyond the eye hides nothing.
+        const auto blocked = [&](vec3 p) { return meets(block, p, eye - p) && !meets(block, eye, eye - p); };
+        int corners_blocked = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const vec3 out((corner & 1) - 0.5, (corner >> 1 & 1) - 0.5, (corner >> 2 & 1) - 0.5);
+            corners_blocked += blocked(centre + 2.0 * half * out) ? 1 : 0;
+        }
+        if (hides(block, eye, fvec3(centre), fvec3(half))) {
+            ++hidden;
+            EXPECT_EQ(corners_blocked, 8) << "round " << round;
+            for (int i = 0; i < 20; ++i) EXPECT_TRUE(blocked(centre + half * anywhere(0.999)));
+        } else if (corners_blocked == 8) {
+            // But for what rounding does at the outline.
+            EXPECT_TRUE(hides(block, eye, fvec3(centre), fvec3(0.99 * half))) << "round " << round;
+        }
+        // In a frame of its own: turned, moved and stretched.
+        const fmat4 to_world = translated({1, 2, 3}) * rotated({0, 1, 0}, 0.7F) * scaled(fvec3(2));
+        const fvec3 there(glm::inverse(to_world) * fvec4(fvec3(centre), 1));
+        std::vector<detail::Hidden> world;
+        detail::add_hidden({&block, 1}, eye, world);
+        if (world.empty()) continue;
+        const auto own = detail::moved(world[0], to_world);
+        if (!detail::is_hidden(world, fvec3(centre), fvec3(1e-3F)))
+            EXPECT_FALSE(detail::is_hidden({&own, 1}, there, fvec3(1e-3F)));
+        else
+            EXPECT_TRUE(detail::is_hidden({&own, 1}, there, fvec3(0)));
+    }
+    EXPECT_GT(hidden, 100) << "the test tests something";
 }
 
 }  // namespace

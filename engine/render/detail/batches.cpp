@@ -69,7 +69,8 @@ std::size_t collect(std::span<const Instance> instances, const MeshTables& meshe
         const auto& own = meshes.bounds[instance.mesh];
         if (own.radius <= 0 || !finite(instance.model)) continue;  // an empty mesh, or nowhere
         const auto there = placed(own, instance.model);
-        if (within(planes, there)) seen.emplace_back(level_for(instance.mesh, meshes, there, sight), i);
+        if (within(planes, there) && !is_hidden(sight.hidden, there.centre, fvec3(there.radius)))
+            seen.emplace_back(level_for(instance.mesh, meshes, there, sight), i);
     }
     out.culled += instances.size() - seen.size();
     std::sort(seen.begin(), seen.end());
@@ -94,8 +95,10 @@ void arrange(std::size_t first, std::span<const PatchTable> tables, const Sight&
         if (table.patches.empty()) continue;
         THAUM_ASSERT(batch.count == 1, "a patchwork stands in one place");
         const auto& model = out.instances[batch.first].model;
+        out.hidden.clear();
+        for (const auto& hidden : world.hidden) out.hidden.push_back(moved(hidden, model));
         const Sight own{world.to_clip * model, fvec3(glm::inverse(model) * fvec4(world.eye, 1)),
-                        world.pixel_angle};
+                        world.pixel_angle, out.hidden};
         batch.patches = choose_patches(table, own, out.order, out.patch_indices);
         batch.distance = far_off;
     }

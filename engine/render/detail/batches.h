@@ -41,6 +41,7 @@ struct Batches {
     // Kept between frames for its memory.
     std::vector<std::pair<MeshId, std::uint32_t>> seen;
     PatchOrder order;
+    std::vector<Hidden> hidden;
 
     void clear();
 };

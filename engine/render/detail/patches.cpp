@@ -11,6 +11,14 @@ namespace {
 // A line of this width in the ground, seen from a wizard's eyes, fades from where it is less than a pixel high.
 constexpr float line_width = 0.06F, eye_height = 1.7F;  // m
 
+/// Of the box around it.
+fvec3 half_of(const MeshData& mesh) {
+    const fvec3 centre = bounds(mesh).centre;
+    fvec3 half(0);
+    for (const auto& v : mesh.vertices) half = glm::max(half, glm::abs(v.position - centre));
+    return half;
+}
+
 /// Half a triangle's area times its normal, twice.
 fvec3 across(const MeshData& mesh, std::size_t first) {
     const auto at = [&](std::size_t k) { return mesh.vertices[mesh.indices[first + k]].position; };
@@ -89,7 +97,10 @@ JoinedPatches joined(const Patchwork& patchwork) {
     JoinedPatches out;
     for (const auto& patch : patchwork) {
         const auto& shown = patch.full.indices.empty() ? patch.plain : patch.full;
-        PlacedPatch placed{.bounds = bounds(shown), .detail = patch.detail, .sunless = patch.sunless};
+        PlacedPatch placed{.bounds = bounds(shown),
+                           .half = half_of(shown),
+                           .detail = patch.detail,
+                           .sunless = patch.sunless};
         fit_cone(shown, placed);
         placed.full = append_part(patch.full, out);
         out.table.patches.push_back(placed);
@@ -109,6 +120,7 @@ ChosenPatches choose_patches(const PatchTable& table, const Sight& sight, PatchO
     for (std::uint32_t i = 0; i < table.patches.size(); ++i) {
         const auto& patch = table.patches[i];
         if (shows_backs(patch, sight.eye) || !within(planes, patch.bounds)) continue;
+        if (is_hidden(sight.hidden, patch.bounds.centre, patch.half)) continue;
         // By what is farthest of it: a small block in front of a large sheet is drawn before it.
         near_first.emplace_back(glm::distance(patch.bounds.centre, sight.eye) + patch.bounds.radius, i);
     }

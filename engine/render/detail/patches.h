@@ -1,8 +1,10 @@
 // Which patches of a patchwork a view sees, in how much detail and in which order. Pure: no OpenGL.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "render/detail/hidden.h"
 #include "render/mesh.h"
 
 namespace thaum::render::detail {
@@ -12,6 +14,7 @@ struct Sight {
     fmat4 to_clip{1};
     fvec3 eye{0};
     float pixel_angle{};  ///< rad, of one pixel in the middle of the view
+    std::span<const Hidden> hidden{};
 };
 
 struct IndexRange {
@@ -26,6 +29,7 @@ struct ChosenPatches {
 
 struct PlacedPatch {
     Bounds bounds;
+    fvec3 half{0};  ///< m, of the box around it, which has the same centre
     /// Seen from a point p, all triangles of the patch show their backs if the angle between p - apex and -axis has a
     /// cosine of at least `backs` (a cone of normals; > 1 where they face all ways).
     fvec3 apex{0}, axis{0};
