@@ -90,7 +90,8 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
 
 Fading fading_of(float pixel_angle) {
     const float from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
-    return {from, 2.5F * from};
+    // A third of a pixel high by then, and broken into dashes.
+    return {from, 1.8F * from};
 }
 
 JoinedPatches joined(const Patchwork& patchwork) {
