@@ -81,10 +81,10 @@ void convex(const Pen& pen, std::span<const fvec2> corners, fvec4 colour) {
     }
 }
 
-/// Sides of a circle so that it is no more than a tenth of a pixel from round, over `sweep`.
+/// Sides of a circle so that it is no more than a fifth of a pixel from round, over `sweep`.
 int arc_steps(float radius, float sweep) {
     if (!std::isfinite(radius) || !std::isfinite(sweep)) return 1;
-    const float one = 2 * std::acos(1 - 0.1F / std::max(radius, 1.0F));
+    const float one = 2 * std::acos(1 - 0.2F / std::max(radius, 1.0F));
     return std::clamp(static_cast<int>(std::ceil(std::abs(sweep) / one)), 1, 256);
 }
 
