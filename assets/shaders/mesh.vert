@@ -3,14 +3,21 @@
 //   PER_PIXEL  the fragment shader does light, fog and tone curve; without it, all that is done here for each vertex, so that
 //              a pixel costs next to nothing
 //   SHADOW     the sun's light is kept apart, so that the shadow map can take it away
+//   ALONE      one instance: a software rasteriser would fetch what belongs to it anew for each vertex
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 colour;
-layout(location = 3) in mat4 model;
-layout(location = 7) in vec4 tint_glow;
 layout(location = 8) in vec4 baked;   // rgb: light of lamps that never change; a: how open the sky is
 layout(location = 9) in vec2 detail;  // share of the sun; what the colour is multiplied by far off
+#ifdef ALONE
+uniform mat4 model;
+uniform vec4 tint_glow;
+uniform float instance_sun;
+#else
+layout(location = 3) in mat4 model;
+layout(location = 7) in vec4 tint_glow;
 layout(location = 10) in float instance_sun;
+#endif
 
 uniform mat4 view_projection;
 uniform vec3 eye;

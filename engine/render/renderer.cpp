@@ -91,6 +91,7 @@ bool share_fog(const Frame& frame) {
 struct ViewBatches {
     Sight sight;
     std::size_t first{}, solid{}, shades{};
+    std::size_t patchworks{};  // of `solid`, the last ones
 };
 
 }  // namespace
@@ -122,8 +123,10 @@ struct Renderer::State {
     ViewBatches collect_view(const ViewScene& view, const Rect& at);
     void draw_view(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow,
                    const Rect& at, int height);
-    void draw_batches(std::size_t first, std::size_t count, bool sunless_too);
-    void draw_sunless(const ViewScene& view, const ViewBatches& its);
+    void draw_batches(std::size_t first, std::size_t count);
+    void draw_patchworks(const MeshProgram& program, const ViewBatches& its,
+                         IndexRange (*which)(const ChosenPatches&));
+    void draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow);
     void draw_open_sky(const ViewScene& view);
     void draw_overlay(const Frame& frame);
     void send_atlas();
@@ -135,11 +138,13 @@ namespace {
 /// each on a software rasteriser.
 void warm_up(Renderer& renderer) {
     const MeshId mesh = renderer.upload(box(fvec3(0.5F), fvec3(1)));
+    const MeshId patchwork = renderer.upload(Patchwork{{.full = box(fvec3(0.5F), fvec3(1))}});
     const Instance instance{.mesh = mesh, .model = translated({0, 1.7F, -3})};
+    const std::array instances{instance, Instance{.mesh = patchwork, .model = instance.model}};
     const PointLight light;
     ViewScene view;
     view.viewport = {0, 0, 8, 8};
-    view.instances = {&instance, 1};
+    view.instances = instances;
     view.shades = {&instance, 1};
     view.lights = {&light, 1};
     Frame frame{.width = 8, .height = 8, .views = {view}, .overlay = {}};
@@ -151,6 +156,7 @@ void warm_up(Renderer& renderer) {
         renderer.draw(frame);
     }
     renderer.replace(mesh, {});
+    renderer.replace(patchwork, {});
     glFinish();
 }
 
@@ -337,34 +343,48 @@ ViewBatches Renderer::State::collect_view(const ViewScene& view, const Rect& at)
     const MeshTables tables{mesh_bounds, mesh_levels};
     its.solid = collect(view.instances, tables, its.sight, batches);
     arrange(its.first, mesh_patches, its.sight, batches);
+    for (std::size_t i = its.first; i < its.first + its.solid; ++i)
+        its.patchworks += mesh_patches[batches.batches[i].mesh].patches.empty() ? 0 : 1;
     its.shades = collect(view.shades, tables, its.sight, batches);
     its.sight.hidden = {};
     return its;
 }
 
-void Renderer::State::draw_batches(std::size_t first, std::size_t count, bool sunless_too) {
+void Renderer::State::draw_batches(std::size_t first, std::size_t count) {
     for (std::size_t i = first; i < first + count; ++i) {
         const auto& batch = batches.batches[i];
-        const auto& mesh = meshes[batch.mesh];
-        const bool patchwork = !mesh_patches[batch.mesh].patches.empty();
-        const auto which = sunless_too ? batch.patches.all() : batch.patches.sunlit;
-        statistics.triangles += patchwork ? draw_patches(mesh, batch, which, instance_buffer, patch_buffer)
-                                          : draw_batch(mesh, batch, instance_buffer);
+        statistics.triangles += draw_batch(meshes[batch.mesh], batch, instance_buffer);
     }
     statistics.draws += count;
 }
 
-/// What the sun never reaches, at medium: as low does, which has no shadow map, but with all lights.
-void Renderer::State::draw_sunless(const ViewScene& view, const ViewBatches& its) {
-    use_mesh_program(programs.mesh[static_cast<std::size_t>(Quality::low)], view, its.sight, Quality::medium,
-                     {});
-    for (std::size_t i = its.first; i < its.first + its.solid; ++i) {
+/// The program is in use.
+void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatches& its,
+                                      IndexRange (*which)(const ChosenPatches&)) {
+    const auto end = its.first + its.solid;
+    for (std::size_t i = end - its.patchworks; i < end; ++i) {
         const auto& batch = batches.batches[i];
-        if (batch.patches.sunless.count == 0) continue;
-        statistics.triangles +=
-            draw_patches(meshes[batch.mesh], batch, batch.patches.sunless, instance_buffer, patch_buffer);
+        const auto range = which(batch.patches);
+        if (range.count == 0) continue;
+        set_instance(program, batches.instances[batch.first]);
+        statistics.triangles += draw_patches(meshes[batch.mesh], range, patch_buffer);
         ++statistics.draws;
     }
+}
+
+/// At medium, what the sun never reaches is drawn as low does, which has no shadow map, but with all lights.
+void Renderer::State::draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality,
+                                 const ShadowView& shadow) {
+    const auto& program = programs.alone[static_cast<std::size_t>(quality)];
+    use_mesh_program(program, view, its.sight, quality, shadow);
+    if (quality != Quality::medium) {
+        draw_patchworks(program, its, [](const ChosenPatches& p) { return p.all(); });
+        return;
+    }
+    draw_patchworks(program, its, [](const ChosenPatches& p) { return p.sunlit; });
+    const auto& plain = programs.alone[static_cast<std::size_t>(Quality::low)];
+    use_mesh_program(plain, view, its.sight, Quality::medium, {});
+    draw_patchworks(plain, its, [](const ChosenPatches& p) { return p.sunless; });
 }
 
 void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Quality quality,
@@ -377,8 +397,8 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     glEnable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     use_mesh_program(programs.mesh[static_cast<std::size_t>(quality)], view, its.sight, quality, shadow);
-    draw_batches(its.first, its.solid, quality != Quality::medium);
-    if (quality == Quality::medium) draw_sunless(view, its);
+    draw_batches(its.first, its.solid - its.patchworks);
+    if (its.patchworks > 0) draw_stone(view, its, quality, shadow);
     // After all that is solid, so that only pixels that nothing covers are paid for.
     glBindVertexArray(no_attributes.get());
     use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view,
@@ -390,7 +410,7 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     glBlendFunc(GL_ZERO, GL_SRC_COLOR);
     glUseProgram(programs.shade.program.get());
     glUniformMatrix4fv(programs.shade.parameter, 1, GL_FALSE, &its.sight.to_clip[0][0]);
-    draw_batches(its.first + its.solid, its.shades, true);
+    draw_batches(its.first + its.solid, its.shades);
 }
 
 /// Only where no block is known to stand before it.

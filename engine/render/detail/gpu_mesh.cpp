@@ -63,12 +63,11 @@ std::size_t draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& in
     return batch.count * static_cast<std::size_t>(mesh.index_count) / 3;
 }
 
-std::size_t draw_patches(const GpuMesh& mesh, const Batch& batch, IndexRange which, const Buffer& instances,
-                         const Buffer& indices) {
-    use_instances(mesh, batch, instances);
+std::size_t draw_patches(const GpuMesh& mesh, IndexRange which, const Buffer& indices) {
+    glBindVertexArray(mesh.array.get());
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.get());
-    glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(which.count), GL_UNSIGNED_INT,
-                            offset(which.first * sizeof(std::uint32_t)), 1);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(which.count), GL_UNSIGNED_INT,
+                   offset(which.first * sizeof(std::uint32_t)));
     return which.count / 3;
 }
 

@@ -20,9 +20,8 @@ void fill_mesh(GpuMesh& mesh, const MeshData& data);
 
 /// One draw call of a whole mesh; the program is in use, and `instances` holds what the batch counts in. Returns the triangles.
 std::size_t draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& instances);
-/// The same of some patches that the batch has chosen; `indices` holds Batches::patch_indices.
-std::size_t draw_patches(const GpuMesh& mesh, const Batch& batch, IndexRange which, const Buffer& instances,
-                         const Buffer& indices);
+/// The same of some patches, for a program that has the instance already; `indices` holds Batches::patch_indices.
+std::size_t draw_patches(const GpuMesh& mesh, IndexRange which, const Buffer& indices);
 
 /// A float attribute of the array that is bound, `start` bytes into the buffer that is bound.
 void attribute(GLuint index, GLint floats, std::size_t stride, std::size_t start);

@@ -33,8 +33,10 @@ std::vector<Folder> mesh_files(const Folder& shaders, Quality quality) {
     return {};
 }
 
-Expected<MeshProgram> load_mesh_program(const Folder& shaders, Quality quality) {
-    auto program = load_program(mesh_files(shaders, quality), variant_of(quality));
+Expected<MeshProgram> load_mesh_program(const Folder& shaders, Quality quality, bool alone) {
+    auto variant = variant_of(quality);
+    if (alone) variant.emplace_back("ALONE");
+    auto program = load_program(mesh_files(shaders, quality), variant);
     if (!program) return tl::unexpected(program.error());
     MeshProgram out{.program = std::move(*program)};
     const auto named = [&](const char* name) { return uniform(out.program, name); };
@@ -53,6 +55,9 @@ Expected<MeshProgram> load_mesh_program(const Folder& shaders, Quality quality) 
     out.shadow_matrix = named("shadow_matrix");
     out.shadow_lift = named("shadow_lift");
     out.shadow_texel = named("shadow_texel");
+    out.model = named("model");
+    out.tint_glow = named("tint_glow");
+    out.instance_sun = named("instance_sun");
     glUseProgram(out.program.get());
     glUniform1i(named("shadow_map"), shadow_unit);
     return out;
@@ -120,8 +125,10 @@ void set_lights(const MeshProgram& p, std::span<const PointLight> lights, std::s
 Expected<Programs> load_programs(const Folder& shaders) {
     Programs out;
     Loading loading;
-    for (std::size_t q = 0; q < qualities; ++q)
-        loading.take(load_mesh_program(shaders, static_cast<Quality>(q)), out.mesh[q]);
+    for (std::size_t q = 0; q < qualities; ++q) {
+        loading.take(load_mesh_program(shaders, static_cast<Quality>(q), false), out.mesh[q]);
+        loading.take(load_mesh_program(shaders, static_cast<Quality>(q), true), out.alone[q]);
+    }
     loading.take(load_sky_program(shaders, {}), out.sky);
     loading.take(load_sky_program(shaders, {"LINEAR"}), out.sky_of_light);
     const auto small = [&](const std::vector<Folder>& files, const char* parameter, SmallProgram& to) {
@@ -158,6 +165,12 @@ void use_mesh_program(const MeshProgram& p, const ViewScene& view, const Sight& 
     glUniformMatrix4fv(p.shadow_matrix, 1, GL_FALSE, &shadow.to_map[0][0]);
     glUniform1f(p.shadow_lift, shadow.lift);
     glUniform1f(p.shadow_texel, shadow.texel);
+}
+
+void set_instance(const MeshProgram& p, const GpuInstance& instance) {
+    glUniformMatrix4fv(p.model, 1, GL_FALSE, &instance.model[0][0]);
+    glUniform4fv(p.tint_glow, 1, &instance.tint_glow.x);
+    glUniform1f(p.instance_sun, instance.sun);
 }
 
 void use_sky_program(const SkyProgram& p, const ViewScene& view, float aspect, bool cleared_to_fog) {

@@ -2,7 +2,7 @@
 #pragma once
 #include <array>
 
-#include "render/detail/patches.h"
+#include "render/detail/batches.h"
 #include "render/detail/program.h"
 #include "render/quality.h"
 #include "render/scene.h"
@@ -17,6 +17,7 @@ struct MeshProgram {
     GLint view_projection{}, eye{}, sun_direction{}, sun_colour{}, ambient_above{}, ambient_below{};
     GLint light_count{}, light_position{}, light_colour{}, fog_colour{}, fog_rate{}, detail_range{};
     GLint shadow_matrix{}, shadow_lift{}, shadow_texel{};
+    GLint model{}, tint_glow{}, instance_sun{};  ///< of one that draws a single instance
 };
 
 struct SkyProgram {
@@ -32,12 +33,13 @@ struct SmallProgram {
 };
 
 struct Programs {
-    std::array<MeshProgram, qualities> mesh;  ///< by Quality
-    SkyProgram sky, sky_of_light;             ///< tone mapped, and for what the last pass tone maps
-    SmallProgram shadow, shade;               ///< view_projection
-    SmallProgram bright, blur;                ///< texel, way
-    SmallProgram compose;                     ///< bloom_strength
-    SmallProgram overlay;                     ///< pixel
+    std::array<MeshProgram, qualities> mesh;   ///< by Quality
+    std::array<MeshProgram, qualities> alone;  ///< by Quality, for a single instance
+    SkyProgram sky, sky_of_light;              ///< tone mapped, and for what the last pass tone maps
+    SmallProgram shadow, shade;                ///< view_projection
+    SmallProgram bright, blur;                 ///< texel, way
+    SmallProgram compose;                      ///< bloom_strength
+    SmallProgram overlay;                      ///< pixel
 };
 
 /// The error names the file.
@@ -52,6 +54,8 @@ struct ShadowView {
 
 void use_mesh_program(const MeshProgram& program, const ViewScene& view, const Sight& sight, Quality quality,
                       const ShadowView& shadow);
+/// For one of Programs::alone, which is in use.
+void set_instance(const MeshProgram& program, const GpuInstance& instance);
 /// `cleared_to_fog`: what nothing covers has the colour of the view's fog already.
 void use_sky_program(const SkyProgram& program, const ViewScene& view, float aspect, bool cleared_to_fog);
 
