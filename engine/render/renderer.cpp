@@ -129,6 +129,7 @@ struct Renderer::State {
     void draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow);
     void draw_open_sky(const ViewScene& view);
     void draw_overlay(const Frame& frame);
+    void draw_overlay_runs();
     void send_atlas();
 };
 
@@ -149,6 +150,7 @@ void warm_up(Renderer& renderer) {
     view.lights = {&light, 1};
     Frame frame{.width = 8, .height = 8, .views = {view}, .overlay = {}};
     frame.casters = {{&instance, 1}, {&instance, 1}};
+    frame.overlay.items.emplace_back(RectItem{.low = {0, 0}, .high = {4, 4}});
     frame.overlay.items.push_back(TextItem{.text = "a", .position = {0, 0}, .size = 8});
     for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
         frame.quality = quality;
@@ -437,6 +439,22 @@ void Renderer::State::send_atlas() {
     }
 }
 
+/// In order, by turns what is text and what is not.
+void Renderer::State::draw_overlay_runs() {
+    const auto is_text = [&](const OverlayVertex& v) { return v.texel != atlas.solid(); };
+    const auto& all = overlay.built;
+    for (auto first = all.begin(); first != all.end();) {
+        const bool text = is_text(*first);
+        const auto last =
+            std::find_if(first, all.end(), [&](const OverlayVertex& v) { return is_text(v) != text; });
+        glUseProgram((text ? programs.overlay : programs.shape).program.get());
+        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first - all.begin()),
+                     static_cast<GLsizei>(last - first));
+        ++statistics.draws;
+        first = last;
+    }
+}
+
 void Renderer::State::draw_overlay(const Frame& frame) {
     overlay.built.clear();
     atlas.start_frame();
@@ -449,13 +467,14 @@ void Renderer::State::draw_overlay(const Frame& frame) {
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glUseProgram(programs.overlay.program.get());
-    glUniform2f(programs.overlay.parameter, 2 / static_cast<float>(frame.width),
-                2 / static_cast<float>(frame.height));
+    for (const auto* program : {&programs.overlay, &programs.shape}) {
+        glUseProgram(program->program.get());
+        glUniform2f(program->parameter, 2 / static_cast<float>(frame.width),
+                    2 / static_cast<float>(frame.height));
+    }
     glBindVertexArray(overlay.array.get());
     fill_buffer(GL_ARRAY_BUFFER, overlay.vertices, overlay.built, GL_STREAM_DRAW);
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(overlay.built.size()));
-    ++statistics.draws;
+    draw_overlay_runs();
 }
 
 }  // namespace thaum::render

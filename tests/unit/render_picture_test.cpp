@@ -503,9 +503,10 @@ protected:
 };
 
 TEST_F(BrokenShader, EveryFileIsNamedWhenItDoesNotCompile) {
-    for (const char* name : {"mesh.vert", "mesh.frag", "light.glsl", "shadow.glsl", "tone.glsl", "sky.vert",
-                             "flat.frag", "shadow.vert", "shadow.frag", "shade.vert", "screen.vert",
-                             "bright.frag", "blur.frag", "compose.frag", "overlay.vert", "overlay.frag"}) {
+    for (const char* name :
+         {"mesh.vert", "mesh.frag", "light.glsl", "shadow.glsl", "tone.glsl", "sky.vert", "flat.frag",
+          "shadow.vert", "shadow.frag", "shade.vert", "screen.vert", "bright.frag", "blur.frag",
+          "compose.frag", "overlay.vert", "overlay.frag", "shape.frag"}) {
         const auto path = folder / "shaders" / name;
         std::ofstream(path) << "#version 330 core\nvoid main() {\n    no such thing;\n}\n";
         const auto message = error();

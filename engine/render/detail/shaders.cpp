@@ -141,6 +141,7 @@ Expected<Programs> load_programs(const Folder& shaders) {
     small({shaders / "screen.vert", shaders / "compose.frag", shaders / "tone.glsl"}, "bloom_strength",
           out.compose);
     small({shaders / "overlay.vert", shaders / "overlay.frag"}, "pixel", out.overlay);
+    small({shaders / "overlay.vert", shaders / "shape.frag"}, "pixel", out.shape);
     if (loading.error) return tl::unexpected(*loading.error);
     return out;
 }

@@ -39,7 +39,7 @@ struct Programs {
     SmallProgram shadow, shade;                ///< view_projection
     SmallProgram bright, blur;                 ///< texel, way
     SmallProgram compose;                      ///< bloom_strength
-    SmallProgram overlay;                      ///< pixel
+    SmallProgram overlay, shape;               ///< pixel; for text, and for all else
 };
 
 /// The error names the file.
