@@ -195,8 +195,10 @@ StepReport advance(Fluid& fluid, double dt) {
 }
 
 void carry_substances(Fluid& fluid, double dt) {
-    (void)fluid;
-    (void)dt;
+    if (fluid.work->staggered)
+        fluid.work->staggered->carry(fluid.settings, fluid.now, dt);
+    else
+        classic_carry_substances(fluid, fluid.work->classic, dt);
 }
 
 vec3 velocity_at(const Fluid& fluid, vec3 place) {

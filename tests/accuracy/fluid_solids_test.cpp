@@ -8,19 +8,13 @@
 #include "fluid/solids.h"
 #include "fluid/sums.h"
 #include "fluid/viscosity.h"
+#include "tools/bench/fluid_flows.h"
 
 namespace thaum::fluid {
 namespace {
 
 constexpr Edges open_above{Edge::no_slip, Edge::free_slip, Edge::no_slip};
 constexpr Edges round_about{Edge::periodic, Edge::periodic, Edge::periodic};
-
-/// A hemisphere below a cylinder, in the unit box.
-double bowl(vec3 place) {
-    vec3 apart = place - vec3(0.5);
-    if (place.y > 0.5) apart.y = 0;
-    return glm::length(apart) > 0.49 ? 1 : 0;
-}
 
 std::array<Samples, 3> random_flow(const Lattice& lattice, const Solids* solids) {
     Random random = random_stream(7, 0);
@@ -46,7 +40,7 @@ double square(const Lattice& lattice, const std::array<Samples, 3>& velocity) {
 TEST(FluidSolids, AProjectionLeavesNoFlowAndItsCostDoesNotGrowWithTheGrid) {
     for (const int n : {12, 24, 48}) {
         const Lattice lattice = make_lattice({n, n, n}, 1.0 / n, open_above);
-        Solids solids(lattice, bowl);
+        Solids solids(lattice, flows::cauldron);
         auto velocity = random_flow(lattice, &solids);
         Samples potential = make_samples(lattice);
         const double tolerance = 1e-4 * n;
@@ -62,7 +56,7 @@ TEST(FluidSolids, AProjectionLeavesNoFlowAndItsCostDoesNotGrowWithTheGrid) {
 TEST(FluidSolids, AProjectionTakesTheWholeOfAGradientAndNothingOfWhatIsFree) {
     const int n = 24;
     const Lattice lattice = make_lattice({n, n, n}, 1.0 / n, open_above);
-    Solids solids(lattice, bowl);
+    Solids solids(lattice, flows::cauldron);
     auto velocity = random_flow(lattice, &solids);
     Samples potential = make_samples(lattice);
     const double before = square(lattice, velocity);
@@ -90,7 +84,7 @@ Fluid brew(int n) {
                       .edges = open_above,
                       .viscosity = 1e-3,
                       .substances = {{.viscosity = 0.1, .weight = 0.5}, {.weight = -0.2}},
-                      .solid = bowl};
+                      .solid = flows::cauldron};
     auto fluid = make_fluid(settings);
     EXPECT_TRUE(fluid.has_value());
     return std::move(*fluid);

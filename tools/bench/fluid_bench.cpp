@@ -266,6 +266,38 @@ void turns(const Options& options, Report& report) {
     }
 }
 
+// ---- the cauldron ---------------------------------------------------------------------------------------------------
+
+/// What a match pays: two ladles, three substances, one of them thick, in a bowl; beside an empty box of as many cells.
+void cauldron(const Options& options, Report& report) {
+    const int n = 32, steps = options.quick ? 60 : 600;
+    std::vector<FluidRun> runs;
+    for (const bool in_cauldron : {true, false}) {
+        auto fluid = flows::brew(n, in_cauldron);
+        if (!fluid) return report.faults.push_back(text("fluid: ", fluid.error().message));
+        runs.push_back({.scheme = {Solver::thaum, in_cauldron ? 2 : 4}, .n = n, .fluid = std::move(*fluid)});
+    }
+    double iterations = 0;
+    for (int i = 0; i < steps; ++i) {
+        for (FluidRun& run : runs) {
+            flows::stir(run.fluid, i);
+            advance_timed(run, flows::step);
+        }
+        iterations += runs[0].last.pressure_iterations;
+    }
+    for (const FluidRun& run : runs) {
+        const bool in_cauldron = &run == runs.data();
+        Row row = row_of(in_cauldron ? "cauldron" : "cauldron_as_a_box", run);
+        row.error = ErrorMeasure{"largest_divergence", run.divergence};
+        row.metrics = {{"steps", steps}, {"substeps_per_step", run.substeps / run.steps}};
+        if (in_cauldron) {
+            row.metrics.emplace_back("pressure_iterations_per_step", iterations / steps);
+            row.metrics.emplace_back("ratio_to_box", median(run.us) / median(runs[1].us));
+        }
+        report.rows.push_back(std::move(row));
+    }
+}
+
 // ---- rest and attack ----------------------------------------------------------------------------------------------
 
 void rest(const Options& options, Report& report) {
@@ -363,6 +395,7 @@ void fluid(const Options& options, Report& report) {
     cavities(options, report);
     turns(options, report);
     bowls(options, report);
+    cauldron(options, report);
     rest(options, report);
     hostile(options, report);
 }

@@ -413,6 +413,41 @@ inline double bowl_error(const Fluid& fluid, double time) {
     return std::sqrt(off / of);
 }
 
+// ---- the cauldron ---------------------------------------------------------------------------------------------------
+
+/// 1 where it is solid: a hemisphere below a cylinder that is open above, in the unit box.
+inline double cauldron(vec3 place) {
+    vec3 apart = place - vec3(0.5);
+    if (place.y > 0.5) apart.y = 0;
+    return glm::length(apart) > 0.49 ? 1 : 0;
+}
+
+/// A cauldron with three substances in it, the first a hundred times as viscous as the base fluid; or, to compare, a box with none.
+inline Expected<Fluid> brew(int n, bool in_cauldron = true) {
+    Settings settings{.cells = {n, n, n},
+                      .h = 1.0 / n,
+                      .edges = {Edge::no_slip, Edge::free_slip, Edge::no_slip},
+                      .viscosity = 1e-3};
+    if (in_cauldron) {
+        settings.substances = {Substance{.viscosity = 0.1, .weight = 0.02}, Substance{.weight = -0.02},
+                               Substance{.viscosity = 1e-3, .weight = 0.01}};
+        settings.solid = cauldron;
+    }
+    auto fluid = make_fluid(settings);
+    if (fluid && in_cauldron)
+        for (std::size_t s = 0; s < 3; ++s)
+            pour(*fluid, s, {0.3 + 0.2 * static_cast<double>(s), 0.4, 0.5}, 0.2, 0.01);
+    return fluid;
+}
+
+/// Two ladles, opposite each other, each a third of the way round in a second.
+inline void stir(Fluid& fluid, int steps_before) {
+    const double angle = 2 * pi / 3 * step * steps_before;
+    const vec3 out(det::cos(angle), 0, det::sin(angle)), along(-out.z, 0, out.x);
+    for (const double side : {1.0, -1.0})
+        push(fluid, {vec3(0.5) + 0.25 * side * out, 0.1, 1e-4 * side * along});
+}
+
 // ---- rest and attack ----------------------------------------------------------------------------------------------
 
 /// Three substances in layers, heavier ones below, which ought to stay there for ever.
