@@ -1,6 +1,6 @@
 // game/scenario/force_trace.h: what both hands felt in a scenario, kept in a small file and compared to the bit.
 //
-//     # thaum forces, rules 6, maths 0123456789abcdef, 5230 ticks, hash 0123456789abcdef
+//     # thaum forces, rules 7, maths 0123456789abcdef, 5230 ticks, hash 0123456789abcdef
 //     from_tick,p1_peak_n,p1_x_n,p1_y_n,p1_z_n,p2_peak_n,p2_x_n,p2_y_n,p2_z_n,hash
 //     256,1.1993,0,0,0.0716,0,0,0,0,01234567
 //
