@@ -56,8 +56,8 @@ inline Eight rate_at(const Carrier& a, const Carrier& b, const Carrier& c, const
     return sum;
 }
 
-/// Where a row's results go.
-struct Row {
+/// Of a row: where they go, and from what.
+struct Results {
     const float* start;
     const float* before;  ///< what the sum was
     const float* force;   ///< null: none
@@ -68,7 +68,7 @@ struct Row {
 template <bool fourth, bool viscous>
 [[gnu::always_inline]] inline void take_row(const Carrier& a, const Carrier& b, const Carrier& c,
                                             const float* q, std::ptrdiff_t count, const Factors& factors,
-                                            const Row& row, float sum_part, float next_part) {
+                                            const Results& row, float sum_part, float next_part) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) {
         Eight rate = rate_at<fourth, viscous>(a, b, c, q + i, i, factors);
         if (row.force != nullptr) rate += load(row.force + i);
@@ -85,7 +85,9 @@ Momentum::Momentum(const Lattice& lattice, int order) : lattice_(lattice), order
 
 template <bool fourth, bool viscous, std::size_t axis>
 void Momentum::component(const Stage& stage, float viscosity) {
-    const auto& [nx, ny, nz] = lattice_.cells;
+    const int nx = lattice_.cells[0];
+    const int ny = lattice_.cells[1];
+    const int nz = lattice_.cells[2];
     const auto& stride = lattice_.stride;
     const auto along = stride[axis];
     const auto count = whole_eights(nx);
@@ -117,11 +119,11 @@ void Momentum::component(const Stage& stage, float viscosity) {
                 Carrier{y - stride[1], y, y + stride[1], y + 2 * stride[1], stride[1]},
                 Carrier{ring(k - 1) + here, ring(k) + here, ring(k + 1) + here, ring(k + 2) + here,
                         stride[2]}};
-            const Row row{.start = stage.start[axis].data() + at,
-                          .before = (stage.first ? stage.start : stage.sum)[axis].data() + at,
-                          .force = stage.force != nullptr ? (*stage.force)[axis].data() + at : nullptr,
-                          .sum = stage.sum[axis].data() + at,
-                          .next = stage.next != nullptr ? (*stage.next)[axis].data() + at : nullptr};
+            const Results row{.start = stage.start[axis].data() + at,
+                              .before = (stage.first ? stage.start : stage.sum)[axis].data() + at,
+                              .force = stage.force != nullptr ? (*stage.force)[axis].data() + at : nullptr,
+                              .sum = stage.sum[axis].data() + at,
+                              .next = stage.next != nullptr ? (*stage.next)[axis].data() + at : nullptr};
             take_row<fourth, viscous>(by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3],
                                       stage.from[axis].data() + at, count, factors, row, stage.sum_part,
                                       stage.next_part);

@@ -22,7 +22,9 @@ double linear(const Lattice& lattice, const Samples& samples, vec3 first, vec3 p
     const vec3 part = at - low;
     const float* p = samples.data() +
                      lattice.at(static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(low.z));
-    const auto [x, y, z] = lattice.stride;
+    const auto x = lattice.stride[0];
+    const auto y = lattice.stride[1];
+    const auto z = lattice.stride[2];
     const auto along_x = [&](std::ptrdiff_t from) {
         const auto a = static_cast<double>(p[from]);
         return a + part.x * (static_cast<double>(p[from + x]) - a);

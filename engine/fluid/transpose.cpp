@@ -5,15 +5,28 @@
 namespace thaum::fluid {
 namespace {
 
-using Choice = int __attribute__((vector_size(32)));
+/// Of two rows: what each keeps or takes where the index has no bit `distance`, and where it has.
+template <int distance>
+inline Eight low_of(const Eight& a, const Eight& b) {
+    if constexpr (distance == 4) return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
+    if constexpr (distance == 2) return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+    if constexpr (distance == 1) return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
+}
+template <int distance>
+inline Eight high_of(const Eight& a, const Eight& b) {
+    if constexpr (distance == 4) return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+    if constexpr (distance == 2) return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    if constexpr (distance == 1) return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
+}
 
 /// Rows r and r + distance exchange half of what they hold.
-inline void exchange(const Eight* in, Eight* out, int distance, const Choice& low, const Choice& high) {
+template <int distance>
+inline void exchange(const Eight* in, Eight* out) {
 #pragma GCC unroll 8
     for (int r = 0; r < 8; ++r) {
         if ((r & distance) != 0) continue;
-        out[r] = __builtin_shuffle(in[r], in[r + distance], low);
-        out[r + distance] = __builtin_shuffle(in[r], in[r + distance], high);
+        out[r] = low_of<distance>(in[r], in[r + distance]);
+        out[r + distance] = high_of<distance>(in[r], in[r + distance]);
     }
 }
 
@@ -22,9 +35,9 @@ void transpose_tile(const float* from, std::ptrdiff_t from_pitch, float* to, std
     Eight turned[8];
 #pragma GCC unroll 8
     for (int r = 0; r < 8; ++r) row[r] = load(from + r * from_pitch);
-    exchange(row, turned, 4, Choice{0, 1, 2, 3, 8, 9, 10, 11}, Choice{4, 5, 6, 7, 12, 13, 14, 15});
-    exchange(turned, row, 2, Choice{0, 1, 8, 9, 4, 5, 12, 13}, Choice{2, 3, 10, 11, 6, 7, 14, 15});
-    exchange(row, turned, 1, Choice{0, 8, 2, 10, 4, 12, 6, 14}, Choice{1, 9, 3, 11, 5, 13, 7, 15});
+    exchange<4>(row, turned);
+    exchange<2>(turned, row);
+    exchange<1>(row, turned);
 #pragma GCC unroll 8
     for (int r = 0; r < 8; ++r) store(to + r * to_pitch, turned[r]);
 }

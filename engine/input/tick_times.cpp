@@ -58,4 +58,11 @@ TickReport TickTimes::report() const {
             .answer_worst = answer_.worst()};
 }
 
+std::vector<std::pair<std::string, double>> metrics_of(const TickReport& times) {
+    return {{"ticks", static_cast<double>(times.ticks)}, {"missed", static_cast<double>(times.missed)},
+            {"jitter_us_median", times.jitter_median},   {"jitter_us_p99", times.jitter_p99},
+            {"jitter_us_worst", times.jitter_worst},     {"pose_to_force_us_median", times.answer_median},
+            {"pose_to_force_us_p99", times.answer_p99},  {"pose_to_force_us_worst", times.answer_worst}};
+}
+
 }  // namespace thaum::input

@@ -4,6 +4,9 @@
 #include <array>
 #include <atomic>
 #include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace thaum::input {
 
@@ -28,6 +31,9 @@ struct TickReport {
     double jitter_median{}, jitter_p99{}, jitter_worst{};  ///< between two ticks: how far from the period
     double answer_median{}, answer_p99{}, answer_worst{};  ///< from the measurement to the force handed over
 };
+
+/// With names that carry the unit.
+std::vector<std::pair<std::string, double>> metrics_of(const TickReport& times);
 
 /// One thread tells; any may ask for the report.
 class TickTimes {

@@ -104,8 +104,7 @@ Finding real_arm() {
     const auto status = (*arm)->status();
     const auto& facts = (*arm)->facts();
     const bool good = status.state == input::ArmPresence::present;
-    return {what,
-            good ? State::good : State::missing,
+    return {what, good ? State::good : State::missing,
             text(input::name_of(facts), " of ", fixed(facts.spec.peak_force, 1), " N, measures ",
                  facts.spec.sensed, " degrees of freedom, pushes in ", facts.spec.actuated,
                  facts.spec.actuated <= 3 ? " (no torques)" : "", ", library ", facts.driver, ": ",
@@ -113,14 +112,7 @@ Finding real_arm() {
             good && !(*arm)->preferred() ? "allow real-time priority: a line '@GROUP - rtprio 60' in "
                                            "/etc/security/limits.d, then log in again"
                                          : status.text,
-            {{"ticks", static_cast<double>(times.ticks)},
-             {"missed", static_cast<double>(times.missed)},
-             {"jitter_us_median", times.jitter_median},
-             {"jitter_us_p99", times.jitter_p99},
-             {"jitter_us_worst", times.jitter_worst},
-             {"pose_to_force_us_median", times.answer_median},
-             {"pose_to_force_us_p99", times.answer_p99},
-             {"pose_to_force_us_worst", times.answer_worst}}};
+            metrics_of(times)};
 }
 
 Finding opengl(const std::filesystem::path& assets, const Expected<Data>& data) {

@@ -127,19 +127,10 @@ void arm_thread(const Options& options, Report& report) {
     }
     stop = true;
     arm.join();
-    const auto times = kept.report();
-    report.rows.push_back({.area = "haptics",
-                           .name = "arm_thread",
-                           .is_default = true,
-                           .metrics = {{"ticks", static_cast<double>(times.ticks)},
-                                       {"missed", static_cast<double>(times.missed)},
-                                       {"jitter_us_median", times.jitter_median},
-                                       {"jitter_us_p99", times.jitter_p99},
-                                       {"jitter_us_worst", times.jitter_worst},
-                                       {"pose_to_force_us_median", times.answer_median},
-                                       {"pose_to_force_us_p99", times.answer_p99},
-                                       {"pose_to_force_us_worst", times.answer_worst},
-                                       {"differing", static_cast<double>(door.troubles().differing)}}});
+    auto metrics = metrics_of(kept.report());
+    metrics.emplace_back("differing", static_cast<double>(door.troubles().differing));
+    report.rows.push_back(
+        {.area = "haptics", .name = "arm_thread", .is_default = true, .metrics = std::move(metrics)});
 }
 
 }  // namespace
