@@ -269,6 +269,20 @@ void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt,
     report.fell_back = true;
 }
 
+/// Nothing drives it and nothing spreads.
+bool Staggered::stays(const Settings& settings, const State& now, double dt) const {
+    if (settings.lid != 0 || (forced_ && dt * sum_of_largest(lattice_, force_) >= rest_speed)) return false;
+    for (std::size_t s = 0; s < now.substances.size(); ++s)
+        if (settings.substances[s].diffusion > 0 && largest(lattice_, now.substances[s]) > 0) return false;
+    return true;
+}
+
+void Staggered::fall_asleep(State& now) {
+    for (Samples& u : now.velocity) std::fill(u.begin(), u.end(), 0.0F);
+    std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
+    now.asleep = true;
+}
+
 StepReport Staggered::step(const Settings& settings, State& now, double dt) {
     StepReport report;
     double left = dt;
@@ -299,7 +313,7 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
             report.divergence = std::max(report.divergence, static_cast<double>(std::abs(d)));
     }
     if (report.speed > 0) report.divergence *= lattice_.h / report.speed;
-    now.asleep = report.speed < rest_speed && !forced_;
+    if (report.speed < rest_speed && stays(settings, now, dt)) fall_asleep(now);
     return report;
 }
 

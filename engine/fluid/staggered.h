@@ -34,6 +34,8 @@ private:
 
     bool viscosity_varies(const Settings& settings) const;
     double steps_wanted(const Settings& settings, const State& now, double dt) const;
+    bool stays(const Settings& settings, const State& now, double dt) const;
+    static void fall_asleep(State& now);
     void gather_forces(const Settings& settings, const State& now, double share);
     void add_buoyancy(const Settings& settings, const State& now);
     void substep(const Settings& settings, State& now, double dt, StepReport& report);

@@ -96,7 +96,9 @@ TEST(FluidSolids, LayersInABowlStay) {
     set_substance(fluid, 1, [](vec3 place) { return place.y > 0.6 ? 0.5 : 0.0; });
     const double mass = amount(fluid, 0);
     for (int i = 0; i < 100; ++i) {
+        fluid.now.asleep = false;
         const auto report = advance(fluid, 0.016);
+        ASSERT_GT(report.cells, 0) << i;
         ASSERT_EQ(report.speed, 0) << i;
     }
     EXPECT_EQ(amount(fluid, 0), mass);
@@ -127,6 +129,24 @@ TEST(FluidSolids, AStirredBowlKeepsItsSubstancesAndLosesItsEnergy) {
         ASSERT_LT(now, before) << i;
         before = now;
     }
+}
+
+TEST(FluidSolids, AStirredBowlFallsAsleepAndWakesAgain) {
+    Fluid fluid = brew(12);
+    set_substance(fluid, 0, [](vec3 place) { return place.y < 0.4 ? 3.0 : 0.0; });
+    const auto sleeps_within = [&](int steps) {
+        for (int i = 0; i < steps; ++i)
+            if (advance(fluid, 0.016).cells == 0) return true;
+        return false;
+    };
+    EXPECT_FALSE(fluid.now.asleep);
+    EXPECT_TRUE(sleeps_within(3)) << "layers rest";
+    ASSERT_TRUE(push(fluid, {{0.5, 0.3, 0.5}, 0.1, {1e-6, 0, 0}}));
+    EXPECT_GT(advance(fluid, 0.016).cells, 0);
+    EXPECT_GT(energy(fluid), 0);
+    fluid.settings.viscosity = 1;
+    EXPECT_TRUE(sleeps_within(1000));
+    EXPECT_EQ(energy(fluid), 0);
 }
 
 TEST(FluidSolids, AThickBrewIsStiller) {
