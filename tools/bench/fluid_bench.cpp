@@ -23,7 +23,7 @@ using fluid::Fluid;
 using fluid::Solver;
 using fluid::StepReport;
 
-constexpr std::array schemes{Scheme{Solver::thaum, 4}, Scheme{Solver::thaum, 2}, Scheme{Solver::classic}};
+constexpr std::array solvers{Scheme{Solver::thaum, 4}, Scheme{Solver::thaum, 2}, Scheme{Solver::classic}};
 
 /// Steps of each fluid are timed and what they did is kept.
 struct FluidRun {
@@ -54,7 +54,7 @@ void advance_timed(FluidRun& run, double dt) {
 std::vector<FluidRun> runs_of(const std::function<Expected<Fluid>(const Scheme&, int n)>& make, int n,
                               Report& report) {
     std::vector<FluidRun> result;
-    for (const Scheme& scheme : schemes) {
+    for (const Scheme& scheme : solvers) {
         auto fluid = make(scheme, n);
         if (fluid)
             result.push_back({.scheme = scheme, .n = n, .fluid = std::move(*fluid)});
@@ -224,13 +224,13 @@ void bowls(const Options& options, Report& report) {
 
 // ---- substances ---------------------------------------------------------------------------------------------------
 
-struct Shape {
+struct TurnedShape {
     const char* name;
     double (*density)(vec3 place);
 };
 
 /// One turn, by the substances' part of a step alone; no 16 ms here, but as many steps as `cfl` allows.
-void add_turn(const Shape& shape, int n, double cfl, Report& report) {
+void add_turn(const TurnedShape& shape, int n, double cfl, Report& report) {
     auto runs = runs_of(
         [](const Scheme& scheme, int cells) { return make_fluid(flows::turning_settings(scheme, cells)); }, n,
         report);
@@ -258,8 +258,8 @@ void add_turn(const Shape& shape, int n, double cfl, Report& report) {
 
 void turns(const Options& options, Report& report) {
     const std::vector<int> sizes = options.quick ? std::vector{16, 32} : std::vector{16, 32, 64};
-    for (const Shape& shape :
-         {Shape{"gaussian_turn", flows::gaussian}, Shape{"slotted_sphere_turn", flows::slotted_sphere}}) {
+    for (const TurnedShape& shape : {TurnedShape{"gaussian_turn", flows::gaussian},
+                                     TurnedShape{"slotted_sphere_turn", flows::slotted_sphere}}) {
         for (const int n : sizes) {
             for (const double cfl : {1.0, 4.0}) add_turn(shape, n, cfl, report);
         }
@@ -386,7 +386,7 @@ void stress_one(const Scheme& scheme, std::uint64_t steps, Report& report) {
 }  // namespace
 
 void fluid_stress(const Options& options, Report& report) {
-    for (const Scheme& scheme : schemes) stress_one(scheme, options.ticks.value_or(usual_strikes), report);
+    for (const Scheme& scheme : solvers) stress_one(scheme, options.ticks.value_or(usual_strikes), report);
 }
 
 void fluid(const Options& options, Report& report) {
