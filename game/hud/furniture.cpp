@@ -304,7 +304,7 @@ MeshData rune_circle(float radius) {
 }
 
 MeshData contact_shade(float darkest) {
-    constexpr std::uint32_t sides = 16, rings = 4;
+    constexpr std::uint32_t sides = 12, rings = 3;
     MeshData mesh;
     mesh.vertices.push_back({fvec3(0), {0, 1, 0}, fvec3(darkest)});
     for (std::uint32_t ring = 1; ring <= rings; ++ring) {
