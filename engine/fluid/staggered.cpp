@@ -23,8 +23,8 @@ constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 constexpr double carried_most = 2.0;
 /// nu dt / h^2 up to which viscosity is taken by the stages: 16 times that is at most 2.4 for the steepest wave.
 constexpr double explicit_most = 0.15;
-constexpr double divergence_most =
-    5e-5;  ///< where there are solids, times h by the mean of the components' largest
+/// Where there are solids: times h, by the mean of the components' largest.
+constexpr double divergence_most = 5e-5;
 constexpr int iterations_most = 40;
 constexpr double rest_speed = 1e-6;  ///< m/s; slower than that a fluid without forces falls asleep
 
@@ -113,39 +113,41 @@ void Staggered::add_buoyancy(const Settings& settings, const State& now) {
         for (std::size_t i = 0; i < mixed_.size(); ++i) mixed_[i] += weight * now.substances[s][i];
     }
     forced_ = true;
-    const std::size_t down = std::abs(settings.gravity.y) > 0 ? 1 : std::abs(settings.gravity.z) > 0 ? 2 : 0;
+    const vec3& pull = settings.gravity;
+    const std::size_t down = pull.y != 0 ? 1 : pull.z != 0 ? 2 : 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto half = static_cast<float>(0.5 * settings.gravity[static_cast<int>(axis)]);
-        if (half == 0) continue;
-        const auto s = lattice_.stride[axis];
-        const std::size_t one = (axis + 1) % 3;
-        const std::size_t other = (axis + 2) % 3;
-        for (int level = 0; level < lattice_.cells[axis]; ++level) {
-            double sum = 0;
-            std::int64_t count = 0;
-            const auto each = [&](auto&& visit) {
-                for (int a = 0; a < lattice_.cells[one]; ++a)
-                    for (int b = 0; b < lattice_.cells[other]; ++b) {
-                        const auto at = lattice_.first + level * s + a * lattice_.stride[one] +
-                                        b * lattice_.stride[other];
-                        if (solids_ && solids_->open()[axis][static_cast<std::size_t>(at)] <= 0) continue;
-                        visit(at);
-                    }
-            };
-            if (axis == down)
-                each([&](std::ptrdiff_t at) {
-                    sum += static_cast<double>(mixed_[static_cast<std::size_t>(at)] +
-                                               mixed_[static_cast<std::size_t>(at - s)]);
-                    ++count;
-                });
-            const auto mean = static_cast<float>(count > 0 ? sum / static_cast<double>(count) : 0);
-            each([&](std::ptrdiff_t at) {
-                force_[axis][static_cast<std::size_t>(at)] +=
-                    half *
-                    (mixed_[static_cast<std::size_t>(at)] + mixed_[static_cast<std::size_t>(at - s)] - mean);
-            });
-        }
+        const auto of_axis = static_cast<float>(pull[static_cast<int>(axis)]);
+        if (of_axis == 0) continue;
+        for (int level = 0; level < lattice_.cells[axis]; ++level)
+            pull_level(axis, level, of_axis, axis == down);
     }
+}
+
+/// The open faces across an axis at one place along it, by the mean of mixed_ on their two sides.
+void Staggered::pull_level(std::size_t axis, int level, float pull, bool without_mean) {
+    const std::size_t one = (axis + 1) % 3;
+    const std::size_t other = (axis + 2) % 3;
+    const auto s = lattice_.stride[axis];
+    const float* mixed = mixed_.data();
+    const float* open = solids_ ? solids_->open()[axis].data() : nullptr;
+    const auto each_face = [&](auto&& visit) {
+        for (int a = 0; a < lattice_.cells[one]; ++a) {
+            for (int b = 0; b < lattice_.cells[other]; ++b) {
+                const auto at =
+                    lattice_.first + level * s + a * lattice_.stride[one] + b * lattice_.stride[other];
+                if (open == nullptr || open[at] > 0) visit(at);
+            }
+        }
+    };
+    double sum = 0;
+    std::int64_t count = 0;
+    each_face([&](std::ptrdiff_t at) {
+        sum += static_cast<double>(mixed[at] + mixed[at - s]);
+        ++count;
+    });
+    const auto mean = static_cast<float>(without_mean && count > 0 ? sum / static_cast<double>(count) : 0);
+    float* force = force_[axis].data();
+    each_face([&](std::ptrdiff_t at) { force[at] += 0.5F * pull * (mixed[at] + mixed[at - s] - mean); });
 }
 
 /// Free of divergence where that is had directly; ghosts filled.

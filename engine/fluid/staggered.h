@@ -38,6 +38,7 @@ private:
     static void fall_asleep(State& now);
     void gather_forces(const Settings& settings, const State& now, double share);
     void add_buoyancy(const Settings& settings, const State& now);
+    void pull_level(std::size_t axis, int level, float pull, bool without_mean);
     void substep(const Settings& settings, State& now, double dt, StepReport& report);
     void end_stage(const Settings& settings, Velocity& velocity);
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
