@@ -4,6 +4,7 @@
 #pragma once
 #include "field/field.h"
 #include "fluid/lattice.h"
+#include "fluid/sample.h"
 
 namespace thaum::fluid {
 
@@ -28,9 +29,9 @@ inline field::Grid cell_grid(const Lattice& lattice, const Samples& samples,
 /// Of a velocity on the faces.
 inline field::StaggeredGrid face_grid(const Lattice& lattice, const std::array<Samples, 3>& velocity,
                                       field::Kernel kernel = field::Kernel::catmull_rom) {
-    return {{grid_of(lattice, velocity[0], {0, 0.5, 0.5}, kernel),
-             grid_of(lattice, velocity[1], {0.5, 0, 0.5}, kernel),
-             grid_of(lattice, velocity[2], {0.5, 0.5, 0}, kernel)}};
+    return {{grid_of(lattice, velocity[0], face_place(0), kernel),
+             grid_of(lattice, velocity[1], face_place(1), kernel),
+             grid_of(lattice, velocity[2], face_place(2), kernel)}};
 }
 
 }  // namespace thaum::fluid

@@ -6,6 +6,7 @@
 
 #include "core/text.h"
 #include "fluid/classic.h"
+#include "fluid/fields.h"
 #include "fluid/sample.h"
 #include "fluid/staggered.h"
 #include "fluid/sums.h"
@@ -79,7 +80,7 @@ bool free_at(const Fluid& fluid, std::size_t axis, vec3 cell, std::size_t at) {
 
 bool holds_fluid(const Fluid& fluid, std::size_t at) {
     const Solids* solids = fluid.work->staggered ? fluid.work->staggered->solids() : nullptr;
-    return solids == nullptr || solids->fluid()[at] > 0;
+    return solids == nullptr || solids->holds_fluid(at);
 }
 
 /// Smooth to its rim, and 0 beyond.
@@ -203,11 +204,12 @@ void carry_substances(Fluid& fluid, double dt) {
 
 vec3 velocity_at(const Fluid& fluid, vec3 place) {
     if (!is_finite(place)) return vec3(0);
-    const vec3 inside = into_box(fluid.lattice, place / fluid.lattice.h);
+    const vec3 inside = fluid.lattice.h * into_box(fluid.lattice, place / fluid.lattice.h);
     vec3 result;
     for (std::size_t axis = 0; axis < 3; ++axis)
         result[static_cast<int>(axis)] =
-            linear(fluid.lattice, fluid.now.velocity[axis], fluid.place(axis), inside);
+            grid_of(fluid.lattice, fluid.now.velocity[axis], fluid.place(axis), field::Kernel::linear)(inside)
+                .value;
     return result;
 }
 

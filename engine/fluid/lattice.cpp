@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cstring>
 
-#include "fluid/eight.h"
-
 namespace thaum::fluid {
 namespace {
 
@@ -74,8 +72,8 @@ void fill_x(const Lattice& lattice, const Mirrors& all, float* cells) {
             float* row = cells + lattice.at(0, j, k);
             // Rows are written in whole eights: what that left beyond the cells may be anything.
             for (const Mirror& m : all) row[m.to] = m.factor == 0 ? 0 : m.factor * row[m.from];
-            std::fill(row + lattice.cells[0] + ghosts,
-                      std::max(row + whole_eights(lattice.cells[0]), row + lattice.cells[0] + ghosts), 0.0F);
+            for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < whole_eights(lattice.cells[0]); ++i)
+                row[i] = 0;
         }
     }
 }

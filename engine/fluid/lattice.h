@@ -14,6 +14,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "fluid/eight.h"
+
 namespace thaum::fluid {
 
 /// One value for each cell, ghosts included, as Lattice::at counts.
@@ -41,7 +43,7 @@ struct Lattice {
 inline Lattice make_lattice(Cells cells, double h, Edges edges) {
     Lattice result{.cells = cells, .edges = edges, .h = h};
     // Rows of whole vectors; more at the end, so that the last one may be read past.
-    const std::ptrdiff_t row = (cells[0] + 2 * ghosts + 7) / 8 * 8;
+    const std::ptrdiff_t row = whole_eights(cells[0] + 2 * ghosts);
     result.stride = {1, row, row * (cells[1] + 2 * ghosts)};
     result.first = ghosts * (result.stride[0] + result.stride[1] + result.stride[2]);
     result.size = static_cast<std::size_t>(result.stride[2] * (cells[2] + 2 * ghosts) + 8);

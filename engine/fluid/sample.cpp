@@ -5,41 +5,17 @@
 
 namespace thaum::fluid {
 
-vec3 into_box(const Lattice& lattice, vec3 place) {
-    for (int axis = 0; axis < 3; ++axis) {
-        const double n = lattice.cells[static_cast<std::size_t>(axis)];
-        if (lattice.edges[static_cast<std::size_t>(axis)] == Edge::periodic)
-            place[axis] -= n * std::floor(place[axis] / n);
-        else
-            place[axis] = std::clamp(place[axis], 0.0, n);
-    }
-    return place;
-}
-
-double linear(const Lattice& lattice, const Samples& samples, vec3 first, vec3 place) {
-    const vec3 at = place - first;
-    const vec3 low = glm::floor(at);
-    const vec3 part = at - low;
-    const float* p = samples.data() +
-                     lattice.at(static_cast<int>(low.x), static_cast<int>(low.y), static_cast<int>(low.z));
-    const auto x = lattice.stride[0];
-    const auto y = lattice.stride[1];
-    const auto z = lattice.stride[2];
-    const auto along_x = [&](std::ptrdiff_t from) {
-        const auto a = static_cast<double>(p[from]);
-        return a + part.x * (static_cast<double>(p[from + x]) - a);
-    };
-    const auto along_y = [&](std::ptrdiff_t from) {
-        const double a = along_x(from);
-        return a + part.y * (along_x(from + y) - a);
-    };
-    const double a = along_y(0);
-    return a + part.z * (along_y(z) - a);
-}
-
 namespace {
 
-/// As `linear`, in float; `at` counts from where the value of cell (0, 0, 0) stands, not before the ghosts.
+/// Along one axis.
+template <class T>
+T into_box(const Lattice& lattice, std::size_t axis, T place) {
+    const auto n = static_cast<T>(lattice.cells[axis]);
+    if (lattice.edges[axis] == Edge::periodic) return place - n * std::floor(place / n);
+    return std::clamp(place, T{0}, n);
+}
+
+/// Linear along each axis; `at` counts from where the value of cell (0, 0, 0) stands, not before the ghosts.
 inline float between(const float* first, const std::array<std::ptrdiff_t, 3>& stride,
                      const std::array<float, 3>& at) {
     const float* p = first;
@@ -59,18 +35,18 @@ inline float between(const float* first, const std::array<std::ptrdiff_t, 3>& st
     return low + part[2] * (along_y(p + stride[2]) - low);
 }
 
-inline float into_box(const Lattice& lattice, std::size_t axis, float place) {
-    const auto n = static_cast<float>(lattice.cells[axis]);
-    if (lattice.edges[axis] == Edge::periodic) return place - n * std::floor(place / n);
-    return std::clamp(place, 0.0F, n);
-}
-
 /// What another component is where one stands: the mean of the four round that place.
 inline float mean_of_four(const float* u, std::ptrdiff_t own, std::ptrdiff_t other) {
     return 0.25F * ((u[0] + u[other]) + (u[-own] + u[other - own]));
 }
 
 }  // namespace
+
+vec3 into_box(const Lattice& lattice, vec3 place) {
+    for (int axis = 0; axis < 3; ++axis)
+        place[axis] = into_box(lattice, static_cast<std::size_t>(axis), place[axis]);
+    return place;
+}
 
 void carry_back(const Lattice& lattice, const std::array<Samples, 3>& velocity, std::size_t axis, double dt,
                 Samples& out) {

@@ -1,4 +1,4 @@
-// fluid/sample.h: values between the places of a lattice, linear along each axis.
+// fluid/sample.h: the semi-Lagrangian step: what each place holds comes from where its flow was (Stam 1999).
 #pragma once
 #include "core/maths.h"
 #include "fluid/lattice.h"
@@ -14,9 +14,6 @@ inline vec3 face_place(std::size_t axis) {
 
 /// A place, in cells, moved into the box: to the nearest one, or round where the edges are periodic.
 vec3 into_box(const Lattice& lattice, vec3 place);
-
-/// place: in cells, inside the box; `first`: where the value of cell (0, 0, 0) stands. Ghosts are filled.
-double linear(const Lattice& lattice, const Samples& samples, vec3 first, vec3 place);
 
 /// One component of a staggered velocity as it was, dt ago, where the flow through its places came from (first order). Ghosts of
 /// the velocity are filled; those of out are left.

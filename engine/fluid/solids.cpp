@@ -52,7 +52,7 @@ void fill_sides(const Lattice& lattice, Samples& samples) {
 
 Solids::Solids(const Lattice& lattice, const std::function<double(vec3)>& solid)
     : lattice_(lattice), box_(lattice, 2) {
-    for (auto* samples : {&fluid_, &diagonal_, &residual_, &smoothed_, &direction_, &image_, &correction_})
+    for (auto* samples : {&diagonal_, &residual_, &smoothed_, &direction_, &image_, &correction_})
         *samples = make_samples(lattice);
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
                    static_cast<std::size_t>(lattice.cells[2]));
@@ -74,7 +74,6 @@ Solids::Solids(const Lattice& lattice, const std::function<double(vec3)>& solid)
                 sum += open_[axis][static_cast<std::size_t>(i)] +
                        open_[axis][static_cast<std::size_t>(i + lattice_.stride[axis])];
             diagonal_[static_cast<std::size_t>(i)] = sum;
-            fluid_[static_cast<std::size_t>(i)] = sum > 0 ? 1.0F : 0.0F;
         }
     });
 }

@@ -22,8 +22,8 @@ public:
 
     /// Shares of the faces of each component that are open, 0 to 1, ghosts included: 0 at walls.
     const std::array<Samples, 3>& open() const { return open_; }
-    /// 1 in cells that hold fluid, otherwise 0.
-    const Samples& fluid() const { return fluid_; }
+    /// Of a cell, counted as Lattice::at does.
+    bool holds_fluid(std::size_t cell) const { return diagonal_[cell] > 0; }
 
     /// Velocities on closed faces become 0.
     void close(std::array<Samples, 3>& velocity) const;
@@ -46,7 +46,6 @@ private:
 
     Lattice lattice_;
     std::array<Samples, 3> open_;
-    Samples fluid_;
     Samples diagonal_;  ///< sum of the open shares round a cell
     PressureSolver box_;
     // Of the conjugate gradients: residual, its preconditioned, the direction, the operator on that, and their sum.
