@@ -2,6 +2,8 @@
 //
 // The ghosts are part of them, so near a wall a kernel reads what is mirrored there; they must be filled.
 #pragma once
+#include <span>
+
 #include "field/field.h"
 #include "fluid/lattice.h"
 #include "fluid/sample.h"
@@ -9,7 +11,7 @@
 namespace thaum::fluid {
 
 /// `first`: where the value of cell (0, 0, 0) stands, in cells: the middle of the cell, or of its low face across an axis.
-inline field::Grid grid_of(const Lattice& lattice, const Samples& samples, vec3 first,
+inline field::Grid grid_of(const Lattice& lattice, std::span<const float> samples, vec3 first,
                            field::Kernel kernel = field::Kernel::catmull_rom) {
     field::Grid grid{.first = samples.data() + lattice.at(-ghosts, -ghosts, -ghosts),
                      .stride = lattice.stride,
@@ -21,7 +23,7 @@ inline field::Grid grid_of(const Lattice& lattice, const Samples& samples, vec3 
 }
 
 /// Of a density, or anything else in the middles of cells.
-inline field::Grid cell_grid(const Lattice& lattice, const Samples& samples,
+inline field::Grid cell_grid(const Lattice& lattice, std::span<const float> samples,
                              field::Kernel kernel = field::Kernel::catmull_rom) {
     return grid_of(lattice, samples, vec3(0.5), kernel);
 }

@@ -40,9 +40,11 @@ void read_mesh(const ConfigTable& table, std::string_view shape, Arena& arena, B
         const bool east = table.choice("rises", directions) == 0;
         arena.meshes.push_back(ramp(size, east));
     } else {
-        arena.meshes.push_back(bowl({.radius = table.number("radius", extent),
-                                     .height = table.number("height", extent),
-                                     .thickness = table.number("thickness", {0.01, 1})}));
+        const BowlSize size{.radius = table.number("radius", extent),
+                            .height = table.number("height", extent),
+                            .thickness = table.number("thickness", {0.01, 1})};
+        if (!arena.bowl) arena.bowl = BowlPlace{table.vector("centre", place), size};
+        arena.meshes.push_back(bowl(size));
     }
 }
 

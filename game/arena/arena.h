@@ -1,9 +1,11 @@
 // game/arena/arena.h: the place of a match, as its file describes it (assets/arenas).
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/config.h"
+#include "game/arena/solids.h"
 #include "game/components/body.h"
 #include "game/components/power_up.h"
 
@@ -16,6 +18,13 @@ struct Thing {
     vec3 position{};
     bool prop = false;
     bool operator==(const Thing&) const = default;
+};
+
+/// The first bowl among the solids: a cauldron stands in it where the rule set has one.
+struct BowlPlace {
+    vec3 centre{};
+    BowlSize size{};
+    bool operator==(const BowlPlace&) const = default;
 };
 
 struct PowerUpPlace {
@@ -31,6 +40,7 @@ struct Arena {
     std::vector<vec3> anchors;
     std::vector<Pad> pads;
     std::vector<PowerUpPlace> power_ups;
+    std::optional<BowlPlace> bowl;
     bool operator==(const Arena&) const = default;
 };
 

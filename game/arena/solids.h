@@ -11,6 +11,7 @@ struct BowlSize {
     double radius{};     ///< m, of the rim
     double height{};     ///< m
     double thickness{};  ///< m, of the wall
+    bool operator==(const BowlSize&) const = default;
 };
 
 /// A solid of revolution about y, centred at half its height: a foot, a belly, an open top.

@@ -1,0 +1,145 @@
+#include "game/cauldron/brew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/text.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr Range share{0, 1};
+constexpr Range viscosity{0, fluid::viscosity_most};
+const std::vector<std::string_view> solver_names{"thaum", "classic"};
+
+/// What of the surface stands in the file; `side` follows later.
+fluid::SheetSettings read_surface(const ConfigTable& table) {
+    fluid::SheetSettings result;
+    result.nodes = static_cast<std::uint32_t>(table.integer("nodes", {3, 129}));
+    result.tension = table.number("tension_n_per_m", {0, 1e6});
+    result.areal_mass = table.number("areal_mass_kg_m2", {0.1, 1e6});
+    result.level = table.number("level_n_per_m3", {0, 1e6});
+    result.damping = table.number("damping_per_s", {0, 1e3});
+    result.contact = table.number("contact_n_per_m", {0, 1e6});
+    result.pop_through = table.number("pop_through_n", {0, 1e6});
+    result.cling = table.number("cling_n", {0, 1e6});
+    result.reach = table.number("reach_m", {1e-3, 100});
+    return result;
+}
+
+LadleRules read_ladle(const ConfigTable& table) {
+    return {.radius = table.number("radius_m", {0.01, 2}),
+            .drag = table.number("drag_n_s_per_m", {0, 1e5}),
+            .metres_per_metre = table.number("metres_per_metre", {0.1, 1000}),
+            .newtons_per_newton = table.number("newtons_per_newton", {1e-6, 1}),
+            .in = table.number("in_from_middle_m", {0, 10}),
+            .below = table.number("below_surface_m", {-5, 5}),
+            .reach = table.number("reach_m", {0, 10})};
+}
+
+Ingredient read_ingredient(const ConfigTable& table) {
+    return {.name = table.string("name"),
+            .colour = table.vector("colour", share),
+            .substance = {.viscosity = table.number("viscosity_m2_s", viscosity),
+                          .weight = table.number("weight", {-1, 10}),
+                          .diffusion = table.number("diffusion_m2_s", {0, 1})}};
+}
+
+}  // namespace
+
+CauldronRules read_cauldron_rules(const Config& file) {
+    const auto root = file.root();
+    const auto brew = root.table("brew");
+    CauldronRules rules{
+        .cells_across = static_cast<int>(brew.integer("cells_across", {6, 128})),
+        .solver = brew.choice("solver", solver_names) == 0 ? fluid::Solver::thaum : fluid::Solver::classic,
+        .filled = brew.number("filled", {0.3, 1}),
+        .density = brew.number("density_kg_m3", {1e-3, 1e5}),
+        .viscosity = brew.number("viscosity_m2_s", viscosity),
+        .colour = brew.vector("colour", share),
+        .surface = read_surface(root.table("surface")),
+        .ladle = read_ladle(root.table("ladle")),
+        .ingredients = {}};
+    for (const auto& table : root.tables("ingredient")) rules.ingredients.push_back(read_ingredient(table));
+    if (rules.ingredients.empty()) root.report("ingredient", "there must be an ingredient at least");
+    return rules;
+}
+
+Basin basin_of(const BowlSize& bowl, double filled) {
+    const auto whole = bowl_profile(bowl);
+    const double level = bowl.height * (filled - 0.5);
+    Basin basin;
+    // The profile ends with the inside, from the rim down; its first point on the inside is the first after the highest one.
+    const auto top = std::max_element(whole.begin(), whole.end(), [](vec2 a, vec2 b) { return a.y < b.y; });
+    for (auto at = top + 1; at != whole.end(); ++at) {
+        const vec2 before = *(at - 1);
+        if (at->y > level) continue;
+        if (before.y > level)
+            basin.profile.push_back(
+                {before.x + (at->x - before.x) * (level - before.y) / (at->y - before.y), 0});
+        basin.profile.push_back({at->x, at->y - level});
+    }
+    for (const vec2 point : basin.profile) {
+        basin.radius = std::max(basin.radius, point.x);
+        basin.depth = std::max(basin.depth, -point.y);
+    }
+    return basin;
+}
+
+double width_at(const Basin& basin, double height) {
+    const auto& profile = basin.profile;
+    if (profile.empty() || height < profile.back().y) return 0;
+    for (std::size_t i = 1; i < profile.size(); ++i) {
+        const vec2 high = profile[i - 1], low = profile[i];
+        if (height < low.y || !(high.y > low.y)) continue;
+        return low.x + (high.x - low.x) * std::min(1.0, (height - low.y) / (high.y - low.y));
+    }
+    return profile.front().x;
+}
+
+Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
+    const double h = 2 * basin.radius / rules.cells_across;
+    const int deep = std::max(1, static_cast<int>(std::ceil(basin.depth / h - 1e-9)));
+    const vec3 corner(-basin.radius, -h * deep, -basin.radius);
+    const auto walls = std::make_shared<const Basin>(basin);
+    fluid::Settings settings{.solver = rules.solver,
+                             .cells = {rules.cells_across, deep, rules.cells_across},
+                             .h = h,
+                             .edges = {fluid::Edge::no_slip, fluid::Edge::free_slip, fluid::Edge::no_slip},
+                             .viscosity = rules.viscosity,
+                             .substances = std::vector<fluid::Substance>(fluid::substances_most),
+                             .solid = [walls, corner](vec3 place) {
+                                 const vec3 at = place + corner;
+                                 return off_axis(at) < width_at(*walls, at.y) ? 0.0 : 1.0;
+                             }};
+    auto fluid = fluid::make_fluid(settings);
+    if (!fluid) return tl::unexpected(fluid.error());
+    auto surface = rules.surface;
+    surface.side = 2 * basin.radius;
+    const auto checked = fluid::checked(surface);
+    if (!checked) return tl::unexpected(checked.error());
+    return Brew{
+        .fluid = std::move(*fluid), .sheet = fluid::sheet_of(*checked), .scratch = {}, .corner = corner};
+}
+
+std::optional<std::size_t> substance_for(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient) {
+    if (ingredient >= rules.ingredients.size()) return std::nullopt;
+    for (const auto wanted : {ingredient, no_ingredient}) {
+        const auto found = std::find(brew.what.begin(), brew.what.end(), wanted);
+        if (found == brew.what.end()) continue;
+        const auto slot = static_cast<std::size_t>(found - brew.what.begin());
+        *found = ingredient;
+        brew.fluid.settings.substances[slot] = rules.ingredients[ingredient].substance;
+        return slot;
+    }
+    return std::nullopt;
+}
+
+bool drop(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient, vec3 place, double radius,
+          double amount) {
+    const auto slot = substance_for(brew, rules, ingredient);
+    return slot && fluid::pour(brew.fluid, *slot, place - brew.corner, radius, amount);
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,90 @@
+// game/cauldron/brew.h: what is in the cauldron, as plain data: a flow, up to three substances in it, and the surface on top. The one
+// brew that the match, the lab, scenarios and benchmarks stir.
+//
+//            level ──── ~~~~~~~~~~~~~ ────      origin of the brew's frame: the middle of the surface, +y up
+//                   \               /
+//                    \_____________/            the box of cells reaches down to the lowest place of the bowl's inside
+#pragma once
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "fluid/fluid.h"
+#include "fluid/sheet.h"
+#include "game/arena/solids.h"
+
+namespace thaum::game {
+
+/// What can be dropped in. Colour linear, 0 to 1.
+struct Ingredient {
+    std::string name;
+    vec3 colour{};
+    fluid::Substance substance{};
+};
+
+struct LadleRules {
+    double radius{};              ///< m, of the fluid that it takes along
+    double drag{};                ///< N s/m, of the pure brew on it
+    double metres_per_metre{};    ///< of the ladle for one of the hand
+    double newtons_per_newton{};  ///< of the hand for one on the ladle
+    double in{},
+        below{};     ///< m, where it is for a hand at rest: from the middle to its holder, below the level
+    double reach{};  ///< m, from the rim, where its holder may stand
+};
+
+/// assets/cauldron.toml.
+struct CauldronRules {
+    int cells_across{};
+    fluid::Solver solver{};
+    double filled{};                 ///< of the bowl's height
+    double density{};                ///< kg/m^3, what a push has to move
+    double viscosity{};              ///< m^2/s, of the base fluid
+    vec3 colour{};                   ///< likewise
+    fluid::SheetSettings surface{};  ///< its side follows from the bowl
+    LadleRules ladle{};
+    std::vector<Ingredient> ingredients;
+};
+
+CauldronRules read_cauldron_rules(const Config& file);
+
+/// The inside of a bowl below the level of what is in it.
+struct Basin {
+    double radius{};  ///< m, the widest
+    double depth{};   ///< m, the deepest
+    std::vector<vec2>
+        profile;  ///< m: radius and height (0: level, below it negative), from the level down to the middle
+};
+
+Basin basin_of(const BowlSize& bowl, double filled);
+
+/// m: how far a way leads to the side.
+inline double off_axis(vec3 way) { return std::sqrt(way.x * way.x + way.z * way.z); }
+
+/// m: how wide the basin is at a height (negative: below the level); 0 below its floor. Above the level as wide as there.
+double width_at(const Basin& basin, double height);
+
+inline constexpr std::uint32_t no_ingredient = 0xFFFF'FFFF;
+
+struct Brew {
+    fluid::Fluid fluid;
+    fluid::Sheet sheet;
+    fluid::SheetScratch scratch;
+    /// Which ingredient stands in each substance, by its number in the rules.
+    std::array<std::uint32_t, fluid::substances_most> what{no_ingredient, no_ingredient, no_ingredient};
+    vec3
+        corner{};  ///< m, brew's frame: where the fluid's box begins; a place p of the brew is p - corner of the fluid
+};
+
+/// At rest and pure. The error says what of the rules the solver does not take.
+Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
+
+/// The substance in which this ingredient stands, or the first free one, which is then its; none where all are taken.
+std::optional<std::size_t> substance_for(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient);
+
+/// `amount`, m^3, of an ingredient within `radius` of a place of the brew's frame. False where nothing was added.
+bool drop(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient, vec3 place, double radius,
+          double amount);
+
+}  // namespace thaum::game
