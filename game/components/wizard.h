@@ -20,19 +20,21 @@ struct Wizard {
 
 /// This tick's device sample, as the player meant it.
 struct Controls {
-    std::uint32_t held{};                  ///< input::Button bits
-    std::uint32_t pressed{};               ///< went down since gameplay last looked
-    std::int32_t strafe{};                 ///< -127..127, right +
-    std::int32_t forward{};                ///< -127..127
-    std::int32_t trigger{};                ///< 0..255
-    std::int32_t wheel{};                  ///< steps since gameplay last looked
-    std::int32_t hand_right{}, hand_up{};  ///< um: where the clutch moves the hand in this tick
+    std::uint32_t held{};     ///< input::Button bits
+    std::uint32_t pressed{};  ///< went down since gameplay last looked
+    std::int32_t strafe{};    ///< -127..127, right +
+    std::int32_t forward{};   ///< -127..127
+    std::int32_t trigger{};   ///< 0..255
+    std::int32_t wheel{};     ///< steps since gameplay last looked
+    std::int32_t hand_right{}, hand_up{},
+        hand_back{};  ///< um: where clutch or ladle move the hand in this tick
     static constexpr std::string_view name = "Controls";
     static constexpr auto fields() {
         return std::tuple(field("held", &Controls::held), field("pressed", &Controls::pressed),
                           field("strafe", &Controls::strafe), field("forward", &Controls::forward),
                           field("trigger", &Controls::trigger), field("wheel", &Controls::wheel),
-                          field("hand_right", &Controls::hand_right), field("hand_up", &Controls::hand_up));
+                          field("hand_right", &Controls::hand_right), field("hand_up", &Controls::hand_up),
+                          field("hand_back", &Controls::hand_back));
     }
 };
 

@@ -4,6 +4,7 @@
 
 #include "core/assert.h"
 #include "ecs/snapshot.h"
+#include "game/cauldron/cauldron.h"
 #include "game/components/grip.h"
 #include "game/match/arm.h"
 #include "game/match/bodies.h"
@@ -83,6 +84,7 @@ void copy_world(const Stage& from, Stage& to) {
     const auto restored = ecs::restore(to.world, snapshot);
     THAUM_ASSERT(restored, "a match of the same program has the same components");
     rebuild_physics(to);
+    rebuild_brew(to);
 }
 
 }  // namespace

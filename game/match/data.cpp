@@ -139,6 +139,8 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     auto device = loader.load("devices/" + data.touch.device + ".toml", haptics::read_device);
     if (!device) return tl::unexpected(device.error());
     data.device = std::move(*device);
+    if (data.rules.cauldron && data.arena.bowl)
+        data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
     for (const auto& kind : wand_kinds()) {
         data.wands.push_back(loader.load(text("wands/", kind.name, ".toml"), [&](const Config& file) {
             auto wand = read_wand(kind, file);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "game/arena/arena.h"
+#include "game/cauldron/brew.h"
 #include "game/match/rules.h"
 #include "game/wands/wand.h"
 #include "haptics/device.h"
@@ -31,8 +32,9 @@ struct MatchData {
     RuleSet rules;
     WizardRules wizard;
     TouchRules touch;
-    haptics::DeviceSpec device;     ///< that hands hold
-    std::vector<LoadedWand> wands;  ///< by name of kind; with what the rule set switches
+    haptics::DeviceSpec device;             ///< that hands hold
+    std::optional<CauldronRules> cauldron;  ///< none where the rule set has none, or the arena no bowl
+    std::vector<LoadedWand> wands;          ///< by name of kind; with what the rule set switches
     std::vector<DataFile> files;
 };
 

@@ -31,6 +31,7 @@ struct PowerUpRules {
 struct RuleSet {
     bool energy_regain = true;  ///< wands regain energy by themselves, as their files say
     bool spawn_shield = true;
+    bool cauldron = true;  ///< the arena's bowl holds a brew
     std::array<PowerUpRules, power_up_names.size()> power_ups{};
 };
 

@@ -1,6 +1,7 @@
 #include "game/match/simulation.h"
 
 #include "ecs/snapshot.h"
+#include "game/cauldron/ladle.h"
 #include "game/match/arm.h"
 #include "game/match/bare_probe.h"
 #include "game/match/bodies.h"
@@ -64,7 +65,7 @@ Touch touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devi
 }  // namespace
 
 Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
-    : data_(std::move(data)), setup_(std::move(setup)) {
+    : data_(std::move(data)), setup_(std::move(setup)), jobs_(setup_.workers) {
     stage_.reset(new Stage{{},
                            physics::Physics({}, data_->arena.meshes),
                            *data_,
@@ -72,6 +73,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
                            setup_.devices,
                            {}});
     auto& stage = *stage_;
+    stage.jobs = &jobs_;
     declare_components(stage.world);
     stage.world.reserve_entities(1024);
     add_body_hooks(stage);
@@ -83,13 +85,16 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_interval_system(stage, always_);
     add_pause_system(stage, always_);
 
+    if (data_->cauldron) add_stir_system(stage, live_);
     add_touch_system(stage, live_);
+    if (data_->cauldron) add_ladle_system(stage, live_);
     add_walk_system(stage, live_);
     add_probe_system(stage, live_);
     add_wand_forces(stage, live_);
     add_body_systems(stage, live_);
     add_missile_systems(stage, live_);
     add_belt_system(stage, live_);
+    if (data_->cauldron) add_brew_systems(stage, live_);
     add_power_up_system(stage, live_);
     add_life_systems(stage, live_);
     add_round_system(stage, live_);
@@ -127,11 +132,13 @@ Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at)
     THAUM_ASSERT(at % keyframe_interval == 0, text("restored at tick ", at, ", which is no keyframe"));
     if (auto restored = ecs::restore(stage_->world, snapshot); !restored) return restored;
     rebuild_physics(*stage_);
+    rebuild_brew(*stage_);
     now_ = at;
     return {};
 }
 
 const Touch& Simulation::touch() const { return stage_->touch; }
+const BrewWork* Simulation::brew() const { return stage_->brew.get(); }
 const ForceTrace& Simulation::felt(std::uint32_t player) const { return stage_->felt[player]; }
 
 std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {

@@ -16,11 +16,12 @@
 namespace thaum::game {
 
 /// Changes whenever the same input would lead to another state (and says why in the history of this line's file).
-inline constexpr std::uint32_t rules_version = 7;
+inline constexpr std::uint32_t rules_version = 8;
 
 struct MatchSetup {
     std::uint64_t seed = 1;
     std::vector<input::DeviceSpec> devices;  ///< in the order of the frame's samples
+    unsigned workers = 0;  ///< threads for large work beside the caller's; the same match with any number
 };
 
 class Simulation {
@@ -50,6 +51,8 @@ public:
     /// Length of the force on a player's hand, N, at tick t of play in place t mod size.
     const ForceTrace& felt(std::uint32_t player) const;
     const Touch& touch() const;
+    /// What computes the cauldron's brew (game/cauldron/cauldron.h); null where nobody has touched one.
+    const BrewWork* brew() const;
     /// The World's snapshot (ecs/snapshot.h). Restorable only where now() is a multiple of keyframe_interval.
     void save(Bytes& out) const;
     /// Goes on from a state that another Simulation of the same data and setup saved at tick `at`, a keyframe.
@@ -68,6 +71,7 @@ private:
     std::shared_ptr<const MatchData> data_;
     MatchSetup setup_;
     std::unique_ptr<Stage> stage_;
+    Jobs jobs_;  // after the stage, which jobs work on until they end
     ecs::Schedule always_, live_;
     Tick now_ = 0;
     std::uint64_t force_hash_ = 0;

@@ -1,6 +1,7 @@
 #include "game/match/stage.h"
 
 #include "game/components/arm.h"
+#include "game/components/cauldron.h"
 
 namespace thaum::game {
 namespace {
@@ -46,6 +47,10 @@ void declare_components(ecs::World& world) {
     world.declare<Dice>();
     world.declare<Chronicle>();
     for (const auto& kind : wand_kinds()) kind.declare(world);
+    world.declare<Cauldron>();
+    world.declare<BrewPage>();
+    world.declare<SurfacePage>();
+    world.declare<Ladle>();
     // Last, so that they change no hash of a match without them.
     world.declare<Arm>();
     world.declare<PastModel>();

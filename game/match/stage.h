@@ -1,5 +1,8 @@
 // game/match/stage.h: what the systems of a match work on.
 #pragma once
+#include <memory>
+
+#include "core/jobs.h"
 #include "ecs/schedule.h"
 #include "ecs/world.h"
 #include "game/components/match.h"
@@ -31,6 +34,8 @@ struct Touch {
     std::array<double, players> wand_per_hand{};  ///< m of the wand's tip for a metre of the hand
 };
 
+struct BrewWork;  // game/cauldron/cauldron.h
+
 /// N, of each of the last ticks.
 using ForceTrace = std::array<float, 2048>;
 
@@ -44,6 +49,8 @@ struct Stage {
     bool moved = true;        ///< the physics made a step in this tick, or was not asked yet
     std::array<haptics::HapticModel, players>
         models{};                            ///< of this tick; what does not change is not written again
+    Jobs* jobs{};                            ///< for large work, whose results are taken at a fixed tick
+    std::unique_ptr<BrewWork> brew{};        ///< computes the cauldron's; null until it is touched
     std::array<ForceTrace, players> felt{};  ///< for the picture: no state, and starts anew with a restore
 };
 

@@ -33,7 +33,8 @@ bool note_panic_keys(ecs::World& world) {
 
 /// Returns the force, N.
 double feel(Stage& stage, ecs::Entity wizard, const Controls& controls, bool panic, Grip& grip) {
-    const vec3 moved = vec3(controls.hand_right, controls.hand_up, 0) * metres_per_micrometre;
+    const vec3 moved =
+        vec3(controls.hand_right, controls.hand_up, controls.hand_back) * metres_per_micrometre;
     const auto& device = stage.touch.device;
     const auto player = std::as_const(stage.world).get<Wizard>(wizard).player;
     const auto& model = next_model(stage, wizard, grip, panic);

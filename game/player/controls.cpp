@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/components/cauldron.h"
 #include "game/match/arm.h"
 
 namespace thaum::game {
@@ -31,16 +32,29 @@ void turn(const input::DeviceSample& sample, const input::DeviceSpec& spec, doub
     gaze.pitch = std::clamp(gaze.pitch + up, -pitch_limit, pitch_limit);
 }
 
+/// um, of the hand in a tick, by a stick.
+std::int32_t by_stick(const TouchRules& rules, std::int32_t deflection) {
+    return static_cast<std::int32_t>(std::lround(rules.clutch_per_tick * stick_curve(deflection)));
+}
+
 /// The clutch held, mouse and stick move the hand, and the view stands still.
 void move_hand(const input::DeviceSample& sample, const TouchRules& rules, Controls& controls) {
     const auto& counts = sample.counts;
     const auto moved = [&](std::size_t look, std::size_t turn_) {
-        const double stick = rules.clutch_per_tick * stick_curve(counts[turn_]);
         return std::clamp(counts[look], -most_counts, most_counts) * rules.clutch_per_count +
-               static_cast<std::int32_t>(std::lround(stick));
+               by_stick(rules, counts[turn_]);
     };
     controls.hand_right = moved(hand::look_right, hand::turn_right);
     controls.hand_up = moved(hand::look_up, hand::turn_up);
+}
+
+/// Who stirs stands still: mouse and stick move the ladle in the plane of the surface, what would move the feet lifts and sinks it.
+void move_ladle_hand(const input::DeviceSample& sample, const TouchRules& rules, Controls& controls) {
+    move_hand(sample, rules, controls);
+    controls.hand_back = -controls.hand_up;
+    controls.hand_up = by_stick(rules, controls.forward);
+    controls.strafe = controls.forward = 0;
+    controls.pressed &= ~bit(Button::jump);
 }
 
 /// The hands of a player whose hand holds an arm as well have its buttons too: eyes and feet come from the one, hand and wand
@@ -67,7 +81,7 @@ void take(const input::DeviceSample& sample, Controls& controls) {
     controls.strafe = std::clamp(counts[hand::strafe], -127, 127);
     controls.forward = std::clamp(counts[hand::forward], -127, 127);
     controls.trigger = std::clamp(counts[hand::trigger], 0, 255);
-    controls.hand_right = controls.hand_up = 0;
+    controls.hand_right = controls.hand_up = controls.hand_back = 0;
     controls.wheel = std::clamp(controls.wheel + std::clamp(counts[hand::wheel], -100, 100), -100, 100);
 }
 
@@ -81,14 +95,15 @@ double stick_curve(std::int32_t deflection) {
 void add_controls_system(Stage& stage, ecs::Schedule& schedule) {
     auto& world = stage.world;
     schedule.add({.name = "controls",
-                  .reads = world.mask<Wizard, Match, Arm>(),
+                  .reads = world.mask<Wizard, Match, Arm, Ladle>(),
                   .writes = world.mask<Controls, Gaze>(),
                   .needs = world.mask<Controls>(),
                   .run = [&stage](ecs::World& w, Tick) {
                       const auto& match = std::as_const(w).single<Match>();
                       const bool live = match.paused == 0 && match.phase == Phase::playing;
                       w.view<const Wizard, Controls, Gaze>().each(
-                          [&](const Wizard& wizard, Controls& controls, Gaze& gaze) {
+                          [&](ecs::Entity e, const Wizard& wizard, Controls& controls, Gaze& gaze) {
+                              const bool stirs = std::as_const(w).has<Ladle>(e);
                               const bool arm = plays_by_arm(w, wizard.player);
                               const auto buttons = arm_buttons(stage, wizard.player);
                               for (std::size_t d = 0; d < stage.devices.size(); ++d) {
@@ -97,7 +112,9 @@ void add_controls_system(Stage& stage, ecs::Schedule& schedule) {
                                       continue;
                                   const auto sample = with_arm(stage.frame.devices[d], buttons);
                                   take(sample, controls);
-                                  if (live && !arm && (controls.held & bit(Button::clutch)) != 0) {
+                                  if (live && stirs) {
+                                      move_ladle_hand(sample, stage.data.touch, controls);
+                                  } else if (live && !arm && (controls.held & bit(Button::clutch)) != 0) {
                                       move_hand(sample, stage.data.touch, controls);
                                   } else if (live) {
                                       turn(sample, spec, stage.data.wizard.pitch_limit, gaze);

@@ -118,6 +118,7 @@ end
 for _, name in ipairs {
     "position", "centre", "eye", "velocity", "yaw", "pitch", "health", "energy", "readiness", "shots", "kills",
     "deaths", "dead", "grounded", "shielded", "hand", "force", "force_cause", "created",
+    "stirs", "ladle", "ladle_velocity", "ladle_force",
 } do
     Wizard[name] = function(self) return raw.read(self.player, name) end
 end
@@ -140,6 +141,9 @@ end
 function Wizard:move(strafe, forward) raw.move(self.player, strafe, forward) end
 
 function Wizard:stop() raw.move(self.player, 0, 0) end
+
+-- Counts of the mouse in each tick from now on.
+function Wizard:stroke(right, up) raw.look(self.player, right, up) end
 
 function Wizard:look(right, up)
     local counts_right, counts_up = raw.counts_of(self.player, right), raw.counts_of(self.player, up or 0)

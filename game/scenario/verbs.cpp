@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "game/components/cauldron.h"
 #include "game/components/grip.h"
 #include "game/player/walk.h"
 #include "game/scenario/detail/prelude.h"
@@ -266,6 +267,15 @@ bool is_dead(const Play& play, std::uint32_t player) {
     return world_of(play).has<Dead>(wizard_entity(play, player));
 }
 
+bool stirs(const Play& play, std::uint32_t player) {
+    return world_of(play).has<Ladle>(wizard_entity(play, player));
+}
+
+const Ladle& ladle(const Play& play, std::uint32_t player) {
+    if (!stirs(play, player)) fault("wizard ", player + 1, " does not stir");
+    return part<Ladle>(play, player);
+}
+
 constexpr WizardReader wizard_readers[] = {
     {"position",
      [](lua_State* lua, const Play& p, std::uint32_t i) {
@@ -305,6 +315,14 @@ constexpr WizardReader wizard_readers[] = {
     {"deaths",
      [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushinteger(lua, part<Score>(p, i).deaths); }},
     {"dead", [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushboolean(lua, is_dead(p, i)); }},
+    {"stirs", [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushboolean(lua, stirs(p, i)); }},
+    // Of who stirs: where the ladle is, m, how fast, and what it does to the brew, N.
+    {"ladle",
+     [](lua_State* lua, const Play& p, std::uint32_t i) { arg::push_place(lua, ladle(p, i).place); }},
+    {"ladle_velocity",
+     [](lua_State* lua, const Play& p, std::uint32_t i) { arg::push_place(lua, ladle(p, i).velocity); }},
+    {"ladle_force",
+     [](lua_State* lua, const Play& p, std::uint32_t i) { arg::push_place(lua, ladle(p, i).force); }},
     {"grounded", [](lua_State* lua, const Play& p,
                     std::uint32_t i) { lua_pushboolean(lua, part<Stance>(p, i).grounded != 0); }},
     {"shielded",
@@ -369,7 +387,8 @@ constexpr VerbName match_verbs[] = {
 }  // namespace
 
 Expected<void> add_verbs(Sandbox& sandbox, Play& play) {
-    for (const auto list : {std::span<const VerbName>(match_verbs), thing_verbs(), report_verbs()}) {
+    for (const auto list :
+         {std::span<const VerbName>(match_verbs), thing_verbs(), report_verbs(), brew_verbs()}) {
         for (const auto& [name, verb] : list) sandbox.add(name, verb, &play);
     }
     return sandbox.run_prelude(prelude);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "game/components/cauldron.h"
+
 namespace thaum::game {
 namespace {
 
@@ -87,18 +89,19 @@ void add_belt_system(Stage& stage, ecs::Schedule& schedule) {
     }
     schedule.add({.name = "wands",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead>(),
+                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, Ladle>(),
                   .writes = writes,
                   .needs = world.mask<WandBelt>(),
                   .run = [&stage](ecs::World& w, Tick tick) {
-                      w.view<WandBelt, const Controls, ecs::Without<Dead>>().each(
+                      w.view<WandBelt, const Controls, ecs::Without<Dead>, ecs::Without<Ladle>>().each(
                           [&](ecs::Entity e, WandBelt& belt, const Controls& controls) {
                               use_wands(stage, e, controls, belt, tick);
                           });
-                      w.view<const WandBelt, const Dead>().each(
-                          [&](ecs::Entity e, const WandBelt& belt, const Dead&) {
-                              put_away(stage, e, wand_in_hand(stage.data, belt), tick);
-                          });
+                      const auto put_down = [&](ecs::Entity e, const WandBelt& belt, const auto&) {
+                          put_away(stage, e, wand_in_hand(stage.data, belt), tick);
+                      };
+                      w.view<const WandBelt, const Dead>().each(put_down);
+                      w.view<const WandBelt, const Ladle>().each(put_down);
                   }});
 }
 

@@ -16,6 +16,7 @@ struct VerbName {
 
 std::span<const VerbName> thing_verbs();
 std::span<const VerbName> report_verbs();
+std::span<const VerbName> brew_verbs();
 
 // What the physics can bear, whatever a script asks for.
 inline constexpr double farthest = 500;  ///< m

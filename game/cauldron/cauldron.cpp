@@ -1,0 +1,249 @@
+#include "game/cauldron/cauldron.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/assert.h"
+#include "game/cauldron/brew_pages.h"
+
+namespace thaum::game {
+namespace {
+
+/// Every cell whose middle lies in the basin.
+std::vector<std::uint32_t> wet_cells(const Brew& brew, const Basin& basin) {
+    const auto& lattice = brew.fluid.lattice;
+    std::vector<std::uint32_t> cells;
+    for (int k = 0; k < lattice.cells[2]; ++k)
+        for (int j = 0; j < lattice.cells[1]; ++j)
+            for (int i = 0; i < lattice.cells[0]; ++i) {
+                const vec3 place = brew.corner + lattice.h * (vec3(i, j, k) + 0.5);
+                if (off_axis(place) < width_at(basin, place.y))
+                    cells.push_back(static_cast<std::uint32_t>(lattice.at(i, j, k)));
+            }
+    return cells;
+}
+
+double mean_of(const BrewWork& work, const fluid::Samples& samples) {
+    double sum = 0;
+    for (const auto cell : work.wet) sum += samples[cell];
+    return sum / static_cast<double>(work.wet.size());
+}
+
+/// 1 - coefficient of variation; 0 where there is none of it.
+double mixing_of(const BrewWork& work, const fluid::Samples& density) {
+    const double mean = mean_of(work, density);
+    if (!(mean > 1e-9)) return 0;
+    double square = 0;
+    for (const auto cell : work.wet) square += (density[cell] - mean) * (density[cell] - mean);
+    return std::max(0.0, 1 - std::sqrt(square / static_cast<double>(work.wet.size())) / mean);
+}
+
+double mean_speed(const BrewWork& work) {
+    const auto& velocity = work.brew.fluid.now.velocity;
+    double sum = 0;
+    for (const auto cell : work.wet)
+        sum += glm::length(vec3(velocity[0][cell], velocity[1][cell], velocity[2][cell]));
+    return sum / static_cast<double>(work.wet.size());
+}
+
+BrewFigures figures_of(const BrewWork& work, double base_viscosity) {
+    BrewFigures figures;
+    const auto& fluid = work.brew.fluid;
+    double viscosity = base_viscosity;
+    for (std::size_t s = 0; s < work.brew.what.size(); ++s) {
+        if (work.brew.what[s] == no_ingredient) continue;
+        const double mean = mean_of(work, fluid.now.substances[s]);
+        viscosity += fluid.settings.substances[s].viscosity * mean;
+        figures.density += fluid.settings.substances[s].weight * mean;
+        figures.mixing = mixing_of(work, fluid.now.substances[s]);
+    }
+    figures.viscosity = base_viscosity > 0 ? viscosity / base_viscosity : 1;
+    figures.speed = mean_speed(work);
+    return figures;
+}
+
+bool does_something(const Strokes& strokes) {
+    return std::any_of(strokes.list.begin(), strokes.list.begin() + strokes.count,
+                       [](const Stroke& s) { return s.ingredient != no_ingredient || s.impulse != vec3(0); });
+}
+
+Strokes no_strokes() {
+    Strokes strokes;
+    for (auto& stroke : strokes.list) stroke.ingredient = no_ingredient;
+    return strokes;
+}
+
+void apply(const CauldronRules& rules, const Strokes& strokes, Brew& brew) {
+    for (std::uint32_t i = 0; i < strokes.count; ++i) {
+        const auto& stroke = strokes.list[i];
+        if (stroke.ingredient != no_ingredient) {
+            drop(brew, rules, stroke.ingredient, stroke.place, stroke.radius, stroke.amount);
+        } else if (stroke.impulse != vec3(0)) {
+            fluid::push(brew.fluid,
+                        {stroke.place - brew.corner, stroke.radius, stroke.impulse / rules.density});
+        }
+    }
+}
+
+/// The step that takes `given`.
+void begin_step(Stage& stage, Cauldron& cauldron) {
+    auto& work = *stage.brew;
+    const auto& rules = *stage.data.cauldron;
+    apply(rules, cauldron.given, work.brew);
+    cauldron.what = work.brew.what;
+    cauldron.under_way = 1;
+    work.step = stage.jobs->run([&work, viscosity = rules.viscosity] {
+        work.report = fluid::advance(work.brew.fluid, fluid_dt);
+        work.figures = figures_of(work, viscosity);
+    });
+}
+
+void end_step(Stage& stage, Cauldron& cauldron, Tick tick) {
+    auto& work = *stage.brew;
+    work.step.wait();
+    cauldron.under_way = 0;
+    cauldron.newest ^= 1U;
+    cauldron.stepped = tick;
+    cauldron.mixing = work.figures.mixing;
+    cauldron.viscosity = work.figures.viscosity;
+    cauldron.density = work.figures.density;
+    cauldron.speed = work.figures.speed;
+    write_fluid(stage.world, cauldron.newest, work.brew.fluid);
+}
+
+void step_fluid(Stage& stage, Cauldron& cauldron, Tick tick) {
+    if (cauldron.under_way != 0) end_step(stage, cauldron, tick);
+    const bool stroked = does_something(cauldron.next);
+    if (!stroked && stage.brew->brew.fluid.now.asleep) return;
+    cauldron.given = cauldron.next;
+    cauldron.next = no_strokes();
+    begin_step(stage, cauldron);
+}
+
+/// The ladles that are in the surface or above it push it, and those within it ripple it when they leave.
+void step_surface(Stage& stage, Cauldron& cauldron) {
+    auto& sheet = stage.brew->brew.sheet;
+    std::array<fluid::SheetProbe, players> probes;
+    bool any = false;
+    probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});  // not there
+    stage.world.view<const Wizard, const Ladle>().each([&](const Wizard& wizard, const Ladle& ladle) {
+        const vec3 at = ladle.place - cauldron.middle;
+        probes[wizard.player] = {
+            .place = {at.x, at.z}, .height = at.y, .radius = stage.data.cauldron->ladle.radius};
+        any = true;
+    });
+    if (!any && sheet.asleep != 0) return;
+    const auto step = fluid::advance(sheet, stage.brew->brew.scratch, probes, surface_dt);
+    for (std::size_t p = 0; p < players; ++p) cauldron.push[p] = step.probes[p].force;
+    write_surface(stage.world, cauldron, sheet);
+}
+
+std::unique_ptr<BrewWork> make_work(const MatchData& data) {
+    auto basin = basin_of(data.arena.bowl->size, data.cauldron->filled);
+    auto brew = make_brew(*data.cauldron, basin);
+    THAUM_ASSERT(brew, brew.error().message);
+    auto work =
+        std::make_unique<BrewWork>(BrewWork{.brew = std::move(*brew), .basin = std::move(basin), .wet = {}});
+    work->wet = wet_cells(work->brew, work->basin);
+    return work;
+}
+
+}  // namespace
+
+void spawn_cauldron(Stage& stage) {
+    if (stage.brew) stage.brew->step.wait();
+    stage.brew.reset();
+    if (!stage.data.cauldron) return;
+    const auto& bowl = *stage.data.arena.bowl;
+    Cauldron cauldron{.middle = bowl.centre};
+    cauldron.middle.y += bowl.size.height * (stage.data.cauldron->filled - 0.5);
+    cauldron.what.fill(no_ingredient);
+    cauldron.given = cauldron.next = no_strokes();
+    stage.world.create(cauldron);
+}
+
+void rebuild_brew(Stage& stage) {
+    if (stage.brew) stage.brew->step.wait();
+    stage.brew.reset();
+    if (!stage.data.cauldron || !has_pages(stage.world)) return;
+    stage.brew = make_work(stage.data);
+    auto& brew = stage.brew->brew;
+    auto& cauldron = stage.world.single<Cauldron>();
+    brew.what = cauldron.what;
+    for (std::size_t s = 0; s < brew.what.size(); ++s) {
+        if (brew.what[s] != no_ingredient)
+            brew.fluid.settings.substances[s] = stage.data.cauldron->ingredients[brew.what[s]].substance;
+    }
+    read_fluid(stage.world, cauldron.newest, brew.fluid);
+    brew.fluid.now.asleep = cauldron.under_way == 0;
+    read_surface(stage.world, cauldron, brew.sheet);
+    if (cauldron.under_way != 0) begin_step(stage, cauldron);
+}
+
+BrewWork* touched_brew(Stage& stage) {
+    if (stage.brew || !stage.data.cauldron) return stage.brew.get();
+    stage.brew = make_work(stage.data);
+    add_pages(stage.world, stage.brew->brew);
+    return stage.brew.get();
+}
+
+bool add_stroke(Cauldron& cauldron, const Stroke& stroke) {
+    auto& next = cauldron.next;
+    const bool full = next.count == next.list.size();
+    if (full && stroke.ingredient != no_ingredient) return false;
+    if (full) {
+        next.list.back().impulse += stroke.impulse;
+    } else {
+        next.list[next.count++] = stroke;
+    }
+    return true;
+}
+
+void add_ladle_stroke(Cauldron& cauldron, std::uint32_t player, vec3 place, vec3 impulse, double radius) {
+    auto& stroke = cauldron.next.list[player];
+    stroke.place = place;
+    stroke.radius = radius;
+    stroke.impulse += impulse;
+}
+
+double surface_at(const BrewWork* work, const Cauldron& cauldron, vec3 place) {
+    if (work == nullptr) return cauldron.middle.y;
+    const vec3 at = place - cauldron.middle;
+    return cauldron.middle.y + fluid::height_at(work->brew.sheet, {at.x, at.z});
+}
+
+double share_of_step(const Cauldron& cauldron, Tick tick) {
+    const auto since = static_cast<double>(tick - cauldron.stepped);
+    return std::min(1.0, since / static_cast<double>(fluid_period));
+}
+
+vec3 current_at(const ecs::World& world, const BrewWork* work, vec3 place, Tick tick) {
+    if (work == nullptr) return vec3(0);
+    const auto& cauldron = world.single<Cauldron>();
+    const vec3 at = place - cauldron.middle;
+    if (at.y > 0 || off_axis(at) > width_at(work->basin, at.y)) return vec3(0);
+    const auto read = [&](std::size_t which) {
+        const auto fields = fields_of(world, which, work->brew.fluid, field::Kernel::linear);
+        return fields.velocity(at - work->brew.corner).value;
+    };
+    return glm::mix(read(cauldron.newest ^ 1U), read(cauldron.newest), share_of_step(cauldron, tick));
+}
+
+void add_brew_systems(Stage& stage, ecs::Schedule& schedule) {
+    auto& world = stage.world;
+    schedule.add({.name = "brew's surface",
+                  .period = surface_period,
+                  .reads = world.mask<Wizard, Ladle>(),
+                  .writes = world.mask<Cauldron, SurfacePage>(),
+                  .needs = world.mask<SurfacePage>(),
+                  .run = [&stage](ecs::World& w, Tick) { step_surface(stage, w.single<Cauldron>()); }});
+    schedule.add(
+        {.name = "brew",
+         .period = fluid_period,
+         .writes = world.mask<Cauldron, BrewPage>(),
+         .needs = world.mask<BrewPage>(),
+         .run = [&stage](ecs::World& w, Tick tick) { step_fluid(stage, w.single<Cauldron>(), tick); }});
+}
+
+}  // namespace thaum::game

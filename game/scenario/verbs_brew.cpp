@@ -1,0 +1,75 @@
+// The cauldron's brew, and who stirs it.
+#include "game/cauldron/cauldron.h"
+#include "game/scenario/detail/verb.h"
+
+namespace thaum::game {
+namespace {
+
+namespace arg = arguments;
+using arg::fault;
+
+const Cauldron& cauldron_of(const Play& play) {
+    if (world_of(play).count<Cauldron>() == 0) fault("this match has no cauldron");
+    return world_of(play).single<Cauldron>();
+}
+
+void set_number(lua_State* lua, const char* key, double value) {
+    lua_pushnumber(lua, value);
+    lua_setfield(lua, -2, key);
+}
+
+/// What is dropped in and where it stands: {"ember", "salt"}.
+void set_contents(lua_State* lua, const Play& play, const Cauldron& cauldron) {
+    lua_newtable(lua);
+    lua_Integer count = 0;
+    for (const auto ingredient : cauldron.what) {
+        if (ingredient == no_ingredient) continue;
+        const auto& name = play.data->cauldron->ingredients[ingredient].name;
+        lua_pushlstring(lua, name.data(), name.size());
+        lua_rawseti(lua, -2, ++count);
+    }
+    lua_setfield(lua, -2, "contents");
+}
+
+int verb_brew(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto& cauldron = cauldron_of(play);
+    lua_createtable(lua, 0, 10);
+    set_number(lua, "speed", cauldron.speed);
+    set_number(lua, "mixing", cauldron.mixing);
+    set_number(lua, "viscosity", cauldron.viscosity);
+    set_number(lua, "density", cauldron.density);
+    arg::push_place(lua, cauldron.middle);
+    lua_setfield(lua, -2, "middle");
+    if (cauldron.owner < players) set_number(lua, "owner", cauldron.owner + 1);
+    lua_pushboolean(lua, static_cast<int>(cauldron.under_way == 0 && cauldron.surface_asleep != 0));
+    lua_setfield(lua, -2, "asleep");
+    set_contents(lua, play, cauldron);
+    return 1;
+}
+
+int verb_current(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto place = arg::place(lua, 1, "place", farthest);
+    arg::push_place(lua, current_at(world_of(play), play.match->brew(), place, play.match->match().played));
+    return 1;
+}
+
+int verb_surface(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    const auto place = arg::place(lua, 1, "place", farthest);
+    lua_pushnumber(lua, surface_at(play.match->brew(), cauldron_of(play), place));
+    return 1;
+}
+
+constexpr VerbName names[] = {
+    {"brew", verb_brew},
+    {"current", verb_current},
+    {"surface", verb_surface},
+};
+
+}  // namespace
+
+std::span<const VerbName> brew_verbs() { return names; }
+
+}  // namespace thaum::game
