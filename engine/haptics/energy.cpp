@@ -13,8 +13,8 @@ constexpr std::uint32_t kept = most_latency + 1;
 
 }  // namespace
 
-void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, int latency) {
-    if (!is_finite(position) || !is_finite(world_step)) {
+void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, int latency, double brought) {
+    if (!is_finite(position) || !is_finite(world_step) || !std::isfinite(brought)) {
         book.open = 0;
         return;
     }
@@ -22,7 +22,8 @@ void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, in
     if (book.open != 0 && glm::length(step) <= longest_step) {
         const auto back = static_cast<std::uint32_t>(std::clamp(latency, 0, most_latency));
         const auto& force = book.forces[(book.newest + kept - back) % kept];
-        book.created += glm::dot(force.passive, step) - glm::dot(force.world, world_step);
+        book.created += glm::dot(force.passive, step) - glm::dot(force.world, world_step) -
+                        book.forces[book.newest].share * brought;
         // What damping took is gone; only what is stored may come back.
         book.created = std::max(book.created, -stored);
         book.most_created = std::max(book.most_created, book.created);
@@ -55,6 +56,7 @@ void enter(EnergyBook& book, vec3 output, vec3 passive, vec3 active, vec3 world)
     const bool sane = is_finite(passive) && is_finite(active) && is_finite(world) && std::isfinite(share);
     book.newest = (book.newest + 1) % kept;
     auto& force = book.forces[book.newest];
+    force.share = sane ? share : 0;
     force.passive = sane ? share * passive : vec3(0);
     force.world = sane ? share * world : vec3(0);
     force.active = output - force.passive;

@@ -17,7 +17,8 @@ namespace thaum::haptics {
 /// N, commanded in one tick, by kind of source.
 struct BookedForce {
     vec3 passive{}, active{};
-    vec3 world{};  ///< of the passive force, by what the world moves
+    vec3 world{};    ///< of the passive force, by what the world moves
+    double share{};  ///< of what the sources wanted, 0 to 1
 };
 
 /// All that a tick leaves behind; no padding.
@@ -32,7 +33,7 @@ struct EnergyBook {
     std::uint32_t open{};  ///< 1: the position is that of the last tick
 };
 static_assert(sizeof(EnergyBook) ==
-              (3 + 9 * (most_latency + 1) + 3) * sizeof(double) + 2 * sizeof(std::uint32_t));
+              (3 + 10 * (most_latency + 1) + 3) * sizeof(double) + 2 * sizeof(std::uint32_t));
 
 inline constexpr double longest_step = 0.05;  ///< m, of a tick
 
@@ -40,9 +41,11 @@ inline constexpr double longest_step = 0.05;  ///< m, of a tick
 inline constexpr double active_budget = 0.5;
 
 /// Books the work of the last tick, now that the device has measured where it led. world_step: m, by which the world moved the other end
-/// of what `world` pulls at. stored: J, that the passive sources hold now. latency: ticks, of the device. A step that no hand makes was
-/// measured wrongly at one of its ends: it is no work, or one bad pose would keep the controller busy for ever.
-void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, int latency);
+/// of what `world` pulls at. stored: J, that the passive sources hold now. latency: ticks, of the device. brought: J, that the world gave
+/// otherwise to what was wanted in the last tick. A step that no hand makes was measured wrongly at one of its ends: it is no work, or one
+/// bad pose would keep the controller busy for ever.
+void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, int latency,
+             double brought = 0);
 
 /// N: against the velocity (m/s), as much as takes out what was created within the next tick, at most `most` N s/m.
 vec3 passivity_control(const EnergyBook& book, vec3 velocity, double most);

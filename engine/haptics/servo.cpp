@@ -228,11 +228,11 @@ Tether moved_on(Tether tether, std::uint32_t age) {
 /// Books what the last tick did, and adds what keeps the sources passive and within their budget. What a source holds when it comes is
 /// the switch's doing.
 void keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
-                const Tip& tip, const SurfaceFeel& surfaces, Sources& sources) {
-    const double stored = stored_energy(state, model, tether, tip.position, surfaces);
+                const Tip& tip, const SurfaceFeel& surfaces, const FluidFeel& fluid, Sources& sources) {
+    const double stored = stored_energy(state, model, tether, tip.position, surfaces) + fluid.stored;
     // Who is tethered touches nothing else.
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
-    observe(state.energy, tip.position, step, stored, servo.latency);
+    observe(state.energy, tip.position, step, stored, servo.latency, fluid.brought);
     if (tip.switched) state.energy.created = -stored;
     sources.passive += passivity_control(state.energy, tip.velocity, servo.most_damping);
     sources.active = within_budget(state.energy, sources.active, tip.velocity);
@@ -315,7 +315,8 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
     const bool set_jumped = note_set(state, model);
     const bool source_jumped = note_sources(state, model);
     const bool patch_jumped = note_patch(state, model);
-    const bool switched = set_jumped || source_jumped || patch_jumped;
+    const bool fluid_jumped = note_fluid(state.fluid, model.fluid);
+    const bool switched = set_jumped || source_jumped || patch_jumped || fluid_jumped;
     const SurfaceFeel surfaces =
         feel_surfaces(state, model, sample.model_age, {sample.position, velocity, patch_jumped});
     const Tether tether = moved_on(model.tether, sample.model_age);
@@ -330,7 +331,14 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
         const vec3 force = feel_primitives(state, model, sample.position, velocity);
         (conservative(model.primitives) ? sources.passive : sources.active) += force;
     }
-    keep_books(servo, state, model, tether, {sample.position, velocity, switched}, surfaces, sources);
+    FluidFeel fluid;
+    if (state.fluid.number != 0) {
+        fluid = feel_fluid(model.fluid, state.fluid,
+                           {sample.position, velocity, sample.model_age, servo.most_damping});
+        sources.passive += fluid.passive;
+        sources.active += fluid.active;
+    }
+    keep_books(servo, state, model, tether, {sample.position, velocity, switched}, surfaces, fluid, sources);
     const vec3 output = make_safe(servo.limits, state.safety,
                                   {.wanted = sources.passive + sources.active,
                                    .velocity = velocity,

@@ -12,6 +12,7 @@
 
 #include "core/maths.h"
 #include "haptics/energy.h"
+#include "haptics/fluid_touch.h"
 #include "haptics/primitives.h"
 #include "haptics/safety.h"
 #include "haptics/surface.h"
@@ -76,6 +77,7 @@ struct HapticModel {
     Drift drift{};                             ///< of its surfaces
     vec3 start{};                              ///< m, where the proxy begins after a jump: a free place
     std::uint64_t patch_number{};              ///< another one where the patch jumps, which is a switch
+    FluidTouch fluid{};                        ///< number 0, the usual case: it costs nothing
 };
 
 /// What a device measured.
@@ -88,7 +90,8 @@ struct ServoSample {
 struct Servo {
     SafetyLimits limits{};
     double
-        most_damping{};  ///< N s/m, that the device can render: what the passivity controller may add; 0: it is off
+        most_damping{};  ///< N s/m, that the device can render: what the passivity controller may add, and what a fluid's drag may be;
+        ///< 0: there is neither
     int latency{};     ///< ticks, the device's
     double quantum{};  ///< m, of its positions
 };
@@ -124,11 +127,12 @@ struct ServoState {
     vec3
         shift{};  ///< m, from the tip to where it feels surfaces: what the drift would have pressed into them
     std::uint64_t patch_number{};
+    FluidTouchState fluid{};
 };
 static_assert(sizeof(ServoState) == sizeof(SafetyState) + velocity_window * sizeof(vec3) +
                                         pulses_at_once * sizeof(PlayingPulse) + 2 * sizeof(vec3) +
                                         6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
-                                        sizeof(EnergyBook) + sizeof(SurfaceState));
+                                        sizeof(EnergyBook) + sizeof(SurfaceState) + sizeof(FluidTouchState));
 
 inline constexpr double shift_time = 0.3;  ///< s, in which the shift fades where nothing is in the way
 

@@ -54,7 +54,7 @@ constexpr auto fields_of(const Tether*) {
 constexpr auto fields_of(const BookedForce*) {
     using B = BookedForce;
     return std::tuple(ecs::field("passive", &B::passive), ecs::field("active", &B::active),
-                      ecs::field("world", &B::world));
+                      ecs::field("world", &B::world), ecs::field("share", &B::share));
 }
 
 constexpr auto fields_of(const EnergyBook*) {
@@ -77,6 +77,16 @@ constexpr auto fields_of(const SurfaceState*) {
                       ecs::field("begun", &S::begun), ecs::field("limited", &S::limited));
 }
 
+constexpr auto fields_of(const FluidTouchState*) {
+    using S = FluidTouchState;
+    return std::tuple(
+        ecs::field("force", &S::force), ecs::field("place", &S::place), ecs::field("wall", &S::wall),
+        ecs::field("mass_position", &S::mass_position), ecs::field("mass_velocity", &S::mass_velocity),
+        ecs::field("surface_force", &S::surface_force), ecs::field("surface_height", &S::surface_height),
+        ecs::field("flow_work", &S::flow_work), ecs::field("immersed", &S::immersed),
+        ecs::field("number", &S::number), ecs::field("inside", &S::inside), ecs::field("begun", &S::begun));
+}
+
 constexpr auto fields_of(const ServoState*) {
     using S = ServoState;
     return std::tuple(ecs::field("safety", &S::safety), ecs::field("positions", &S::positions),
@@ -87,7 +97,7 @@ constexpr auto fields_of(const ServoState*) {
                       ecs::field("lean_number", &S::lean_number),
                       ecs::field("tether_number", &S::tether_number), ecs::field("energy", &S::energy),
                       ecs::field("surface", &S::surface), ecs::field("shift", &S::shift),
-                      ecs::field("patch_number", &S::patch_number));
+                      ecs::field("patch_number", &S::patch_number), ecs::field("fluid", &S::fluid));
 }
 
 }  // namespace thaum::haptics

@@ -1,0 +1,300 @@
+#include "haptics/fluid_touch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/units.h"
+#include "haptics/coupling.h"
+#include "haptics/energy.h"
+#include "haptics/safety.h"
+
+namespace thaum::haptics {
+namespace {
+
+/// At the hand, per what it is in the bowl (haptics.md, "Two scales").
+struct Felt {
+    double stiffness{};  ///< and damping and mass: s_f s_x
+    double energy{};     ///< s_f / s_x
+};
+
+Felt felt(const BowlFrame& frame) {
+    return {frame.newtons_per_newton * frame.metres_per_metre,
+            frame.newtons_per_newton / frame.metres_per_metre};
+}
+
+vec3 vector_to_bowl(const BowlFrame& frame, vec3 device) { return frame.turn * device; }
+vec3 force_to_hand(const BowlFrame& frame, vec3 bowl) {
+    return frame.newtons_per_newton * (glm::transpose(frame.turn) * bowl);
+}
+
+/// What is left of the damping that the device can render, N s/m at the hand.
+struct DampingLeft {
+    double left{};
+
+    double take(double wanted, double most) {
+        const double taken = std::max(0.0, std::min(wanted, most));
+        left -= taken;
+        return taken;
+    }
+};
+
+bool asks_for_flow(const FluidModes& modes) {
+    return modes.viscosity > 0 || modes.flow > 0 || modes.resistance > 0;
+}
+
+/// Whether any mode acts while nothing is thrown in.
+bool is_felt(const FluidTouch& touch) {
+    const FluidModes& modes = touch.modes;
+    return asks_for_flow(modes) || modes.surface > 0 || modes.wall > 0 || modes.inertia > 0;
+}
+
+vec3 finite_or_none(vec3 v) { return is_finite(v) ? v : vec3(0); }
+
+/// Adds what one part is and holds, unless something about it is no number.
+void add(FluidFeel& feel, vec3 passive, double stored) {
+    if (!is_finite(passive) || !std::isfinite(stored)) return;
+    feel.passive += passive;
+    feel.stored += stored;
+}
+
+// ---- the ladle's own mass ------------------------------------------------------------------------------------------
+
+bool has_mass(const FluidTouch& touch) {
+    const auto& [mass, stiffness, damping] = touch.ladle;
+    return touch.modes.inertia > 0 && mass > 0 && stiffness > 0 && damping >= 0;
+}
+
+/// The mass goes on over the coming tick, tied to a tip that goes on as it does; so its force does not come a tick late.
+void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingLeft& damping,
+               FluidFeel& feel) {
+    if (!has_mass(touch)) return;
+    const double scale = touch.modes.inertia * felt(touch.frame).stiffness;
+    const double mass = scale * touch.ladle.mass, stiffness = scale * touch.ladle.stiffness;
+    const double taken = damping.take(scale * touch.ladle.damping, damping.left / 2);
+    const bool follows = state.begun != 0 && glm::length(state.mass_position - tip.position) <= longest_step;
+    if (!follows || !is_finite(state.mass_velocity)) {
+        state.mass_position = tip.position;
+        state.mass_velocity = tip.velocity;
+    }
+    if (!(std::isfinite(stiffness) && std::isfinite(taken) && mass > 0 && std::isfinite(1 / mass))) return;
+    const vec3 off = tip.position - state.mass_position;
+    const double stored =
+        (mass * glm::dot(state.mass_velocity, state.mass_velocity) + stiffness * glm::dot(off, off)) / 2;
+    const auto step = coupling_step({stiffness, taken, 0}, 1 / mass, 0, tick_seconds);
+    const auto pulled = couple(step, {.hand = tip.position,
+                                      .hand_velocity = tip.velocity,
+                                      .object = state.mass_position,
+                                      .object_velocity = state.mass_velocity});
+    state.mass_position += pulled.displacement;
+    state.mass_velocity += pulled.velocity_change;
+    add(feel, -pulled.mean_force, stored);
+}
+
+// ---- surface -------------------------------------------------------------------------------------------------------
+
+/// N in the bowl, up, and J: of the sheet's spring, stretched by `gap` metres (fluid/sheet.h).
+struct SurfacePull {
+    double force{}, stored{};
+};
+
+SurfacePull pull_of(const BrewSurface& surface, double gap) {
+    const double most = surface.inside != 0 ? surface.cling : surface.pop_through;
+    const double stretch = surface.inside != 0 ? std::max(0.0, -gap) : std::max(0.0, gap);
+    const double force = std::min(surface.stiffness * stretch, most);
+    if (!(force > 0)) return {};
+    // Where the force has come to its most, energy grows in proportion.
+    const double stored = force * stretch - force * force / (2 * surface.stiffness);
+    return {surface.inside != 0 ? -force : force, stored};
+}
+
+/// m, in the bowl: a surface that moves goes on, while the model is of use.
+double height_now(const BrewSurface& surface, std::uint32_t age) {
+    return surface.height + surface.velocity * (std::min(age, freshest_ticks) * tick_seconds);
+}
+
+/// 0 to 1
+double immersed_part(const FluidTouch& touch, double depth) {
+    if (touch.surface.there == 0) return 1;
+    if (touch.surface.inside == 0) return 0;
+    return touch.drag.height > 0 ? std::clamp(depth / touch.drag.height, 0.0, 1.0) : 1;
+}
+
+void feel_surface(const FluidTouch& touch, FluidTouchState& state, double height, double place_height,
+                  FluidFeel& feel) {
+    const double step = (height - state.surface_height) / touch.frame.metres_per_metre;
+    if (state.begun != 0 && std::abs(step) <= longest_step) feel.brought += state.surface_force * step;
+    state.surface_height = height;
+    state.surface_force = 0;
+    state.inside = touch.surface.inside;
+    if (touch.surface.there == 0 || !(touch.modes.surface > 0)) return;
+    const SurfacePull pull = pull_of(touch.surface, height - place_height);
+    const double force = touch.modes.surface * touch.frame.newtons_per_newton * pull.force;
+    if (!std::isfinite(force)) return;
+    state.surface_force = force;
+    const vec3 up = glm::transpose(touch.frame.turn) * vec3(0, 1, 0);
+    add(feel, force * up, touch.modes.surface * felt(touch.frame).energy * pull.stored);
+}
+
+// ---- flow ----------------------------------------------------------------------------------------------------------
+
+/// N s/m in the bowl.
+struct Drags {
+    double viscosity{}, flow{}, resistance{};
+};
+
+/// As equations (1) to (3) have them, all scaled down alike where the device or the way through the fluid asks for it.
+Drags drags_of(const FluidTouch& touch, const FlowSample& sample, double immersed, DampingLeft& damping) {
+    const auto& [viscous, form, stirred_mass, height] = touch.drag;
+    const double stokes = immersed * viscous * sample.viscosity;
+    Drags drags{.viscosity = std::max(0.0, touch.modes.viscosity) * stokes,
+                .flow = std::max(0.0, touch.modes.flow) * stokes,
+                .resistance = std::max(0.0, touch.modes.resistance) * immersed * form * sample.density};
+    const double at_hand = felt(touch.frame).stiffness * (drags.viscosity + drags.resistance);
+    const double through_fluid = drags.flow + drags.resistance;
+    const double period = fluid_period * tick_seconds;
+    double share = 1;
+    if (at_hand > damping.left) share = std::max(0.0, damping.left) / at_hand;
+    if (stirred_mass > 0 && share * through_fluid * period > loop_gain * stirred_mass)
+        share = loop_gain * stirred_mass / (through_fluid * period);
+    damping.take(share * at_hand, damping.left);
+    return {share * drags.viscosity, share * drags.flow, share * drags.resistance};
+}
+
+FlowSample mixed(const FlowSample& a, const FlowSample& b, double share) {
+    return {a.velocity + share * (b.velocity - a.velocity), a.viscosity + share * (b.viscosity - a.viscosity),
+            a.density + share * (b.density - a.density)};
+}
+
+/// Share of the newer step, 0 to 1: the first tick after a step has one sixteenth of it.
+double share_of_newer(std::uint64_t step_age, std::uint32_t model_age) {
+    const std::uint64_t age = std::min<std::uint64_t>(step_age, fluid_period) + model_age;
+    return static_cast<double>(std::min<std::uint64_t>(age + 1, fluid_period)) / fluid_period;
+}
+
+void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingLeft& damping,
+               FluidFeel& feel) {
+    state.force = {};
+    state.flow_work = 0;
+    if (!asks_for_flow(touch.modes) || !(state.immersed > 0)) return;
+    const FlowSample newest = flow_at(touch.newer, state.place);
+    const FlowSample here =
+        mixed(flow_at(touch.older, state.place), newest, share_of_newer(touch.step_age, tip.model_age));
+    const vec3 velocity = vector_to_bowl(touch.frame, touch.frame.metres_per_metre * tip.velocity);
+    const Drags drags = drags_of(touch, here, state.immersed, damping);
+    const vec3 viscosity = force_to_hand(touch.frame, -drags.viscosity * velocity);
+    const vec3 flow = force_to_hand(touch.frame, drags.flow * here.velocity);
+    const vec3 resistance = force_to_hand(touch.frame, -drags.resistance * (velocity - here.velocity));
+    const vec3 step =
+        glm::transpose(touch.frame.turn) * newest.velocity * (tick_seconds / touch.frame.metres_per_metre);
+    const vec3 force = viscosity + flow + resistance;
+    if (!is_finite(force) || !is_finite(step)) return;
+    state.force = force;
+    // A step that nothing makes was read wrongly.
+    if (glm::length(step) <= longest_step) state.flow_work = glm::dot(resistance, step);
+    feel.passive += viscosity + resistance;
+    feel.active += flow;
+}
+
+// ---- wall ----------------------------------------------------------------------------------------------------------
+
+bool has_wall(const FluidTouch& touch) {
+    return touch.modes.wall > 0 && touch.wall.radius > 0 && touch.wall.depth > 0;
+}
+
+/// Of the place P as it is, which is held in to `state.place`.
+void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3 velocity,
+               DampingLeft& damping, FluidFeel& feel) {
+    state.wall = {};
+    const vec3 off = state.place - place;  // inwards
+    const double depth = glm::length(off);
+    if (!(depth > 0) || !std::isfinite(depth)) return;
+    const double scale = felt(touch.frame).stiffness * touch.modes.wall;
+    const double damps = damping.take(scale * touch.wall.damping, damping.left);
+    const vec3 in = glm::transpose(touch.frame.turn) * (off / depth);
+    const double stretch = depth / touch.frame.metres_per_metre;
+    const double outwards = std::max(0.0, -glm::dot(velocity, in));
+    const vec3 force = (scale * touch.wall.stiffness * stretch + damps * outwards) * in;
+    state.wall = finite_or_none(force);
+    add(feel, force, scale * touch.wall.stiffness * stretch * stretch / 2);
+}
+
+/// In a half plane through the axis, r outwards and y up from the centre: of a place outside an ellipse, the nearest one on it. That is
+/// (a^2 r / (t + a^2), b^2 y / (t + b^2)) with the one t > 0 at which it is on the ellipse, (a r / (t + a^2))^2 + (b y / (t + b^2))^2 = 1.
+/// Left of it that sum is convex and falls, so Newton's method, begun there, never passes it; of a circle the first t is right.
+vec2 foot_on_ellipse(double a, double b, double r, double y) {
+    constexpr int most_steps = 40;
+    const double a2 = a * a, b2 = b * b;
+    double t = std::max(0.0, std::sqrt(a2 * r * r + b2 * y * y) - std::max(a2, b2));
+    for (int i = 0; i < most_steps; ++i) {
+        const double p = a * r / (t + a2), q = b * y / (t + b2);
+        const double excess = p * p + q * q - 1;
+        const double next = t + excess / (2 * (p * p / (t + a2) + q * q / (t + b2)));
+        if (!(excess > 0) || !(next > t)) break;
+        t = next;
+    }
+    return {a2 * r / (t + a2), b2 * y / (t + b2)};
+}
+
+}  // namespace
+
+vec3 held_in(const BowlWall& wall, vec3 place) {
+    if (!(wall.radius > 0) || !(wall.depth > 0) || !is_finite(place)) return place;
+    const vec3 off = place - wall.centre;
+    const double r = std::sqrt(off.x * off.x + off.z * off.z);
+    const vec2 share{r / wall.radius, std::min(off.y, 0.0) / wall.depth};
+    if (glm::dot(share, share) <= 1) return place;
+    const vec2 foot =
+        off.y >= 0 ? vec2(wall.radius, off.y) : foot_on_ellipse(wall.radius, wall.depth, r, off.y);
+    const double in = r > 0 ? foot.x / r : 0;
+    return wall.centre + vec3(in * off.x, foot.y, in * off.z);
+}
+
+vec3 to_bowl(const BowlFrame& frame, vec3 device) {
+    return frame.origin + frame.turn * (frame.metres_per_metre * device);
+}
+
+void newest_step(FluidTouch& touch, const FlowPatch& newest) {
+    touch.older = touch.newer.spacing > 0 ? touch.newer : newest;
+    touch.newer = newest;
+    touch.step_age = 0;
+}
+
+bool note_fluid(FluidTouchState& state, const FluidTouch& touch) {
+    if (touch.number == 0 && state.number == 0) return false;
+    const std::uint64_t number = is_felt(touch) ? touch.number : 0;
+    if (number == state.number) return false;
+    state = {.number = number};
+    return true;
+}
+
+FluidFeel feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip) {
+    const vec3 place = to_bowl(touch.frame, tip.position);
+    if (!is_finite(place) || !is_finite(tip.velocity)) {
+        state = {.number = touch.number};
+        return {};
+    }
+    FluidFeel feel{.brought = state.begun != 0 ? state.flow_work : 0};
+    DampingLeft damping{tip.most_damping};
+    state.place = has_wall(touch) ? held_in(touch.wall, place) : place;
+    const double height = height_now(touch.surface, tip.model_age);
+    state.immersed = immersed_part(touch, height - state.place.y);
+    feel_mass(touch, state, tip, damping, feel);
+    feel_surface(touch, state, height, place.y, feel);
+    feel_flow(touch, state, tip, damping, feel);
+    feel_wall(touch, state, place, tip.velocity, damping, feel);
+    state.begun = 1;
+    return feel;
+}
+
+vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state) {
+    const double scale = touch.frame.newtons_per_newton;
+    return scale > 0 ? touch.frame.turn * state.force / scale : vec3(0);
+}
+
+vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length) {
+    if (!(touch.modes.recoil > 0) || length == 0) return vec3(0);
+    // A half sine of that peak has the impulse 2 / pi peak length.
+    return touch.modes.recoil * force_to_hand(touch.frame, impulse) * (pi / 2 / (length * tick_seconds));
+}
+
+}  // namespace thaum::haptics
