@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/units.h"
 #include "haptics/coupling.h"
@@ -171,6 +172,12 @@ double share_of_newer(std::uint64_t step_age, std::uint32_t model_age) {
     return static_cast<double>(std::min<std::uint64_t>(age + 1, fluid_period)) / fluid_period;
 }
 
+/// As it is now, between the newest two steps.
+FlowSample flow_about(const FluidTouch& touch, vec3 place, std::uint32_t model_age) {
+    return mixed(flow_at(touch.older, place), flow_at(touch.newer, place),
+                 share_of_newer(touch.step_age, model_age));
+}
+
 void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingLeft& damping,
                FluidFeel& feel) {
     state.force = {};
@@ -289,6 +296,15 @@ FluidFeel feel_fluid(const FluidTouch& touch, FluidTouchState& state, const Flui
 vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state) {
     const double scale = touch.frame.newtons_per_newton;
     return scale > 0 ? touch.frame.turn * state.force / scale : vec3(0);
+}
+
+vec3 whole_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
+                std::uint32_t model_age) {
+    FluidTouch whole{.frame = touch.frame, .drag = touch.drag};
+    DampingLeft boundless{std::numeric_limits<double>::infinity()};
+    const FlowSample here = flow_about(touch, place, model_age);
+    const Drags drags = drags_of(whole, here, immersed, boundless);
+    return finite_or_none((drags.flow + drags.resistance) * (here.velocity - velocity));
 }
 
 vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length) {

@@ -165,6 +165,11 @@ FluidFeel feel_fluid(const FluidTouch& touch, FluidTouchState& state, const Flui
 /// N, bowl frame, of the fluid's flow on the ladle, as commanded in the last tick; the fluid gets the opposite.
 vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state);
 
+/// N, bowl frame: (1), (2) and (3) on a ladle there, all at full strength and no device asked: what a world whose hands may feel less of
+/// it, or none, gives the fluid the opposite of. The same as force_on_ladle at full strengths that the device can render.
+vec3 whole_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
+                std::uint32_t model_age = 0);
+
 /// N, device frame: the peak of a pulse of `length` ticks by which a hand gets the impulse (N s, bowl frame) that the ladle does
 /// when it throws something in, at the mode's strength.
 vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length);

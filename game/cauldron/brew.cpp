@@ -30,7 +30,12 @@ fluid::SheetSettings read_surface(const ConfigTable& table) {
 
 LadleRules read_ladle(const ConfigTable& table) {
     return {.radius = table.number("radius_m", {0.01, 2}),
-            .drag = table.number("drag_n_s_per_m", {0, 1e5}),
+            .viscous = table.number("viscous_m", {0, 100}),
+            .form = table.number("form_m3_per_s", {0, 100}),
+            .height = table.number("height_m", {0.01, 2}),
+            .mass = table.number("mass_kg", {0, 100}),
+            .stiffness = table.number("stiffness_n_per_m", {1, 1e5}),
+            .damping = table.number("damping_n_s_per_m", {0, 1e4}),
             .metres_per_metre = table.number("metres_per_metre", {0.1, 1000}),
             .newtons_per_newton = table.number("newtons_per_newton", {1e-6, 1}),
             .in = table.number("in_from_middle_m", {0, 10}),

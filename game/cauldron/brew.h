@@ -26,7 +26,11 @@ struct Ingredient {
 
 struct LadleRules {
     double radius{};              ///< m, of the fluid that it takes along
-    double drag{};                ///< N s/m, of the pure brew on it
+    double viscous{}, form{};     ///< m, m^3/s: its drag (haptics/fluid_touch.h, equations 1 to 3)
+    double height{};              ///< m, of the part that dips in
+    double mass{};                ///< kg, of its own
+    double stiffness{};           ///< N/m, of the spring that ties it to the hand, and of the wall
+    double damping{};             ///< N s/m, likewise
     double metres_per_metre{};    ///< of the ladle for one of the hand
     double newtons_per_newton{};  ///< of the hand for one on the ladle
     double in{},

@@ -135,7 +135,10 @@ void step_surface(Stage& stage, Cauldron& cauldron) {
     });
     if (!any && sheet.asleep != 0) return;
     const auto step = fluid::advance(sheet, stage.brew->brew.scratch, probes, surface_dt);
-    for (std::size_t p = 0; p < players; ++p) cauldron.push[p] = step.probes[p].force;
+    for (std::size_t p = 0; p < players; ++p) {
+        cauldron.rise[p] = (step.probes[p].height - cauldron.height[p]) / surface_dt;
+        cauldron.height[p] = step.probes[p].height;
+    }
     write_surface(stage.world, cauldron, sheet);
 }
 

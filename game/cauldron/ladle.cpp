@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/cauldron/brew_pages.h"
 #include "game/components/grip.h"
 #include "game/match/touch.h"
 
@@ -43,20 +44,89 @@ void note_work(Ladle& ladle, double joules, Tick tick) {
     ladle.work[span] += joules;
 }
 
+/// Where in the brew the ladle's holder has it: the probe, held in by the wall.
+vec3 tip_of(const Grip& grip) { return grip.servo.fluid.place; }
+
+vec3 velocity_of(const HandFrame& frame, const Grip& grip) {
+    return frame.turn * (frame.metres_per_metre * haptics::tip_velocity(grip.servo));
+}
+
+haptics::FlowSource source_of(const Stage& stage, std::size_t which) {
+    const auto& rules = *stage.data.cauldron;
+    const auto& brew = stage.brew->brew;
+    const auto fields = fields_of(stage.world, which, brew.fluid, field::Kernel::linear);
+    const auto in_brew = [&](field::Grid grid) {
+        grid.origin += brew.corner;
+        return grid;
+    };
+    haptics::FlowSource source{.viscosity = rules.density * rules.viscosity, .density = rules.density};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        source.velocity.component[axis] = in_brew(fields.velocity.component[axis]);
+    for (std::size_t s = 0; s < brew.what.size(); ++s) {
+        if (brew.what[s] == no_ingredient) continue;
+        const auto& substance = rules.ingredients[brew.what[s]].substance;
+        source.substances[s] = {.amount = in_brew(fields.substances[s]),
+                                .viscosity = rules.density * substance.viscosity,
+                                .density = rules.density * substance.weight};
+    }
+    return source;
+}
+
+/// The flow round the ladle at the newest two steps. It is read anew when a step has ended and where the ladle has come off the
+/// middle of what was read; ahead of it, since it is used for a step to come.
+void read_flow(const Stage& stage, const Cauldron& cauldron, vec3 place, vec3 velocity, Ladle& ladle,
+               haptics::FluidTouch& touch) {
+    const double spacing = stage.brew->brew.fluid.lattice.h;
+    const bool stale = ladle.patched != cauldron.stepped || glm::distance(place, ladle.patch) > spacing;
+    if (stale) {
+        ladle.patch = place + limited(velocity * (fluid_dt / 2), spacing);
+        ladle.patched = cauldron.stepped;
+    }
+    if (!stale && touch.newer.spacing > 0) return;
+    touch.older = haptics::patch_of(source_of(stage, cauldron.newest ^ 1U), ladle.patch);
+    touch.newer = haptics::patch_of(source_of(stage, cauldron.newest), ladle.patch);
+}
+
+haptics::BowlWall wall_of(const LadleRules& rules, const Basin& basin) {
+    return {.centre = vec3(0),
+            .radius = basin.profile.front().x,
+            .depth = basin.depth,
+            .stiffness = rules.stiffness,
+            .damping = rules.damping};
+}
+
+/// What of the model no tick changes while one stirs.
+void begin_touch(const Stage& stage, const Cauldron& cauldron, const Ladle& ladle,
+                 haptics::FluidTouch& touch) {
+    const auto& data = *stage.data.cauldron;
+    const auto& rules = data.ladle;
+    const HandFrame frame = ladle_frame(data, cauldron, ladle);
+    // A push's kernel (fluid/fluid.h) has its peak at 105 / (32 pi r^3).
+    const double kernel_volume = 32 * pi / 105 * rules.radius * rules.radius * rules.radius;
+    touch = {.number = 1,
+             .frame = {.origin = frame.origin - cauldron.middle,
+                       .turn = glm::mat3_cast(frame.turn),
+                       .metres_per_metre = rules.metres_per_metre,
+                       .newtons_per_newton = rules.newtons_per_newton},
+             .drag = {.viscous = rules.viscous,
+                      .form = rules.form,
+                      .stirred_mass = data.density * kernel_volume,
+                      .height = rules.height},
+             .wall = wall_of(rules, stage.brew->basin),
+             .ladle = {.mass = rules.mass, .stiffness = rules.stiffness, .damping = rules.damping}};
+}
+
 void move_ladle(const Stage& stage, Cauldron& cauldron, std::uint32_t player, const Grip& grip, Ladle& ladle,
                 Tick tick) {
-    const auto& rules = stage.data.cauldron->ladle;
-    const HandFrame frame = ladle_frame(*stage.data.cauldron, cauldron, ladle);
-    const bool touches = grip.servo.surface.contacts != 0;
-    ladle.place = frame.to_world(touches ? grip.servo.surface.proxy : grip.device.position);
-    ladle.velocity = frame.turn * (frame.metres_per_metre * haptics::tip_velocity(grip.servo));
-    const vec3 in_brew = ladle.place - cauldron.middle;
-    const bool wet = ladle.place.y < surface_at(stage.brew.get(), cauldron, ladle.place);
-    const vec3 slip = ladle.velocity - current_at(stage.world, stage.brew.get(), ladle.place, tick);
-    ladle.force = wet ? rules.drag * slip : vec3(0);
+    const auto& rules = *stage.data.cauldron;
+    const vec3 tip = tip_of(grip);
+    ladle.place = cauldron.middle + tip;
+    ladle.velocity = velocity_of(ladle_frame(rules, cauldron, ladle), grip);
+    ladle.force =
+        -haptics::whole_drag(stage.models[player].fluid, tip, ladle.velocity, grip.servo.fluid.immersed);
     note_work(ladle, glm::dot(ladle.force, ladle.velocity) * tick_seconds, tick);
     if (ladle.force != vec3(0))
-        add_ladle_stroke(cauldron, player, in_brew, ladle.force * tick_seconds, rules.radius);
+        add_ladle_stroke(cauldron, player, tip, ladle.force * tick_seconds, rules.ladle.radius);
 }
 
 }  // namespace
@@ -66,6 +136,24 @@ HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, cons
     return {.origin = cauldron.middle + turn * vec3(0, -rules.ladle.below, rules.ladle.in),
             .turn = turn,
             .metres_per_metre = rules.ladle.metres_per_metre};
+}
+
+void feel_brew(Stage& stage, const Grip& grip, std::uint32_t player, Ladle& ladle, Tick tick,
+               haptics::FluidTouch& touch) {
+    const auto& cauldron = std::as_const(stage.world).single<Cauldron>();
+    const auto& sheet = stage.brew->brew.sheet;
+    if (touch.number == 0) begin_touch(stage, cauldron, ladle, touch);
+    const HandFrame frame = ladle_frame(*stage.data.cauldron, cauldron, ladle);
+    const vec3 place = haptics::held_in(touch.wall, haptics::to_bowl(touch.frame, grip.device.position));
+    read_flow(stage, cauldron, place, velocity_of(frame, grip), ladle, touch);
+    touch.step_age = static_cast<std::uint64_t>(tick - cauldron.stepped - 1);
+    touch.surface = {.height = cauldron.height[player],
+                     .velocity = cauldron.rise[player],
+                     .stiffness = sheet.settings.contact,
+                     .pop_through = sheet.settings.pop_through,
+                     .cling = sheet.settings.cling,
+                     .inside = cauldron.inside[player],
+                     .there = 1};
 }
 
 bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body) {

@@ -41,7 +41,8 @@ struct Strokes {
 /// The brew's frame stands at `middle`, its axes those of the world (game/cauldron/brew.h).
 struct Cauldron {
     vec3 middle{};                          ///< m, world: of the level surface
-    std::array<double, players> push{};     ///< N, up, of the surface on each ladle
+    std::array<double, players> height{};   ///< m, above the level: of the surface under each ladle
+    std::array<double, players> rise{};     ///< m/s, of that
     Strokes given{};                        ///< to the step of the fluid that is on its way
     Strokes next{};                         ///< to the one after it
     std::array<std::uint32_t, 3> what{};    ///< which ingredient stands in each substance
@@ -62,8 +63,8 @@ struct Cauldron {
         using C = Cauldron;
         return std::tuple(
             field("middle", &C::middle), field("given", &C::given), field("next", &C::next),
-            field("what", &C::what), field("inside", &C::inside), field("push", &C::push),
-            field("surface_asleep", &C::surface_asleep), field("newest", &C::newest),
+            field("what", &C::what), field("inside", &C::inside), field("height", &C::height),
+            field("rise", &C::rise), field("surface_asleep", &C::surface_asleep), field("newest", &C::newest),
             field("under_way", &C::under_way), field("owner", &C::owner), field("spoilt", &C::spoilt),
             field("stepped", &C::stepped), field("begun", &C::begun), field("mixing", &C::mixing),
             field("viscosity", &C::viscosity), field("density", &C::density), field("speed", &C::speed));
@@ -94,13 +95,16 @@ struct Ladle {
     vec3 velocity{};                   ///< m/s
     vec3 force{};                      ///< N, on the brew
     std::array<double, spans> work{};  ///< J, done on the brew in each of the last spans of 1/8 s
+    vec3 patch{};                      ///< m, brew's frame: about which the flow was read that the hand feels
+    Tick patched{};                    ///< Cauldron::stepped of that
     std::uint32_t span{};              ///< which of them is the present one
     std::uint32_t ingredient{};        ///< that he would drop in next
     static constexpr std::string_view name = "Ladle";
     static constexpr auto fields() {
         return std::tuple(field("yaw", &Ladle::yaw), field("place", &Ladle::place),
                           field("velocity", &Ladle::velocity), field("force", &Ladle::force),
-                          field("work", &Ladle::work), field("span", &Ladle::span),
+                          field("work", &Ladle::work), field("patch", &Ladle::patch),
+                          field("patched", &Ladle::patched), field("span", &Ladle::span),
                           field("ingredient", &Ladle::ingredient));
     }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "game/components/cauldron.h"
 #include "game/match/surfaces.h"
 #include "game/match/touch.h"
 
@@ -33,10 +34,10 @@ HandFrame frame_of(const Stage& stage, ecs::Entity wizard, vec3 eye) {
     return frame;
 }
 
-/// Who holds something by a tether feels that.
+/// Who holds something by a tether feels that, who stirs the brew.
 bool can_probe(const Stage& stage, ecs::Entity wizard, const Grip& grip) {
     return wand_per_hand(stage, wizard) > 0 && stage.data.touch.probe.stiffness > 0 &&
-           !(grip.tether.stiffness > 0) && !stage.world.has<Dead>(wizard);
+           !(grip.tether.stiffness > 0) && !stage.world.has<Dead>(wizard) && !stage.world.has<Ladle>(wizard);
 }
 
 /// What it does is then the deed of who pushed it; but not where another has set it going just before: who is struck by a thing has

@@ -1,6 +1,7 @@
 #include "game/match/touch.h"
 
 #include "core/hash.h"
+#include "game/cauldron/ladle.h"
 #include "game/match/arm.h"
 #include "game/match/bare_probe.h"
 
@@ -63,6 +64,12 @@ const haptics::HapticModel& next_model(Stage& stage, ecs::Entity wizard, Grip& g
     model.panic = panic;
     model.rearm = grip.rearm != 0;
     feel_about(stage, wizard, grip, model);
+    if (auto* ladle = stage.world.find<Ladle>(wizard)) {
+        feel_brew(stage, grip, player, *ladle, std::as_const(stage.world).single<Match>().played,
+                  model.fluid);
+    } else {
+        model.fluid.number = 0;
+    }
     return model;
 }
 
@@ -75,8 +82,8 @@ Grip empty_grip() {
 void add_touch_system(Stage& stage, ecs::Schedule& schedule) {
     auto& world = stage.world;
     schedule.add({.name = "touch",
-                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead>(),
-                  .writes = world.mask<Grip, Arm>(),
+                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, Cauldron, BrewPage>(),
+                  .writes = world.mask<Grip, Arm, Ladle>(),
                   .needs = world.mask<Grip>(),
                   .run = [&stage](ecs::World& w, Tick tick) {
                       const bool panic = note_panic_keys(w);

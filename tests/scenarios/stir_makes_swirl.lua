@@ -19,4 +19,4 @@ for i = 1, 3000 do
         log(i, b.speed, length(me:force()), length(me:ladle_force()), me:ladle().x, me:ladle().y, me:ladle().z)
     end
 end
-expect(brew().speed > 0.5)
+expect(brew().speed > 5)
