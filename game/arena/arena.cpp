@@ -107,6 +107,15 @@ void read_power_ups(const ConfigTable& root, Arena& arena) {
     }
 }
 
+void read_niches(const ConfigTable& root, Arena& arena) {
+    for (const auto& table : root.tables("niche")) {
+        const NichePlace niche{table.string("ingredient"), table.vector("position", place)};
+        arena.niches.push_back(niche);
+        if (table.boolean("mirror", false))
+            arena.niches.push_back({niche.ingredient, niche.position * vec3(1, 1, -1)});
+    }
+}
+
 Pad make_pad(vec3 feet, vec3 facing, std::int64_t player, std::size_t number) {
     const vec3 d = facing - feet;
     return {feet, det::atan2(-d.x, -d.z), static_cast<std::uint32_t>(player),
@@ -143,6 +152,7 @@ Arena read_arena(const Config& file) {
     read_anchors(root, arena);
     read_pads(root, arena);
     read_power_ups(root, arena);
+    read_niches(root, arena);
     return arena;
 }
 

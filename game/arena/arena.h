@@ -27,6 +27,12 @@ struct BowlPlace {
     bool operator==(const BowlPlace&) const = default;
 };
 
+struct NichePlace {
+    std::string ingredient;
+    vec3 position{};  ///< m, on the ground
+    bool operator==(const NichePlace&) const = default;
+};
+
 struct PowerUpPlace {
     PowerUpKind kind{};
     vec3 position{};  ///< m, on the ground
@@ -41,10 +47,11 @@ struct Arena {
     std::vector<Pad> pads;
     std::vector<PowerUpPlace> power_ups;
     std::optional<BowlPlace> bowl;
+    std::vector<NichePlace> niches;  ///< of ingredients for it
     bool operator==(const Arena&) const = default;
 };
 
-/// Reads `[[solid]]`, `[[anchor]]`, `[[pad]]`, `[[prop]]` and `[[power_up]]`; faults stay in the Config (core/config.h).
+/// Reads `[[solid]]`, `[[anchor]]`, `[[pad]]`, `[[prop]]`, `[[power_up]]` and `[[niche]]`; faults stay in the Config (core/config.h).
 Arena read_arena(const Config& file);
 
 }  // namespace thaum::game

@@ -43,6 +43,30 @@ LadleRules read_ladle(const ConfigTable& table) {
             .reach = table.number("reach_m", {0, 10})};
 }
 
+AuraRules read_aura(const ConfigTable& table) {
+    return {.radius = table.number("radius_m", {0, 100}),
+            .thick_above = table.number("thick_above", {1, 1e6}),
+            .thick_pace = table.number("thick_pace", {0.1, 1}),
+            .light_below = table.number("light_below", {0, 1}),
+            .light_gravity = table.number("light_gravity", {0, 1}),
+            .refill = table.number("refill_per_s", {0, 1e6}),
+            .refill_speed = table.number("refill_speed_m_s", {0, 100})};
+}
+
+void read_brewing(const ConfigTable& table, CauldronRules& rules) {
+    rules.drop_amount = table.number("drop_m3", {0, 10});
+    rules.drop_radius = table.number("drop_radius_m", {0.01, 2});
+    rules.recoil = table.number("recoil_n_s", {0, 1e3});
+    rules.recoil_length = ticks(table.number("recoil_s", {0.001, 1}));
+    rules.burst = table.number("burst_n_s", {0, 1e5});
+    rules.wrest_least = table.number("wrest_least_j", {0, 1e6});
+    rules.spoils_after = ticks(table.number("spoils_after_s", {0.1, 3600}));
+    rules.spoil_push = table.number("spoil_push_m_s", {0, 100});
+    rules.spoil_harm = table.number("spoil_harm", {0, 1e6});
+    rules.niche_radius = table.number("niche_radius_m", {0.1, 5});
+    rules.niche_again = ticks(table.number("niche_again_s", {0, 3600}));
+}
+
 Ingredient read_ingredient(const ConfigTable& table) {
     return {.name = table.string("name"),
             .colour = table.vector("colour", share),
@@ -65,7 +89,9 @@ CauldronRules read_cauldron_rules(const Config& file) {
         .colour = brew.vector("colour", share),
         .surface = read_surface(root.table("surface")),
         .ladle = read_ladle(root.table("ladle")),
+        .aura = read_aura(root.table("aura")),
         .ingredients = {}};
+    read_brewing(root.table("brewing"), rules);
     for (const auto& table : root.tables("ingredient")) rules.ingredients.push_back(read_ingredient(table));
     if (rules.ingredients.empty()) root.report("ingredient", "there must be an ingredient at least");
     return rules;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/config.h"
+#include "core/units.h"
 #include "fluid/fluid.h"
 #include "fluid/sheet.h"
 #include "game/arena/solids.h"
@@ -38,6 +39,16 @@ struct LadleRules {
     double reach{};  ///< m, from the rim, where its holder may stand
 };
 
+/// What the brew does to who is near, and to who stirs.
+struct AuraRules {
+    double radius{};  ///< m, from the middle
+    double thick_above{},
+        thick_pace{};  ///< of the pure brew's viscosity; what is left of a walking speed then
+    double light_below{}, light_gravity{};  ///< of the pure brew's density; what is left of the weight then
+    double refill{};                        ///< energy/s of each wand, of who stirs with the flow
+    double refill_speed{};                  ///< m/s, of the flow, at least
+};
+
 /// assets/cauldron.toml.
 struct CauldronRules {
     int cells_across{};
@@ -48,6 +59,16 @@ struct CauldronRules {
     vec3 colour{};                   ///< likewise
     fluid::SheetSettings surface{};  ///< its side follows from the bowl
     LadleRules ladle{};
+    AuraRules aura{};
+    double drop_amount{}, drop_radius{};  ///< m^3, m: of an ingredient that is dropped in
+    double recoil{};                      ///< N s, of that on the ladle
+    Tick recoil_length{};
+    double burst{};                     ///< N s, of a lob that bursts at the brew
+    double wrest_least{};               ///< J within a second and a half
+    Tick spoils_after{};                ///< the first ingredient
+    double spoil_push{}, spoil_harm{};  ///< m/s, HP
+    double niche_radius{};              ///< m
+    Tick niche_again{};
     std::vector<Ingredient> ingredients;
 };
 

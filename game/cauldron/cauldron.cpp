@@ -112,9 +112,19 @@ void end_step(Stage& stage, Cauldron& cauldron, Tick tick) {
     write_fluid(stage.world, cauldron.newest, work.brew.fluid);
 }
 
+/// What is left is pure brew, which goes on as it went.
+void pour_away(Brew& brew) {
+    brew.what.fill(no_ingredient);
+    for (auto& samples : brew.fluid.now.substances) std::fill(samples.begin(), samples.end(), 0.0F);
+    std::fill(brew.fluid.settings.substances.begin(), brew.fluid.settings.substances.end(),
+              fluid::Substance{});
+}
+
 void step_fluid(Stage& stage, Cauldron& cauldron, Tick tick) {
     if (cauldron.under_way != 0) end_step(stage, cauldron, tick);
-    const bool stroked = does_something(cauldron.next);
+    const bool stroked = does_something(cauldron.next) || cauldron.spoilt != 0;
+    if (cauldron.spoilt != 0) pour_away(stage.brew->brew);
+    cauldron.spoilt = 0;
     if (!stroked && stage.brew->brew.fluid.now.asleep) return;
     cauldron.given = cauldron.next;
     cauldron.next = no_strokes();
@@ -181,6 +191,7 @@ void rebuild_brew(Stage& stage) {
     read_fluid(stage.world, cauldron.newest, brew.fluid);
     brew.fluid.now.asleep = cauldron.under_way == 0;
     read_surface(stage.world, cauldron, brew.sheet);
+    for (auto& model : stage.models) model.fluid = {};  // read anew from what is there now
     if (cauldron.under_way != 0) begin_step(stage, cauldron);
 }
 
@@ -193,6 +204,12 @@ BrewWork* touched_brew(Stage& stage) {
 
 bool add_stroke(Cauldron& cauldron, const Stroke& stroke) {
     auto& next = cauldron.next;
+    for (std::uint32_t i = players; i < next.count && stroke.by != 0; ++i) {
+        if (next.list[i].by != stroke.by) continue;
+        next.list[i].place = stroke.place;
+        next.list[i].impulse += stroke.impulse;
+        return true;
+    }
     const bool full = next.count == next.list.size();
     if (full && stroke.ingredient != no_ingredient) return false;
     if (full) {

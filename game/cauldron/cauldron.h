@@ -47,7 +47,7 @@ void add_brew_systems(Stage& stage, ecs::Schedule& schedule);
 /// Makes the brew if nobody has touched it yet. Null where the match has no cauldron. Not inside of a view.
 BrewWork* touched_brew(Stage& stage);
 
-/// Adds to what the next step of the fluid is given; beyond what fits, momentum goes to the last place and ingredients are refused.
+/// Adds to what the next step of the fluid is given, to the same one's stroke where there is one; beyond what fits, momentum goes to the last place and ingredients are refused.
 bool add_stroke(Cauldron& cauldron, const Stroke& stroke);
 /// Gathers what a player's ladle does: places and impulses of one step become one.
 void add_ladle_stroke(Cauldron& cauldron, std::uint32_t player, vec3 place, vec3 impulse, double radius);

@@ -17,11 +17,11 @@ struct Stroke {
     double radius{};
     double amount{};             ///< m^3, of an ingredient
     std::uint32_t ingredient{};  ///< its number; no_ingredient: momentum
-    std::uint32_t spare{};
+    std::uint32_t by{};          ///< whose strokes of one step become one; 0: nobody's
     static constexpr auto fields() {
         return std::tuple(field("place", &Stroke::place), field("impulse", &Stroke::impulse),
                           field("radius", &Stroke::radius), field("amount", &Stroke::amount),
-                          field("ingredient", &Stroke::ingredient), field("spare", &Stroke::spare));
+                          field("ingredient", &Stroke::ingredient), field("by", &Stroke::by));
     }
 };
 
@@ -53,6 +53,7 @@ struct Cauldron {
     std::uint32_t owner{players};  ///< whose brew it is; players: nobody's
     std::uint32_t spoilt{};        ///< 1: the next step begins with pure brew
     Tick stepped{};                ///< when the newest state was taken
+    std::uint64_t events_seen{};   ///< of Chronicle::count
     Tick begun{};                  ///< when the first ingredient fell in; 0: it is pure
     double mixing{};      ///< of what was dropped in last: 1 - its coefficient of variation, at least 0
     double viscosity{1};  ///< mean over the brew, of the pure one's
@@ -66,8 +67,9 @@ struct Cauldron {
             field("what", &C::what), field("inside", &C::inside), field("height", &C::height),
             field("rise", &C::rise), field("surface_asleep", &C::surface_asleep), field("newest", &C::newest),
             field("under_way", &C::under_way), field("owner", &C::owner), field("spoilt", &C::spoilt),
-            field("stepped", &C::stepped), field("begun", &C::begun), field("mixing", &C::mixing),
-            field("viscosity", &C::viscosity), field("density", &C::density), field("speed", &C::speed));
+            field("stepped", &C::stepped), field("events_seen", &C::events_seen), field("begun", &C::begun),
+            field("mixing", &C::mixing), field("viscosity", &C::viscosity), field("density", &C::density),
+            field("speed", &C::speed));
     }
 };
 
@@ -98,15 +100,33 @@ struct Ladle {
     vec3 patch{};                      ///< m, brew's frame: about which the flow was read that the hand feels
     Tick patched{};                    ///< Cauldron::stepped of that
     std::uint32_t span{};              ///< which of them is the present one
-    std::uint32_t ingredient{};        ///< that he would drop in next
+    std::uint32_t spare{};
     static constexpr std::string_view name = "Ladle";
     static constexpr auto fields() {
-        return std::tuple(field("yaw", &Ladle::yaw), field("place", &Ladle::place),
-                          field("velocity", &Ladle::velocity), field("force", &Ladle::force),
-                          field("work", &Ladle::work), field("patch", &Ladle::patch),
-                          field("patched", &Ladle::patched), field("span", &Ladle::span),
-                          field("ingredient", &Ladle::ingredient));
+        return std::tuple(
+            field("yaw", &Ladle::yaw), field("place", &Ladle::place), field("velocity", &Ladle::velocity),
+            field("force", &Ladle::force), field("work", &Ladle::work), field("patch", &Ladle::patch),
+            field("patched", &Ladle::patched), field("span", &Ladle::span), field("spare", &Ladle::spare));
     }
+};
+
+/// A place where an ingredient is found, by who walks there with empty hands. Its place is in Motion.
+struct Niche {
+    Tick back_at{};              ///< there from that tick of play on
+    std::uint32_t ingredient{};  ///< its number
+    std::uint32_t spare{};
+    static constexpr std::string_view name = "Niche";
+    static constexpr auto fields() {
+        return std::tuple(field("back_at", &Niche::back_at), field("ingredient", &Niche::ingredient),
+                          field("spare", &Niche::spare));
+    }
+};
+
+/// A wizard who carries an ingredient.
+struct Pouch {
+    std::uint32_t ingredient{};
+    static constexpr std::string_view name = "Pouch";
+    static constexpr auto fields() { return std::tuple(field("ingredient", &Pouch::ingredient)); }
 };
 
 }  // namespace thaum::game

@@ -65,22 +65,29 @@ enum class EventKind : std::uint32_t {
     round_begin,  ///< detail: Match::round
     blast_hit,
     lob_hit,
-    burst  ///< detail: the EventKind of its hits; amount: m, how far it reaches
+    burst,        ///< detail: the EventKind of its hits; amount: m, how far it reaches
+    ingredient,   ///< picked up; detail: its number
+    dropped,      ///< an ingredient into the brew; detail: its number; amount: m^3
+    wrested,      ///< the brew, from the other; amount: J, done in the last second and a half
+    boiled_over,  ///< the brew, spoilt; subject: whose it was
+    spoilt        ///< hurt by that
 };
-inline constexpr std::array<std::string_view, 14> event_names{
-    "none", "shot",      "bolt_hit", "object_hit",  "fall",      "death",   "spawn",
-    "dry",  "round_end", "power_up", "round_begin", "blast_hit", "lob_hit", "burst"};
+inline constexpr std::array<std::string_view, 19> event_names{
+    "none",       "shot",      "bolt_hit", "object_hit",  "fall",      "death",   "spawn",
+    "dry",        "round_end", "power_up", "round_begin", "blast_hit", "lob_hit", "burst",
+    "ingredient", "dropped",   "wrested",  "boiled_over", "spoilt"};
 
 /// What can take health, as the kinds of event that say so, and what people call it.
 struct Cause {
     EventKind kind{};
     std::string_view name;
 };
-inline constexpr std::array<Cause, 5> causes{{{EventKind::bolt_hit, "bolt"},
+inline constexpr std::array<Cause, 6> causes{{{EventKind::bolt_hit, "bolt"},
                                               {EventKind::blast_hit, "blast"},
                                               {EventKind::lob_hit, "lob"},
                                               {EventKind::object_hit, "blow"},
-                                              {EventKind::fall, "fall"}}};
+                                              {EventKind::fall, "fall"},
+                                              {EventKind::spoilt, "brew"}}};
 /// Index into `causes`; their number where it is none.
 constexpr std::size_t cause_of(EventKind kind) {
     for (std::size_t i = 0; i < causes.size(); ++i) {

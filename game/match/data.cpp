@@ -109,6 +109,18 @@ void refuse_taken_slot(const std::vector<LoadedWand>& before, const LoadedWand& 
     }
 }
 
+void check_niches(const MatchData& data, Loader& loader) {
+    const auto& known = data.cauldron->ingredients;
+    for (const auto& niche : data.arena.niches) {
+        const bool found = std::any_of(known.begin(), known.end(),
+                                       [&](const Ingredient& i) { return i.name == niche.ingredient; });
+        if (!found)
+            loader.error =
+                Error{text("arenas/", data.choice.arena, ".toml: niche: cauldron.toml has no ingredient '",
+                           niche.ingredient, "'")};
+    }
+}
+
 /// What the rule set switches off is gone from the data: no system asks for the rule set's name.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
@@ -139,8 +151,10 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     auto device = loader.load("devices/" + data.touch.device + ".toml", haptics::read_device);
     if (!device) return tl::unexpected(device.error());
     data.device = std::move(*device);
-    if (data.rules.cauldron && data.arena.bowl)
+    if (data.rules.cauldron && data.arena.bowl) {
         data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
+        if (!loader.error) check_niches(data, loader);
+    }
     for (const auto& kind : wand_kinds()) {
         data.wands.push_back(loader.load(text("wands/", kind.name, ".toml"), [&](const Config& file) {
             auto wand = read_wand(kind, file);

@@ -1,7 +1,7 @@
 #include "game/match/round.h"
 
 #include "game/arena/spawn.h"
-#include "game/cauldron/cauldron.h"
+#include "game/cauldron/brewing.h"
 #include "game/match/arm.h"
 #include "game/match/touch.h"
 #include "game/player/walk.h"
@@ -70,6 +70,7 @@ void open_round(Stage& stage) {
     clear_scene(stage.world);
     spawn_arena(stage.world, stage.data.arena);
     spawn_cauldron(stage);
+    spawn_niches(stage);
     spawn_wizards(stage);
     add_arms(stage, arms);
 }

@@ -1,7 +1,9 @@
 #include "game/match/simulation.h"
 
 #include "ecs/snapshot.h"
+#include "game/cauldron/brewing.h"
 #include "game/cauldron/ladle.h"
+#include "game/cauldron/splash.h"
 #include "game/match/arm.h"
 #include "game/match/bare_probe.h"
 #include "game/match/bodies.h"
@@ -41,6 +43,12 @@ vec3 box_of(const input::DeviceSpec& device) {
         box[static_cast<int>(i)] = std::min(edge, most_um) * 1e-6;
     }
     return box;
+}
+
+void add_cauldron_systems(Stage& stage, ecs::Schedule& schedule) {
+    add_splash_system(stage, schedule);
+    add_brewing_systems(stage, schedule);
+    add_brew_systems(stage, schedule);
 }
 
 Touch touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
@@ -94,7 +102,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_body_systems(stage, live_);
     add_missile_systems(stage, live_);
     add_belt_system(stage, live_);
-    if (data_->cauldron) add_brew_systems(stage, live_);
+    if (data_->cauldron) add_cauldron_systems(stage, live_);
     add_power_up_system(stage, live_);
     add_life_systems(stage, live_);
     add_round_system(stage, live_);

@@ -51,6 +51,8 @@ void declare_components(ecs::World& world) {
     world.declare<BrewPage>();
     world.declare<SurfacePage>();
     world.declare<Ladle>();
+    world.declare<Niche>();
+    world.declare<Pouch>();
     // Last, so that they change no hash of a match without them.
     world.declare<Arm>();
     world.declare<PastModel>();

@@ -10,7 +10,17 @@ namespace thaum::game {
 namespace {
 
 /// What stands in the column `with`.
-enum class With : std::uint8_t { nothing, wand_in_hand, own_name, cause, pad, ending, power_up, round };
+enum class With : std::uint8_t {
+    nothing,
+    wand_in_hand,
+    own_name,
+    cause,
+    pad,
+    ending,
+    power_up,
+    round,
+    ingredient
+};
 
 /// How a kind of event is told.
 struct Telling {
@@ -36,6 +46,11 @@ constexpr Telling tellings[] = {
     {EventKind::blast_hit, With::own_name, "hp", true, true},
     {EventKind::lob_hit, With::own_name, "hp", true, true},
     {EventKind::burst, With::cause, "m", true, false},
+    {EventKind::ingredient, With::ingredient, "", true, true},
+    {EventKind::dropped, With::ingredient, "m3", true, false},
+    {EventKind::wrested, With::nothing, "J", true, false},
+    {EventKind::boiled_over, With::nothing, "", true, false},
+    {EventKind::spoilt, With::own_name, "hp", true, true},
 };
 
 constexpr bool all_kinds_are_told() {
@@ -49,6 +64,11 @@ static_assert(all_kinds_are_told(), "a new EventKind needs its row in `tellings`
 
 /// Rounded once, so that 9 ticks are 0.009 and not 0.009000000000000001.
 double in_seconds(Tick tick) { return static_cast<double>(tick) / static_cast<double>(ticks_per_second); }
+
+std::string name_of_ingredient(const MatchData& data, std::uint32_t number) {
+    const bool known = data.cauldron && number < data.cauldron->ingredients.size();
+    return known ? data.cauldron->ingredients[number].name : "";
+}
 
 struct Row {
     Tick tick{}, played{};
@@ -105,6 +125,7 @@ std::string with_what(With with, const Event& event, const Simulation& match) {
         case With::ending: return std::string(name_of_ending(event.detail));
         case With::power_up:
             return event.detail < power_up_names.size() ? std::string(power_up_names[event.detail]) : "";
+        case With::ingredient: return name_of_ingredient(match.data(), event.detail);
         case With::round: return text("round ", event.detail);
     }
     return {};

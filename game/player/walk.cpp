@@ -1,5 +1,7 @@
 #include "game/player/walk.h"
 
+#include "game/cauldron/brewing.h"
+
 namespace thaum::game {
 namespace {
 
@@ -31,7 +33,7 @@ void add_walk_system(Stage& stage, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "walk",
          .period = physics_period,
-         .reads = world.mask<Wizard, Gaze, Motion, Body, Dead>(),
+         .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, Cauldron>(),
          .writes = world.mask<Controls, Stance, Health, Chronicle>(),
          .needs = world.mask<Wizard>(),
          .run = [&stage](ecs::World& w, Tick tick) {
@@ -43,12 +45,13 @@ void add_walk_system(Stage& stage, ecs::Schedule& schedule) {
                      const bool wishes =
                          controls.strafe != 0 || controls.forward != 0 || (controls.pressed & jump) != 0;
                      if (motion.asleep != 0 && !wishes) return;  // stands, and nothing has touched it
-                     const auto result =
-                         physics::move(stage.physics, e.index,
-                                       {.wish_velocity = wish_of(controls, gaze, rules.walk.walk_speed),
-                                        .jump = (controls.pressed & jump) != 0,
-                                        .hung = stance.hung},
-                                       rules.walk, stance, physics_dt);
+                     const double pace = pace_at(stage.data, std::as_const(w), motion.position);
+                     const auto result = physics::move(
+                         stage.physics, e.index,
+                         {.wish_velocity = wish_of(controls, gaze, pace * rules.walk.walk_speed),
+                          .jump = (controls.pressed & jump) != 0,
+                          .hung = stance.hung},
+                         rules.walk, stance, physics_dt);
                      if (result.jumped) controls.pressed &= ~jump;
                      const double excess = result.landing_speed - rules.fall_safe;
                      if (excess > 0) {

@@ -1,0 +1,124 @@
+#include "game/cauldron/splash.h"
+
+#include <algorithm>
+#include <array>
+
+namespace thaum::game {
+namespace {
+
+/// m/s: at which drag, which grows with the square of the speed, is linear below.
+constexpr double slow = 1.5;
+constexpr std::size_t most_dips = 8;
+
+/// A thing in the brew or at its surface. Brew's frame.
+struct Dip {
+    ecs::Entity thing{};
+    vec3 place{}, velocity{};
+    double radius{};  ///< m, of a ball about as large
+    double mass{};
+    bool rests{};
+};
+
+struct Dips {
+    std::array<Dip, most_dips> list{};
+    std::size_t count{};
+};
+
+double ball_radius(const Body& body) {
+    const vec3 half = body.size;
+    switch (body.shape) {
+        case physics::Shape::box: return (half.x + half.y + half.z) / 3;
+        case physics::Shape::cylinder: return (2 * half.x + half.y) / 3;
+        default: return half.x;
+    }
+}
+
+Dips find_dips(const ecs::World& world, const Cauldron& cauldron, const Basin& basin) {
+    Dips dips;
+    world.view<const Prop, const Body, const Motion>().each(
+        [&](ecs::Entity e, const Prop&, const Body& body, const Motion& motion) {
+            const double radius = ball_radius(body);
+            const vec3 at = motion.position - cauldron.middle;
+            const bool within = off_axis(at) < basin.radius && at.y < radius && at.y > -basin.depth - radius;
+            if (!within || dips.count == dips.list.size()) return;
+            dips.list[dips.count++] = {.thing = e,
+                                       .place = at,
+                                       .velocity = motion.velocity,
+                                       .radius = radius,
+                                       .mass = body.mass,
+                                       .rests = motion.asleep != 0};
+        });
+    return dips;
+}
+
+/// N s on the thing within a surface period: drag against the flow, and what it displaces.
+vec3 push_of(const Stage& stage, const Cauldron& cauldron, const Dip& dip, Tick tick) {
+    const double density = stage.data.cauldron->density * cauldron.density;
+    const double level =
+        surface_at(stage.brew.get(), cauldron, cauldron.middle + dip.place) - cauldron.middle.y;
+    const double wet = std::clamp((level - dip.place.y + dip.radius) / (2 * dip.radius), 0.0, 1.0);
+    const vec3 below = cauldron.middle + dip.place - vec3(0, dip.radius / 2, 0);
+    const vec3 slip = dip.velocity - current_at(stage.world, stage.brew.get(), below, tick);
+    const double drag = wet * density * dip.radius * dip.radius * (slow + glm::length(slip));
+    const double displaced = wet * density * 4 / 3 * pi * dip.radius * dip.radius * dip.radius;
+    // Never more than what stops it.
+    const vec3 stop = std::min(drag * surface_dt, dip.mass / 2) * -slip;
+    return stop - displaced * stage.physics.settings().gravity * surface_dt;
+}
+
+void splash(Stage& stage, Cauldron& cauldron, const Dips& dips, Tick tick) {
+    const auto& rules = stage.data.cauldron->ladle;
+    for (std::size_t i = 0; i < dips.count; ++i) {
+        const auto& dip = dips.list[i];
+        const vec3 push = push_of(stage, cauldron, dip, tick);
+        if (push == vec3(0) || !stage.physics.has(dip.thing.index)) continue;
+        stage.physics.apply_central_impulse(dip.thing.index, push);
+        add_stroke(cauldron, {.place = dip.place - vec3(0, dip.radius / 2, 0),
+                              .impulse = -push,
+                              .radius = std::max(rules.radius, dip.radius),
+                              .ingredient = no_ingredient,
+                              .by = dip.thing.index + 1});
+    }
+}
+
+/// m; a missile that is so near to the level, or below it, is in the brew.
+constexpr double burst_reach = 0.6;
+
+/// What bursts at the brew drives it down and apart.
+void note_bursts(Stage& stage, Cauldron& cauldron, const Basin& basin) {
+    const auto& chronicle = std::as_const(stage.world).single<Chronicle>();
+    for (; cauldron.events_seen < chronicle.count; ++cauldron.events_seen) {
+        const auto& event = chronicle.events[cauldron.events_seen % chronicle.events.size()];
+        const vec3 at = event.place - cauldron.middle;
+        if (event.kind != EventKind::burst || off_axis(at) > basin.radius || at.y > burst_reach) continue;
+        if (touched_brew(stage) == nullptr) return;
+        add_stroke(cauldron, {.place = {at.x, -stage.data.cauldron->ladle.radius, at.z},
+                              .impulse = {0, -stage.data.cauldron->burst, 0},
+                              .radius = 2 * stage.data.cauldron->ladle.radius,
+                              .ingredient = no_ingredient});
+    }
+}
+
+}  // namespace
+
+void add_splash_system(Stage& stage, ecs::Schedule& schedule) {
+    auto& world = stage.world;
+    schedule.add({.name = "splashes",
+                  .period = surface_period,
+                  .reads = world.mask<Prop, Body, Motion, Chronicle>(),
+                  .writes = world.mask<Cauldron, BrewPage, SurfacePage>(),
+                  .needs = world.mask<Cauldron>(),
+                  .run = [&stage, basin = basin_of(stage.data.arena.bowl->size, stage.data.cauldron->filled)](
+                             ecs::World& w, Tick tick) {
+                      auto& cauldron = w.single<Cauldron>();
+                      note_bursts(stage, cauldron, basin);
+                      const Dips dips = find_dips(std::as_const(w), cauldron, basin);
+                      const bool all_rest = std::all_of(
+                          dips.list.begin(), dips.list.begin() + static_cast<std::ptrdiff_t>(dips.count),
+                          [](const Dip& dip) { return dip.rests; });
+                      if (all_rest || touched_brew(stage) == nullptr) return;
+                      splash(stage, cauldron, dips, tick);
+                  }});
+}
+
+}  // namespace thaum::game
