@@ -386,6 +386,8 @@ SheetStep advance(Sheet& sheet, SheetScratch& scratch, std::span<const SheetProb
     double* const values = scratch.values.data();
     const Grip grip = grip_of(sheet, probes, values + 5 * size);
     SheetStep result;
+    // Asleep or not, a probe that has broken through is inside.
+    for (std::size_t p = 0; p < grip.count; ++p) result.probes[p].inside = sheet.inside[p] != 0;
     if (!(dt > 0)) return result;
     dt = std::min(dt, longest_sheet_call);
     result.seconds = dt;

@@ -23,7 +23,6 @@ Felt felt(const BowlFrame& frame) {
             frame.newtons_per_newton / frame.metres_per_metre};
 }
 
-vec3 vector_to_bowl(const BowlFrame& frame, vec3 device) { return frame.turn * device; }
 vec3 force_to_hand(const BowlFrame& frame, vec3 bowl) {
     return frame.newtons_per_newton * (glm::transpose(frame.turn) * bowl);
 }
@@ -138,32 +137,36 @@ void feel_surface(const FluidTouch& touch, FluidTouchState& state, double height
 
 // ---- flow ----------------------------------------------------------------------------------------------------------
 
-/// N s/m in the bowl.
-struct Drags {
-    double viscosity{}, flow{}, resistance{};
+/// N on the hand, of equations (1) to (3), and the slope of all at the hand, N s/m.
+struct FlowForces {
+    vec3 viscosity{}, flow{}, resistance{};
+    double slope{};
 };
 
-/// As equations (1) to (3) have them, all scaled down alike where the device or the way through the fluid asks for it.
-Drags drags_of(const FluidTouch& touch, const FlowSample& sample, double immersed, DampingLeft& damping) {
+/// All drags are scaled down alike where the device or the way through the fluid asks for it, so what goes with the flow still does.
+FlowForces forces_of(const FluidTouch& touch, const FlowSample& sample, vec3 velocity, double immersed,
+                     double most_damping) {
     const auto& [viscous, form, stirred_mass, height] = touch.drag;
     const double stokes = immersed * viscous * sample.viscosity;
-    Drags drags{.viscosity = std::max(0.0, touch.modes.viscosity) * stokes,
-                .flow = std::max(0.0, touch.modes.flow) * stokes,
-                .resistance = std::max(0.0, touch.modes.resistance) * immersed * form * sample.density};
-    const double at_hand = felt(touch.frame).stiffness * (drags.viscosity + drags.resistance);
-    const double through_fluid = drags.flow + drags.resistance;
-    const double period = fluid_period * tick_seconds;
+    const double viscosity = std::max(0.0, touch.modes.viscosity) * stokes;
+    const double flow = std::max(0.0, touch.modes.flow) * stokes;
+    const double resistance = std::max(0.0, touch.modes.resistance) * immersed * form * sample.density;
+    const double slope = felt(touch.frame).stiffness * (viscosity + resistance);
+    const double gain = (flow + resistance) * fluid_period * tick_seconds;
     double share = 1;
-    if (at_hand > damping.left) share = std::max(0.0, damping.left) / at_hand;
-    if (stirred_mass > 0 && share * through_fluid * period > loop_gain * stirred_mass)
-        share = loop_gain * stirred_mass / (through_fluid * period);
-    damping.take(share * at_hand, damping.left);
-    return {share * drags.viscosity, share * drags.flow, share * drags.resistance};
+    if (slope > most_damping) share = most_damping / slope;
+    if (stirred_mass > 0 && share * gain > loop_gain * stirred_mass) share = loop_gain * stirred_mass / gain;
+    const auto felt_of = [&](double drag, vec3 way) {
+        return force_to_hand(touch.frame, share * drag * way);
+    };
+    return {felt_of(viscosity, -velocity), felt_of(flow, sample.velocity),
+            felt_of(resistance, sample.velocity - velocity), share * slope};
 }
 
-FlowSample mixed(const FlowSample& a, const FlowSample& b, double share) {
-    return {a.velocity + share * (b.velocity - a.velocity), a.viscosity + share * (b.viscosity - a.viscosity),
-            a.density + share * (b.density - a.density)};
+/// Of the forces, not of what makes them: so a step that changes drag and flow at once is linear in time too.
+FlowForces mixed(const FlowForces& a, const FlowForces& b, double share) {
+    return {glm::mix(a.viscosity, b.viscosity, share), glm::mix(a.flow, b.flow, share),
+            glm::mix(a.resistance, b.resistance, share), glm::mix(a.slope, b.slope, share)};
 }
 
 /// Share of the newer step, 0 to 1: the first tick after a step has one sixteenth of it.
@@ -183,23 +186,23 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
     state.force = {};
     state.flow_work = 0;
     if (!asks_for_flow(touch.modes) || !(state.immersed > 0)) return;
+    const vec3 velocity = touch.frame.turn * (touch.frame.metres_per_metre * tip.velocity);
     const FlowSample newest = flow_at(touch.newer, state.place);
-    const FlowSample here =
-        mixed(flow_at(touch.older, state.place), newest, share_of_newer(touch.step_age, tip.model_age));
-    const vec3 velocity = vector_to_bowl(touch.frame, touch.frame.metres_per_metre * tip.velocity);
-    const Drags drags = drags_of(touch, here, state.immersed, damping);
-    const vec3 viscosity = force_to_hand(touch.frame, -drags.viscosity * velocity);
-    const vec3 flow = force_to_hand(touch.frame, drags.flow * here.velocity);
-    const vec3 resistance = force_to_hand(touch.frame, -drags.resistance * (velocity - here.velocity));
+    const auto of = [&](const FlowSample& sample) {
+        return forces_of(touch, sample, velocity, state.immersed, damping.left);
+    };
+    const FlowForces forces = mixed(of(flow_at(touch.older, state.place)), of(newest),
+                                    share_of_newer(touch.step_age, tip.model_age));
+    const vec3 force = forces.viscosity + forces.flow + forces.resistance;
     const vec3 step =
         glm::transpose(touch.frame.turn) * newest.velocity * (tick_seconds / touch.frame.metres_per_metre);
-    const vec3 force = viscosity + flow + resistance;
     if (!is_finite(force) || !is_finite(step)) return;
+    damping.take(forces.slope, damping.left);
     state.force = force;
     // A step that nothing makes was read wrongly.
-    if (glm::length(step) <= longest_step) state.flow_work = glm::dot(resistance, step);
-    feel.passive += viscosity + resistance;
-    feel.active += flow;
+    if (glm::length(step) <= longest_step) state.flow_work = glm::dot(forces.resistance, step);
+    feel.passive += forces.viscosity + forces.resistance;
+    feel.active += forces.flow;
 }
 
 // ---- wall ----------------------------------------------------------------------------------------------------------
@@ -219,8 +222,8 @@ void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3
     const double damps = damping.take(scale * touch.wall.damping, damping.left);
     const vec3 in = glm::transpose(touch.frame.turn) * (off / depth);
     const double stretch = depth / touch.frame.metres_per_metre;
-    const double outwards = std::max(0.0, -glm::dot(velocity, in));
-    const vec3 force = (scale * touch.wall.stiffness * stretch + damps * outwards) * in;
+    const double push = scale * touch.wall.stiffness * stretch - damps * glm::dot(velocity, in);
+    const vec3 force = std::max(0.0, push) * in;
     state.wall = finite_or_none(force);
     add(feel, force, scale * touch.wall.stiffness * stretch * stretch / 2);
 }

@@ -18,8 +18,8 @@
 //     resistance    F = - w_r i form rho (V - u)           (3)  against the current; passive, the flow is its other end
 //     surface       F = w_s clamp(k (h - P_y), 0, pop) y   (4)  from outside, and clamp(.., -cling, 0) from inside:
 //                                                               the spring of fluid/sheet.h; passive, the surface moves its end
-//     wall          F = w_b (k (N - P) - b V_out)          (5)  N the nearest place in the bowl, V_out the speed outwards along
-//                                                               it; never a pull; passive
+//     wall          F = w_b max(0, k |N - P| + b V_out)    (5)  inwards; N the nearest place in the bowl, V_out the speed outwards
+//                                                               along P - N; passive
 //     inertia       F = w_m (k (M - P) + b (M' - V))       (6)  m M'' = minus that: a mass of its own, felt as s_f s_x m; passive
 //     recoil        a Pulse (servo.h), see recoil_peak()   (7)  active
 //
@@ -27,8 +27,8 @@
 // form drag of an obstacle, with its slope at the speed of stirring (C_d A U / 2). Sums over substances are in mu and rho. (1) alone
 // challenges the hand, (2) alone guides it, (3) makes it fight the current until the flow has given way: section 7's modes.
 //
-// The flow comes in steps of 16 ticks, the hand feels each tick. Between the two newest steps u, mu and rho are linear in time:
-// a step makes 16 changes of 1/16 of its size, and is felt one step late. What the hand gives comes back in u after one to two
+// The flow comes in steps of 16 ticks, the hand feels each tick. Between what the two newest steps make of them, (1) to (3) go
+// linearly in time: a step makes 16 changes of 1/16 of its size, and is felt one step late. What the hand gives comes back in u after one to two
 // steps more, and a loop so late rings: at most (w_f viscous mu + w_r form rho) T / stirred_mass = 0.83 (with T 16 ms; the
 // hand held fast). All drags together are scaled down so that this stays below `loop_gain`, and their slope at the hand, s_f s_x
 // (w_v viscous mu + w_r form rho), below the device's own most damping less what the ladle's spring takes of it (at most half).
@@ -99,7 +99,7 @@ struct BowlWall {
     double radius{};     ///< m, there; 0: no wall
     double depth{};      ///< m, > 0, from the rim's plane to the bottom; as the radius: a hemisphere
     double stiffness{};  ///< N/m, >= 0
-    double damping{};    ///< N s/m, >= 0, on the way in; what the device can render of it
+    double damping{};    ///< N s/m, >= 0; what the device can render of it
 };
 
 struct LadleMass {

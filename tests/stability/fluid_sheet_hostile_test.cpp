@@ -198,6 +198,20 @@ TEST(SheetStability, ASleepingSheetIsExactlyLevelAndVisitsNothing) {
     EXPECT_EQ(advance(sheet, scratch, {}, 0.01).seconds, 0.01);
 }
 
+TEST(Sheet, WhoIsInsideStaysSoWhileItSleeps) {
+    Sheet sheet = sheet_of({.damping = 5});
+    SheetScratch scratch;
+    const SheetProbe deep{.height = -0.5, .radius = 0.1};
+    SheetStep last;
+    for (int i = 0; i < 2000 && (i == 0 || last.visited != 0); ++i)
+        last = advance(sheet, scratch, {&deep, 1}, 0.01);
+    ASSERT_EQ(sheet.asleep, 1U);
+    last = advance(sheet, scratch, {&deep, 1}, 0.01);
+    EXPECT_EQ(last.visited, 0U);
+    EXPECT_TRUE(last.probes[0].inside);
+    EXPECT_FALSE(last.probes[1].inside);
+}
+
 TEST(Sheet, PressedHardItGivesWayAndTheProbeThatLeavesPullsALastRipple) {
     const SheetSettings s;
     Sheet sheet = sheet_of(s);

@@ -1,0 +1,73 @@
+// A hand on a device of numbers that stirs a fluid of the test's own making.
+#pragma once
+#include "haptics/servo.h"
+#include "haptics/simulated.h"
+
+namespace thaum::haptics {
+
+/// Nothing of its own: no friction, no damping, no hand.
+inline DeviceSpec bare_device(double mass = 0.1) {
+    DeviceSpec spec;
+    spec.peak_force = 1000;
+    spec.continuous_force = 1000;
+    spec.max_damping = 30;
+    spec.max_stiffness = 1000;
+    spec.workspace = vec3(100);
+    spec.mass = mass;
+    return spec;
+}
+
+inline FluidModes no_modes() { return {0, 0, 0, 0, 0, 0, 0}; }
+
+/// The same flow everywhere.
+inline FlowPatch uniform_flow(vec3 velocity, double viscosity, double density) {
+    FlowPatch patch{.origin = vec3(-1), .spacing = 0.5};
+    patch.nodes.fill({fvec3(velocity), static_cast<float>(viscosity), static_cast<float>(density)});
+    return patch;
+}
+
+inline FluidTouch some_fluid() {
+    FluidTouch touch{.number = 1, .modes = no_modes()};
+    touch.frame = {.origin = {0.5, -0.25, 0.125},
+                   .turn = mat3(rotation(glm::normalize(vec3(1, 2, -0.5)), 0.9)),
+                   .metres_per_metre = 16,
+                   .newtons_per_newton = 1.0 / 256};
+    touch.drag = {.viscous = 2, .form = 0.5};
+    newest_step(touch, uniform_flow({}, 4, 8));
+    return touch;
+}
+
+/// A tip that the test or the device moves; one tick each.
+struct StirringRig {
+    DeviceSpec spec = bare_device();
+    SimulatedDevice device = simulated_device(spec, no_hand);
+    Servo servo = [this] {
+        Servo result = servo_of(spec, 1);
+        result.limits.fastest = 1e9;
+        result.limits.slew = 1e12;
+        return result;
+    }();
+    ServoState state{};
+    HapticModel model{};
+    SimulatedState tip = resting_at({});
+    std::uint32_t model_age{};
+
+    StirringRig() { model.fluid = some_fluid(); }
+
+    FluidTouch& fluid() { return model.fluid; }
+    vec3 feel_at(vec3 position) { return servo_step(servo, state, model, {position, model_age}); }
+    /// The device goes on by what it is told. Returns that.
+    vec3 tick() {
+        const vec3 force = feel_at(tip.position);
+        tip = step(device, tip, {}, force);
+        return force;
+    }
+    /// The last force of a tip that has come along evenly, and is at `to` now.
+    vec3 feel_moving(vec3 to, vec3 velocity) {
+        vec3 force{};
+        for (int back = 20; back >= 0; --back) force = feel_at(to - velocity * (back * tick_seconds));
+        return force;
+    }
+};
+
+}  // namespace thaum::haptics
