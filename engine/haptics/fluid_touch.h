@@ -40,7 +40,8 @@
 // if there were none):
 //
 //   1. Where a fluid step ends: newest_step(touch, patch_of(source, middle)), middle = the tip's place in the bowl, led by the velocity
-//      by some 16 ms: the patch is read for 32 ms. In each other tick ++touch.step_age. That is all; older and newer keep their places.
+//      by some 16 ms: the patch is read for 32 ms. In each other tick ++touch.step_age. older, newer and step_age decide forces to come
+//      and do not follow from the fluid: they are state, to be kept in a component.
 //   2. surface = that of the sheet under the probe (SheetReaction, SheetSettings); velocity by difference; `there` = 0 without one.
 //   3. Frame, drag, wall, ladle and modes from its data, with felt stiffnesses s_f s_x k that the device can render. Another
 //      `number` (from 1, never 0) where the probe comes, or where frame, modes or data jump.
@@ -123,6 +124,7 @@ struct FluidTouch {
     FlowPatch older{}, newer{};  ///< of the two newest steps
     std::uint64_t step_age{};    ///< ticks since `newer` came: 0 in the first
 };
+static_assert(sizeof(FluidTouch) == 43 * sizeof(double) + 2 * sizeof(FlowPatch), "no padding");
 
 /// A fluid step has ended: `newest` becomes the newer of the two (both, if it is the first).
 void newest_step(FluidTouch& touch, const FlowPatch& newest);

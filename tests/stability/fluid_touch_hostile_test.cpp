@@ -1,18 +1,15 @@
 // A hand that stirs creates no energy and comes to no harm, whatever hand, fluid and delay do.
 #include <gtest/gtest.h>
 
-#include <deque>
 #include <filesystem>
 
 #include "core/file.h"
 #include "core/random.h"
-#include "fluid/sheet.h"
 #include "unit/stirring_rig.h"
 
 namespace thaum::haptics {
 namespace {
 
-/// A device's file.
 DeviceSpec shipped(const char* name) {
     const auto file = std::string(name) + ".toml";
     const auto toml = read_text_file(THAUM_SOURCE_DIR "/assets/devices/" + file, 1U << 16U);
@@ -74,160 +71,20 @@ TEST(FluidTouchHostile, TheWayThroughTheFluidDoesNotRing) {
 
 // ---- energy --------------------------------------------------------------------------------------------------------
 
-/// What a run of one device comes to, of which the test itself keeps the books.
-struct EnergyRun {
-    double created{}, most_created{};  ///< J, by the sum of F dx less what the world gave
-    double moved{};                    ///< J, either way: nothing proves nothing
-};
-
-/// The world of one kind of source, and what it gives to the hand.
-struct World {
-    FluidModes modes{};
-    double flow{};          ///< m/s: it changes by as much in each step
-    bool waves{};           ///< of a sheet that is real
-    std::uint32_t delay{};  ///< ticks that a model is late
-    const char* device{};
-};
-
-/// So that no cap takes anything from the hand that the world gave; with stiffnesses as matches have them at most.
+/// So that no cap takes anything from the hand that the world gave.
 DeviceSpec unlimited(DeviceSpec spec) {
     spec.peak_force = spec.continuous_force = 1000;
-    spec.max_stiffness = std::min(spec.max_stiffness, 1000.0);
     return spec;
 }
 
-class StirringAttack {
-public:
-    explicit StirringAttack(const World& world)
-        : world_(world),
-          spec_(unlimited(shipped(world.device))),
-          device_(simulated_device(spec_, Hand{})),
-          servo_(servo_of(spec_, 1)) {
-        servo_.limits.fastest = 1e9;
-        servo_.limits.slew = 1e12;
-        auto& touch = model_.fluid;
-        touch = some_fluid();
-        touch.modes = world.modes;
-        touch.frame = {.turn = touch.frame.turn, .metres_per_metre = 20, .newtons_per_newton = 0.00375};
-        const double felt = 20 * 0.00375;
-        touch.drag = {.viscous = 4 / felt, .form = 1.5 / felt, .stirred_mass = 10, .height = 0.2};
-        touch.wall = {.radius = 0.5,
-                      .depth = 0.4,
-                      .stiffness = spec_.max_stiffness / felt,
-                      .damping = spec_.max_damping / 2 / felt};
-        touch.ladle = {.mass = 0.1 / felt, .stiffness = spec_.max_stiffness / felt / 2, .damping = 2 / felt};
-        settings_.contact = spec_.max_stiffness / felt;
-    }
-
-    EnergyRun run(int ticks) {
-        for (int tick = 0; tick < ticks; ++tick) advance_tick(tick);
-        return run_;
-    }
-
-private:
-    void advance_tick(int tick) {
-        move_world(tick);
-        past_.push_back(model_);
-        if (past_.size() > world_.delay + 1) past_.pop_front();
-        const auto age = static_cast<std::uint32_t>(past_.size() - 1);
-        const vec3 measured = measured_position(device_, tip_);
-        const HapticModel& used = past_.front();
-        const vec3 force = servo_step(servo_, state_, used, {measured, age});
-        if (tick % 40 == 0) goal_ = vector_within(random_, 0.05);
-        const vec3 from = tip_.position;
-        tip_ = step(device_, tip_, goal_, force);
-        book(used, age, from);
-    }
-
-    /// What left at the hand in this tick, and what the world gave for it: to the resistance the newest flow, by which the ladle is
-    /// carried, to the surface's spring its other end. Viscosity is met in fluids at rest only.
-    void book(const HapticModel& used, std::uint32_t age, vec3 from) {
-        const auto& touch = used.fluid;
-        const double height = touch.surface.height + touch.surface.velocity * age * tick_seconds;
-        const double out = glm::dot(tip_.force, tip_.position - from);
-        run_.created += out - flow_gives_ - surface_force_ * (height - height_) / 20;
-        run_.created = std::max(run_.created, -held(touch, height));
-        run_.most_created = std::max(run_.most_created, run_.created);
-        run_.moved += std::abs(out);
-        const vec3 flow = flow_at(touch.newer, state_.fluid.place).velocity;
-        flow_gives_ = glm::dot(touch.frame.turn * state_.fluid.force, flow) * (tick_seconds / 20);
-        surface_force_ = state_.fluid.surface_force;
-        height_ = height;
-    }
-
-    /// J, in the springs to wall and surface and in the ladle: what damping took is gone, only so much may come back.
-    double held(const FluidTouch& touch, double height) const {
-        const auto& fluid = state_.fluid;
-        const vec3 place = to_bowl(touch.frame, tip_.position);
-        const double in = glm::length(held_in(touch.wall, place) - place) / 20;
-        const vec3 off = fluid.mass_position - tip_.position, speed = fluid.mass_velocity;
-        const double wall = touch.modes.wall * spec_.max_stiffness * in * in / 2;
-        const double ladle = touch.modes.inertia *
-                             (0.1 * glm::dot(speed, speed) + spec_.max_stiffness / 2 * glm::dot(off, off)) /
-                             2;
-        return wall + ladle + std::abs(fluid.surface_force * (height - place.y) / 20);
-    }
-
-    void move_world(int tick) {
-        auto& touch = model_.fluid;
-        if (tick % static_cast<int>(fluid_period) == 0)
-            newest_step(touch, uniform_flow(vector_within(random_, world_.flow), random_.uniform(0, 1),
-                                            random_.uniform(0, 1)));
-        else
-            ++touch.step_age;
-        if (!world_.waves) return;
-        const vec3 place = to_bowl(touch.frame, tip_.position);
-        const std::array probe{
-            fluid::SheetProbe{.place = {place.x, place.z}, .height = place.y, .radius = 0.1}};
-        const auto reaction = fluid::advance(sheet_, scratch_, probe, tick_seconds).probes[0];
-        const double velocity = (reaction.height - touch.surface.height) / tick_seconds;
-        touch.surface = {.height = reaction.height,
-                         .velocity = velocity,
-                         .stiffness = settings_.contact,
-                         .pop_through = settings_.pop_through,
-                         .cling = settings_.cling,
-                         .inside = reaction.inside ? 1U : 0U,
-                         .there = 1};
-    }
-
-    World world_;
-    DeviceSpec spec_;
-    SimulatedDevice device_;
-    Servo servo_;
-    ServoState state_{};
-    HapticModel model_{};
-    std::deque<HapticModel> past_{};
-    SimulatedState tip_ = resting_at({});
-    vec3 goal_{};
-    Random random_{12};
-    fluid::SheetSettings settings_{};
-    fluid::Sheet sheet_ = sheet_of(settings_);
-    fluid::SheetScratch scratch_{};
-    EnergyRun run_{};
-    double flow_gives_{}, surface_force_{}, height_{};
-};
-
-constexpr FluidModes only(double FluidModes::*mode) {
-    FluidModes modes{0, 0, 0, 0, 0, 0, 0};
-    modes.*mode = 1;
-    return modes;
-}
-
 TEST(FluidTouchHostile, PassiveModesCreateNothing) {
-    const std::array modes{only(&FluidModes::viscosity), only(&FluidModes::resistance),
-                           only(&FluidModes::surface),   only(&FluidModes::wall),
-                           only(&FluidModes::inertia),   FluidModes{0, 0, 1, 1, 1, 1, 0}};
     for (const char* device : {"touch", "falcon", "omega3"}) {
         for (const std::uint32_t delay : {0U, 5U}) {
-            for (std::size_t i = 0; i < modes.size(); ++i) {
-                const EnergyRun run = StirringAttack({.modes = modes[i],
-                                                      .flow = modes[i].resistance > 0 ? 2.0 : 0.0,
-                                                      .waves = modes[i].surface > 0,
-                                                      .delay = delay,
-                                                      .device = device})
-                                          .run(10'000);
-                EXPECT_LE(run.most_created, 0.02) << device << " " << delay << " " << i;
-                EXPECT_GT(run.moved, 0.02) << device << " " << delay << " " << i;
+            for (auto [name, world] : bench::stirred_cases()) {
+                world.delay = delay;
+                const auto energy = bench::StirringAttack(world, unlimited(shipped(device))).run(10'000);
+                EXPECT_LE(energy.most_created, 0.02) << device << " " << delay << " " << name;
+                EXPECT_GT(energy.moved, 0.1) << device << " " << delay << " " << name;
             }
         }
     }

@@ -327,6 +327,35 @@ TEST(FluidTouch, TheSurfaceIsTheSheetsOwnSpring) {
     EXPECT_GT(pulled, 0);
 }
 
+TEST(FluidTouch, ASurfaceThatLiftsAHandPaysForIt) {
+    // Lifted with it, a hand gets the energy that the surface loses; held against it as it sinks, the surface gets the hand's.
+    StirringRig rig;
+    rig.fluid().modes.surface = 1;
+    rig.fluid().frame = {.metres_per_metre = 20, .newtons_per_newton = 0.005};
+    rig.fluid().surface = {.stiffness = 4000, .pop_through = 300, .there = 1};
+    rig.feel_at({});
+    for (int tick = 0; tick < 1000; ++tick) {
+        const double y = 0.02 * std::sin(2 * pi * tick / 1000);
+        rig.fluid().surface.height = 20 * y + 0.05;
+        EXPECT_NEAR(rig.feel_at({0, y, 0}).y, 0.005 * 4000 * 0.05, 1e-12);
+        EXPECT_LE(rig.state.energy.created, 1e-12) << tick;
+    }
+}
+
+TEST(FluidTouch, ACurrentIsHeldToItsBudget) {
+    StirringRig rig;
+    rig.fluid().modes.flow = 1;
+    for (int step = 0; step < 2; ++step) newest_step(rig.fluid(), uniform_flow({160, 0, 0}, 4, 0));
+    double work = 0;
+    for (int tick = 0; tick < 1000; ++tick) {
+        const vec3 from = rig.tip.position;
+        rig.tick();
+        work += glm::dot(rig.tip.force, rig.tip.position - from);
+    }
+    EXPECT_GT(work, 0.9 * active_budget);
+    EXPECT_LT(work, 2.5 * active_budget);
+}
+
 TEST(FluidTouch, TheLadleIsFeltAsItDipsIn) {
     StirringRig rig;
     rig.fluid().modes.viscosity = 1;

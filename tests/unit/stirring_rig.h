@@ -2,8 +2,11 @@
 #pragma once
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
+#include "tools/bench/stirring_attack.h"
 
 namespace thaum::haptics {
+
+using bench::uniform_flow;
 
 /// Nothing of its own: no friction, no damping, no hand.
 inline DeviceSpec bare_device(double mass = 0.1) {
@@ -18,13 +21,6 @@ inline DeviceSpec bare_device(double mass = 0.1) {
 }
 
 inline FluidModes no_modes() { return {0, 0, 0, 0, 0, 0, 0}; }
-
-/// The same flow everywhere.
-inline FlowPatch uniform_flow(vec3 velocity, double viscosity, double density) {
-    FlowPatch patch{.origin = vec3(-1), .spacing = 0.5};
-    patch.nodes.fill({fvec3(velocity), static_cast<float>(viscosity), static_cast<float>(density)});
-    return patch;
-}
 
 inline FluidTouch some_fluid() {
     FluidTouch touch{.number = 1, .modes = no_modes()};

@@ -20,11 +20,14 @@ void haptics(const Options& options, Report& report);
 void surfaces(const Options& options, Report& report);
 void passivity(Report& report);
 void arms(const Options& options, Report& report);
+void stirring_passivity(const Options& options, Report& report);
 void field(const Options& options, Report& report);
 /// The brew's surface.
 void surface(const Options& options, Report& report);
 void render(const Options& options, Report& report);
 void fluid(const Options& options, Report& report);
+/// A part of `fluid`: the hand in it.
+void fluid_hand(const Options& options, Report& report);
 /// The long attack on the fluid.
 void fluid_stress(const Options& options, Report& report);
 

@@ -398,6 +398,7 @@ void fluid(const Options& options, Report& report) {
     cauldron(options, report);
     rest(options, report);
     hostile(options, report);
+    fluid_hand(options, report);
 }
 
 }  // namespace thaum::bench

@@ -263,6 +263,7 @@ void haptics(const Options& options, Report& report) {
     servo_steps(options, report);
     surfaces(options, report);
     passivity(report);
+    stirring_passivity(options, report);
     arms(options, report);
 }
 

@@ -1,0 +1,255 @@
+// The hand in the fluid (haptics/fluid_touch.h): what it costs to take a patch of the flow and to read it, beside how far what is read is
+// off; what the servo's step costs with it, beside the largest jump that a fluid step makes; and what passive modes create.
+#include <array>
+
+#include "core/hash.h"
+#include "core/text.h"
+#include "fluid/fields.h"
+#include "fluid/fluid.h"
+#include "haptics/servo.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/fluid_flows.h"
+#include "tools/bench/measure.h"
+#include "tools/bench/stirring_attack.h"
+#include "tools/bench/z_width.h"
+
+namespace thaum::bench {
+namespace {
+
+using haptics::FlowPatch;
+using haptics::FlowSample;
+using haptics::FlowSource;
+
+// ---- patches -------------------------------------------------------------------------------------------------------
+
+constexpr std::size_t hand_places = 64;
+
+/// A brew of three substances that turns in a known way.
+struct TurningBrew {
+    fluid::Fluid fluid;
+    std::vector<vec3> places{};
+
+    FlowSource source() const {
+        FlowSource result{.velocity = face_grid(fluid.lattice, fluid.now.velocity), .density = 8};
+        for (std::size_t s = 0; s < fluid.now.substances.size(); ++s)
+            result.substances[s] = {cell_grid(fluid.lattice, fluid.now.substances[s]), 1, 0.5};
+        return result;
+    }
+};
+
+vec3 turning(vec3 p) {
+    return {det::sin(2 * pi * p.x) * det::cos(2 * pi * p.y), -det::cos(2 * pi * p.x) * det::sin(2 * pi * p.y),
+            0.5};
+}
+
+Expected<TurningBrew> turning_brew(int n) {
+    auto made = fluid::flows::brew(n);
+    if (!made) return tl::unexpected(made.error());
+    TurningBrew brew{.fluid = std::move(*made)};
+    set_velocity(brew.fluid, turning);
+    Random random = random_stream(5, 1);
+    for (std::size_t i = 0; i < hand_places; ++i)
+        brew.places.emplace_back(random.uniform(0.25, 0.75), random.uniform(0.25, 0.75),
+                                 random.uniform(0.25, 0.75));
+    return brew;
+}
+
+/// Of what is read at places within a cell of where patches were taken.
+double patch_error(const TurningBrew& brew) {
+    Random random = random_stream(5, 2);
+    const double cell = brew.fluid.lattice.h;
+    double off = 0, all = 0;
+    for (const vec3 middle : brew.places) {
+        const FlowPatch patch = patch_of(brew.source(), middle);
+        for (int i = 0; i < 20; ++i) {
+            const vec3 place =
+                middle + cell * vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+            const vec3 missing = flow_at(patch, place).velocity - turning(place);
+            off += glm::dot(missing, missing);
+            all += glm::dot(turning(place), turning(place));
+        }
+    }
+    return std::sqrt(off / all);
+}
+
+/// All that a patch is of, read node by node through the fields.
+double read_through_fields(const FlowSource& source, const FlowPatch& patch) {
+    double sum = 0;
+    for (int n = 0; n < 64; ++n) {
+        const vec3 place = patch.origin + patch.spacing * vec3(n % 4, n / 4 % 4, n / 16);
+        sum += source.velocity(place).value.x;
+        for (const auto& substance : source.substances) sum += substance.amount(place).value;
+    }
+    return sum;
+}
+
+void hand_patches(const Options& options, Report& report) {
+    for (const int n : {16, 32, 64}) {
+        const auto made = turning_brew(n);
+        if (!made) return report.faults.push_back(text("fluid: ", made.error().message));
+        const TurningBrew& brew = *made;
+        const FlowSource source = brew.source();
+        std::vector<FlowPatch> patches;
+        for (const vec3 place : brew.places) patches.push_back(patch_of(source, place));
+        const auto each = [&brew](const auto& visit) {
+            return [&brew, visit] {
+                for (std::size_t i = 0; i < hand_places; ++i) visit(i, brew.places[i]);
+            };
+        };
+        const std::array contestants{
+            Contestant{{}, each([&](std::size_t, vec3 at) { do_not_optimise(patch_of(source, at)); })},
+            Contestant{{}, each([&](std::size_t i, vec3 at) {
+                           do_not_optimise(flow_at(patches[i], at));
+                           do_not_optimise(flow_at(patches[hand_places - 1 - i], at));
+                       })},
+            Contestant{{}, each([&](std::size_t i, vec3) {
+                           do_not_optimise(read_through_fields(source, patches[i]));
+                       })}};
+        // Over and over, as the servo reads its patches: they are in the cache.
+        auto samples = measure(contestants, {.seconds = options.quick ? 0.3 : 1.0, .least = 11, .calls = 16});
+        for (auto& one : samples) {
+            for (double& us : one) us /= hand_places;
+        }
+        const double error = patch_error(brew);
+        const auto row = [&](const char* what, std::size_t which) {
+            return Row{.area = "fluid",
+                       .name = "hand_patch",
+                       .setting = {{"what", std::string(what)}, {"n", std::int64_t{n}}},
+                       .time_us = times(samples[which]),
+                       .error = ErrorMeasure{"relative_l2_velocity", error},
+                       .is_default = n == 32,
+                       .hash = hex(hash_value(flow_at(patches[0], brew.places[1]).velocity.x))};
+        };
+        Row publish = row("publish", 0);
+        publish.metrics = {{"ratio_to_fields", ratio(samples[0], samples[2])},
+                           {"bytes", static_cast<double>(sizeof(FlowPatch))}};
+        report.rows.push_back(std::move(publish));
+        report.rows.push_back(row("read", 1));
+    }
+}
+
+// ---- the servo's step ----------------------------------------------------------------------------------------------
+
+struct StirLoad {
+    std::string_view name;
+    bool fluid{};
+    haptics::FluidModes modes{};
+};
+constexpr std::array stir_loads{StirLoad{"none", false}, StirLoad{"off", true, {0, 0, 0, 0, 0, 0, 0}},
+                                StirLoad{"flow", true, {1, 1, 1, 0, 0, 0, 0}}, StirLoad{"all", true, {}}};
+
+/// Pressed to the surface from below and to the wall, in a flow, with a mass of its own.
+haptics::HapticModel stirring_model(const StirLoad& load) {
+    haptics::HapticModel model;
+    if (!load.fluid) return model;
+    auto& touch = model.fluid;
+    touch.number = 1;
+    touch.modes = load.modes;
+    touch.frame = {.metres_per_metre = 20, .newtons_per_newton = 0.00375};
+    touch.drag = {.viscous = 10, .form = 1, .stirred_mass = 10, .height = 0.1};
+    touch.surface = {
+        .height = 0.01, .stiffness = 4000, .pop_through = 200, .cling = 40, .inside = 1, .there = 1};
+    touch.wall = {
+        .centre = {0.01, 0.1, 0.01}, .radius = 0.02, .depth = 0.11, .stiffness = 4000, .damping = 10};
+    touch.ladle = {.mass = 1.5, .stiffness = 4000, .damping = 20};
+    return model;
+}
+
+FlowPatch some_flow(Random& random) {
+    return uniform_flow({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)},
+                        random.uniform(), random.uniform());
+}
+
+/// A hand at rest, so that every change of its force is the fluid's: the largest of a tick over that of its step.
+double largest_step_share(const StirLoad& load) {
+    auto spec = reference_device(0.5, 0);
+    const haptics::Servo servo = servo_of(spec, 1);
+    haptics::ServoState state;
+    haptics::HapticModel model = stirring_model(load);
+    Random random = random_stream(5, 3);
+    double worst = 0;
+    vec3 before{};
+    for (int step = 0; step < 200; ++step) {
+        newest_step(model.fluid, some_flow(random));
+        const vec3 start = before;
+        double largest = 0;
+        for (std::uint32_t tick = 0; tick < haptics::fluid_period; ++tick, ++model.fluid.step_age) {
+            servo_step(servo, state, model, {{}, 0});
+            largest = std::max(largest, glm::length(state.fluid.force - before));
+            before = state.fluid.force;
+        }
+        if (step > 1) worst = std::max(worst, largest / glm::length(before - start));
+    }
+    return worst;
+}
+
+constexpr std::uint32_t stir_ticks = 5000;
+
+haptics::ServoState stir(const StirLoad& load) {
+    auto spec = reference_device(0.5, 0);
+    spec.max_damping = 5;
+    const haptics::Servo servo = servo_of(spec, 1);
+    haptics::ServoState state;
+    haptics::HapticModel model = stirring_model(load);
+    Random random = random_stream(5, 4);
+    for (int i = 0; i < 2; ++i) newest_step(model.fluid, some_flow(random));
+    for (std::uint32_t tick = 0; tick < stir_ticks; ++tick) {
+        model.fluid.step_age = tick % haptics::fluid_period;
+        const double x = 1e-5 * (tick % 100);
+        do_not_optimise(haptics::servo_step(servo, state, model, {{x, x, -x}, 0}));
+    }
+    return state;
+}
+
+void hand_steps(const Options& options, Report& report) {
+    std::array<haptics::ServoState, stir_loads.size()> ends;
+    std::vector<Contestant> contestants;
+    for (std::size_t i = 0; i < stir_loads.size(); ++i)
+        contestants.push_back({{}, [&end = ends[i], &load = stir_loads[i]] { end = stir(load); }});
+    auto samples = measure(contestants, {.seconds = options.quick ? 0.3 : 1.5, .least = 11});
+    for (std::size_t i = 0; i < stir_loads.size(); ++i) {
+        for (double& us : samples[i]) us /= stir_ticks;
+        Row row{.area = "fluid",
+                .name = "hand_step",
+                .setting = {{"modes", std::string(stir_loads[i].name)}},
+                .time_us = times(samples[i]),
+                .is_default = stir_loads[i].name == "all",
+                .metrics = {{"ratio_to_none", ratio(samples[i], samples[0])}},
+                .hash = hex(hash_value(ends[i]))};
+        if (stir_loads[i].modes.flow > 0 && stir_loads[i].fluid)
+            row.error =
+                ErrorMeasure{"largest_share_of_a_fluid_step_in_a_tick", largest_step_share(stir_loads[i])};
+        report.rows.push_back(std::move(row));
+    }
+}
+
+}  // namespace
+
+void fluid_hand(const Options& options, Report& report) {
+    hand_patches(options, report);
+    hand_steps(options, report);
+}
+
+void stirring_passivity(const Options& options, Report& report) {
+    const int ticks = options.quick ? 5000 : 60'000;
+    for (const int latency : {0, 1}) {
+        auto spec = reference_device(0.5, latency);
+        spec.max_damping = 5;
+        for (const std::uint32_t delay : {0U, 5U}) {
+            for (auto [name, world] : stirred_cases()) {
+                world.delay = delay;
+                const auto energy = StirringAttack(world, spec).run(ticks);
+                report.rows.push_back(
+                    {.area = "haptics",
+                     .name = "stirring_passivity",
+                     .setting = {{"mode", std::string(name)},
+                                 {"delay_ticks", std::int64_t{latency}},
+                                 {"model_ticks", std::int64_t{delay}}},
+                     .is_default = std::string_view(name) == "all" && latency == 0 && delay == 0,
+                     .metrics = {{"energy_j", energy.most_created}, {"moved_j", energy.moved}}});
+            }
+        }
+    }
+}
+
+}  // namespace thaum::bench

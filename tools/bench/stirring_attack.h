@@ -1,0 +1,174 @@
+// tools/bench/stirring_attack.h: a hand that stirs as no hand would, in a fluid that turns in each of its steps, on a surface that is
+// real, in a narrow bowl, by models that come late; and the energy that it gets, counted by itself: of the servo's own books it
+// reads nothing. Used by benchmark and test.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "core/random.h"
+#include "fluid/sheet.h"
+#include "haptics/servo.h"
+#include "haptics/simulated.h"
+
+namespace thaum::bench {
+
+/// The same everywhere.
+inline haptics::FlowPatch uniform_flow(vec3 velocity, double viscosity, double density) {
+    haptics::FlowPatch patch{.origin = vec3(-1), .spacing = 0.5};
+    patch.nodes.fill({fvec3(velocity), static_cast<float>(viscosity), static_cast<float>(density)});
+    return patch;
+}
+
+struct StirredWorld {
+    haptics::FluidModes modes{};  ///< passive ones; viscosity only where the flow rests
+    double flow{};                ///< m/s, as much at most along each axis, another one in each step
+    bool waves{};                 ///< of a sheet that is pushed
+    std::uint32_t delay{};        ///< ticks by which each model comes late
+};
+
+struct StirredEnergy {
+    double created{};  ///< J, by the sum of force times way less what the world gave and what springs hold
+    double most_created{};  ///< J, the most it was
+    double moved{};         ///< J, that went through the hand either way: nothing proves nothing
+};
+
+class StirringAttack {
+public:
+    /// The device must have no limits that it meets: no cap takes from the hand what the world gave.
+    StirringAttack(const StirredWorld& world, const haptics::DeviceSpec& spec)
+        : world_(world),
+          stiffness_(std::min(spec.max_stiffness, 1000.0)),  // as matches have it at most
+          device_(simulated_device(spec, haptics::Hand{})),
+          servo_(servo_of(spec, 1)) {
+        servo_.limits.fastest = 1e9;
+        servo_.limits.slew = 1e12;
+        constexpr double felt = metres_per_metre * newtons_per_newton;
+        auto& touch = model_.fluid;
+        touch.number = 1;
+        touch.modes = world.modes;
+        touch.frame = {.turn = mat3(rotation(glm::normalize(vec3(1, 2, -0.5)), 0.9)),
+                       .metres_per_metre = metres_per_metre,
+                       .newtons_per_newton = newtons_per_newton};
+        touch.drag = {.viscous = 4 / felt, .form = 1.5 / felt, .stirred_mass = 10, .height = 0.2};
+        touch.wall = {.radius = 0.5,
+                      .depth = 0.4,
+                      .stiffness = stiffness_ / felt,
+                      .damping = spec.max_damping / 2 / felt};
+        touch.ladle = {.mass = ladle_mass / felt, .stiffness = stiffness_ / 2 / felt, .damping = 2 / felt};
+        settings_.contact = stiffness_ / felt;
+        sheet_ = sheet_of(settings_);
+    }
+
+    StirredEnergy run(int ticks) {
+        for (int tick = 0; tick < ticks; ++tick) advance(tick);
+        return energy_;
+    }
+
+private:
+    static constexpr double metres_per_metre = 20, newtons_per_newton = 0.00375;
+    static constexpr double ladle_mass = 0.1;  // kg, as it is felt
+
+    vec3 any(double size) {
+        return {random_.uniform(-size, size), random_.uniform(-size, size), random_.uniform(-size, size)};
+    }
+
+    void advance(int tick) {
+        move_world(tick);
+        past_.push_back(model_);
+        if (past_.size() > world_.delay + 1) past_.pop_front();
+        const auto age = static_cast<std::uint32_t>(past_.size() - 1);
+        const auto& touch = past_.front().fluid;
+        const vec3 force = servo_step(servo_, state_, past_.front(), {measured_position(device_, tip_), age});
+        count(touch, touch.surface.height + touch.surface.velocity * age * tick_seconds);
+        if (tick % 40 == 0) goal_ = any(0.05);
+        const vec3 from = tip_.position;
+        tip_ = step(device_, tip_, goal_, force);
+        const double out = glm::dot(tip_.force, tip_.position - from);
+        energy_.moved += std::abs(out);
+        // The ladle is carried by the newest flow: it gives by the resistance, which is all that there is in a flow.
+        const vec3 flow = flow_at(touch.newer, state_.fluid.place).velocity;
+        last_ =
+            out - glm::dot(touch.frame.turn * state_.fluid.force, flow) * (tick_seconds / metres_per_metre);
+    }
+
+    /// What the last tick did, now that the surface has moved its end of the spring.
+    void count(const haptics::FluidTouch& touch, double height) {
+        energy_.created += last_ - surface_force_ * (height - height_) / metres_per_metre;
+        energy_.created = std::max(energy_.created, -held(touch, height));
+        energy_.most_created = std::max(energy_.most_created, energy_.created);
+        surface_force_ = state_.fluid.surface_force;
+        height_ = height;
+    }
+
+    /// J, in the springs to wall and surface and in the ladle: what damping took is gone, only so much may come back.
+    double held(const haptics::FluidTouch& touch, double height) const {
+        const auto& fluid = state_.fluid;
+        const vec3 place = to_bowl(touch.frame, tip_.position);
+        const double in = glm::length(held_in(touch.wall, place) - place) / metres_per_metre;
+        const vec3 off = fluid.mass_position - tip_.position, speed = fluid.mass_velocity;
+        const double ladle = ladle_mass * glm::dot(speed, speed) + stiffness_ / 2 * glm::dot(off, off);
+        return (touch.modes.wall * stiffness_ * in * in + touch.modes.inertia * ladle) / 2 +
+               std::abs(fluid.surface_force * (height - place.y)) / metres_per_metre;
+    }
+
+    void move_world(int tick) {
+        auto& touch = model_.fluid;
+        if (tick % static_cast<int>(haptics::fluid_period) == 0)
+            newest_step(touch, uniform_flow(any(world_.flow), random_.uniform(), random_.uniform()));
+        else
+            ++touch.step_age;
+        if (!world_.waves) return;
+        const vec3 place = to_bowl(touch.frame, tip_.position);
+        const std::array probe{
+            fluid::SheetProbe{.place = {place.x, place.z}, .height = place.y, .radius = 0.1}};
+        const auto reaction = fluid::advance(sheet_, scratch_, probe, tick_seconds).probes[0];
+        touch.surface = {.height = reaction.height,
+                         .velocity = (reaction.height - touch.surface.height) / tick_seconds,
+                         .stiffness = settings_.contact,
+                         .pop_through = settings_.pop_through,
+                         .cling = settings_.cling,
+                         .inside = reaction.inside ? 1U : 0U,
+                         .there = 1};
+    }
+
+    StirredWorld world_;
+    double stiffness_;
+    haptics::SimulatedDevice device_;
+    haptics::Servo servo_;
+    haptics::ServoState state_{};
+    haptics::HapticModel model_{};
+    std::deque<haptics::HapticModel> past_{};
+    haptics::SimulatedState tip_ = haptics::resting_at({});
+    vec3 goal_{};
+    Random random_{12};
+    fluid::SheetSettings settings_{};
+    fluid::Sheet sheet_{};
+    fluid::SheetScratch scratch_{};
+    StirredEnergy energy_{};
+    double last_{}, surface_force_{}, height_{};
+};
+
+/// Each passive mode by itself, and all that go together.
+struct StirredCase {
+    const char* name{};
+    StirredWorld world{};
+};
+
+inline std::array<StirredCase, 6> stirred_cases() {
+    constexpr haptics::FluidModes none{0, 0, 0, 0, 0, 0, 0};
+    const auto with = [none](double haptics::FluidModes::*mode) {
+        auto modes = none;
+        modes.*mode = 1;
+        return modes;
+    };
+    using Modes = haptics::FluidModes;
+    return {{{"viscosity", {.modes = with(&Modes::viscosity)}},
+             {"resistance", {.modes = with(&Modes::resistance), .flow = 2}},
+             {"surface", {.modes = with(&Modes::surface), .waves = true}},
+             {"wall", {.modes = with(&Modes::wall)}},
+             {"inertia", {.modes = with(&Modes::inertia)}},
+             {"all", {.modes = {0, 0, 1, 1, 1, 1, 0}, .flow = 2, .waves = true}}}};
+}
+
+}  // namespace thaum::bench
