@@ -14,6 +14,7 @@
 #include "game/bots/nav.h"
 #include "game/bots/roping.h"
 #include "game/bots/senses.h"
+#include "game/bots/stirring.h"
 
 // Every gameplay tick a bot looks, chooses an aim and a way, and spreads its turn over the ticks until the next look.
 namespace thaum::game {
@@ -145,6 +146,7 @@ struct Thoughts {
     Mind& mind;
     Porter& porter;
     Climber& climber;
+    Stirrer& stirrer;
 };
 
 /// What all bots know of the court: a cache.
@@ -161,6 +163,7 @@ void begin_anew(const Match& match, const Thoughts& own) {
     own.mind = {.random = own.mind.random, .round = match.round};
     own.porter = {};
     own.climber = {};
+    own.stirrer = {};
 }
 
 void rest(const Thoughts& own) {
@@ -172,6 +175,7 @@ void rest(const Thoughts& own) {
     mind.errand = Errand::none;
     own.porter = {};
     own.climber = {};
+    own.stirrer = {};
 }
 
 /// Where the eye wants to be, and the trigger, while it shoots or looks for whom to shoot.
@@ -206,6 +210,8 @@ void think(const Simulation& match, const Seat& seat, const Thoughts& own, const
     wander_aim(seat, mind);
     choose_errand(match, self, seat, own.eyes, court.grid, ways.from_here, mind, tick);
     if (!roped(own.climber)) plan_to_lift(match, self, seat, own.eyes, court.grid, mind, own.porter, tick);
+    if (!roped(own.climber) && own.porter.what == Porting::none)
+        plan_to_stir(match, self, seat, mind, own.stirrer, tick);
     choose_step(match, self, seat, mind, tick);
     vec3 way = choose_way(self, seat, court.grid, mind, ways.to_goal, tick);
     if (own.porter.what == Porting::none)
@@ -252,6 +258,13 @@ LiftSkill read_lifting(const ConfigTable& table) {
     return lift;
 }
 
+StirSkill read_stirring(const ConfigTable& table) {
+    return {.share = table.number("share", {0, 1}),
+            .seek = table.number("seek_m", {0, 40}),
+            .hold = ticks(table.number("hold_s", {0.1, 60})),
+            .rest = ticks(table.number("rest_s", {0, 600}))};
+}
+
 }  // namespace
 
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level) {
@@ -283,6 +296,7 @@ Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level
         skill.over_cover = root.number("over_cover_per_s", {0, 100}) * gameplay_dt;
     }
     if (root.has("lift")) skill.lift = read_lifting(root.table("lift"));
+    if (root.has("stir")) skill.stir = read_stirring(root.table("stir"));
     if (root.has("swing")) skill.swing_gain = root.table("swing").number("gain_m", {0.1, 100});
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return skill;
@@ -307,6 +321,7 @@ struct Bots::Inside {
         minds.declare<Mind>();
         minds.declare<Porter>();
         minds.declare<Climber>();
+        minds.declare<Stirrer>();
     }
 };
 
@@ -323,7 +338,8 @@ void Bots::add(const Simulation& match, std::size_t device, std::uint32_t player
         in.crossings = find_crossings(match, *in.grid);
     }
     const Seat seat{.device = device, .player = player, .skill = skill};
-    in.minds.create(seat, Eyes{}, Mind{.random = random_stream(seed, 100 + player)}, Porter{}, Climber{});
+    in.minds.create(seat, Eyes{}, Mind{.random = random_stream(seed, 100 + player)}, Porter{}, Climber{},
+                    Stirrer{});
     in.ways.emplace_back();
     in.grid->find_ways(0, in.ways.back().from_here);
     in.grid->find_ways(0, in.ways.back().to_goal);  // so that no memory is asked for during the match
@@ -335,12 +351,15 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
     if (match.match().paused != 0 || match.match().phase != Phase::playing) return;
     const Tick phase = match.match().played % gameplay_period;
     auto& in = *inside_;
-    in.minds.view<const Seat, Eyes, Mind, Porter, Climber>().each(
-        [&](ecs::Entity e, const Seat& seat, Eyes& eyes, Mind& mind, Porter& porter, Climber& climber) {
+    in.minds.view<const Seat, Eyes, Mind, Porter, Climber, Stirrer>().each(
+        [&](ecs::Entity e, const Seat& seat, Eyes& eyes, Mind& mind, Porter& porter, Climber& climber,
+            Stirrer& stirrer) {
             if (phase == 0) {
-                think(match, seat, {eyes, mind, porter, climber}, {*in.grid, in.crossings}, in.ways[e.index]);
+                think(match, seat, {eyes, mind, porter, climber, stirrer}, {*in.grid, in.crossings},
+                      in.ways[e.index]);
             }
             auto& sample = frame.devices[seat.device];
+            if (stirs(stirrer)) return stir_hand(match.match().played, sample);
             sample = {};
             turn_hand(mind, gameplay_period - phase, sample);
             sample.counts[hand::strafe] = mind.move_strafe;

@@ -36,6 +36,19 @@ struct LiftSkill {
     }
 };
 
+/// How it stirs.
+struct StirSkill {
+    double share{};  ///< of its chances to go to the cauldron; 0: it never does
+    double seek{};   ///< m that it walks there
+    Tick hold{};     ///< ticks that it stirs at most
+    Tick rest{};     ///< ticks between two times
+    static constexpr auto fields() {
+        using S = StirSkill;
+        return std::tuple(ecs::field("share", &S::share), ecs::field("seek", &S::seek),
+                          ecs::field("hold", &S::hold), ecs::field("rest", &S::rest));
+    }
+};
+
 /// From assets/bots/level_N.toml, which says what each number does.
 struct BotSkill {
     std::uint32_t level{};
@@ -60,6 +73,7 @@ struct BotSkill {
     double throws{};         ///< share of these that fly in an arc
     double over_cover{};     ///< chance at a look to throw over what hides the foe
     LiftSkill lift{};
+    StirSkill stir{};
     double swing_gain{};  ///< m of way that a rope over a gap must save; 0: it never swings
     static constexpr auto fields() {
         using S = BotSkill;
@@ -75,7 +89,7 @@ struct BotSkill {
             ecs::field("cover_below", &S::cover_below), ecs::field("variety", &S::variety),
             ecs::field("charge", &S::charge), ecs::field("throws", &S::throws),
             ecs::field("over_cover", &S::over_cover), ecs::field("lift", &S::lift),
-            ecs::field("swing_gain", &S::swing_gain));
+            ecs::field("stir", &S::stir), ecs::field("swing_gain", &S::swing_gain));
     }
 };
 

@@ -52,7 +52,7 @@ struct Eyes {
 };
 
 /// Where a bot goes when it does not just fight.
-enum class Errand : std::uint32_t { none, fetch, hide, lift };
+enum class Errand : std::uint32_t { none, fetch, hide, lift, stir };
 
 struct Mind {
     Random random;
@@ -139,6 +139,24 @@ struct Climber {
                           ecs::field("to", &C::to), ecs::field("until", &C::until),
                           ecs::field("not_before", &C::not_before), ecs::field("what", &C::what),
                           ecs::field("spare", &C::spare));
+    }
+};
+
+/// What it does at the cauldron: walks to the rim, stirs.
+enum class Stirring : std::uint32_t { none, approach, stir };
+
+struct Stirrer {
+    Tick until{};       ///< when it gives up, or has had enough
+    Tick not_before{};  ///< when it may think of it again
+    double health{};    ///< HP, when it began
+    Stirring what{};
+    std::uint32_t spare{};
+    static constexpr std::string_view name = "Stirrer";
+    static constexpr auto fields() {
+        using S = Stirrer;
+        return std::tuple(ecs::field("until", &S::until), ecs::field("not_before", &S::not_before),
+                          ecs::field("health", &S::health), ecs::field("what", &S::what),
+                          ecs::field("spare", &S::spare));
     }
 };
 

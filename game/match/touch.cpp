@@ -41,7 +41,10 @@ double feel(Stage& stage, ecs::Entity wizard, const Controls& controls, bool pan
     const auto& model = next_model(stage, wizard, grip, panic);
     const vec3 measured = haptics::measured_position(device, grip.device);
     const vec3 force = haptics::servo_step(stage.touch.servos[player], grip.servo, model, {measured, 0});
-    grip.home = glm::clamp(grip.home + moved, -device.reach, device.reach);
+    // Who lets go of the ladle in the brew: its clutch is held.
+    const bool relaxed =
+        (controls.held & bit(Button::clutch)) != 0 && std::as_const(stage.world).has<Ladle>(wizard);
+    grip.home = relaxed ? grip.device.position : glm::clamp(grip.home + moved, -device.reach, device.reach);
     grip.device = haptics::step(device, grip.device, grip.home + grip.pull, force);
     return glm::length(force);
 }
