@@ -14,6 +14,7 @@
 #include "render/detail/sky_cells.h"
 #include "render/detail/software_memory.h"
 #include "render/detail/targets.h"
+#include "render/detail/volumes.h"
 #include "render/simplify.h"
 
 namespace thaum::render {
@@ -92,6 +93,7 @@ struct ViewBatches {
     Sight sight;
     std::size_t first{}, solid{}, shades{};
     std::size_t patchworks{};  // of `solid`, the last ones
+    SeenVolume volume{};
 };
 
 }  // namespace
@@ -111,14 +113,19 @@ struct Renderer::State {
     Target pixels, light;  // smaller than the window; for Quality::high
     Bloom bloom;
     ShadowMap shadow_map;
+    Volumes volumes;
     Batches batches;
     DrawStatistics statistics;
     int drawn_width{}, drawn_height{};  // what read_pixels reads
     bool cleared_to_fog{};              // this frame
     SkyCells sky;                       // kept for its memory
     std::vector<Hidden> hidden;         // from the view that is collected
+    std::vector<Instance> dipped;       // into its volume
 
     void draw_views(const Frame& frame);
+    std::vector<ViewBatches> collect_views(const Frame& frame, float scale, int height);
+    void collect_volume(const ViewScene& view, const Rect& at, int height, Quality quality, ViewBatches& its);
+    void march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width, int height);
     ShadowView update_shadow(const Frame& frame);
     ViewBatches collect_view(const ViewScene& view, const Rect& at);
     void draw_view(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow,
@@ -128,6 +135,7 @@ struct Renderer::State {
                          IndexRange (*which)(const ChosenPatches&));
     void draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow);
     void draw_open_sky(const ViewScene& view);
+    void draw_shades(const ViewBatches& its);
     void draw_overlay(const Frame& frame);
     void draw_overlay_runs();
     void send_atlas();
@@ -138,6 +146,17 @@ namespace {
 /// Uses every shader once, into every kind of framebuffer: drivers compile at the first use, which took 20 to 260 ms
 /// each on a software rasteriser.
 void warm_up(Renderer& renderer) {
+    const std::array texels{Texel{255, 255, 255, 255}};
+    const std::array skin{SkinVertex{.position = {-1, 1, -3}}, SkinVertex{.position = {1, 1, -3}},
+                          SkinVertex{.position = {0, 1, -4}}};
+    constexpr std::array<std::uint32_t, 3> corners{0, 1, 2};
+    Volume volume{.id = renderer.make_volume(),
+                  .version = 1,
+                  .cells = {1, 1, 1},
+                  .texels = texels,
+                  .centre = {0, 1, -3},
+                  .skin = skin,
+                  .skin_indices = corners};
     const MeshId mesh = renderer.upload(box(fvec3(0.5F), fvec3(1)));
     const MeshId patchwork = renderer.upload(Patchwork{{.full = box(fvec3(0.5F), fvec3(1))}});
     const Instance instance{.mesh = mesh, .model = translated({0, 1.7F, -3})};
@@ -148,6 +167,7 @@ void warm_up(Renderer& renderer) {
     view.instances = instances;
     view.shades = {&instance, 1};
     view.lights = {&light, 1};
+    view.volume = &volume;
     Frame frame{.width = 8, .height = 8, .views = {view}, .overlay = {}};
     frame.casters = {{&instance, 1}, {&instance, 1}};
     frame.overlay.items.emplace_back(RectItem{.low = {0, 0}, .high = {4, 4}});
@@ -155,7 +175,11 @@ void warm_up(Renderer& renderer) {
     for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
         frame.quality = quality;
         frame.internal_scale = quality == Quality::medium ? 0.5F : 1.0F;
-        renderer.draw(frame);
+        // From without and from within.
+        for (const fvec3 centre : {fvec3(0, 1, -3), fvec3(0, 2, 0)}) {
+            volume.centre = centre;
+            renderer.draw(frame);
+        }
     }
     renderer.replace(mesh, {});
     renderer.replace(patchwork, {});
@@ -172,6 +196,8 @@ Renderer::~Renderer() = default;
 Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
     auto programs = load_programs(assets / "shaders");
     if (!programs) return tl::unexpected(programs.error());
+    auto volumes = Volumes::load(assets / "shaders");
+    if (!volumes) return tl::unexpected(volumes.error());
     auto font = Font::load();
     if (!font) return tl::unexpected(font.error());
     auto state = std::make_unique<State>(State{.programs = std::move(*programs),
@@ -190,13 +216,15 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .light = {},
                                                .bloom = {},
                                                .shadow_map = {},
+                                               .volumes = std::move(*volumes),
                                                .batches = {},
                                                .statistics = {},
                                                .drawn_width = 0,
                                                .drawn_height = 0,
                                                .cleared_to_fog = false,
                                                .sky = {},
-                                               .hidden = {}});
+                                               .hidden = {},
+                                               .dipped = {}});
     Renderer renderer(std::move(state));
     if (is_software(renderer.device())) keep_freed_memory();
     warm_up(renderer);
@@ -246,6 +274,8 @@ void Renderer::replace(MeshId id, const MeshData& mesh) {
     ++s.mesh_revision;
 }
 
+VolumeId Renderer::make_volume() { return state_->volumes.make(); }
+
 void Renderer::draw(const Frame& frame) {
     auto& s = *state_;
     s.statistics = {};
@@ -287,6 +317,8 @@ void Renderer::State::draw_views(const Frame& frame) {
     const bool of_light = frame.quality == Quality::high, straight = scale == 1.0F && !of_light;
     const int width = scaled_length(frame.width, scale), height = scaled_length(frame.height, scale);
     const ShadowView shadow = update_shadow(frame);
+    const auto of_views = collect_views(frame, scale, height);
+    march_volumes(frame, of_views, width, height);
     auto& target = of_light ? light : pixels;
     if (!straight) resize(target, of_light ? GL_RGBA16F : GL_RGBA8, true, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, straight ? 0 : target.framebuffer.get());
@@ -297,16 +329,6 @@ void Renderer::State::draw_views(const Frame& frame) {
     const fvec3 behind = of_light ? fog : tone_mapped(fog);
     glClearColor(behind.r, behind.g, behind.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
-    batches.clear();
-    std::vector<ViewBatches> of_views;
-    for (const auto& view : frame.views)
-        of_views.push_back(collect_view(view, scaled_rect(view.viewport, scale)));
-    fill_buffer(GL_ARRAY_BUFFER, instance_buffer, batches.instances, GL_STREAM_DRAW);
-    // Not as what it is: that would belong to some mesh's vertex array.
-    fill_buffer(GL_ARRAY_BUFFER, patch_buffer, batches.patch_indices, GL_STREAM_DRAW);
-    statistics.instances_drawn = batches.instances.size();
-    statistics.instances_culled = batches.culled;
 
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         const auto at = scaled_rect(frame.views[i].viewport, scale);
@@ -324,6 +346,52 @@ void Renderer::State::draw_views(const Frame& frame) {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     glBlitFramebuffer(0, 0, width, height, 0, 0, frame.width, frame.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+std::vector<ViewBatches> Renderer::State::collect_views(const Frame& frame, float scale, int height) {
+    batches.clear();
+    std::vector<ViewBatches> out;
+    for (const auto& view : frame.views) out.push_back(collect_view(view, scaled_rect(view.viewport, scale)));
+    statistics.instances_drawn = batches.instances.size();
+    statistics.instances_culled = batches.culled;
+    for (std::size_t i = 0; i < frame.views.size(); ++i)
+        collect_volume(frame.views[i], scaled_rect(frame.views[i].viewport, scale), height, frame.quality,
+                       out[i]);
+    fill_buffer(GL_ARRAY_BUFFER, instance_buffer, batches.instances, GL_STREAM_DRAW);
+    // Not as what it is: that would belong to some mesh's vertex array.
+    fill_buffer(GL_ARRAY_BUFFER, patch_buffer, batches.patch_indices, GL_STREAM_DRAW);
+    return out;
+}
+
+/// `at` is the view in a target `height` px high.
+void Renderer::State::collect_volume(const ViewScene& view, const Rect& at, int height, Quality quality,
+                                     ViewBatches& its) {
+    if (view.volume == nullptr || at.width <= 0 || at.height <= 0 || !drawable(*view.volume)) return;
+    const int share = march_share(quality);
+    const Rect marched{at.x / share, (height - at.y - at.height) / share, std::max(at.width / share, 1),
+                       std::max(at.height / share, 1)};
+    its.volume = seen(*view.volume, view.camera, its.sight, marched);
+    if (its.volume.volume == nullptr) return;
+    dipped.clear();
+    add_dipped(*view.volume, view.instances, mesh_bounds, mesh_patches, dipped);
+    its.volume.first = batches.batches.size();
+    its.volume.count = collect(dipped, {mesh_bounds, mesh_levels}, its.sight, batches);
+}
+
+/// Before the views are drawn: what is marched needs nothing of them, so nobody waits for them.
+void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width,
+                                    int height) {
+    const auto before = volumes.sent();
+    for (std::size_t i = 0; i < of_views.size(); ++i) {
+        const auto& its = of_views[i];
+        if (its.volume.volume == nullptr) continue;
+        const int share = march_share(frame.quality);
+        volumes.begin((width + share - 1) / share, (height + share - 1) / share, frame.quality);
+        volumes.march(frame.views[i], its.volume, its.sight, frame.quality, programs.shadow, no_attributes,
+                      [&] { draw_batches(its.volume.first, its.volume.count); });
+        ++statistics.volumes_drawn;
+    }
+    statistics.volumes_sent = volumes.sent() - before;
 }
 
 ShadowView Renderer::State::update_shadow(const Frame& frame) {
@@ -406,6 +474,14 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view,
                     aspect_of(view.viewport), cleared_to_fog);
     draw_open_sky(view);
+    draw_shades(its);
+    if (its.volume.volume == nullptr) return;
+    volumes.show(its.volume, its.sight, {at.x, height - at.y - at.height, at.width, at.height},
+                 no_attributes);
+    statistics.draws += 2;  // and the march
+}
+
+void Renderer::State::draw_shades(const ViewBatches& its) {
     if (its.shades == 0) return;
     glDepthMask(GL_FALSE);
     glEnable(GL_BLEND);

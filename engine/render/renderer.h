@@ -25,6 +25,8 @@ struct DrawStatistics {
     std::size_t triangles{};         ///< of the instances drawn
     std::size_t shadow_draws{};      ///< into the shadow map; 0 where nothing that casts has moved
     std::size_t shadow_triangles{};
+    std::size_t volumes_drawn{};
+    std::size_t volumes_sent{};  ///< those whose texels and skin were another version's
 };
 
 class Renderer {
@@ -44,6 +46,8 @@ public:
     MeshId upload(const Patchwork& patchwork);
     /// New triangles for a mesh that changes, such as a surface; may be empty.
     void replace(MeshId id, const MeshData& mesh);
+    /// A place for texels and skin, which views hand over (ViewScene::volume).
+    VolumeId make_volume();
 
     /// Draws into the context's framebuffer; the caller presents it. A frame of no size draws nothing.
     void draw(const Frame& frame);

@@ -15,6 +15,7 @@
 #include "render/colour.h"
 #include "render/occlusion.h"
 #include "render/quality.h"
+#include "render/volume.h"
 
 namespace thaum::render {
 
@@ -101,6 +102,7 @@ struct ViewScene {
     std::span<const Instance> shades{};
     /// Blocks that `instances` fill, or a little more: what one of them hides is not drawn. For the sky up to 64 count.
     std::span<const Block> blocks{};
+    const Volume* volume{};  ///< none where it is null; drawn after all else in the world
 };
 
 /// What keeps the sun away, in all views. `fixed` never changes from frame to frame: its shadow is drawn once and kept.

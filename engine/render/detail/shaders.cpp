@@ -38,29 +38,7 @@ Expected<MeshProgram> load_mesh_program(const Folder& shaders, Quality quality, 
     if (alone) variant.emplace_back("ALONE");
     auto program = load_program(mesh_files(shaders, quality), variant);
     if (!program) return tl::unexpected(program.error());
-    MeshProgram out{.program = std::move(*program)};
-    const auto named = [&](const char* name) { return uniform(out.program, name); };
-    out.view_projection = named("view_projection");
-    out.eye = named("eye");
-    out.sun_direction = named("sun_direction");
-    out.sun_colour = named("sun_colour");
-    out.ambient_above = named("ambient_above");
-    out.ambient_below = named("ambient_below");
-    out.light_count = named("light_count");
-    out.light_position = named("light_position");
-    out.light_colour = named("light_colour");
-    out.fog_colour = named("fog_colour");
-    out.fog_rate = named("fog_rate");
-    out.detail_range = named("detail_range");
-    out.shadow_matrix = named("shadow_matrix");
-    out.shadow_lift = named("shadow_lift");
-    out.shadow_texel = named("shadow_texel");
-    out.model = named("model");
-    out.tint_glow = named("tint_glow");
-    out.instance_sun = named("instance_sun");
-    glUseProgram(out.program.get());
-    glUniform1i(named("shadow_map"), shadow_unit);
-    return out;
+    return mesh_program(std::move(*program));
 }
 
 Expected<SkyProgram> load_sky_program(const Folder& shaders, const Variant& variant) {
@@ -121,6 +99,32 @@ void set_lights(const MeshProgram& p, std::span<const PointLight> lights, std::s
 }
 
 }  // namespace
+
+MeshProgram mesh_program(Program program) {
+    MeshProgram out{.program = std::move(program)};
+    const auto named = [&](const char* name) { return uniform(out.program, name); };
+    out.view_projection = named("view_projection");
+    out.eye = named("eye");
+    out.sun_direction = named("sun_direction");
+    out.sun_colour = named("sun_colour");
+    out.ambient_above = named("ambient_above");
+    out.ambient_below = named("ambient_below");
+    out.light_count = named("light_count");
+    out.light_position = named("light_position");
+    out.light_colour = named("light_colour");
+    out.fog_colour = named("fog_colour");
+    out.fog_rate = named("fog_rate");
+    out.detail_range = named("detail_range");
+    out.shadow_matrix = named("shadow_matrix");
+    out.shadow_lift = named("shadow_lift");
+    out.shadow_texel = named("shadow_texel");
+    out.model = named("model");
+    out.tint_glow = named("tint_glow");
+    out.instance_sun = named("instance_sun");
+    glUseProgram(out.program.get());
+    glUniform1i(named("shadow_map"), shadow_unit);
+    return out;
+}
 
 Expected<Programs> load_programs(const Folder& shaders) {
     Programs out;

@@ -42,6 +42,9 @@ struct Programs {
     SmallProgram overlay, shape;               ///< pixel; for text, and for all else
 };
 
+/// Finds the uniforms of a program that lights as meshes are lit.
+MeshProgram mesh_program(Program program);
+
 /// The error names the file.
 Expected<Programs> load_programs(const std::filesystem::path& shaders);
 
