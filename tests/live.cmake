@@ -1,5 +1,5 @@
 thaum_test(test_hud
-    SOURCES unit/hud_test.cpp
+    SOURCES unit/brew_look_test.cpp unit/hud_test.cpp
     LINK thaum_hud)
 thaum_test(test_pictures
     SOURCES unit/hud_pictures_test.cpp

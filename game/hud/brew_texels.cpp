@@ -51,7 +51,7 @@ void find_columns(const BrewPicture& picture, const BrewPlace& place, std::size_
                       corner.z + h * (static_cast<double>(k) + 0.5));
         const auto away = static_cast<float>(glm::length(at) / place.basin.radius);
         const double lift = picture.sheet.asleep != 0 ? 0 : fluid::height_at(picture.sheet, at);
-        out[i] = {.lift = static_cast<float>(lift / h),
+        out[i] = {.lift = std::isfinite(lift) ? static_cast<float>(lift / h) : 0.0F,
                   .light = glm::mix(middle_light, rim_light, smooth(0, 1, away))};
     }
 }
@@ -66,7 +66,8 @@ void lift_row(const fluid::Samples& samples, const fluid::Lattice& lattice, std:
         const float low = std::floor(from), part = from - low;
         const float* at = first + i + static_cast<std::ptrdiff_t>(low) * lattice.stride[1];
         const float above = low < top ? at[lattice.stride[1]] : *at;
-        out[i] = std::max(*at + part * (above - *at), 0.0F);
+        const float seen = *at + part * (above - *at);
+        out[i] = seen > 0 ? seen : 0;
     }
 }
 
@@ -157,7 +158,8 @@ SheetPoint point(const fluid::Sheet& sheet, vec2 from) {
             sum.speed += weight * n.speed;
         }
     }
-    return sum;
+    const bool is_one = std::isfinite(sum.height + sum.slope_x + sum.slope_z + sum.speed);
+    return is_one ? sum : SheetPoint{};
 }
 
 /// Where the surface tears: it is steep, or it snaps back.
@@ -195,10 +197,10 @@ fvec3 mixed(const BrewColours& colours, std::span<const float> densities) {
 }
 
 render::Texel texel_of(fvec3 light, float brightest, float cover) {
-    const auto byte = [](float v) {
-        return static_cast<std::uint8_t>(std::clamp(v, 0.0F, 1.0F) * 255 + 0.5F);
-    };
-    const auto root = [&](float v) { return byte(std::sqrt(std::clamp(v / brightest, 0.0F, 1.0F))); };
+    // No number counts as 0.
+    const auto share = [](float v) { return v > 0 ? std::min(v, 1.0F) : 0.0F; };
+    const auto byte = [&](float v) { return static_cast<std::uint8_t>(share(v) * 255 + 0.5F); };
+    const auto root = [&](float v) { return byte(std::sqrt(share(v / brightest))); };
     return {root(light.r), root(light.g), root(light.b), byte(cover)};
 }
 

@@ -52,11 +52,11 @@ Rect part_of(const Volume& volume, const Sight& sight, const Rect& view) {
 
 int steps_of(Quality quality) {
     switch (quality) {
-        case Quality::low: return 8;
-        case Quality::medium: return 14;
-        case Quality::high: return 32;
+        case Quality::low: return 7;
+        case Quality::medium: return 10;
+        case Quality::high: return 28;
     }
-    return 8;
+    return 7;
 }
 
 void put(GLint place, fvec3 v) { glUniform3f(place, v.x, v.y, v.z); }
@@ -121,7 +121,7 @@ void add_dipped(const Volume& volume, std::span<const Instance> instances,
     }
 }
 
-int march_share(Quality quality) { return quality == Quality::high ? 1 : 2; }
+int march_share(Quality quality) { return quality == Quality::high ? 1 : 3; }
 
 Expected<Volumes::MarchProgram> Volumes::load_march(const std::filesystem::path& shaders, bool inside,
                                                     bool linear) {

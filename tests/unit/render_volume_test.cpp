@@ -1,0 +1,271 @@
+// A volume against closed forms: what a uniform medium gives and swallows along a ray of known length.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <optional>
+
+#include "render/context.h"
+#include "render/detail/shaders.h"
+#include "render/renderer.h"
+
+namespace thaum::render {
+namespace {
+
+constexpr int size = 120;
+constexpr float thickness = 1.5F;  // 1/m
+constexpr float mirrored = 0.02F;  // of what falls straight onto water
+constexpr Rect whole{0, 0, size, size};
+const fquat down = glm::angleAxis(-1.5707963F, fvec3(1, 0, 0)),
+            up = glm::angleAxis(1.5707963F, fvec3(1, 0, 0));
+
+/// Nothing shines but what a test lets shine.
+Environment darkness() {
+    Environment e;
+    e.sun.colour = fvec3(0);
+    e.ambient = {fvec3(1), fvec3(1)};
+    e.fog = {fvec3(0), 0};
+    e.sky = {fvec3(0), fvec3(0), fvec3(0)};
+    return e;
+}
+
+fvec3 middle(const Image& image) {
+    const auto i = 3 * (static_cast<std::size_t>(image.height / 2) * static_cast<std::size_t>(image.width) +
+                        static_cast<std::size_t>(image.width / 2));
+    return fvec3(image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]) / 255.0F;
+}
+
+/// A ball of radius 1 m about the origin, filled up to y = 0 with the same everywhere.
+class VolumeTest : public testing::Test {
+protected:
+    // One renderer for all: its shaders take longer than all pictures.
+    static void SetUpTestSuite() {
+        auto made = Offscreen::create(size, size);
+        if (!made) return;
+        context.emplace(std::move(*made));
+        context->make_current();
+        auto created = Renderer::create(THAUM_SOURCE_DIR "/assets");
+        ASSERT_TRUE(created) << created.error().message;
+        renderer.emplace(std::move(*created));
+        cube = renderer->upload(box(fvec3(0.5F), fvec3(1)));
+    }
+    static void TearDownTestSuite() {
+        renderer.reset();
+        context.reset();
+    }
+    void SetUp() override {
+        if (!context) GTEST_SKIP() << "no OpenGL";
+        ASSERT_TRUE(renderer);
+        for (const float x : {-1.0F, 1.0F}) {
+            for (const float z : {-1.0F, 1.0F}) skin.push_back({.position = {x, 0, z}});
+        }
+        fill({0, 0, 0, 255});
+        volume = {.id = renderer->make_volume(),
+                  .version = 1,
+                  .cells = {2, 2, 2},
+                  .texels = texels,
+                  .origin = fvec3(-1),
+                  .size = fvec3(2, 1, 2),
+                  .brightness = 2,
+                  .thickness = thickness,
+                  .skin = skin,
+                  .skin_indices = corners};
+        camera = {.position = {0, 3, 0}, .orientation = down};
+    }
+
+    void fill(Texel with) {
+        texels.assign(8, with);
+        ++volume.version;
+    }
+
+    Frame frame_of(const Volume* shown, Quality quality, Rect viewport = whole) {
+        ViewScene view;
+        view.camera = camera;
+        view.viewport = viewport;
+        view.instances = instances;
+        view.environment = darkness();
+        view.volume = shown;
+        return {.width = size,
+                .height = size,
+                .views = {view},
+                .overlay = {},
+                .quality = quality,
+                .bloom = false};
+    }
+
+    Image drawn(const Volume* shown, Quality quality = Quality::low) {
+        renderer->draw(frame_of(shown, quality));
+        return renderer->read_pixels();
+    }
+
+    static bool same(const Image& a, const Image& b) { return a.rgb == b.rgb; }
+
+    void stand(fvec3 at, fvec3 scale, fvec3 tint) {
+        instances.push_back({.mesh = cube, .model = translated(at) * scaled(scale), .tint = tint});
+    }
+
+    static constexpr std::array<std::uint32_t, 6> corners{0, 1, 2, 2, 1, 3};
+    static inline std::optional<Offscreen> context;
+    static inline std::optional<Renderer> renderer;
+    static inline MeshId cube{};
+    std::vector<SkinVertex> skin;
+    std::vector<Texel> texels;
+    std::vector<Instance> instances;
+    Volume volume;
+    Camera camera;
+};
+
+constexpr float pixel_step = 2.0F / 255;
+
+TEST_F(VolumeTest, SwallowsAsMuchOfWhatIsBehindAsTheLawOfBeerAndLambertSays) {
+    stand({0, -3, 0}, {8, 1, 8}, {0.2F, 0.1F, 0.05F});
+    for (const auto quality : {Quality::low, Quality::medium}) {
+        const auto behind = middle(drawn(nullptr, quality));
+        ASSERT_GT(behind.r, 0.2F);
+        const auto seen = middle(drawn(&volume, quality));
+        const float left = (1 - mirrored) * std::exp(-thickness * 1);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], left * behind[c], pixel_step);
+    }
+}
+
+TEST_F(VolumeTest, GivesLightAsLongAsTheWayThroughItIs) {
+    fill({255, 128, 0, 255});
+    const float half = 128.0F / 255;
+    const float given = 1 - std::exp(-thickness * 1), cover = mirrored + (1 - mirrored) * given;
+    const fvec3 light = (1 - mirrored) * given * 2.0F * fvec3(1, half * half, 0);
+    for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
+        const auto seen = middle(drawn(&volume, quality));
+        const fvec3 expected = quality == Quality::high ? detail::tone_mapped(light)
+                                                        : cover * detail::tone_mapped(light / cover);
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR(seen[c], expected[c], pixel_step) << quality_names[static_cast<std::size_t>(quality)];
+    }
+}
+
+TEST_F(VolumeTest, EndsAtWhatStandsInIt) {
+    stand({0, -0.9F, 0}, {1, 1, 1}, {0.2F, 0.1F, 0.05F});  // its top at -0.4
+    const auto behind = middle(drawn(nullptr));
+    const auto seen = middle(drawn(&volume));
+    const float left = (1 - mirrored) * std::exp(-thickness * 0.4F);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], left * behind[c], pixel_step);
+}
+
+TEST_F(VolumeTest, IsHiddenByWhatStandsBeforeIt) {
+    stand({0, 1, 0}, {3, 0.2F, 3}, {0.2F, 0.1F, 0.05F});
+    fill({255, 255, 255, 255});
+    for (const auto quality : {Quality::low, Quality::high}) {
+        const auto without = drawn(nullptr, quality);
+        EXPECT_EQ(middle(without), middle(drawn(&volume, quality)));
+    }
+}
+
+TEST_F(VolumeTest, IsSeenFromWithinUpToTheEye) {
+    camera.position = {0, -0.2F, 0};
+    stand({0, -3, 0}, {8, 1, 8}, {0.2F, 0.1F, 0.05F});
+    const auto behind = middle(drawn(nullptr));
+    const auto seen = middle(drawn(&volume));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], std::exp(-thickness * 0.8F) * behind[c], pixel_step);
+    // Upwards it ends at the level.
+    camera.orientation = up;
+    instances.clear();
+    stand({0, 4, 0}, {8, 1, 8}, {0.2F, 0.1F, 0.05F});
+    const auto above = middle(drawn(nullptr));
+    const auto through = middle(drawn(&volume));
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(through[c], std::exp(-thickness * 0.2F) * above[c], pixel_step);
+}
+
+TEST_F(VolumeTest, ShowsNothingThroughTheWallOfItsVessel) {
+    fill({255, 255, 255, 255});
+    camera = {.position = {0, -3, 0}, .orientation = up};
+    EXPECT_TRUE(same(drawn(nullptr), drawn(&volume))) << "the skin is seen from outside only";
+}
+
+TEST_F(VolumeTest, FadesIntoTheFog) {
+    fill({255, 255, 255, 255});
+    auto frame = frame_of(&volume, Quality::low);
+    renderer->draw(frame);
+    const auto clear = middle(renderer->read_pixels());
+    frame.views[0].environment.fog = {fvec3(0, 0.5F, 0), 2};
+    renderer->draw(frame);
+    const auto foggy = middle(renderer->read_pixels());
+    EXPECT_GT(clear.r, 0.5F);
+    EXPECT_LT(foggy.r, pixel_step);
+    EXPECT_GT(foggy.g, 0.3F);
+}
+
+TEST_F(VolumeTest, StandsWhereItDoesInEveryViewAndSize) {
+    fill({255, 0, 0, 255});
+    const auto views = split_window(size, size, Split::side_by_side);
+    for (const auto quality : {Quality::low, Quality::high}) {
+        auto frame = frame_of(&volume, quality, views[0]);
+        frame.views.push_back(frame.views[0]);
+        frame.views[1].viewport = views[1];
+        frame.views[1].camera.position.x = 30;  // it is out of this view
+        for (const float scale : {1.0F, 0.5F}) {
+            frame.internal_scale = scale;
+            renderer->draw(frame);
+            const auto image = renderer->read_pixels();
+            EXPECT_EQ(renderer->statistics().volumes_drawn, 1U);
+            int left = 0, right = 0;
+            double middle_x = 0, middle_y = 0;
+            for (int y = 0; y < size; ++y) {
+                for (int x = 0; x < size; ++x) {
+                    if (image.rgb[3 * static_cast<std::size_t>(y * size + x)] < 100) continue;
+                    ++(x < size / 2 ? left : right);
+                    middle_x += x, middle_y += y;
+                }
+            }
+            EXPECT_GT(left, 200);
+            EXPECT_EQ(right, 0);
+            EXPECT_NEAR(middle_x / left, size / 4 - 0.5, 1.0);
+            EXPECT_NEAR(middle_y / left, size / 2 - 0.5, 1.0);
+        }
+    }
+}
+
+TEST_F(VolumeTest, IsSentOncePerVersion) {
+    const auto sent = [&] {
+        drawn(&volume);
+        return renderer->statistics().volumes_sent;
+    };
+    EXPECT_EQ(sent(), 1U);
+    EXPECT_EQ(sent(), 0U);
+    const auto dark = middle(drawn(&volume));
+    texels.assign(8, {255, 0, 0, 255});
+    EXPECT_EQ(sent(), 0U) << "the version is the same";
+    EXPECT_EQ(middle(drawn(&volume)), dark);
+    ++volume.version;
+    EXPECT_EQ(sent(), 1U);
+    EXPECT_GT(middle(drawn(&volume)).r, 0.5F);
+    // Another size under the same version is sent as well.
+    texels.assign(1, {0, 255, 0, 255});
+    volume.cells = {1, 1, 1};
+    volume.texels = texels;
+    EXPECT_EQ(sent(), 1U);
+    EXPECT_GT(middle(drawn(&volume)).g, 0.5F);
+}
+
+TEST_F(VolumeTest, WhatMakesNoSenseIsNotDrawn) {
+    fill({255, 255, 255, 255});
+    const auto without = drawn(nullptr);
+    EXPECT_EQ(renderer->statistics().volumes_drawn, 0U);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto refused = [&](auto spoil) {
+        auto spoilt = volume;
+        spoil(spoilt);
+        const bool nothing = same(without, drawn(&spoilt));
+        return nothing && renderer->statistics().volumes_drawn == 0;
+    };
+    EXPECT_FALSE(refused([](Volume&) {}));
+    EXPECT_TRUE(refused([](Volume& v) { v.cells = {2, 2, 3}; }));
+    EXPECT_TRUE(refused([](Volume& v) { v.cells = {-2, -2, 2}; }));
+    EXPECT_TRUE(refused([](Volume& v) { v.size.y = 0; }));
+    EXPECT_TRUE(refused([&](Volume& v) { v.centre.x = nan; }));
+    EXPECT_TRUE(refused([&](Volume& v) { v.radii.z = nan; }));
+    EXPECT_TRUE(refused([&](Volume& v) { v.thickness = nan; }));
+    EXPECT_TRUE(refused([](Volume& v) { v.skin_indices = {}; }));
+}
+
+}  // namespace
+}  // namespace thaum::render
