@@ -35,8 +35,8 @@ vec3 light_at(vec3 place, vec3 n, float open);
 
 // At grazing angles all would be mirror; but the brew, not the sky, is what one looks at.
 const float most_mirrored = 0.3;
-const float ripple_light = 1.8;
-const float refraction = 0.45;
+const float ripple_light = 5.0;
+const float refraction = 0.8;
 
 void main() {
     way = position - eye;
@@ -48,7 +48,7 @@ void main() {
     over = vec4(mix(horizon, zenith, clamp(seen.y, 0.0, 1.0)) * mirrored, mirrored);
     // Slopes towards the sun are lighter than those away from it.
     vec3 tilt = normal - vec3(0.0, 1.0, 0.0);
-    gain = clamp(1.0 + ripple_light * dot(tilt, sun_direction), 0.4, 2.0);
+    gain = clamp(1.0 + ripple_light * dot(tilt, sun_direction), 0.5, 1.9);
     bend = -refraction * vec3(tilt.x, 0.0, tilt.z);
     foam_here = foam;
     foam_light = foam_colour * light_at(position, normal, 1.0);

@@ -137,30 +137,43 @@ void feel_surface(const FluidTouch& touch, FluidTouchState& state, double height
 
 // ---- flow ----------------------------------------------------------------------------------------------------------
 
-/// N on the hand, of equations (1) to (3), and the slope of all at the hand, N s/m.
+/// N s/m in the bowl, of equations (1) to (3).
+struct Drags {
+    double viscosity{}, flow{}, resistance{};
+};
+
+/// All scaled down alike where the device or the way through the fluid asks for it, so what goes with the flow still does. most: N s/m in
+/// the bowl, that the device can render.
+Drags drags_of(const FluidModes& modes, const LadleDrag& drag, const FlowSample& sample, double immersed,
+               double most) {
+    const double stokes = immersed * drag.viscous * sample.viscosity;
+    const Drags drags{.viscosity = std::max(0.0, modes.viscosity) * stokes,
+                      .flow = std::max(0.0, modes.flow) * stokes,
+                      .resistance = std::max(0.0, modes.resistance) * immersed * drag.form * sample.density};
+    const double slope = drags.viscosity + drags.resistance;
+    const double gain = (drags.flow + drags.resistance) * fluid_period * tick_seconds;
+    double share = 1;
+    if (slope > most) share = most / slope;
+    if (drag.stirred_mass > 0 && share * gain > loop_gain * drag.stirred_mass)
+        share = loop_gain * drag.stirred_mass / gain;
+    return {share * drags.viscosity, share * drags.flow, share * drags.resistance};
+}
+
+/// N on the hand, and the slope of all there, N s/m.
 struct FlowForces {
     vec3 viscosity{}, flow{}, resistance{};
     double slope{};
 };
 
-/// All drags are scaled down alike where the device or the way through the fluid asks for it, so what goes with the flow still does.
 FlowForces forces_of(const FluidTouch& touch, const FlowSample& sample, vec3 velocity, double immersed,
                      double most_damping) {
-    const auto& [viscous, form, stirred_mass, height] = touch.drag;
-    const double stokes = immersed * viscous * sample.viscosity;
-    const double viscosity = std::max(0.0, touch.modes.viscosity) * stokes;
-    const double flow = std::max(0.0, touch.modes.flow) * stokes;
-    const double resistance = std::max(0.0, touch.modes.resistance) * immersed * form * sample.density;
-    const double slope = felt(touch.frame).stiffness * (viscosity + resistance);
-    const double gain = (flow + resistance) * fluid_period * tick_seconds;
-    double share = 1;
-    if (slope > most_damping) share = most_damping / slope;
-    if (stirred_mass > 0 && share * gain > loop_gain * stirred_mass) share = loop_gain * stirred_mass / gain;
-    const auto felt_of = [&](double drag, vec3 way) {
-        return force_to_hand(touch.frame, share * drag * way);
-    };
-    return {felt_of(viscosity, -velocity), felt_of(flow, sample.velocity),
-            felt_of(resistance, sample.velocity - velocity), share * slope};
+    const double scale = felt(touch.frame).stiffness;
+    const double most = scale > 0 ? most_damping / scale : std::numeric_limits<double>::infinity();
+    const Drags drags = drags_of(touch.modes, touch.drag, sample, immersed, most);
+    const auto felt_of = [&](double drag, vec3 way) { return force_to_hand(touch.frame, drag * way); };
+    return {felt_of(drags.viscosity, -velocity), felt_of(drags.flow, sample.velocity),
+            felt_of(drags.resistance, sample.velocity - velocity),
+            scale * (drags.viscosity + drags.resistance)};
 }
 
 /// Of the forces, not of what makes them: so a step that changes drag and flow at once is linear in time too.
@@ -173,12 +186,6 @@ FlowForces mixed(const FlowForces& a, const FlowForces& b, double share) {
 double share_of_newer(std::uint64_t step_age, std::uint32_t model_age) {
     const std::uint64_t age = std::min<std::uint64_t>(step_age, fluid_period) + model_age;
     return static_cast<double>(std::min<std::uint64_t>(age + 1, fluid_period)) / fluid_period;
-}
-
-/// As it is now, between the newest two steps.
-FlowSample flow_about(const FluidTouch& touch, vec3 place, std::uint32_t model_age) {
-    return mixed(flow_at(touch.older, place), flow_at(touch.newer, place),
-                 share_of_newer(touch.step_age, model_age));
 }
 
 void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingLeft& damping,
@@ -303,11 +310,14 @@ vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state) {
 
 vec3 whole_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
                 std::uint32_t model_age) {
-    FluidTouch whole{.frame = touch.frame, .drag = touch.drag};
-    DampingLeft boundless{std::numeric_limits<double>::infinity()};
-    const FlowSample here = flow_about(touch, place, model_age);
-    const Drags drags = drags_of(whole, here, immersed, boundless);
-    return finite_or_none((drags.flow + drags.resistance) * (here.velocity - velocity));
+    const auto of = [&](const FlowPatch& patch) {
+        const FlowSample sample = flow_at(patch, place);
+        const Drags drags =
+            drags_of(FluidModes{}, touch.drag, sample, immersed, std::numeric_limits<double>::infinity());
+        return (drags.flow + drags.resistance) * (sample.velocity - velocity);
+    };
+    return finite_or_none(
+        glm::mix(of(touch.older), of(touch.newer), share_of_newer(touch.step_age, model_age)));
 }
 
 vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length) {

@@ -16,7 +16,7 @@ using render::translated;
 
 constexpr float right_angle = 1.5707963F;
 constexpr float thickness = 9;                            // 1/m
-constexpr float thickness_with_flow = 2;                  // 1/m: to see arrows in it
+constexpr float thickness_with_flow = 3.5F;               // 1/m: to see arrows in it
 constexpr double rod_radius = 0.022, cup_radius = 0.085;  // m
 /// Rays end at the bowl, which is opaque: the round must hold all of its inside.
 constexpr float beyond_wall = 1.4F;

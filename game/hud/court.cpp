@@ -48,8 +48,7 @@ Court::Solid make_solid(render::Renderer& renderer, const Shade& shade, const Ar
                         const Thing& thing, render::Patchwork& stone) {
     Court::Solid solid{key_of(thing), thing.position, {}};
     if (thing.surface == Surface::bowl) {
-        solid.meshes = upload(renderer, cauldron(arena.meshes[thing.body.mesh]));
-        solid.meshes.glow = brew_glow;
+        solid.meshes.lit = upload(renderer, cauldron(arena.meshes[thing.body.mesh]).lit);
     } else if (thing.body.shape == physics::Shape::mesh) {
         add_masonry_ramp(shade, thing, arena.meshes[thing.body.mesh], stone);
     } else if (is_masonry(thing)) {
@@ -154,6 +153,8 @@ Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRul
             add_kind(renderer, key_of(thing), court);
         else
             court.solids.push_back(make_solid(renderer, shade, arena, thing, stone));
+        if (thing.surface == Surface::bowl && thing.body.shape == physics::Shape::mesh)
+            court.painted_brew = upload(renderer, cauldron(arena.meshes[thing.body.mesh]).glowing);
         add_light_of(thing, court);
         if (is_masonry(thing)) add_block(thing, court);
         if (thing.surface == Surface::floor || thing.surface == Surface::pit)
@@ -431,6 +432,14 @@ void add_burst(const Court& court, const Picture& picture, const BurstPicture& b
     if (shown > 0) out.push_back({.mesh = court.ember, .model = glm::scale(at, fvec3(shown)), .glow = 1});
 }
 
+void add_painted_brew(const Court& court, std::vector<Instance>& out) {
+    if (!court.bowl || !court.painted_brew) return;
+    out.push_back({.mesh = *court.painted_brew,
+                   .model = render::translated(fvec3(*court.bowl)),
+                   .tint = fvec3(brew_glow),
+                   .glow = glow_share});
+}
+
 /// Sparks that rise from the brew, each on a way of its own.
 void add_embers(const Court& court, double time, std::vector<Instance>& out) {
     if (!court.bowl) return;
@@ -516,6 +525,7 @@ void add_instances(const Court& court, const Picture& picture, std::uint32_t vie
     for (const auto& missile : picture.missiles) add_missile(court, picture, missile, viewer, out);
     for (std::uint32_t i = 0; i < picture.burst_count; ++i)
         add_burst(court, picture, picture.bursts[i], viewer, out);
+    add_painted_brew(court, out);
     add_embers(court, picture.played_s, out);
     add_bubbles(court, picture.played_s, out);
 }

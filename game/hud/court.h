@@ -55,10 +55,11 @@ struct Court {
     std::array<render::MeshId, 4> unit_shapes{};  ///< for what no arena has: by physics::Shape
     PowerUpMeshes power_ups;
     std::vector<Ground> grounds;
-    std::vector<render::Block> blocks;       ///< of masonry: what hides the sky
-    Shade shade;                             ///< to ask whether the sun reaches a thing that moves
-    std::vector<render::PointLight> lights;  ///< that stay; the first is the cauldron's
-    std::optional<vec3> bowl;                ///< the cauldron's centre
+    std::vector<render::Block> blocks;           ///< of masonry: what hides the sky
+    Shade shade;                                 ///< to ask whether the sun reaches a thing that moves
+    std::vector<render::PointLight> lights;      ///< that stay; the first is the cauldron's
+    std::optional<vec3> bowl;                    ///< the cauldron's centre
+    std::optional<render::MeshId> painted_brew;  ///< for a bowl in which none flows; shines by itself
     render::Environment environment;
     double wizard_height{1.8};  ///< m
 };

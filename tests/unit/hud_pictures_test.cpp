@@ -6,8 +6,10 @@
 #include <cstdlib>
 #include <optional>
 
+#include "core/file.h"
 #include "core/text.h"
 #include "game/bots/bot.h"
+#include "game/hud/brew_look.h"
 #include "game/hud/figures.h"
 #include "game/hud/hud.h"
 #include "render/context.h"
@@ -216,6 +218,109 @@ TEST_F(StoredPictures, AllFiveWandsAsShadowsAndInTheLight) {
                         .casters = {fixed, moving}};
     renderer->draw(frame);
     expect_stored("wands_high", reduced(renderer->read_pixels()));
+}
+
+/// The court's bowl with a brew in it, seen from wherever one likes.
+class StoredBrews : public StoredPictures {
+protected:
+    void SetUp() override {
+        StoredPictures::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        const auto file = read_text_file(source / "assets/cauldron.toml", 1U << 16U);
+        ASSERT_TRUE(file) << file.error().message;
+        const auto config = Config::parse(*file, "cauldron.toml", 1);
+        ASSERT_TRUE(config) << config.error().message;
+        rules = read_cauldron_rules(*config);
+        ASSERT_TRUE(data->arena.bowl);
+        place = brew_place(*data->arena.bowl, rules);
+        auto made = make_brew(rules, place.basin);
+        ASSERT_TRUE(made) << made.error().message;
+        brew = std::move(*made);
+        look = make_brew_look(*renderer, place);
+        ASSERT_TRUE(drop(brew, rules, 0, {-0.5, -0.15, 0.3}, 0.45, 0.15));
+        ASSERT_TRUE(drop(brew, rules, 5, {0.45, -0.15, -0.2}, 0.45, 0.15));
+        EXPECT_TRUE(drop(brew, rules, 5, {0.1, -0.2, 0.55}, 0.4, 0.1));
+    }
+
+    /// Round and round, and the ladle comes down onto the surface now and then.
+    void stir(int steps) {
+        constexpr double dt = 0.016;
+        for (int i = 0; i < steps; ++i) {
+            const double angle = 2 * pi * dt * i;
+            const vec3 at(0.6 * std::cos(angle), -0.25, 0.6 * std::sin(angle));
+            const vec3 along(-std::sin(angle), 0, std::cos(angle));
+            fluid::push(brew.fluid, {at - brew.corner, 0.22, 0.02 * along});
+            fluid::advance(brew.fluid, dt);
+            const fluid::SheetProbe probe{{at.x, at.z}, i % 20 < 10 ? -0.035 : 0.1, 0.12};
+            fluid::advance(brew.sheet, brew.scratch, {&probe, 1}, dt);
+            ladle = LadlePicture{place.middle + at, place.middle + at + vec3(0.25, 0.95, 0.1), 0.8};
+        }
+    }
+
+    Image seen(vec3 eye, vec3 at, Quality quality, const BrewOverlay& overlay = {}) {
+        take_brew(brew, rules, ++state, picture);
+        show_brew(picture, overlay, look);
+        std::vector<render::Instance> instances, fixed, moving;
+        add_instances(court, start, no_player, instances);
+        // What is painted over an empty bowl.
+        std::erase_if(instances, [&](const render::Instance& i) {
+            return i.mesh == *court.painted_brew || i.mesh == court.bubble;
+        });
+        add_brew(look, instances);
+        add_casters(court, start, fixed, moving);
+        if (ladle) {
+            add_ladle(look.meshes, *ladle, instances);
+            add_ladle(look.meshes, *ladle, moving);
+        }
+        render::ViewScene view;
+        view.viewport = {0, 0, window.width, window.height};
+        view.instances = instances;
+        view.lights = court.lights;
+        view.environment = court.environment;
+        const vec3 d = at - eye;
+        view.camera.position = fvec3(eye);
+        view.camera.orientation =
+            fquat(look_rotation(std::atan2(-d.x, -d.z), std::atan2(d.y, std::hypot(d.x, d.z))));
+        view.camera.fov_y = 0.9F;
+        view.volume = &look.volume;
+        renderer->draw({.width = window.width,
+                        .height = window.height,
+                        .views = {view},
+                        .overlay = {},
+                        .quality = quality,
+                        .casters = {fixed, moving}});
+        return reduced(renderer->read_pixels());
+    }
+
+    CauldronRules rules;
+    BrewPlace place;
+    Brew brew;
+    BrewPicture picture;
+    BrewLook look;
+    std::optional<LadlePicture> ladle;
+    std::uint64_t state{};
+};
+
+const vec3 before_bowl(-1.7, 2.1, 1.7), in_bowl(0.05, 0.85, -0.05);
+
+TEST_F(StoredBrews, TwoSubstancesAtRest) {
+    for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
+        const auto level = render::quality_names[static_cast<std::size_t>(quality)];
+        expect_stored(text("brew_rest_", level), seen(before_bowl, in_bowl, quality));
+    }
+    expect_stored("brew_above", seen({0.01, 3.7, 0}, {0, 0.9, 0}, Quality::medium));
+    // From below and from the side the bowl hides all of it.
+    const auto low = seen({-3.2, 0.6, 1}, {0, 0.6, 0}, Quality::medium);
+    look.volume.texels = {};
+    EXPECT_EQ(render::distance(low, seen({-3.2, 0.6, 1}, {0, 0.6, 0}, Quality::medium)).worst, 0);
+}
+
+TEST_F(StoredBrews, StirredWithItsFlow) {
+    stir(70);
+    expect_stored("brew_stirred", seen(before_bowl, in_bowl, Quality::medium));
+    expect_stored("brew_flow",
+                  seen(before_bowl, in_bowl, Quality::medium, {.arrows = true, .streamlines = true}));
+    expect_stored("brew_within", seen({-0.75, 0.7, 0.5}, {0.4, 0.6, -0.1}, Quality::medium));
 }
 
 TEST_F(StoredPictures, TheLargestTextInBothSplits) {

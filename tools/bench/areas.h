@@ -25,6 +25,8 @@ void field(const Options& options, Report& report);
 /// The brew's surface.
 void surface(const Options& options, Report& report);
 void render(const Options& options, Report& report);
+/// Part of `render`.
+void brew_pictures(const Options& options, Report& report);
 void fluid(const Options& options, Report& report);
 /// A part of `fluid`: the hand in it.
 void fluid_hand(const Options& options, Report& report);

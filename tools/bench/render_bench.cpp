@@ -221,6 +221,8 @@ void render(const Options& options, Report& report) {
     }
     tick_beside_pictures(scene, options, report);
     scene.renderer.reset();
+    made->reset();
+    brew_pictures(options, report);
 }
 
 }  // namespace thaum::bench
