@@ -110,7 +110,7 @@ bool due(Studio& studio, const Screen& screen, bool changed) {
 }
 
 game::Court court_of(render::Renderer& renderer, const game::MatchData& data) {
-    return game::make_court(renderer, data.arena, data.wizard);
+    return game::make_court(renderer, data);
 }
 
 /// Do they make the same court?

@@ -29,7 +29,7 @@ Expected<Still> Still::create(const game::MatchData& data, const std::filesystem
     if (!renderer) return tl::unexpected(renderer.error());
     auto state = std::unique_ptr<State>(
         new State{std::move(*context), std::move(*renderer), {}, game::make_picture(), {}});
-    state->court = game::make_court(*state->renderer, data.arena, data.wizard);
+    state->court = game::make_court(*state->renderer, data);
     return Still(std::move(state));
 }
 

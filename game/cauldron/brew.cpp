@@ -129,29 +129,45 @@ double width_at(const Basin& basin, double height) {
     return profile.front().x;
 }
 
-Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
+namespace {
+
+vec3 corner_of(const fluid::Settings& settings) {
+    return -0.5 * settings.h * vec3(settings.cells[0], 2 * settings.cells[1], settings.cells[2]);
+}
+
+}  // namespace
+
+fluid::Settings brew_settings(const CauldronRules& rules, const Basin& basin) {
     const double h = 2 * basin.radius / rules.cells_across;
     const int deep = std::max(1, static_cast<int>(std::ceil(basin.depth / h - 1e-9)));
-    const vec3 corner(-basin.radius, -h * deep, -basin.radius);
-    const auto walls = std::make_shared<const Basin>(basin);
     fluid::Settings settings{.solver = rules.solver,
                              .cells = {rules.cells_across, deep, rules.cells_across},
                              .h = h,
                              .edges = {fluid::Edge::no_slip, fluid::Edge::free_slip, fluid::Edge::no_slip},
                              .viscosity = rules.viscosity,
-                             .substances = std::vector<fluid::Substance>(fluid::substances_most),
-                             .solid = [walls, corner](vec3 place) {
-                                 const vec3 at = place + corner;
-                                 return off_axis(at) < width_at(*walls, at.y) ? 0.0 : 1.0;
-                             }};
-    auto fluid = fluid::make_fluid(settings);
-    if (!fluid) return tl::unexpected(fluid.error());
+                             .substances = std::vector<fluid::Substance>(fluid::substances_most)};
+    const auto walls = std::make_shared<const Basin>(basin);
+    settings.solid = [walls, corner = corner_of(settings)](vec3 place) {
+        const vec3 at = place + corner;
+        return off_axis(at) < width_at(*walls, at.y) ? 0.0 : 1.0;
+    };
+    return settings;
+}
+
+fluid::SheetSettings brew_surface(const CauldronRules& rules, const Basin& basin) {
     auto surface = rules.surface;
     surface.side = 2 * basin.radius;
-    const auto checked = fluid::checked(surface);
-    if (!checked) return tl::unexpected(checked.error());
+    return surface;
+}
+
+Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
+    auto fluid = fluid::make_fluid(brew_settings(rules, basin));
+    if (!fluid) return tl::unexpected(fluid.error());
+    const auto surface = fluid::checked(brew_surface(rules, basin));
+    if (!surface) return tl::unexpected(surface.error());
+    const vec3 corner = corner_of(fluid->settings);
     return Brew{
-        .fluid = std::move(*fluid), .sheet = fluid::sheet_of(*checked), .scratch = {}, .corner = corner};
+        .fluid = std::move(*fluid), .sheet = fluid::sheet_of(*surface), .scratch = {}, .corner = corner};
 }
 
 std::optional<std::size_t> substance_for(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient) {

@@ -102,6 +102,10 @@ struct Brew {
         corner{};  ///< m, brew's frame: where the fluid's box begins; a place p of the brew is p - corner of the fluid
 };
 
+/// What make_brew makes it of; the rules must be checked ones.
+fluid::Settings brew_settings(const CauldronRules& rules, const Basin& basin);
+fluid::SheetSettings brew_surface(const CauldronRules& rules, const Basin& basin);
+
 /// At rest and pure. The error says what of the rules the solver does not take.
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
 

@@ -82,11 +82,15 @@ void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Shee
     sheet.asleep = cauldron.surface_asleep;
 }
 
+std::span<const float> brew_samples(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,
+                                    std::size_t array) {
+    const auto size = fluid.lattice.size;
+    return {first_sample<BrewPage>(world) + which * size_of(fluid) + array * size, size};
+}
+
 BrewFields fields_of(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,
                      field::Kernel kernel) {
-    const auto size = fluid.lattice.size;
-    const float* first = first_sample<BrewPage>(world) + which * size_of(fluid);
-    const auto samples = [&](std::size_t array) { return std::span(first + array * size, size); };
+    const auto samples = [&](std::size_t array) { return brew_samples(world, which, fluid, array); };
     BrewFields fields;
     for (std::size_t axis = 0; axis < 3; ++axis)
         fields.velocity.component[axis] =

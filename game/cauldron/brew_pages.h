@@ -20,6 +20,10 @@ void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid)
 void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& sheet);
 void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Sheet& sheet);
 
+/// One array of a state: 0 to 2 the velocity's components, from 3 on the substances. It holds as long as no page is added or removed.
+std::span<const float> brew_samples(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,
+                                    std::size_t array);
+
 /// One state of the fluid as fields. Frame: the fluid's box. They hold as long as no page is added or removed.
 struct BrewFields {
     field::StaggeredGrid velocity{};

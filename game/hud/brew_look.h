@@ -19,31 +19,11 @@
 #include <vector>
 
 #include "game/arena/arena.h"
-#include "game/cauldron/brew.h"
+#include "game/hud/brew_picture.h"
 #include "render/renderer.h"
 #include "render/scene.h"
 
 namespace thaum::game {
-
-/// Linear light.
-struct BrewColours {
-    fvec3 base{};
-    std::array<fvec3, fluid::substances_most> substances{};
-};
-
-/// One moment of a brew, as plain data. Taking one into the same again allocates nothing.
-struct BrewPicture {
-    std::uint64_t state{};  ///< another number: something has changed; 0: nothing was taken yet
-    fluid::Lattice lattice{};
-    std::array<fluid::Samples, 3> velocity{};  ///< m/s
-    std::array<vec3, 3> velocity_places{};     ///< where each component of cell (0, 0, 0) stands, in cells
-    std::array<fluid::Samples, fluid::substances_most>
-        densities{};  ///< empty: nothing stands in that substance
-    BrewColours colours{};
-    fluid::Sheet sheet{};
-};
-/// `state` above 0; another one for each state of the brew.
-void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state, BrewPicture& out);
 
 /// Where a brew stands in the world.
 struct BrewPlace {
@@ -57,12 +37,6 @@ struct BrewOverlay {
     bool arrows = false;
     bool streamlines = false;
     bool operator==(const BrewOverlay&) const = default;
-};
-
-/// A rod with a bowl at its lower end.
-struct LadlePicture {
-    vec3 bowl{}, grip{};   ///< m: the middle of the bowl, and the upper end
-    double force_share{};  ///< of the device's peak, 0 to 1
 };
 
 struct BrewMeshes {

@@ -141,10 +141,15 @@ double Court::Ground::height_at(vec3 p) const {
     return height + slope_x * (p.x - (low.x + high.x) / 2) + slope_z * (p.z - (low.z + high.z) / 2);
 }
 
-Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRules& rules) {
+Court make_court(render::Renderer& renderer, const MatchData& data) {
+    const auto& arena = data.arena;
     Court court;
+    if (data.cauldron) {
+        court.brew =
+            std::make_shared<BrewLook>(make_brew_look(renderer, brew_place(*arena.bowl, *data.cauldron)));
+    }
     court.environment = dusk();
-    court.wizard_height = rules.height;
+    court.wizard_height = data.wizard.height;
     court.shade = make_shade(arena, court.environment.sun.direction);
     const auto& shade = court.shade;
     render::Patchwork stone;
@@ -315,7 +320,7 @@ void add_figure(const Court& court, std::uint32_t number, const PlayerPicture& p
         const auto arm = render::translated(fvec3(p.eye)) * turned(p.yaw, 0) * render::translated(shoulder) *
                          turned(0, p.pitch);
         out.push_back({.mesh = team.arm, .model = arm});
-        if (!p.wand.empty())
+        if (!p.wand.empty() && !p.stirs)
             out.push_back({.mesh = court.wands[static_cast<std::size_t>(p.silhouette)],
                            .model = arm * render::translated(-shoulder) * stylus_turned(p) * wand_in_hand()});
     }
@@ -350,6 +355,7 @@ void add_own_arm(const Court& court, std::uint32_t number, const PlayerPicture& 
     const auto first = out.size();
     const auto eye = render::translated(fvec3(p.eye)) * turned(p.yaw, p.pitch) *
                      render::translated(fvec3(limited(p.wand_reach, most_reach))) * stylus_turned(p);
+    if (p.stirs) return;  // the ladle is all that is seen of it
     out.push_back({.mesh = court.teams[number].own_arm, .model = eye});
     if (!p.wand.empty()) {
         out.push_back(
@@ -440,6 +446,38 @@ void add_painted_brew(const Court& court, std::vector<Instance>& out) {
                    .glow = glow_share});
 }
 
+/// m: from farther away a brew at rest looks as if painted.
+constexpr double brew_seen_from = 14;
+
+bool is_near_brew(const Court& court, vec3 eye) {
+    return glm::distance(eye, court.brew->place.middle) < brew_seen_from;
+}
+
+void add_brew_of(const Court& court, const Picture& picture, std::uint32_t viewer,
+                 std::vector<Instance>& out) {
+    const vec3 eye = viewer < players ? picture.wizards[viewer].eye : vec3(0);
+    if (visible_brew(court, picture, eye) == nullptr) return add_painted_brew(court, out);
+    add_brew(*court.brew, out);
+    for (const auto& ladle : picture.cauldron.ladles) {
+        if (ladle) add_ladle(court.brew->meshes, *ladle, out);
+    }
+}
+
+void add_niches(const Court& court, const Picture& picture, std::vector<Instance>& out) {
+    constexpr float height = 0.5F, size = 0.14F;
+    for (const auto& niche : picture.niches) {
+        const auto at = render::translated(fvec3(niche.position));
+        out.push_back({.mesh = court.contact, .model = glm::scale(at, fvec3(0.4F, 1, 0.4F))});
+        if (!niche.there) continue;
+        for (const fvec3 off : {fvec3(0, 0, 0), fvec3(0.16F, -0.08F, 0.05F), fvec3(-0.12F, -0.07F, 0.12F)})
+            out.push_back(
+                {.mesh = court.bead,
+                 .model = glm::scale(at * render::translated(off + fvec3(0, height, 0)), fvec3(size)),
+                 .tint = niche.colour,
+                 .glow = 0.55F});
+    }
+}
+
 /// Sparks that rise from the brew, each on a way of its own.
 void add_embers(const Court& court, double time, std::vector<Instance>& out) {
     if (!court.bowl) return;
@@ -500,6 +538,18 @@ void add_casters(const Court& court, const Picture& picture, std::vector<Instanc
         add_figure(court, player, picture.wizards[player], moving);
 }
 
+void show_brew_near(const Court& court, const Picture& picture, const BrewOverlay& overlay) {
+    const bool seen =
+        std::any_of(picture.wizards.begin(), picture.wizards.end(),
+                    [&](const PlayerPicture& p) { return court.brew && is_near_brew(court, p.eye); });
+    if (seen && picture.cauldron.there) show_brew(picture.cauldron.brew, overlay, *court.brew);
+}
+
+const render::Volume* visible_brew(const Court& court, const Picture& picture, vec3 eye) {
+    const bool shown = court.brew && picture.cauldron.there && court.brew->shown != 0;
+    return shown && is_near_brew(court, eye) ? &court.brew->volume : nullptr;
+}
+
 void add_instances(const Court& court, const Picture& picture, std::uint32_t viewer,
                    std::vector<Instance>& out) {
     out.push_back({.mesh = court.stone});
@@ -525,7 +575,8 @@ void add_instances(const Court& court, const Picture& picture, std::uint32_t vie
     for (const auto& missile : picture.missiles) add_missile(court, picture, missile, viewer, out);
     for (std::uint32_t i = 0; i < picture.burst_count; ++i)
         add_burst(court, picture, picture.bursts[i], viewer, out);
-    add_painted_brew(court, out);
+    add_brew_of(court, picture, viewer, out);
+    add_niches(court, picture, out);
     add_embers(court, picture.played_s, out);
     add_bubbles(court, picture.played_s, out);
 }

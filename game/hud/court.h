@@ -1,9 +1,11 @@
 // game/hud/court.h: the court as meshes and lights. Made once for an arena; after that a Picture becomes instances of
 // these meshes, without OpenGL, on whatever thread builds the frame.
 #pragma once
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "game/hud/brew_look.h"
 #include "game/hud/masonry.h"
 #include "game/hud/picture.h"
 #include "game/hud/powerups.h"
@@ -60,16 +62,23 @@ struct Court {
     std::vector<render::PointLight> lights;      ///< that stay; the first is the cauldron's
     std::optional<vec3> bowl;                    ///< the cauldron's centre
     std::optional<render::MeshId> painted_brew;  ///< for a bowl in which none flows; shines by itself
+    std::shared_ptr<BrewLook> brew;              ///< of who draws, made anew as it moves; null: none flows
     render::Environment environment;
     double wizard_height{1.8};  ///< m
 };
 
 /// Uploads all meshes that the arena needs. The renderer's context must be current.
-Court make_court(render::Renderer& renderer, const Arena& arena, const WizardRules& rules);
+Court make_court(render::Renderer& renderer, const MatchData& data);
 
 /// What `viewer` sees: everything but the own figure, and the own arm with the wand (no_player: everything).
 void add_instances(const Court& court, const Picture& picture, std::uint32_t viewer,
                    std::vector<render::Instance>& out);
+
+/// Makes the brew's picture anew where it has moved and somebody is near enough to see it.
+void show_brew_near(const Court& court, const Picture& picture, const BrewOverlay& overlay);
+
+/// The flowing brew as it is to be drawn; null where there is none, or it is too far away to be told from the painted one.
+const render::Volume* visible_brew(const Court& court, const Picture& picture, vec3 eye);
 
 /// Whatever stands in the light of the sky darkens the ground below it a little, on ramps as well.
 void add_contact_shades(const Court& court, const Picture& picture, std::vector<render::Instance>& out);

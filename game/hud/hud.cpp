@@ -23,6 +23,7 @@ void add_view(const Court& court, const Picture& picture, const HudSettings& set
     auto& instances = memory.instances[player];
     auto& lights = memory.lights[player];
     instances.clear();
+    const auto* brew = visible_brew(court, picture, picture.wizards[player].eye);
     add_instances(court, picture, player, instances);
     add_power_ups(court.power_ups, picture, picture.wizards[player].eye, instances);
     choose_lights(court, picture, picture.wizards[player].eye, lights);
@@ -32,7 +33,8 @@ void add_view(const Court& court, const Picture& picture, const HudSettings& set
                                   .lights = lights,
                                   .environment = court.environment,
                                   .shades = memory.shades,
-                                  .blocks = court.blocks});
+                                  .blocks = court.blocks,
+                                  .volume = brew});
 }
 
 /// What both views share.
@@ -84,6 +86,7 @@ void begin_frame(const Court& court, const Picture& picture, const HudSettings& 
     frame.views.clear();
     frame.overlay.items.clear();
     add_shadows(court, picture, memory);
+    show_brew_near(court, picture, {.arrows = settings.forces});
 }
 
 const render::Frame& make_frame(const Court& court, const Picture& picture, const HudSettings& settings,

@@ -196,6 +196,48 @@ void add_gift(Overlay& out, const PlayerPicture& p, const Corner& c) {
              at(c.view, 0.5F, 0.72F), 18 * c.unit, white, Align::centre);
 }
 
+/// Of the widest type.
+constexpr float em_per_character = 0.6F;
+
+/// As large as `size`, or as the view is wide.
+float size_that_fits(std::string_view words, float size, const Rect& view) {
+    constexpr float most_of_view = 0.94F;
+    const float em = em_per_character * static_cast<float>(words.size());
+    return std::min(size, most_of_view * static_cast<float>(view.width) / std::max(em, 1.0F));
+}
+
+/// What is in the brew, how far it is mixed, whose it is, and how long it keeps: "ember and salt, mixed 57 %, yours, 12 s".
+std::string words_of_brew(const CauldronPicture& cauldron, std::uint32_t player) {
+    std::string words;
+    for (const auto name : cauldron.contents) {
+        if (!name.empty()) words += text(words.empty() ? "" : " and ", name);
+    }
+    if (words.empty()) return "Pure brew";
+    words = text(capitalised(words), ", mixed ", std::lround(100 * cauldron.mixing), " %");
+    if (cauldron.owner < players) words += cauldron.owner == player ? ", yours" : ", the other's";
+    if (cauldron.spoils_in_s > 0)
+        words += text(", spoils in ", std::lround(std::ceil(cauldron.spoils_in_s)), " s");
+    return words;
+}
+
+std::string words_at_cauldron(const Picture& picture, std::uint32_t player) {
+    const auto& p = picture.wizards[player];
+    if (!p.stirs && !p.at_rim)
+        return p.carries.empty() ? "" : text("You carry ", p.carries, " for the cauldron");
+    const auto hint = !p.stirs            ? std::string("hold Stir to take the ladle")
+                      : p.carries.empty() ? std::string()
+                                          : text("use wand: drop in ", p.carries);
+    const auto brew = words_of_brew(picture.cauldron, player);
+    return hint.empty() ? brew : text(brew, " - ", hint);
+}
+
+void add_brew_words(Overlay& out, const Picture& picture, std::uint32_t player, const Corner& c) {
+    const auto words = words_at_cauldron(picture, player);
+    if (!words.empty())
+        add_text(out, words, at(c.view, 0.5F, 0.76F), size_that_fits(words, 16 * c.unit, c.view), white,
+                 Align::centre);
+}
+
 void add_veil(Overlay& out, const Rect& r, fvec4 paint) {
     out.items.emplace_back(render::RectItem{at(r, 0, 0), at(r, 1, 1), paint, 0});
 }
@@ -252,16 +294,6 @@ std::string_view caption_of(const ForcePicture& force, bool told) {
     return {};
 }
 
-/// Of the widest type.
-constexpr float em_per_character = 0.6F;
-
-/// As large as `size`, or as the view is wide.
-float size_that_fits(std::string_view words, float size, const Rect& view) {
-    constexpr float most_of_view = 0.94F;
-    const float em = em_per_character * static_cast<float>(words.size());
-    return std::min(size, most_of_view * static_cast<float>(view.width) / std::max(em, 1.0F));
-}
-
 /// The driver's words above our own.
 void add_caption(Overlay& out, const PlayerPicture& p, const std::string& device_says, const Corner& c) {
     const fvec2 place = at(c.view, 0.5F, 0.82F);
@@ -288,6 +320,7 @@ void add_player(Overlay& out, const Picture& picture, std::uint32_t player, cons
         add_crosshair(out, p, c);
         add_hurt_marks(out, p, c);
         add_gift(out, p, c);
+        add_brew_words(out, picture, player, c);
     }
     add_caption(out, p, device_says, c);
     add_health(out, p, player, c);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "game/cauldron/ladle.h"
 #include "game/match/touch.h"
 #include "game/wands/belt.h"
 
@@ -88,6 +89,24 @@ void take_force(const Simulation& match, std::uint32_t player, const Grip& grip,
     }
 }
 
+void take_brewing(const Simulation& match, ecs::Entity wizard, const Motion& motion, PlayerPicture& out) {
+    const auto& rules = match.data().cauldron;
+    if (!rules || out.dead) return;
+    out.stirs = match.world().has<Ladle>(wizard);
+    out.at_rim = within_reach(match.data(), match.world().single<Cauldron>(), motion.position);
+    const auto* pouch = match.world().find<Pouch>(wizard);
+    if (pouch != nullptr) out.carries = rules->ingredients[pouch->ingredient].name;
+}
+
+void take_niches(const Simulation& match, Picture& out) {
+    out.niches.clear();
+    match.world().view<const Niche, const Motion>().each([&](const Niche& niche, const Motion& motion) {
+        out.niches.push_back({motion.position,
+                              fvec3(match.data().cauldron->ingredients[niche.ingredient].colour),
+                              match.match().played >= niche.back_at});
+    });
+}
+
 void take_wizards(const Simulation& match, Picture& out) {
     const auto& rules = match.data().wizard;
     const auto& state = match.match();
@@ -119,6 +138,7 @@ void take_wizards(const Simulation& match, Picture& out) {
             p.wand_reach = wand_tip_of(match.touch().wand_per_hand[wizard.player], grip) - wand_tip;
             p.wand_turn = stylus_turn(match.world(), wizard.player);
             take_force(match, wizard.player, grip, p.force);
+            take_brewing(match, e, motion, p);
         });
 }
 
@@ -245,6 +265,8 @@ void take_picture(const Simulation& match, Picture& out) {
     take_things(match.world(), out);
     take_missiles(match, out);
     take_power_ups(match, out);
+    take_niches(match, out);
+    take_cauldron(match, out.cauldron);
     take_wizards(match, out);
     take_events(match, out);
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "game/hud/brew_picture.h"
 #include "game/match/arm.h"
 #include "game/match/result.h"
 #include "haptics/safety.h"
@@ -51,6 +52,12 @@ struct BurstPicture {
 };
 
 /// Something to be picked up, or the place where it will be.
+struct NichePicture {
+    vec3 position{};  ///< on the ground
+    fvec3 colour{};   ///< linear, of what is found there
+    bool there{};
+};
+
 struct PowerUpPicture {
     PowerUpKind kind{};
     vec3 position{};    ///< on the ground
@@ -100,6 +107,9 @@ struct PlayerPicture {
     double since_gift_s{};  ///< since this player last picked something up
     PowerUpKind gift{};
     double gift_amount{};        ///< HP or energy
+    std::string_view carries{};  ///< the ingredient; empty: none
+    bool stirs{};                ///< the ladle in hand
+    bool at_rim{};               ///< could stir
     vec3 wand_turn{};            ///< rad, axis times angle, likewise: how the stylus turns it about its tip
     vec3 wand_reach{};           ///< m, in the frame of the eye: how far the hand has moved the wand's tip
     std::optional<vec3> held{};  ///< m: what the wand holds or hangs on
@@ -133,6 +143,8 @@ struct Picture {
     std::vector<ThingPicture> things;
     std::vector<MissilePicture> missiles;
     std::vector<PowerUpPicture> power_ups;
+    std::vector<NichePicture> niches;
+    CauldronPicture cauldron;
     std::array<PlayerPicture, players> wizards{};
 
     double played_s{}, left_s{};

@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
     auto renderer = must(render::Renderer::create(find_assets()));
     const double start = now_ms();
     std::cout << "shaders " << fixed(start - opened, 1) << " ms\n";
-    const auto court = make_court(renderer, data->arena, data->wizard);
+    const auto court = make_court(renderer, *data);
     std::cout << "court " << fixed(now_ms() - start, 1) << " ms\n";
     auto picture = make_picture();
     const double before = now_ms();

@@ -70,7 +70,7 @@ protected:
         auto loaded = load_match_data(source / "assets", {});
         ASSERT_TRUE(loaded) << loaded.error().message;
         data = std::make_shared<const MatchData>(std::move(*loaded));
-        court = make_court(*renderer, data->arena, data->wizard);
+        court = make_court(*renderer, *data);
         Simulation match(data, MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}});
         start = make_picture();
         take_picture(match, start);

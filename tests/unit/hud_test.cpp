@@ -231,7 +231,7 @@ protected:
         auto created = render::Renderer::create(assets);
         ASSERT_TRUE(created) << created.error().message;
         renderer.emplace(std::move(*created));
-        court = make_court(*renderer, match_data()->arena, match_data()->wizard);
+        court = make_court(*renderer, *match_data());
         picture = picture_of(*new_match());
     }
 

@@ -111,7 +111,7 @@ Expected<std::unique_ptr<BrewScene>> brew_scene() {
     if (!brew) return tl::unexpected(brew.error());
     auto scene = std::unique_ptr<BrewScene>(new BrewScene{
         std::move(*context), std::move(*renderer), {}, {}, {}, rules, std::move(*brew), {}, {}});
-    scene->court = game::make_court(*scene->renderer, data->arena, data->wizard);
+    scene->court = game::make_court(*scene->renderer, *data);
     scene->look = game::make_brew_look(*scene->renderer, place);
     for (auto& picture : scene->pictures) {
         picture = game::make_picture();

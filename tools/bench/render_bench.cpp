@@ -57,7 +57,7 @@ Expected<std::unique_ptr<RenderScene>> render_scene() {
     if (!renderer) return tl::unexpected(renderer.error());
     auto scene = std::unique_ptr<RenderScene>(new RenderScene{
         std::move(*context), std::move(*renderer), std::move(*duel), {}, game::make_picture(), {}});
-    scene->court = game::make_court(*scene->renderer, data->arena, data->wizard);
+    scene->court = game::make_court(*scene->renderer, *data);
     scene->duel.run(4000);
     return scene;
 }

@@ -1,0 +1,96 @@
+#include "game/hud/brew_picture.h"
+
+#include "game/cauldron/brew_pages.h"
+#include "game/cauldron/cauldron.h"
+#include "game/match/simulation.h"
+
+namespace thaum::game {
+namespace {
+
+/// Numbers of states: of one that moves by the match's clock, of one that rests by when it came to rest.
+constexpr std::uint64_t untouched = 1, at_rest = std::uint64_t{1} << 48U;
+
+void assign(std::span<const float> from, fluid::Samples& to) { to.assign(from.begin(), from.end()); }
+
+/// As the World has it: what computes it may be a step ahead.
+void take_state(const Simulation& match, const BrewWork& work, const Cauldron& cauldron, BrewPicture& out) {
+    const auto& fluid = work.brew.fluid;
+    const auto samples = [&](std::size_t array) {
+        return brew_samples(match.world(), cauldron.newest, fluid, array);
+    };
+    out.lattice = fluid.lattice;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        assign(samples(axis), out.velocity[axis]);
+        out.velocity_places[axis] = fluid.place(axis);
+    }
+    const auto& rules = *match.data().cauldron;
+    out.colours.base = fvec3(rules.colour);
+    for (std::size_t s = 0; s < out.densities.size(); ++s) {
+        out.densities[s].clear();
+        if (cauldron.what[s] >= rules.ingredients.size()) continue;
+        assign(samples(3 + s), out.densities[s]);
+        out.colours.substances[s] = fvec3(rules.ingredients[cauldron.what[s]].colour);
+    }
+    out.sheet = work.brew.sheet;
+}
+
+/// Of one that nobody has touched: nothing computes it yet.
+void take_still(const MatchData& data, BrewPicture& out) {
+    const auto& rules = *data.cauldron;
+    const auto basin = basin_of(data.arena.bowl->size, rules.filled);
+    const auto settings = brew_settings(rules, basin);
+    out.lattice = fluid::make_lattice(settings.cells, settings.h, settings.edges);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        out.velocity[axis] = fluid::make_samples(out.lattice);
+        out.velocity_places[axis] = fluid::face_place(axis);
+    }
+    for (auto& density : out.densities) density.clear();
+    out.colours.base = fvec3(rules.colour);
+    out.sheet = fluid::sheet_of(brew_surface(rules, basin));
+}
+
+void take_brew_of(const Simulation& match, const Cauldron& cauldron, BrewPicture& out) {
+    const auto* work = match.brew();
+    const bool moves = cauldron.under_way != 0 || cauldron.surface_asleep == 0;
+    const std::uint64_t state = work == nullptr ? untouched
+                                : moves         ? untouched + 1 + match.now()
+                                                : at_rest + cauldron.stepped;
+    if (state == out.state) return;
+    out.state = state;
+    work == nullptr ? take_still(match.data(), out) : take_state(match, *work, cauldron, out);
+}
+
+void take_ladles(const Simulation& match, CauldronPicture& out) {
+    constexpr vec3 hand{0.25, -0.35, -0.4};  // in the frame of the eye
+    out.ladles.fill(std::nullopt);
+    match.world().view<const Wizard, const Ladle, const Motion, const Grip>().each(
+        [&](const Wizard& wizard, const Ladle& ladle, const Motion& motion, const Grip& grip) {
+            const vec3 eye = eye_of(match.data().wizard, motion.position);
+            out.ladles[wizard.player] = {
+                .bowl = ladle.place,
+                .grip = eye + look_rotation(ladle.yaw, 0) * hand,
+                .force_share = glm::length(grip.servo.safety.output) / match.data().device.peak_force};
+        });
+}
+
+}  // namespace
+
+void take_cauldron(const Simulation& match, CauldronPicture& out) {
+    out.there = match.data().cauldron && match.world().count<Cauldron>() > 0;
+    if (!out.there) return;
+    const auto& cauldron = match.world().single<Cauldron>();
+    const auto& rules = *match.data().cauldron;
+    take_brew_of(match, cauldron, out.brew);
+    take_ladles(match, out);
+    for (std::size_t s = 0; s < out.contents.size(); ++s) {
+        const bool some = cauldron.what[s] < rules.ingredients.size();
+        out.contents[s] =
+            some ? std::string_view(rules.ingredients[cauldron.what[s]].name) : std::string_view();
+    }
+    out.owner = cauldron.owner;
+    out.mixing = cauldron.mixing;
+    const auto played = match.match().played, end = cauldron.begun + rules.spoils_after;
+    out.spoils_in_s = cauldron.begun != 0 && end > played ? seconds(end - played) : 0;
+}
+
+}  // namespace thaum::game
