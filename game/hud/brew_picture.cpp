@@ -2,6 +2,7 @@
 
 #include "game/cauldron/brew_pages.h"
 #include "game/cauldron/cauldron.h"
+#include "game/components/grip.h"
 #include "game/match/simulation.h"
 
 namespace thaum::game {

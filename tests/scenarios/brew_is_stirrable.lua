@@ -1,0 +1,52 @@
+-- The three figures by which the brew's weight is tuned: three gentle circles in 3 s bring it to 0.5 m/s; two substances are mixed to 0.5
+-- within 6 s of brisk stirring; and the current then carries a relaxed hand at 30 mm/s at the device.
+match {players = {"script", "script"}, set = {"haptics.share=1"}}
+clear_props()
+local me = wizard(1)
+wizard(2):place {15, 0, -15}
+local function fetch(x)
+    me:place {x, 0, 0}
+    wait(0.1)
+    me:place {-2.2, 0, 0}
+    me:hold("stir")
+    wait(0.2)
+    me:press("fire")
+    wait(0.1)
+end
+local hardest = 0
+-- Round the place where the hand rests: it begins at their near end.
+local function back(counts, period)
+    local metres = 1e-4 * counts * 1000 * period / (2 * math.pi)
+    me:stroke(0, -2)
+    wait(metres / 1e-4 / 2 / 1000)
+    me:stroke(0, 0)
+    wait(0.3)
+end
+local function circles(seconds, period, counts)
+    for i = 1, seconds * 1000 do
+        local a = 2 * math.pi * i / (1000 * period)
+        me:stroke(math.floor(counts * math.cos(a) + 0.5), math.floor(counts * math.sin(a) + 0.5))
+        tick()
+        hardest = math.max(hardest, length(me:force()))
+    end
+    me:stroke(0, 0)
+end
+trace("brew", {"1.force_x", "1.force_y", "1.force_z"})
+fetch(-4.5)
+me:release("stir")
+wait(0.1)
+fetch(4.5)
+wait(0.2)
+back(2, 1)
+hardest = 0
+circles(3, 1, 2)
+expect(brew().speed >= 0.5, "three gentle circles: " .. brew().speed)
+expect(hardest <= 1, "gentle: " .. hardest .. " N")
+circles(6, 0.8, 4)
+expect(brew().mixing >= 0.5, "mixed: " .. brew().mixing)
+local from = me:hand()
+me:hold("clutch")
+wait(0.4)
+local to = me:hand()
+local speed = length {to.x - from.x, to.y - from.y, to.z - from.z} / 0.4
+expect(speed >= 0.03, "carried: " .. 1000 * speed .. " mm/s")

@@ -1,0 +1,18 @@
+-- A brew that nobody touches stays asleep; one that was stirred falls asleep again, and then nothing of it changes.
+match {players = {"script", "script"}, set = {"cauldron.brew.viscosity_m2_s=0.2", "cauldron.surface.damping_per_s=20"}}
+clear_props()
+local me = wizard(1)
+wizard(2):place {15, 0, -15}
+me:place {-2.2, 0, 0}
+wait(1)
+expect(brew().asleep, "untouched")
+me:hold("stir")
+wait(0.2)
+me:stroke(2, 0)
+wait(0.2)
+me:stroke(0, 0)
+wait(0.2)
+expect(not brew().asleep, "stirred")
+me:release("stir")
+wait_until(function() return brew().asleep end, 30)
+expect(brew().speed == 0, "quite still")

@@ -1,0 +1,25 @@
+-- Twenty seconds after the first ingredient the brew boils over: ten of health and a push for who is at the rim, and it is pure again.
+match {players = {"script", "script"}}
+clear_props()
+local me, foe = wizard(1), wizard(2)
+foe:place {-2.2, 0, 1.5}
+me:place {-4.5, 0, 0}  -- ember
+wait(0.1)
+me:place {-2.2, 0, 0}
+me:hold("stir")
+wait(0.2)
+me:press("fire")
+wait(0.1)
+me:release("stir")
+expect_event {kind = "dropped", by = 1, within = 0.1}
+me:place {12, 0, 12}
+expect(brew().owner == 1)
+wait(19)
+expect(#brew().contents == 1 and foe:health() == 100)
+expect_event {kind = "boiled_over", within = 1.5}
+expect_near(foe:health(), 90, 1e-9, "who stood there")
+expect(me:health() == 100, "not who did not")
+wait(0.1)
+expect(length(foe:velocity()) > 2, "thrown back")
+expect(#brew().contents == 0, "pure again")
+expect(brew().owner == nil)

@@ -1,0 +1,74 @@
+-- Stirring in circles makes the brew turn that way, and the current carries the hand that lets go; the other way round it
+-- carries it the other way, and a stronger current carries with more force.
+match {players = {"script", "script"}, set = {"haptics.share=1"}}
+clear_props()
+local me = wizard(1)
+wizard(2):place {15, 0, -15}
+me:place {-2.2, 0, 0}
+trace("swirl", {"1.hand_x", "1.hand_y", "1.hand_z", "1.force_x", "1.force_y", "1.force_z"})
+
+-- Circles of the hand in the brew's plane; sense 1: to the right and then away.
+local function stir(seconds, sense, counts)
+    for i = 1, seconds * 1000 do
+        local a = 2 * math.pi * i / 1000
+        me:stroke(math.floor(sense * counts * math.cos(a) + 0.5), math.floor(counts * math.sin(a) + 0.5))
+        tick()
+    end
+    me:stroke(0, 0)
+end
+
+-- Of the whole brew about its middle, m/s half way out: positive from +z to +x.
+local function turning()
+    local m, sum = brew().middle, 0
+    for i = 0, 7 do
+        local a = i * math.pi / 4
+        local u = current {m.x + 0.65 * math.cos(a), m.y - 0.25, m.z + 0.65 * math.sin(a)}
+        sum = sum + u.x * math.sin(a) - u.z * math.cos(a)
+    end
+    return sum / 8
+end
+
+-- The hand is let go: how far the current takes the device's tip in 0.4 s, m, and the largest force on the way.
+local function drift()
+    local from, most = me:hand(), 0
+    me:hold("clutch")
+    for _ = 1, 400 do
+        tick()
+        most = math.max(most, length(me:force()))
+    end
+    me:release("clutch")
+    local to = me:hand()
+    return {x = to.x - from.x, z = to.z - from.z}, most
+end
+
+me:hold("stir")
+wait(0.3)
+expect(me:stirs())
+me:stroke(0, -2)  -- so that the circles go round where the hand rests
+wait(0.16)
+me:stroke(0, 0)
+wait(0.3)
+
+-- Whole circles, so that the hand is let go at the same place each time.
+local function run(seconds, sense, counts)
+    stir(seconds, sense, counts)
+    local swirl = turning()
+    local from = me:hand()
+    local way, force = drift()
+    -- Back to where it was let go.
+    me:stroke(0, 0)
+    return swirl, way, force
+end
+
+local swirl, way, force = run(2, 1, 1.2)
+expect(math.abs(swirl) > 0.1, "it turns")
+picture {name = "swirl"}
+local strong, strong_way, strong_force = run(3, 1, 2)
+expect(strong / swirl > 1.3, "faster")
+expect(strong_force > force, string.format("and so the current pulls harder: %.3f N, %.3f N", strong_force, force))
+expect(length {strong_way.x, 0, strong_way.z} > 0.03 * 0.4, "30 mm/s at the device at least")
+local back = run(6, -1, 2)
+expect(back * strong < 0, "stirred the other way it turns the other way")
+local _, back_way = run(1, -1, 2)
+expect(back_way.x * strong_way.x + back_way.z * strong_way.z < 0, "and carries the hand the other way")
+expect(me:created() <= 0.02, "passive forces have created no energy")

@@ -1,0 +1,31 @@
+-- A brew that is more than twice as viscous slows both who are within 5 m, to 0.75 of their pace.
+match {players = {"script", "script"}}
+clear_props()
+local me, foe = wizard(1), wizard(2)
+local function pace(who, x)
+    who:place {x, 0, 4}
+    who:face(0, 0)
+    wait(0.3)
+    who:move(1, 0)
+    wait(0.3)
+    local speed = length(who:velocity())
+    who:stop()
+    wait(0.3)
+    return speed
+end
+local usual = pace(me, -3)
+foe:place {15, 0, -15}
+me:place {7, 0, 0}  -- resin
+wait(0.1)
+me:place {2.2, 0, 0}
+me:hold("stir")
+wait(0.2)
+me:press("fire")
+wait(0.5)
+me:release("stir")
+wait(0.1)
+expect(brew().viscosity > 2, "thick: " .. brew().viscosity)
+expect_near(pace(me, -3) / usual, 0.75, 0.03)
+me:place {-12, 0, -4}
+expect_near(pace(foe, -3) / usual, 0.75, 0.03, "both")
+expect_near(pace(me, -12) / usual, 1, 0.03, "not from afar")

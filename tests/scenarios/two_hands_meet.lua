@@ -1,0 +1,19 @@
+-- Two ladles in one brew: what one stirs the other feels.
+match {players = {"script", "script"}, set = {"haptics.share=1"}}
+clear_props()
+local one, two = wizard(1), wizard(2)
+one:place {-2.2, 0, 0}
+two:place {2.2, 0, 0}
+one:hold("stir") two:hold("stir")
+wait(0.4)
+expect(one:stirs() and two:stirs())
+expect_near(length(two:force()), 0, 0.01, "at rest")
+trace("two", {"1.force_x", "1.force_z", "2.force_x", "2.force_z"})
+local felt = 0
+for i = 1, 2500 do
+    local a = 2 * math.pi * i / 1000
+    one:stroke(math.floor(3 * math.cos(a) + 0.5), math.floor(3 * math.sin(a) + 0.5))
+    tick()
+    felt = math.max(felt, length(two:force()))
+end
+expect(felt > 0.05, "the other's hand feels it: " .. felt)
