@@ -214,9 +214,7 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
 
 // ---- wall ----------------------------------------------------------------------------------------------------------
 
-bool has_wall(const FluidTouch& touch) {
-    return touch.modes.wall > 0 && touch.wall.radius > 0 && touch.wall.depth > 0;
-}
+bool has_wall(const FluidTouch& touch) { return touch.modes.wall > 0 && touch.wall.points >= 2; }
 
 /// Of the place P as it is, which is held in to `state.place`.
 void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3 velocity,
@@ -235,35 +233,39 @@ void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3
     add(feel, force, scale * touch.wall.stiffness * stretch * stretch / 2);
 }
 
-/// In a half plane through the axis, r outwards and y up from the centre: of a place outside an ellipse, the nearest one on it. That is
-/// (a^2 r / (t + a^2), b^2 y / (t + b^2)) with the one t > 0 at which it is on the ellipse, (a r / (t + a^2))^2 + (b y / (t + b^2))^2 = 1.
-/// Left of it that sum is convex and falls, so Newton's method, begun there, never passes it; of a circle the first t is right.
-vec2 foot_on_ellipse(double a, double b, double r, double y) {
-    constexpr int most_steps = 40;
-    const double a2 = a * a, b2 = b * b;
-    double t = std::max(0.0, std::sqrt(a2 * r * r + b2 * y * y) - std::max(a2, b2));
-    for (int i = 0; i < most_steps; ++i) {
-        const double p = a * r / (t + a2), q = b * y / (t + b2);
-        const double excess = p * p + q * q - 1;
-        const double next = t + excess / (2 * (p * p / (t + a2) + q * q / (t + b2)));
-        if (!(excess > 0) || !(next > t)) break;
-        t = next;
+/// In a half plane through the axis (r outwards, y up), of a place: the nearest one within the profile.
+vec2 held_in_profile(const BowlWall& wall, vec2 place) {
+    const std::size_t points = std::min<std::size_t>(wall.points, wall_points);
+    vec2 nearest = place;
+    double least = HUGE_VAL;
+    for (std::size_t i = 0; i + 1 < points; ++i) {
+        const vec2 from = wall.profile[i], way = wall.profile[i + 1] - from, off = place - from;
+        const double length2 = glm::dot(way, way);
+        const bool outside = -way.y * off.x + way.x * off.y > 0;
+        if (!outside || !(length2 > 0)) continue;
+        const double along = glm::dot(off, way) / length2;
+        // The first piece goes on, to the axis at most.
+        const double first = i != 0 ? 0 : way.x > 0 ? -from.x / way.x : -HUGE_VAL;
+        const vec2 foot = from + std::min(std::max(along, first), 1.0) * way;
+        const double distance2 = glm::dot(place - foot, place - foot);
+        if (!(distance2 < least)) continue;
+        least = distance2;
+        nearest = {std::max(0.0, foot.x), foot.y};
     }
-    return {a2 * r / (t + a2), b2 * y / (t + b2)};
+    return nearest;
 }
 
 }  // namespace
 
 vec3 held_in(const BowlWall& wall, vec3 place) {
-    if (!(wall.radius > 0) || !(wall.depth > 0) || !is_finite(place)) return place;
+    if (wall.points < 2 || !is_finite(place)) return place;
     const vec3 off = place - wall.centre;
     const double r = std::sqrt(off.x * off.x + off.z * off.z);
-    const vec2 share{r / wall.radius, std::min(off.y, 0.0) / wall.depth};
-    if (glm::dot(share, share) <= 1) return place;
-    const vec2 foot =
-        off.y >= 0 ? vec2(wall.radius, off.y) : foot_on_ellipse(wall.radius, wall.depth, r, off.y);
-    const double in = r > 0 ? foot.x / r : 0;
-    return wall.centre + vec3(in * off.x, foot.y, in * off.z);
+    const vec2 held = held_in_profile(wall, {r, off.y});
+    if (held == vec2(r, off.y)) return place;
+    const double in = r > 0 ? held.x / r : 0;
+    const vec3 result = wall.centre + vec3(in * off.x, held.y, in * off.z);
+    return is_finite(result) ? result : place;
 }
 
 vec3 to_bowl(const BowlFrame& frame, vec3 device) {

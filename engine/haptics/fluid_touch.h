@@ -28,10 +28,10 @@
 // challenges the hand, (2) alone guides it, (3) makes it fight the current until the flow has given way: section 7's modes.
 //
 // The flow comes in steps of 16 ticks, the hand feels each tick. Between what the two newest steps make of them, (1) to (3) go
-// linearly in time: a step makes 16 changes of 1/16 of its size, and is felt one step late. What the hand gives comes back in u after one to two
-// steps more, and a loop so late rings: at most (w_f viscous mu + w_r form rho) T / stirred_mass = 0.83 (with T 16 ms; the
-// hand held fast). All drags together are scaled down so that this stays below `loop_gain`, and their slope at the hand, s_f s_x
-// (w_v viscous mu + w_r form rho), below the device's own most damping less what the ladle's spring takes of it (at most half).
+// linearly in time: a step makes 16 changes of 1/16 of its size, and is felt one step late. What the hand gives comes back in u after
+// one to two steps more, and a loop so late rings: it fades while (w_f viscous mu + w_r form rho) T / stirred_mass < 0.83 (with T
+// 16 ms; the hand held fast). All drags together are scaled down so that this stays below `loop_gain`, and their slope at the hand,
+// s_f s_x (w_v viscous mu + w_r form rho), below the device's own most damping less what the ladle's spring takes of it (at most half).
 //
 // Energy (energy.h): the book is brought F u from the newest step's flow for (3), so what the lateness creates is seen by
 // it, and F dh for (4). (2) is within the budget of active sources.
@@ -77,9 +77,9 @@ struct BowlFrame {
 struct LadleDrag {
     double viscous{};  ///< m, >= 0
     double form{};     ///< m^3/s, >= 0
-    double
-        stirred_mass{};  ///< kg of fluid that a push moves: density over the kernel's peak (per m^3); 0: the flow does not
-                         ///< answer, and no loop limits the drag
+    /// kg of fluid that a push moves: its density over the peak of the push's kernel (per m^3), which for fluid::push with a radius r is
+    /// 32 pi / 105 r^3 times the density. 0: the flow does not answer, and no loop limits the drag.
+    double stirred_mass{};
     double height{};  ///< m, of the part that dips in: immersed is (h - P_y) / height of it; 0: all at once
 };
 
@@ -94,13 +94,18 @@ struct BrewSurface {
     std::uint32_t there{};   ///< 0: no surface; the ladle is immersed wherever it is
 };
 
-/// The places within: an ellipsoid of revolution below the centre's height, the upright cylinder on it above.
+inline constexpr std::size_t wall_points = 8;
+
+/// A bowl's inside: what lies within its profile turned about the upright axis. The profile goes from the rim down to the floor's middle
+/// on the axis and turns one way only, so that what is within is convex and has one nearest place to each. Its first piece goes on above
+/// the rim.
 struct BowlWall {
-    vec3 centre{};       ///< m, of the rim's circle
-    double radius{};     ///< m, there; 0: no wall
-    double depth{};      ///< m, > 0, from the rim's plane to the bottom; as the radius: a hemisphere
-    double stiffness{};  ///< N/m, >= 0
-    double damping{};    ///< N s/m, >= 0; what the device can render of it
+    vec3 centre{};  ///< m, on the axis
+    std::array<vec2, wall_points>
+        profile{};           ///< m: how far from the axis, and how high above the centre; the first `points`
+    std::uint64_t points{};  ///< below 2: no wall
+    double stiffness{};      ///< N/m, >= 0
+    double damping{};        ///< N s/m, >= 0; what the device can render of it
 };
 
 struct LadleMass {
@@ -124,7 +129,7 @@ struct FluidTouch {
     FlowPatch older{}, newer{};  ///< of the two newest steps
     std::uint64_t step_age{};    ///< ticks since `newer` came: 0 in the first
 };
-static_assert(sizeof(FluidTouch) == 43 * sizeof(double) + 2 * sizeof(FlowPatch), "no padding");
+static_assert(sizeof(FluidTouch) == 58 * sizeof(double) + 2 * sizeof(FlowPatch), "no padding");
 
 /// A fluid step has ended: `newest` becomes the newer of the two (both, if it is the first).
 void newest_step(FluidTouch& touch, const FlowPatch& newest);

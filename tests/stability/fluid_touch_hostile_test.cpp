@@ -126,8 +126,11 @@ void spoil(FluidTouch& touch, Random& random) {
     touch.number = random.below(3);
     touch.modes = {1, 1, 1, 1, 1, 1, 1};
     touch.ladle = {2, 4000, 40};
-    touch.wall = {.radius = 1.5, .depth = 1, .stiffness = 5000, .damping = 10};
+    touch.wall = bench::round_bowl(1.5, 1);
+    touch.wall.stiffness = 5000;
+    touch.wall.damping = 10;
     touch.surface = {.stiffness = 5000, .pop_through = 200, .cling = 40, .there = 1};
+    touch.wall.points = random.below(12);
     touch.surface.inside = static_cast<std::uint32_t>(random.below(2));
     for (double* value : {&touch.modes.viscosity,
                           &touch.modes.flow,
@@ -149,8 +152,8 @@ void spoil(FluidTouch& touch, Random& random) {
                           &touch.surface.pop_through,
                           &touch.surface.cling,
                           &touch.wall.centre.x,
-                          &touch.wall.radius,
-                          &touch.wall.depth,
+                          &touch.wall.profile[2].x,
+                          &touch.wall.profile[5].y,
                           &touch.wall.stiffness,
                           &touch.wall.damping,
                           &touch.ladle.mass,
@@ -179,7 +182,8 @@ TEST(FluidTouchHostile, NothingGetsThroughAndWhatIsSaneAgainIsFeltAgain) {
             ASSERT_TRUE(is_finite(force));
             ASSERT_LE(glm::length(force), servo.limits.cap * (1 + 1e-12));
             ASSERT_TRUE(is_finite(state.fluid.force) && std::isfinite(state.fluid.surface_force));
-            ASSERT_TRUE(is_finite(state.fluid.wall) && std::isfinite(state.fluid.flow_work));
+            ASSERT_TRUE(is_finite(state.fluid.place) && is_finite(state.fluid.wall) &&
+                        std::isfinite(state.fluid.flow_work));
             ASSERT_TRUE(std::isfinite(state.energy.created));
         }
         // Sane again. What was asked for repeatedly has shut it off, perhaps: armed anew.

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
-
+#include "core/hash.h"
 #include "core/random.h"
 #include "fluid/sheet.h"
 #include "unit/stirring_rig.h"
@@ -140,7 +139,7 @@ TEST(FluidTouch, WhatTheHandGetsTheFluidLoses) {
     const vec3 start = rig.tip.velocity;
     vec3 fluid_got{}, size{};
     for (int tick = 0; tick < 3000; ++tick, ++rig.fluid().step_age) {
-        const double much = tick / 16 / 200.0;
+        const double much = (tick - tick % 16) / 3200.0;
         if (tick % 16 == 0)
             newest_step(rig.fluid(),
                         uniform_flow(much * vec3(1, -0.5, 2), random.uniform(0, 5), random.uniform(0, 5)));
@@ -222,30 +221,44 @@ TEST(FluidTouch, AnOldModelGoesOnAsANewOneWould) {
 
 // ---- wall ----------------------------------------------------------------------------------------------------------
 
-TEST(FluidTouch, TheWallIsASpringToTheNearestPlaceInTheBowl) {
+/// m: how far a place is outside each piece of the profile, at most; below 0 within all.
+double outside_by(const BowlWall& wall, vec3 place) {
+    const vec3 off = place - wall.centre;
+    const vec2 at{std::sqrt(off.x * off.x + off.z * off.z), off.y};
+    double most = -HUGE_VAL;
+    for (std::size_t i = 0; i + 1 < wall.points; ++i) {
+        const vec2 way = glm::normalize(wall.profile[i + 1] - wall.profile[i]);
+        most = std::max(most, glm::dot(vec2(-way.y, way.x), at - wall.profile[i]));
+    }
+    return most;
+}
+
+TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
     Random random{4};
+    // The bowl of the court, whose inside is widest below its level; and half an ellipsoid.
+    BowlWall court{.points = 5};
+    court.profile = {vec2{1.265, 0}, {1.35, -0.31}, {1.2, -0.56}, {0.75, -0.73}, {0, -0.76}};
     for (int run = 0; run < 3000; ++run) {
-        const BowlWall wall{.centre = any_vector(random, 1),
-                            .radius = random.uniform(0.1, 2),
-                            .depth = run % 5 == 0 ? 0.05 : random.uniform(0.1, 2)};
-        const vec3 place = wall.centre + any_vector(random, run % 3 == 0 ? 100 : 3);
+        BowlWall wall = run % 2 == 0 ? court : bench::round_bowl(1.2, 0.7);
+        wall.centre = any_vector(random, 1);
+        const vec3 place = wall.centre + any_vector(random, run % 3 == 0 ? 30 : 1.5);
         const vec3 held = held_in(wall, place);
-        const auto level = [&wall](vec3 p) {
-            const vec3 off = p - wall.centre;
-            const double y = std::min(off.y, 0.0) / wall.depth;
-            return (off.x * off.x + off.z * off.z) / (wall.radius * wall.radius) + y * y;
-        };
-        if (level(place) <= 1) {
+        if (outside_by(wall, place) <= 0) {
             EXPECT_EQ(held, place);
             continue;
         }
-        EXPECT_NEAR(level(held), 1, 1e-12);
-        // Nearest: the way to it is the surface's normal.
-        const vec3 off = held - wall.centre;
-        const double a2 = wall.radius * wall.radius, b2 = wall.depth * wall.depth;
-        const vec3 normal = glm::normalize(vec3(off.x / a2, std::min(off.y, 0.0) / b2, off.z / a2));
-        EXPECT_NEAR(glm::dot(glm::normalize(place - held), normal), 1, 1e-9);
+        EXPECT_LE(std::abs(outside_by(wall, held)), 1e-12);
+        // Of a convex set the nearest place is the one from which none within lies nearer: (place - held) . (other - held) <= 0.
+        for (int other = 0; other < 30; ++other) {
+            const vec3 within = wall.centre + any_vector(random, 1.4);
+            if (outside_by(wall, within) > 0) continue;
+            EXPECT_LE(glm::dot(place - held, within - held), 1e-9);
+        }
     }
+    for (const vec3 place : {vec3(0, -50, 0), vec3(50, 0, 0), vec3(0, -1e9, 0)})
+        EXPECT_LE(std::abs(outside_by(court, held_in(court, place))), 1e-6);
+    court.points = 1;
+    EXPECT_EQ(held_in(court, {9, 9, 9}), vec3(9, 9, 9));
 }
 
 TEST(FluidTouch, AHandThatLeansOnTheBowlGoesInByForceOverStiffness) {
@@ -254,8 +267,9 @@ TEST(FluidTouch, AHandThatLeansOnTheBowlGoesInByForceOverStiffness) {
     rig.device = simulated_device(rig.spec, no_hand);
     rig.fluid().modes.wall = 1;
     rig.fluid().frame.origin = {};
-    rig.fluid().wall = {
-        .radius = 1.5, .depth = 1, .stiffness = 5000, .damping = 40};  // 312.5, 2.5 at the hand
+    rig.fluid().wall = bench::round_bowl(1.5, 1);
+    rig.fluid().wall.stiffness = 5000;  // 312.5, 2.5 at the hand
+    rig.fluid().wall.damping = 40;
     const vec3 out = in_device(rig.fluid(), glm::normalize(vec3(0.3, -1, 0.2)));
     rig.model.lean = {2.0 * out, 1};
     for (int tick = 0; tick < 6000; ++tick) rig.tick();
@@ -273,7 +287,8 @@ TEST(FluidTouch, TheWallNeverPulls) {
     StirringRig rig;
     rig.fluid().modes.wall = 1;
     rig.fluid().frame = {.metres_per_metre = 1, .newtons_per_newton = 1};
-    rig.fluid().wall = {.radius = 1, .depth = 1, .stiffness = 100, .damping = 20};
+    rig.fluid().wall = {
+        .profile = {vec2{1, 0}, {1, -1}, {0, -1}}, .points = 3, .stiffness = 100, .damping = 20};
     EXPECT_EQ(rig.feel_moving({0, -0.9, 0}, {0, -0.5, 0}), vec3(0));
     EXPECT_NEAR(rig.feel_moving({0, -1.1, 0}, {0, -0.5, 0}).y, 10 + 10, 1e-9);
     EXPECT_NEAR(rig.feel_moving({0, -1.1, 0}, {0, 0.25, 0}).y, 10 - 5, 1e-9);
@@ -431,7 +446,8 @@ TEST(FluidTouch, WithoutStrengthItIsAsIfThereWereNone) {
     StirringRig none, off;
     none.model.fluid = {};
     off.fluid().modes = no_modes();
-    off.fluid().wall = {.radius = 0.01, .depth = 0.01, .stiffness = 1e4};
+    off.fluid().wall = bench::round_bowl(0.01, 0.01);
+    off.fluid().wall.stiffness = 1e4;
     off.fluid().ladle = {1, 300, 3};
     off.fluid().surface = {.height = 1, .stiffness = 1e4, .pop_through = 1e4, .there = 1};
     Random random{6};
@@ -441,9 +457,9 @@ TEST(FluidTouch, WithoutStrengthItIsAsIfThereWereNone) {
             rig->model.tether = {.stiffness = 100, .damping = 1};
             rig->model.pulse = {{1, 0, 0}, 10, static_cast<std::uint32_t>(1 + tick / 50)};
         }
-        off.fluid().number = static_cast<std::uint64_t>(1 + tick / 7);
+        off.fluid().number = 1 + static_cast<std::uint64_t>(tick) / 7;
         ASSERT_EQ(none.feel_at(at), off.feel_at(at));
-        ASSERT_EQ(std::memcmp(&none.state, &off.state, sizeof(ServoState)), 0) << tick;
+        ASSERT_EQ(hash_value(none.state), hash_value(off.state)) << tick;
     }
 }
 
@@ -469,8 +485,7 @@ TEST(FluidTouch, WhatComesGoesOrJumpsIsASwitch) {
         EXPECT_EQ(rig.state.fluid.number, number);
         if (number == 0) {
             EXPECT_EQ(before, vec3(0));
-            const FluidTouchState nothing{};
-            EXPECT_EQ(std::memcmp(&rig.state.fluid, &nothing, sizeof nothing), 0);
+            EXPECT_EQ(hash_value(rig.state.fluid), hash_value(FluidTouchState{}));
         }
     }
     EXPECT_GT(largest, 0.2);

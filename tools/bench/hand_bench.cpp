@@ -149,8 +149,10 @@ haptics::HapticModel stirring_model(const StirLoad& load) {
     touch.drag = {.viscous = 10, .form = 1, .stirred_mass = 10, .height = 0.1};
     touch.surface = {
         .height = 0.01, .stiffness = 4000, .pop_through = 200, .cling = 40, .inside = 1, .there = 1};
-    touch.wall = {
-        .centre = {0.01, 0.1, 0.01}, .radius = 0.02, .depth = 0.11, .stiffness = 4000, .damping = 10};
+    touch.wall = round_bowl(0.02, 0.11);
+    touch.wall.centre = {0.01, 0.1, 0.01};
+    touch.wall.stiffness = 4000;
+    touch.wall.damping = 10;
     touch.ladle = {.mass = 1.5, .stiffness = 4000, .damping = 20};
     return model;
 }

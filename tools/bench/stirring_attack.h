@@ -20,6 +20,16 @@ inline haptics::FlowPatch uniform_flow(vec3 velocity, double viscosity, double d
     return patch;
 }
 
+/// Half an ellipsoid in as many pieces as there are, its rim at the origin's height.
+inline haptics::BowlWall round_bowl(double radius, double depth) {
+    haptics::BowlWall wall{.points = haptics::wall_points};
+    for (std::size_t i = 0; i < haptics::wall_points; ++i) {
+        const double angle = pi / 2 * static_cast<double>(i) / (haptics::wall_points - 1);
+        wall.profile[i] = {radius * det::cos(angle), -depth * det::sin(angle)};
+    }
+    return wall;
+}
+
 struct StirredWorld {
     haptics::FluidModes modes{};  ///< passive ones; viscosity only where the flow rests
     double flow{};                ///< m/s, as much at most along each axis, another one in each step
@@ -51,10 +61,9 @@ public:
                        .metres_per_metre = metres_per_metre,
                        .newtons_per_newton = newtons_per_newton};
         touch.drag = {.viscous = 4 / felt, .form = 1.5 / felt, .stirred_mass = 10, .height = 0.2};
-        touch.wall = {.radius = 0.5,
-                      .depth = 0.4,
-                      .stiffness = stiffness_ / felt,
-                      .damping = spec.max_damping / 2 / felt};
+        touch.wall = round_bowl(0.5, 0.4);
+        touch.wall.stiffness = stiffness_ / felt;
+        touch.wall.damping = spec.max_damping / 2 / felt;
         touch.ladle = {.mass = ladle_mass / felt, .stiffness = stiffness_ / 2 / felt, .damping = 2 / felt};
         settings_.contact = stiffness_ / felt;
         sheet_ = sheet_of(settings_);
