@@ -71,27 +71,26 @@ void lift_row(const fluid::Samples& samples, const fluid::Lattice& lattice, std:
     }
 }
 
-/// 1/m; as at the sides beyond them.
-fvec3 gradient(const float* of, const Box& box, std::size_t i, std::size_t j, std::size_t k,
-               float per_two_h) {
-    const auto at = [&](std::size_t x, std::size_t y, std::size_t z) { return of[box.row(y, z) + x]; };
-    const auto before = [](std::size_t n) { return n == 0 ? 0 : n - 1; };
-    return per_two_h * fvec3(at(std::min(i + 1, box.x - 1), j, k) - at(before(i), j, k),
-                             at(i, std::min(j + 1, box.y - 1), k) - at(i, before(j), k),
-                             at(i, j, std::min(k + 1, box.z - 1)) - at(i, j, before(k)));
+/// The same hues with less white in them, since the tone curve makes pale what shines; and as bright as `lit` says.
+void shine(std::span<const float> lit, Rows& colours) {
+    auto& [r, g, b] = colours;
+    for (std::size_t i = 0; i < lit.size(); ++i) {
+        const float most = std::max(std::max(r[i], g[i]), std::max(b[i], 1e-12F));
+        const float plain = 0.25F * lit[i], pure = 0.75F * lit[i] / most;
+        r[i] *= plain + pure * r[i];
+        g[i] *= plain + pure * g[i];
+        b[i] *= plain + pure * b[i];
+    }
 }
 
-/// The same hue with less white in it: the tone curve makes pale what shines.
-fvec3 vivid(fvec3 c) {
-    const float most = std::max({c.r, c.g, c.b});
-    return most > 0 ? c * (0.25F + 0.75F * c / most) : c;
-}
-
-/// What a side of a cloud that faces the light gives more, and one that faces away less.
-float lit_by(fvec3 slope) {
-    const float square = glm::dot(slope, slope);
-    if (!(square > 1e-8F)) return 1;
-    return 1 - relief * glm::dot(slope, towards_light) / std::max(std::sqrt(square), steepest);
+/// 0 to 1 as 0 to 255, square roots of it where that is asked for; no number counts as 0.
+template <bool root>
+void to_bytes(std::span<const float> shares, float times, std::span<int> out) {
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const float share = times * shares[i] > 0 ? times * shares[i] : 0.0F;
+        const float shown = root ? std::sqrt(share) : share;
+        out[i] = static_cast<int>((shown < 1 ? shown : 1.0F) * 255 + 0.5F);
+    }
 }
 
 /// The densities of all substances as they are seen, one box after the other, then their sum, at most 1.
@@ -119,6 +118,25 @@ void find_layer(const BrewPicture& picture, const BrewPlace& place, std::size_t 
     }
 }
 
+/// The light of one row. A side of a cloud that faces the light gives more, and one that faces away less.
+void light_row(const Seen& seen, std::size_t j, std::size_t k, float per_two_h, const float* column_light,
+               std::span<float> out) {
+    const auto& box = seen.box;
+    const auto row = [&](std::size_t y, std::size_t z) { return seen.sum() + box.row(y, z); };
+    // As at the sides beyond them.
+    const auto before = [](std::size_t n) { return n == 0 ? 0 : n - 1; };
+    const float *here = row(j, k), *below = row(before(j), k), *above = row(std::min(j + 1, box.y - 1), k),
+                *behind = row(j, before(k)), *ahead = row(j, std::min(k + 1, box.z - 1));
+    for (std::size_t i = 0; i < box.x; ++i) {
+        const float x = per_two_h * (here[std::min(i + 1, box.x - 1)] - here[before(i)]),
+                    y = per_two_h * (above[i] - below[i]), z = per_two_h * (ahead[i] - behind[i]);
+        const float length = std::sqrt(x * x + y * y + z * z);
+        const float towards = x * towards_light.x + y * towards_light.y + z * towards_light.z;
+        out[i] = column_light[i] * glm::mix(base_light, substance_light, here[i]) *
+                 (1 - relief * towards / std::max(length, steepest));
+    }
+}
+
 /// A sheet's heights, slopes and speed between its nodes.
 struct SheetPoint {
     float height{}, slope_x{}, slope_z{}, speed{};
@@ -137,20 +155,32 @@ SheetPoint node(const fluid::Sheet& sheet, std::size_t x, std::size_t z) {
             static_cast<float>(std::abs(sheet.velocity[fluid::sheet_index(s, x, z)]))};
 }
 
+/// Of all nodes, row by row along x; none of a sheet at rest.
+std::vector<SheetPoint> nodes_of(const fluid::Sheet& sheet) {
+    std::vector<SheetPoint> out;
+    if (sheet.asleep != 0 || sheet.height.empty()) return out;
+    for (std::size_t z = 0; z < sheet.settings.nodes; ++z) {
+        for (std::size_t x = 0; x < sheet.settings.nodes; ++x) {
+            const auto n = node(sheet, x, z);
+            const bool is_one = std::isfinite(n.height + n.slope_x + n.slope_z + n.speed);
+            out.push_back(is_one ? n : SheetPoint{});
+        }
+    }
+    return out;
+}
+
 /// `from` the middle of the sheet, m; beyond its sides as at the nearest place.
-SheetPoint point(const fluid::Sheet& sheet, vec2 from) {
-    if (sheet.asleep != 0 || sheet.height.empty()) return {};
-    const auto& s = sheet.settings;
-    const double last = s.nodes - 1;
-    const vec2 at = glm::clamp((from + s.side / 2) / fluid::sheet_spacing(s), vec2(0), vec2(last));
-    const auto x = std::min(static_cast<std::size_t>(at.x), static_cast<std::size_t>(s.nodes - 2)),
-               z = std::min(static_cast<std::size_t>(at.y), static_cast<std::size_t>(s.nodes - 2));
+SheetPoint point(const fluid::SheetSettings& s, std::span<const SheetPoint> nodes, vec2 from) {
+    if (nodes.empty()) return {};
+    const vec2 at = glm::clamp((from + s.side / 2) / fluid::sheet_spacing(s), vec2(0), vec2(s.nodes - 1));
+    const auto x = std::min(static_cast<std::size_t>(at.x), std::size_t{s.nodes} - 2),
+               z = std::min(static_cast<std::size_t>(at.y), std::size_t{s.nodes} - 2);
     const auto px = static_cast<float>(at.x - static_cast<double>(x)),
                pz = static_cast<float>(at.y - static_cast<double>(z));
     SheetPoint sum;
     for (const std::size_t j : {0U, 1U}) {
         for (const std::size_t i : {0U, 1U}) {
-            const auto n = node(sheet, x + i, z + j);
+            const auto& n = nodes[(z + j) * s.nodes + x + i];
             const float weight = (i == 0 ? 1 - px : px) * (j == 0 ? 1 - pz : pz);
             sum.height += weight * n.height;
             sum.slope_x += weight * n.slope_x;
@@ -158,8 +188,7 @@ SheetPoint point(const fluid::Sheet& sheet, vec2 from) {
             sum.speed += weight * n.speed;
         }
     }
-    const bool is_one = std::isfinite(sum.height + sum.slope_x + sum.slope_z + sum.speed);
-    return is_one ? sum : SheetPoint{};
+    return sum;
 }
 
 /// Where the surface tears: it is steep, or it snaps back.
@@ -171,11 +200,10 @@ float foam_of(const SheetPoint& p) {
 /// m, of the level surface.
 double surface_radius(const BrewPlace& place) { return width_at(place.basin, 0); }
 
-render::SkinVertex skin_vertex(const fluid::Sheet& sheet, const BrewPlace& place, double out, double angle) {
-    const vec2 from(out * std::cos(angle), -out * std::sin(angle));
-    const auto p = point(sheet, from);
+render::SkinVertex skin_vertex(const SheetPoint& p, const BrewPlace& place, vec2 from) {
     // A ring of foam hangs on the wall.
-    const float rim = rim_foam * smooth(0.93F, 0.99F, static_cast<float>(out / surface_radius(place)));
+    const float rim =
+        rim_foam * smooth(0.93F, 0.99F, static_cast<float>(glm::length(from) / surface_radius(place)));
     return {.position = fvec3(place.middle + vec3(from.x, p.height, from.y)),
             .normal = glm::normalize(fvec3(-p.slope_x, 1, -p.slope_z)),
             .foam = std::max(foam_of(p), rim)};
@@ -183,30 +211,63 @@ render::SkinVertex skin_vertex(const fluid::Sheet& sheet, const BrewPlace& place
 
 }  // namespace
 
-fvec3 mixed(const BrewColours& colours, std::span<const float> densities) {
-    fvec3 sum(0);
-    float all = 0, most = 0;
-    for (std::size_t s = 0; s < std::min(densities.size(), colours.substances.size()); ++s) {
-        const float density = std::max(densities[s], 0.0F);
-        sum += density * colours.substances[s];
-        all += density;
-        most = std::max(most, density);
-    }
-    if (!(most > 0)) return colours.base;
-    return glm::mix(colours.base, sum / most, std::min(all, 1.0F));
-}
-
-render::Texel texel_of(fvec3 light, float brightest, float cover) {
-    // No number counts as 0.
-    const auto share = [](float v) { return v > 0 ? std::min(v, 1.0F) : 0.0F; };
-    const auto byte = [&](float v) { return static_cast<std::uint8_t>(share(v) * 255 + 0.5F); };
-    const auto root = [&](float v) { return byte(std::sqrt(share(v / brightest))); };
-    return {root(light.r), root(light.g), root(light.b), byte(cover)};
-}
-
 vec3 corner_of(const BrewPicture& picture, const BrewPlace& place) {
     return {-place.basin.radius, -picture.lattice.h * picture.lattice.cells[1], -place.basin.radius};
 }
+
+void mix(const BrewColours& colours, const Rows& densities, Rows& out) {
+    const std::size_t count = densities[0].size();
+    const float *a = densities[0].data(), *b = densities[1].data(), *c = densities[2].data();
+    for (int channel = 0; channel < 3; ++channel) {
+        const auto of = [&](std::size_t s) { return colours.substances[s][channel]; };
+        const float base = colours.base[channel], of_a = of(0), of_b = of(1), of_c = of(2);
+        auto& row = out[static_cast<std::size_t>(channel)];
+        row.resize(count);
+        float* to = row.data();
+        for (std::size_t i = 0; i < count; ++i) {
+            const float most = std::max(std::max(a[i], b[i]), std::max(c[i], 1e-20F));
+            const float all = std::min(a[i] + b[i] + c[i], 1.0F);
+            to[i] = base + all * ((a[i] * of_a + b[i] * of_b + c[i] * of_c) / most - base);
+        }
+    }
+}
+
+namespace {
+
+/// Memory for one row of texels.
+struct RowMemory {
+    std::vector<Column> columns;
+    std::vector<float> lit, cover;
+    Rows densities, colours;
+    std::array<std::vector<int>, 4> bytes;
+
+    explicit RowMemory(std::size_t n) : columns(n), lit(n), cover(n) {
+        for (auto& row : densities) row.resize(n);
+        for (auto& row : bytes) row.resize(n);
+    }
+};
+
+void make_row(const Seen& seen, const BrewColours& colours, std::size_t j, std::size_t k, float per_two_h,
+              const float* column_light, RowMemory& memory, render::Texel* out) {
+    const auto row = seen.box.row(j, k);
+    light_row(seen, j, k, per_two_h, column_light, memory.lit);
+    for (std::size_t s = 0; s < Seen::count; ++s)
+        std::copy_n(seen.density(s) + row, seen.box.x, memory.densities[s].begin());
+    mix(colours, memory.densities, memory.colours);
+    shine(memory.lit, memory.colours);
+    for (std::size_t i = 0; i < seen.box.x; ++i)
+        memory.cover[i] = glm::mix(base_cover, 1.0F, seen.sum()[row + i]);
+    for (std::size_t c = 0; c < 3; ++c)
+        to_bytes<true>(memory.colours[c], 1 / brew_brightest, memory.bytes[c]);
+    to_bytes<false>(memory.cover, 1, memory.bytes[3]);
+    const auto& [r, g, b, a] = memory.bytes;
+    for (std::size_t i = 0; i < seen.box.x; ++i) {
+        out[i] = {static_cast<std::uint8_t>(r[i]), static_cast<std::uint8_t>(g[i]),
+                  static_cast<std::uint8_t>(b[i]), static_cast<std::uint8_t>(a[i])};
+    }
+}
+
+}  // namespace
 
 void make_texels(const BrewPicture& picture, const BrewPlace& place, std::vector<float>& scratch,
                  std::vector<render::Texel>& out) {
@@ -214,26 +275,17 @@ void make_texels(const BrewPicture& picture, const BrewPlace& place, std::vector
     scratch.assign((Seen::count + 1) * box.size(), 0.0F);
     out.resize(box.size());
     const Seen seen{box, scratch};
-    std::vector<Column> columns(box.x);
+    RowMemory memory(box.x);
     std::vector<float> light(box.x * box.z);
     for (std::size_t k = 0; k < box.z; ++k) {
-        find_columns(picture, place, k, columns);
-        for (std::size_t i = 0; i < box.x; ++i) light[k * box.x + i] = columns[i].light;
-        for (std::size_t j = 0; j < box.y; ++j) find_layer(picture, place, j, k, columns, seen);
+        find_columns(picture, place, k, memory.columns);
+        for (std::size_t i = 0; i < box.x; ++i) light[k * box.x + i] = memory.columns[i].light;
+        for (std::size_t j = 0; j < box.y; ++j) find_layer(picture, place, j, k, memory.columns, seen);
     }
     const auto per_two_h = static_cast<float>(0.5 / picture.lattice.h);
     for (std::size_t k = 0; k < box.z; ++k) {
-        for (std::size_t j = 0; j < box.y; ++j) {
-            for (std::size_t i = 0; i < box.x; ++i) {
-                const auto n = box.row(j, k) + i;
-                const float all = seen.sum()[n];
-                const float shine = light[k * box.x + i] * glm::mix(base_light, substance_light, all) *
-                                    lit_by(gradient(seen.sum(), box, i, j, k, per_two_h));
-                const std::array here{seen.density(0)[n], seen.density(1)[n], seen.density(2)[n]};
-                out[n] = texel_of(shine * vivid(mixed(picture.colours, here)), brew_brightest,
-                                  glm::mix(base_cover, 1.0F, all));
-            }
-        }
+        for (std::size_t j = 0; j < box.y; ++j)
+            make_row(seen, picture.colours, j, k, per_two_h, &light[k * box.x], memory, &out[box.row(j, k)]);
     }
 }
 
@@ -252,13 +304,21 @@ void make_skin_indices(std::vector<std::uint32_t>& out) {
 }
 
 void make_skin(const fluid::Sheet& sheet, const BrewPlace& place, std::vector<render::SkinVertex>& out) {
-    out.clear();
     // A little into the wall, so that no gap is seen.
     const double drawn = 1.02 * surface_radius(place);
-    out.push_back(skin_vertex(sheet, place, 0, 0));
+    const auto nodes = nodes_of(sheet);
+    const auto add = [&](vec2 from) {
+        out.push_back(skin_vertex(point(sheet.settings, nodes, from), place, from));
+    };
+    std::array<vec2, sectors> ways;
+    for (int sector = 0; sector < sectors; ++sector) {
+        const double angle = 2 * pi * sector / sectors;
+        ways[static_cast<std::size_t>(sector)] = {std::cos(angle), -std::sin(angle)};
+    }
+    out.clear();
+    add(vec2(0));
     for (int ring = 1; ring <= rings; ++ring) {
-        for (int sector = 0; sector < sectors; ++sector)
-            out.push_back(skin_vertex(sheet, place, drawn * ring / rings, 2 * pi * sector / sectors));
+        for (const vec2 way : ways) add(drawn * ring / rings * way);
     }
 }
 

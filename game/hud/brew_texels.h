@@ -7,13 +7,13 @@ namespace thaum::game {
 /// m, brew's frame: where the box of cells begins, which fills the basin's width and stands with its lid on the level.
 vec3 corner_of(const BrewPicture& picture, const BrewPlace& place);
 
-/// The colour of a place by what is in it: light of the substances there is added, weighted by density, as bright as the
-/// brightest of them is alone; what is less than density 1 in all leaves the rest to the base. Red and green in equal
-/// parts are yellow. Densities below 0 count as 0.
-fvec3 mixed(const BrewColours& colours, std::span<const float> densities);
+/// Numbers of a row of places, by channel or by substance.
+using Rows = std::array<std::vector<float>, 3>;
 
-/// Light of a texel as render::Texel has it, of `brightest`.
-render::Texel texel_of(fvec3 light, float brightest, float cover);
+/// The colours of places by what is in them: light of the substances there is added, weighted by density, as bright as the
+/// densest of them is alone; what is less than density 1 in all leaves the rest to the base. Red and green in equal
+/// parts are yellow. Densities are not below 0; all rows are as long.
+void mix(const BrewColours& colours, const Rows& densities, Rows& out);
 
 inline constexpr float brew_brightest = 6;  ///< light of a full texel
 
