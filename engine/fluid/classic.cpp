@@ -63,11 +63,6 @@ void fill_border(const Lattice& lattice, const Border& border, Samples& samples)
     }
 }
 
-void fill_velocity_borders(Fluid& fluid) {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        fill_border(fluid.lattice, border_of_velocity(fluid.settings, axis), fluid.now.velocity[axis]);
-}
-
 /// x = (source + share * sum of the six neighbours) / (1 or 0 + 6 share), by Gauss-Seidel: each cell in turn from what stands there.
 /// `own` is 1 for diffusion, 0 for pressure.
 void relax(const Lattice& lattice, const Border& border, int sweeps, float own, float share,
@@ -135,7 +130,7 @@ void project(Fluid& fluid, ClassicScratch& scratch) {
     std::ranges::fill(fluid.now.pressure, 0.0F);
     relax(fluid.lattice, border_of_scalar(), fluid.settings.sweeps, 0, 1, scratch.source, fluid.now.pressure);
     subtract_gradient(fluid, fluid.now.pressure);
-    fill_velocity_borders(fluid);
+    classic_fill(fluid);
 }
 
 /// A place between eight cells.
@@ -218,7 +213,7 @@ void carry_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             to[axis][cell] = sample(fluid.lattice, from, scratch.before[axis]);
     });
-    fill_velocity_borders(fluid);
+    classic_fill(fluid);
 }
 
 void carry_substance(Fluid& fluid, Samples& substance, ClassicScratch& scratch, double dt) {
@@ -269,7 +264,7 @@ void add_buoyancy(Fluid& fluid, double dt) {
 void add_forces(Fluid& fluid, double dt) {
     add_pushes(fluid.now);
     add_buoyancy(fluid, dt);
-    fill_velocity_borders(fluid);
+    classic_fill(fluid);
 }
 
 void diffuse_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
@@ -298,6 +293,11 @@ void prepare(const Lattice& lattice, ClassicScratch& scratch) {
 }
 
 }  // namespace
+
+void classic_fill(Fluid& fluid) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        fill_border(fluid.lattice, border_of_velocity(fluid.settings, axis), fluid.now.velocity[axis]);
+}
 
 void classic_carry_substances(Fluid& fluid, ClassicScratch& scratch, double dt) {
     prepare(fluid.lattice, scratch);

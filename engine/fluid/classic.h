@@ -24,6 +24,9 @@ struct ClassicScratch {
 /// By dt seconds, > 0, in one step. Of the ghosts it reads and writes those next to the box.
 StepReport classic_step(Fluid& fluid, ClassicScratch& scratch, double dt);
 
+/// Writes the velocity's ghosts next to the box.
+void classic_fill(Fluid& fluid);
+
 /// The substances' part alone, by the velocity that stands there.
 void classic_carry_substances(Fluid& fluid, ClassicScratch& scratch, double dt);
 

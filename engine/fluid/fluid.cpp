@@ -184,8 +184,10 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
     const bool poured = add_smoothly(fluid, place, std::max(radius, 1.5 * fluid.lattice.h), total, vec3(0.5),
                                      fluid.now.substances[substance],
                                      [&](vec3, std::size_t at) { return holds_fluid(fluid, at); });
-    if (poured) fluid.now.asleep = false;
-    return poured;
+    if (!poured) return false;
+    fill_ghosts(fluid.lattice, evenly, fluid.now.substances[substance]);
+    fluid.now.asleep = false;
+    return true;
 }
 
 StepReport advance(Fluid& fluid, double dt) {
@@ -219,8 +221,7 @@ void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity) {
             const vec3 value = velocity(fluid.lattice.h * (cell + fluid.place(axis)));
             fluid.now.velocity[axis][at] = static_cast<float>(value[static_cast<int>(axis)]);
         });
-    if (fluid.work->staggered) fluid.work->staggered->fill(fluid.settings, fluid.now.velocity);
-    fluid.now.asleep = false;
+    altered(fluid);
 }
 
 void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density) {
@@ -229,6 +230,16 @@ void set_substance(Fluid& fluid, std::size_t substance, const std::function<doub
         fluid.now.substances[substance][at] =
             static_cast<float>(holds_fluid(fluid, at) ? std::max(value, 0.0) : 0.0);
     });
+    altered(fluid);
+}
+
+void altered(Fluid& fluid) {
+    if (fluid.work->staggered)
+        fluid.work->staggered->fill(fluid.settings, fluid.now.velocity);
+    else
+        classic_fill(fluid);
+    fill_ghosts(fluid.lattice, evenly, fluid.now.pressure);
+    for (Samples& substance : fluid.now.substances) fill_ghosts(fluid.lattice, evenly, substance);
     fluid.now.asleep = false;
 }
 

@@ -1,0 +1,273 @@
+#include "fluid/saved.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/hash.h"
+#include "core/text.h"
+
+namespace thaum::fluid {
+namespace {
+
+constexpr std::uint64_t magic = 0x756c666d75616874;  // "thaumflu" as it lies in the file
+constexpr std::size_t head_size = 20;                // magic, version, length
+constexpr std::size_t hash_size = 8;
+constexpr std::size_t shape_numbers_most = 16;
+constexpr std::size_t shape_name_most = 32;
+
+// What no fluid comes to by any push, and what still has a square in float.
+constexpr double sample_most = 1e18;
+constexpr double height_most = 1e6;      // m
+constexpr double node_speed_most = 1e9;  // m/s
+
+// ---- what is in the body, listed once for both ways ----------------------------------------------------------------
+
+template <class S, class F>
+void each_setting(S& s, F&& f) {
+    f(s.solver), f(s.h), f(s.order), f(s.sweeps);
+    f(s.viscosity), f(s.lid), f(s.solid_holds);
+    for (auto& cells : s.cells) f(cells);
+    for (auto& edge : s.edges) f(edge);
+    for (int axis = 0; axis < 3; ++axis) f(s.gravity[axis]);
+}
+
+template <class S, class F>
+void each_number(S& s, F&& f) {
+    f(s.viscosity), f(s.weight), f(s.diffusion);
+}
+
+template <class S, class F>
+void each_sheet_setting(S& s, F&& f) {
+    f(s.nodes), f(s.rim), f(s.side), f(s.tension), f(s.shear), f(s.areal_mass), f(s.level), f(s.damping);
+    f(s.contact), f(s.pop_through), f(s.cling), f(s.reach), f(s.still), f(s.most_steps);
+}
+
+/// Calls with each of a state's samples and its name.
+template <class S, class F>
+void each_samples(S& now, F&& f) {
+    constexpr std::array along{"x", "y", "z"};
+    for (std::size_t axis = 0; axis < 3; ++axis) f(now.velocity[axis], text("velocity along ", along[axis]));
+    for (std::size_t axis = 0; axis < 3; ++axis) f(now.push[axis], text("push along ", along[axis]));
+    f(now.pressure, std::string("pressure"));
+    for (std::size_t i = 0; i < now.substances.size(); ++i) f(now.substances[i], text("substance ", i + 1));
+}
+
+/// Calls with the first node of each row.
+template <class F>
+void each_node_row(const SheetSettings& s, F&& f) {
+    for (std::size_t z = 0; z < s.nodes; ++z) f(sheet_index(s, 0, z));
+}
+
+// ---- out -----------------------------------------------------------------------------------------------------------
+
+template <class T>
+std::span<const std::byte> row_bytes(const T* first, std::size_t count) {
+    return std::as_bytes(std::span(first, count));
+}
+
+void put_fluid(const Fluid& fluid, ByteWriter& out) {
+    each_setting(fluid.settings, [&](const auto& value) { out.put(value); });
+    out.put(static_cast<std::uint32_t>(fluid.settings.substances.size()));
+    for (const Substance& s : fluid.settings.substances)
+        each_number(s, [&](double value) { out.put(value); });
+    out.put(fluid.now.pushed);
+    out.put(fluid.now.asleep);
+    const auto wide = static_cast<std::size_t>(fluid.lattice.cells[0]);
+    each_samples(fluid.now, [&](const Samples& samples, const std::string&) {
+        each_row(fluid.lattice, [&](std::ptrdiff_t at) {
+            out.put_bytes(row_bytes(&samples[static_cast<std::size_t>(at)], wide));
+        });
+    });
+}
+
+void put_sheet(const Sheet& sheet, ByteWriter& out) {
+    each_sheet_setting(sheet.settings, [&](const auto& value) { out.put(value); });
+    for (const std::uint32_t inside : sheet.inside) out.put(inside);
+    out.put(sheet.asleep);
+    for (const auto* nodes : {&sheet.height, &sheet.velocity})
+        each_node_row(sheet.settings,
+                      [&](std::size_t at) { out.put_bytes(row_bytes(&(*nodes)[at], sheet.settings.nodes)); });
+}
+
+// ---- in ------------------------------------------------------------------------------------------------------------
+
+tl::unexpected<Error> wrong(std::string_view what) { return fail(text("saved fluid: ", what)); }
+tl::unexpected<Error> ends_within(std::string_view what) { return wrong(text("it ends within ", what)); }
+
+/// The body, where all that is around it is right.
+Expected<std::span<const std::byte>> opened(std::span<const std::byte> bytes) {
+    ByteReader in(bytes);
+    const auto begins = in.get<std::uint64_t>();
+    if (in.ok() && begins != magic) return wrong("this is none");
+    const auto version = in.get<std::uint32_t>();
+    if (in.ok() && version != saved_version)
+        return wrong(text("it has version ", version, "; this program reads version ", saved_version));
+    const auto length = in.get<std::uint64_t>();
+    if (!in.ok()) return wrong(text("cut off after ", bytes.size(), " bytes"));
+    const std::size_t after = in.left();
+    if (after < hash_size || length > after - hash_size)
+        return wrong(text("cut off: its body has ", length, " bytes, but ", after, " bytes follow"));
+    if (length < after - hash_size) return wrong("something follows its end");
+    const auto body = in.get_bytes(length);
+    if (in.get<std::uint64_t>() != hash_bytes(bytes.first(head_size + length)))
+        return wrong("damaged: its checksum is another one");
+    return body;
+}
+
+Expected<Shape> get_shape(ByteReader& in) {
+    Shape shape{.name = in.get_string()};
+    const auto is_of_name = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
+    if (shape.name.size() > shape_name_most || !std::ranges::all_of(shape.name, is_of_name))
+        return wrong("its shape has no name that could be one");
+    const auto count = in.get<std::uint32_t>();
+    if (in.ok() && count > shape_numbers_most)
+        return wrong(text("a shape of ", count, " numbers; there are at most ", shape_numbers_most));
+    for (std::uint32_t i = 0; i < count && in.ok(); ++i) shape.numbers.push_back(in.get<double>());
+    if (!in.ok()) return ends_within("the shape");
+    return shape;
+}
+
+Expected<Settings> get_settings(ByteReader& in) {
+    Settings settings;
+    each_setting(settings, [&](auto& value) { value = in.get<std::remove_cvref_t<decltype(value)>>(); });
+    const auto count = in.get<std::uint32_t>();
+    if (!in.ok()) return ends_within("the settings");
+    if (settings.solver > Solver::classic) return wrong("no solver has that number");
+    if (std::ranges::any_of(settings.edges, [](Edge edge) { return edge > Edge::no_slip; }))
+        return wrong("no edge has that number");
+    if (count > substances_most)
+        return wrong(text(count, " substances; there are at most ", substances_most));
+    settings.substances.resize(count);
+    for (Substance& s : settings.substances) each_number(s, [&](double& value) { value = in.get<double>(); });
+    if (!in.ok()) return ends_within("the substances");
+    return settings;
+}
+
+/// Are there as many samples as the settings say? Asked before there is room for them.
+bool fits(const Settings& settings, std::size_t left) {
+    std::size_t values = 7 + settings.substances.size();
+    for (const int cells : settings.cells) {
+        if (cells < 1 || cells > cells_most) return true;  // make_fluid tells
+        values *= static_cast<std::size_t>(cells);
+    }
+    return values * sizeof(float) <= left;
+}
+
+/// The first fault of one field of samples.
+std::string fault_of(const Lattice& lattice, const Samples& samples, bool of_substance) {
+    bool finite = true, sound = true;
+    each_row(lattice, [&](std::ptrdiff_t at) {
+        for (std::ptrdiff_t i = at; i < at + lattice.cells[0]; ++i) {
+            const double value = samples[static_cast<std::size_t>(i)];
+            finite = finite && std::isfinite(value);
+            sound = sound && std::abs(value) <= sample_most && (!of_substance || value >= 0);
+        }
+    });
+    if (!finite) return "a value is not finite";
+    return sound ? "" : "a value that no fluid can have";
+}
+
+Expected<Fluid> get_fluid(ByteReader& in, const Shape& shape, const SolidOf& solid_of) {
+    auto settings = get_settings(in);
+    if (!settings) return tl::unexpected(settings.error());
+    if (!fits(*settings, in.left())) return wrong("fewer samples than its grid has");
+    if (!shape.name.empty()) {
+        auto solid = solid_of(shape);
+        if (!solid) return wrong(solid.error().message);
+        settings->solid = std::move(*solid);
+    }
+    auto fluid = make_fluid(*settings);
+    if (!fluid) return wrong(fluid.error().message);
+    const auto pushed = in.get<bool>(), asleep = in.get<bool>();
+    std::string fault;
+    each_samples(fluid->now, [&](Samples& samples, const std::string& name) {
+        const auto wide = static_cast<std::size_t>(fluid->lattice.cells[0]) * sizeof(float);
+        each_row(fluid->lattice, [&](std::ptrdiff_t at) {
+            const auto row = in.get_bytes(wide);
+            if (in.ok()) std::memcpy(&samples[static_cast<std::size_t>(at)], row.data(), wide);
+        });
+        const auto found = fault_of(fluid->lattice, samples, name.starts_with("substance"));
+        if (fault.empty() && !found.empty()) fault = name + ": " + found;
+    });
+    if (!in.ok()) return ends_within("the samples");
+    if (!fault.empty()) return wrong(fault);
+    altered(*fluid);
+    fluid->now.pushed = pushed;
+    fluid->now.asleep = asleep && !pushed;
+    return fluid;
+}
+
+std::string fault_of(const Sheet& sheet) {
+    bool sound = true;
+    each_node_row(sheet.settings, [&](std::size_t at) {
+        for (std::size_t i = at; i < at + sheet.settings.nodes; ++i)
+            sound = sound && std::abs(sheet.height[i]) <= height_most &&
+                    std::abs(sheet.velocity[i]) <= node_speed_most;
+    });
+    return sound ? "" : "surface: a node that is not finite, or too far or fast";
+}
+
+Expected<Sheet> get_sheet(ByteReader& in) {
+    SheetSettings asked;
+    each_sheet_setting(asked, [&](auto& value) { value = in.get<std::remove_cvref_t<decltype(value)>>(); });
+    if (!in.ok()) return ends_within("the settings of the surface");
+    if (asked.rim > Rim::free) return wrong("surface: no rim has that number");
+    const auto settings = checked(asked);
+    if (!settings) return wrong(settings.error().message);
+    Sheet sheet = sheet_of(*settings);
+    for (std::uint32_t& inside : sheet.inside) inside = in.get<std::uint32_t>();
+    const auto asleep = in.get<std::uint32_t>();
+    const std::size_t wide = settings->nodes * sizeof(double);
+    for (auto* nodes : {&sheet.height, &sheet.velocity})
+        each_node_row(*settings, [&](std::size_t at) {
+            const auto row = in.get_bytes(wide);
+            if (in.ok()) std::memcpy(&(*nodes)[at], row.data(), wide);
+        });
+    if (!in.ok()) return ends_within("the surface");
+    if (std::ranges::any_of(sheet.inside, [](std::uint32_t inside) { return inside > 1; }) || asleep > 1)
+        return wrong("surface: a flag that is neither 0 nor 1");
+    if (const auto fault = fault_of(sheet); !fault.empty()) return wrong(fault);
+    altered(sheet);
+    sheet.asleep = asleep != 0 && energy(sheet) == 0 ? 1 : 0;
+    return sheet;
+}
+
+}  // namespace
+
+Bytes save(const Fluid& fluid, const Sheet& sheet, const Shape& shape, std::span<const std::byte> kept) {
+    Bytes body;
+    ByteWriter out(body);
+    out.put_string(shape.name);
+    out.put(static_cast<std::uint32_t>(shape.numbers.size()));
+    for (const double number : shape.numbers) out.put(number);
+    out.put(static_cast<std::uint32_t>(kept.size()));
+    out.put_bytes(kept);
+    put_fluid(fluid, out);
+    put_sheet(sheet, out);
+    Bytes bytes;
+    ByteWriter file(bytes);
+    file.put(magic);
+    file.put(saved_version);
+    file.put(static_cast<std::uint64_t>(body.size()));
+    file.put_bytes(body);
+    file.put(hash_bytes(bytes));
+    return bytes;
+}
+
+Expected<Saved> restore(std::span<const std::byte> bytes, const SolidOf& solid_of) {
+    const auto body = opened(bytes);
+    if (!body) return tl::unexpected(body.error());
+    ByteReader in(*body);
+    auto shape = get_shape(in);
+    if (!shape) return tl::unexpected(shape.error());
+    const auto kept = in.get_bytes(in.get<std::uint32_t>());
+    if (!in.ok()) return ends_within("what is kept beside the fluid");
+    auto fluid = get_fluid(in, *shape, solid_of);
+    if (!fluid) return tl::unexpected(fluid.error());
+    auto sheet = get_sheet(in);
+    if (!sheet) return tl::unexpected(sheet.error());
+    if (in.left() != 0) return wrong("something follows the surface");
+    return Saved{std::move(*fluid), std::move(*sheet), std::move(*shape), Bytes(kept.begin(), kept.end())};
+}
+
+}  // namespace thaum::fluid

@@ -1,0 +1,195 @@
+// Saved fluids: what is restored goes on to the same bits; what is spoilt is refused and named.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "core/hash.h"
+#include "core/random.h"
+#include "fluid/saved.h"
+
+namespace thaum::fluid {
+namespace {
+
+constexpr double dt = 0.016;
+const Shape ball{"ball", {0.5, 0.5, 0.5, 0.46}};
+
+Expected<std::function<double(vec3)>> solid_of(const Shape& shape) {
+    if (shape.name != "ball" || shape.numbers.size() != 4) return fail("its shape is unknown");
+    const vec3 centre(shape.numbers[0], shape.numbers[1], shape.numbers[2]);
+    return
+        [centre, radius = shape.numbers[3]](vec3 p) { return glm::length(p - centre) < radius ? 0.0 : 1.0; };
+}
+
+struct Case {
+    const char* name;
+    Settings settings;
+    Shape shape{};
+};
+
+Settings settings_of(int n) {
+    Settings s;
+    s.cells = {n, n, n};
+    s.h = 1.0 / n;
+    s.viscosity = 1e-4;
+    s.substances = {
+        {.viscosity = 0.01, .weight = 0.5}, {.weight = -0.3, .diffusion = 1e-3}, {.viscosity = 1}};
+    return s;
+}
+
+std::vector<Case> cases() {
+    Case bowl{"bowl", settings_of(16), ball};
+    bowl.settings.solid = *solid_of(ball);
+    Case box{"box with a lid", settings_of(15)};
+    box.settings.edges = {Edge::no_slip, Edge::no_slip, Edge::free_slip};
+    box.settings.lid = 0.5;
+    Case periodic{"periodic, not cubic", settings_of(12)};
+    periodic.settings.edges = {Edge::periodic, Edge::periodic, Edge::periodic};
+    periodic.settings.cells = {12, 17, 9};
+    periodic.settings.order = 2;
+    Case classic{"classic", settings_of(12)};
+    classic.settings.solver = Solver::classic;
+    return {bowl, box, periodic, classic};
+}
+
+struct Brew {
+    Fluid fluid;
+    Sheet sheet;
+    SheetScratch scratch{};
+};
+
+Brew brew_of(const Case& c) {
+    auto fluid = make_fluid(c.settings);
+    EXPECT_TRUE(fluid.has_value());
+    const auto sheet = checked({.nodes = 9, .rim = Rim::free});
+    return {std::move(*fluid), sheet_of(*sheet)};
+}
+
+/// A ladle that goes round, something poured now and then, a probe that breaks through.
+void stir(Brew& brew, int from, int to) {
+    for (int i = from; i < to; ++i) {
+        const double turn = 0.3 * i;
+        const vec3 place(0.5 + 0.2 * det::cos(turn), 0.5, 0.5 + 0.2 * det::sin(turn));
+        push(brew.fluid, {place, 0.15, 0.01 * vec3(-det::sin(turn), 0.1, det::cos(turn))});
+        if (i % 3 == 0) pour(brew.fluid, static_cast<std::size_t>(i / 3) % 3, place, 0.1, 0.01);
+        const std::array probes{SheetProbe{{0.2, 0.1}, i % 7 < 4 ? -0.4 : 0.1, 0.1}};
+        advance(brew.sheet, brew.scratch, probes, dt);
+        advance(brew.fluid, dt);
+    }
+}
+
+Brew brewed(const Case& c, int steps) {
+    Brew brew = brew_of(c);
+    stir(brew, 0, steps);
+    return brew;
+}
+
+std::string refusal(std::span<const std::byte> bytes) {
+    const auto found = restore(bytes, solid_of);
+    return found ? "" : found.error().message;
+}
+
+TEST(FluidSaved, RestoredGoesOnToTheSameBits) {
+    for (const Case& c : cases()) {
+        SCOPED_TRACE(c.name);
+        Brew through = brewed(c, 6);
+        // What was pushed for the next step is part of it.
+        push(through.fluid, {vec3(0.4), 0.2, vec3(0.01, 0, 0)});
+        auto saved = restore(save(through.fluid, through.sheet, c.shape), solid_of);
+        ASSERT_TRUE(saved.has_value()) << saved.error().message;
+        EXPECT_EQ(saved->shape, c.shape);
+        Brew again{std::move(saved->fluid), std::move(saved->sheet)};
+        if (c.settings.solver == Solver::thaum) {
+            EXPECT_EQ(again.fluid.now.velocity, through.fluid.now.velocity);  // ghosts as well
+        }
+        EXPECT_EQ(save(again.fluid, again.sheet, c.shape), save(through.fluid, through.sheet, c.shape));
+        stir(through, 6, 16);
+        stir(again, 6, 16);
+        EXPECT_GT(energy(through.fluid), 0);
+        EXPECT_EQ(save(again.fluid, again.sheet, c.shape), save(through.fluid, through.sheet, c.shape));
+    }
+}
+
+TEST(FluidSaved, SleepersSleepOnAndWhatIsKeptComesBack) {
+    const Case c = cases()[0];
+    const Brew still = brew_of(c);
+    const Bytes kept{std::byte{3}, std::byte{1}};
+    const auto saved = restore(save(still.fluid, still.sheet, c.shape, kept), solid_of);
+    ASSERT_TRUE(saved.has_value());
+    EXPECT_TRUE(saved->fluid.now.asleep);
+    EXPECT_EQ(saved->sheet.asleep, 1U);
+    EXPECT_EQ(saved->kept, kept);
+}
+
+TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
+    Case c{"small", settings_of(6), ball};
+    c.settings.solid = *solid_of(ball);
+    const Brew brew = brewed(c, 3);
+    const Bytes file = save(brew.fluid, brew.sheet, c.shape);
+    ASSERT_EQ(refusal(file), "");
+    for (std::size_t length = 0; length < file.size(); ++length)
+        ASSERT_NE(refusal(std::span(file).first(length)).find("cut off"), std::string::npos) << length;
+    Random random = random_stream(1, 0);
+    for (std::size_t i = 0; i < 1100; ++i) {
+        // The head byte for byte, then anywhere.
+        Bytes spoilt = file;
+        spoilt[i < 100 ? i : random.below(file.size())] ^= static_cast<std::byte>(1 + random.below(255));
+        ASSERT_NE(refusal(spoilt), "") << i;
+    }
+    Bytes longer = file;
+    longer.push_back(std::byte{});
+    EXPECT_EQ(refusal(longer), "saved fluid: something follows its end");
+    Bytes newer = file;
+    newer[8] = std::byte{2};
+    EXPECT_EQ(refusal(newer), "saved fluid: it has version 2; this program reads version 1");
+    // A byte too many, though all around it is right.
+    Bytes wider(file.begin(), file.end() - 8);
+    wider.push_back(std::byte{});
+    const auto length = static_cast<std::uint64_t>(wider.size() - 20);
+    std::memcpy(wider.data() + 12, &length, sizeof length);
+    ByteWriter(wider).put(hash_bytes(wider));
+    EXPECT_EQ(refusal(wider), "saved fluid: something follows the surface");
+    EXPECT_EQ(refusal(std::as_bytes(std::span("a text file of some length"))), "saved fluid: this is none");
+}
+
+/// What is said of a file whose checksum is right and one thing in it is not.
+std::string refusal_of(const std::function<void(Brew&, Shape&)>& spoil) {
+    Case c{"small", settings_of(6), ball};
+    c.settings.solid = *solid_of(ball);
+    Brew brew = brewed(c, 3);
+    spoil(brew, c.shape);
+    return refusal(save(brew.fluid, brew.sheet, c.shape));
+}
+
+TEST(FluidSaved, WhatCannotBeIsNamed) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto expect = [](const std::string& words, const std::function<void(Brew&, Shape&)>& spoil) {
+        EXPECT_NE(refusal_of(spoil).find(words), std::string::npos) << refusal_of(spoil);
+    };
+    const auto middle = [](Brew& b) { return static_cast<std::size_t>(b.fluid.lattice.at(3, 3, 3)); };
+    expect("velocity along y: a value is not finite",
+           [&](Brew& b, Shape&) { b.fluid.now.velocity[1][middle(b)] = nan; });
+    expect("push along z: a value is not finite",
+           [&](Brew& b, Shape&) { b.fluid.now.push[2][middle(b)] = nan; });
+    expect("pressure: a value", [&](Brew& b, Shape&) { b.fluid.now.pressure[middle(b)] = 1e30F; });
+    expect("substance 2: a value", [&](Brew& b, Shape&) { b.fluid.now.substances[1][middle(b)] = -1; });
+    expect("cells must be 1 to 256", [](Brew& b, Shape&) { b.fluid.settings.cells = {6, 0, 6}; });
+    expect("cells must be 1 to 256", [](Brew& b, Shape&) { b.fluid.settings.cells[2] = 1'000'000; });
+    expect("fewer samples than its grid", [](Brew& b, Shape&) { b.fluid.settings.cells = {256, 256, 256}; });
+    expect("4 substances", [](Brew& b, Shape&) { b.fluid.settings.substances.resize(4); });
+    expect("viscosity must be", [](Brew& b, Shape&) { b.fluid.settings.viscosity = -1; });
+    expect("no solver", [](Brew& b, Shape&) { b.fluid.settings.solver = static_cast<Solver>(7); });
+    expect("no edge", [](Brew& b, Shape&) { b.fluid.settings.edges[1] = static_cast<Edge>(3); });
+    expect("no rim", [](Brew& b, Shape&) { b.sheet.settings.rim = static_cast<Rim>(2); });
+    expect("tension", [](Brew& b, Shape&) { b.sheet.settings.tension = -1; });
+    expect("a flag", [](Brew& b, Shape&) { b.sheet.inside[3] = 2; });
+    expect("a node",
+           [](Brew& b, Shape&) { b.sheet.height[sheet_index(b.sheet.settings, 4, 4)] = double(nan); });
+    expect("its shape is unknown", [](Brew&, Shape& shape) { shape.name = "vase"; });
+    expect("its shape is unknown", [](Brew&, Shape& shape) { shape.numbers.clear(); });
+    expect("no name that could be", [](Brew&, Shape& shape) { shape.name = "a\nb"; });
+    expect("a shape of 17 numbers", [](Brew&, Shape& shape) { shape.numbers.resize(17); });
+    EXPECT_EQ(refusal_of([](Brew&, Shape&) {}), "");
+}
+
+}  // namespace
+}  // namespace thaum::fluid
