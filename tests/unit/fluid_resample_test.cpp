@@ -1,0 +1,92 @@
+// A flow taken over to another grid: the flow is the same to the kernel's order, amounts are the same whatever changes.
+#include <gtest/gtest.h>
+
+#include "fluid/resample.h"
+#include "tools/bench/fluid_flows.h"
+
+namespace thaum::fluid {
+namespace {
+
+Settings settings_of(int n, Solver solver, bool bowl) {
+    Settings s;
+    s.solver = solver;
+    s.cells = {n, n, n};
+    s.h = 1.0 / n;
+    s.substances = {{}, {.weight = 0.2}, {.diffusion = 1e-3}};
+    if (bowl) s.solid = [](vec3 p) { return flows::in_bowl(p) ? 0.0 : 1.0; };
+    return s;
+}
+
+double blob(vec3 place, vec3 middle) {
+    const vec3 apart = place - middle;
+    return det::exp(-glm::dot(apart, apart) / 0.02);
+}
+
+Fluid filled(const Settings& settings) {
+    Fluid fluid = *make_fluid(settings);
+    const auto flow = flows::taylor_green_box(0);
+    set_velocity(fluid, [&](vec3 p) { return flow.velocity(p, 0); });
+    // The second lies in a corner, where a bowl is solid.
+    set_substance(fluid, 0, [](vec3 p) { return blob(p, {0.4, 0.5, 0.6}); });
+    set_substance(fluid, 1, [](vec3 p) { return p.x < 0.15 && p.y < 0.15 && p.z < 0.15 ? 2.0 : 0.0; });
+    return fluid;
+}
+
+Fluid taken_over(const Fluid& from, const Settings& settings) {
+    Fluid to = *make_fluid(settings);
+    take_over(to, from);
+    return to;
+}
+
+TEST(FluidResample, AmountsStayWhateverChanges) {
+    for (const Solver solver : {Solver::thaum, Solver::classic}) {
+        for (const int n : {15, 32}) {
+            for (const bool bowl : {false, true}) {
+                const Fluid from = filled(settings_of(24, Solver::thaum, false));
+                const Fluid to = taken_over(from, settings_of(n, solver, bowl));
+                for (std::size_t s = 0; s < 3; ++s)
+                    EXPECT_NEAR(amount(to, s), amount(from, s), 1e-6 * amount(from, s)) << n << ' ' << s;
+                EXPECT_FALSE(to.now.asleep);
+            }
+        }
+    }
+}
+
+TEST(FluidResample, TheFlowIsTheSameToTheThirdOrder) {
+    const auto flow = flows::taylor_green_box(0);
+    const auto exact = [&](vec3 p) { return flow.velocity(p, 0); };
+    std::vector<double> errors;
+    for (const int n : {8, 16, 32}) {
+        const Fluid to =
+            taken_over(filled(settings_of(n, Solver::thaum, false)), settings_of(40, Solver::thaum, false));
+        errors.push_back(flows::relative_error(to, exact, exact));
+    }
+    EXPECT_LT(errors[1], 5e-3);
+    EXPECT_GT(errors[0] / errors[1], 6);
+    EXPECT_GT(errors[1] / errors[2], 6);
+}
+
+TEST(FluidResample, ThereAndBackThroughTheOtherSolver) {
+    const Fluid from = filled(settings_of(32, Solver::thaum, false));
+    Fluid back = taken_over(taken_over(from, settings_of(32, Solver::classic, false)),
+                            settings_of(32, Solver::thaum, false));
+    EXPECT_NEAR(energy(back), energy(from), 0.01 * energy(from));
+    // What interpolation left of divergence is gone after a step, and nothing was wrong before it.
+    const StepReport report = advance(back, flows::step);
+    EXPECT_LT(report.divergence, 1e-5);
+    EXPECT_NEAR(report.energy, energy(from), 0.01 * energy(from));
+}
+
+TEST(FluidResample, TheSameGridIsTheSameFlow) {
+    const Settings settings = settings_of(16, Solver::thaum, true);
+    Fluid from = filled(settings);
+    advance(from, flows::step);
+    const Fluid to = taken_over(from, settings);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t i = 0; i < from.now.velocity[axis].size(); ++i)
+            ASSERT_NEAR(to.now.velocity[axis][i], from.now.velocity[axis][i], 1e-6);
+    }
+}
+
+}  // namespace
+}  // namespace thaum::fluid
