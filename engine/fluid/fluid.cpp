@@ -136,8 +136,13 @@ double volume_of_cell(const Lattice& lattice) { return lattice.h * lattice.h * l
 
 }  // namespace
 
-Expected<Fluid> make_fluid(const Settings& settings) {
+Expected<void> check(const Settings& settings) {
     if (const auto fault = fault_of(settings)) return fail("fluid: " + *fault);
+    return {};
+}
+
+Expected<Fluid> make_fluid(const Settings& settings) {
+    if (const auto sound = check(settings); !sound) return tl::unexpected(sound.error());
     Fluid fluid{.settings = settings,
                 .lattice = make_lattice(settings.cells, settings.h, settings.edges),
                 .now = {},
@@ -259,6 +264,24 @@ double energy(const Fluid& fluid) {
 
 double amount(const Fluid& fluid, std::size_t substance) {
     return volume_of_cell(fluid.lattice) * total(fluid.lattice, fluid.now.substances[substance]);
+}
+
+double mixing(const Fluid& fluid, std::size_t substance) {
+    const Samples& density = fluid.now.substances[substance];
+    double count = 0, sum = 0, square = 0;
+    const auto each_wet = [&](auto&& visit) {
+        each_cell(fluid.lattice, [&](vec3, std::size_t at) {
+            if (holds_fluid(fluid, at)) visit(double{density[at]});
+        });
+    };
+    each_wet([&](double value) {
+        sum += value;
+        ++count;
+    });
+    if (!(sum > 0)) return 0;
+    const double mean = sum / count;
+    each_wet([&](double value) { square += (value - mean) * (value - mean); });
+    return std::max(0.0, 1 - std::sqrt(square / count) / mean);
 }
 
 }  // namespace thaum::fluid

@@ -79,8 +79,13 @@ struct Fluid {
     }
 };
 
-/// At rest, without substances. The error names the setting: cells outside 1 to cells_most, order, sweeps, viscosity negative, not
-/// finite or above viscosity_most, more than three substances, h, gravity or lid not finite.
+/// The error names the setting: cells outside 1 to cells_most, order, sweeps, viscosity negative, not finite or above
+/// viscosity_most, more than three substances, h, gravity or lid not finite.
+Expected<void> check(const Settings& settings);
+
+/// At rest, without substances. The error is that of `check`.
+///
+/// Of the settings of a fluid that goes on, viscosity, gravity, lid and the substances' numbers may be changed, if they are checked.
 Expected<Fluid> make_fluid(const Settings& settings);
 
 /// Momentum for the cells within `radius` of a place, by a smooth kernel whose sum is one.
@@ -129,5 +134,8 @@ vec3 momentum(const Fluid& fluid);
 double energy(const Fluid& fluid);
 /// m^3.
 double amount(const Fluid& fluid, std::size_t substance);
+/// How evenly a substance is spread over the cells that hold fluid: 1 less the standard deviation of its density by the mean, at
+/// least 0; 0 where there is none of it.
+double mixing(const Fluid& fluid, std::size_t substance);
 
 }  // namespace thaum::fluid

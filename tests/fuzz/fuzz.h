@@ -37,7 +37,7 @@ struct Reader {
 /// All of them, each from a file of this folder.
 std::span<const Reader> readers();
 extern const Reader log_reader, scenario_reader, settings_reader, arena_reader, rules_reader, wizard_reader,
-    wand_reader, blast_reader, lob_reader, bot_reader, range_reader, device_reader;
+    wand_reader, blast_reader, lob_reader, bot_reader, range_reader, device_reader, lab_reader;
 
 /// Flipped bits, striking bytes, cuts, repetitions, pieces of other seeds.
 std::string mutate_bytes(const std::vector<std::string>& seeds, Random& random);

@@ -213,9 +213,9 @@ std::optional<Wish> read_wish(std::span<char*> words) {
 }  // namespace
 
 std::span<const Reader> readers() {
-    static const std::array list{log_reader,   scenario_reader, settings_reader, arena_reader,
-                                 rules_reader, wizard_reader,   wand_reader,     blast_reader,
-                                 lob_reader,   bot_reader,      range_reader,    device_reader};
+    static const std::array list{log_reader,    scenario_reader, settings_reader, arena_reader, rules_reader,
+                                 wizard_reader, wand_reader,     blast_reader,    lob_reader,   bot_reader,
+                                 range_reader,  device_reader,   lab_reader};
     return list;
 }
 

@@ -1,0 +1,214 @@
+#include "game/lab/lab.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/clock.h"
+#include "core/file.h"
+#include "core/text.h"
+#include "fluid/resample.h"
+#include "game/match/data.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr const char* rules_file = "cauldron.toml";
+constexpr std::size_t rules_file_most = 1U << 20U;  // bytes
+constexpr double gravity_most = 100;                // m/s^2
+constexpr double ladle_speed_most = 8;              // m/s; a mouse can be anywhere at once
+constexpr double pour_radius = 0.25;                // m
+
+Expected<void> check(const LabSettings& s) {
+    if (std::ranges::find(lab_cells, s.cells) == lab_cells.end())
+        return fail(text("cells ", s.cells, ": must be 15, 16, 24, 32, 48 or 64"));
+    if (!(std::abs(s.gravity) <= gravity_most))
+        return fail(text("gravity ", s.gravity, ": must be within ", gravity_most, " m/s^2"));
+    return {};
+}
+
+/// What a fluid that goes on takes.
+void put_numbers(const LabSettings& from, fluid::Settings& to) {
+    to.viscosity = from.viscosity;
+    to.gravity = {0, -from.gravity, 0};
+    to.substances.clear();
+    for (const Ingredient& i : from.substances) to.substances.push_back(i.substance);
+}
+
+/// Pure and at rest: the match's brew in another grid, and what the lab sets beyond.
+Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
+    rules.cells_across = settings.cells;
+    rules.solver = settings.solver;
+    auto brew = make_brew(rules, basin_of(settings.room.size, settings.room.filled));
+    if (!brew) return brew;
+    auto wanted = brew->fluid.settings;
+    const auto walls = settings.no_slip ? fluid::Edge::no_slip : fluid::Edge::free_slip;
+    wanted.edges = {walls, fluid::Edge::free_slip, walls};
+    wanted.order = settings.order;
+    wanted.solid_holds = settings.no_slip;
+    if (!settings.bowl || settings.solver == fluid::Solver::classic) wanted.solid = nullptr;
+    put_numbers(settings, wanted);
+    auto made = fluid::make_fluid(wanted);
+    if (!made) return tl::unexpected(made.error());
+    brew->fluid = std::move(*made);
+    brew->what.fill(no_ingredient);
+    for (std::uint32_t i = 0; i < settings.substances.size(); ++i) brew->what[i] = i;
+    return brew;
+}
+
+/// Which need no other grid, tables or walls.
+bool same_grid(const LabSettings& a, const LabSettings& b) {
+    return a.solver == b.solver && a.cells == b.cells && a.order == b.order && a.bowl == b.bowl &&
+           a.no_slip == b.no_slip && a.room == b.room && a.substances.size() == b.substances.size();
+}
+
+/// Momentum by the drag of its motion against the flow, N of which are returned; at most what makes the flow at its place as fast as it is itself.
+double stir(LabState& lab, vec3 to) {
+    const vec3 from = lab.ladle.value_or(to);
+    const vec3 speed = limited((to - from) / lab_dt, ladle_speed_most);
+    const auto& ladle = lab.rules.ladle;
+    const double radius = std::max(ladle.radius, 1.5 * lab.brew.fluid.lattice.h);
+    // The integral of the kernel (1 - r^2 / radius^2)^2.
+    const double volume = 32 * pi / 105 * radius * radius * radius;
+    const vec3 place = to - lab.brew.corner;
+    const vec3 slip = speed - fluid::velocity_at(lab.brew.fluid, place);
+    const double taken = std::min(volume, ladle.drag * lab_dt / lab.rules.density);
+    if (slip == vec3(0) || !fluid::push(lab.brew.fluid, {place, radius, taken * slip})) return 0;
+    return lab.rules.density * taken / lab_dt * glm::length(slip);
+}
+
+bool is_wet(const LabState& lab, vec3 place) {
+    return is_finite(place) && place.y < fluid::height_at(lab.brew.sheet, {place.x, place.z});
+}
+
+/// N, of the brew on it.
+double take_ladle(LabState& lab, const std::optional<vec3>& ladle) {
+    const double force = ladle && is_wet(lab, *ladle) ? stir(lab, *ladle) : 0;
+    lab.ladle = ladle && is_finite(*ladle) ? ladle : std::nullopt;
+    return force;
+}
+
+void take_pours(LabState& lab, const std::vector<LabPour>& pours) {
+    for (const LabPour& p : pours) {
+        if (fluid::pour(lab.brew.fluid, p.substance, p.place - lab.brew.corner, pour_radius, p.amount))
+            lab.last_poured = p.substance;
+    }
+}
+
+fluid::SheetStep step_surface(LabState& lab) {
+    std::array<fluid::SheetProbe, 1> probe{};
+    if (lab.ladle) probe[0] = {{lab.ladle->x, lab.ladle->z}, lab.ladle->y, lab.rules.ladle.radius};
+    const auto probes = std::span(probe).first(lab.ladle ? 1 : 0);
+    return fluid::advance(lab.brew.sheet, lab.brew.scratch, probes, lab_dt);
+}
+
+/// f's result and us.
+template <class F>
+auto timed(F&& f, double& us) {
+    const auto start = monotonic_ns();
+    auto result = f();
+    us = static_cast<double>(monotonic_ns() - start) * 1e-3;
+    return result;
+}
+
+Expected<void> reset(LabState& lab) {
+    auto fresh = make_lab(lab.rules, lab.settings);
+    if (!fresh) return tl::unexpected(fresh.error());
+    lab = std::move(*fresh);
+    return {};
+}
+
+}  // namespace
+
+Expected<LabData> load_lab_data(const std::filesystem::path& assets) {
+    const auto match = load_match_data(assets, {});
+    if (!match) return tl::unexpected(match.error());
+    if (!match->arena.bowl) return fail(text(match->choice.arena, ": it has no bowl"));
+    const auto source = read_text_file(assets / rules_file, rules_file_most);
+    if (!source) return tl::unexpected(source.error());
+    const auto file = Config::parse(*source, rules_file, 1);
+    if (!file) return tl::unexpected(file.error());
+    LabData data{read_cauldron_rules(*file), {.size = match->arena.bowl->size, .filled = 1}};
+    if (auto sound = file->check(); !sound) return tl::unexpected(sound.error());
+    data.room.filled = data.rules.filled;
+    return data;
+}
+
+LabSettings lab_settings(const LabData& data) {
+    const auto& rules = data.rules;
+    LabSettings settings{
+        .solver = rules.solver, .cells = rules.cells_across, .viscosity = rules.viscosity, .room = data.room};
+    const auto count = std::min(rules.ingredients.size(), fluid::substances_most);
+    settings.substances.assign(rules.ingredients.begin(),
+                               rules.ingredients.begin() + static_cast<std::ptrdiff_t>(count));
+    return settings;
+}
+
+Expected<LabState> make_lab(const CauldronRules& rules, const LabSettings& settings) {
+    if (auto sound = check(settings); !sound) return tl::unexpected(sound.error());
+    auto brew = brew_of(rules, settings);
+    if (!brew) return tl::unexpected(brew.error());
+    return LabState{.rules = rules,
+                    .settings = settings,
+                    .basin = basin_of(settings.room.size, settings.room.filled),
+                    .brew = std::move(*brew)};
+}
+
+Expected<void> change_lab(LabState& lab, const LabSettings& settings) {
+    if (auto sound = check(settings); !sound) return sound;
+    auto& fluid = lab.brew.fluid;
+    if (same_grid(lab.settings, settings)) {
+        auto wanted = fluid.settings;
+        put_numbers(settings, wanted);
+        if (auto sound = fluid::check(wanted); !sound) return sound;
+        fluid.settings = wanted;
+        fluid::altered(fluid);  // what rested may be lighter now
+    } else {
+        auto brew = brew_of(lab.rules, settings);
+        if (!brew) return tl::unexpected(brew.error());
+        fluid::take_over(brew->fluid, fluid);
+        fluid = std::move(brew->fluid);
+        lab.brew.corner = brew->corner;
+        lab.brew.what = brew->what;
+    }
+    lab.settings = settings;
+    return {};
+}
+
+LabFigures figures_of(const LabState& lab) {
+    const auto& fluid = lab.brew.fluid;
+    LabFigures figures{.momentum = fluid::momentum(fluid)};
+    figures.fluid.energy = fluid::energy(fluid);
+    for (std::size_t s = 0; s < fluid.now.substances.size(); ++s) figures.amounts[s] = amount(fluid, s);
+    if (lab.last_poured < fluid.now.substances.size()) figures.mixing = fluid::mixing(fluid, lab.last_poured);
+    return figures;
+}
+
+LabFigures step_lab(LabState& lab, const LabInput& input, Jobs& jobs) {
+    std::string refused;
+    if (input.change) {
+        if (auto changed = change_lab(lab, *input.change); !changed) refused = changed.error().message;
+    }
+    if (input.reset) {
+        if (auto fresh = reset(lab); !fresh) refused = fresh.error().message;
+    }
+    take_pours(lab, input.pours);
+    const double ladle_n = take_ladle(lab, input.ladle);
+    fluid::StepReport report;
+    double fluid_us = 0, surface_us = 0;
+    const auto ticket =
+        jobs.run([&] { report = timed([&] { return advance(lab.brew.fluid, lab_dt); }, fluid_us); });
+    const auto surface = timed([&] { return step_surface(lab); }, surface_us);
+    ticket.wait();
+    ++lab.steps;
+    LabFigures figures = figures_of(lab);
+    figures.fluid = report;
+    figures.surface = surface;
+    figures.cfl = report.speed * lab_dt / lab.brew.fluid.lattice.h;
+    figures.fluid_us = fluid_us;
+    figures.surface_us = surface_us;
+    figures.ladle_n = ladle_n;
+    figures.refused = std::move(refused);
+    return figures;
+}
+
+}  // namespace thaum::game

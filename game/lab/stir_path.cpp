@@ -1,0 +1,93 @@
+#include "game/lab/stir_path.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/file.h"
+#include "core/text.h"
+
+namespace thaum::game {
+namespace {
+
+constexpr double turn_s = 2.5;
+constexpr double radius_share = 0.6, depth_share = 0.4;
+constexpr double dip_s = 0.5, dip_from = 0.1;  // s, m above the level: so that the surface feels it come
+constexpr std::size_t path_file_most = 16U << 20U;
+constexpr double time_most = 1e6, place_most = 100;  // s, m
+constexpr std::string_view header = "time_s,x_m,y_m,z_m";
+
+/// The numbers of a line; nothing where it is not four of them.
+std::optional<StirPath::Point> point_of(std::string_view line) {
+    std::array<double, 4> numbers{};
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i > 0 && (at == end || *at++ != ',')) return std::nullopt;
+        const auto [next, error] = std::from_chars(at, end, numbers[i]);
+        if (error != std::errc{}) return std::nullopt;
+        at = next;
+    }
+    if (at != end) return std::nullopt;
+    return StirPath::Point{numbers[0], {numbers[1], numbers[2], numbers[3]}};
+}
+
+bool is_sound(const StirPath::Point& p) {
+    return p.time >= 0 && p.time <= time_most && glm::length(p.place) <= place_most;
+}
+
+std::optional<vec3> on_points(const std::vector<StirPath::Point>& points, double seconds) {
+    const auto after = std::find_if(points.begin(), points.end(),
+                                    [&](const StirPath::Point& p) { return p.time >= seconds; });
+    if (after == points.end()) return std::nullopt;
+    if (after->time == seconds) return after->place;
+    if (after == points.begin()) return std::nullopt;
+    const auto& before = *(after - 1);
+    const double share = (seconds - before.time) / (after->time - before.time);
+    return before.place + share * (after->place - before.place);
+}
+
+}  // namespace
+
+Expected<StirPath> parse_stir_path(std::string_view csv, std::string_view name) {
+    StirPath path{.kind = Stirring::file};
+    for (std::size_t line = 1; !csv.empty(); ++line) {
+        const auto end = std::min(csv.find('\n'), csv.size());
+        auto words = csv.substr(0, end);
+        csv.remove_prefix(std::min(end + 1, csv.size()));
+        if (words.ends_with('\r')) words.remove_suffix(1);
+        if (words.empty() || (line == 1 && words == header)) continue;
+        const auto point = point_of(words);
+        if (!point) return fail(text(name, ":", line, ": must be ", header));
+        if (!is_sound(*point))
+            return fail(text(name, ":", line, ": times are 0 to ", time_most, " s, places within ",
+                             place_most, " m"));
+        if (!path.points.empty() && !(point->time > path.points.back().time))
+            return fail(text(name, ":", line, ": times must rise"));
+        path.points.push_back(*point);
+    }
+    if (path.points.empty()) return fail(text(name, ": no places in it"));
+    return path;
+}
+
+Expected<StirPath> stir_path(std::string_view word) {
+    if (word == "none") return StirPath{};
+    if (word == "circle") return StirPath{.kind = Stirring::circle};
+    if (word == "figure8") return StirPath{.kind = Stirring::figure8};
+    const auto csv = read_text_file(word, path_file_most);
+    if (!csv) return fail(text("--stir takes none, circle, figure8 or a file: ", csv.error().message));
+    return parse_stir_path(*csv, word);
+}
+
+std::optional<vec3> ladle_at(const StirPath& path, const Basin& basin, double seconds) {
+    if (path.kind == Stirring::none) return std::nullopt;
+    if (path.kind == Stirring::file) return on_points(path.points, seconds);
+    const double turn = 2 * pi * seconds / turn_s;
+    const double across = radius_share * basin.radius;
+    const double z = path.kind == Stirring::circle ? det::sin(turn) : det::sin(2 * turn) / 2;
+    const double dipped = std::min(1.0, seconds / dip_s);
+    const double y = dip_from * (1 - dipped) - depth_share * basin.depth * dipped;
+    return vec3(across * det::cos(turn), y, across * z);
+}
+
+}  // namespace thaum::game
