@@ -40,6 +40,7 @@ thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
 thaum_driver_test(stalled ${CMAKE_CURRENT_SOURCE_DIR}/drivers/stalled.sh
     $<TARGET_FILE:live_session> $<TARGET_FILE:live_log_probe>)
 thaum_driver_test(range ${CMAKE_CURRENT_SOURCE_DIR}/drivers/range.sh $<TARGET_FILE:thaum>)
+thaum_driver_test(lab ${CMAKE_CURRENT_SOURCE_DIR}/drivers/lab.sh $<TARGET_FILE:thaum>)
 thaum_driver_test(input_delay ${CMAKE_CURRENT_SOURCE_DIR}/drivers/input_delay.sh
     $<TARGET_FILE:live_session> $<TARGET_FILE:thaum>)
 thaum_driver_test(fake_phantom_plays ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_plays.sh

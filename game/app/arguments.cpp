@@ -83,4 +83,13 @@ Expected<double> parse_number(std::string_view word, std::string_view what, doub
     return parse_value<double>(word, what, low, high);
 }
 
+Expected<render::Size> parse_size(std::string_view word, std::string_view what) {
+    const auto x = word.find('x');
+    const auto width = parse_whole(word.substr(0, x), what, 64, 7680);
+    const auto height = parse_whole(x == std::string_view::npos ? "" : word.substr(x + 1), what, 64, 4320);
+    if (!width || !height)
+        return fail(text(what, " '", word, "': must be like 1280x720, from 64x64 to 7680x4320"));
+    return render::Size{static_cast<int>(*width), static_cast<int>(*height)};
+}
+
 }  // namespace thaum::app

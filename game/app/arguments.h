@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "render/context.h"
 
 namespace thaum::app {
 
@@ -46,5 +47,7 @@ private:
 Expected<std::uint64_t> parse_whole(std::string_view word, std::string_view what, std::uint64_t low,
                                     std::uint64_t high);
 Expected<double> parse_number(std::string_view word, std::string_view what, double low, double high);
+/// "1280x720".
+Expected<render::Size> parse_size(std::string_view word, std::string_view what);
 
 }  // namespace thaum::app

@@ -29,6 +29,7 @@ Command league_command();
 Command bench_command();
 Command doctor_command();
 Command plot_command();
+Command lab_command();
 
 /// Is there a desktop to open a window on?
 bool display_there();

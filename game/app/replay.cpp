@@ -175,15 +175,6 @@ int dump(game::Playback& playback, const std::vector<std::string>& values) {
     return done;
 }
 
-Expected<render::Size> read_size(const std::string& word) {
-    const auto x = word.find('x');
-    const auto width = parse_whole(word.substr(0, x), "--size", 64, 7680);
-    const auto height = parse_whole(x == std::string::npos ? "" : word.substr(x + 1), "--size", 64, 4320);
-    if (!width || !height)
-        return fail(text("--size '", word, "': must be like 1280x720, from 64x64 to 7680x4320"));
-    return render::Size{static_cast<int>(*width), static_cast<int>(*height)};
-}
-
 Expected<void> read_kinds(const std::vector<std::string>& words, ShotPlan& plan) {
     for (const auto& word : words) {
         const auto found = std::find(game::event_names.begin() + 1, game::event_names.end(), word);
@@ -216,7 +207,7 @@ Expected<ShotPlan> read_shots(const Arguments& arguments, Tick log_ticks) {
     if (auto read = read_kinds(arguments.values("--shot-on"), plan); !read)
         return tl::unexpected(read.error());
     if (const auto word = arguments.value("--size")) {
-        const auto size = read_size(*word);
+        const auto size = parse_size(*word, "--size");
         if (!size) return tl::unexpected(size.error());
         plan.size = *size;
     }

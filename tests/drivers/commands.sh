@@ -22,7 +22,7 @@ expect() {
 }
 
 expect 2 "unknown option '--frobnicate'" --frobnicate
-expect 2 "unknown command 'lab'" lab
+expect 2 "unknown command 'brew'" brew
 expect 2 "must be a number from 1 to 3" --solo 4
 expect 2 "exclude each other" --vs --demo
 expect 2 "must be mouse, half, pad or arm" --vs --hands mouse,foot
@@ -114,11 +114,63 @@ said=$("$thaum" diff "$folder/a.dump" "$folder/b.dump")
 "$thaum" diff "$log" --exe "$thaum" | grep -q 'no difference in 5000 ticks' || { echo "failed: diff --exe"; failures=$((failures + 1)); }
 "$thaum" diff "$log" --threads 1,2 | grep -q 'no difference' || { echo "failed: diff --threads"; failures=$((failures + 1)); }
 
+# The lab: what cannot be, and a state that is spoilt.
+expect 2 "volumes are not there yet" lab
+expect 2 "lab needs a display" lab --fluid
+brew=(lab --fluid --headless)
+for cells in 0 1 3 17 1000000 -16 32x16x32 nan; do
+    expect 2 "must be 15, 16, 24, 32, 48 or 64" "${brew[@]}" --cells "$cells"
+done
+for viscosity in -1 nan 1e12 thick; do
+    expect 2 "--viscosity '$viscosity': must be a number from 0 to 1e+06" "${brew[@]}" --viscosity "$viscosity"
+done
+expect 2 "at most 3 substances" "${brew[@]}" --substance ember --substance salt --substance iron --substance mist
+expect 2 "there are ember" "${brew[@]}" --substance gold
+expect 2 "must be NAME or NAME,VISCOSITY,WEIGHT,DIFFUSION" "${brew[@]}" --substance ember,1
+expect 2 "--substance '-1'" "${brew[@]}" --substance ember,-1,0,0
+expect 2 "must be SUBSTANCE,SECOND,LITRES" "${brew[@]}" --pour ember,1
+expect 2 "no such substance" "${brew[@]}" --pour mist,1,10
+expect 2 "--pour 'nan'" "${brew[@]}" --pour 1,1,nan
+expect 2 "must be thaum or classic" "${brew[@]}" --solver jet
+expect 2 "must be 2 or 4" "${brew[@]}" --order 3
+expect 2 "must be no_slip or free_slip" "${brew[@]}" --edges wet
+expect 2 "exclude each other" "${brew[@]}" --bowl --box
+expect 2 "--stir takes none, circle, figure8 or a file" "${brew[@]}" --stir square
+expect 2 "--every needs --shots" "${brew[@]}" --every 3
+expect 2 "--times needs --trace" "${brew[@]}" --times
+expect 2 "must be a number from 1 to 2" "${brew[@]}" --threads 3
+expect 2 "must be like 1280x720" "${brew[@]}" --shots shots --size 3x3
+expect 2 "No such file" "${brew[@]}" --load "$folder/none"
+expect 2 "not an ordinary file" "${brew[@]}" --load "$folder/fifo"
+expect 2 "this is none" "${brew[@]}" --load "$folder/out/duel.png"
+expect 2 "cannot" "${brew[@]}" --seconds 0.1 --save /dev/null/state
+printf '0,0,-0.2,0\n0,1,0,0\n' >"$folder/path.csv"
+expect 2 "path.csv:2: times must rise" "${brew[@]}" --stir "$folder/path.csv"
+printf 'time_s,x_m,y_m,z_m\n0,0.5,-0.2,0\n0.5,-0.5,-0.3,0.4\n' >"$folder/path.csv"
+small=("${brew[@]}" --cells 16 --stir "$folder/path.csv" --pour ember,0.1,40 --times)
+"$thaum" "${small[@]}" --seconds 0.96 --trace "$folder/whole.csv" --save "$folder/whole" >/dev/null
+"$thaum" "${small[@]::9}" --seconds 0.48 --save "$folder/half" >/dev/null
+"$thaum" "${brew[@]}" --stir "$folder/path.csv" --load "$folder/half" --seconds 0.48 --threads 2 --save "$folder/both" >/dev/null
+cmp -s "$folder/whole" "$folder/both" || { echo "failed: a saved brew goes on otherwise"; failures=$((failures + 1)); }
+[[ $(head -1 "$folder/whole.csv") == time_s,energy_m5_s2,*,substance_1_m3,substance_2_m3,substance_3_m3,fluid_us,surface_us && $(wc -l <"$folder/whole.csv") == 61 ]] ||
+    { echo "failed: the trace"; failures=$((failures + 1)); }
+awk -F, 'END { exit !($2 > 0 && $19 > 0.0399) }' "$folder/whole.csv" || { echo "failed: nothing moved in the trace"; failures=$((failures + 1)); }
+for change in --cells=15 --solver=classic --box --edges=free_slip --viscosity=1 --gravity=0 --order=2; do
+    "$thaum" "${brew[@]}" --load "$folder/half" ${change/=/ } --seconds 0.1 >"$folder/said" || { echo "failed: $change"; failures=$((failures + 1)); }
+done
+head -c 5000 "$folder/half" >"$folder/cut_brew"
+expect 2 "cut off" "${brew[@]}" --load "$folder/cut_brew" --save "$folder/both"
+cp "$folder/half" "$folder/flipped_brew"
+printf '\x41' | dd of="$folder/flipped_brew" bs=1 seek=9000 conv=notrunc 2>/dev/null
+expect 2 "damaged" "${brew[@]}" --load "$folder/flipped_brew" --save "$folder/both"
+cmp -s "$folder/whole" "$folder/both" || { echo "failed: a refused state was saved over another"; failures=$((failures + 1)); }
+[[ -z $(find "$folder" -name '*.part*') ]] || { echo "failed: half-written files stay"; failures=$((failures + 1)); }
+
 # A league is the same whoever plays it.
 league=(league --levels 1,3 --matches 3 --set quick.seconds=12 --json -)
 [[ $("$thaum" "${league[@]}" --jobs 1) == "$("$thaum" "${league[@]}" --jobs 3)" ]] || { echo "failed: league --jobs"; failures=$((failures + 1)); }
 
-for command in play range replay shots diff scenario league bench plot doctor; do
+for command in play range lab replay shots diff scenario league bench plot doctor; do
     lines=$("$thaum" "$command" --help | wc -l)
     [[ $lines -gt 2 && $lines -le 26 ]] || { echo "failed: the help of $command has $lines lines"; failures=$((failures + 1)); }
 done

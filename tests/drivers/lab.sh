@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# tests/drivers/lab.sh THAUM: the lab as people use it, under Xvfb with mouse and keys by xdotool: the brew is stirred and poured
+# into, solver and grid change while it moves, it is saved and loaded. What happened is read from the trace and the saved state.
+# Exits 77 where a tool is missing.
+set -euo pipefail
+. "$(dirname "$0")/screen.sh"
+thaum=$1
+need Xvfb xdotool import
+open_screen 1280x720
+fail() { echo "failed: $1"; cat "$folder/said"; tail -3 "$folder/trace.csv"* || true; import -window root "${SHOTS:-$folder}/failed.png"; exit 1; }
+drawn() { [ "$(import -window root -crop 300x200+200+100 -format %k info: 2>/dev/null)" -gt 100 ]; }
+"$thaum" lab --fluid --size 640x360 --cells 24 --trace "$folder/trace.csv" --save "$folder/brew" --seconds 60 >"$folder/said" 2>&1 &
+lab=$!
+for _ in $(seq 200); do
+    drawn && break
+    sleep 0.05
+done
+drawn || fail "no window"
+key() { xdotool key "$1"; sleep 0.3; }
+stir() {
+    for i in $(seq 12); do
+        xdotool mousemove $((320 + (i % 4 - 2) * 30)) $((180 + (i / 4 - 1) * 20))
+        sleep 0.05
+    done
+}
+
+# Stir and pour, then let go; the other solver, a finer grid, back again.
+xdotool mousemove 320 180 mousedown 1 keydown space
+stir
+xdotool keyup space
+stir
+import -window root "${SHOTS:-$folder}/lab.png"
+xdotool mouseup 1
+key s
+key equal
+key s
+key F5
+[ -s "$folder/brew" ] || fail "F5 did not save"
+key BackSpace
+key F9
+key Escape
+wait "$lab" || fail "the exit code"
+
+column() { head -1 "$folder/trace.csv" | tr , '\n' | grep -nx "$1" | cut -d: -f1; }
+moved=$(awk -F, -v e="$(column energy_m5_s2)" 'NR > 1 && $e > most { most = $e } END { print (most > 1e-4) }' "$folder/trace.csv")
+[ "$moved" = 1 ] || fail "the mouse moved nothing"
+grids=$(awk -F, -v c="$(column cells)" -v s="$(column substeps)" 'NR > 1 && $s > 0 { seen[$c / $s] = 1 } END { for (n in seen) print n }' "$folder/trace.csv" | wc -l)
+[ "$grids" -ge 2 ] || fail "the grid did not change"
+poured=$(awk -F, -v p="$(column substance_1_m3)" 'END { print ($p > 0.01) }' "$folder/trace.csv")
+[ "$poured" = 1 ] || fail "what was poured is not there after reset and load"
+"$thaum" lab --fluid --headless --stir none --load "$folder/brew" --seconds 0.1 >"$folder/said" || fail "the state does not load"
+grep -q '32 cells across, thaum, bowl' "$folder/said" || fail "another solver or grid than was chosen"
+echo "stirred, changed, saved and loaded by mouse and keys"
