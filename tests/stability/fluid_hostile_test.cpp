@@ -49,6 +49,27 @@ TEST(FluidHostile, AnyStepUpToASecond) {
     }
 }
 
+/// A lump of what is as thick as can be, many times as dense as it is meant to be, with a ladle going round in it.
+TEST(FluidHostile, ABrewThickerThanAnythingStaysFinite) {
+    Settings settings;
+    settings.cells = {20, 20, 20};
+    settings.h = 1.0 / 20;
+    settings.substances = {{.viscosity = viscosity_most}};
+    settings.solid = [](vec3 p) { return flows::in_bowl(p) ? 0.0 : 1.0; };
+    auto fluid = make_fluid(settings);
+    ASSERT_TRUE(fluid.has_value());
+    ASSERT_TRUE(pour(*fluid, 0, vec3(0.6, 0.5, 0.5), 0.1, 10));
+    double fastest = 0;
+    for (int i = 0; i < 80; ++i) {
+        const double turn = 0.1 * i;
+        const vec3 way(-det::sin(turn), 0, det::cos(turn));
+        push(*fluid, {vec3(0.5 + 0.25 * det::cos(turn), 0.5, 0.5 + 0.25 * det::sin(turn)), 0.1, 1e-3 * way});
+        fastest = std::max(fastest, advance(*fluid, flows::step).speed);
+    }
+    EXPECT_TRUE(all_finite(*fluid));
+    EXPECT_LT(fastest, 20);
+}
+
 TEST(FluidHostile, SettingsThatCannotBeAreRefused) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const auto refused = [](auto change) {
