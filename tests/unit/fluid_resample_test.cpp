@@ -88,5 +88,18 @@ TEST(FluidResample, TheSameGridIsTheSameFlow) {
     }
 }
 
+TEST(FluidMixing, IsOneLessTheSpreadByTheMean) {
+    for (const bool bowl : {false, true}) {
+        Fluid fluid = *make_fluid(settings_of(16, Solver::thaum, bowl));
+        EXPECT_EQ(mixing(fluid, 0), 0);  // none is there
+        set_substance(fluid, 0, [](vec3) { return 0.3; });
+        EXPECT_NEAR(mixing(fluid, 0), 1, 1e-6);
+        set_substance(fluid, 0, [](vec3 p) { return p.x < 0.5 ? 1.0 : 3.0; });
+        EXPECT_NEAR(mixing(fluid, 0), 0.5, 1e-6);
+        set_substance(fluid, 0, [](vec3 p) { return p.x < 0.1 && p.z < 0.6 ? 1.0 : 0.0; });
+        EXPECT_EQ(mixing(fluid, 0), 0);  // worse than half and half
+    }
+}
+
 }  // namespace
 }  // namespace thaum::fluid
