@@ -97,8 +97,9 @@ bool start_round(Session& s, MatchStart start) {
         start_practice(s, std::move(*files), start.seed);
     } else {
         show_scene(s.shared, start.data);
-        s.round.own = std::make_unique<Simulation>(std::move(start.data),
-                                                   game::MatchSetup{start.seed, devices_of(s.shared)});
+        s.round.own = std::make_unique<Simulation>(
+            std::move(start.data),
+            game::MatchSetup{.seed = start.seed, .devices = devices_of(s.shared), .workers = 1});
         s.round.match = s.round.own.get();
     }
     if (auto* log = std::get_if<input::LogWriter>(&start.keeping)) s.round.kept = std::move(*log);

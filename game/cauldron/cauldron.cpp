@@ -30,15 +30,6 @@ double mean_of(const BrewWork& work, const fluid::Samples& samples) {
     return sum / static_cast<double>(work.wet.size());
 }
 
-/// 1 - coefficient of variation; 0 where there is none of it.
-double mixing_of(const BrewWork& work, const fluid::Samples& density) {
-    const double mean = mean_of(work, density);
-    if (!(mean > 1e-9)) return 0;
-    double square = 0;
-    for (const auto cell : work.wet) square += (density[cell] - mean) * (density[cell] - mean);
-    return std::max(0.0, 1 - std::sqrt(square / static_cast<double>(work.wet.size())) / mean);
-}
-
 double mean_speed(const BrewWork& work) {
     const auto& velocity = work.brew.fluid.now.velocity;
     double sum = 0;
@@ -56,7 +47,7 @@ BrewFigures figures_of(const BrewWork& work, double base_viscosity) {
         const double mean = mean_of(work, fluid.now.substances[s]);
         viscosity += fluid.settings.substances[s].viscosity * mean;
         figures.density += fluid.settings.substances[s].weight * mean;
-        figures.mixing = mixing_of(work, fluid.now.substances[s]);
+        figures.mixing = fluid::mixing(fluid, s);
     }
     figures.viscosity = base_viscosity > 0 ? viscosity / base_viscosity : 1;
     figures.speed = mean_speed(work);

@@ -88,11 +88,10 @@ void read_flow(const Stage& stage, const Cauldron& cauldron, vec3 place, vec3 ve
 }
 
 haptics::BowlWall wall_of(const LadleRules& rules, const Basin& basin) {
-    return {.centre = vec3(0),
-            .radius = basin.profile.front().x,
-            .depth = basin.depth,
-            .stiffness = rules.stiffness,
-            .damping = rules.damping};
+    haptics::BowlWall wall{.stiffness = rules.stiffness, .damping = rules.damping};
+    wall.points = std::min(basin.profile.size(), wall.profile.size());
+    std::copy_n(basin.profile.begin(), wall.points, wall.profile.begin());
+    return wall;
 }
 
 /// What of the model no tick changes while one stirs.

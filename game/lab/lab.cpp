@@ -12,11 +12,9 @@
 namespace thaum::game {
 namespace {
 
-constexpr const char* rules_file = "cauldron.toml";
-constexpr std::size_t rules_file_most = 1U << 20U;  // bytes
-constexpr double gravity_most = 100;                // m/s^2
-constexpr double ladle_speed_most = 8;              // m/s; a mouse can be anywhere at once
-constexpr double pour_radius = 0.25;                // m
+constexpr double gravity_most = 100;    // m/s^2
+constexpr double ladle_speed_most = 8;  // m/s; a mouse can be anywhere at once
+constexpr double pour_radius = 0.25;    // m
 
 Expected<void> check(const LabSettings& s) {
     if (std::ranges::find(lab_cells, s.cells) == lab_cells.end())
@@ -123,12 +121,8 @@ Expected<LabData> load_lab_data(const std::filesystem::path& assets) {
     const auto match = load_match_data(assets, {});
     if (!match) return tl::unexpected(match.error());
     if (!match->arena.bowl) return fail(text(match->choice.arena, ": it has no bowl"));
-    const auto source = read_text_file(assets / rules_file, rules_file_most);
-    if (!source) return tl::unexpected(source.error());
-    const auto file = Config::parse(*source, rules_file, 1);
-    if (!file) return tl::unexpected(file.error());
-    LabData data{read_cauldron_rules(*file), {.size = match->arena.bowl->size, .filled = 1}};
-    if (auto sound = file->check(); !sound) return tl::unexpected(sound.error());
+    if (!match->cauldron) return fail(text(match->choice.rules, ": it has no cauldron"));
+    LabData data{*match->cauldron, {.size = match->arena.bowl->size, .filled = 1}};
     data.room.filled = data.rules.filled;
     return data;
 }

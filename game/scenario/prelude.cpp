@@ -142,8 +142,16 @@ function Wizard:move(strafe, forward) raw.move(self.player, strafe, forward) end
 
 function Wizard:stop() raw.move(self.player, 0, 0) end
 
--- Counts of the mouse in each tick from now on.
+-- The mouse's counts in the coming tick.
 function Wizard:stroke(right, up) raw.look(self.player, right, up) end
+
+-- So many in each tick for a while.
+function Wizard:draw(right, up, seconds)
+    for _ = 1, ticks_of(seconds) do
+        raw.look(self.player, right, up)
+        raw.wait(1)
+    end
+end
 
 function Wizard:look(right, up)
     local counts_right, counts_up = raw.counts_of(self.player, right), raw.counts_of(self.player, up or 0)

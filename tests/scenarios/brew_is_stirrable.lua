@@ -17,9 +17,7 @@ local hardest = 0
 -- Round the place where the hand rests: it begins at their near end.
 local function back(counts, period)
     local metres = 1e-4 * counts * 1000 * period / (2 * math.pi)
-    me:stroke(0, -2)
-    wait(metres / 1e-4 / 2 / 1000)
-    me:stroke(0, 0)
+    me:draw(0, -2, metres / 1e-4 / 2 / 1000)
     wait(0.3)
 end
 local function circles(seconds, period, counts)
@@ -29,7 +27,6 @@ local function circles(seconds, period, counts)
         tick()
         hardest = math.max(hardest, length(me:force()))
     end
-    me:stroke(0, 0)
 end
 trace("brew", {"1.force_x", "1.force_y", "1.force_z"})
 fetch(-4.5)

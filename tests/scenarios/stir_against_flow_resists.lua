@@ -16,12 +16,9 @@ local function circles(seconds, sense)
         tick()
         if i <= 250 then sum = sum + length(me:force()) end
     end
-    me:stroke(0, 0)
     return sum / 250
 end
-me:stroke(0, -2)
-wait(0.16)
-me:stroke(0, 0)
+me:draw(0, -2, 0.16)
 wait(0.3)
 circles(4, 1)
 local with = circles(1, 1)

@@ -14,7 +14,6 @@ local function stir(seconds, sense, counts)
         me:stroke(math.floor(sense * counts * math.cos(a) + 0.5), math.floor(counts * math.sin(a) + 0.5))
         tick()
     end
-    me:stroke(0, 0)
 end
 
 -- Of the whole brew about its middle, m/s half way out: positive from +z to +x.
@@ -44,9 +43,7 @@ end
 me:hold("stir")
 wait(0.3)
 expect(me:stirs())
-me:stroke(0, -2)  -- so that the circles go round where the hand rests
-wait(0.16)
-me:stroke(0, 0)
+me:draw(0, -2, 0.16)  -- so that the circles go round where the hand rests
 wait(0.3)
 
 -- Whole circles, so that the hand is let go at the same place each time.
@@ -56,7 +53,6 @@ local function run(seconds, sense, counts)
     local from = me:hand()
     local way, force = drift()
     -- Back to where it was let go.
-    me:stroke(0, 0)
     return swirl, way, force
 end
 

@@ -7,9 +7,7 @@ me:place {-2.2, 0, 0}
 me:hold("stir")
 trace("wall", {"1.hand_x", "1.hand_z", "1.force_x", "1.force_z"})
 wait(0.3)
-me:stroke(2, -1)  -- to the right and back, where the wall is near
-wait(0.3)
-me:stroke(0, 0)
+me:draw(2, -1, 0.3)  -- to the right and back, where the wall is near
 wait(1)
 local hand, force, ladle, middle = me:hand(), me:force(), me:ladle(), brew().middle
 -- Where the ladle is in the hand's frame: 15 m a metre; he looks along +x, and a hand at rest is 0.35 m before the middle.

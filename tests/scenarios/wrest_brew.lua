@@ -18,7 +18,6 @@ local function stir(who, seconds)
         who:stroke(math.floor(3 * math.cos(a) + 0.5), math.floor(3 * math.sin(a) + 0.5))
         tick()
     end
-    who:stroke(0, 0)
 end
 stir(two, 2)
 expect(brew().owner == 2, "who stirs harder")
