@@ -13,12 +13,12 @@ namespace thaum::haptics {
 namespace {
 
 /// At the hand, per what it is in the bowl (haptics.md, "Two scales").
-struct Felt {
+struct HandScale {
     double stiffness{};  ///< and damping and mass: s_f s_x
     double energy{};     ///< s_f / s_x
 };
 
-Felt felt(const BowlFrame& frame) {
+HandScale hand_scale(const BowlFrame& frame) {
     return {frame.newtons_per_newton * frame.metres_per_metre,
             frame.newtons_per_newton / frame.metres_per_metre};
 }
@@ -68,7 +68,7 @@ bool has_mass(const FluidTouch& touch) {
 void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingLeft& damping,
                FluidFeel& feel) {
     if (!has_mass(touch)) return;
-    const double scale = touch.modes.inertia * felt(touch.frame).stiffness;
+    const double scale = touch.modes.inertia * hand_scale(touch.frame).stiffness;
     const double mass = scale * touch.ladle.mass, stiffness = scale * touch.ladle.stiffness;
     const double taken = damping.take(scale * touch.ladle.damping, damping.left / 2);
     const bool follows = state.begun != 0 && glm::length(state.mass_position - tip.position) <= longest_step;
@@ -132,7 +132,7 @@ void feel_surface(const FluidTouch& touch, FluidTouchState& state, double height
     if (!std::isfinite(force)) return;
     state.surface_force = force;
     const vec3 up = glm::transpose(touch.frame.turn) * vec3(0, 1, 0);
-    add(feel, force * up, touch.modes.surface * felt(touch.frame).energy * pull.stored);
+    add(feel, force * up, touch.modes.surface * hand_scale(touch.frame).energy * pull.stored);
 }
 
 // ---- flow ----------------------------------------------------------------------------------------------------------
@@ -167,7 +167,7 @@ struct FlowForces {
 
 FlowForces forces_of(const FluidTouch& touch, const FlowSample& sample, vec3 velocity, double immersed,
                      double most_damping) {
-    const double scale = felt(touch.frame).stiffness;
+    const double scale = hand_scale(touch.frame).stiffness;
     const double most = scale > 0 ? most_damping / scale : std::numeric_limits<double>::infinity();
     const Drags drags = drags_of(touch.modes, touch.drag, sample, immersed, most);
     const auto felt_of = [&](double drag, vec3 way) { return force_to_hand(touch.frame, drag * way); };
@@ -223,7 +223,7 @@ void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3
     const vec3 off = state.place - place;  // inwards
     const double depth = glm::length(off);
     if (!(depth > 0) || !std::isfinite(depth)) return;
-    const double scale = felt(touch.frame).stiffness * touch.modes.wall;
+    const double scale = hand_scale(touch.frame).stiffness * touch.modes.wall;
     const double damps = damping.take(scale * touch.wall.damping, damping.left);
     const vec3 in = glm::transpose(touch.frame.turn) * (off / depth);
     const double stretch = depth / touch.frame.metres_per_metre;

@@ -89,11 +89,10 @@ struct ServoSample {
 /// What no tick changes.
 struct Servo {
     SafetyLimits limits{};
-    double
-        most_damping{};  ///< N s/m, that the device can render: what the passivity controller may add, and what a fluid's drag may be;
-        ///< 0: there is neither
-    int latency{};     ///< ticks, the device's
-    double quantum{};  ///< m, of its positions
+    double most_damping{};  ///< N s/m, that the device can render: what the passivity controller may add, and
+                            ///< what a fluid's drag may be; 0: there is neither
+    int latency{};          ///< ticks, the device's
+    double quantum{};       ///< m, of its positions
 };
 
 /// share: the player's cap as a part of the device's peak, 0 to 1.

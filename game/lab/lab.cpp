@@ -69,7 +69,7 @@ double stir(LabState& lab, vec3 to) {
     const double volume = 32 * pi / 105 * radius * radius * radius;
     const vec3 place = to - lab.brew.corner;
     const vec3 slip = speed - fluid::velocity_at(lab.brew.fluid, place);
-    const double taken = std::min(volume, ladle.drag * lab_dt / lab.rules.density);
+    const double taken = std::min(volume, ladle.form * lab_dt);
     if (slip == vec3(0) || !fluid::push(lab.brew.fluid, {place, radius, taken * slip})) return 0;
     return lab.rules.density * taken / lab_dt * glm::length(slip);
 }

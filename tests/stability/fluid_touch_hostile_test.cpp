@@ -10,7 +10,7 @@
 namespace thaum::haptics {
 namespace {
 
-DeviceSpec shipped(const char* name) {
+DeviceSpec spec_in_file(const char* name) {
     const auto file = std::string(name) + ".toml";
     const auto toml = read_text_file(THAUM_SOURCE_DIR "/assets/devices/" + file, 1U << 16U);
     return *read_device(*Config::parse(*toml, file, 1));
@@ -72,7 +72,7 @@ TEST(FluidTouchHostile, TheWayThroughTheFluidDoesNotRing) {
 // ---- energy --------------------------------------------------------------------------------------------------------
 
 /// So that no cap takes anything from the hand that the world gave.
-DeviceSpec unlimited(DeviceSpec spec) {
+DeviceSpec without_limits(DeviceSpec spec) {
     spec.peak_force = spec.continuous_force = 1000;
     return spec;
 }
@@ -82,9 +82,10 @@ TEST(FluidTouchHostile, PassiveModesCreateNothing) {
         for (const std::uint32_t delay : {0U, 5U}) {
             for (auto [name, world] : bench::stirred_cases()) {
                 world.delay = delay;
-                const auto energy = bench::StirringAttack(world, unlimited(shipped(device))).run(10'000);
+                const auto energy =
+                    bench::StirringAttack(world, without_limits(spec_in_file(device))).run(6'000);
                 EXPECT_LE(energy.most_created, 0.02) << device << " " << delay << " " << name;
-                EXPECT_GT(energy.moved, 0.1) << device << " " << delay << " " << name;
+                EXPECT_GT(energy.moved, 0.05) << device << " " << delay << " " << name;
             }
         }
     }
@@ -118,7 +119,7 @@ FlowPatch nasty_patch(Random& random) {
     return patch;
 }
 
-void spoil(FluidTouch& touch, Random& random) {
+void spoil_fluid(FluidTouch& touch, Random& random) {
     const auto sometimes = [&random](double& value) {
         if (random.below(6) == 0) value = nasty_number(random);
     };
@@ -166,7 +167,7 @@ void spoil(FluidTouch& touch, Random& random) {
 }
 
 TEST(FluidTouchHostile, NothingGetsThroughAndWhatIsSaneAgainIsFeltAgain) {
-    const auto spec = shipped("touch");
+    const auto spec = spec_in_file("touch");
     Servo servo = servo_of(spec, 1);
     Random random{33};
     for (int run = 0; run < 300; ++run) {
@@ -174,7 +175,7 @@ TEST(FluidTouchHostile, NothingGetsThroughAndWhatIsSaneAgainIsFeltAgain) {
         HapticModel model;
         vec3 tip{};
         for (int tick = 0; tick < 100; ++tick) {
-            if (random.below(3) == 0) spoil(model.fluid, random);
+            if (random.below(3) == 0) spoil_fluid(model.fluid, random);
             tip += vector_within(random, random.below(30) == 0 ? 10 : 1e-3);
             const vec3 at = random.below(60) == 0 ? nasty_vector(random) : tip;
             const auto age = static_cast<std::uint32_t>(random.below(4) == 0 ? random.below(60) : 0);

@@ -10,7 +10,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 fluid::Fluid wild_fluid() {
     auto made = fluid::make_fluid(
@@ -97,7 +97,7 @@ TEST(FlowPatch, GoesOnBeyondItsNodesAndIsEmptyOfNothing) {
         const vec3 top = patch.origin + vec3(3 * patch.spacing + far);
         EXPECT_LE(glm::length(flow_at(patch, top).velocity - vec3(patch.nodes[63].velocity)), 1e-6) << far;
     }
-    for (const vec3 place : {vec3(nan, 0, 0), vec3(0, HUGE_VAL, 0)}) {
+    for (const vec3 place : {vec3(no_number, 0, 0), vec3(0, HUGE_VAL, 0)}) {
         EXPECT_EQ(flow_at(patch, place).velocity, vec3(0));
         EXPECT_EQ(patch_of(source_of(fluid), place).spacing, 0);
     }
