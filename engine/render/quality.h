@@ -5,6 +5,8 @@
 //   medium     720 lines    8, each vertex    map, one bilinear tap    the same, in the sun and in the shade
 //   high       the window's 8, each pixel     map, nine taps           16-bit floats, tone mapped at the end, bloom
 //
+// A volume is marched in 7, 10 and 28 steps, at low and medium with a third of the view's pixels along a side.
+//
 // `auto` is not a preset but a way to choose one: it begins by what draws (a processor or a graphics card) and goes by
 // measured times. It never flaps: a preset that proved too slow is not tried again.
 #pragma once

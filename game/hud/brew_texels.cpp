@@ -89,7 +89,8 @@ void to_bytes(std::span<const float> shares, float times, std::span<int> out) {
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const float share = times * shares[i] > 0 ? times * shares[i] : 0.0F;
         const float shown = root ? std::sqrt(share) : share;
-        out[i] = static_cast<int>((shown < 1 ? shown : 1.0F) * 255 + 0.5F);
+        // Not lround: that is a call, and the numbers are small.
+        out[i] = static_cast<int>(std::floor((shown < 1 ? shown : 1.0F) * 255 + 0.5F));
     }
 }
 

@@ -17,8 +17,8 @@ constexpr int size = 120;
 constexpr float thickness = 1.5F;  // 1/m
 constexpr float mirrored = 0.02F;  // of what falls straight onto water
 constexpr Rect whole{0, 0, size, size};
-const fquat down = glm::angleAxis(-1.5707963F, fvec3(1, 0, 0)),
-            up = glm::angleAxis(1.5707963F, fvec3(1, 0, 0));
+const fquat downwards = glm::angleAxis(-1.5707963F, fvec3(1, 0, 0)),
+            upwards = glm::angleAxis(1.5707963F, fvec3(1, 0, 0));
 
 /// Nothing shines but what a test lets shine.
 Environment darkness() {
@@ -30,7 +30,7 @@ Environment darkness() {
     return e;
 }
 
-fvec3 middle(const Image& image) {
+fvec3 middle_of(const Image& image) {
     const auto i = 3 * (static_cast<std::size_t>(image.height / 2) * static_cast<std::size_t>(image.width) +
                         static_cast<std::size_t>(image.width / 2));
     return fvec3(image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]) / 255.0F;
@@ -71,7 +71,7 @@ protected:
                   .thickness = thickness,
                   .skin = skin,
                   .skin_indices = corners};
-        camera = {.position = {0, 3, 0}, .orientation = down};
+        camera = {.position = {0, 3, 0}, .orientation = downwards};
     }
 
     void fill(Texel with) {
@@ -121,9 +121,9 @@ constexpr float pixel_step = 2.0F / 255;
 TEST_F(VolumeTest, SwallowsAsMuchOfWhatIsBehindAsTheLawOfBeerAndLambertSays) {
     stand({0, -3, 0}, {8, 1, 8}, {0.2F, 0.1F, 0.05F});
     for (const auto quality : {Quality::low, Quality::medium}) {
-        const auto behind = middle(drawn(nullptr, quality));
+        const auto behind = middle_of(drawn(nullptr, quality));
         ASSERT_GT(behind.r, 0.2F);
-        const auto seen = middle(drawn(&volume, quality));
+        const auto seen = middle_of(drawn(&volume, quality));
         const float left = (1 - mirrored) * std::exp(-thickness * 1);
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], left * behind[c], pixel_step);
     }
@@ -135,7 +135,7 @@ TEST_F(VolumeTest, GivesLightAsLongAsTheWayThroughItIs) {
     const float given = 1 - std::exp(-thickness * 1), cover = mirrored + (1 - mirrored) * given;
     const fvec3 light = (1 - mirrored) * given * 2.0F * fvec3(1, half * half, 0);
     for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
-        const auto seen = middle(drawn(&volume, quality));
+        const auto seen = middle_of(drawn(&volume, quality));
         const fvec3 expected = quality == Quality::high ? detail::tone_mapped(light)
                                                         : cover * detail::tone_mapped(light / cover);
         for (int c = 0; c < 3; ++c)
@@ -145,8 +145,8 @@ TEST_F(VolumeTest, GivesLightAsLongAsTheWayThroughItIs) {
 
 TEST_F(VolumeTest, EndsAtWhatStandsInIt) {
     stand({0, -0.9F, 0}, {1, 1, 1}, {0.2F, 0.1F, 0.05F});  // its top at -0.4
-    const auto behind = middle(drawn(nullptr));
-    const auto seen = middle(drawn(&volume));
+    const auto behind = middle_of(drawn(nullptr));
+    const auto seen = middle_of(drawn(&volume));
     const float left = (1 - mirrored) * std::exp(-thickness * 0.4F);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], left * behind[c], pixel_step);
 }
@@ -156,28 +156,28 @@ TEST_F(VolumeTest, IsHiddenByWhatStandsBeforeIt) {
     fill({255, 255, 255, 255});
     for (const auto quality : {Quality::low, Quality::high}) {
         const auto without = drawn(nullptr, quality);
-        EXPECT_EQ(middle(without), middle(drawn(&volume, quality)));
+        EXPECT_EQ(middle_of(without), middle_of(drawn(&volume, quality)));
     }
 }
 
 TEST_F(VolumeTest, IsSeenFromWithinUpToTheEye) {
     camera.position = {0, -0.2F, 0};
     stand({0, -3, 0}, {8, 1, 8}, {0.2F, 0.1F, 0.05F});
-    const auto behind = middle(drawn(nullptr));
-    const auto seen = middle(drawn(&volume));
+    const auto behind = middle_of(drawn(nullptr));
+    const auto seen = middle_of(drawn(&volume));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], std::exp(-thickness * 0.8F) * behind[c], pixel_step);
     // Upwards it ends at the level.
-    camera.orientation = up;
+    camera.orientation = upwards;
     instances.clear();
     stand({0, 4, 0}, {8, 1, 8}, {0.2F, 0.1F, 0.05F});
-    const auto above = middle(drawn(nullptr));
-    const auto through = middle(drawn(&volume));
+    const auto above = middle_of(drawn(nullptr));
+    const auto through = middle_of(drawn(&volume));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(through[c], std::exp(-thickness * 0.2F) * above[c], pixel_step);
 }
 
 TEST_F(VolumeTest, ShowsNothingThroughTheWallOfItsVessel) {
     fill({255, 255, 255, 255});
-    camera = {.position = {0, -3, 0}, .orientation = up};
+    camera = {.position = {0, -3, 0}, .orientation = upwards};
     EXPECT_TRUE(same(drawn(nullptr), drawn(&volume))) << "the skin is seen from outside only";
 }
 
@@ -185,10 +185,10 @@ TEST_F(VolumeTest, FadesIntoTheFog) {
     fill({255, 255, 255, 255});
     auto frame = frame_of(&volume, Quality::low);
     renderer->draw(frame);
-    const auto clear = middle(renderer->read_pixels());
+    const auto clear = middle_of(renderer->read_pixels());
     frame.views[0].environment.fog = {fvec3(0, 0.5F, 0), 2};
     renderer->draw(frame);
-    const auto foggy = middle(renderer->read_pixels());
+    const auto foggy = middle_of(renderer->read_pixels());
     EXPECT_GT(clear.r, 0.5F);
     EXPECT_LT(foggy.r, pixel_step);
     EXPECT_GT(foggy.g, 0.3F);
@@ -218,8 +218,8 @@ TEST_F(VolumeTest, StandsWhereItDoesInEveryViewAndSize) {
             }
             EXPECT_GT(left, 200);
             EXPECT_EQ(right, 0);
-            EXPECT_NEAR(middle_x / left, size / 4 - 0.5, 1.0);
-            EXPECT_NEAR(middle_y / left, size / 2 - 0.5, 1.0);
+            EXPECT_NEAR(middle_x / left, 0.25 * size - 0.5, 1.0);
+            EXPECT_NEAR(middle_y / left, 0.5 * size - 0.5, 1.0);
         }
     }
 }
@@ -231,19 +231,19 @@ TEST_F(VolumeTest, IsSentOncePerVersion) {
     };
     EXPECT_EQ(sent(), 1U);
     EXPECT_EQ(sent(), 0U);
-    const auto dark = middle(drawn(&volume));
+    const auto dark = middle_of(drawn(&volume));
     texels.assign(8, {255, 0, 0, 255});
     EXPECT_EQ(sent(), 0U) << "the version is the same";
-    EXPECT_EQ(middle(drawn(&volume)), dark);
+    EXPECT_EQ(middle_of(drawn(&volume)), dark);
     ++volume.version;
     EXPECT_EQ(sent(), 1U);
-    EXPECT_GT(middle(drawn(&volume)).r, 0.5F);
+    EXPECT_GT(middle_of(drawn(&volume)).r, 0.5F);
     // Another size under the same version is sent as well.
     texels.assign(1, {0, 255, 0, 255});
     volume.cells = {1, 1, 1};
     volume.texels = texels;
     EXPECT_EQ(sent(), 1U);
-    EXPECT_GT(middle(drawn(&volume)).g, 0.5F);
+    EXPECT_GT(middle_of(drawn(&volume)).g, 0.5F);
 }
 
 TEST_F(VolumeTest, WhatMakesNoSenseIsNotDrawn) {

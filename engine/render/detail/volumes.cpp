@@ -10,7 +10,7 @@ namespace {
 
 // Beside those of detail/shaders.h.
 constexpr GLint texels_unit = 3, opaque_unit = 4;
-constexpr GLuint at_position = 0, at_normal = 1, at_foam = 2;
+constexpr GLuint skin_position = 0, skin_normal = 1, skin_foam = 2;
 
 bool all_finite(fvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 bool positive(fvec3 v) { return all_finite(v) && v.x > 0 && v.y > 0 && v.z > 0; }
@@ -186,9 +186,9 @@ VolumeId Volumes::make() {
     const auto& gpu = all_.back();
     glBindVertexArray(gpu.array.get());
     glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.get());
-    attribute(at_position, 3, sizeof(SkinVertex), offsetof(SkinVertex, position));
-    attribute(at_normal, 3, sizeof(SkinVertex), offsetof(SkinVertex, normal));
-    attribute(at_foam, 1, sizeof(SkinVertex), offsetof(SkinVertex, foam));
+    attribute(skin_position, 3, sizeof(SkinVertex), offsetof(SkinVertex, position));
+    attribute(skin_normal, 3, sizeof(SkinVertex), offsetof(SkinVertex, normal));
+    attribute(skin_foam, 1, sizeof(SkinVertex), offsetof(SkinVertex, foam));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.indices.get());
     bind(texels_unit, GL_TEXTURE_3D, gpu.texels);
     glActiveTexture(GL_TEXTURE0 + texels_unit);
