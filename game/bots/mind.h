@@ -143,13 +143,13 @@ struct Climber {
 };
 
 /// What it does at the cauldron: walks to the rim, stirs.
-enum class Stirring : std::uint32_t { none, approach, stir };
+enum class AtCauldron : std::uint32_t { none, approach, stir };
 
 struct Stirrer {
     Tick until{};       ///< when it gives up, or has had enough
     Tick not_before{};  ///< when it may think of it again
     double health{};    ///< HP, when it began
-    Stirring what{};
+    AtCauldron what{};
     std::uint32_t spare{};
     static constexpr std::string_view name = "Stirrer";
     static constexpr auto fields() {

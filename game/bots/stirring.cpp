@@ -38,7 +38,7 @@ vec3 place_at_rim(const Simulation& match, const Cauldron& cauldron, vec3 from) 
 }
 
 void end(const Seat& seat, Mind& mind, Stirrer& stirrer, Tick tick) {
-    stirrer.what = Stirring::none;
+    stirrer.what = AtCauldron::none;
     stirrer.not_before = tick + seat.skill.stir.rest;
     if (mind.errand == Errand::stir) mind.errand = Errand::none;
 }
@@ -52,24 +52,24 @@ void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, M
     const auto& cauldron = match.world().single<Cauldron>();
     const bool wanted = is_worth_it(match, self, seat, mind, tick);
     switch (stirrer.what) {
-        case Stirring::none:
+        case AtCauldron::none:
             if (tick < stirrer.not_before || !wanted || mind.errand != Errand::none) return;
             stirrer.not_before = tick + ticks(0.5);
             if (off_axis(self.centre - cauldron.middle) > skill.seek || mind.random.uniform() >= skill.share)
                 return;
-            stirrer.what = Stirring::approach;
+            stirrer.what = AtCauldron::approach;
             stirrer.until = tick + way_limit;
             [[fallthrough]];
-        case Stirring::approach:
+        case AtCauldron::approach:
             if (tick >= stirrer.until || !wanted) return end(seat, mind, stirrer, tick);
             mind.errand = Errand::stir;
             mind.goal = place_at_rim(match, cauldron, self.centre);
             if (!within_reach(match.data(), cauldron, self.centre)) return;
-            stirrer.what = Stirring::stir;
+            stirrer.what = AtCauldron::stir;
             stirrer.until = tick + skill.hold;
             stirrer.health = self.health;
             return;
-        case Stirring::stir:
+        case AtCauldron::stir:
             const bool full = self.energy_share > has_enough && !foe_stirs(match, seat, mind, tick);
             if (tick >= stirrer.until || full || self.health < stirrer.health - unnerved)
                 end(seat, mind, stirrer, tick);

@@ -10,7 +10,7 @@ void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, M
                   Tick tick);
 
 /// Whether its hand is at the ladle.
-inline bool stirs(const Stirrer& stirrer) { return stirrer.what == Stirring::stir; }
+inline bool stirs(const Stirrer& stirrer) { return stirrer.what == AtCauldron::stir; }
 
 /// What the hand does in this tick.
 void stir_hand(Tick tick, input::DeviceSample& sample);

@@ -578,7 +578,8 @@ void add_instances(const Court& court, const Picture& picture, std::uint32_t vie
     add_brew_of(court, picture, viewer, out);
     add_niches(court, picture, out);
     add_embers(court, picture.played_s, out);
-    add_bubbles(court, picture.played_s, out);
+    const vec3 eye = viewer < players ? picture.wizards[viewer].eye : vec3(0);
+    if (visible_brew(court, picture, eye) == nullptr) add_bubbles(court, picture.played_s, out);
 }
 
 void choose_lights(const Court& court, const Picture& picture, vec3 eye, std::vector<PointLight>& out) {
