@@ -248,13 +248,16 @@ void add_brew_systems(Stage& stage, ecs::Schedule& schedule) {
                   .reads = world.mask<Wizard, Ladle>(),
                   .writes = world.mask<Cauldron, SurfacePage>(),
                   .needs = world.mask<SurfacePage>(),
-                  .run = [&stage](ecs::World& w, Tick) { step_surface(stage, w.single<Cauldron>()); }});
-    schedule.add(
-        {.name = "brew",
-         .period = fluid_period,
-         .writes = world.mask<Cauldron, BrewPage>(),
-         .needs = world.mask<BrewPage>(),
-         .run = [&stage](ecs::World& w, Tick tick) { step_fluid(stage, w.single<Cauldron>(), tick); }});
+                  .run = [&stage](ecs::World& w, Tick) {
+                      if (stage.brew) step_surface(stage, w.single<Cauldron>());
+                  }});
+    schedule.add({.name = "brew",
+                  .period = fluid_period,
+                  .writes = world.mask<Cauldron, BrewPage>(),
+                  .needs = world.mask<BrewPage>(),
+                  .run = [&stage](ecs::World& w, Tick tick) {
+                      if (stage.brew) step_fluid(stage, w.single<Cauldron>(), tick);
+                  }});
 }
 
 }  // namespace thaum::game

@@ -128,6 +128,18 @@ void move_ladle(const Stage& stage, Cauldron& cauldron, std::uint32_t player, co
         add_ladle_stroke(cauldron, player, tip, ladle.force * tick_seconds, rules.ladle.radius);
 }
 
+/// s, in which who begins to stir has turned his eyes to the brew, but for e^-1 of the way.
+constexpr double turning_time = 0.15;
+
+void look_into(const WizardRules& rules, const Cauldron& cauldron, vec3 body, const Ladle& ladle,
+               Gaze& gaze) {
+    const vec3 way = cauldron.middle - eye_of(rules, body);
+    const double share = tick_seconds / turning_time;
+    const double left = std::remainder(ladle.yaw - gaze.yaw, 2 * pi);
+    gaze.yaw = std::remainder(gaze.yaw + share * left, 2 * pi);
+    gaze.pitch += share * (det::atan2(way.y, off_axis(way)) - gaze.pitch);
+}
+
 }  // namespace
 
 HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, const Ladle& ladle) {
@@ -173,17 +185,19 @@ void add_stir_system(Stage& stage, ecs::Schedule& schedule) {
 
 void add_ladle_system(Stage& stage, ecs::Schedule& schedule) {
     auto& world = stage.world;
-    schedule.add({.name = "ladles",
-                  .reads = world.mask<Wizard, Grip, BrewPage, SurfacePage>(),
-                  .writes = world.mask<Ladle, Cauldron>(),
-                  .needs = world.mask<Ladle>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
-                      auto& cauldron = w.single<Cauldron>();
-                      w.view<const Wizard, const Grip, Ladle>().each(
-                          [&](const Wizard& wizard, const Grip& grip, Ladle& ladle) {
-                              move_ladle(stage, cauldron, wizard.player, grip, ladle, tick);
-                          });
-                  }});
+    schedule.add(
+        {.name = "ladles",
+         .reads = world.mask<Wizard, Grip, Motion, BrewPage, SurfacePage>(),
+         .writes = world.mask<Ladle, Cauldron, Gaze>(),
+         .needs = world.mask<Ladle>(),
+         .run = [&stage](ecs::World& w, Tick tick) {
+             auto& cauldron = w.single<Cauldron>();
+             w.view<const Wizard, const Grip, const Motion, Ladle, Gaze>().each(
+                 [&](const Wizard& wizard, const Grip& grip, const Motion& motion, Ladle& ladle, Gaze& gaze) {
+                     move_ladle(stage, cauldron, wizard.player, grip, ladle, tick);
+                     look_into(stage.data.wizard, cauldron, motion.position, ladle, gaze);
+                 });
+         }});
 }
 
 }  // namespace thaum::game

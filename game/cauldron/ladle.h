@@ -23,7 +23,7 @@ bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body);
 
 /// Every gameplay tick, before hands are felt: who begins and who ends.
 void add_stir_system(Stage& stage, ecs::Schedule& schedule);
-/// Every tick, after hands were felt: where ladles are, what they do to the brew.
+/// Every tick, after hands were felt: where ladles are, what they do to the brew; the eyes turn to it.
 void add_ladle_system(Stage& stage, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

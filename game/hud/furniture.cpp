@@ -226,7 +226,7 @@ FurnitureMesh cauldron(const physics::TriangleMesh& solid) {
         rim = std::max(rim, p.x), top = std::max(top, p.y), bottom = std::min(bottom, p.y);
     out.lit = render::revolve(profile, 28, colour(0x5E4A50), 1.0F);
     const fvec3 copper = colour(0xC87A3A);
-    append(out.lit, render::cylinder(1.015F * rim, 0.001F, 28, copper), translated({0, bottom, 0}));
+    append(out.lit, render::cylinder(1.015F * rim, 0.001F, 28, colour(0x70442A)), translated({0, bottom, 0}));
     const auto band = [&](float radius, float y, float high) {
         const std::array<fvec2, 5> ring{fvec2(radius, y - high),
                                         {radius + 0.045F, y - 0.6F * high},

@@ -275,7 +275,7 @@ struct Trip {
 Trip errand_over_the_pit(double swing_gain) {
     auto skill = skill_of(3);
     skill.swing_gain = swing_gain;
-    skill.vial_below = skill.cover_below = skill.lift.share = 0;
+    skill.vial_below = skill.cover_below = skill.lift.share = skill.stir.share = 0;
     skill.spark_below = 1;
     auto data = *duel_data({"bolt.energy.regain_per_s=0"});
     auto& power_ups = data.arena.power_ups;

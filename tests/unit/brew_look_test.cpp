@@ -120,7 +120,7 @@ TEST_F(BrewLookTest, SubstancesAreSeenWhereTheyAre) {
     EXPECT_EQ(yellow.r, yellow.g);
     EXPECT_GT(yellow.r, 80);
     EXPECT_EQ(yellow.b, 0);
-    EXPECT_GT(base.b, base.r) << "the brew's own blue";
+    EXPECT_GT(base.r, base.b) << "the brew's own amber";
     EXPECT_EQ(red.a, 255);
     EXPECT_LT(base.a, 200);
 }

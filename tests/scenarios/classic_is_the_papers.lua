@@ -1,0 +1,22 @@
+-- The paper's own solver on its own grid of 15 cells stands in the match as well: it is stirred, and loses what it was given sooner than
+-- the current takes to go round.
+match {players = {"script", "script"}, set = {"haptics.share=1", "cauldron.brew.solver='classic'", "cauldron.brew.cells_across=15"}}
+clear_props()
+local me = wizard(1)
+wizard(2):place {15, 0, -15}
+me:place {-2.2, 0, 0}
+me:hold("stir")
+wait(0.3)
+me:draw(0, -2, 0.16)
+trace("classic", {"1.force_x", "1.force_y", "1.force_z"})
+for i = 1, 3000 do
+    local a = 2 * math.pi * i / 1000
+    me:stroke(math.floor(2 * math.cos(a) + 0.5), math.floor(2 * math.sin(a) + 0.5))
+    tick()
+end
+local stirred = brew().speed
+expect(stirred > 0.05, "stirred: " .. stirred)
+expect(length(me:force()) > 0.05, "and felt")
+me:release("stir")
+wait(3)
+expect(brew().speed < 0.5 * stirred, string.format("%.3f m/s, three seconds later %.3f", stirred, brew().speed))
