@@ -16,7 +16,7 @@ bool near(const MatchData& data, const Cauldron& cauldron, vec3 place) {
 // ---- ingredients ---------------------------------------------------------------------------------------------------
 
 /// m between feet and the niche's height; more is another floor.
-constexpr double same_floor = 1;
+constexpr double one_floor = 1;
 
 void pick_up(Stage& stage, Niche& niche, vec3 place, Tick tick) {
     auto& world = stage.world;
@@ -25,7 +25,7 @@ void pick_up(Stage& stage, Niche& niche, vec3 place, Tick tick) {
     world.view<const Wizard, const Motion, ecs::Without<Dead>, ecs::Without<Pouch>>().each(
         [&](ecs::Entity e, const Wizard& wizard, const Motion& motion) {
             const vec3 off = motion.position - vec3(0, stage.data.wizard.height / 2, 0) - place;
-            if (off_axis(off) > stage.data.cauldron->niche_radius || std::abs(off.y) > same_floor) return;
+            if (off_axis(off) > stage.data.cauldron->niche_radius || std::abs(off.y) > one_floor) return;
             taker = e;
             who = wizard.player;
         });

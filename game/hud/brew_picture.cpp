@@ -1,5 +1,6 @@
 #include "game/hud/brew_picture.h"
 
+#include "fluid/sample.h"
 #include "game/cauldron/brew_pages.h"
 #include "game/cauldron/cauldron.h"
 #include "game/components/grip.h"

@@ -92,7 +92,7 @@ private:
         count(touch, touch.surface.height + touch.surface.velocity * age * tick_seconds);
         if (tick % 40 == 0) goal_ = any(0.05);
         const vec3 from = tip_.position;
-        tip_ = step(device_, tip_, goal_, force);
+        tip_ = haptics::step(device_, tip_, goal_, force);
         const double out = glm::dot(tip_.force, tip_.position - from);
         energy_.moved += std::abs(out);
         // The ladle is carried by the newest flow: it gives by the resistance, which is all that there is in a flow.
