@@ -343,7 +343,8 @@ protected:
         fs::create_directories(folder_);
         for (const auto* part : {"arenas", "rules", "wands", "wizards", "bots", "devices"})
             fs::copy(assets() / part, folder_ / part, fs::copy_options::recursive);
-        for (const auto* file : {"range.toml", "haptics.toml", "cauldron.toml"}) fs::copy(assets() / file, folder_);
+        for (const auto* file : {"range.toml", "haptics.toml", "cauldron.toml"})
+            fs::copy(assets() / file, folder_);
         auto files = RangeFiles::open(folder_, {});
         EXPECT_TRUE(files) << (files ? "" : files.error().message);
         files_.emplace(std::move(*files));
