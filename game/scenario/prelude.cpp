@@ -16,6 +16,7 @@ for _, name in ipairs {
 end
 local fail, now, type, tostring, setmetatable, sqrt = fail, now, type, tostring, setmetatable, math.sqrt
 local floor, max, abs = math.floor, math.max, math.abs
+local pi, cos, sin = math.pi, math.cos, math.sin
 log = print
 
 -- time ---------------------------------------------------------------------------------------------------------------
@@ -157,6 +158,17 @@ function Wizard:look(right, up)
     local counts_right, counts_up = raw.counts_of(self.player, right), raw.counts_of(self.player, up or 0)
     raw.look(self.player, counts_right, counts_up)
     raw.wait(1 + max(abs(counts_right), abs(counts_up)) // 8)
+end
+
+-- The mouse goes round, once in `period` seconds, `counts` a tick: to the right and then away; sense -1: to the left and then
+-- away. After each tick each(i) is called, where it is given.
+function Wizard:circles(seconds, period, counts, sense, each)
+    for i = 1, ticks_of(seconds) do
+        local a = 2 * pi * i / (1000 * period)
+        raw.look(self.player, floor((sense or 1) * counts * cos(a) + 0.5), floor(counts * sin(a) + 0.5))
+        raw.wait(1)
+        if each then each(i) end
+    end
 end
 
 local function place_of(target)

@@ -20,14 +20,7 @@ local function back(counts, period)
     me:draw(0, -2, metres / 1e-4 / 2 / 1000)
     wait(0.3)
 end
-local function circles(seconds, period, counts)
-    for i = 1, seconds * 1000 do
-        local a = 2 * math.pi * i / (1000 * period)
-        me:stroke(math.floor(counts * math.cos(a) + 0.5), math.floor(counts * math.sin(a) + 0.5))
-        tick()
-        hardest = math.max(hardest, length(me:force()))
-    end
-end
+local function note_force() hardest = math.max(hardest, length(me:force())) end
 trace("brew", {"1.force_x", "1.force_y", "1.force_z"})
 fetch(-4.5)
 me:release("stir")
@@ -36,10 +29,10 @@ fetch(4.5)
 wait(0.2)
 back(2, 1)
 hardest = 0
-circles(3, 1, 2)
+me:circles(3, 1, 2, 1, note_force)
 expect(brew().speed >= 0.5, "three gentle circles: " .. brew().speed)
 expect(hardest <= 1, "gentle: " .. hardest .. " N")
-circles(6, 0.8, 4)
+me:circles(6, 0.8, 4)
 expect(brew().mixing >= 0.5, "mixed: " .. brew().mixing)
 local from = me:hand()
 me:hold("clutch")

@@ -9,11 +9,7 @@ me:hold("stir")
 wait(0.3)
 me:draw(0, -2, 0.16)
 trace("classic", {"1.force_x", "1.force_y", "1.force_z"})
-for i = 1, 3000 do
-    local a = 2 * math.pi * i / 1000
-    me:stroke(math.floor(2 * math.cos(a) + 0.5), math.floor(2 * math.sin(a) + 0.5))
-    tick()
-end
+me:circles(3, 1, 2)
 local stirred = brew().speed
 expect(stirred > 0.05, "stirred: " .. stirred)
 expect(length(me:force()) > 0.05, "and felt")

@@ -7,15 +7,6 @@ wizard(2):place {15, 0, -15}
 me:place {-2.2, 0, 0}
 trace("swirl", {"1.hand_x", "1.hand_y", "1.hand_z", "1.force_x", "1.force_y", "1.force_z"})
 
--- Circles of the hand in the brew's plane; sense 1: to the right and then away.
-local function stir(seconds, sense, counts)
-    for i = 1, seconds * 1000 do
-        local a = 2 * math.pi * i / 1000
-        me:stroke(math.floor(sense * counts * math.cos(a) + 0.5), math.floor(counts * math.sin(a) + 0.5))
-        tick()
-    end
-end
-
 -- Of the whole brew about its middle, m/s half way out: positive from +z to +x.
 local function turning()
     local m, sum = brew().middle, 0
@@ -48,11 +39,9 @@ wait(0.3)
 
 -- Whole circles, so that the hand is let go at the same place each time.
 local function run(seconds, sense, counts)
-    stir(seconds, sense, counts)
+    me:circles(seconds, 1, counts, sense)
     local swirl = turning()
-    local from = me:hand()
     local way, force = drift()
-    -- Back to where it was let go.
     return swirl, way, force
 end
 

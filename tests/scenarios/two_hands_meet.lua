@@ -10,10 +10,5 @@ expect(one:stirs() and two:stirs())
 expect_near(length(two:force()), 0, 0.01, "at rest")
 trace("two", {"1.force_x", "1.force_z", "2.force_x", "2.force_z"})
 local felt = 0
-for i = 1, 2500 do
-    local a = 2 * math.pi * i / 1000
-    one:stroke(math.floor(3 * math.cos(a) + 0.5), math.floor(3 * math.sin(a) + 0.5))
-    tick()
-    felt = math.max(felt, length(two:force()))
-end
+one:circles(2.5, 1, 3, 1, function() felt = math.max(felt, length(two:force())) end)
 expect(felt > 0.05, "the other's hand feels it: " .. felt)

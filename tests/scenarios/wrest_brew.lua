@@ -12,15 +12,8 @@ wait(0.3)
 one:press("fire")
 wait(0.2)
 expect(brew().owner == 1, "whose ingredient it is")
-local function stir(who, seconds)
-    for i = 1, seconds * 1000 do
-        local a = 2 * math.pi * i / 800
-        who:stroke(math.floor(3 * math.cos(a) + 0.5), math.floor(3 * math.sin(a) + 0.5))
-        tick()
-    end
-end
-stir(two, 2)
+two:circles(2, 0.8, 3)
 expect(brew().owner == 2, "who stirs harder")
 expect_event {kind = "wrested", by = 2, within = 0.1}
-stir(one, 3)
+one:circles(3, 0.8, 3)
 expect(brew().owner == 1, "and back")
