@@ -62,14 +62,6 @@ std::optional<std::string> fault_of(const Settings& settings) {
     return {};
 }
 
-template <class Visit>
-void each_cell(const Lattice& lattice, Visit&& visit) {
-    for (int k = 0; k < lattice.cells[2]; ++k)
-        for (int j = 0; j < lattice.cells[1]; ++j)
-            for (int i = 0; i < lattice.cells[0]; ++i)
-                visit(vec3(i, j, k), static_cast<std::size_t>(lattice.at(i, j, k)));
-}
-
 /// Whether a component can be anything but 0 there.
 bool free_at(const Fluid& fluid, std::size_t axis, vec3 cell, std::size_t at) {
     if (fluid.settings.solver != Solver::thaum) return true;
@@ -222,7 +214,8 @@ vec3 velocity_at(const Fluid& fluid, vec3 place) {
 
 void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity) {
     for (std::size_t axis = 0; axis < 3; ++axis)
-        each_cell(fluid.lattice, [&](vec3 cell, std::size_t at) {
+        each_cell(fluid.lattice, [&](int i, int j, int k, std::size_t at) {
+            const vec3 cell(i, j, k);
             const vec3 value = velocity(fluid.lattice.h * (cell + fluid.place(axis)));
             fluid.now.velocity[axis][at] = static_cast<float>(value[static_cast<int>(axis)]);
         });
@@ -230,7 +223,8 @@ void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity) {
 }
 
 void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density) {
-    each_cell(fluid.lattice, [&](vec3 cell, std::size_t at) {
+    each_cell(fluid.lattice, [&](int i, int j, int k, std::size_t at) {
+        const vec3 cell(i, j, k);
         const double value = density(fluid.lattice.h * (cell + 0.5));
         fluid.now.substances[substance][at] =
             static_cast<float>(holds_fluid(fluid, at) ? std::max(value, 0.0) : 0.0);
@@ -270,7 +264,7 @@ double mixing(const Fluid& fluid, std::size_t substance) {
     const Samples& density = fluid.now.substances[substance];
     double count = 0, sum = 0, square = 0;
     const auto each_wet = [&](auto&& visit) {
-        each_cell(fluid.lattice, [&](vec3, std::size_t at) {
+        each_cell(fluid.lattice, [&](int, int, int, std::size_t at) {
             if (holds_fluid(fluid, at)) visit(double{density[at]});
         });
     };

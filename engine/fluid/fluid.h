@@ -95,6 +95,9 @@ struct Push {
     vec3 impulse{};   ///< m^4/s: N s per density
 };
 
+/// m^3, of the fluid that a push within `radius` moves as fast as its middle: the integral of the kernel (1 - r^2 / radius^2)^2.
+constexpr double pushed_volume(double radius) { return 32 * pi / 105 * radius * radius * radius; }
+
 /// Before the next step. True where it was taken: finite, and reaching a cell that is not solid. What the walls take away again
 /// follows in `advance`.
 bool push(Fluid& fluid, const Push& push);

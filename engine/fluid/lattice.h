@@ -62,6 +62,15 @@ void each_row(const Lattice& lattice, Visit&& visit) {
     for (int k = 0; k < lattice.cells[2]; ++k) each_row(lattice, k, visit);
 }
 
+/// Calls with i, j, k of each cell and where it stands.
+template <class Visit>
+void each_cell(const Lattice& lattice, Visit&& visit) {
+    for (int k = 0; k < lattice.cells[2]; ++k)
+        for (int j = 0; j < lattice.cells[1]; ++j)
+            for (int i = 0; i < lattice.cells[0]; ++i)
+                visit(i, j, k, static_cast<std::size_t>(lattice.at(i, j, k)));
+}
+
 /// How a quantity goes on beyond a wall across one axis.
 enum class Beyond : std::uint8_t {
     even,          ///< cell-centred across this axis, mirrored

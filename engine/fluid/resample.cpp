@@ -20,11 +20,10 @@ double mean_round(const field::Grid& grid, vec3 middle, double h, int per_edge) 
 }
 
 void sample_into(const Lattice& lattice, vec3 first, const field::Grid& from, int per_edge, Samples& out) {
-    for (int k = 0; k < lattice.cells[2]; ++k)
-        for (int j = 0; j < lattice.cells[1]; ++j)
-            for (int i = 0; i < lattice.cells[0]; ++i)
-                out[static_cast<std::size_t>(lattice.at(i, j, k))] = static_cast<float>(
-                    mean_round(from, lattice.h * (vec3(i, j, k) + first), lattice.h, per_edge));
+    each_cell(lattice, [&](int i, int j, int k, std::size_t at) {
+        out[at] =
+            static_cast<float>(mean_round(from, lattice.h * (vec3(i, j, k) + first), lattice.h, per_edge));
+    });
 }
 
 void scale(Samples& samples, double factor) {

@@ -99,7 +99,7 @@ CauldronRules read_cauldron_rules(const Config& file) {
 
 Basin basin_of(const BowlSize& bowl, double filled) {
     const auto whole = bowl_profile(bowl);
-    const double level = bowl.height * (filled - 0.5);
+    const double level = level_of(bowl, filled);
     Basin basin;
     // The profile ends with the inside, from the rim down; its first point on the inside is the first after the highest one.
     const auto top = std::max_element(whole.begin(), whole.end(), [](vec2 a, vec2 b) { return a.y < b.y; });
@@ -170,23 +170,25 @@ Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
         .fluid = std::move(*fluid), .sheet = fluid::sheet_of(*surface), .scratch = {}, .corner = corner};
 }
 
-std::optional<std::size_t> substance_for(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient) {
-    if (ingredient >= rules.ingredients.size()) return std::nullopt;
+std::optional<std::size_t> substance_for(const Contents& what, std::uint32_t ingredient) {
     for (const auto wanted : {ingredient, no_ingredient}) {
-        const auto found = std::find(brew.what.begin(), brew.what.end(), wanted);
-        if (found == brew.what.end()) continue;
-        const auto slot = static_cast<std::size_t>(found - brew.what.begin());
-        *found = ingredient;
-        brew.fluid.settings.substances[slot] = rules.ingredients[ingredient].substance;
-        return slot;
+        const auto found = std::find(what.begin(), what.end(), wanted);
+        if (found != what.end()) return static_cast<std::size_t>(found - what.begin());
     }
     return std::nullopt;
 }
 
+void assign(Brew& brew, const CauldronRules& rules, std::size_t substance, std::uint32_t ingredient) {
+    brew.what[substance] = ingredient;
+    brew.fluid.settings.substances[substance] = rules.ingredients[ingredient].substance;
+}
+
 bool drop(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient, vec3 place, double radius,
           double amount) {
-    const auto slot = substance_for(brew, rules, ingredient);
-    return slot && fluid::pour(brew.fluid, *slot, place - brew.corner, radius, amount);
+    const auto substance = substance_for(brew.what, ingredient);
+    if (!substance || ingredient >= rules.ingredients.size()) return false;
+    assign(brew, rules, *substance, ingredient);
+    return fluid::pour(brew.fluid, *substance, place - brew.corner, radius, amount);
 }
 
 }  // namespace thaum::game

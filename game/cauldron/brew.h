@@ -15,6 +15,7 @@
 #include "fluid/fluid.h"
 #include "fluid/sheet.h"
 #include "game/arena/solids.h"
+#include "game/components/ingredient.h"
 
 namespace thaum::game {
 
@@ -82,6 +83,9 @@ struct Basin {
         profile;  ///< m: radius and height (0: level, below it negative), from the level down to the middle
 };
 
+/// m: the level of what fills a bowl, above the bowl's middle.
+inline double level_of(const BowlSize& bowl, double filled) { return bowl.height * (filled - 0.5); }
+
 Basin basin_of(const BowlSize& bowl, double filled);
 
 /// m: how far a way leads to the side.
@@ -90,14 +94,14 @@ inline double off_axis(vec3 way) { return std::sqrt(way.x * way.x + way.z * way.
 /// m: how wide the basin is at a height (negative: below the level); 0 below its floor. Above the level as wide as there.
 double width_at(const Basin& basin, double height);
 
-inline constexpr std::uint32_t no_ingredient = 0xFFFF'FFFF;
+/// Which ingredient stands in each substance.
+using Contents = std::array<std::uint32_t, fluid::substances_most>;
 
 struct Brew {
     fluid::Fluid fluid;
     fluid::Sheet sheet;
     fluid::SheetScratch scratch;
-    /// Which ingredient stands in each substance, by its number in the rules.
-    std::array<std::uint32_t, fluid::substances_most> what{no_ingredient, no_ingredient, no_ingredient};
+    Contents what{no_ingredient, no_ingredient, no_ingredient};
     vec3
         corner{};  ///< m, brew's frame: where the fluid's box begins; a place p of the brew is p - corner of the fluid
 };
@@ -109,8 +113,11 @@ fluid::SheetSettings brew_surface(const CauldronRules& rules, const Basin& basin
 /// At rest and pure. The error says what of the rules the solver does not take.
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
 
-/// The substance in which this ingredient stands, or the first free one, which is then its; none where all are taken.
-std::optional<std::size_t> substance_for(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient);
+/// The substance in which an ingredient stands, or the first free one; none where all are taken.
+std::optional<std::size_t> substance_for(const Contents& what, std::uint32_t ingredient);
+
+/// From now on the ingredient stands in that substance.
+void assign(Brew& brew, const CauldronRules& rules, std::size_t substance, std::uint32_t ingredient);
 
 /// `amount`, m^3, of an ingredient within `radius` of a place of the brew's frame. False where nothing was added.
 bool drop(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient, vec3 place, double radius,

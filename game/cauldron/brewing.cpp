@@ -1,6 +1,7 @@
 #include "game/cauldron/brewing.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "game/cauldron/ladle.h"
@@ -15,23 +16,28 @@ bool near(const MatchData& data, const Cauldron& cauldron, vec3 place) {
 
 // ---- ingredients ---------------------------------------------------------------------------------------------------
 
-/// m between feet and the niche's height; more is another floor.
-constexpr double one_floor = 1;
+/// Who has found an ingredient in this tick: what they carry comes into the World after it.
+using Takers = std::array<bool, players>;
 
-void pick_up(Stage& stage, Niche& niche, vec3 place, Tick tick) {
+/// The nearest of those whose hands are empty.
+void pick_up(Stage& stage, Niche& niche, vec3 place, Tick tick, Takers& takers) {
     auto& world = stage.world;
+    const auto& rules = *stage.data.cauldron;
     ecs::Entity taker;
     std::uint32_t who = no_player;
+    double nearest = rules.niche_radius;
     world.view<const Wizard, const Motion, ecs::Without<Dead>, ecs::Without<Pouch>>().each(
         [&](ecs::Entity e, const Wizard& wizard, const Motion& motion) {
-            const vec3 off = motion.position - vec3(0, stage.data.wizard.height / 2, 0) - place;
-            if (off_axis(off) > stage.data.cauldron->niche_radius || std::abs(off.y) > one_floor) return;
+            const auto way = way_on_floor(stage.data.wizard, motion.position, place, nearest);
+            if (!way || takers[wizard.player]) return;
             taker = e;
             who = wizard.player;
+            nearest = *way;
         });
     if (!taker) return;
+    takers[who] = true;
     world.commands().add(taker, Pouch{.ingredient = niche.ingredient});
-    niche.back_at = tick + stage.data.cauldron->niche_again;
+    niche.back_at = tick + rules.niche_again;
     record(world, {.tick = tick,
                    .kind = EventKind::ingredient,
                    .subject = who,
@@ -40,9 +46,22 @@ void pick_up(Stage& stage, Niche& niche, vec3 place, Tick tick) {
                    .place = place});
 }
 
+/// With what the next step of the fluid brings.
+Contents contents_to_come(const Cauldron& cauldron) {
+    Contents what = cauldron.what;
+    for (std::uint32_t i = 0; i < cauldron.next.count; ++i) {
+        const auto ingredient = cauldron.next.list[i].ingredient;
+        if (ingredient == no_ingredient) continue;
+        if (const auto substance = substance_for(what, ingredient)) what[*substance] = ingredient;
+    }
+    return what;
+}
+
+/// Nothing where the brew holds as many others as it can.
 void drop_in(Stage& stage, Cauldron& cauldron, ecs::Entity e, std::uint32_t player, const Ladle& ladle,
              const Pouch& pouch, Tick tick) {
     const auto& rules = *stage.data.cauldron;
+    if (!substance_for(contents_to_come(cauldron), pouch.ingredient)) return;
     const vec3 place = haptics::held_in(
         stage.models[player].fluid.wall,
         {ladle.place.x - cauldron.middle.x, -rules.ladle.radius, ladle.place.z - cauldron.middle.z});
@@ -181,8 +200,9 @@ void add_brewing_systems(Stage& stage, ecs::Schedule& schedule) {
                   .writes = world.mask<Niche, Pouch, Chronicle>(),
                   .needs = world.mask<Niche>(),
                   .run = [&stage](ecs::World& w, Tick tick) {
+                      Takers takers{};
                       w.view<Niche, const Motion>().each([&](Niche& niche, const Motion& motion) {
-                          if (tick >= niche.back_at) pick_up(stage, niche, motion.position, tick);
+                          if (tick >= niche.back_at) pick_up(stage, niche, motion.position, tick, takers);
                       });
                   }});
     schedule.add({.name = "brewing",

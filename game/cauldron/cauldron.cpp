@@ -14,13 +14,10 @@ namespace {
 std::vector<std::uint32_t> wet_cells(const Brew& brew, const Basin& basin) {
     const auto& lattice = brew.fluid.lattice;
     std::vector<std::uint32_t> cells;
-    for (int k = 0; k < lattice.cells[2]; ++k)
-        for (int j = 0; j < lattice.cells[1]; ++j)
-            for (int i = 0; i < lattice.cells[0]; ++i) {
-                const vec3 place = brew.corner + lattice.h * (vec3(i, j, k) + 0.5);
-                if (off_axis(place) < width_at(basin, place.y))
-                    cells.push_back(static_cast<std::uint32_t>(lattice.at(i, j, k)));
-            }
+    fluid::each_cell(lattice, [&](int i, int j, int k, std::size_t at) {
+        const vec3 place = brew.corner + lattice.h * (vec3(i, j, k) + 0.5);
+        if (off_axis(place) < width_at(basin, place.y)) cells.push_back(static_cast<std::uint32_t>(at));
+    });
     return cells;
 }
 
@@ -42,13 +39,15 @@ BrewFigures figures_of(const BrewWork& work, double base_viscosity) {
     BrewFigures figures;
     const auto& fluid = work.brew.fluid;
     double viscosity = base_viscosity;
+    std::optional<std::size_t> newest;
     for (std::size_t s = 0; s < work.brew.what.size(); ++s) {
         if (work.brew.what[s] == no_ingredient) continue;
         const double mean = mean_of(work, fluid.now.substances[s]);
         viscosity += fluid.settings.substances[s].viscosity * mean;
         figures.density += fluid.settings.substances[s].weight * mean;
-        figures.mixing = fluid::mixing(fluid, s);
+        newest = s;
     }
+    if (newest) figures.mixing = fluid::mixing(fluid, *newest);
     figures.viscosity = base_viscosity > 0 ? viscosity / base_viscosity : 1;
     figures.speed = mean_speed(work);
     return figures;
@@ -57,12 +56,6 @@ BrewFigures figures_of(const BrewWork& work, double base_viscosity) {
 bool does_something(const Strokes& strokes) {
     return std::any_of(strokes.list.begin(), strokes.list.begin() + strokes.count,
                        [](const Stroke& s) { return s.ingredient != no_ingredient || s.impulse != vec3(0); });
-}
-
-Strokes no_strokes() {
-    Strokes strokes;
-    for (auto& stroke : strokes.list) stroke.ingredient = no_ingredient;
-    return strokes;
 }
 
 void apply(const CauldronRules& rules, const Strokes& strokes, Brew& brew) {
@@ -118,7 +111,7 @@ void step_fluid(Stage& stage, Cauldron& cauldron, Tick tick) {
     cauldron.spoilt = 0;
     if (!stroked && stage.brew->brew.fluid.now.asleep) return;
     cauldron.given = cauldron.next;
-    cauldron.next = no_strokes();
+    cauldron.next = {};
     begin_step(stage, cauldron);
 }
 
@@ -161,9 +154,8 @@ void spawn_cauldron(Stage& stage) {
     if (!stage.data.cauldron) return;
     const auto& bowl = *stage.data.arena.bowl;
     Cauldron cauldron{.middle = bowl.centre};
-    cauldron.middle.y += bowl.size.height * (stage.data.cauldron->filled - 0.5);
-    cauldron.what.fill(no_ingredient);
-    cauldron.given = cauldron.next = no_strokes();
+    cauldron.middle.y += level_of(bowl.size, stage.data.cauldron->filled);
+    cauldron.events_seen = std::as_const(stage.world).single<Chronicle>().count;
     stage.world.create(cauldron);
 }
 
@@ -174,10 +166,8 @@ void rebuild_brew(Stage& stage) {
     stage.brew = make_work(stage.data);
     auto& brew = stage.brew->brew;
     auto& cauldron = stage.world.single<Cauldron>();
-    brew.what = cauldron.what;
     for (std::size_t s = 0; s < brew.what.size(); ++s) {
-        if (brew.what[s] != no_ingredient)
-            brew.fluid.settings.substances[s] = stage.data.cauldron->ingredients[brew.what[s]].substance;
+        if (cauldron.what[s] != no_ingredient) assign(brew, *stage.data.cauldron, s, cauldron.what[s]);
     }
     read_fluid(stage.world, cauldron.newest, brew.fluid);
     brew.fluid.now.asleep = cauldron.under_way == 0;

@@ -100,8 +100,6 @@ void begin_touch(const Stage& stage, const Cauldron& cauldron, const Ladle& ladl
     const auto& data = *stage.data.cauldron;
     const auto& rules = data.ladle;
     const HandFrame frame = ladle_frame(data, cauldron, ladle);
-    // A push's kernel (fluid/fluid.h) has its peak at 105 / (32 pi r^3).
-    const double kernel_volume = 32 * pi / 105 * rules.radius * rules.radius * rules.radius;
     touch = {.number = 1,
              .frame = {.origin = frame.origin - cauldron.middle,
                        .turn = glm::mat3_cast(frame.turn),
@@ -109,7 +107,7 @@ void begin_touch(const Stage& stage, const Cauldron& cauldron, const Ladle& ladl
                        .newtons_per_newton = rules.newtons_per_newton},
              .drag = {.viscous = rules.viscous,
                       .form = rules.form,
-                      .stirred_mass = data.density * kernel_volume,
+                      .stirred_mass = data.density * fluid::pushed_volume(rules.radius),
                       .height = rules.height},
              .wall = wall_of(rules, stage.brew->basin),
              .ladle = {.mass = rules.mass, .stiffness = rules.stiffness, .damping = rules.damping}};

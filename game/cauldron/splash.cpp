@@ -76,7 +76,6 @@ void splash(Stage& stage, Cauldron& cauldron, const Dips& dips, Tick tick) {
         add_stroke(cauldron, {.place = dip.place - vec3(0, dip.radius / 2, 0),
                               .impulse = -push,
                               .radius = std::max(rules.radius, dip.radius),
-                              .ingredient = no_ingredient,
                               .by = dip.thing.index + 1});
     }
 }
@@ -86,17 +85,16 @@ constexpr double burst_reach = 0.6;
 
 /// What bursts at the brew drives it down and apart.
 void note_bursts(Stage& stage, Cauldron& cauldron, const Basin& basin) {
+    const auto& rules = *stage.data.cauldron;
     const auto& chronicle = std::as_const(stage.world).single<Chronicle>();
-    for (; cauldron.events_seen < chronicle.count; ++cauldron.events_seen) {
-        const auto& event = chronicle.events[cauldron.events_seen % chronicle.events.size()];
+    each_new_event(chronicle, cauldron.events_seen, [&](const Event& event) {
         const vec3 at = event.place - cauldron.middle;
-        if (event.kind != EventKind::burst || off_axis(at) > basin.radius || at.y > burst_reach) continue;
-        if (touched_brew(stage) == nullptr) return;
-        add_stroke(cauldron, {.place = {at.x, -stage.data.cauldron->ladle.radius, at.z},
-                              .impulse = {0, -stage.data.cauldron->burst, 0},
-                              .radius = 2 * stage.data.cauldron->ladle.radius,
-                              .ingredient = no_ingredient});
-    }
+        if (event.kind != EventKind::burst || off_axis(at) > basin.radius || at.y > burst_reach) return;
+        touched_brew(stage);
+        add_stroke(cauldron, {.place = {at.x, -rules.ladle.radius, at.z},
+                              .impulse = {0, -rules.burst, 0},
+                              .radius = 2 * rules.ladle.radius});
+    });
 }
 
 }  // namespace
@@ -116,7 +114,8 @@ void add_splash_system(Stage& stage, ecs::Schedule& schedule) {
                       const bool all_rest = std::all_of(
                           dips.list.begin(), dips.list.begin() + static_cast<std::ptrdiff_t>(dips.count),
                           [](const Dip& dip) { return dip.rests; });
-                      if (all_rest || touched_brew(stage) == nullptr) return;
+                      if (all_rest) return;
+                      touched_brew(stage);
                       splash(stage, cauldron, dips, tick);
                   }});
 }

@@ -4,6 +4,8 @@
 
 #include "core/units.h"
 #include "ecs/component.h"
+#include "game/components/ingredient.h"
+#include "game/components/match.h"
 #include "game/components/wizard.h"
 
 namespace thaum::game {
@@ -15,9 +17,9 @@ struct Stroke {
     vec3 place{};    ///< m, brew's frame
     vec3 impulse{};  ///< N s; of momentum
     double radius{};
-    double amount{};             ///< m^3, of an ingredient
-    std::uint32_t ingredient{};  ///< its number; no_ingredient: momentum
-    std::uint32_t by{};          ///< whose strokes of one step become one; 0: nobody's
+    double amount{};                          ///< m^3, of an ingredient
+    std::uint32_t ingredient{no_ingredient};  ///< its number; no_ingredient: momentum
+    std::uint32_t by{};                       ///< whose strokes of one step become one; 0: nobody's
     static constexpr auto fields() {
         return std::tuple(field("place", &Stroke::place), field("impulse", &Stroke::impulse),
                           field("radius", &Stroke::radius), field("amount", &Stroke::amount),
@@ -40,21 +42,22 @@ struct Strokes {
 
 /// The brew's frame stands at `middle`, its axes those of the world (game/cauldron/brew.h).
 struct Cauldron {
-    vec3 middle{};                          ///< m, world: of the level surface
-    std::array<double, players> height{};   ///< m, above the level: of the surface under each ladle
-    std::array<double, players> rise{};     ///< m/s, of that
-    Strokes given{};                        ///< to the step of the fluid that is on its way
-    Strokes next{};                         ///< to the one after it
-    std::array<std::uint32_t, 3> what{};    ///< which ingredient stands in each substance
-    std::array<std::uint32_t, 4> inside{};  ///< of the surface: which ladle has broken through
+    vec3 middle{};                         ///< m, world: of the level surface
+    std::array<double, players> height{};  ///< m, above the level: of the surface under each ladle
+    std::array<double, players> rise{};    ///< m/s, of that
+    Strokes given{};                       ///< to the step of the fluid that is on its way
+    Strokes next{};                        ///< to the one after it
+    std::array<std::uint32_t, 3> what{no_ingredient, no_ingredient,
+                                      no_ingredient};  ///< which ingredient stands in each substance
+    std::array<std::uint32_t, 4> inside{};             ///< of the surface: which ladle has broken through
     std::uint32_t surface_asleep{1};
-    std::uint32_t newest{};        ///< 0 or 1: which of the BrewPages' two states is the newest
-    std::uint32_t under_way{};     ///< 1: a step of the fluid is; else it is at rest
-    std::uint32_t owner{players};  ///< whose brew it is; players: nobody's
-    std::uint32_t spoilt{};        ///< 1: the next step begins with pure brew
-    Tick stepped{};                ///< when the newest state was taken
-    std::uint64_t events_seen{};   ///< of Chronicle::count
-    Tick begun{};                  ///< when the first ingredient fell in; 0: it is pure
+    std::uint32_t newest{};          ///< 0 or 1: which of the BrewPages' two states is the newest
+    std::uint32_t under_way{};       ///< 1: a step of the fluid is; else it is at rest
+    std::uint32_t owner{no_player};  ///< whose brew it is
+    std::uint32_t spoilt{};          ///< 1: the next step begins with pure brew
+    Tick stepped{};                  ///< when the newest state was taken
+    std::uint64_t events_seen{};     ///< of Chronicle::count
+    Tick begun{};                    ///< when the first ingredient fell in; 0: it is pure
     double mixing{};      ///< of what was dropped in last: 1 - its coefficient of variation, at least 0
     double viscosity{1};  ///< mean over the brew, of the pure one's
     double density{1};    ///< likewise

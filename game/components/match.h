@@ -1,5 +1,7 @@
 // game/components/match.h: the match itself, as one entity.
 #pragma once
+#include <algorithm>
+
 #include "core/random.h"
 #include "core/units.h"
 #include "ecs/component.h"
@@ -135,5 +137,15 @@ struct Chronicle {
                           field("deeds", &Chronicle::deeds));
     }
 };
+
+/// Calls f(event) for what came since `seen` (of Chronicle::count), which moves on. Returns how many had already been
+/// written over by newer ones: more than a Chronicle holds came between two calls.
+template <class F>
+std::uint64_t each_new_event(const Chronicle& chronicle, std::uint64_t& seen, F f) {
+    const auto held = std::min<std::uint64_t>(chronicle.count, chronicle.events.size());
+    const auto lost = std::max(seen, chronicle.count - held) - seen;
+    for (seen += lost; seen < chronicle.count; ++seen) f(chronicle.events[seen % chronicle.events.size()]);
+    return lost;
+}
 
 }  // namespace thaum::game

@@ -80,7 +80,7 @@ void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state
 }
 
 BrewPlace brew_place(const BowlPlace& bowl, const CauldronRules& rules) {
-    return {.middle = bowl.centre + vec3(0, bowl.size.height * (rules.filled - 0.5), 0),
+    return {.middle = bowl.centre + vec3(0, level_of(bowl.size, rules.filled), 0),
             .basin = basin_of(bowl.size, rules.filled)};
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "game/cauldron/brew.h"
+#include "game/components/match.h"
 #include "game/components/wizard.h"
 
 namespace thaum::game {
@@ -44,9 +45,9 @@ struct CauldronPicture {
     BrewPicture brew;
     std::array<std::optional<LadlePicture>, players> ladles{};
     std::array<std::string_view, fluid::substances_most> contents{};  ///< names; empty: nothing
-    std::uint32_t owner{players};                                     ///< players: nobody
-    double mixing{};                                                  ///< of what was dropped in last, 0 to 1
-    double spoils_in_s{};                                             ///< 0: nothing was begun
+    std::uint32_t owner{no_player};
+    double mixing{};       ///< of what was dropped in last, 0 to 1
+    double spoils_in_s{};  ///< 0: nothing was begun
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);
 

@@ -65,11 +65,9 @@ double stir(LabState& lab, vec3 to) {
     const vec3 speed = limited((to - from) / lab_dt, ladle_speed_most);
     const auto& ladle = lab.rules.ladle;
     const double radius = std::max(ladle.radius, 1.5 * lab.brew.fluid.lattice.h);
-    // The integral of the kernel (1 - r^2 / radius^2)^2.
-    const double volume = 32 * pi / 105 * radius * radius * radius;
     const vec3 place = to - lab.brew.corner;
     const vec3 slip = speed - fluid::velocity_at(lab.brew.fluid, place);
-    const double taken = std::min(volume, ladle.form * lab_dt);
+    const double taken = std::min(fluid::pushed_volume(radius), ladle.form * lab_dt);
     if (slip == vec3(0) || !fluid::push(lab.brew.fluid, {place, radius, taken * slip})) return 0;
     return lab.rules.density * taken / lab_dt * glm::length(slip);
 }

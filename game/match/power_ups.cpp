@@ -6,9 +6,6 @@
 namespace thaum::game {
 namespace {
 
-/// m between a wizard's feet and the power-up's height; more is another floor.
-constexpr double same_floor = 1.0;
-
 /// The wand with the least energy of its cap; null where there is none.
 const LoadedWand* emptiest_wand(const MatchData& data, const WandBelt& belt) {
     const LoadedWand* found = nullptr;
@@ -34,11 +31,10 @@ Taker find_taker(Stage& stage, const PowerUp& power_up, vec3 place) {
     stage.world.view<const Health, const WandBelt, const Motion, ecs::Without<Dead>>().each(
         [&](ecs::Entity e, const Health& health, const WandBelt& belt, const Motion& motion) {
             if (health.points <= 0) return;  // about to die in this very tick
-            const vec3 off = motion.position - vec3(0, stage.data.wizard.height / 2, 0) - place;
-            const double distance = std::sqrt(off.x * off.x + off.z * off.z);
-            if (distance > rules.radius || std::abs(off.y) > same_floor || distance >= best.distance) return;
+            const auto distance = way_on_floor(stage.data.wizard, motion.position, place, rules.radius);
+            if (!distance || *distance >= best.distance) return;
             const auto gift = gift_of(stage.data, power_up.kind, health, belt);
-            if (gift.amount() >= least_gift) best = {e, gift, distance};
+            if (gift.amount() >= least_gift) best = {e, gift, *distance};
         });
     return best;
 }

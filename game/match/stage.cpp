@@ -1,5 +1,7 @@
 #include "game/match/stage.h"
 
+#include <cmath>
+
 #include "game/components/arm.h"
 #include "game/components/cauldron.h"
 
@@ -68,6 +70,14 @@ ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player) {
 
 vec3 eye_of(const WizardRules& rules, vec3 body_centre) {
     return body_centre + vec3(0, rules.eye - rules.height / 2, 0);
+}
+
+std::optional<double> way_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most) {
+    constexpr double same_floor = 1;  // m between feet and place; more is another one
+    const vec3 off = body_centre - vec3(0, rules.height / 2, 0) - place;
+    const double distance = std::sqrt(off.x * off.x + off.z * off.z);
+    if (distance > most || std::abs(off.y) > same_floor) return std::nullopt;
+    return distance;
 }
 
 void record(ecs::World& world, const Event& event) {

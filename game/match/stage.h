@@ -1,6 +1,7 @@
 // game/match/stage.h: what the systems of a match work on.
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "core/jobs.h"
 #include "ecs/schedule.h"
@@ -62,6 +63,9 @@ ecs::Entity wizard_of(const ecs::World& world, std::uint32_t player);
 
 /// Where a wizard's eye is, m.
 vec3 eye_of(const WizardRules& rules, vec3 body_centre);
+
+/// m, along the ground from a wizard's feet to a place; nothing where that is farther than `most` or on another floor.
+std::optional<double> way_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most);
 
 /// Adds to the Chronicle, its sums included; the caller's system must have declared that it writes it.
 void record(ecs::World& world, const Event& event);

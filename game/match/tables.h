@@ -8,23 +8,12 @@
 // the shortest that read back to the same bits, so a table says exactly what the simulation had, and the same log gives
 // the same bytes on every run. No locale.
 #pragma once
-#include <algorithm>
 #include <string>
 #include <string_view>
 
 #include "game/match/playback.h"
 
 namespace thaum::game {
-
-/// Calls f(event) for what came since `seen` (of Chronicle::count), which moves on. Returns how many had already been
-/// written over by newer ones: more than a Chronicle holds came between two calls.
-template <class F>
-std::uint64_t each_new_event(const Chronicle& chronicle, std::uint64_t& seen, F f) {
-    const auto held = std::min<std::uint64_t>(chronicle.count, chronicle.events.size());
-    const auto lost = std::max(seen, chronicle.count - held) - seen;
-    for (seen += lost; seen < chronicle.count; ++seen) f(chronicle.events[seen % chronicle.events.size()]);
-    return lost;
-}
 
 /// Adds the field, in quotes where it needs them.
 void append_csv(std::string& row, std::string_view field);

@@ -171,6 +171,17 @@ function Wizard:circles(seconds, period, counts, sense, each)
     end
 end
 
+-- Fetches what is found at a niche, and drops it into the brew from a place at the rim; Stir stays held.
+function Wizard:drop_in(niche, at)
+    raw.place(self.player, niche)
+    raw.wait(100)
+    raw.place(self.player, at)
+    raw.button(self.player, "stir", true)
+    raw.wait(200)
+    self:press("fire")
+    raw.wait(100)
+end
+
 local function place_of(target)
     local kind = getmetatable(target)
     if kind == Wizard then return target:centre() end

@@ -20,15 +20,6 @@ constexpr Edges all_walls{Edge::free_slip, Edge::no_slip, Edge::free_slip};
 
 std::size_t place(const Lattice& l, int i, int j, int k) { return static_cast<std::size_t>(l.at(i, j, k)); }
 
-template <class Visit>
-void each_cell(const Lattice& l, Visit visit) {
-    for (int k = 0; k < l.cells[2]; ++k) {
-        for (int j = 0; j < l.cells[1]; ++j) {
-            for (int i = 0; i < l.cells[0]; ++i) visit(i, j, k, place(l, i, j, k));
-        }
-    }
-}
-
 /// Of the middles of cells, m.
 Samples field(const Lattice& l, const std::function<double(vec3)>& value) {
     Samples samples = make_samples(l);

@@ -4,15 +4,6 @@ match {players = {"script", "script"}, set = {"haptics.share=1"}}
 clear_props()
 local me = wizard(1)
 wizard(2):place {15, 0, -15}
-local function fetch(x)
-    me:place {x, 0, 0}
-    wait(0.1)
-    me:place {-2.2, 0, 0}
-    me:hold("stir")
-    wait(0.2)
-    me:press("fire")
-    wait(0.1)
-end
 local hardest = 0
 -- Round the place where the hand rests: it begins at their near end.
 local function back(counts, period)
@@ -22,10 +13,10 @@ local function back(counts, period)
 end
 local function note_force() hardest = math.max(hardest, length(me:force())) end
 trace("brew", {"1.force_x", "1.force_y", "1.force_z"})
-fetch(-4.5)
+me:drop_in({-4.5, 0, 0}, {-2.2, 0, 0})
 me:release("stir")
 wait(0.1)
-fetch(4.5)
+me:drop_in({4.5, 0, 0}, {-2.2, 0, 0})
 wait(0.2)
 back(2, 1)
 hardest = 0

@@ -4,13 +4,7 @@ clear_props()
 local me = wizard(1)
 wizard(2):place {15, 0, -15}
 local function fetch(x)
-    me:place {x, 0, 0}
-    wait(0.1)
-    me:place {-2.2, 0, 0}
-    me:hold("stir")
-    wait(0.2)
-    me:press("fire")
-    wait(0.2)
+    me:drop_in({x, 0, 0}, {-2.2, 0, 0})
     me:release("stir")
     wait(0.1)
 end

@@ -3,13 +3,7 @@ match {players = {"script", "script"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)
 foe:place {-2.2, 0, 1.5}
-me:place {-4.5, 0, 0}  -- ember
-wait(0.1)
-me:place {-2.2, 0, 0}
-me:hold("stir")
-wait(0.2)
-me:press("fire")
-wait(0.1)
+me:drop_in({-4.5, 0, 0}, {-2.2, 0, 0})  -- ember
 me:release("stir")
 expect_event {kind = "dropped", by = 1, within = 0.1}
 me:place {12, 0, 12}

@@ -15,15 +15,9 @@ local function pace(who, x)
 end
 local usual = pace(me, -3)
 foe:place {15, 0, -15}
-me:place {7, 0, 0}  -- resin
-wait(0.1)
-me:place {2.2, 0, 0}
-me:hold("stir")
-wait(0.2)
-me:press("fire")
-wait(0.5)
+me:drop_in({7, 0, 0}, {2.2, 0, 0})  -- resin
 me:release("stir")
-wait(0.1)
+wait(0.5)
 expect(brew().viscosity > 2, "thick: " .. brew().viscosity)
 expect_near(pace(me, -3) / usual, 0.75, 0.03)
 me:place {-12, 0, -4}

@@ -63,7 +63,9 @@ protected:
     }
 
     void fill(std::uint32_t ingredient, const std::function<double(vec3)>& density) {
-        const auto slot = substance_for(brew, rules, ingredient);
+        const auto slot = substance_for(brew.what, ingredient);
+        ASSERT_TRUE(slot.has_value());
+        assign(brew, rules, *slot, ingredient);
         ASSERT_TRUE(slot);
         fluid::set_substance(brew.fluid, *slot, [&](vec3 p) { return density(p + brew.corner); });
     }

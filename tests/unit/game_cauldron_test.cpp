@@ -111,9 +111,50 @@ TEST(GameCauldron, TheBasinIsTheBowlsInside) {
     }
 }
 
+TEST(GameCauldron, WhoWalksOverTwoNichesCarriesOne) {
+    const auto match = at_the_rim(0, {"cauldron.brewing.niche_radius_m=5"});
+    for (Tick t = 0; t < 64; ++t) match->tick({});
+    const auto& world = match->world();
+    for (std::uint32_t player = 0; player < players; ++player)
+        EXPECT_TRUE(world.has<Pouch>(wizard_of(world, player)));
+    std::size_t taken = 0;
+    world.view<const Niche>().each([&](const Niche& niche) { taken += niche.back_at > 0 ? 1U : 0U; });
+    EXPECT_EQ(taken, players);
+}
+
+TEST(GameCauldron, AFourthIngredientStaysInTheHand) {
+    const auto match = at_the_rim(0);
+    auto& world = match->world_to_change();
+    const auto wizard = wizard_of(world, 0);
+    input::InputFrame held, pressed;
+    held.devices[0].press(input::Button::stir);
+    pressed.devices[0].buttons = held.devices[0].buttons | input::bit(input::Button::fire);
+    for (Tick t = 0; t < 16; ++t) match->tick(held);
+    for (std::uint32_t ingredient = 0; ingredient < 4; ++ingredient) {
+        if (!world.has<Pouch>(wizard)) world.add(wizard, Pouch{.ingredient = ingredient});
+        for (Tick t = 0; t < 8; ++t) match->tick(pressed);
+        for (Tick t = 0; t < 40; ++t) match->tick(held);
+        EXPECT_EQ(world.has<Pouch>(wizard), ingredient == 3) << ingredient;
+    }
+    const auto& what = match->world().single<Cauldron>().what;
+    EXPECT_EQ(what, (std::array<std::uint32_t, 3>{0, 1, 2}));
+}
+
+TEST(GameCauldron, AnotherRoundBeginsWithAStillBrew) {
+    // What burst at the brew in the last round is not told again.
+    const auto match = at_the_rim(0, {"quick.seconds=1", "quick.rounds=3", "quick.interval_s=0.1"});
+    auto& world = match->world_to_change();
+    const auto middle = match->world().single<Cauldron>().middle;
+    record(world, {.tick = 1, .kind = EventKind::burst, .subject = 0, .by = 0, .amount = 1, .place = middle});
+    for (Tick t = 0; t < 40; ++t) match->tick({});
+    EXPECT_NE(match->brew(), nullptr) << "the burst was felt";
+    for (Tick t = 0; t < 1200; ++t) match->tick({});
+    ASSERT_EQ(match->match().round, 1U);
+    EXPECT_EQ(match->brew(), nullptr);
+}
+
 TEST(GameCauldron, StrokesOfOneThingBecomeOneAndWhatDoesNotFitIsRefusedOrKept) {
     Cauldron cauldron;
-    for (auto& stroke : cauldron.next.list) stroke.ingredient = no_ingredient;
     EXPECT_TRUE(add_stroke(cauldron, {.impulse = {1, 0, 0}, .ingredient = no_ingredient, .by = 7}));
     EXPECT_TRUE(add_stroke(cauldron, {.impulse = {0, 2, 0}, .ingredient = no_ingredient, .by = 7}));
     EXPECT_EQ(cauldron.next.count, players + 1);

@@ -93,10 +93,6 @@ Expected<std::unique_ptr<BrewScene>> brew_scene() {
     auto loaded = game::load_match_data(assets, {});
     if (!loaded) return tl::unexpected(loaded.error());
     const auto data = std::make_shared<const game::MatchData>(std::move(*loaded));
-    const auto file = read_text_file(assets / "cauldron.toml", 1U << 16U);
-    if (!file) return tl::unexpected(file.error());
-    const auto config = Config::parse(*file, "cauldron.toml", 1);
-    if (!config) return tl::unexpected(config.error());
     auto duel = game::make_bot_duel(assets, data, {1, 1}, 1);
     if (!duel) return tl::unexpected(duel.error());
     auto context = render::Offscreen::create(window.width, window.height);
@@ -104,8 +100,8 @@ Expected<std::unique_ptr<BrewScene>> brew_scene() {
     context->make_current();
     auto renderer = render::Renderer::create(assets);
     if (!renderer) return tl::unexpected(renderer.error());
-    const auto rules = game::read_cauldron_rules(*config);
-    if (!data->arena.bowl) return fail("the arena has no bowl");
+    if (!data->cauldron) return fail("the match has no cauldron");
+    const auto& rules = *data->cauldron;
     const auto place = game::brew_place(*data->arena.bowl, rules);
     auto brew = game::make_brew(rules, place.basin);
     if (!brew) return tl::unexpected(brew.error());

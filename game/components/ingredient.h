@@ -1,0 +1,9 @@
+// game/components/ingredient.h: ingredients are known by their number in assets/cauldron.toml.
+#pragma once
+#include <cstdint>
+
+namespace thaum::game {
+
+inline constexpr std::uint32_t no_ingredient = 0xFFFF'FFFF;
+
+}  // namespace thaum::game
