@@ -7,6 +7,7 @@
 namespace thaum::fluid {
 
 using Eight = float __attribute__((vector_size(32)));
+inline constexpr Eight none{};
 
 /// From anywhere: no alignment is asked.
 inline Eight load(const float* from) {

@@ -7,6 +7,7 @@
 #include "core/text.h"
 #include "fluid/classic.h"
 #include "fluid/fields.h"
+#include "fluid/ghosts.h"
 #include "fluid/sample.h"
 #include "fluid/staggered.h"
 #include "fluid/sums.h"

@@ -71,20 +71,4 @@ void each_cell(const Lattice& lattice, Visit&& visit) {
                 visit(i, j, k, static_cast<std::size_t>(lattice.at(i, j, k)));
 }
 
-/// How a quantity goes on beyond a wall across one axis.
-enum class Beyond : std::uint8_t {
-    even,          ///< cell-centred across this axis, mirrored
-    odd,           ///< cell-centred across this axis, mirrored with the other sign: zero on the wall
-    through_wall,  ///< stands on the faces across this axis: zero on both walls, which it sets, odd beyond
-};
-
-inline constexpr std::array evenly{Beyond::even, Beyond::even, Beyond::even};
-
-/// Writes the ghosts; `beyond` counts at walls only. `across`: those beyond the sides across one axis, rows without corners.
-void fill_ghosts_across(const Lattice& lattice, std::size_t axis, Beyond beyond, Samples& samples);
-void fill_ghosts(const Lattice& lattice, const std::array<Beyond, 3>& beyond, Samples& samples);
-
-/// Of component `axis` of the velocity.
-std::array<Beyond, 3> beyond_of_velocity(const Lattice& lattice, std::size_t axis);
-
 }  // namespace thaum::fluid

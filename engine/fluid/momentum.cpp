@@ -1,5 +1,7 @@
 #include "fluid/momentum.h"
 
+#include <algorithm>
+
 #include "fluid/eight.h"
 
 namespace thaum::fluid {
@@ -61,6 +63,7 @@ struct Results {
     const float* start;
     const float* before;  ///< what the sum was
     const float* force;   ///< null: none
+    const float* open;    ///< 0 where closed; null: nowhere
     float* sum;
     float* next;  ///< null: none
 };
@@ -72,15 +75,39 @@ template <bool fourth, bool viscous>
     for (std::ptrdiff_t i = 0; i < count; i += 8) {
         Eight rate = rate_at<fourth, viscous>(a, b, c, q + i, i, factors);
         if (row.force != nullptr) rate += load(row.force + i);
-        store(row.sum + i, load(row.before + i) + sum_part * rate);
-        if (row.next != nullptr) store(row.next + i, load(row.start + i) + next_part * rate);
+        const auto keep = [&](const Eight& value) {
+            return row.open == nullptr ? value : load(row.open + i) > none ? value : none;
+        };
+        store(row.sum + i, keep(load(row.before + i) + sum_part * rate));
+        if (row.next != nullptr) store(row.next + i, keep(load(row.start + i) + next_part * rate));
     }
 }
 
 }  // namespace
 
-Momentum::Momentum(const Lattice& lattice, int order) : lattice_(lattice), order_(order) {
+Momentum::Momentum(const Lattice& lattice, int order, const Solids* solids)
+    : lattice_(lattice),
+      order_(order),
+      solids_(solids),
+      rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)) {
     for (auto& plane : planes_) plane.resize(static_cast<std::size_t>(lattice.stride[2]) + 8);
+    for (int k = 0; k < lattice.cells[2]; ++k) hulls_.push_back(hull_of(k));
+}
+
+Momentum::Hull Momentum::hull_of(int k) const {
+    Hull hull{.first = lattice_.cells[1], .end = 0, .start = lattice_.cells[0], .count = 0};
+    std::ptrdiff_t end = 0;
+    for (int j = 0; j < lattice_.cells[1]; ++j) {
+        const Row row = rows_.at(j, k);
+        if (row.count == 0) continue;
+        const auto start = row.at - lattice_.at(0, j, k);
+        hull.first = std::min(hull.first, j);
+        hull.end = j + 1;
+        hull.start = std::min(hull.start, start);
+        end = std::max(end, start + row.count);
+    }
+    hull.count = std::max(std::ptrdiff_t{0}, end - hull.start);
+    return hull;
 }
 
 template <bool fourth, bool viscous, std::size_t axis>
@@ -90,28 +117,30 @@ void Momentum::component(const Stage& stage, float viscosity) {
     const int nz = lattice_.cells[2];
     const auto& stride = lattice_.stride;
     const auto along = stride[axis];
-    const auto count = whole_eights(nx);
     const auto h = static_cast<float>(lattice_.h);
     const Factors factors{-(fourth ? 81.0F / 256 : 0.25F) / h, 9.0F / 768 / h, viscosity / (h * h)};
     const auto in_plane = [&](int i, int j) { return (j + ghosts) * stride[1] + i + ghosts; };
     const auto ring = [&](int k) { return planes_[2 + static_cast<std::size_t>(k + 1) % 4].data(); };
     const auto lift = [&](int k) {
         for (int j = 0; j < ny; ++j)
-            interpolate_row<fourth>(stage.from[2].data() + lattice_.at(0, j, k), along, count,
+            interpolate_row<fourth>(stage.from[2].data() + lattice_.at(0, j, k), along, nx,
                                     ring(k) + in_plane(0, j));
     };
     for (int k = -1; k < 2; ++k) lift(k);
     for (int k = 0; k < nz; ++k) {
         lift(k + 2);
-        for (int j = 0; j < ny; ++j)
-            interpolate_row<fourth>(stage.from[0].data() + lattice_.at(-1, j, k), along, whole_eights(nx + 3),
-                                    planes_[0].data() + in_plane(-1, j));
-        for (int j = -1; j < ny + 2; ++j)
-            interpolate_row<fourth>(stage.from[1].data() + lattice_.at(0, j, k), along, count,
-                                    planes_[1].data() + in_plane(0, j));
-        for (int j = 0; j < ny; ++j) {
-            const auto here = in_plane(0, j);
-            const auto at = lattice_.at(0, j, k);
+        const Hull& hull = hulls_[static_cast<std::size_t>(k)];
+        if (hull.count == 0) continue;
+        const auto start = static_cast<int>(hull.start);
+        for (int j = hull.first; j < hull.end; ++j)
+            interpolate_row<fourth>(stage.from[0].data() + lattice_.at(start - 1, j, k), along,
+                                    whole_eights(hull.count + 3), planes_[0].data() + in_plane(start - 1, j));
+        for (int j = hull.first - 1; j < hull.end + 2; ++j)
+            interpolate_row<fourth>(stage.from[1].data() + lattice_.at(start, j, k), along, hull.count,
+                                    planes_[1].data() + in_plane(start, j));
+        for (int j = hull.first; j < hull.end; ++j) {
+            const std::ptrdiff_t at = rows_.at(j, k).at, count = rows_.at(j, k).count;
+            const auto here = in_plane(static_cast<int>(at - lattice_.at(0, j, k)), j);
             const float* x = planes_[0].data() + here;
             const float* y = planes_[1].data() + here;
             const std::array<Carrier, 3> by{
@@ -122,6 +151,7 @@ void Momentum::component(const Stage& stage, float viscosity) {
             const Results row{.start = stage.start[axis].data() + at,
                               .before = (stage.first ? stage.start : stage.sum)[axis].data() + at,
                               .force = stage.force != nullptr ? (*stage.force)[axis].data() + at : nullptr,
+                              .open = solids_ != nullptr ? solids_->open()[axis].data() + at : nullptr,
                               .sum = stage.sum[axis].data() + at,
                               .next = stage.next != nullptr ? (*stage.next)[axis].data() + at : nullptr};
             take_row<fourth, viscous>(by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3],

@@ -11,7 +11,7 @@
 #pragma once
 #include <array>
 
-#include "fluid/lattice.h"
+#include "fluid/solids.h"
 
 namespace thaum::fluid {
 
@@ -29,8 +29,10 @@ struct Stage {
 /// What a stage is computed by, made once.
 class Momentum {
 public:
-    Momentum(const Lattice& lattice, int order);
-    /// Of all cells; what stands on walls, and in the ghosts of sum and next, is left to fill_ghosts. viscosity in m^2/s.
+    /// solids: null: none; must outlive this.
+    Momentum(const Lattice& lattice, int order, const Solids* solids);
+    /// Of all cells that hold fluid, 0 on closed faces; what stands on the lattice's walls, and in the ghosts of sum and next, is left
+    /// to fill_ghosts. viscosity in m^2/s.
     void take(const Stage& stage, double viscosity);
 
 private:
@@ -39,8 +41,18 @@ private:
     template <bool fourth, bool viscous, std::size_t axis>
     void component(const Stage& stage, float viscosity);
 
+    /// What holds all rows of a layer that hold fluid: rows first to end - 1, `count` cells from `start` on.
+    struct Hull {
+        int first, end;
+        std::ptrdiff_t start, count;
+    };
+    Hull hull_of(int k) const;
+
     Lattice lattice_;
     int order_;
+    const Solids* solids_;
+    Rows rows_;
+    std::vector<Hull> hulls_;        ///< of each layer
     std::array<Samples, 6> planes_;  ///< of the carrying velocity: along x, y, and a ring of four along z
 };
 

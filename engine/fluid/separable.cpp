@@ -95,7 +95,7 @@ void multiply(const float* matrix, int n, const Eight* in, Eight* out) {
 }
 
 /// Rows of `width` values, at most `wide`, each `pitch` from the next one in memory.
-struct Rows {
+struct Block {
     float* first;
     std::ptrdiff_t pitch;
     std::size_t width;
@@ -103,13 +103,13 @@ struct Rows {
 
 /// `whole`: of `wide` values, which is faster where the compiler knows it.
 template <bool whole>
-inline void load_row(const Rows& rows, int row, Eight* to) {
+inline void load_row(const Block& rows, int row, Eight* to) {
     if constexpr (!whole) to[0] = to[1] = Eight{};
     std::memcpy(to, rows.first + row * rows.pitch, sizeof(float) * (whole ? std::size_t{wide} : rows.width));
 }
 
 template <bool whole>
-inline void store_row(const Rows& rows, int row, const Eight* from) {
+inline void store_row(const Block& rows, int row, const Eight* from) {
     std::memcpy(rows.first + row * rows.pitch, from,
                 sizeof(float) * (whole ? std::size_t{wide} : rows.width));
 }
@@ -121,7 +121,7 @@ struct Halves {
 };
 
 template <bool whole>
-inline void fold(const Rows& rows, int n, Halves& halves) {
+inline void fold(const Block& rows, int n, Halves& halves) {
     for (int i = 0; i < n / 2; ++i) {
         Eight a[2];
         Eight b[2];
@@ -136,7 +136,7 @@ inline void fold(const Rows& rows, int n, Halves& halves) {
 }
 
 template <bool whole>
-inline void unfold(const Halves& halves, int n, const Rows& rows) {
+inline void unfold(const Halves& halves, int n, const Block& rows) {
     for (int i = 0; i < n / 2; ++i) {
         Eight a[2];
         Eight b[2];
@@ -161,7 +161,7 @@ struct Tables {
 };
 
 template <Way way, bool whole>
-void change_columns(const Tables& by, const Rows& from, const Rows& to) {
+void change_columns(const Tables& by, const Block& from, const Block& to) {
     const int n = by.count;
     const int odd_first = (n + 1) / 2;  // waves stand the symmetric ones first
     Halves given;

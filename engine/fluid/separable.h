@@ -11,7 +11,7 @@
 #include <array>
 #include <span>
 
-#include "fluid/lattice.h"
+#include "fluid/ghosts.h"
 
 namespace thaum::fluid {
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fluid/eight.h"
+#include "fluid/ghosts.h"
 #include "fluid/sums.h"
 
 namespace thaum::fluid {
@@ -33,19 +34,18 @@ double open_share(const std::function<double(vec3)>& solid, vec3 low, std::size_
 }
 
 /// to += part * from
-void add(const Lattice& lattice, Samples& to, double part, const Samples& from) {
+void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     const auto factor = static_cast<float>(part);
-    each_row(lattice, [&](std::ptrdiff_t at) {
-        float* x = to.data() + at;
-        const float* y = from.data() + at;
-        const std::ptrdiff_t nx = lattice.cells[0];
+    each_row(rows, [&](Row row) {
+        float* x = to.data() + row.at;
+        const float* y = from.data() + row.at;
 #pragma GCC ivdep
-        for (std::ptrdiff_t i = 0; i < nx; ++i) x[i] += factor * y[i];
+        for (std::ptrdiff_t i = 0; i < row.count; ++i) x[i] += factor * y[i];
     });
 }
 
-void fill_sides(const Lattice& lattice, Samples& samples) {
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(lattice, axis, Beyond::even, samples);
+void fill_sides(const Rows& rows, Samples& samples) {
+    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(rows, axis, Beyond::even, samples);
 }
 
 }  // namespace
@@ -76,6 +76,7 @@ Solids::Solids(const Lattice& lattice, const std::function<double(vec3)>& solid)
             diagonal_[static_cast<std::size_t>(i)] = sum;
         }
     });
+    rows_ = rows_above_zero(lattice, diagonal_);
 }
 
 void Solids::close(std::array<Samples, 3>& velocity) const {
@@ -96,10 +97,10 @@ void Solids::divergence(const std::array<Samples, 3>& velocity) {
     const float *u = velocity[0].data(), *v = velocity[1].data(), *w = velocity[2].data();
     const float *a = open_[0].data(), *b = open_[1].data(), *c = open_[2].data();
     float* out = residual_.data();
-    each_row(lattice_, [&, x = x, y = y, z = z](std::ptrdiff_t at) {
-        const std::ptrdiff_t end = at + lattice_.cells[0];
+    each_row(rows_, [&, x = x, y = y, z = z](Row row) {
+        const std::ptrdiff_t end = row.at + row.count;
 #pragma GCC ivdep
-        for (std::ptrdiff_t i = at; i < end; ++i)
+        for (std::ptrdiff_t i = row.at; i < end; ++i)
             out[i] = -per_h * ((a[i + x] * u[i + x] - a[i] * u[i]) +
                                ((b[i + y] * v[i + y] - b[i] * v[i]) + (c[i + z] * w[i + z] - c[i] * w[i])));
     });
@@ -113,10 +114,10 @@ void Solids::apply(const Samples& potential) {
     const float *a = open_[0].data(), *b = open_[1].data(), *c = open_[2].data();
     const float* d = diagonal_.data();
     float* out = image_.data();
-    each_row(lattice_, [&, x = x, y = y, z = z](std::ptrdiff_t at) {
-        const std::ptrdiff_t end = at + lattice_.cells[0];
+    each_row(rows_, [&, x = x, y = y, z = z](Row row) {
+        const std::ptrdiff_t end = row.at + row.count;
 #pragma GCC ivdep
-        for (std::ptrdiff_t i = at; i < end; ++i)
+        for (std::ptrdiff_t i = row.at; i < end; ++i)
             out[i] = per_h2 * (d[i] * p[i] - ((a[i + x] * p[i + x] + a[i] * p[i - x]) +
                                               ((b[i + y] * p[i + y] + b[i] * p[i - y]) +
                                                (c[i + z] * p[i + z] + c[i] * p[i - z]))));
@@ -132,20 +133,21 @@ void Solids::precondition() {
         packed += nx;
     });
     box_.solve(packed_);
-    packed = packed_.data();
     const auto h2 = static_cast<float>(lattice_.h * lattice_.h);
-    each_row(lattice_, [&](std::ptrdiff_t at) {
-        const float* d = diagonal_.data() + at;
-        const float* r = residual_.data() + at;
-        float* z = smoothed_.data() + at;
-#pragma GCC ivdep
-        for (std::ptrdiff_t i = 0; i < nx; ++i) {
-            // -lap in the operator, lap in the box's solve.
-            const float own = d[i] < 5 && d[i] > 0 ? h2 * r[i] / d[i] : 0.0F;
-            z[i] = d[i] > 0 ? own - packed[i] : 0.0F;
+    for (int k = 0; k < lattice_.cells[2]; ++k) {
+        for (int j = 0; j < lattice_.cells[1]; ++j) {
+            const Row row = rows_.at(j, k);
+            const float* found =
+                packed_.data() + (k * lattice_.cells[1] + j) * nx + (row.at - lattice_.at(0, j, k));
+            for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
+                // -lap in the operator, lap in the box's solve.
+                const Eight d = load(diagonal_.data() + row.at + i);
+                const Eight own = h2 * load(residual_.data() + row.at + i) / d;
+                const Eight both = (d < 5.0F ? own : none) - load(found + i);
+                store(smoothed_.data() + row.at + i, d > none ? both : none);
+            }
         }
-        packed += nx;
-    });
+    }
 }
 
 /// correction = what the residual is minus the divergence of the gradient of, down to `tolerance` in each cell.
@@ -153,25 +155,25 @@ int Solids::solve(double tolerance, int iterations_most) {
     std::fill(correction_.begin(), correction_.end(), 0.0F);
     double before = 0;
     int iterations = 0;
-    while (iterations < iterations_most && largest(lattice_, residual_) > tolerance) {
+    while (iterations < iterations_most && largest(rows_, residual_) > tolerance) {
         precondition();
-        const double now = dot(lattice_, residual_, smoothed_);
+        const double now = dot(rows_, residual_, smoothed_);
         if (!(now > 0)) break;
         const auto turn = static_cast<float>(iterations > 0 ? now / before : 0);
-        each_row(lattice_, [&](std::ptrdiff_t at) {
-            for (std::ptrdiff_t i = at; i < at + lattice_.cells[0]; i += 8)
+        each_row(rows_, [&](Row row) {
+            for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
                 store(direction_.data() + i, load(smoothed_.data() + i) + turn * load(direction_.data() + i));
         });
         before = now;
-        fill_sides(lattice_, direction_);
+        fill_sides(rows_, direction_);
         apply(direction_);
-        const double curvature = dot(lattice_, direction_, image_);
+        const double curvature = dot(rows_, direction_, image_);
         if (!(curvature > 0)) break;
-        add(lattice_, correction_, now / curvature, direction_);
-        add(lattice_, residual_, -now / curvature, image_);
+        add(rows_, correction_, now / curvature, direction_);
+        add(rows_, residual_, -now / curvature, image_);
         ++iterations;
     }
-    fill_sides(lattice_, correction_);
+    fill_sides(rows_, correction_);
     return iterations;
 }
 
@@ -182,11 +184,11 @@ void Solids::subtract_correction(std::array<Samples, 3>& velocity) const {
         const float* open = open_[axis].data();
         const float* p = correction_.data();
         float* u = velocity[axis].data();
-        each_row(lattice_, [&](std::ptrdiff_t at) {
-            const std::ptrdiff_t end = at + lattice_.cells[0];
-#pragma GCC ivdep
-            for (std::ptrdiff_t i = at; i < end; ++i)
-                u[i] = open[i] > 0 ? u[i] - per_h * (p[i] - p[i - s]) : 0.0F;
+        each_row(rows_, [&](Row row) {
+            for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
+                const Eight left = load(u + i) - per_h * (load(p + i) - load(p + i - s));
+                store(u + i, load(open + i) > none ? left : none);
+            }
         });
     }
 }
@@ -197,16 +199,16 @@ Solids::Found Solids::project(std::array<Samples, 3>& velocity, Samples& potenti
     std::fill(potential.begin(), potential.end(), 0.0F);
     for (int round = 0;; ++round) {
         for (std::size_t axis = 0; axis < 3; ++axis)
-            fill_ghosts_across(lattice_, axis, Beyond::through_wall, velocity[axis]);
+            fill_ghosts_across(rows_, axis, Beyond::through_wall, velocity[axis]);
         divergence(velocity);
-        found.divergence = largest(lattice_, residual_);
+        found.divergence = largest(rows_, residual_);
         if (!(found.divergence > tolerance) || round == rounds_most) break;
         found.iterations +=
             solve(std::max(tolerance, found.divergence * gain_of_round), iterations_most - found.iterations);
         subtract_correction(velocity);
-        add(lattice_, potential, 1, correction_);
+        add(rows_, potential, 1, correction_);
     }
-    fill_ghosts(lattice_, evenly, potential);
+    fill_ghosts(rows_, evenly, potential);
     return found;
 }
 

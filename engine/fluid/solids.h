@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "core/maths.h"
-#include "fluid/lattice.h"
+#include "fluid/rows.h"
 #include "fluid/separable.h"
 
 namespace thaum::fluid {
@@ -25,6 +25,9 @@ public:
     /// Of a cell, counted as Lattice::at does.
     bool holds_fluid(std::size_t cell) const { return diagonal_[cell] > 0; }
 
+    /// Of the cells that hold fluid, and so of all open faces.
+    const Rows& rows() const { return rows_; }
+
     /// Velocities on closed faces become 0.
     void close(std::array<Samples, 3>& velocity) const;
 
@@ -33,7 +36,7 @@ public:
         double divergence{};  ///< 1/s, the largest that is left
     };
     /// Takes the divergence away, down to `tolerance` 1/s in each cell; `potential`, ghosts included, is what was subtracted the
-    /// gradient of.
+    /// gradient of. The velocity is 0 on closed faces.
     Found project(std::array<Samples, 3>& velocity, Samples& potential, double tolerance,
                   int iterations_most);
 
@@ -47,6 +50,7 @@ private:
     Lattice lattice_;
     std::array<Samples, 3> open_;
     Samples diagonal_;  ///< sum of the open shares round a cell
+    Rows rows_;
     PressureSolver box_;
     // Of the conjugate gradients: residual, its preconditioned, the direction, the operator on that, and their sum.
     Samples residual_, smoothed_, direction_, image_, correction_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fluid/ghosts.h"
 #include "fluid/pressure.h"
 #include "fluid/sample.h"
 #include "fluid/sums.h"
@@ -31,15 +32,15 @@ constexpr double divergence_most = 5e-5;
 constexpr int iterations_most = 40;
 constexpr double rest_speed = 1e-6;  ///< m/s; slower than that a fluid without forces falls asleep
 
-double sum_of_largest(const Lattice& lattice, const std::array<Samples, 3>& velocity) {
+double sum_of_largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     double sum = 0;
-    for (const Samples& component : velocity) sum += largest(lattice, component);
+    for (const Samples& component : velocity) sum += largest(rows, component);
     return sum;
 }
 
-double half_square(const Lattice& lattice, const std::array<Samples, 3>& velocity) {
+double half_square(const Rows& rows, const std::array<Samples, 3>& velocity) {
     double sum = 0;
-    for (const Samples& component : velocity) sum += dot(lattice, component, component);
+    for (const Samples& component : velocity) sum += dot(rows, component, component);
     return 0.5 * sum;
 }
 
@@ -48,11 +49,12 @@ double half_square(const Lattice& lattice, const std::array<Samples, 3>& velocit
 Staggered::Staggered(const Settings& settings, const Lattice& lattice)
     : lattice_(lattice),
       order_(settings.solid ? 2 : settings.order),
+      solids_(settings.solid ? std::make_unique<Solids>(lattice, settings.solid) : nullptr),
+      rows_(solids_ ? solids_->rows() : whole_rows(lattice)),
       pressure_(lattice, order_),
-      momentum_(lattice, order_),
+      momentum_(lattice, order_, solids_.get()),
       viscosity_(lattice),
       diffusion_(lattice, order_),
-      solids_(settings.solid ? std::make_unique<Solids>(lattice, settings.solid) : nullptr),
       currents_(make_currents(lattice)),
       transport_(make_transport_scratch(lattice)),
       potential_(make_samples(lattice)),
@@ -65,8 +67,12 @@ Staggered::Staggered(const Settings& settings, const Lattice& lattice)
 
 void Staggered::fill(const Settings& settings, Velocity& velocity) const {
     if (solids_) solids_->close(velocity);
+    fill_sides(settings, velocity);
+}
+
+void Staggered::fill_sides(const Settings& settings, Velocity& velocity) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-        fill_ghosts(lattice_, beyond_of_velocity(lattice_, axis), velocity[axis]);
+        fill_ghosts(rows_, beyond_of_velocity(lattice_, axis), velocity[axis]);
     if (settings.lid == 0 || lattice_.edges[1] != Edge::no_slip) return;
     // Odd about the wall's own speed.
     const auto twice = static_cast<float>(2 * settings.lid);
@@ -85,8 +91,8 @@ bool Staggered::viscosity_varies(const Settings& settings) const {
 
 /// Of equal length, so that none carries too far.
 double Staggered::steps_wanted(const Settings& settings, const State& now, double dt) const {
-    double carried = sum_of_largest(lattice_, now.velocity) + std::abs(settings.lid);
-    if (forced_) carried += dt * sum_of_largest(lattice_, force_);
+    double carried = sum_of_largest(rows_, now.velocity) + std::abs(settings.lid);
+    if (forced_) carried += dt * sum_of_largest(rows_, force_);
     return std::ceil(carried * dt / (lattice_.h * carried_most));
 }
 
@@ -157,7 +163,7 @@ void Staggered::pull_level(std::size_t axis, int level, float pull, bool without
 void Staggered::end_stage(const Settings& settings, Velocity& velocity) {
     if (!solids_) {
         for (std::size_t axis = 0; axis < 3; ++axis)
-            fill_ghosts_across(lattice_, axis, Beyond::through_wall, velocity[axis]);
+            fill_ghosts_across(rows_, axis, Beyond::through_wall, velocity[axis]);
         divergence(lattice_, order_, velocity, packed_);
         pressure_.solve(packed_);
         const float* packed = packed_.data();
@@ -165,24 +171,23 @@ void Staggered::end_stage(const Settings& settings, Velocity& velocity) {
             std::copy_n(packed, lattice_.cells[0], potential_.data() + at);
             packed += lattice_.cells[0];
         });
-        fill_ghosts(lattice_, evenly, potential_);
+        fill_ghosts(rows_, evenly, potential_);
         subtract_gradient(lattice_, order_, potential_, velocity);
     }
-    fill(settings, velocity);
+    fill_sides(settings, velocity);
 }
 
 /// sum_ becomes the velocity.
 void Staggered::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
     if (solids_) {
-        solids_->close(sum_);
-        const double speed = sum_of_largest(lattice_, sum_) / 3;
+        const double speed = sum_of_largest(rows_, sum_) / 3;
         const auto found =
             solids_->project(sum_, potential_, divergence_most * speed / lattice_.h, iterations_most);
         report.pressure_iterations += found.iterations;
         report.divergence = found.divergence;
         const auto per_dt = static_cast<float>(1 / dt);
         for (std::size_t i = 0; i < now.pressure.size(); ++i) now.pressure[i] += per_dt * potential_[i];
-        fill(settings, sum_);
+        fill_sides(settings, sum_);
     } else {
         end_stage(settings, sum_);
         ++report.pressure_iterations;
@@ -258,9 +263,10 @@ void Staggered::carry_along(const Settings& settings, State& now, double dt) {
 
 /// Whatever dt is: each place takes what came from where its flow was. Energy that the interpolation made is taken away again.
 void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt, StepReport& report) {
-    const double before = half_square(lattice_, now.velocity);
+    const double before = half_square(rows_, now.velocity);
     for (std::size_t axis = 0; axis < 3; ++axis) carry_back(lattice_, now.velocity, axis, dt, sum_[axis]);
-    const double after = half_square(lattice_, sum_);
+    if (solids_) solids_->close(sum_);
+    const double after = half_square(rows_, sum_);
     const auto factor = static_cast<float>(after > before ? std::sqrt(before / after) : 1);
     const auto step = static_cast<float>(dt);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -271,6 +277,7 @@ void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt,
                 u[i] = factor * u[i] + (forced_ ? step * f[i] : 0);
         });
     }
+    if (solids_) solids_->close(sum_);
     spread(settings, now, dt);
     end_step(settings, now, dt, report);
     carry_along(settings, now, dt);
@@ -279,9 +286,9 @@ void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt,
 
 /// Nothing drives it and nothing spreads.
 bool Staggered::stays(const Settings& settings, const State& now, double dt) const {
-    if (settings.lid != 0 || (forced_ && dt * sum_of_largest(lattice_, force_) >= rest_speed)) return false;
+    if (settings.lid != 0 || (forced_ && dt * sum_of_largest(rows_, force_) >= rest_speed)) return false;
     for (std::size_t s = 0; s < now.substances.size(); ++s)
-        if (settings.substances[s].diffusion > 0 && largest(lattice_, now.substances[s]) > 0) return false;
+        if (settings.substances[s].diffusion > 0 && largest(rows_, now.substances[s]) > 0) return false;
     return true;
 }
 
@@ -320,8 +327,8 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
         for (auto& push : now.push) std::fill(push.begin(), push.end(), 0.0F);
     now.pushed = false;
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
-    report.energy = half_square(lattice_, now.velocity) * lattice_.h * lattice_.h * lattice_.h;
-    for (const Samples& u : now.velocity) report.speed = std::max(report.speed, largest(lattice_, u));
+    report.energy = half_square(rows_, now.velocity) * lattice_.h * lattice_.h * lattice_.h;
+    for (const Samples& u : now.velocity) report.speed = std::max(report.speed, largest(rows_, u));
     if (!solids_) {
         divergence(lattice_, order_, now.velocity, packed_);
         for (const float d : packed_)

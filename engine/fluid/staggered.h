@@ -26,12 +26,13 @@ public:
     void carry(const Settings& settings, State& now, double dt);
     /// Null: none but the edges.
     const Solids* solids() const { return solids_.get(); }
-    /// Writes the ghosts, and 0 on walls.
+    /// Writes the ghosts, and 0 on walls and in solids.
     void fill(const Settings& settings, std::array<Samples, 3>& velocity) const;
 
 private:
     using Velocity = std::array<Samples, 3>;
 
+    void fill_sides(const Settings& settings, Velocity& velocity) const;
     bool viscosity_varies(const Settings& settings) const;
     double steps_wanted(const Settings& settings, const State& now, double dt) const;
     bool stays(const Settings& settings, const State& now, double dt) const;
@@ -49,11 +50,12 @@ private:
 
     Lattice lattice_;
     int order_;
+    std::unique_ptr<Solids> solids_;
+    Rows rows_;  ///< of what holds fluid
     PressureSolver pressure_;
     Momentum momentum_;
     Viscosity viscosity_;
     Diffusion diffusion_;
-    std::unique_ptr<Solids> solids_;
     Openings openings_;  ///< of the solids
     Currents currents_;
     TransportScratch transport_;

@@ -1,12 +1,14 @@
-// fluid/sums.h: what is summed over all cells, in double and one fixed order, and the largest of them.
+// fluid/sums.h: what is summed over all cells, or those with fluid, in double and one fixed order, and the largest of them.
 #pragma once
-#include "fluid/lattice.h"
+#include "fluid/rows.h"
 
 namespace thaum::fluid {
 
 double total(const Lattice& lattice, const Samples& samples);
 double dot(const Lattice& lattice, const Samples& a, const Samples& b);
+double dot(const Rows& rows, const Samples& a, const Samples& b);
 /// The largest size of a value; of NaNs, one.
 double largest(const Lattice& lattice, const Samples& samples);
+double largest(const Rows& rows, const Samples& samples);
 
 }  // namespace thaum::fluid

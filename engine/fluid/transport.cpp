@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fluid/eight.h"
+#include "fluid/ghosts.h"
 
 // With F the flux of a field by the fifth order and q, q1, q2 Runge-Kutta's three fields,
 //
@@ -23,15 +24,15 @@ namespace {
 
 constexpr float least_density = 1e-20F;  // numbers of less precision, which are slow, begin at 1e-38
 
-using Row = const float* __restrict;
+using Floats = const float* __restrict;
 
 // The loops over rows are functions that are not inlined, and written without branches: so GCC 12 makes vectors of all of them.
 
 /// What a row of faces is crossed by.
 struct FaceRow {
-    Row courant;
-    Row aperture, third, fifth;  ///< null where all is open
-    std::ptrdiff_t step;         ///< from a cell to the next across the face
+    Floats courant;
+    Floats aperture, third, fifth;  ///< null where all is open
+    std::ptrdiff_t step;            ///< from a cell to the next across the face
 };
 
 /// Of a sub-step.
@@ -61,8 +62,8 @@ inline float donor(float courant, float diffusion, float low, float high) {
 
 /// Adds a stage's flux to the sum; the last one turns the sum into high less first order of `start`.
 template <Stage stage, Kind kind>
-[[gnu::noinline]] void flux_row(Pace pace, const FaceRow& face, Row value, Row start, std::ptrdiff_t count,
-                                float* __restrict sum) {
+[[gnu::noinline]] void flux_row(Pace pace, const FaceRow& face, Floats value, Floats start,
+                                std::ptrdiff_t count, float* __restrict sum) {
     const std::ptrdiff_t s = face.step;
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         const float u = pace.courant * face.courant[i];
@@ -97,9 +98,9 @@ struct Fluxes {
     std::array<std::ptrdiff_t, 3> step;
 };
 
-[[gnu::noinline]] void stage_row(const Fluxes& flux, Row start, float part, std::ptrdiff_t count,
+[[gnu::noinline]] void stage_row(const Fluxes& flux, Floats start, float part, std::ptrdiff_t count,
                                  float* __restrict value) {
-    const Row x = flux.low[0], y = flux.low[1], z = flux.low[2];
+    const Floats x = flux.low[0], y = flux.low[1], z = flux.low[2];
     const std::ptrdiff_t sy = flux.step[1], sz = flux.step[2];
     for (std::ptrdiff_t i = 0; i < count; ++i)
         value[i] = start[i] - part * (((x[i + 1] - x[i]) + (y[i + sy] - y[i])) + (z[i + sz] - z[i]));
@@ -107,8 +108,8 @@ struct Fluxes {
 
 /// What leaves a cell across one axis by the fluxes of first order.
 template <Kind kind>
-inline float donors(float part, float diffusion, Row courant, Row aperture, Row value, std::ptrdiff_t i,
-                    std::ptrdiff_t s) {
+inline float donors(float part, float diffusion, Floats courant, Floats aperture, Floats value,
+                    std::ptrdiff_t i, std::ptrdiff_t s) {
     float below = diffusion, above = diffusion;
     if constexpr (kind.solids && kind.diffuses) {
         below *= aperture[i];
@@ -121,11 +122,11 @@ inline float donors(float part, float diffusion, Row courant, Row aperture, Row 
 /// What the first-order fluxes make of a row of cells, and what part of the differences it can afford.
 template <Kind kind>
 [[gnu::noinline]] void afford_row(Pace pace, const std::array<FaceRow, 3>& faces, const Fluxes& difference,
-                                  Row start, std::ptrdiff_t count, float* __restrict value,
+                                  Floats start, std::ptrdiff_t count, float* __restrict value,
                                   float* __restrict part) {
-    const Row x = difference.low[0], y = difference.low[1], z = difference.low[2];
-    const Row cx = faces[0].courant, cy = faces[1].courant, cz = faces[2].courant;
-    const Row ax = faces[0].aperture, ay = faces[1].aperture, az = faces[2].aperture;
+    const Floats x = difference.low[0], y = difference.low[1], z = difference.low[2];
+    const Floats cx = faces[0].courant, cy = faces[1].courant, cz = faces[2].courant;
+    const Floats ax = faces[0].aperture, ay = faces[1].aperture, az = faces[2].aperture;
     const std::ptrdiff_t sy = faces[1].step, sz = faces[2].step;
     const float u = pace.courant, k = pace.diffusion;
 #pragma GCC ivdep
@@ -144,11 +145,11 @@ template <Kind kind>
 }
 
 /// Takes the differences, each as far as the cell that it leaves can afford.
-[[gnu::noinline]] void cut_row(const Fluxes& difference, Row value, Row part, std::ptrdiff_t count,
+[[gnu::noinline]] void cut_row(const Fluxes& difference, Floats value, Floats part, std::ptrdiff_t count,
                                float* __restrict result) {
-    const Row x = difference.low[0], y = difference.low[1], z = difference.low[2];
+    const Floats x = difference.low[0], y = difference.low[1], z = difference.low[2];
     const std::ptrdiff_t sy = difference.step[1], sz = difference.step[2];
-    const auto cut = [&](Row d, std::ptrdiff_t i, std::ptrdiff_t s) {
+    const auto cut = [&](Floats d, std::ptrdiff_t i, std::ptrdiff_t s) {
         return above_zero(d[i]) * part[i - s] + below_zero(d[i]) * part[i];
     };
 #pragma GCC ivdep
@@ -170,6 +171,8 @@ struct Crossing {
     const Samples& start;
     TransportScratch& scratch;
 
+    const Rows& rows() const { return currents.rows(); }
+
     FaceRow face(std::size_t axis, std::ptrdiff_t at) const {
         FaceRow row{currents.courant[axis].data() + at, nullptr, nullptr, nullptr, lattice.stride[axis]};
         if (const Openings* open = currents.openings; open != nullptr) {
@@ -186,47 +189,59 @@ struct Crossing {
 };
 
 template <Stage stage, Kind kind>
-[[gnu::noinline]] void flux_rows(const Crossing& c, const Samples& value, std::size_t axis, int k, int rows,
-                                 std::ptrdiff_t count) {
-    for (int j = 0; j < rows; ++j) {
-        const std::ptrdiff_t at = c.lattice.at(0, j, k);
-        flux_row<stage, kind>(c.pace, c.face(axis, at), value.data() + at, c.start.data() + at, count,
-                              c.scratch.flux[axis].data() + at);
-    }
+[[gnu::noinline]] void flux_rows(const Crossing& c, const Samples& value, std::size_t axis, int k) {
+    each_row(c.rows(), k, [&](Row row) {
+        flux_row<stage, kind>(c.pace, c.face(axis, row.at), value.data() + row.at, c.start.data() + row.at,
+                              whole_eights(row.count), c.scratch.flux[axis].data() + row.at);
+    });
+}
+
+/// The last faces of a periodic lattice are the first ones. On walls they are closed, as are those behind the last cells before
+/// something solid: nothing goes through, and nothing is ever written there.
+void close_rings(const Crossing& c, int k) {
+    const auto [nx, ny, nz] = c.lattice.cells;
+    auto& flux = c.scratch.flux;
+    if (c.lattice.edges[0] == Edge::periodic)
+        each_row(c.lattice, k, [&, nx = nx](std::ptrdiff_t at) { flux[0][at + nx] = flux[0][at]; });
+    const auto first = [&](std::size_t axis, int j, int layer) {
+        return flux[axis].data() + c.lattice.at(0, j, layer);
+    };
+    if (c.lattice.edges[1] == Edge::periodic) std::copy_n(first(1, 0, k), nx, first(1, ny, k));
+    if (k == 0 && c.lattice.edges[2] == Edge::periodic)
+        for (int j = 0; j < ny; ++j) std::copy_n(first(2, j, 0), nx, first(2, j, nz));
 }
 
 /// All fluxes of a stage, and `layer(k)` once those of layer k are there. Rows are taken in whole vectors; what that writes beyond
 /// them is nowhere read.
 template <Stage stage, Kind kind, class Layer>
 void each_layer(const Crossing& c, const Samples& value, Layer layer) {
-    const auto [nx, ny, nz] = c.lattice.cells;
-    const std::ptrdiff_t across = whole_eights(nx);
-    for (int k = 0; k <= nz; ++k) {
-        flux_rows<stage, kind>(c, value, 2, k, ny, across);
+    const int nz = c.lattice.cells[2];
+    for (int k = 0; k < nz; ++k) {
+        flux_rows<stage, kind>(c, value, 2, k);
         if (k > 0) layer(k - 1);
-        if (k == nz) break;
-        flux_rows<stage, kind>(c, value, 0, k, ny, whole_eights(nx + 1));
-        flux_rows<stage, kind>(c, value, 1, k, ny + 1, across);
+        flux_rows<stage, kind>(c, value, 0, k);
+        flux_rows<stage, kind>(c, value, 1, k);
+        close_rings(c, k);
     }
+    layer(nz - 1);
 }
 
 /// The field after `part` of the fluxes so far.
 template <Stage stage, Kind kind>
 void take_stage(const Crossing& c, const Samples& value, float part, Samples& next) {
-    const std::ptrdiff_t count = whole_eights(c.lattice.cells[0]);
     each_layer<stage, kind>(c, value, [&](int k) {
-        each_row(c.lattice, k, [&](std::ptrdiff_t at) {
-            stage_row(c.fluxes(at), c.start.data() + at, part, count, next.data() + at);
+        each_row(c.rows(), k, [&](Row row) {
+            stage_row(c.fluxes(row.at), c.start.data() + row.at, part, whole_eights(row.count),
+                      next.data() + row.at);
         });
     });
-    fill_ghosts(c.lattice, evenly, next);
+    fill_ghosts(c.rows(), evenly, next);
 }
 
 template <Kind kind>
 void substep(const Lattice& lattice, const Currents& currents, Pace pace, Samples& density,
              TransportScratch& scratch) {
     const Crossing c{lattice, currents, pace, density, scratch};
-    const std::ptrdiff_t count = whole_eights(lattice.cells[0]);
     Samples& first = scratch.first;
     Samples& second = scratch.second;
     take_stage<Stage::first, kind>(c, density, 1, first);
@@ -234,19 +249,17 @@ void substep(const Lattice& lattice, const Currents& currents, Pace pace, Sample
     Samples& left = first;  // the stages' fields have served
     each_layer<Stage::third, kind>(c, second, [](int) {});
     Samples& part = second;
-    for (int k = 0; k < lattice.cells[2]; ++k) {
-        each_row(lattice, k, [&](std::ptrdiff_t at) {
-            afford_row<kind>(pace, {c.face(0, at), c.face(1, at), c.face(2, at)}, c.fluxes(at),
-                             density.data() + at, count, left.data() + at, part.data() + at);
-        });
-    }
-    fill_ghosts(lattice, evenly, part);
-    for (int k = 0; k < lattice.cells[2]; ++k) {
-        each_row(lattice, k, [&](std::ptrdiff_t at) {
-            cut_row(c.fluxes(at), left.data() + at, part.data() + at, lattice.cells[0], density.data() + at);
-        });
-    }
-    fill_ghosts(lattice, evenly, density);
+    each_row(c.rows(), [&](Row row) {
+        const std::ptrdiff_t at = row.at;
+        afford_row<kind>(pace, {c.face(0, at), c.face(1, at), c.face(2, at)}, c.fluxes(at),
+                         density.data() + at, whole_eights(row.count), left.data() + at, part.data() + at);
+    });
+    fill_ghosts(c.rows(), evenly, part);
+    each_row(c.rows(), [&](Row row) {
+        const std::ptrdiff_t at = row.at;
+        cut_row(c.fluxes(at), left.data() + at, part.data() + at, row.count, density.data() + at);
+    });
+    fill_ghosts(c.rows(), evenly, density);
 }
 
 using Substep = void (*)(const Lattice&, const Currents&, Pace, Samples&, TransportScratch&);
@@ -274,20 +287,18 @@ Schedule schedule(double outflow, double diffusion, int most) {
     return {most, outflow > 0 ? carried / outflow : 1, spreading > 0 ? spread / spreading : 1};
 }
 
-bool is_empty(const Lattice& lattice, const Samples& density) {
+bool is_empty(const Rows& rows, const Samples& density) {
     std::uint32_t bits = 0;
-    for (int k = 0; k < lattice.cells[2]; ++k) {
-        each_row(lattice, k, [&](std::ptrdiff_t at) {
-            const float* row = density.data() + at;
-            for (int i = 0; i < lattice.cells[0]; ++i) bits |= std::bit_cast<std::uint32_t>(row[i]);
-        });
-    }
+    each_row(rows, [&](Row row) {
+        const float* value = density.data() + row.at;
+        for (std::ptrdiff_t i = 0; i < row.count; ++i) bits |= std::bit_cast<std::uint32_t>(value[i]);
+    });
     return bits == 0;
 }
 
 /// What can leave each cell of a row, kept where it is more than before.
 [[gnu::noinline]] void outflow_row(const Fluxes& courant, std::ptrdiff_t count, float* __restrict most) {
-    const Row x = courant.low[0], y = courant.low[1], z = courant.low[2];
+    const Floats x = courant.low[0], y = courant.low[1], z = courant.low[2];
     const std::ptrdiff_t sy = courant.step[1], sz = courant.step[2];
 #pragma GCC ivdep
     for (std::ptrdiff_t i = 0; i < count; ++i) {
@@ -296,6 +307,17 @@ bool is_empty(const Lattice& lattice, const Samples& density) {
             (above_zero(z[i + sz]) - below_zero(z[i]));
         most[i] = out > most[i] ? out : most[i];
     }
+}
+
+/// The sum of the apertures round each cell.
+Samples openness(const Lattice& lattice, const std::array<Samples, 3>& aperture) {
+    Samples sum = make_samples(lattice);
+    each_cell(lattice, [&](int, int, int, std::size_t at) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            sum[at] +=
+                aperture[axis][at] + aperture[axis][at + static_cast<std::size_t>(lattice.stride[axis])];
+    });
+    return sum;
 }
 
 }  // namespace
@@ -330,11 +352,12 @@ Openings make_openings(const Lattice& lattice, const std::array<Samples, 3>& ape
             }
         }
     }
+    result.rows = rows_above_zero(lattice, openness(lattice, result.aperture));
     return result;
 }
 
 Currents make_currents(const Lattice& lattice) {
-    Currents currents;
+    Currents currents{.whole = whole_rows(lattice)};
     for (Samples& samples : currents.courant) samples = make_samples(lattice);
     return currents;
 }
@@ -349,10 +372,10 @@ void set_currents(const Lattice& lattice, const std::array<Samples, 3>& velocity
                   double dt, Currents& currents) {
     const auto factor = static_cast<float>(dt / lattice.h);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Row from = velocity[axis].data();
+        const Floats from = velocity[axis].data();
         float* const __restrict to = currents.courant[axis].data();
         if (openings != nullptr) {
-            const Row aperture = openings->aperture[axis].data();
+            const Floats aperture = openings->aperture[axis].data();
             for (std::size_t i = 0; i < lattice.size; ++i) to[i] = from[i] * factor * aperture[i];
         } else {
             for (std::size_t i = 0; i < lattice.size; ++i) to[i] = from[i] * factor;
@@ -361,20 +384,18 @@ void set_currents(const Lattice& lattice, const std::array<Samples, 3>& velocity
     currents.openings = openings;
     currents.dt = dt;
     std::array<float, cells_most> most{};
-    for (int k = 0; k < lattice.cells[2]; ++k) {
-        each_row(lattice, k, [&](std::ptrdiff_t at) {
-            const auto& c = currents.courant;
-            outflow_row({{c[0].data() + at, c[1].data() + at, c[2].data() + at}, lattice.stride},
-                        lattice.cells[0], most.data());
-        });
-    }
+    each_row(currents.rows(), [&](Row row) {
+        const auto& c = currents.courant;
+        outflow_row({{c[0].data() + row.at, c[1].data() + row.at, c[2].data() + row.at}, lattice.stride},
+                    row.count, most.data());
+    });
     currents.outflow = *std::ranges::max_element(most);
 }
 
 TransportReport transport(const Lattice& lattice, const Currents& currents, const TransportSettings& settings,
                           Samples& density, TransportScratch& scratch) {
     const double diffusion = settings.diffusion * currents.dt / (lattice.h * lattice.h);
-    if ((currents.outflow == 0 && diffusion == 0) || is_empty(lattice, density)) return {};
+    if ((currents.outflow == 0 && diffusion == 0) || is_empty(currents.rows(), density)) return {};
     const auto [substeps, carried, spread] = schedule(currents.outflow, diffusion, settings.most_substeps);
     const Pace pace{static_cast<float>(carried / substeps),
                     static_cast<float>(diffusion * spread / substeps)};

@@ -21,7 +21,7 @@
 #include <array>
 #include <cstdint>
 
-#include "fluid/lattice.h"
+#include "fluid/rows.h"
 
 namespace thaum::fluid {
 
@@ -29,6 +29,7 @@ namespace thaum::fluid {
 struct Openings {
     std::array<Samples, 3> aperture{};
     std::array<Samples, 3> third{}, fifth{};  ///< 1 where the flux may be of that order, else 0
+    Rows rows{};                              ///< of the cells with open faces
 };
 
 /// Of apertures from 0 to 1; their ghosts are not read. Faces on the lattice's own walls count as open to reading, for what is
@@ -39,8 +40,11 @@ Openings make_openings(const Lattice& lattice, const std::array<Samples, 3>& ape
 struct Currents {
     std::array<Samples, 3> courant{};
     const Openings* openings{};  ///< null: all faces are open
+    Rows whole{};                ///< all cells, for where all faces are open
     double outflow{};  ///< the largest part that leaves a cell; above 1 where it is changed more than once
     double dt{};       ///< s
+
+    const Rows& rows() const { return openings != nullptr ? openings->rows : whole; }
 };
 
 Currents make_currents(const Lattice& lattice);
@@ -49,7 +53,7 @@ Currents make_currents(const Lattice& lattice);
 void set_currents(const Lattice& lattice, const std::array<Samples, 3>& velocity, const Openings* openings,
                   double dt, Currents& currents);
 
-/// Kept from call to call, for any substances of one lattice; what it holds means nothing.
+/// Kept from call to call, for any substances of one lattice between the same openings. Zero where nothing is open.
 struct TransportScratch {
     Samples first{}, second{};
     std::array<Samples, 3> flux{};

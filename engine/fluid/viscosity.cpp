@@ -21,8 +21,6 @@ struct Lines {
     float lid;  ///< m/s, what the wall at the high end moves by
 };
 
-const Eight none = Eight{};
-
 inline Eight larger(const Eight& a, const Eight& b) { return a > b ? a : b; }
 
 /// Coefficient of the link between two places; closed ones count below 0.
@@ -68,7 +66,8 @@ void eliminate(const Lines& lines, const Slab& slab, float* value, const std::ar
             const Eight per = 1.0F / (1.0F + below * kept + above + more * larger(own, none));
             const Eight open = own < none ? none : per;
             store(slab.upper + i, above * open);
-            store(value + i, (load(value + i) + below * load(value + i - w)) * open);
+            const Eight found = (load(value + i) + below * load(value + i - w)) * open;
+            store(value + i, own < none ? none : found);
         }
     }
     for (std::ptrdiff_t i = (n - 1) * w - 8; i >= 0; i -= 8)
@@ -138,15 +137,14 @@ void Viscosity::component(const Spread& spread, std::size_t axis, Samples& u) {
     const auto half = static_cast<float>(0.5 * spread.dt / (lattice_.h * lattice_.h));
     const float* nu = spread.viscosity->data();
     const float* open = spread.open != nullptr ? (*spread.open)[axis].data() : nullptr;
-    for (int k = 0; k < lattice_.cells[2]; ++k) {
-        for (int j = 0; j < lattice_.cells[1]; ++j) {
-            const auto at = lattice_.at(0, j, k);
-            for (std::ptrdiff_t i = at; i < at + lattice_.cells[0]; ++i) {
-                const float both = half * (nu[i - s] + nu[i]);
-                nodal_[static_cast<std::size_t>(i)] = open != nullptr && open[i] <= 0 ? -1.0F : both;
-            }
+    each_row(lattice_, [&](std::ptrdiff_t at) {
+        for (std::ptrdiff_t i = at; i < at + lattice_.cells[0]; i += 8) {
+            const Eight both = half * (load(nu + i - s) + load(nu + i));
+            const Eight closed = none - 1.0F;
+            const Eight share = open == nullptr ? closed + 2.0F : load(open + i);
+            store(nodal_.data() + i, share > none ? both : closed);
         }
-    }
+    });
     for (std::size_t across = 0; across < 3; ++across) along(spread, axis, across, u);
 }
 

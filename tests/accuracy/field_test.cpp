@@ -10,6 +10,7 @@
 
 #include "core/random.h"
 #include "fluid/fields.h"
+#include "fluid/ghosts.h"
 
 namespace thaum::field {
 namespace {

@@ -1,4 +1,5 @@
 // Substances carried by a given flow: orders of convergence, a constant, the amount, positivity, symmetry to the bit, solids, diffusion.
+#include "fluid/ghosts.h"
 #include "fluid/transport.h"
 
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 #include "core/random.h"
 #include "core/text.h"
 #include "fluid/fields.h"
+#include "fluid/ghosts.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
 

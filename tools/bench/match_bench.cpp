@@ -1,42 +1,24 @@
 // What a tick of the duel costs, whether it allocates, how fast a log is verified, and what idle features cost.
-#include <chrono>
-#include <cstdio>
+#include <algorithm>
 #include <functional>
 
 #include "core/text.h"
 #include "ecs/snapshot.h"
 #include "game/bots/duel.h"
+#include "game/cauldron/cauldron.h"
+#include "game/components/cauldron.h"
 #include "game/components/grip.h"
 #include "game/match/playback.h"
 #include "game/wands/belt.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
+#include "tools/bench/match_scene.h"
 #include "tools/bench/measure.h"
 
 namespace thaum::bench {
 namespace {
 
 using game::Simulation;
-
-double now_us() {
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
-
-/// A benchmark without its scene says so and gives no row.
-template <class T>
-bool there(const Expected<T>& value, std::string_view what) {
-    if (!value)
-        std::fprintf(stderr, "bench: %s: %s\n", std::string(what).c_str(), value.error().message.c_str());
-    return value.has_value();
-}
-
-std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides = {}) {
-    // A match that cannot end while it is measured.
-    overrides.insert(overrides.end(), {"quick.kills=1000", "quick.seconds=36000"});
-    auto data = game::load_match_data(game::find_assets(), {.overrides = std::move(overrides)});
-    return there(data, "duel") ? std::make_shared<const game::MatchData>(std::move(*data)) : nullptr;
-}
 
 /// The bots that think most.
 constexpr int heaviest = game::bot_levels;
@@ -45,22 +27,6 @@ Expected<game::BotDuel> duel() {
     auto data = duel_data();
     if (!data) return fail("no data");
     return game::make_bot_duel(game::find_assets(), data, {heaviest, heaviest}, 1);
-}
-
-double mean(const std::vector<double>& samples) {
-    double sum = 0;
-    for (const double s : samples) sum += s;
-    return sum / static_cast<double>(samples.size());
-}
-
-double median_of(std::size_t count, const std::function<void()>& run) {
-    std::vector<double> samples;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double start = now_us();
-        run();
-        samples.push_back(now_us() - start);
-    }
-    return median(samples);
 }
 
 void tick_duel(const Options& options, Report& report) {
@@ -192,47 +158,15 @@ void replay_verify(const Options& options, Report& report) {
                            .hash = last.hash});
 }
 
-struct IdleMatch {
-    std::unique_ptr<Simulation> match;
-    input::InputFrame frame;  ///< the same in every tick
-
-    void run(Tick count) {
-        for (Tick t = 0; t < count; ++t) match->tick(frame);
-    }
-    ecs::SystemCount counted(std::string_view system) const {
-        const auto& schedule = match->live();
-        for (std::size_t i = 0; i < schedule.size(); ++i) {
-            if (schedule.system(i).name == system) return schedule.counted(i);
-        }
-        return {};
-    }
-};
-
-std::optional<IdleMatch> idle_match(std::vector<std::string> overrides = {}) {
-    auto data = duel_data(std::move(overrides));
-    if (!data) return std::nullopt;
-    const input::DeviceSpec nobody{.player = 0, .kind = input::DeviceKind::script, .name = "nobody"};
-    auto other = nobody;
-    other.player = 1;
-    IdleMatch scene{std::make_unique<Simulation>(data, game::MatchSetup{1, {nobody, other}}), {}};
-    scene.match->live().timing = true;
-    scene.run(6000);  // all has come to rest
-    return scene;
-}
-
 // ---- hands that hold -----------------------------------------------------------------------------------------------
 
 /// Each wizard before a pile of crates of his own.
 void place_before_crates(Simulation& match) {
-    auto& world = match.world_to_change();
     for (std::uint32_t player = 0; player < game::players; ++player) {
-        const auto wizard = game::wizard_of(world, player);
         const double side = player == 0 ? 1 : -1;
-        auto& motion = world.get<game::Motion>(wizard);
-        motion.position = {10, motion.position.y, 1.5 * side};
-        motion.velocity = {};
-        match.physics().set_state(wizard.index, motion);
-        world.get<game::Gaze>(wizard) = {side > 0 ? pi : 0, -0.2};
+        const auto wizard = game::wizard_of(match.world(), player);
+        const double height = match.world().get<game::Motion>(wizard).position.y;
+        place(match, player, {10, height, 1.5 * side}, side > 0 ? pi : 0, -0.2);
     }
 }
 
@@ -296,14 +230,80 @@ void tick_duel_haptic(const Options& options, Report& report) {
                            .hash = hex(match.state_hash())});
 }
 
+// ---- hands that stir -----------------------------------------------------------------------------------------------
+
+/// Three ingredients, one after another, by who carries them.
+void drop_three(SceneMatch& scene) {
+    auto& world = scene.match->world_to_change();
+    const auto wizard = game::wizard_of(world, 0);
+    auto pressed = pressing(input::Button::stir);
+    pressed.devices[0].press(input::Button::fire);
+    for (std::uint32_t ingredient = 0; ingredient < 3; ++ingredient) {
+        world.add(wizard, game::Pouch{.ingredient = ingredient});
+        for (const auto& frame : {pressed, pressing(input::Button::stir)}) {
+            scene.frame = frame;
+            scene.run(40);
+        }
+    }
+}
+
+/// Two ladles that stir three substances all the time; the fluid's steps on the same core.
+void tick_duel_cauldron(const Options& options, Report& report) {
+    auto scene = idle_match();
+    if (!scene) return;
+    auto& match = *scene->match;
+    match.live().timing = false;
+    place_at_the_rim(match);
+    scene->frame = pressing(input::Button::stir);
+    scene->run(100);
+    drop_three(*scene);
+    for (Tick t = 0; t < 1000; ++t) match.tick(stirring(t));
+    std::vector<double> samples(options.quick ? 4'000 : 32'000);
+    double substeps = 0, iterations = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const auto frame = stirring(1000 + i);
+        const double start = now_us();
+        match.tick(frame);
+        samples[i] = now_us() - start;
+        substeps += match.brew()->report.substeps;
+        iterations += match.brew()->report.pressure_iterations;
+    }
+    double created = 0;
+    match.world().view<const game::Grip>().each(
+        [&](const game::Grip& grip) { created = std::max(created, grip.servo.energy.most_created); });
+    const auto& cauldron = match.world().single<game::Cauldron>();
+    const auto& cells = match.brew()->brew.fluid.lattice.cells;
+    report.rows.push_back(
+        {.area = "tick",
+         .name = "duel_cauldron",
+         .setting = {{"ladles", std::int64_t{game::players}},
+                     {"substances", std::int64_t{3}},
+                     {"cells", text(cells[0], "x", cells[1], "x", cells[2])}},
+         .time_us = times(samples),
+         .error = ErrorMeasure{"created_j", created},
+         .is_default = true,
+         .metrics = {{"mean_us", mean(samples)},
+                     {"ingredients", static_cast<double>(std::count_if(
+                                         cauldron.what.begin(), cauldron.what.end(),
+                                         [](std::uint32_t w) { return w != game::no_ingredient; }))},
+                     {"substeps_per_step", substeps / static_cast<double>(samples.size())},
+                     {"pressure_iterations_per_step", iterations / static_cast<double>(samples.size())},
+                     {"brew_m_s", cauldron.speed},
+                     {"mixing", cauldron.mixing}},
+         .hash = hex(match.state_hash())});
+}
+
 /// One way to keep a feature busy: called before each tick.
-using Stir = std::function<void(IdleMatch&, Tick)>;
+using Stir = std::function<void(SceneMatch&, Tick)>;
 
 struct Feature {
     const char* name;
     std::vector<std::string_view> systems;
     const char* idle_state;  ///< "absent" or "asleep"
     Stir stir;
+    std::vector<std::string> overrides{};
+    Tick
+        rest{};  ///< after half a second of stirring, before the idle feature is counted; 0: it was never stirred
 };
 
 struct Cost {
@@ -320,11 +320,16 @@ double clock_ns() {
            10;
 }
 
-Cost cost_of(const Feature& feature, const Stir& stir, Tick count) {
-    auto scene = idle_match();
+Cost cost_of(const Feature& feature, bool idle, Tick count) {
+    auto scene = idle_match(feature.overrides);
     if (!scene) return {};
-    if (stir) {
-        for (Tick t = 0; t < 500; ++t) stir(*scene, t), scene->run(1);
+    const auto stir = idle ? nullptr : feature.stir;
+    if (!idle || feature.rest > 0) {
+        for (Tick t = 0; t < 500; ++t) feature.stir(*scene, t), scene->run(1);
+    }
+    if (idle) {
+        scene->frame = {};
+        scene->run(feature.rest);
     }
     scene->match->live().reset_counts();
     for (Tick t = 0; t < count; ++t) {
@@ -341,14 +346,14 @@ Cost cost_of(const Feature& feature, const Stir& stir, Tick count) {
     return cost;
 }
 
-void hold_fire(IdleMatch& scene, Tick) {
+void hold_fire(SceneMatch& scene, Tick) {
     for (auto& device : scene.frame.devices) device.buttons = 0;
     for (std::size_t d = 0; d < game::players; ++d) scene.frame.devices[d].press(input::Button::fire);
     auto& world = scene.match->world_to_change();
     world.view<game::WandBelt>().each([](game::WandBelt& belt) { belt.energy.fill(60); });
 }
 
-void kick_props(IdleMatch& scene, Tick tick) {
+void kick_props(SceneMatch& scene, Tick tick) {
     if (tick % 200 != 0) return;
     auto& physics = scene.match->physics();
     scene.match->world().view<const game::Body, const game::Prop>().each(
@@ -357,28 +362,39 @@ void kick_props(IdleMatch& scene, Tick tick) {
         });
 }
 
-void walk_about(IdleMatch& scene, Tick tick) {
+void walk_about(SceneMatch& scene, Tick tick) {
     for (std::size_t d = 0; d < game::players; ++d) {
         scene.frame.devices[d].counts[input::hand::strafe] = tick % 1000 < 500 ? 127 : -127;
     }
 }
 
-void keep_dying(IdleMatch& scene, Tick tick) {
+void keep_dying(SceneMatch& scene, Tick tick) {
     if (tick % 4000 != 0) return;
     scene.match->world_to_change().view<game::Health>().each([](game::Health& h) { h.points = 0; });
 }
 
+void stir_brew(SceneMatch& scene, Tick tick) {
+    if (tick == 0) place_at_the_rim(*scene.match);
+    scene.frame = stirring(tick);
+}
+
 void skip_features(const Options& options, Report& report) {
+    const std::vector<std::string_view> fluid_systems{"brew", "brew's surface", "splashes"};
+    // Or it would take minutes to come to rest.
+    const std::vector<std::string> thick_brew{"cauldron.brew.viscosity_m2_s=0.2",
+                                              "cauldron.surface.damping_per_s=20"};
     const std::vector<Feature> features{
         {"missiles", {"bolts"}, "absent", hold_fire},
         {"resurrection", {"resurrection"}, "absent", keep_dying},
         {"bodies", {"physics", "places", "blows"}, "asleep", kick_props},
         {"wizards", {"walk", "physics", "places"}, "asleep", walk_about},
+        {"fluid", fluid_systems, "absent", stir_brew},
+        {"fluid", fluid_systems, "asleep", stir_brew, thick_brew, 20'000},
     };
     const Tick count = options.quick ? 4000 : 16'000;
     for (const auto& feature : features) {
-        const Cost active = cost_of(feature, feature.stir, count);
-        const Cost idle = cost_of(feature, nullptr, count);
+        const Cost active = cost_of(feature, false, count);
+        const Cost idle = cost_of(feature, true, count);
         for (const auto& [state, cost] : {std::pair{feature.idle_state, idle}, {"active", active}}) {
             report.rows.push_back({.area = "skip",
                                    .name = feature.name,
@@ -396,6 +412,7 @@ void tick(const Options& options, Report& report) {
     tick_duel(options, report);
     tick_alloc(options, report);
     tick_duel_haptic(options, report);
+    tick_duel_cauldron(options, report);
 }
 
 void replay(const Options& options, Report& report) { replay_verify(options, report); }

@@ -1,4 +1,4 @@
-#include "fluid/lattice.h"
+#include "fluid/ghosts.h"
 
 #include <algorithm>
 #include <cstring>
@@ -66,16 +66,21 @@ void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float facto
     }
 }
 
+void fill_row(const Lattice& lattice, const Mirrors& all, float* row) {
+    // Rows are written in whole eights: what that left beyond the cells may be anything.
+    for (const Mirror& m : all) row[m.to] = m.factor == 0 ? 0 : m.factor * row[m.from];
+    for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < whole_eights(lattice.cells[0]); ++i) row[i] = 0;
+}
+
 void fill_x(const Lattice& lattice, const Mirrors& all, float* cells) {
-    for (int k = 0; k < lattice.cells[2]; ++k) {
-        for (int j = 0; j < lattice.cells[1]; ++j) {
-            float* row = cells + lattice.at(0, j, k);
-            // Rows are written in whole eights: what that left beyond the cells may be anything.
-            for (const Mirror& m : all) row[m.to] = m.factor == 0 ? 0 : m.factor * row[m.from];
-            for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < whole_eights(lattice.cells[0]); ++i)
-                row[i] = 0;
-        }
-    }
+    each_row(lattice, [&](std::ptrdiff_t at) { fill_row(lattice, all, cells + at); });
+}
+
+void fill_x(const Rows& rows, const Mirrors& all, float* cells) {
+    const Lattice& lattice = rows.lattice;
+    for (int k = 0; k < lattice.cells[2]; ++k)
+        for (int j = 0; j < lattice.cells[1]; ++j)
+            if (rows.at(j, k).at_side) fill_row(lattice, all, cells + lattice.at(0, j, k));
 }
 
 void fill_y(const Lattice& lattice, const Mirrors& all, float* cells) {
@@ -95,13 +100,25 @@ void fill_z(const Lattice& lattice, const Mirrors& all, float* cells) {
 }  // namespace
 
 void fill_ghosts_across(const Lattice& lattice, std::size_t axis, Beyond beyond, Samples& samples) {
-    constexpr std::array fill{fill_x, fill_y, fill_z};
+    constexpr std::array<void (*)(const Lattice&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
     fill[axis](lattice, mirrors(lattice.cells[axis], lattice.edges[axis], beyond), samples.data());
 }
 
+void fill_ghosts_across(const Rows& rows, std::size_t axis, Beyond beyond, Samples& samples) {
+    const Lattice& lattice = rows.lattice;
+    if (axis == 0)
+        fill_x(rows, mirrors(lattice.cells[0], lattice.edges[0], beyond), samples.data());
+    else
+        fill_ghosts_across(lattice, axis, beyond, samples);
+}
+
+// One axis after another, so that edges and corners follow from what was filled before.
 void fill_ghosts(const Lattice& lattice, const std::array<Beyond, 3>& beyond, Samples& samples) {
-    // One axis after another, so that edges and corners follow from what was filled before.
     for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(lattice, axis, beyond[axis], samples);
+}
+
+void fill_ghosts(const Rows& rows, const std::array<Beyond, 3>& beyond, Samples& samples) {
+    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(rows, axis, beyond[axis], samples);
 }
 
 std::array<Beyond, 3> beyond_of_velocity(const Lattice& lattice, std::size_t axis) {

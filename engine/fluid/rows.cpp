@@ -1,0 +1,27 @@
+#include "fluid/rows.h"
+
+#include <algorithm>
+
+namespace thaum::fluid {
+
+Rows whole_rows(const Lattice& lattice) {
+    Rows result{.lattice = lattice};
+    each_row(lattice, [&](std::ptrdiff_t at) { result.rows.push_back({at, lattice.cells[0], true}); });
+    return result;
+}
+
+Rows rows_above_zero(const Lattice& lattice, const Samples& values) {
+    Rows result = whole_rows(lattice);
+    for (Row& row : result.rows) {
+        const float* value = values.data() + row.at;
+        std::ptrdiff_t first = 0, end = row.count;
+        while (end > 0 && !(value[end - 1] > 0)) --end;
+        while (first < end && !(value[first] > 0)) ++first;
+        const bool at_side = end > 0 && (first <= ghosts || end >= row.count - ghosts);
+        const std::ptrdiff_t start = first / 8 * 8;
+        row = {row.at + start, std::min(whole_eights(end), row.count) - start, at_side};
+    }
+    return result;
+}
+
+}  // namespace thaum::fluid

@@ -1,0 +1,97 @@
+#include "tools/bench/match_scene.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+#include "game/match/data.h"
+#include "tools/bench/measure.h"
+
+namespace thaum::bench {
+
+using game::Simulation;
+
+double now_us() {
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+double mean(const std::vector<double>& samples) {
+    double sum = 0;
+    for (const double s : samples) sum += s;
+    return sum / static_cast<double>(samples.size());
+}
+
+double median_of(std::size_t count, const std::function<void()>& run) {
+    std::vector<double> samples;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double start = now_us();
+        run();
+        samples.push_back(now_us() - start);
+    }
+    return median(samples);
+}
+
+void say_why_not(std::string_view what, const Error& error) {
+    std::fprintf(stderr, "bench: %s: %s\n", std::string(what).c_str(), error.message.c_str());
+}
+
+std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides) {
+    overrides.insert(overrides.end(), {"quick.kills=1000", "quick.seconds=36000"});
+    auto data = game::load_match_data(game::find_assets(), {.overrides = std::move(overrides)});
+    return there(data, "duel") ? std::make_shared<const game::MatchData>(std::move(*data)) : nullptr;
+}
+
+void SceneMatch::run(Tick count) {
+    for (Tick t = 0; t < count; ++t) match->tick(frame);
+}
+
+ecs::SystemCount SceneMatch::counted(std::string_view system) const {
+    const auto& schedule = match->live();
+    for (std::size_t i = 0; i < schedule.size(); ++i) {
+        if (schedule.system(i).name == system) return schedule.counted(i);
+    }
+    return {};
+}
+
+std::optional<SceneMatch> idle_match(std::vector<std::string> overrides) {
+    auto data = duel_data(std::move(overrides));
+    if (!data) return std::nullopt;
+    const input::DeviceSpec nobody{.player = 0, .kind = input::DeviceKind::script, .name = "nobody"};
+    auto other = nobody;
+    other.player = 1;
+    SceneMatch scene{std::make_unique<Simulation>(data, game::MatchSetup{1, {nobody, other}}), {}};
+    scene.match->live().timing = true;
+    scene.run(6000);
+    return scene;
+}
+
+void place(Simulation& match, std::uint32_t player, vec3 at, double yaw, double pitch) {
+    auto& world = match.world_to_change();
+    const auto wizard = game::wizard_of(world, player);
+    auto& motion = world.get<game::Motion>(wizard);
+    motion.position = at;
+    motion.velocity = {};
+    match.physics().set_state(wizard.index, motion);
+    world.get<game::Gaze>(wizard) = {yaw, pitch};
+}
+
+void place_at_the_rim(Simulation& match) {
+    for (std::uint32_t player = 0; player < game::players; ++player)
+        place(match, player, {player == 0 ? -2.2 : 2.2, match.data().wizard.height / 2, 0},
+              player == 0 ? -pi / 2 : pi / 2, 0);
+}
+
+input::InputFrame stirring(Tick tick) {
+    input::InputFrame frame;
+    for (std::size_t player = 0; player < game::players; ++player) {
+        const double angle = 2 * pi * static_cast<double>(tick) / (player == 0 ? 800 : 1300);
+        auto& sample = frame.devices[player];
+        sample.press(input::Button::stir);
+        sample.counts[input::hand::look_right] = static_cast<std::int32_t>(std::lround(3 * std::cos(angle)));
+        sample.counts[input::hand::look_up] = static_cast<std::int32_t>(std::lround(3 * std::sin(angle)));
+    }
+    return frame;
+}
+
+}  // namespace thaum::bench
