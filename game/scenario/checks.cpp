@@ -116,6 +116,15 @@ void send_frames(const Play& play, Channel& channel, std::uint64_t seed) {
     channel.filled.notify_one();
 }
 
+/// Empty, or the first state of which the hash is another one than the play's.
+std::string other_state(const Play& play, const char* which, const std::vector<std::uint64_t>& hashes) {
+    for (std::size_t i = 0; i < play.hashes.size(); ++i) {
+        if (i < hashes.size() && hashes[i] == play.hashes[i]) continue;
+        return text("tick ", (i + 1) * hash_interval, ": the ", which, " match has another state");
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string check_seek(const Play& play, const std::vector<Tick>& ticks) {
@@ -139,12 +148,23 @@ std::string check_late(const Play& play, std::uint64_t seed) {
     std::thread simulation([&] { late = run_late(play, channel, seed); });
     send_frames(play, channel, seed);
     simulation.join();
-    for (std::size_t i = 0; i < play.hashes.size(); ++i) {
-        if (i < late.hashes.size() && late.hashes[i] == play.hashes[i]) continue;
-        return text("tick ", (i + 1) * hash_interval, ": the late match has another state");
-    }
+    if (auto found = other_state(play, "late", late.hashes); !found.empty()) return found;
     if (late.largest_burst < 2) return "no burst of frames: the match was never late";
     return difference(play.match->now(), "the late match has another state", reached(*play.match), late.end);
+}
+
+std::string check_threads(const Play& play, unsigned workers) {
+    auto setup = play.match->setup();
+    setup.workers = workers;
+    Simulation match(play.data, setup);
+    std::vector<std::uint64_t> hashes;
+    for (const auto& frame : play.frames) {
+        match.tick(frame);
+        if (match.now() % hash_interval == 0) hashes.push_back(match.state_hash());
+    }
+    const auto which = text("match with ", workers, " threads beside its own has another state");
+    if (auto found = other_state(play, "threaded", hashes); !found.empty()) return found;
+    return difference(play.match->now(), which.c_str(), reached(*play.match), reached(match));
 }
 
 }  // namespace thaum::game

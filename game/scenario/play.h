@@ -141,5 +141,7 @@ void trace_now(const Play& play, Trace& trace);
 std::string check_seek(const Play& play, const std::vector<Tick>& ticks);
 /// The same frames in a match on another thread, which now stands still and now takes many at once.
 std::string check_late(const Play& play, std::uint64_t seed);
+/// The same frames in a match whose jobs run on `workers` threads beside its own.
+std::string check_threads(const Play& play, unsigned workers);
 
 }  // namespace thaum::game

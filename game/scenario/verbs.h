@@ -30,11 +30,11 @@
 //     picture{split = "side_by_side" | "top_bottom", name = }   colour(x, y), mean(x0, y0, x1, y1), colours(x0, y0, x1, y1):
 //                               of the picture's width and height, from the top left corner, in 0..1
 //     on_screen(words)          whether they stand over the views
-//     check_seek{ticks = {...} | count = , seed = }, check_late{seed = }
+//     check_seek{ticks = {...} | count = , seed = }, check_late{seed = }, check_threads(count)
 //     distance(a, b), length(v), log(...)
 //
 // Verbs that set the scene are no player's deeds: what follows cannot be replayed from its input, so such a scenario leaves
-// no log and cannot check_seek or check_late.
+// no log and cannot check_seek, check_late or check_threads.
 #pragma once
 #include "game/scenario/play.h"
 #include "game/scenario/sandbox.h"

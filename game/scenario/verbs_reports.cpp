@@ -373,6 +373,14 @@ int verb_check_late(lua_State* lua, void* context) {
     return 0;
 }
 
+int verb_check_threads(lua_State* lua, void* context) {
+    const auto& play = began(context);
+    need_replayable(play, "check_threads");
+    const auto workers = arg::integer(lua, 1, "threads", {0, 16});
+    if (const auto found = check_threads(play, static_cast<unsigned>(workers)); !found.empty()) fault(found);
+    return 0;
+}
+
 constexpr VerbName report_list[] = {
     {"events", verb_events},
     {"raw_next_event", verb_next_event},
@@ -388,6 +396,7 @@ constexpr VerbName report_list[] = {
     {"raw_picture_colours", verb_picture_colours},
     {"check_seek", verb_check_seek},
     {"check_late", verb_check_late},
+    {"check_threads", verb_check_threads},
 };
 
 }  // namespace

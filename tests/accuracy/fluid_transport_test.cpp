@@ -184,7 +184,7 @@ TEST(TransportAccuracy, ABlobComesBackFromATurn) {
         const Samples before = blob(l);
         Samples density = before;
         const int steps = static_cast<int>(std::ceil(pi * 32 / courant));
-        carry(l, rigid_turn(l), density, 1, steps);
+        carry(l, rigid_turn(l), density, 1, steps, {});
         EXPECT_LE(error(l, density, before), 0.0095) << courant;
         EXPECT_NEAR(amount(l, density) / amount(l, before), 1, 1e-6);
         EXPECT_GE(least(l, density), 0);
