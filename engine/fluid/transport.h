@@ -64,7 +64,7 @@ TransportScratch make_transport_scratch(const Lattice& lattice);
 inline constexpr double courant_most = 0.9;
 
 struct TransportSettings {
-    double diffusion{};    ///< m^2/s, finite, >= 0
+    double diffusion{};     ///< m^2/s, finite, >= 0
     int most_substeps{10};  ///< >= 1; enough for a flow of four cells along two axes at once
 };
 
