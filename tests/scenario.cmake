@@ -1,16 +1,21 @@
 # Every scenario is a test of its own, run by the program as anybody would.
-# The sanitizers have seen all of it after one run.
+# The sanitizers have seen all of it after one run; and the brew in scenarios that stir it for a shorter time.
 set(scenario_runs "")
+set(long_scenarios "")
 if(THAUM_SANITIZE)
     set(scenario_runs --once)
+    set(long_scenarios brew_is_stirrable stir_makes_swirl_and_swirl_carries_hand)
 endif()
 file(GLOB scenarios CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/scenarios/*.lua)
 foreach(script ${scenarios})
     get_filename_component(name ${script} NAME_WE)
     add_test(NAME scenario.${name}
         COMMAND thaum scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios ${scenario_runs})
-    set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 300 LABELS scenario
-        FIXTURES_SETUP scenarios)
+    if(name IN_LIST long_scenarios)
+        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 300 LABELS "scenario;slow")
+    else()
+        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 300 LABELS scenario FIXTURES_SETUP scenarios)
+    endif()
 endforeach()
 
 # The tables of forces that they leave, summed by somebody else: what passive sources created.
