@@ -1,16 +1,11 @@
 // What pictures of the brew cost: the same picture of the court with the brew and without, by turns in the same run, from where
 // players start and from where they stir; and making texels and skin of it.
-#include <cstdio>
-#include <optional>
-
-#include "core/file.h"
-#include "game/bots/duel.h"
+#include "core/text.h"
 #include "game/hud/brew_look.h"
-#include "game/hud/hud.h"
-#include "render/context.h"
 #include "render/perceptual.h"
-#include "render/renderer.h"
 #include "tools/bench/areas.h"
+#include "tools/bench/drawn_duel.h"
+#include "tools/bench/match_scene.h"
 #include "tools/bench/measure.h"
 
 namespace thaum::bench {
@@ -18,16 +13,12 @@ namespace {
 
 using render::Quality;
 
-constexpr render::Size window{1280, 720};
 constexpr double step = 0.016;  // s, of the fluid
 constexpr std::array places{"start", "beside"};
 
 struct BrewScene {
-    render::Offscreen context;
-    std::optional<render::Renderer> renderer;  // goes before its context
-    game::Court court;
+    std::unique_ptr<DrawnDuel> drawn;
     std::array<game::Picture, places.size()> pictures;
-    game::FrameMemory memory;
     game::CauldronRules rules;
     game::Brew brew;
     game::BrewPicture taken;
@@ -40,6 +31,8 @@ struct BrewScene {
     }
 
     void draw(std::size_t place, Quality quality, bool with_brew) {
+        const auto& court = drawn->court;
+        auto& memory = drawn->memory;
         game::make_frame(court, pictures[place], {.quality = quality}, window, memory);
         // What is painted over an empty bowl would hide it.
         for (std::size_t i = 0; i < memory.frame.views.size(); ++i) {
@@ -52,8 +45,7 @@ struct BrewScene {
             memory.frame.views[i].volume = with_brew ? &look.volume : nullptr;
         }
         if (with_brew) show();
-        renderer->draw(memory.frame);
-        do_not_optimise(renderer->read_pixels().rgb.data());
+        drawn->draw(memory.frame);
     }
 };
 
@@ -89,29 +81,20 @@ void stand_beside(game::Picture& picture) {
 }
 
 Expected<std::unique_ptr<BrewScene>> brew_scene() {
-    const auto assets = game::find_assets();
-    auto loaded = game::load_match_data(assets, {});
-    if (!loaded) return tl::unexpected(loaded.error());
-    const auto data = std::make_shared<const game::MatchData>(std::move(*loaded));
-    auto duel = game::make_bot_duel(assets, data, {1, 1}, 1);
-    if (!duel) return tl::unexpected(duel.error());
-    auto context = render::Offscreen::create(window.width, window.height);
-    if (!context) return tl::unexpected(context.error());
-    context->make_current();
-    auto renderer = render::Renderer::create(assets);
-    if (!renderer) return tl::unexpected(renderer.error());
-    if (!data->cauldron) return fail("the match has no cauldron");
-    const auto& rules = *data->cauldron;
-    const auto place = game::brew_place(*data->arena.bowl, rules);
+    auto drawn = DrawnDuel::create();
+    if (!drawn) return tl::unexpected(drawn.error());
+    const auto& match = *(*drawn)->duel.match;
+    if (!match.data().cauldron) return fail("the match has no cauldron");
+    const auto& rules = *match.data().cauldron;
+    const auto place = game::brew_place(*match.data().arena.bowl, rules);
     auto brew = game::make_brew(rules, place.basin);
     if (!brew) return tl::unexpected(brew.error());
-    auto scene = std::unique_ptr<BrewScene>(new BrewScene{
-        std::move(*context), std::move(*renderer), {}, {}, {}, rules, std::move(*brew), {}, {}});
-    scene->court = game::make_court(*scene->renderer, *data);
-    scene->look = game::make_brew_look(*scene->renderer, place);
+    auto scene =
+        std::unique_ptr<BrewScene>(new BrewScene{std::move(*drawn), {}, rules, std::move(*brew), {}, {}});
+    scene->look = game::make_brew_look(*scene->drawn->renderer, place);
     for (auto& picture : scene->pictures) {
         picture = game::make_picture();
-        game::take_picture(*duel->match, picture);
+        game::take_picture(match, picture);
     }
     stand_beside(scene->pictures[1]);
     if (auto stirred = stir(*scene); !stirred) return tl::unexpected(stirred.error());
@@ -143,21 +126,21 @@ void drawing(BrewScene& scene, const Options& options, Report& report) {
         }
     }
     const auto samples = measure(contestants, {.seconds = options.quick ? 8.0 : 40.0, .least = 11});
-    const auto first = render::first_quality(scene.renderer->device());
+    const auto first = render::first_quality(scene.drawn->renderer->device());
     for (std::size_t i = 0; i < samples.size(); i += 2) {
         const auto place = i / 2 / render::qualities;
         const auto quality = static_cast<Quality>(i / 2 % render::qualities);
         scene.draw(place, Quality::high, true);
-        const auto best = scene.renderer->read_pixels();
+        const auto best = scene.drawn->renderer->read_pixels();
         scene.draw(place, quality, true);
         report.rows.push_back(
             {.area = "render",
              .name = text("brew_", places[place]),
              .setting = {{"quality", std::string(render::quality_names[static_cast<std::size_t>(quality)])},
-                         {"device", scene.renderer->device()}},
+                         {"device", scene.drawn->renderer->device()}},
              .time_us = times(samples[i + 1]),
              .error = ErrorMeasure{"mean_delta_e_to_high",
-                                   render::distance(scene.renderer->read_pixels(), best).mean},
+                                   render::distance(scene.drawn->renderer->read_pixels(), best).mean},
              .is_default = quality == first,
              .metrics = {{"to_without", ratio(samples[i + 1], samples[i])},
                          {"without_us", median(samples[i])}}});
@@ -168,13 +151,10 @@ void drawing(BrewScene& scene, const Options& options, Report& report) {
 
 void brew_pictures(const Options& options, Report& report) {
     auto made = brew_scene();
-    if (!made) {
-        std::fprintf(stderr, "bench: render: %s\n", made.error().message.c_str());
-        return;
-    }
+    if (!there(made, "render")) return;
     making(**made, options, report);
     drawing(**made, options, report);
-    (*made)->renderer.reset();
+    (*made)->drawn->renderer.reset();
 }
 
 }  // namespace thaum::bench

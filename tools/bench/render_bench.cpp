@@ -2,18 +2,14 @@
 // drawn beside it, compared with none, by turns in the same run.
 #include <atomic>
 #include <chrono>
-#include <cstdio>
 #include <mutex>
-#include <optional>
 #include <thread>
 
-#include "game/bots/duel.h"
-#include "game/hud/hud.h"
-#include "render/context.h"
 #include "render/perceptual.h"
 #include "render/priority.h"
-#include "render/renderer.h"
 #include "tools/bench/areas.h"
+#include "tools/bench/drawn_duel.h"
+#include "tools/bench/match_scene.h"
 #include "tools/bench/measure.h"
 
 namespace thaum::bench {
@@ -21,50 +17,25 @@ namespace {
 
 using render::Quality;
 
-constexpr render::Size window{1280, 720};
 constexpr Tick between_pictures = 16;  // ms of play: what moves has moved
 
 struct RenderScene {
-    render::Offscreen context;
-    std::optional<render::Renderer> renderer;  // goes before its context
-    game::BotDuel duel;
-    game::Court court;
+    std::unique_ptr<DrawnDuel> drawn;
     game::Picture picture = game::make_picture();
-    game::FrameMemory memory;
 
     void advance() {
-        duel.run(between_pictures);
-        game::take_picture(*duel.match, picture);
+        drawn->duel.run(between_pictures);
+        game::take_picture(*drawn->duel.match, picture);
     }
-    void draw(Quality quality) {
-        renderer->draw(game::make_frame(court, picture, {.quality = quality}, window, memory));
-        // Nothing is left to be done behind our back: the last pixel is there.
-        do_not_optimise(renderer->read_pixels().rgb.data());
+    void draw(const game::Picture& what, Quality quality) {
+        drawn->draw(game::make_frame(drawn->court, what, {.quality = quality}, window, drawn->memory));
     }
+    render::Renderer& renderer() { return *drawn->renderer; }
 };
 
-Expected<std::unique_ptr<RenderScene>> render_scene() {
-    const auto assets = game::find_assets();
-    auto loaded = game::load_match_data(assets, {.overrides = {"quick.kills=1000", "quick.seconds=36000"}});
-    if (!loaded) return tl::unexpected(loaded.error());
-    const auto data = std::make_shared<const game::MatchData>(std::move(*loaded));
-    auto duel = game::make_bot_duel(assets, data, {1, 1}, 1);
-    if (!duel) return tl::unexpected(duel.error());
-    auto context = render::Offscreen::create(window.width, window.height);
-    if (!context) return tl::unexpected(context.error());
-    context->make_current();
-    auto renderer = render::Renderer::create(assets);
-    if (!renderer) return tl::unexpected(renderer.error());
-    auto scene = std::unique_ptr<RenderScene>(new RenderScene{
-        std::move(*context), std::move(*renderer), std::move(*duel), {}, game::make_picture(), {}});
-    scene->court = game::make_court(*scene->renderer, *data);
-    scene->duel.run(4000);
-    return scene;
-}
-
 render::Image picture_at(RenderScene& scene, Quality quality) {
-    scene.draw(quality);
-    return scene.renderer->read_pixels();
+    scene.draw(scene.picture, quality);
+    return scene.renderer().read_pixels();
 }
 
 Row row_of(RenderScene& scene, Quality quality, const std::vector<double>& samples,
@@ -73,18 +44,18 @@ Row row_of(RenderScene& scene, Quality quality, const std::vector<double>& sampl
     const auto image = picture_at(scene, quality);
     // The shadow map is up to date: once more with movers, for what a frame of a running match draws.
     scene.advance();
-    scene.draw(quality);
-    const auto s = scene.renderer->statistics();
+    scene.draw(scene.picture, quality);
+    const auto s = scene.renderer().statistics();
     constexpr double views = 2;
     return {.area = "render",
             .name = "duel",
             .setting = {{"quality", std::string(name)},
                         {"width", std::int64_t{window.width}},
                         {"height", std::int64_t{window.height}},
-                        {"device", scene.renderer->device()}},
+                        {"device", scene.renderer().device()}},
             .time_us = times(samples),
             .error = ErrorMeasure{"mean_delta_e_to_high", render::distance(image, best).mean},
-            .is_default = quality == render::first_quality(scene.renderer->device()),
+            .is_default = quality == render::first_quality(scene.renderer().device()),
             .metrics = {{"triangles_per_view", static_cast<double>(s.triangles) / views},
                         {"draws_per_view", static_cast<double>(s.draws) / views},
                         {"instances_per_view", static_cast<double>(s.instances_drawn) / views},
@@ -120,7 +91,7 @@ public:
 
 private:
     void run() {
-        scene_.context.make_current();
+        scene_.drawn->context.make_current();
         render::draw_behind_others();
         while (!over_) {
             draws_ = may_.load();
@@ -130,16 +101,14 @@ private:
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
             }
         }
-        scene_.context.release_current();
+        scene_.drawn->context.release_current();
     }
     void draw() {
         {
             const std::scoped_lock lock(mutex_);
             own_ = newest_;
         }
-        scene_.renderer->draw(
-            game::make_frame(scene_.court, own_, {.quality = quality_}, window, scene_.memory));
-        do_not_optimise(scene_.renderer->read_pixels().rgb.data());
+        scene_.draw(own_, quality_);
         ++drawn_;
     }
 
@@ -160,10 +129,10 @@ void paced_ticks(RenderScene& scene, Drawer& drawer, int count, std::vector<doub
         due = std::max(due + std::chrono::milliseconds(1), Clock::now());
         std::this_thread::sleep_until(due);
         const auto start = Clock::now();
-        scene.duel.match->tick(scene.duel.next_frame());
+        scene.drawn->duel.match->tick(scene.drawn->duel.next_frame());
         samples.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
         if (i % between_pictures != 0) continue;
-        game::take_picture(*scene.duel.match, scene.picture);
+        game::take_picture(*scene.drawn->duel.match, scene.picture);
         drawer.hand_over(scene.picture);
     }
 }
@@ -171,8 +140,8 @@ void paced_ticks(RenderScene& scene, Drawer& drawer, int count, std::vector<doub
 void tick_beside_pictures(RenderScene& scene, const Options& options, Report& report) {
     constexpr int slice = 250;  // ticks
     const int rounds = options.quick ? 12 : 60;
-    const auto quality = render::first_quality(scene.renderer->device());
-    scene.context.release_current();
+    const auto quality = render::first_quality(scene.renderer().device());
+    scene.drawn->context.release_current();
     std::array<std::vector<double>, 2> samples;
     int drawn = 0;
     {
@@ -184,7 +153,7 @@ void tick_beside_pictures(RenderScene& scene, const Options& options, Report& re
         }
         drawn = drawer.drawn();
     }
-    scene.context.make_current();
+    scene.drawn->context.make_current();
     const double alone = percentile(samples[0], 0.99);
     for (const bool drawing : {false, true}) {
         const auto& own = samples[drawing ? 1 : 0];
@@ -202,16 +171,14 @@ void tick_beside_pictures(RenderScene& scene, const Options& options, Report& re
 }  // namespace
 
 void render(const Options& options, Report& report) {
-    auto made = render_scene();
-    if (!made) {
-        std::fprintf(stderr, "bench: render: %s\n", made.error().message.c_str());
-        return;
-    }
-    auto& scene = **made;
+    auto drawn = DrawnDuel::create();
+    if (!there(drawn, "render")) return;
+    RenderScene scene{.drawn = std::move(*drawn)};
+    scene.drawn->duel.run(4000);
     std::vector<Contestant> contestants;
     for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
-        contestants.push_back(
-            {.setup = [&scene] { scene.advance(); }, .run = [&scene, quality] { scene.draw(quality); }});
+        contestants.push_back({.setup = [&scene] { scene.advance(); },
+                               .run = [&scene, quality] { scene.draw(scene.picture, quality); }});
     }
     const auto samples = measure(contestants, {.seconds = options.quick ? 6.0 : 30.0, .least = 15});
     scene.advance();
@@ -220,8 +187,7 @@ void render(const Options& options, Report& report) {
         report.rows.push_back(row_of(scene, quality, samples[static_cast<std::size_t>(quality)], best));
     }
     tick_beside_pictures(scene, options, report);
-    scene.renderer.reset();
-    made->reset();
+    scene.drawn.reset();
     brew_pictures(options, report);
 }
 

@@ -1,0 +1,30 @@
+#include "tools/bench/drawn_duel.h"
+
+#include "tools/bench/match_scene.h"
+#include "tools/bench/measure.h"
+
+namespace thaum::bench {
+
+Expected<std::unique_ptr<DrawnDuel>> DrawnDuel::create() {
+    const auto assets = game::find_assets();
+    const auto data = duel_data();
+    if (!data) return fail("no data");
+    auto duel = game::make_bot_duel(assets, data, {1, 1}, 1);
+    if (!duel) return tl::unexpected(duel.error());
+    auto context = render::Offscreen::create(window.width, window.height);
+    if (!context) return tl::unexpected(context.error());
+    context->make_current();
+    auto renderer = render::Renderer::create(assets);
+    if (!renderer) return tl::unexpected(renderer.error());
+    auto drawn = std::unique_ptr<DrawnDuel>(
+        new DrawnDuel{std::move(*context), std::move(*renderer), std::move(*duel)});
+    drawn->court = game::make_court(*drawn->renderer, *data);
+    return drawn;
+}
+
+void DrawnDuel::draw(const render::Frame& frame) {
+    renderer->draw(frame);
+    do_not_optimise(renderer->read_pixels().rgb.data());
+}
+
+}  // namespace thaum::bench
