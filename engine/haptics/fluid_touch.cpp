@@ -42,12 +42,6 @@ bool asks_for_flow(const FluidModes& modes) {
     return modes.viscosity > 0 || modes.flow > 0 || modes.resistance > 0;
 }
 
-/// Whether any mode acts while nothing is thrown in.
-bool is_felt(const FluidTouch& touch) {
-    const FluidModes& modes = touch.modes;
-    return asks_for_flow(modes) || modes.surface > 0 || modes.wall > 0 || modes.inertia > 0;
-}
-
 vec3 finite_or_none(vec3 v) { return is_finite(v) ? v : vec3(0); }
 
 /// Adds what one part is and holds, unless something about it is no number.
@@ -214,15 +208,13 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
 
 // ---- wall ----------------------------------------------------------------------------------------------------------
 
-bool has_wall(const FluidTouch& touch) { return touch.modes.wall > 0 && touch.wall.points >= 2; }
-
 /// Of the place P as it is, which is held in to `state.place`.
 void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3 velocity,
                DampingLeft& damping, FluidFeel& feel) {
     state.wall = {};
     const vec3 off = state.place - place;  // inwards
     const double depth = glm::length(off);
-    if (!(depth > 0) || !std::isfinite(depth)) return;
+    if (!(touch.modes.wall > 0) || !(depth > 0) || !std::isfinite(depth)) return;
     const double scale = hand_scale(touch.frame).stiffness * touch.modes.wall;
     const double damps = damping.take(scale * touch.wall.damping, damping.left);
     const vec3 in = glm::transpose(touch.frame.turn) * (off / depth);
@@ -279,10 +271,8 @@ void newest_step(FluidTouch& touch, const FlowPatch& newest) {
 }
 
 bool note_fluid(FluidTouchState& state, const FluidTouch& touch) {
-    if (touch.number == 0 && state.number == 0) return false;
-    const std::uint64_t number = is_felt(touch) ? touch.number : 0;
-    if (number == state.number) return false;
-    state = {.number = number};
+    if (touch.number == state.number) return false;
+    state = {.number = touch.number};
     return true;
 }
 
@@ -294,7 +284,7 @@ FluidFeel feel_fluid(const FluidTouch& touch, FluidTouchState& state, const Flui
     }
     FluidFeel feel{.brought = state.begun != 0 ? state.flow_work : 0};
     DampingLeft damping{tip.most_damping};
-    state.place = has_wall(touch) ? held_in(touch.wall, place) : place;
+    state.place = held_in(touch.wall, place);
     const double height = height_now(touch.surface, tip.model_age);
     state.immersed = immersed_part(touch, height - state.place.y);
     feel_mass(touch, state, tip, damping, feel);

@@ -36,8 +36,8 @@
 // Energy (energy.h): the book is brought F u from the newest step's flow for (3), so what the lateness creates is seen by
 // it, and F dh for (4). (2) is within the budget of active sources.
 //
-// What the game does with it, each tick, for a player who stirs (else, number 0: it costs one compare, and all strengths 0 are as
-// if there were none):
+// What the game does with it, each tick, for a player who stirs (else, number 0: it costs one compare; with all strengths 0 nothing is
+// felt, and where the ladle is is told all the same):
 //
 //   1. Where a fluid step ends: newest_step(touch, patch_of(source, middle)), middle = the tip's place in the bowl, led by the velocity
 //      by some 16 ms: the patch is read for 32 ms. In each other tick ++touch.step_age. older, newer and step_age decide forces to come
@@ -55,6 +55,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "core/maths.h"
 #include "haptics/flow_patch.h"
@@ -65,6 +66,19 @@ namespace thaum::haptics {
 struct FluidModes {
     double viscosity{1}, flow{1}, resistance{1}, surface{1}, wall{1}, inertia{1}, recoil{1};
 };
+
+struct FluidMode {
+    std::string_view name;
+    double FluidModes::*strength;
+};
+/// All of them. The order is part of the log's format.
+inline constexpr std::array<FluidMode, 7> fluid_modes{{{"viscosity", &FluidModes::viscosity},
+                                                       {"flow", &FluidModes::flow},
+                                                       {"resistance", &FluidModes::resistance},
+                                                       {"surface", &FluidModes::surface},
+                                                       {"wall", &FluidModes::wall},
+                                                       {"inertia", &FluidModes::inertia},
+                                                       {"recoil", &FluidModes::recoil}}};
 
 /// From the device's frame to the bowl's.
 struct BowlFrame {
@@ -137,14 +151,14 @@ void newest_step(FluidTouch& touch, const FlowPatch& newest);
 /// All that a tick leaves behind; no padding. All zero where there is no fluid.
 struct FluidTouchState {
     vec3 force{};                           ///< N: (1) + (2) + (3) on the hand, before budget, cap and heat
-    vec3 place{};                           ///< m, bowl frame: of the probe, held in by the wall
+    vec3 place{};                           ///< m, bowl frame: of the probe, held in by the wall, felt or not
     vec3 wall{};                            ///< N: (5)
     vec3 mass_position{}, mass_velocity{};  ///< m, m/s: of the ladle's own mass
     double surface_force{};                 ///< N, of (4), up in the bowl
     double surface_height{};                ///< m, h as it was used
     double flow_work{};      ///< J, that the flow gives in the coming tick by (3), at the hand's scale
     double immersed{};       ///< 0 to 1
-    std::uint64_t number{};  ///< of the model; 0: nothing was felt
+    std::uint64_t number{};  ///< of the model; 0: there was none
     std::uint32_t inside{};  ///< of the surface
     std::uint32_t begun{};   ///< 0: mass and surface begin anew
 };

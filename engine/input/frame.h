@@ -12,6 +12,8 @@ namespace thaum::input {
 
 inline constexpr std::size_t max_devices = 4;
 inline constexpr std::size_t max_counts = 8;
+/// What a hand feels of a fluid that it stirs: so many sources, those of haptics::fluid_modes in their order.
+inline constexpr std::size_t fluid_faders = 7;
 
 /// What `DeviceSample::counts` means. All but `arm` are hands: hand::Count. `arm` is a stylus:
 /// arm::Count.
@@ -121,6 +123,8 @@ struct DeviceSpec {
     std::uint32_t flags{};
     /// Of an arm: the edges of the box that it says it reaches, um, at most most_box_um; zero: it did not say.
     std::array<std::uint32_t, 3> box_um{};
+    /// %, at most 100, by which each source of a fluid's forces is felt less.
+    std::array<std::uint8_t, fluid_faders> fluid_kept_off{};
     bool operator==(const DeviceSpec&) const = default;
 
     /// 0 to 100 %: how much of the device's force its player wants at most. 0 is none at all.
@@ -140,6 +144,11 @@ struct DeviceSpec {
     /// %, by which they are felt less.
     std::uint32_t weight_kept_off() const { return (flags & weight_bits) >> weight_shift; }
     std::uint32_t blows_kept_off() const { return (flags & blow_bits) >> blow_shift; }
+
+    /// 0 to 100 %, of what the data files say.
+    void ask_for_fluid(std::size_t source, std::uint32_t percent) {
+        fluid_kept_off[source] = static_cast<std::uint8_t>(100 - std::min(percent, 100U));
+    }
 };
 
 }  // namespace thaum::input

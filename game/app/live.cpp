@@ -93,6 +93,7 @@ TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     if (const auto percent = force_wishes[settings.force[player]].percent) spec.ask_for_force(*percent);
     const auto percent_of = [](double share) { return static_cast<std::uint32_t>(std::lround(100 * share)); };
     spec.ask_for_carried(percent_of(settings.carried_weight), percent_of(settings.carried_blows));
+    ask_for(settings.cauldron[player], spec);
     return {seat, spec, std::make_unique<input::HandsCollector>(settings.bindings_of(spec.kind))};
 }
 

@@ -199,6 +199,10 @@ enum class RowKind : std::uint8_t {
     defaults,
     undo,
     setting,
+    cauldron,
+    whose,
+    fader,
+    all_felt,
     back,
 };
 
@@ -296,6 +300,24 @@ void add_setting_rows(const MenuState& s, std::vector<Row>& rows) {
              i,
              {.label = std::string(one.label), .value = shown(one, s.settings), .adjustable = true}});
     }
+    rows.push_back({RowKind::cauldron, 0, {.label = "What hands feel of the cauldron"}});
+    rows.push_back({RowKind::back, 0, {.label = "Back"}});
+}
+
+void add_cauldron_rows(const MenuState& s, std::vector<Row>& rows) {
+    rows.push_back({RowKind::whose,
+                    0,
+                    {.label = "Whose hand", .value = text("player ", s.whose + 1), .adjustable = true}});
+    const auto& faders = s.settings.cauldron[s.whose];
+    for (std::size_t i = 0; i < faders.size(); ++i) {
+        rows.push_back({RowKind::fader,
+                        i,
+                        {.label = std::string(label_of_fader(i)),
+                         .value = shown(faders[i]),
+                         .adjustable = true,
+                         .dim = !faders[i].on}});
+    }
+    rows.push_back({RowKind::all_felt, 0, {.label = "All as at first"}});
     rows.push_back({RowKind::back, 0, {.label = "Back"}});
 }
 
@@ -311,6 +333,7 @@ std::vector<Row> rows_of(const MenuState& s, const MenuFacts& facts) {
             break;
         case Page::bindings: add_binding_rows(s, rows); break;
         case Page::settings: add_setting_rows(s, rows); break;
+        case Page::cauldron: add_cauldron_rows(s, rows); break;
     }
     return rows;
 }
@@ -365,6 +388,8 @@ void adjust(MenuState& s, const Row& row, const MenuFacts& facts, int way) {
         case RowKind::rules: turn(s.rules, facts.rules, way); break;
         case RowKind::dummy: turn(s.dummy, game::dummy_names, way); break;
         case RowKind::setting: change(all_settings()[row.index], s.settings, way); break;
+        case RowKind::whose: turn(s.whose, s.settings.cauldron, way); break;
+        case RowKind::fader: change(s.settings.cauldron[s.whose][row.index], way); break;
         case RowKind::toggle: {
             auto& toggled = s.settings.bindings_of(settings_hands[s.sheet]).toggled[row.index];
             toggled = !toggled;
@@ -382,6 +407,17 @@ void set_defaults(MenuState& s) {
     else
         s.settings.bindings_of(settings_hands[s.sheet]) = fresh.bindings_of(settings_hands[s.sheet]);
     s.note = text(label_of_sheet(s.sheet), ": all controls as at first");
+}
+
+/// The page of the player whose device asks for it.
+void open_cauldron(MenuState& s, const Device& device) {
+    s.whose = seat_of(s, device).value_or(s.whose);
+    open(s, Page::cauldron);
+}
+
+void switch_fader(MenuState& s, std::size_t source) {
+    auto& fader = s.settings.cauldron[s.whose][source];
+    fader.on = !fader.on;
 }
 
 /// Brings back the bindings, not what was set elsewhere since.
@@ -409,6 +445,9 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuFac
         case RowKind::action: s.waiting = Slot{s.sheet, row.index}; break;
         case RowKind::defaults: set_defaults(s); break;
         case RowKind::undo: undo(s); break;
+        case RowKind::cauldron: open_cauldron(s, event.device); break;
+        case RowKind::fader: switch_fader(s, row.index); break;
+        case RowKind::all_felt: s.settings.cauldron[s.whose] = {}; break;
         case RowKind::back: s.pages.pop_back(); break;
         default: adjust(s, row, facts, 1);
     }
@@ -517,6 +556,7 @@ std::string title_of(const MenuState& s) {
         case Page::sheets: return "Controls";
         case Page::bindings: return text("Controls: ", label_of_sheet(s.sheet));
         case Page::settings: return "Settings";
+        case Page::cauldron: return "The cauldron";
     }
     return {};
 }
@@ -527,6 +567,12 @@ std::string start_line(const MenuState& s) {
         case 1: return "press again to start, or a second player joins";
         default: return "press again to start";
     }
+}
+
+/// What the chosen fader is of.
+std::string cauldron_line(const MenuState& s, const Row& row) {
+    if (row.kind == RowKind::fader) return std::string(told_of_fader(row.index));
+    return text("what player ", s.whose + 1, "'s hand feels while it stirs");
 }
 
 std::string hint_of(const MenuState& s) {
@@ -542,6 +588,9 @@ std::string hint_of(const MenuState& s) {
         case Page::start:
             return "join: any key, mouse or pad button; keypad 0    give up a seat: Esc, B, keypad *";
         case Page::pause: return "choose: arrows, mouse or pad    go on: Esc, Start";
+        case Page::cauldron:
+            return "less, more: arrows    off, on: Enter, A, click on its name    counts from the next match "
+                   "on";
         default: return "choose: arrows, mouse or pad    back: Esc, B, right button";
     }
 }
@@ -572,8 +621,10 @@ game::MenuPicture picture_of(const MenuState& s, const MenuFacts& facts) {
         picture.seats = seats_of(s, facts);
     }
     if (page == Page::pause) picture.line = s.line;
-    for (auto& row : rows_of(s, facts)) picture.rows.push_back(std::move(row.look));
-    picture.cursor = std::min(s.pages.back().cursor, picture.rows.size() - 1);
+    auto rows = rows_of(s, facts);
+    picture.cursor = std::min(s.pages.back().cursor, rows.size() - 1);
+    if (page == Page::cauldron) picture.line = cauldron_line(s, rows[picture.cursor]);
+    for (auto& row : rows) picture.rows.push_back(std::move(row.look));
     picture.note = s.note;
     picture.hint = hint_of(s);
     return picture;

@@ -24,6 +24,7 @@ enum class Page : std::uint8_t {
     sheets,    ///< whose controls?
     bindings,  ///< those of one sheet
     settings,
+    cauldron,  ///< what a hand feels of it
 };
 
 struct MenuEvent {
@@ -81,6 +82,7 @@ struct MenuState {
     std::size_t level = 0, rules = 0;  ///< indices of the facts' lists
     std::size_t dummy = 0;             ///< game::DummyKind of the range
     std::size_t sheet = 0;             ///< of the bindings page
+    std::size_t whose = 0;             ///< player of the cauldron's page
     std::optional<Slot> waiting;       ///< for its new control
     Settings settings;
     std::optional<Settings> undo;  ///< the settings before the last change of bindings

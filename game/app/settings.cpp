@@ -258,6 +258,10 @@ Expected<Settings> parse_settings(std::string_view toml, std::string name) {
     const auto root = file->root();
     Settings s;
     for (const auto& setting : all_settings()) read(root, setting, s);
+    for (std::size_t p = 0; p < s.cauldron.size(); ++p) {
+        if (root.has(cauldron_tables[p]))
+            s.cauldron[p] = read_faders(root.table(cauldron_tables[p]), s.cauldron[p]);
+    }
     read_bindings(root, s);
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());
     return s;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "game/app/faders.h"
 #include "input/bindings.h"
 #include "render/scene.h"
 
@@ -45,6 +46,7 @@ struct Settings {
     std::array<std::size_t, 2> force{gentle_force, gentle_force};  ///< of each player, into force_wishes
     double carried_weight = 1;  ///< of a carried thing's weight, as the data files have it: what hands feel
     double carried_blows = 1;   ///< likewise of the blows that it takes
+    std::array<Faders, 2> cauldron{};  ///< of each player
     int logs_kept = 50;
     std::array<input::Bindings, input::device_kinds> bindings;  ///< by input::DeviceKind
     std::array<std::vector<input::Control>, session_keys> session;
@@ -59,6 +61,9 @@ struct Settings {
         return session[static_cast<std::size_t>(key)];
     }
 };
+
+/// The tables of the players' faders.
+inline constexpr std::array<std::string_view, 2> cauldron_tables{"cauldron_1", "cauldron_2"};
 
 /// The hands that have bindings, in the order of the file.
 inline constexpr std::array settings_hands{input::DeviceKind::keyboard_mouse,

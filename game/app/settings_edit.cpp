@@ -26,11 +26,20 @@ void add_hand(const input::Bindings& bindings, std::vector<SettingEdit>& values)
     values.push_back({table, "trigger_press", text(bindings.trigger_press)});
 }
 
+void add_faders(std::string_view table, const Faders& faders, std::vector<SettingEdit>& values) {
+    for (std::size_t i = 0; i < faders.size(); ++i)
+        values.push_back(
+            {std::string(table), std::string(haptics::fluid_modes[i].name), text(faders[i].share)});
+    values.push_back({std::string(table), "off", in_quotes(off_words(faders))});
+}
+
 /// All that a file can say, as it says it.
 std::vector<SettingEdit> all_values(const Settings& settings) {
     std::vector<SettingEdit> values;
     for (const auto& setting : all_settings())
         values.push_back({"", std::string(setting.key), written(setting, settings)});
+    for (std::size_t p = 0; p < settings.cauldron.size(); ++p)
+        add_faders(cauldron_tables[p], settings.cauldron[p], values);
     for (const auto kind : settings_hands) add_hand(settings.bindings_of(kind), values);
     for (std::size_t i = 0; i < session_keys; ++i) {
         const auto key = static_cast<SessionKey>(i);

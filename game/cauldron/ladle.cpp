@@ -95,12 +95,13 @@ haptics::BowlWall wall_of(const LadleRules& rules, const Basin& basin) {
 }
 
 /// What of the model no tick changes while one stirs.
-void begin_touch(const Stage& stage, const Cauldron& cauldron, const Ladle& ladle,
+void begin_touch(const Stage& stage, const Cauldron& cauldron, const Ladle& ladle, std::uint32_t player,
                  haptics::FluidTouch& touch) {
     const auto& data = *stage.data.cauldron;
     const auto& rules = data.ladle;
     const HandFrame frame = ladle_frame(data, cauldron, ladle);
     touch = {.number = 1,
+             .modes = stage.touch.brew[player],
              .frame = {.origin = frame.origin - cauldron.middle,
                        .turn = glm::mat3_cast(frame.turn),
                        .metres_per_metre = rules.metres_per_metre,
@@ -151,7 +152,7 @@ void feel_brew(Stage& stage, const Grip& grip, std::uint32_t player, Ladle& ladl
                haptics::FluidTouch& touch) {
     const auto& cauldron = std::as_const(stage.world).single<Cauldron>();
     const auto& sheet = stage.brew->brew.sheet;
-    if (touch.number == 0) begin_touch(stage, cauldron, ladle, touch);
+    if (touch.number == 0) begin_touch(stage, cauldron, ladle, player, touch);
     const HandFrame frame = ladle_frame(*stage.data.cauldron, cauldron, ladle);
     const vec3 place = haptics::held_in(touch.wall, haptics::to_bowl(touch.frame, grip.device.position));
     read_flow(stage, cauldron, place, velocity_of(frame, grip), ladle, touch);

@@ -45,6 +45,14 @@ vec3 box_of(const input::DeviceSpec& device) {
     return box;
 }
 
+static_assert(haptics::fluid_modes.size() == input::fluid_faders);
+
+/// Takes away what the player does not want to feel of a brew.
+void keep_off(const input::DeviceSpec& device, haptics::FluidModes& modes) {
+    for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i)
+        modes.*haptics::fluid_modes[i].strength *= 1 - device.fluid_kept_off[i] / 100.0;
+}
+
 void add_cauldron_systems(Stage& stage, ecs::Schedule& schedule) {
     add_splash_system(stage, schedule);
     add_brewing_systems(stage, schedule);
@@ -66,6 +74,7 @@ Touch touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devi
         if (const vec3 box = box_of(device); box.x > 0) set_box(data, device.player, box, touch);
         touch.weight[device.player] *= 1 - device.weight_kept_off() / 100.0;
         touch.blows[device.player] *= 1 - device.blows_kept_off() / 100.0;
+        keep_off(device, touch.brew[device.player]);
     }
     return touch;
 }

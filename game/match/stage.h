@@ -29,7 +29,8 @@ struct Touch {
     std::array<bool, players> on{};        ///< who wants to feel forces at all
     std::array<double, players> weight{};  ///< how much of a carried thing's weight he wants to feel, 0 to 1
     std::array<double, players> blows{};   ///< and of the blows that it takes
-    std::array<vec3, players> reach{};     ///< m, half the box that the device reaches
+    std::array<haptics::FluidModes, players> brew{};  ///< and of a brew that he stirs
+    std::array<vec3, players> reach{};                ///< m, half the box that the device reaches
     std::array<double, players>
         stride{};  ///< how much farther the device's hand goes than one in a usual workspace
     std::array<double, players> wand_per_hand{};  ///< m of the wand's tip for a metre of the hand

@@ -99,6 +99,8 @@ Expected<void> begin_match(Play& play, const MatchWish& wish) {
         if (wish.force[player]) setup.devices.back().ask_for_force(*wish.force[player]);
         setup.devices.back().ask_for_carried(wish.weight[player].value_or(100),
                                              wish.blows[player].value_or(100));
+        for (std::size_t mode = 0; mode < input::fluid_faders; ++mode)
+            setup.devices.back().ask_for_fluid(mode, wish.modes[player][mode].value_or(100));
     }
     for (std::uint32_t player = 0; player < players; ++player) {
         if (!wish.arm[player]) continue;

@@ -32,9 +32,11 @@ struct MatchWish {
     std::uint64_t seed = 1;
     std::array<int, players> bot_level{};  ///< 0: played by the script
     using Percents = std::array<std::optional<std::uint32_t>, players>;
-    Percents force{};                 ///< of the device's, for each player; nothing: by the rules
-    Percents weight{};                ///< of the weight of what he carries that he feels; nothing: all
-    Percents blows{};                 ///< likewise of its blows
+    Percents force{};   ///< of the device's, for each player; nothing: by the rules
+    Percents weight{};  ///< of the weight of what he carries that he feels; nothing: all
+    Percents blows{};   ///< likewise of its blows
+    std::array<std::array<std::optional<std::uint32_t>, input::fluid_faders>, players>
+        modes{};                      ///< and of a brew that he stirs, by haptics::fluid_modes
     std::array<bool, players> arm{};  ///< who holds a real one
 };
 

@@ -87,6 +87,31 @@ void read_percents(lua_State* lua, int index, const char* name, MatchWish::Perce
     }
 }
 
+/// {flow = 0, wall = 50}
+void read_modes_of(lua_State* lua, int index,
+                   std::array<std::optional<std::uint32_t>, input::fluid_faders>& percents) {
+    if (!lua_istable(lua, index)) fault("modes must be a list of tables such as {flow = 0}");
+    index = lua_absindex(lua, index);
+    for (lua_pushnil(lua); lua_next(lua, index) != 0; lua_pop(lua, 1)) {
+        const auto name =
+            lua_type(lua, -2) == LUA_TSTRING ? arg::string(lua, -2, "a mode") : std::string("a list");
+        const auto found = std::ranges::find(haptics::fluid_modes, name, &haptics::FluidMode::name);
+        if (found == haptics::fluid_modes.end()) fault("modes: there is no '", name, "'");
+        percents[static_cast<std::size_t>(found - haptics::fluid_modes.begin())] =
+            static_cast<std::uint32_t>(arg::integer(lua, -1, name, {0, 100}));
+    }
+}
+
+void read_modes(lua_State* lua, int index, MatchWish& wish) {
+    if (!lua_istable(lua, index)) fault("modes must be a list of tables such as {flow = 0}");
+    index = lua_absindex(lua, index);
+    for (std::size_t i = 0; i < players; ++i) {
+        lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
+        if (!lua_isnil(lua, -1)) read_modes_of(lua, -1, wish.modes[i]);
+        lua_pop(lua, 1);
+    }
+}
+
 void read_arms(lua_State* lua, int index, MatchWish& wish) {
     if (!lua_istable(lua, index)) fault("arms must be a list of true and false");
     index = lua_absindex(lua, index);
@@ -103,7 +128,7 @@ int verb_match(lua_State* lua, void* context) {
     if (play.match) fault("match{...} stands once in a scenario");
     const Options options(
         lua, 1, "match",
-        {"arena", "rules", "match", "seed", "set", "players", "forces", "weights", "blows", "arms"});
+        {"arena", "rules", "match", "seed", "set", "players", "forces", "weights", "blows", "modes", "arms"});
     MatchWish wish;
     if (options.has("arena")) wish.data.arena = arg::string(lua, -1, "arena");
     if (options.has("rules")) wish.data.rules = arg::string(lua, -1, "rules");
@@ -114,6 +139,7 @@ int verb_match(lua_State* lua, void* context) {
     if (options.has("forces")) read_percents(lua, -1, "forces", wish.force);
     if (options.has("weights")) read_percents(lua, -1, "weights", wish.weight);
     if (options.has("blows")) read_percents(lua, -1, "blows", wish.blows);
+    if (options.has("modes")) read_modes(lua, -1, wish);
     if (options.has("arms")) read_arms(lua, -1, wish);
     if (const auto made = begin_match(play, wish); !made) {
         play.match.reset();

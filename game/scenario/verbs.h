@@ -2,9 +2,11 @@
 // see; times are seconds of the match, places metres ({x, y, z} or {x = , y = , z = }), players 1 and 2.
 //
 //     match{arena = , rules = "thaum" | "classic", match = "quick" | "standard", seed = , set = {"quick.kills=1"},
-//           players = {"script", "bot 1"}, forces = {100, 0}, weights = {50, 100}, blows = {0, 100}, arms = {true, false}}
+//           players = {"script", "bot 1"}, forces = {100, 0}, weights = {50, 100}, blows = {0, 100},
+//           modes = {{flow = 0, wall = 50}, {}}, arms = {true, false}}
 //                               first, and once; forces: % of what the devices can; weights, blows: % of what is felt of a
-//                               carried thing; arms: whose hand holds a real one, which the script moves
+//                               carried thing; modes: likewise of a brew that is stirred, by haptics::fluid_modes; arms: whose
+//                               hand holds a real one, which the script moves
 //     wizard(n)                 hold(button), release(button), press(button [, seconds]), move(strafe, forward) in -1..1,
 //                               stop(), look(right, up) in degrees, aim(place | wizard | thing), trigger(share): how far fire is
 //                               pulled while it is held, in 0..1: through the device

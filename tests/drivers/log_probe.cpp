@@ -1,4 +1,4 @@
-// What came in, by a log's frames: one line a device with the sums and the buttons, then the pauses, and the result of
+// What came in, by a log's frames: one line a device with the sums, the buttons and what of a fluid is kept off its player's hand, then the pauses, and the result of
 // playing it again ("same" or the first tick whose hash differs).
 //     live_log_probe LOG
 #include <algorithm>
@@ -28,15 +28,18 @@ void note(const input::DeviceSample& sample, Seen& seen) {
     seen.skips += sample.skips;
 }
 
-void print(std::size_t device, const Seen& s) {
+void print(std::size_t device, const input::DeviceSpec& spec, const Seen& s) {
     namespace hand = input::hand;
     std::printf(
         "device %zu: look %lld %lld wheel %lld strafe %lld..%lld forward %lld..%lld turn %lld..%lld trigger "
         "%lld "
-        "buttons %x skips %llu\n",
+        "buttons %x skips %llu kept_off",
         device, s.sum[hand::look_right], s.sum[hand::look_up], s.sum[hand::wheel], s.least[hand::strafe],
         s.most[hand::strafe], s.least[hand::forward], s.most[hand::forward], s.least[hand::turn_right],
         s.most[hand::turn_right], s.most[hand::trigger], s.buttons, s.skips);
+    for (const auto& percent : spec.fluid_kept_off)
+        std::printf("%c%d", &percent == spec.fluid_kept_off.data() ? ' ' : ',', percent);
+    std::printf("\n");
 }
 
 }  // namespace
@@ -62,7 +65,8 @@ int main(int argc, char** argv) {
                         (*match)->match().paused_by);
         paused = pause;
     }
-    for (std::size_t d = 0; d < log->header().devices.size(); ++d) print(d, seen[d]);
+    for (std::size_t d = 0; d < log->header().devices.size(); ++d)
+        print(d, log->header().devices[d], seen[d]);
     std::printf("ended %s: %s\n", log->ended_cleanly() ? "cleanly" : "early", log->result().c_str());
     if (differs == 0)
         std::printf("replay same\n");

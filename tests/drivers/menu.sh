@@ -85,7 +85,11 @@ eventually "the new key is not in the settings" grep -q '^move_forward = "key i"
 presses Escape Escape Down Return Right
 eventually "the split is not in the settings" grep -q '^split = "side_by_side" ' "$settings"
 grep -q '# F11 changes it while playing\|F11 changes it' "$settings" || fail "the comments are lost"
-presses Escape Escape
+# The cauldron's page is the last row but one: player 1's viscosity down by two steps, flow off.
+presses Up Up Return Down Left Left Down Return
+eventually "the fader is not in the settings" grep -q '^viscosity = 0.9 ' "$settings"
+eventually "the switch is not in the settings" grep -q '^off = "flow" ' "$settings"
+presses Escape Escape Escape
 eventually "Esc did not go on" no_pause_menu
 presses Escape
 eventually "no second pause" pause_menu
@@ -103,7 +107,9 @@ grep -q 'replay same' <<<"$seen" || fail "the log does not play again"
 [ "$(field 1 forward)" = 0..127 ] || fail "the keypad's 8 after the pad was lost"
 [ "$(field 1 strafe)" = 0..127 ] || fail "the pad's stick after it came back"
 
-# 4. After a restart the new key acts.
+[ "$(field 0 kept_off)" = 0,0,0,0,0,0,0 ] || fail "a fader that was moved in the pause acts in the same match"
+
+# 4. After a restart the new key acts, and the match has the faders.
 "$thaum" --solo 1 --seconds 12 --record "$folder/log" 2>"$folder/said" &
 game=$!
 eventually "no window" drawn
@@ -116,6 +122,7 @@ presses q
 wait "$game" || fail "the exit code after Q"
 seen=$("$probe" "$folder/log")
 [ "$(field 0 forward)" = 0..127 ] || fail "the new key after a restart"
+[ "$(field 0 kept_off)" = 10,100,0,0,0,0,0 ] || fail "the faders after a restart"
 
 # 5. A settings file of another version: said in one line, kept, and one can play and change things.
 printf 'version = 9\nfuture = 1\n' >"$settings"

@@ -133,13 +133,8 @@ void spoil_fluid(FluidTouch& touch, Random& random) {
     touch.surface = {.stiffness = 5000, .pop_through = 200, .cling = 40, .there = 1};
     touch.wall.points = random.below(12);
     touch.surface.inside = static_cast<std::uint32_t>(random.below(2));
-    for (double* value : {&touch.modes.viscosity,
-                          &touch.modes.flow,
-                          &touch.modes.resistance,
-                          &touch.modes.surface,
-                          &touch.modes.wall,
-                          &touch.modes.inertia,
-                          &touch.frame.origin.y,
+    for (const FluidMode& mode : fluid_modes) sometimes(touch.modes.*mode.strength);
+    for (double* value : {&touch.frame.origin.y,
                           &touch.frame.turn[0][1],
                           &touch.frame.metres_per_metre,
                           &touch.frame.newtons_per_newton,

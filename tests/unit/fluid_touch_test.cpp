@@ -442,7 +442,7 @@ TEST(FluidTouch, WhatIsThrownInRecoilsByItsImpulse) {
 
 // ---- off, and switches ---------------------------------------------------------------------------------------------
 
-TEST(FluidTouch, WithoutStrengthItIsAsIfThereWereNone) {
+TEST(FluidTouch, WithoutStrengthItIsFeltAsIfThereWereNone) {
     StirringRig none, off;
     none.model.fluid = {};
     off.fluid().modes = no_modes();
@@ -456,11 +456,20 @@ TEST(FluidTouch, WithoutStrengthItIsAsIfThereWereNone) {
         for (StirringRig* rig : {&none, &off}) {
             rig->model.tether = {.stiffness = 100, .damping = 1};
             rig->model.pulse = {{1, 0, 0}, 10, static_cast<std::uint32_t>(1 + tick / 50)};
+            rig->model.lean.number =
+                1 + static_cast<std::uint64_t>(tick) / 7;  // another one is a switch, too
         }
-        off.fluid().number = 1 + static_cast<std::uint64_t>(tick) / 7;
+        off.fluid().number = none.model.lean.number;
         ASSERT_EQ(none.feel_at(at), off.feel_at(at));
-        ASSERT_EQ(hash_value(none.state), hash_value(off.state)) << tick;
+        // Where the ladle is, is told all the same.
+        const vec3 place = held_in(off.fluid().wall, to_bowl(off.fluid().frame, at));
+        ASSERT_EQ(off.state.fluid.place, place);
+        ASSERT_EQ(off.state.fluid.immersed, 0) << "above the surface";
+        ServoState but_for_it = off.state;
+        but_for_it.fluid = {};
+        ASSERT_EQ(hash_value(none.state), hash_value(but_for_it)) << tick;
     }
+    EXPECT_NE(off.state.fluid.place, to_bowl(off.fluid().frame, vec3(0))) << "the bowl is in the way";
 }
 
 TEST(FluidTouch, WhatComesGoesOrJumpsIsASwitch) {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "core/hash.h"
 #include "game/components/grip.h"
+#include "game/match/arm.h"
 #include "game/match/touch.h"
+#include "input/arm_servo.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -15,10 +18,8 @@ input::DeviceSpec mouse(std::uint32_t player) {
 }
 
 /// Two players at opposite sides of the rim, with a thing above the bowl.
-std::unique_ptr<Simulation> at_the_rim(unsigned workers, std::vector<std::string> overrides = {}) {
-    auto match = std::make_unique<Simulation>(
-        duel_data(std::move(overrides)),
-        MatchSetup{.seed = 4, .devices = {mouse(0), mouse(1)}, .workers = workers});
+std::unique_ptr<Simulation> at_the_rim(MatchSetup setup, std::vector<std::string> overrides = {}) {
+    auto match = std::make_unique<Simulation>(duel_data(std::move(overrides)), std::move(setup));
     auto& world = match->world_to_change();
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto wizard = wizard_of(world, player);
@@ -27,6 +28,10 @@ std::unique_ptr<Simulation> at_the_rim(unsigned workers, std::vector<std::string
         match->physics().set_state(wizard.index, motion);
     }
     return match;
+}
+
+std::unique_ptr<Simulation> at_the_rim(unsigned workers, std::vector<std::string> overrides = {}) {
+    return at_the_rim({.seed = 4, .devices = {mouse(0), mouse(1)}, .workers = workers}, std::move(overrides));
 }
 
 /// Both hold Stir and go round, one faster than the other.
@@ -83,6 +88,93 @@ TEST(GameCauldron, WhatTheLadleGivesTheBrewGetsAndNotWhatTheHandIsTold) {
     const auto speed = [](const Simulation& match) { return match.world().single<Cauldron>().speed; };
     EXPECT_GT(speed(*unfelt), 0.8 * speed(*felt));
     EXPECT_EQ(glm::length(unfelt->world().get<Grip>(wizard_of(unfelt->world(), 0)).servo.safety.output), 0);
+}
+
+// ---- faders ----------------------------------------------------------------------------------------------------------
+
+using Percents = std::array<std::uint32_t, input::fluid_faders>;
+
+/// Player 1 holds an arm whose hand goes where it goes, whatever it is told, and feels so much of the brew.
+struct HeldLadle {
+    std::unique_ptr<Simulation> match;
+    input::ArmServo servo{};
+    std::vector<std::uint64_t> brews{};  ///< a hash of all that is of the brew, every 16 ticks
+    double felt = 0;                     ///< N, sum over ticks
+    std::uint64_t forces = 0;            ///< hash
+
+    explicit HeldLadle(const Percents& percents) {
+        auto hand = mouse(0);
+        for (std::size_t i = 0; i < percents.size(); ++i) hand.ask_for_fluid(i, percents[i]);
+        match = at_the_rim(
+            {.seed = 4,
+             .devices = {hand, mouse(1), {.player = 0, .kind = input::DeviceKind::arm, .name = "arm"}}},
+            {"cauldron.brew.cells_across=12", "haptics.share=1"});
+        auto& world = match->world_to_change();
+        world.add(wizard_of(world, 0), Pouch{.ingredient = 2});
+    }
+
+    /// Rest, a circle, out into the wall, up through the surface and down on it again.
+    static std::array<std::int32_t, 3> hand_um(Tick tick) {
+        const auto t = static_cast<std::int32_t>(tick);
+        if (t < 400) return {};
+        if (t < 900) {
+            const double a = 2 * pi * (t - 400) / 500;
+            return {static_cast<std::int32_t>(30e3 * det::sin(a)), 0,
+                    static_cast<std::int32_t>(30e3 * (1 - det::cos(a)))};
+        }
+        const auto there_and_back = [](std::int32_t at, std::int32_t half) {
+            return half - std::abs(at - half);
+        };
+        if (t < 1300) return {500 * there_and_back(t - 900, 200), 0, 0};
+        return {0, 100 * there_and_back(t - 1300, 300), 0};
+    }
+
+    void run(Tick ticks) {
+        for (Tick t = 0; t < ticks; ++t) {
+            input::ArmReading reading{.time_ns = static_cast<std::int64_t>(t + 1) * 1'000'000};
+            reading.position_um = hand_um(t);
+            (void)servo.step(reading);
+            input::InputFrame frame;
+            frame.devices[0].press(input::Button::stir);
+            if (t > 600 && t < 620) frame.devices[0].press(input::Button::fire);
+            frame.devices[2] = servo.take();
+            match->tick(frame);
+            if (fill_order(*match, 0, servo.order())) servo.publish();
+            const vec3 force = match->world().get<Grip>(wizard_of(match->world(), 0)).servo.safety.output;
+            felt += glm::length(force);
+            forces = hash_value(force, forces);
+            if (t % 16 == 15) brews.push_back(hash_of_brew());
+        }
+    }
+
+    std::uint64_t hash_of_brew() const {
+        auto hash = hash_value(match->world().single<Cauldron>(), 1);
+        match->world().view<const BrewPage>().each(
+            [&](const BrewPage& page) { hash = hash_value(page, hash); });
+        match->world().view<const SurfacePage>().each(
+            [&](const SurfacePage& page) { hash = hash_value(page, hash); });
+        return hash;
+    }
+};
+
+TEST(GameCauldron, FadersTakeFromTheHandAndNothingFromTheBrew) {
+    constexpr Tick length = 1900;
+    HeldLadle all({100, 100, 100, 100, 100, 100, 100}), none(Percents{});
+    all.run(length);
+    none.run(length);
+    EXPECT_GT(all.match->world().single<Cauldron>().speed, 0.02) << "it is stirred";
+    EXPECT_EQ(all.match->world().single<Cauldron>().what[0], 2U) << "and something is dropped in";
+    EXPECT_EQ(none.brews, all.brews);
+    EXPECT_GT(all.felt, 0);
+    EXPECT_EQ(none.felt, 0);
+    for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
+        Percents one{};
+        one[i] = 50;
+        HeldLadle only(one);
+        only.run(length);
+        EXPECT_EQ(only.brews, all.brews) << haptics::fluid_modes[i].name;
+        EXPECT_GT(only.felt, 1) << haptics::fluid_modes[i].name;
+    }
 }
 
 TEST(GameCauldron, ThereIsNoneByClassicRules) {

@@ -157,7 +157,63 @@ TEST(InputLog, HeaderBeyondTheLimitsIsRefused) {
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 101U << DeviceSpec::weight_shift; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 127U << DeviceSpec::blow_shift; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 1U << 31U; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 1U << 30U; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_kept_off[6] = 101; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_kept_off[0] = 255; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].box_um[2] = DeviceSpec::most_box_um + 1; }));
+}
+
+/// With this body; size and checksum are right.
+Bytes signed_header(const Bytes& like, std::span<const std::byte> body) {
+    Bytes file(like.begin(), like.begin() + detail::preamble_size);
+    samples::put_at(file, 12, static_cast<std::uint32_t>(body.size()));
+    samples::put_at(file, 16, hash_bytes(body, hash_bytes(std::span(file).first(16))));
+    file.insert(file.end(), body.begin(), body.end());
+    return file;
+}
+
+Expected<LogHeader> decoded(const Bytes& file) {
+    const auto preamble = detail::decode_preamble(file);
+    return preamble ? detail::decode_header(file, *preamble) : tl::unexpected(preamble.error());
+}
+
+TEST(InputLog, WhatIsFeltOfAFluidStandsInTheHeaderOnlyWhereItIsLess) {
+    auto header = samples::header(1);
+    const auto without = detail::encode_header(header).value();
+    EXPECT_EQ(decoded(without), header);
+    for (std::size_t source = 0; source < fluid_faders; ++source)
+        header.devices[0].ask_for_fluid(source, static_cast<std::uint32_t>(99 - source));
+    const auto with = detail::encode_header(header).value();
+    EXPECT_EQ(decoded(with), header);
+    ASSERT_EQ(with.size(), without.size() + fluid_faders);
+
+    const std::array<std::byte, fluid_faders> percents = {
+        std::byte{1}, std::byte{2}, std::byte{3}, std::byte{4}, std::byte{5}, std::byte{6}, std::byte{7}};
+    auto body = Bytes(with.begin() + detail::preamble_size, with.end());
+    const auto at = std::search(body.begin(), body.end(), percents.begin(), percents.end());
+    ASSERT_NE(at, body.end());
+    EXPECT_EQ(decoded(signed_header(with, body)), header);
+    for (std::size_t i = 0; i < fluid_faders; ++i) {
+        auto spoilt = body;
+        auto& percent = spoilt[static_cast<std::size_t>(at - body.begin()) + i];
+        percent = std::byte{100};
+        EXPECT_TRUE(decoded(signed_header(with, spoilt)));
+        percent = std::byte{101};
+        const auto refused = decoded(signed_header(with, spoilt));
+        ASSERT_FALSE(refused);
+        EXPECT_TRUE(contains(refused.error().message, "more than 100 % of a fluid"))
+            << refused.error().message;
+    }
+    for (std::size_t size = 0; size < body.size(); ++size)
+        EXPECT_FALSE(decoded(signed_header(with, std::span(body).first(size)))) << size;
+}
+
+TEST(InputLog, OlderLogsFeelAllOfAFluid) {
+    const auto header = read_log_header(THAUM_SOURCE_DIR "/tests/replays/bots_rules_8.thaumlog");
+    ASSERT_TRUE(header) << header.error().message;
+    ASSERT_EQ(header->devices.size(), 2U);
+    for (const auto& device : header->devices)
+        EXPECT_EQ(device.fluid_kept_off, (std::array<std::uint8_t, fluid_faders>{}));
 }
 
 TEST(InputLog, OtherFilesAreRefusedInOneLine) {

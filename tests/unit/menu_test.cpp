@@ -322,7 +322,7 @@ TEST(BindingsPage, EveryControlOfAHandHasALabelOfItsOwn) {
 TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
     auto s = choose(start_page(), "Settings");
     const auto count = picture_of(s, facts()).rows.size();
-    EXPECT_EQ(count, all_settings().size() + 1);
+    EXPECT_EQ(count, all_settings().size() + 2) << "the cauldron's page, and back";
     for (std::size_t i = 0; i < all_settings().size(); ++i) {
         const MenuEvent less{.kind = Kind::left, .device = keyboard, .row = i};
         const MenuEvent more{.kind = Kind::right, .device = keyboard, .row = i};
@@ -334,6 +334,54 @@ TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
         EXPECT_EQ(edits[0].table, "");
     }
     EXPECT_EQ(choose(s, "Back").pages.size(), 1U);
+}
+
+// The cauldron -------------------------------------------------------------------------------------------------------------
+
+constexpr std::string_view cauldron_row = "What hands feel of the cauldron";
+
+MenuState cauldron_page() { return choose(choose(opened({}, Page::pause), "Settings"), cauldron_row); }
+
+TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
+    const auto fresh = cauldron_page();
+    EXPECT_EQ(picture_of(fresh, facts()).title, "The cauldron");
+    EXPECT_NE(picture_of(fresh, facts()).hint.find("from the next match on"), std::string::npos);
+    for (std::size_t player = 0; player < 2; ++player) {
+        for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
+            const auto label = label_of_fader(i);
+            auto s = fresh;
+            for (std::size_t p = 0; p < player; ++p) s = choose(s, "Whose hand", Kind::right);
+            s = choose(choose(s, label, Kind::left), label, Kind::left);
+            EXPECT_EQ(value_of(s, label), "90 %");
+            EXPECT_EQ(picture_of(s, facts()).line, told_of_fader(i));
+            s = choose(s, label);
+            EXPECT_EQ(value_of(s, label), "off (90 %)");
+            EXPECT_TRUE(picture_of(s, facts()).rows[row_named(s, label)].dim);
+            const auto name = std::string(haptics::fluid_modes[i].name);
+            const std::string table(cauldron_tables[player]);
+            EXPECT_EQ(changes({}, s.settings),
+                      (std::vector<SettingEdit>{{table, name, "0.9"}, {table, "off", '"' + name + '"'}}));
+            s = choose(s, label, Kind::right);
+            EXPECT_EQ(value_of(s, label), "off (95 %)") << "a fader that is moved stays off";
+            s = choose(s, label);
+            EXPECT_EQ(value_of(s, label), "95 %");
+            EXPECT_EQ(choose(s, "All as at first").settings, Settings{});
+        }
+    }
+    EXPECT_EQ(choose(fresh, "Back").pages.size(), 2U);
+}
+
+TEST(CauldronPage, OpensForThePlayerWhoAsks) {
+    auto s = with(with(start_page(), Kind::other, first_pad), Kind::other, keyboard);
+    s = choose(opened(s, Page::pause), "Settings");
+    const auto row = row_named(s, cauldron_row);
+    const auto opened_by = [&](const Device& device) {
+        return value_of(step(s, {.kind = Kind::confirm, .device = device, .row = row}, facts()),
+                        "Whose hand");
+    };
+    EXPECT_EQ(opened_by(first_pad), "player 1");
+    EXPECT_EQ(opened_by(keyboard), "player 2");
+    EXPECT_EQ(opened_by(second_pad), "player 1") << "who plays with nothing";
 }
 
 // Anything at all ----------------------------------------------------------------------------------------------------------
@@ -400,8 +448,8 @@ TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
     ASSERT_TRUE(font) << font.error().message;
     auto joined = with(with(start_page(), Kind::other, first_pad), Kind::other, keyboard);
     auto conflict = press(choose(bindings_of("Mouse and keyboard"), "Fire"), key("kp_8"));
-    for (const auto& state :
-         {start_page(), joined, conflict, choose(start_page(), "Settings"), opened({}, Page::pause)}) {
+    for (const auto& state : {start_page(), joined, conflict, choose(start_page(), "Settings"),
+                              cauldron_page(), opened({}, Page::pause)}) {
         for (const render::Size size :
              {render::Size{1280, 720}, {640, 480}, {320, 200}, {3840, 2160}, {500, 900}}) {
             for (const double scale : {1.0, 1.75, 2.5}) {

@@ -63,13 +63,20 @@ TEST(Settings, FaultsNameFileLineAndKey) {
     EXPECT_EQ(refusal(""), "");
     EXPECT_EQ(refusal("colour = 1"), "settings.toml:2: unknown key 'colour'");
     for (const auto* line : {"fov_deg = 5", "text_scale = 9.0", "text_scale = 0.9", "logs_kept = 0",
-                             "split = \"diagonal\"", "quality = \"ultra\"", "bloom = 1"}) {
+                             "split = \"diagonal\"", "quality = \"ultra\"", "bloom = 1", "cauldron_1 = 1"}) {
         const auto message = refusal(line);
         const std::string key(line, std::string_view(line).find(' '));
         EXPECT_TRUE(message.starts_with("settings.toml:2:")) << message;
         EXPECT_NE(message.find(key), std::string::npos) << message;
     }
     EXPECT_NE(refusal("[pad]\nfire = \"pad nothing\"").find("settings.toml:3"), std::string::npos);
+    for (const auto* line :
+         {"flow = 1.01", "flow = -0.1", "flow = nan", "flow = inf", "flow = \"all\"", "flow = true",
+          "recoil = 1e300", "off = \"flow, wind\"", "off = \"flow,, wall\"", "off = 0", "taste = 1"}) {
+        const auto message = refusal(text("[cauldron_2]\n", line));
+        EXPECT_TRUE(message.starts_with("settings.toml:3:")) << line << ": " << message;
+    }
+    EXPECT_NE(refusal("[cauldron_3]\nflow = 1.0"), "");
     EXPECT_NE(refusal("[keyboard_mouse]\nfly = \"key a\"").find("fly"), std::string::npos);
 }
 
@@ -89,6 +96,26 @@ TEST(Settings, ChangedValuesAndBindingsAreRead) {
                            .controls[static_cast<std::size_t>(input::Action::fire)];
     ASSERT_EQ(fire.size(), 1U);
     EXPECT_EQ(fire[0].code, *render::key_code("x"));
+}
+
+TEST(Settings, FadersOfTheCauldronAreEachPlayersAndOffKeepsTheirPlaces) {
+    const auto s = parse_settings(
+        "version = 1\n[cauldron_1]\nflow = 0.4\nwall = 0\noff = \" flow ,recoil\"\n[cauldron_2]\nviscosity = "
+        "1\n",
+        "s");
+    ASSERT_TRUE(s) << s.error().message;
+    Faders wanted;
+    wanted[1] = {.share = 0.4, .on = false};
+    wanted[4].share = 0;
+    wanted[6].on = false;
+    EXPECT_EQ(s->cauldron[0], wanted);
+    EXPECT_EQ(s->cauldron[1], Faders{});
+    EXPECT_EQ(off_words(wanted), "flow, recoil");
+    input::DeviceSpec device;
+    ask_for(wanted, device);
+    EXPECT_EQ(device.fluid_kept_off, (std::array<std::uint8_t, 7>{0, 100, 0, 0, 100, 0, 100}));
+    ask_for(s->cauldron[1], device);
+    EXPECT_EQ(device.fluid_kept_off, (std::array<std::uint8_t, 7>{}));
 }
 
 TEST(Settings, AMissingFileIsMadeAndAnExistingOneIsLeftAlone) {
@@ -112,6 +139,10 @@ Settings all_different() {
         const auto before = written(setting, s);
         change(setting, s, 1);
         if (written(setting, s) == before) change(setting, s, -1);
+    }
+    for (std::size_t p = 0; p < s.cauldron.size(); ++p) {
+        for (std::size_t i = 0; i < s.cauldron[p].size(); ++i)
+            s.cauldron[p][i] = {.share = static_cast<double>(i + p) / 20, .on = (i + p) % 2 == 0};
     }
     for (const auto kind : settings_hands) {
         auto& b = s.bindings_of(kind);
@@ -277,6 +308,30 @@ TEST(SettingsScreen, StepsStayInRangeAndRound) {
     for (const auto& one : all_settings()) {
         EXPECT_FALSE(one.label.empty());
         EXPECT_FALSE(shown(one, s).empty());
+    }
+}
+
+TEST(SettingsScreen, AFaderGoesByFivesAndIsSwitchedWhereItIs) {
+    Fader fader{.share = 0.5};
+    change(fader, -1);
+    EXPECT_EQ(text(fader.share), "0.45");
+    EXPECT_EQ(shown(fader), "45 %");
+    fader.on = false;
+    EXPECT_EQ(shown(fader), "off (45 %)");
+    change(fader, 100);
+    EXPECT_EQ(fader, (Fader{.share = 1, .on = false}));
+    change(fader, -100);
+    EXPECT_EQ(fader.share, 0);
+    for (int i = 1; i <= 20; ++i) {
+        change(fader, 1);
+        input::DeviceSpec device;
+        ask_for({Fader{.share = fader.share}}, device);
+        EXPECT_EQ(device.fluid_kept_off[0], 100 - 5 * i);
+    }
+    EXPECT_EQ(shown({.share = 0.333}), "33.3 %");
+    for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
+        EXPECT_FALSE(label_of_fader(i).empty());
+        EXPECT_FALSE(told_of_fader(i).empty());
     }
 }
 

@@ -54,6 +54,9 @@ std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
     for (const auto edge : device.box_um) {
         if (edge > DeviceSpec::most_box_um) return "a device's box is larger than 10 m";
     }
+    for (const auto percent : device.fluid_kept_off) {
+        if (percent > 100) return "more than 100 % of a fluid's force is kept off";
+    }
     return {};
 }
 
@@ -96,10 +99,12 @@ std::vector<std::string> get_strings(ByteReader& in) {
     return get_list(in, [&] { return in.get_string(); });
 }
 
-/// In the file's flags alone: the edges of the box stand behind them.
+/// In the file's flags alone: behind them stand the edges of the box, and then what is kept off of a fluid.
 constexpr std::uint32_t box_follows = 1U << 31U;
+constexpr std::uint32_t fluid_follows = 1U << 30U;
 
-bool has_box(const DeviceSpec& d) { return d.box_um != std::array<std::uint32_t, 3>{}; }
+bool has_box(const DeviceSpec& d) { return d.box_um != decltype(d.box_um){}; }
+bool has_fluid(const DeviceSpec& d) { return d.fluid_kept_off != decltype(d.fluid_kept_off){}; }
 
 void put_device(ByteWriter& out, const DeviceSpec& d) {
     out.put(d.player);
@@ -107,9 +112,13 @@ void put_device(ByteWriter& out, const DeviceSpec& d) {
     out.put_string(d.name);
     out.put(d.look_rad_per_count);
     out.put(d.turn_rad_per_s);
-    out.put(d.flags | (has_box(d) ? box_follows : 0));
-    if (!has_box(d)) return;
-    for (const auto edge : d.box_um) out.put(edge);
+    out.put(d.flags | (has_box(d) ? box_follows : 0) | (has_fluid(d) ? fluid_follows : 0));
+    if (has_box(d)) {
+        for (const auto edge : d.box_um) out.put(edge);
+    }
+    if (has_fluid(d)) {
+        for (const auto percent : d.fluid_kept_off) out.put(percent);
+    }
 }
 
 DeviceSpec get_device(ByteReader& in) {
@@ -119,10 +128,14 @@ DeviceSpec get_device(ByteReader& in) {
     d.name = in.get_string();
     d.look_rad_per_count = in.get<double>();
     d.turn_rad_per_s = in.get<double>();
-    d.flags = in.get<std::uint32_t>();
-    if ((d.flags & box_follows) == 0) return d;
-    d.flags &= ~box_follows;
-    for (auto& edge : d.box_um) edge = in.get<std::uint32_t>();
+    const auto flags = in.get<std::uint32_t>();
+    d.flags = flags & ~(box_follows | fluid_follows);
+    if ((flags & box_follows) != 0) {
+        for (auto& edge : d.box_um) edge = in.get<std::uint32_t>();
+    }
+    if ((flags & fluid_follows) != 0) {
+        for (auto& percent : d.fluid_kept_off) percent = in.get<std::uint8_t>();
+    }
     return d;
 }
 
