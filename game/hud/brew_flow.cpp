@@ -15,7 +15,8 @@ constexpr double still = 1e-3;                         // m/s: slower is not dra
 constexpr double full_speed = 1.5;                     // m/s: as long and as bright as an arrow gets
 constexpr double arrow_spacing = 0.26;                 // m
 constexpr double line_length = 1.6, line_step = 0.08;  // m
-constexpr float thread_width = 0.009F;                 // m
+constexpr float thread_width = 0.011F;                 // m, of a line's head
+constexpr float tail = 0.4F;                           // how thin a line begins
 
 field::StaggeredGrid flow_of(const BrewPicture& picture) {
     field::StaggeredGrid grid;
@@ -107,11 +108,13 @@ void add_streamlines(const BrewPicture& picture, const BrewPlace& place, const B
         follow(picture, from - corner, line_length, line_step, line);
         for (std::size_t i = 0; i + 1 < line.size(); ++i) {
             const vec3 way = line[i + 1] - line[i];
-            out.push_back(
-                {.mesh = meshes.thread,
-                 .model = along(place.middle + corner + line[i], way, glm::length(way), thread_width),
-                 .tint = speed_colour(glm::length(flow(line[i]).value)),
-                 .glow = 0.6F});
+            const auto share = static_cast<float>(i + 1) / static_cast<float>(line.size() - 1);
+            const double width = static_cast<double>(glm::mix(tail, 1.0F, share) * thread_width);
+            out.push_back({.mesh = meshes.thread,
+                           .model = along(place.middle + corner + line[i], way, glm::length(way), width),
+                           .tint = glm::mix(picture.colours.base,
+                                            speed_colour(glm::length(flow(line[i]).value)), share),
+                           .glow = 0.6F});
         }
     }
 }

@@ -10,6 +10,7 @@ void follow(const BrewPicture& picture, vec3 from, double length, double step, s
 
 void add_arrows(const BrewPicture& picture, const BrewPlace& place, const BrewMeshes& meshes,
                 std::vector<render::Instance>& out);
+/// From fixed seeds, up to 1.6 m each; a line fades into the brew towards its tail, so that it tells which way the flow goes.
 void add_streamlines(const BrewPicture& picture, const BrewPlace& place, const BrewMeshes& meshes,
                      std::vector<render::Instance>& out);
 

@@ -86,7 +86,7 @@ void begin_frame(const Court& court, const Picture& picture, const HudSettings& 
     frame.views.clear();
     frame.overlay.items.clear();
     add_shadows(court, picture, memory);
-    show_brew_near(court, picture, {.arrows = settings.forces});
+    show_brew_near(court, picture, {.arrows = settings.forces, .streamlines = settings.forces});
 }
 
 const render::Frame& make_frame(const Court& court, const Picture& picture, const HudSettings& settings,

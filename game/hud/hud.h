@@ -17,7 +17,7 @@ struct HudSettings {
     render::Quality quality = render::Quality::medium;
     bool bloom = true;           ///< at high quality
     bool can_play_again = true;  ///< the result screen offers it
-    bool forces = false;         ///< what hands feel, as a curve in each view
+    bool forces = false;         ///< what hands feel, as a curve in each view, and the brew's flow
     bool menu = false;           ///< a menu will stand over the views: nothing else does
     /// What is wrong with each player's device, in its driver's words; filled by the session.
     std::array<std::string, players> device_says{};

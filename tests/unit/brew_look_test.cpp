@@ -208,6 +208,51 @@ TEST_F(BrewLookTest, AStreamlineOfSolidRotationCloses) {
     }
 }
 
+TEST_F(BrewLookTest, AStreamlinesErrorGoesWithTheFourthPowerOfItsStep) {
+    turn(2);
+    // A metre of way on a circle of half a metre: two radians.
+    const auto on_circle = [](double angle) {
+        return vec3(0.5 * std::cos(angle), -0.3, -0.5 * std::sin(angle));
+    };
+    const auto error = [&](int steps) {
+        std::vector<vec3> line;
+        follow(taken(), on_circle(0) - brew.corner, 1, 1.0 / steps, line);
+        EXPECT_EQ(line.size(), static_cast<std::size_t>(steps) + 1);
+        return glm::distance(line.back() + brew.corner, on_circle(2));
+    };
+    // Finer ones are not large against the rounding of the flow's samples.
+    for (const int steps : {4, 8})
+        EXPECT_NEAR(std::log2(error(steps) / error(2 * steps)), 4, 0.25)
+            << steps << " steps: " << error(steps);
+}
+
+TEST_F(BrewLookTest, StreamlinesGrowFromTheirTailsAlongTheFlow) {
+    const BrewMeshes meshes;
+    std::vector<render::Instance> pieces;
+    add_streamlines(taken(), place, meshes, pieces);
+    EXPECT_TRUE(pieces.empty()) << "at rest";
+    turn(1);
+    add_streamlines(taken(), place, meshes, pieces);
+    ASSERT_GT(pieces.size(), 200U);
+    EXPECT_LE(pieces.size(), 30U * 20U);
+    std::size_t lines = 1;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const fvec3 from(pieces[i].model[3]), along(pieces[i].model * fvec4(0, 0, -1, 0));
+        const vec3 at = vec3(from) - place.middle;
+        EXPECT_GT(glm::dot(vec3(along), vec3(at.z, 0, -at.x)), 0);
+        if (i == 0) continue;
+        const auto& before = pieces[i - 1].model;
+        const bool goes_on = glm::distance(fvec3(before[3] - before[2]), from) < 1e-4F;
+        if (!goes_on) ++lines;
+        EXPECT_EQ(glm::length(pieces[i].model[0]) > glm::length(before[0]), goes_on);
+        EXPECT_EQ(glm::length(pieces[i].tint - picture.colours.base) >
+                      glm::length(pieces[i - 1].tint - picture.colours.base),
+                  goes_on);
+    }
+    EXPECT_GT(lines, 20U);
+    EXPECT_LE(lines, 30U);
+}
+
 TEST_F(BrewLookTest, ArrowsPointAlongTheFlowAndAreLongerWhereItIsFaster) {
     const BrewMeshes meshes;
     std::vector<render::Instance> arrows;

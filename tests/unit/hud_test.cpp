@@ -312,6 +312,27 @@ TEST_F(Drawn, NumbersChangeInTheirOwnHalf) {
     }
 }
 
+TEST_F(Drawn, WhoAsksForForcesSeesTheFlowOfABrewThatIsNear) {
+    ASSERT_TRUE(court.brew);
+    const auto& rules = *match_data()->cauldron;
+    auto brew = make_brew(rules, court.brew->place.basin);
+    ASSERT_TRUE(brew) << brew.error().message;
+    fluid::set_velocity(brew->fluid, [](vec3) { return vec3(0.5, 0, 0); });
+    take_brew(*brew, rules, 1, picture.cauldron.brew);
+    picture.cauldron.there = true;
+    picture.wizards[0].eye = court.brew->place.middle + vec3(0, 0.8, 2);
+    picture.wizards[1].eye = court.brew->place.middle + vec3(0, 0.8, 18);
+    const auto count = [&](std::uint32_t player, render::MeshId mesh) {
+        return std::ranges::count(memory.instances[player], mesh, &render::Instance::mesh);
+    };
+    for (const bool forces : {true, false, true}) {
+        make_frame(court, picture, {.forces = forces}, size, memory);
+        EXPECT_EQ(count(0, court.brew->meshes.arrow) > 50, forces);
+        EXPECT_EQ(count(0, court.brew->meshes.thread) > 50, forces);
+        EXPECT_EQ(count(1, court.brew->meshes.thread), 0) << "he is too far away";
+    }
+}
+
 TEST_F(Drawn, PauseAndResultCoverBothHalves) {
     const auto before = draw({});
     picture.paused = true;
