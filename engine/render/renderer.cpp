@@ -63,15 +63,15 @@ float aspect_of(const Rect& r) {
 
 constexpr int rows_at_once = 32;  // of read_pixels: what is packed is still in the cache
 
-/// From blue, green, red and whatever to red, green and blue; in fours as long as there are so many.
+/// From blue, green, red and whatever to red, green and blue; in fours as long as what is written too much of is overwritten.
 void pack_rgb(std::span<const std::uint32_t> pixels, std::uint8_t* to) {
     using Four [[gnu::vector_size(16)]] = std::uint8_t;
     std::size_t i = 0;
-    for (; i + 4 <= pixels.size(); i += 4, to += 12) {
+    for (; i + 6 <= pixels.size(); i += 4, to += 12) {
         Four four{};
         std::memcpy(&four, &pixels[i], 16);
         four = __builtin_shufflevector(four, four, 2, 1, 0, 6, 5, 4, 10, 9, 8, 14, 13, 12, 3, 7, 11, 15);
-        std::memcpy(to, &four, 12);
+        std::memcpy(to, &four, 16);
     }
     for (; i < pixels.size(); ++i) {
         for (const unsigned shift : {16U, 8U, 0U}) *to++ = static_cast<std::uint8_t>(pixels[i] >> shift);
@@ -452,9 +452,8 @@ void Renderer::State::draw_stone(const ViewScene& view, const ViewBatches& its, 
         return;
     }
     draw_patchworks(program, its, [](const ChosenPatches& p) { return p.sunlit; });
-    const auto& plain = programs.alone[static_cast<std::size_t>(Quality::low)];
-    use_mesh_program(plain, view, its.sight, Quality::medium, {});
-    draw_patchworks(plain, its, [](const ChosenPatches& p) { return p.sunless; });
+    use_mesh_program(programs.sunless, view, its.sight, Quality::medium, {});
+    draw_patchworks(programs.sunless, its, [](const ChosenPatches& p) { return p.sunless; });
 }
 
 void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Quality quality,

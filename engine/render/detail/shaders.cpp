@@ -10,11 +10,11 @@ namespace {
 using Folder = std::filesystem::path;
 using Variant = std::vector<std::string_view>;
 
-constexpr std::size_t lights_at_low = 4;
+constexpr std::size_t lights_at_low = 4;  // as light.glsl has it
 
 Variant variant_of(Quality quality) {
     switch (quality) {
-        case Quality::low: return {};
+        case Quality::low: return {"FEW_LIGHTS"};
         case Quality::medium: return {"SHADOW"};
         case Quality::high: return {"SHADOW", "SOFT", "PER_PIXEL"};
     }
@@ -33,9 +33,7 @@ std::vector<Folder> mesh_files(const Folder& shaders, Quality quality) {
     return {};
 }
 
-Expected<MeshProgram> load_mesh_program(const Folder& shaders, Quality quality, bool alone) {
-    auto variant = variant_of(quality);
-    if (alone) variant.emplace_back("ALONE");
+Expected<MeshProgram> load_mesh_program(const Folder& shaders, Quality quality, const Variant& variant) {
     auto program = load_program(mesh_files(shaders, quality), variant);
     if (!program) return tl::unexpected(program.error());
     return mesh_program(std::move(*program));
@@ -70,6 +68,11 @@ Expected<SmallProgram> load_small_program(const std::vector<Folder>& files, cons
     return out;
 }
 
+Variant alone(Variant variant) {
+    variant.emplace_back("ALONE");
+    return variant;
+}
+
 /// Takes a loaded program, or keeps the first error.
 struct Loading {
     std::optional<Error> error;
@@ -93,7 +96,6 @@ void set_lights(const MeshProgram& p, std::span<const PointLight> lights, std::s
         position[i] = fvec4(lights[i].position, 1 / (radius * radius));
         colour[i] = lights[i].colour;
     }
-    glUniform1i(p.light_count, static_cast<GLint>(count));
     glUniform4fv(p.light_position, max_lights, &position[0].x);
     glUniform3fv(p.light_colour, max_lights, &colour[0].x);
 }
@@ -109,7 +111,6 @@ MeshProgram mesh_program(Program program) {
     out.sun_colour = named("sun_colour");
     out.ambient_above = named("ambient_above");
     out.ambient_below = named("ambient_below");
-    out.light_count = named("light_count");
     out.light_position = named("light_position");
     out.light_colour = named("light_colour");
     out.fog_colour = named("fog_colour");
@@ -130,9 +131,13 @@ Expected<Programs> load_programs(const Folder& shaders) {
     Programs out;
     Loading loading;
     for (std::size_t q = 0; q < qualities; ++q) {
-        loading.take(load_mesh_program(shaders, static_cast<Quality>(q), false), out.mesh[q]);
-        loading.take(load_mesh_program(shaders, static_cast<Quality>(q), true), out.alone[q]);
+        const auto quality = static_cast<Quality>(q);
+        const auto variant = variant_of(quality);
+        loading.take(load_mesh_program(shaders, quality, variant), out.mesh[q]);
+        loading.take(load_mesh_program(shaders, quality, alone(variant)), out.alone[q]);
     }
+    // As low does, but with all lights.
+    loading.take(load_mesh_program(shaders, Quality::low, alone({})), out.sunless);
     loading.take(load_sky_program(shaders, {}), out.sky);
     loading.take(load_sky_program(shaders, {"LINEAR"}), out.sky_of_light);
     const auto small = [&](const std::vector<Folder>& files, const char* parameter, SmallProgram& to) {

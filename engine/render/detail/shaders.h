@@ -15,7 +15,7 @@ inline constexpr GLint picture_unit = 0, shadow_unit = 1, bloom_unit = 2;
 struct MeshProgram {
     Program program;
     GLint view_projection{}, eye{}, sun_direction{}, sun_colour{}, ambient_above{}, ambient_below{};
-    GLint light_count{}, light_position{}, light_colour{}, fog_colour{}, fog_rate{}, detail_range{};
+    GLint light_position{}, light_colour{}, fog_colour{}, fog_rate{}, detail_range{};
     GLint shadow_matrix{}, shadow_lift{}, shadow_texel{};
     GLint model{}, tint_glow{}, instance_sun{};  ///< of one that draws a single instance
 };
@@ -35,6 +35,7 @@ struct SmallProgram {
 struct Programs {
     std::array<MeshProgram, qualities> mesh;   ///< by Quality
     std::array<MeshProgram, qualities> alone;  ///< by Quality, for a single instance
+    MeshProgram sunless;                       ///< at medium, for a single one that the sun never reaches
     SkyProgram sky, sky_of_light;              ///< tone mapped, and for what the last pass tone maps
     SmallProgram shadow, shade;                ///< view_projection
     SmallProgram bright, blur;                 ///< texel, way
