@@ -98,12 +98,23 @@ Court::Ground ground_of(const Thing& thing, const Arena& arena) {
             along_x ? std::copysign(rise, top.x) : 0, along_x ? 0 : std::copysign(rise, top.z)};
 }
 
-/// A little less than the masonry fills, whose blocks are bevelled and sunk.
+/// A little less than the masonry fills, whose blocks are bevelled and sunk; and without end where the court ends, since who
+/// is in it sees nothing there but through stone. So a cell of the sky over a corner of two walls, or over the foot of one, is
+/// covered by one block.
 void add_block(const Thing& thing, Court& court) {
-    constexpr double less = 0.12;  // m
+    constexpr double less = 0.12, endless = 1000;  // m
     const vec3 half = thing.body.size - less;
-    if (glm::all(glm::greaterThan(half, vec3(0))))
-        court.blocks.push_back({thing.position - half, thing.position + half});
+    if (glm::any(glm::lessThanEqual(half, vec3(0)))) return;
+    render::Block block{thing.position - half, thing.position + half};
+    const double end = court.shade.half - 2 * less;
+    bool beyond = false;
+    for (const int axis : {0, 2}) {
+        beyond = beyond || block.low[axis] > end || block.high[axis] < -end;
+        if (block.low[axis] <= -end) block.low[axis] = -endless;
+        if (block.high[axis] >= end) block.high[axis] = endless;
+    }
+    if (beyond) block.low.y = -endless;
+    court.blocks.push_back(block);
 }
 
 /// What stands there gives light of its own.
@@ -543,6 +554,13 @@ void show_brew_near(const Court& court, const Picture& picture, const BrewOverla
         std::any_of(picture.wizards.begin(), picture.wizards.end(),
                     [&](const PlayerPicture& p) { return court.brew && is_near_brew(court, p.eye); });
     if (seen && picture.cauldron.there) show_brew(picture.cauldron.brew, overlay, *court.brew);
+}
+
+std::span<const render::Block> blocks_seen_from(const Court& court, vec3 eye) {
+    const auto& shade = court.shade;
+    const bool within =
+        std::max(std::abs(eye.x), std::abs(eye.z)) < shade.half && eye.y < shade.wall_top;
+    return within ? std::span<const render::Block>(court.blocks) : std::span<const render::Block>();
 }
 
 const render::Volume* visible_brew(const Court& court, const Picture& picture, vec3 eye) {

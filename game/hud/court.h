@@ -3,6 +3,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "game/hud/brew_look.h"
@@ -57,7 +58,7 @@ struct Court {
     std::array<render::MeshId, 4> unit_shapes{};  ///< for what no arena has: by physics::Shape
     PowerUpMeshes power_ups;
     std::vector<Ground> grounds;
-    std::vector<render::Block> blocks;           ///< of masonry: what hides the sky
+    std::vector<render::Block> blocks;           ///< of masonry: what hides things from who is in the court
     Shade shade;                                 ///< to ask whether the sun reaches a thing that moves
     std::vector<render::PointLight> lights;      ///< that stay; the first is the cauldron's
     std::optional<vec3> bowl;                    ///< the cauldron's centre
@@ -79,6 +80,9 @@ void show_brew_near(const Court& court, const Picture& picture, const BrewOverla
 
 /// The flowing brew as it is to be drawn; null where there is none, or it is too far away to be told from the painted one.
 const render::Volume* visible_brew(const Court& court, const Picture& picture, vec3 eye);
+
+/// What hides things from there; nothing from outside the court, which is open above.
+std::span<const render::Block> blocks_seen_from(const Court& court, vec3 eye);
 
 /// Whatever stands in the light of the sky darkens the ground below it a little, on ramps as well.
 void add_contact_shades(const Court& court, const Picture& picture, std::vector<render::Instance>& out);

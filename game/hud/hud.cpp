@@ -33,7 +33,7 @@ void add_view(const Court& court, const Picture& picture, const HudSettings& set
                                   .lights = lights,
                                   .environment = court.environment,
                                   .shades = memory.shades,
-                                  .blocks = court.blocks,
+                                  .blocks = blocks_seen_from(court, picture.wizards[player].eye),
                                   .volume = brew});
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "core/random.h"
 #include "render/colour.h"
@@ -527,20 +528,26 @@ void add_banner(const Shade& shade, const Wall& wall, float at, std::uint32_t te
     set_up(shade, vec3(place), {.full = render::transformed(std::move(banner), facing(wall))}, out);
 }
 
-MeshData tower_mesh(fvec3 foot, float radius, float height) {
-    MeshData mesh;
+/// In pieces, one above the other: of most towers the walls of the court hide most.
+void add_tower(fvec3 foot, float radius, float height, render::Patchwork& out) {
     const fvec3 stone = colour(0x4E4466), roof = colour(0x3A2C58);
-    const std::array shaft{fvec2(0, 0),
-                           fvec2(radius, 0),
-                           fvec2(0.9F * radius, height),
-                           fvec2(1.15F * radius, height),
-                           fvec2(1.15F * radius, height + 2),
-                           fvec2(0, height + 2)};
-    render::append(mesh, render::revolve(shaft, 10, stone), render::translated(foot));
-    const std::array cap{fvec2(0, height + 2), fvec2(1.35F * radius, height + 2),
-                         fvec2(0.5F * radius, height + 6), fvec2(0, height + 13)};
-    render::append(mesh, render::revolve(cap, 10, roof), render::translated(foot));
-    return mesh;
+    const auto add = [&](std::span<const fvec2> profile, fvec3 paint) {
+        MeshData mesh;
+        render::append(mesh, render::revolve(profile, 10, paint), render::translated(foot));
+        out.push_back({.full = std::move(mesh)});
+    };
+    constexpr int pieces = 4;
+    const auto shaft = [&](int i) {
+        const float up = static_cast<float>(i) / pieces;
+        return fvec2(glm::mix(1.0F, 0.9F, up) * radius, up * height);
+    };
+    for (int i = 0; i < pieces; ++i) add(std::array{shaft(i), shaft(i + 1)}, stone);
+    add(std::array{fvec2(0.9F * radius, height), fvec2(1.15F * radius, height),
+                   fvec2(1.15F * radius, height + 2)},
+        stone);
+    add(std::array{fvec2(0, height + 2), fvec2(1.35F * radius, height + 2), fvec2(0.5F * radius, height + 6),
+                   fvec2(0, height + 13)},
+        roof);
 }
 
 struct Tower {
@@ -568,8 +575,7 @@ void add_decoration(const Shade& shade, render::Patchwork& out) {
 
 render::Patchwork skyline() {
     render::Patchwork out;
-    for (const auto& tower : towers)
-        out.push_back({.full = tower_mesh(tower.foot, tower.radius, tower.height)});
+    for (const auto& tower : towers) add_tower(tower.foot, tower.radius, tower.height, out);
     return out;
 }
 

@@ -68,6 +68,9 @@ bool shows_backs(const PlacedPatch& patch, fvec3 eye) {
     return glm::dot(to, patch.axis) >= patch.backs * glm::length(to);
 }
 
+/// Behind others of the patchwork.
+bool is_behind(const PlacedPatch& patch) { return patch.full.count == 0; }
+
 IndexRange append_chosen(const PatchTable& table, const Sight& sight, const PatchOrder& order, bool sunless,
                          std::vector<std::uint32_t>& out) {
     const float gone = fading_of(sight.pixel_angle).gone;
@@ -76,8 +79,8 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
         const auto& patch = table.patches[i];
         if (patch.sunless != sunless) continue;
         // What is behind others shows where the farthest of them may be plain.
-        const bool behind = patch.full.count == 0;
-        const float distance = behind ? farthest : farthest - 2 * patch.bounds.radius;
+        const float across = 2 * patch.bounds.radius;
+        const float distance = farthest - (is_behind(patch) ? across / 2 : across);
         const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;
         const auto& range = fine && patch.plain.count > 0 ? patch.plain : patch.full;
         const auto first = table.indices.begin() + range.first;
@@ -122,8 +125,10 @@ ChosenPatches choose_patches(const PatchTable& table, const Sight& sight, PatchO
         const auto& patch = table.patches[i];
         if (shows_backs(patch, sight.eye) || !within(planes, patch.bounds)) continue;
         if (is_hidden(sight.hidden, patch.bounds.centre, patch.half)) continue;
-        // By what is farthest of it: a small block in front of a large sheet is drawn before it.
-        near_first.emplace_back(glm::distance(patch.bounds.centre, sight.eye) + patch.bounds.radius, i);
+        // By what is farthest of it: a small block in front of a large sheet is drawn before it. Those in front of what is behind
+        // them reach beyond it.
+        const float beyond = (is_behind(patch) ? 2 : 1) * patch.bounds.radius;
+        near_first.emplace_back(glm::distance(patch.bounds.centre, sight.eye) + beyond, i);
     }
     std::sort(near_first.begin(), near_first.end());
     ChosenPatches chosen;
