@@ -68,13 +68,25 @@ std::vector<fvec2> outward(std::span<const fvec2> corners) {
     return out;
 }
 
+/// A convex polygon, halved until triangles are left. A fan would be slivers as long as the
+/// polygon, which a software rasteriser pays for by what they touch.
+void fill(const Pen& pen, std::span<const OverlayVertex> corners) {
+    if (corners.size() < 3) return;
+    const auto middle = corners.size() / 2;
+    pen.triangle(corners.front(), corners[middle], corners.back());
+    fill(pen, corners.first(middle + 1));
+    fill(pen, corners.subspan(middle));
+}
+
 /// A convex polygon with a soft edge.
 void convex(const Pen& pen, std::span<const fvec2> corners, fvec4 colour) {
     const auto full = packed(colour), none = faded(full);
     const auto out = outward(corners);
     const auto inner = [&](std::size_t i) { return pen.at(corners[i] - 0.5F * out[i], full); };
     const auto outer = [&](std::size_t i) { return pen.at(corners[i] + 0.5F * out[i], none); };
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) pen.triangle(inner(0), inner(i), inner(i + 1));
+    std::vector<OverlayVertex> filled;
+    for (std::size_t i = 0; i < corners.size(); ++i) filled.push_back(inner(i));
+    fill(pen, filled);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const auto next = (i + 1) % corners.size();
         pen.quad(inner(i), inner(next), outer(next), outer(i));
