@@ -558,8 +558,7 @@ void show_brew_near(const Court& court, const Picture& picture, const BrewOverla
 
 std::span<const render::Block> blocks_seen_from(const Court& court, vec3 eye) {
     const auto& shade = court.shade;
-    const bool within =
-        std::max(std::abs(eye.x), std::abs(eye.z)) < shade.half && eye.y < shade.wall_top;
+    const bool within = std::max(std::abs(eye.x), std::abs(eye.z)) < shade.half && eye.y < shade.wall_top;
     return within ? std::span<const render::Block>(court.blocks) : std::span<const render::Block>();
 }
 

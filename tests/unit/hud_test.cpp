@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <optional>
 
+#include "core/random.h"
 #include "core/text.h"
 #include "game/bots/bot.h"
 #include "render/context.h"
@@ -377,6 +379,42 @@ TEST_F(Drawn, EveryThingOfTheArenaHasAMeshOfItsOwnKind) {
         for (const auto plain : court.unit_shapes) EXPECT_NE(instance.mesh, plain);
     }
     EXPECT_LE(court.lights.size(), render::max_lights);
+}
+
+/// How far along its way a ray enters the block; infinite where it does not.
+double entry(const render::Block& block, vec3 eye, vec3 way) {
+    double enter = 0, leave = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double a = (block.low[axis] - eye[axis]) / way[axis],
+                     b = (block.high[axis] - eye[axis]) / way[axis];
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    }
+    return enter <= leave ? enter : std::numeric_limits<double>::infinity();
+}
+
+double first_entry(std::span<const render::Block> blocks, vec3 eye, vec3 way) {
+    double first = std::numeric_limits<double>::infinity();
+    for (const auto& block : blocks) first = std::min(first, entry(block, eye, way));
+    return first;
+}
+
+TEST_F(Drawn, WhereABlockHidesThingsThereIsStoneBeforeThem) {
+    Random random = random_stream(11, 4);
+    const double half = court.shade.half, top = court.shade.wall_top;
+    int hidden = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const vec3 eye(random.uniform(-half, half), random.uniform(-4, top), random.uniform(-half, half));
+        const vec3 way(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        if (first_entry(court.shade.blocks, eye, way) == 0) continue;  // the eye is in stone
+        const double there = first_entry(blocks_seen_from(court, eye), eye, way);
+        if (there == std::numeric_limits<double>::infinity()) continue;
+        ++hidden;
+        EXPECT_LE(first_entry(court.shade.blocks, eye, way), there);
+    }
+    EXPECT_GT(hidden, 5000);
+    EXPECT_TRUE(blocks_seen_from(court, vec3(0, top + 0.1, 0)).empty());
+    EXPECT_TRUE(blocks_seen_from(court, vec3(half + 2, 1, 0)).empty());
 }
 
 TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {

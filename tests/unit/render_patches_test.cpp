@@ -104,6 +104,18 @@ TEST(Patches, WhatIsBehindOthersShowsWhereTheyMayBePlain) {
     EXPECT_EQ(chosen(table, sight).size(), 6U);
 }
 
+TEST(Patches, WhatIsBehindOthersComesAfterThoseThatReachBeyondIt) {
+    const auto beside = transformed(sheet(-10), translated({1.5F, 0, 0}));
+    const auto table =
+        joined({{.full = {}, .plain = sheet(-10.05F), .detail = 0.05F}, {.full = beside}}).table;
+    auto sight = sight_from(fvec3(0));
+    sight.pixel_angle = 0.05F;
+    const auto indices = chosen(table, sight);
+    ASSERT_EQ(indices.size(), 12U);
+    EXPECT_LT(indices[0], 4U) << "all that is full has the first vertices";
+    EXPECT_GE(indices[6], 4U);
+}
+
 TEST(Patches, NoFrontIsEverTakenForABack) {
     Random random = random_stream(5, 1);
     const auto any = [&](double low, double high) { return static_cast<float>(random.uniform(low, high)); };
