@@ -294,19 +294,20 @@ Image Renderer::read_pixels() {
     const auto& s = *state_;
     Image image{std::max(s.drawn_width, 0), std::max(s.drawn_height, 0), {}};
     const auto width = static_cast<std::size_t>(image.width), row = 3 * width;
-    image.rgb.resize(row * static_cast<std::size_t>(image.height));
-    if (image.rgb.empty()) return image;
+    if (width == 0 || image.height == 0) return image;
+    image.rgb.reserve(row * static_cast<std::size_t>(image.height));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     // As a software rasteriser has them, so that it only copies: three bytes a pixel took it four times as long.
     std::vector<std::uint32_t> band(width * rows_at_once);
-    for (int from = 0; from < image.height; from += rows_at_once) {
-        const int rows = std::min(rows_at_once, image.height - from);
-        glReadPixels(0, from, image.width, rows, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, band.data());
-        // OpenGL counts rows from below.
-        for (int i = 0; i < rows; ++i) {
-            const auto to = static_cast<std::size_t>(image.height - 1 - from - i) * row;
-            pack_rgb({&band[static_cast<std::size_t>(i) * width], width}, &image.rgb[to]);
+    std::vector<std::uint8_t> packed(row);
+    // OpenGL counts rows from below.
+    for (int above = image.height; above > 0; above -= rows_at_once) {
+        const int rows = std::min(rows_at_once, above);
+        glReadPixels(0, above - rows, image.width, rows, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, band.data());
+        for (int i = rows; i-- > 0;) {
+            pack_rgb({&band[static_cast<std::size_t>(i) * width], width}, packed.data());
+            image.rgb.insert(image.rgb.end(), packed.begin(), packed.end());
         }
     }
     return image;
