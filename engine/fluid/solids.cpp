@@ -54,8 +54,10 @@ Solids::Solids(const Lattice& lattice, const std::function<double(vec3)>& solid)
     : lattice_(lattice), box_(lattice, 2) {
     for (auto* samples : {&diagonal_, &residual_, &smoothed_, &direction_, &image_, &correction_})
         *samples = make_samples(lattice);
+    // And eight more, so that the last row may be read past, as those of the lattice.
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
-                   static_cast<std::size_t>(lattice.cells[2]));
+                       static_cast<std::size_t>(lattice.cells[2]) +
+                   8);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         open_[axis] = make_samples(lattice);
         for (int k = 0; k < lattice.cells[2]; ++k)

@@ -184,10 +184,17 @@ bool may(Library& l) {
     return true;
 }
 
+void record(Library& l, vec3 force) {
+    const vec3 at = l.arm.position;
+    if (l.script.has("record")) l.recorded.push_back({force.x, force.y, force.z, at.x, at.y, at.z});
+}
+
+vec3 exerted(const Library& l) { return l.force_output ? l.told : vec3(0); }
+
 /// One ms of the arm.
 void move_arm(Library& l) {
     const auto& place = place_at(l.script.path, static_cast<double>(l.report.ticks));
-    const vec3 force = l.force_output ? l.told : vec3(0);
+    const vec3 force = exerted(l);
     l.arm = haptics::step(l.device, l.arm, place.target, force);
     l.buttons = place.buttons;
     ++l.report.ticks;
@@ -196,8 +203,7 @@ void move_arm(Library& l) {
         l.report.position[static_cast<std::size_t>(i)] = l.arm.position[i];
     }
     l.report.greatest_force = std::max(l.report.greatest_force, glm::length(force));
-    const vec3 at = l.arm.position;
-    if (l.script.has("record")) l.recorded.push_back({force.x, force.y, force.z, at.x, at.y, at.z});
+    record(l, force);
 }
 
 void write_record(const Library& l) {
@@ -363,6 +369,8 @@ FAKE_HD_CALL void hdDisableDevice(unsigned int handle) {
     if (handle != only_handle || !l.initiated) return broken(l, fake_hd_wrong_value, bad_handle);
     if (l.running) broken(l, fake_hd_wrong_order, invalid_operation);
     l.initiated = false;
+    // What it was told last may have come after its last tick.
+    record(l, exerted(l));
     write_record(l);
 }
 
