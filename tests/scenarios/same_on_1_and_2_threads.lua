@@ -16,7 +16,7 @@ end
 wait(0.3)
 for player = 1, 2 do
     wizard(player):draw(0, -2, 0.16)
-    wizard(player):circles(1.5, 0.8, 4)
+    wizard(player):circles(1, 0.8, 4)
 end
 expect(brew().speed > 0.3, "it is stirred: " .. brew().speed)
-for count = 0, 2 do check_threads(count) end
+for count = 1, 2 do check_threads(count) end

@@ -1,5 +1,5 @@
 -- Twenty seconds after the first ingredient the brew boils over: ten of health and a push for who is at the rim, and it is pure again.
-match {players = {"script", "script"}}
+match {players = {"script", "script"}, set = {"cauldron.brew.cells_across=16"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)
 foe:place {-2.2, 0, 1.5}
