@@ -18,8 +18,9 @@ set(THAUM_SANITIZE "" CACHE STRING "Sanitizers: empty, 'address,undefined' or 't
 # Several sources as one halve the time of a whole build, most of which goes into the same headers again and again.
 # Turn it off where one file is changed over and over; either way must compile.
 option(CMAKE_UNITY_BUILD "Compile several sources as one" ON)
+# What is not optimised takes its time for the headers alone.
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
-if(THAUM_SANITIZE)
+if(THAUM_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 endif()
 
