@@ -10,6 +10,15 @@ Rows whole_rows(const Lattice& lattice) {
     return result;
 }
 
+Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open) {
+    Samples sum = make_samples(lattice);
+    each_cell(lattice, [&](int, int, int, std::size_t at) {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            sum[at] += open[axis][at] + open[axis][at + static_cast<std::size_t>(lattice.stride[axis])];
+    });
+    return sum;
+}
+
 Rows rows_above_zero(const Lattice& lattice, const Samples& values) {
     Rows result = whole_rows(lattice);
     for (Row& row : result.rows) {

@@ -24,6 +24,8 @@ struct Rows {
 
 /// All cells.
 Rows whole_rows(const Lattice& lattice);
+/// The sum of the open shares of the six faces round each cell; of each component, ghosts included.
+Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open);
 /// Of the cells whose value is above 0.
 Rows rows_above_zero(const Lattice& lattice, const Samples& values);
 

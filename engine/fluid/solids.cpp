@@ -52,7 +52,7 @@ void fill_sides(const Rows& rows, Samples& samples) {
 
 Solids::Solids(const Lattice& lattice, const std::function<double(vec3)>& solid)
     : lattice_(lattice), box_(lattice, 2) {
-    for (auto* samples : {&diagonal_, &residual_, &smoothed_, &direction_, &image_, &correction_})
+    for (auto* samples : {&residual_, &smoothed_, &direction_, &image_, &correction_})
         *samples = make_samples(lattice);
     // And eight more, so that the last row may be read past, as those of the lattice.
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
@@ -69,15 +69,7 @@ Solids::Solids(const Lattice& lattice, const std::function<double(vec3)>& solid)
         beyond[axis] = Beyond::through_wall;
         fill_ghosts(lattice, beyond, open_[axis]);
     }
-    each_row(lattice_, [&](std::ptrdiff_t at) {
-        for (std::ptrdiff_t i = at; i < at + lattice_.cells[0]; ++i) {
-            float sum = 0;
-            for (std::size_t axis = 0; axis < 3; ++axis)
-                sum += open_[axis][static_cast<std::size_t>(i)] +
-                       open_[axis][static_cast<std::size_t>(i + lattice_.stride[axis])];
-            diagonal_[static_cast<std::size_t>(i)] = sum;
-        }
-    });
+    diagonal_ = openness(lattice, open_);
     rows_ = rows_above_zero(lattice, diagonal_);
 }
 

@@ -309,17 +309,6 @@ bool is_empty(const Rows& rows, const Samples& density) {
     }
 }
 
-/// The sum of the apertures round each cell.
-Samples openness(const Lattice& lattice, const std::array<Samples, 3>& aperture) {
-    Samples sum = make_samples(lattice);
-    each_cell(lattice, [&](int, int, int, std::size_t at) {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-            sum[at] +=
-                aperture[axis][at] + aperture[axis][at + static_cast<std::size_t>(lattice.stride[axis])];
-    });
-    return sum;
-}
-
 }  // namespace
 
 Openings make_openings(const Lattice& lattice, const std::array<Samples, 3>& aperture) {

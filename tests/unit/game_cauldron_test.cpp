@@ -8,6 +8,7 @@
 #include "game/match/arm.h"
 #include "game/match/touch.h"
 #include "input/arm_servo.h"
+#include "tools/bench/stirring_hands.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -20,13 +21,7 @@ input::DeviceSpec mouse(std::uint32_t player) {
 /// Two players at opposite sides of the rim, with a thing above the bowl.
 std::unique_ptr<Simulation> at_the_rim(MatchSetup setup, std::vector<std::string> overrides = {}) {
     auto match = std::make_unique<Simulation>(duel_data(std::move(overrides)), std::move(setup));
-    auto& world = match->world_to_change();
-    for (std::uint32_t player = 0; player < players; ++player) {
-        const auto wizard = wizard_of(world, player);
-        auto& motion = world.get<Motion>(wizard);
-        motion.position = {player == 0 ? -2.2 : 2.2, match->data().wizard.height / 2, 0};
-        match->physics().set_state(wizard.index, motion);
-    }
+    bench::place_at_the_rim(*match);
     return match;
 }
 
@@ -34,18 +29,7 @@ std::unique_ptr<Simulation> at_the_rim(unsigned workers, std::vector<std::string
     return at_the_rim({.seed = 4, .devices = {mouse(0), mouse(1)}, .workers = workers}, std::move(overrides));
 }
 
-/// Both hold Stir and go round, one faster than the other.
-input::InputFrame stirring(Tick tick) {
-    input::InputFrame frame;
-    for (std::size_t player = 0; player < players; ++player) {
-        const double angle = 2 * pi * static_cast<double>(tick) / (player == 0 ? 800 : 1300);
-        auto& sample = frame.devices[player];
-        sample.press(input::Button::stir);
-        sample.counts[input::hand::look_right] = static_cast<std::int32_t>(std::lround(3 * det::cos(angle)));
-        sample.counts[input::hand::look_up] = static_cast<std::int32_t>(std::lround(3 * det::sin(angle)));
-    }
-    return frame;
-}
+using bench::stirring;
 
 TEST(GameCauldron, TheSameWithAnyNumberOfThreads) {
     std::vector<std::uint64_t> expected;

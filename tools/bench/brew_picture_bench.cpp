@@ -154,7 +154,6 @@ void brew_pictures(const Options& options, Report& report) {
     if (!there(made, "render")) return;
     making(**made, options, report);
     drawing(**made, options, report);
-    (*made)->drawn->renderer.reset();
 }
 
 }  // namespace thaum::bench

@@ -14,6 +14,7 @@
 #include "tools/bench/areas.h"
 #include "tools/bench/match_scene.h"
 #include "tools/bench/measure.h"
+#include "tools/bench/stirring_hands.h"
 
 namespace thaum::bench {
 namespace {

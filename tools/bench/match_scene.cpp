@@ -1,7 +1,6 @@
 #include "tools/bench/match_scene.h"
 
 #include <chrono>
-#include <cmath>
 #include <cstdio>
 
 #include "game/match/data.h"
@@ -74,24 +73,6 @@ void place(Simulation& match, std::uint32_t player, vec3 at, double yaw, double 
     motion.velocity = {};
     match.physics().set_state(wizard.index, motion);
     world.get<game::Gaze>(wizard) = {yaw, pitch};
-}
-
-void place_at_the_rim(Simulation& match) {
-    for (std::uint32_t player = 0; player < game::players; ++player)
-        place(match, player, {player == 0 ? -2.2 : 2.2, match.data().wizard.height / 2, 0},
-              player == 0 ? -pi / 2 : pi / 2, 0);
-}
-
-input::InputFrame stirring(Tick tick) {
-    input::InputFrame frame;
-    for (std::size_t player = 0; player < game::players; ++player) {
-        const double angle = 2 * pi * static_cast<double>(tick) / (player == 0 ? 800 : 1300);
-        auto& sample = frame.devices[player];
-        sample.press(input::Button::stir);
-        sample.counts[input::hand::look_right] = static_cast<std::int32_t>(std::lround(3 * std::cos(angle)));
-        sample.counts[input::hand::look_up] = static_cast<std::int32_t>(std::lround(3 * std::sin(angle)));
-    }
-    return frame;
 }
 
 }  // namespace thaum::bench

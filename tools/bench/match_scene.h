@@ -40,11 +40,4 @@ std::optional<SceneMatch> idle_match(std::vector<std::string> overrides = {});
 
 void place(game::Simulation& match, std::uint32_t player, vec3 at, double yaw, double pitch);
 
-// ---- the cauldron ---------------------------------------------------------------------------------------------------
-
-/// The two on opposite sides of the rim.
-void place_at_the_rim(game::Simulation& match);
-/// Both hold Stir and go round with the ladle, one faster than the other.
-input::InputFrame stirring(Tick tick);
-
 }  // namespace thaum::bench

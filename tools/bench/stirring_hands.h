@@ -1,0 +1,34 @@
+// bench/stirring_hands.h: two who stir the cauldron, for what measures a match and what tests it.
+#pragma once
+#include <cmath>
+
+#include "core/maths.h"
+#include "game/match/simulation.h"
+
+namespace thaum::bench {
+
+/// The players on opposite sides of the rim.
+inline void place_at_the_rim(game::Simulation& match) {
+    auto& world = match.world_to_change();
+    for (std::uint32_t player = 0; player < game::players; ++player) {
+        const auto wizard = game::wizard_of(world, player);
+        auto& motion = world.get<game::Motion>(wizard);
+        motion.position = {player == 0 ? -2.2 : 2.2, match.data().wizard.height / 2, 0};
+        match.physics().set_state(wizard.index, motion);
+    }
+}
+
+/// Both hold Stir and go round, one faster than the other.
+inline input::InputFrame stirring(Tick tick) {
+    input::InputFrame frame;
+    for (std::size_t player = 0; player < game::players; ++player) {
+        const double angle = 2 * pi * static_cast<double>(tick) / (player == 0 ? 800 : 1300);
+        auto& sample = frame.devices[player];
+        sample.press(input::Button::stir);
+        sample.counts[input::hand::look_right] = static_cast<std::int32_t>(std::lround(3 * det::cos(angle)));
+        sample.counts[input::hand::look_up] = static_cast<std::int32_t>(std::lround(3 * det::sin(angle)));
+    }
+    return frame;
+}
+
+}  // namespace thaum::bench
