@@ -32,6 +32,8 @@ float internal_scale_of(Quality quality, int height) {
     return std::clamp(lines / static_cast<float>(height), 0.25F, 1.0F);
 }
 
+float finest_px(Quality quality) { return quality == Quality::low ? 2 : 1; }
+
 bool is_software(std::string_view renderer) {
     constexpr std::array known{"llvmpipe", "softpipe", "swrast", "SwiftShader", "Software Rasterizer"};
     return std::any_of(known.begin(), known.end(),

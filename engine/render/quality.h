@@ -5,6 +5,7 @@
 //   medium     720 lines    8, each vertex    map, one bilinear tap    the same, in the sun and in the shade
 //   high       the window's 8, each pixel     map, nine taps           16-bit floats, tone mapped at the end, bloom
 //
+// At low what is finer than two pixels is drawn plainly: joints of far stone, meshes with coarser copies.
 // A volume is marched in 7, 10 and 28 steps, at low and medium with a third of the view's pixels along a side.
 //
 // `auto` is not a preset but a way to choose one: it begins by what draws (a processor or a graphics card) and goes by
@@ -22,6 +23,9 @@ inline constexpr std::array<std::string_view, qualities> quality_names{"low", "m
 
 /// Frame::internal_scale for a window so many px high.
 float internal_scale_of(Quality quality, int height);
+
+/// What is smaller than so many px may be drawn plainly (Patch::plain, coarser copies).
+float finest_px(Quality quality);
 
 /// Whether the processor draws. `renderer` is OpenGL's GL_RENDERER.
 bool is_software(std::string_view renderer);

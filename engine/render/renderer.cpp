@@ -91,6 +91,7 @@ bool share_fog(const Frame& frame) {
 /// What one view draws, and from where: batches of the frame's, from `first` on.
 struct ViewBatches {
     Sight sight;
+    Rect at{};  // px inside
     std::size_t first{}, solid{}, shades{};
     std::size_t patchworks{};  // of `solid`, the last ones
     SeenVolume volume{};
@@ -124,12 +125,13 @@ struct Renderer::State {
 
     void draw_views(const Frame& frame);
     std::vector<ViewBatches> collect_views(const Frame& frame, float scale, int height);
-    void collect_volume(const ViewScene& view, const Rect& at, int height, Quality quality, ViewBatches& its);
+    void collect_volume(const ViewScene& view, int height, Quality quality, ViewBatches& its);
     void march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width, int height);
+    void show_volumes(std::span<const ViewBatches> of_views, int height);
     ShadowView update_shadow(const Frame& frame);
-    ViewBatches collect_view(const ViewScene& view, const Rect& at);
+    ViewBatches collect_view(const ViewScene& view, const Rect& at, Quality quality);
     void draw_view(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow,
-                   const Rect& at, int height);
+                   int height);
     void draw_batches(std::size_t first, std::size_t count);
     void draw_patchworks(const MeshProgram& program, const ViewBatches& its,
                          IndexRange (*which)(const ChosenPatches&));
@@ -332,11 +334,11 @@ void Renderer::State::draw_views(const Frame& frame) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
-        const auto at = scaled_rect(frame.views[i].viewport, scale);
-        draw_view(frame.views[i], of_views[i], frame.quality, shadow, at, height);
+        draw_view(frame.views[i], of_views[i], frame.quality, shadow, height);
         // A software rasteriser fills this view on its threads while this one works out the corners of the next.
         glFlush();
     }
+    show_volumes(of_views, height);
     if (straight) return;
     if (of_light) {
         statistics.draws +=
@@ -352,21 +354,21 @@ void Renderer::State::draw_views(const Frame& frame) {
 std::vector<ViewBatches> Renderer::State::collect_views(const Frame& frame, float scale, int height) {
     batches.clear();
     std::vector<ViewBatches> out;
-    for (const auto& view : frame.views) out.push_back(collect_view(view, scaled_rect(view.viewport, scale)));
+    for (const auto& view : frame.views)
+        out.push_back(collect_view(view, scaled_rect(view.viewport, scale), frame.quality));
     statistics.instances_drawn = batches.instances.size();
     statistics.instances_culled = batches.culled;
     for (std::size_t i = 0; i < frame.views.size(); ++i)
-        collect_volume(frame.views[i], scaled_rect(frame.views[i].viewport, scale), height, frame.quality,
-                       out[i]);
+        collect_volume(frame.views[i], height, frame.quality, out[i]);
     fill_buffer(GL_ARRAY_BUFFER, instance_buffer, batches.instances, GL_STREAM_DRAW);
     // Not as what it is: that would belong to some mesh's vertex array.
     fill_buffer(GL_ARRAY_BUFFER, patch_buffer, batches.patch_indices, GL_STREAM_DRAW);
     return out;
 }
 
-/// `at` is the view in a target `height` px high.
-void Renderer::State::collect_volume(const ViewScene& view, const Rect& at, int height, Quality quality,
-                                     ViewBatches& its) {
+/// The view is in a target `height` px high.
+void Renderer::State::collect_volume(const ViewScene& view, int height, Quality quality, ViewBatches& its) {
+    const auto& at = its.at;
     if (view.volume == nullptr || at.width <= 0 || at.height <= 0 || !drawable(*view.volume)) return;
     const int share = march_share(quality);
     const Rect marched{at.x / share, (height - at.y - at.height) / share, std::max(at.width / share, 1),
@@ -382,17 +384,37 @@ void Renderer::State::collect_volume(const ViewScene& view, const Rect& at, int 
 /// Before the views are drawn: what is marched needs nothing of them, so nobody waits for them.
 void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width,
                                     int height) {
+    const auto is_seen = [](const ViewBatches& its) { return its.volume.volume != nullptr; };
+    if (std::none_of(of_views.begin(), of_views.end(), is_seen)) return;
     const auto before = volumes.sent();
+    const int share = march_share(frame.quality);
+    volumes.begin((width + share - 1) / share, (height + share - 1) / share, frame.quality);
+    // By target and not by view: each change of target is a pass of its own over all of its tiles.
+    for (const auto& its : of_views) {
+        if (!is_seen(its)) continue;
+        volumes.begin_depth(its.volume, its.sight, programs.shadow);
+        draw_batches(its.volume.first, its.volume.count);
+    }
     for (std::size_t i = 0; i < of_views.size(); ++i) {
         const auto& its = of_views[i];
-        if (its.volume.volume == nullptr) continue;
-        const int share = march_share(frame.quality);
-        volumes.begin((width + share - 1) / share, (height + share - 1) / share, frame.quality);
-        volumes.march(frame.views[i], its.volume, its.sight, frame.quality, programs.shadow, no_attributes,
-                      [&] { draw_batches(its.volume.first, its.volume.count); });
+        if (!is_seen(its)) continue;
+        volumes.march(frame.views[i], its.volume, its.sight, frame.quality, no_attributes);
         ++statistics.volumes_drawn;
     }
     statistics.volumes_sent = volumes.sent() - before;
+}
+
+/// After all views, so that the corners of the last are worked out before anything waits for the march.
+void Renderer::State::show_volumes(std::span<const ViewBatches> of_views, int height) {
+    for (const auto& its : of_views) {
+        if (its.volume.volume == nullptr) continue;
+        const Rect at{its.at.x, height - its.at.y - its.at.height, its.at.width, its.at.height};
+        glViewport(at.x, at.y, at.width, at.height);
+        glEnable(GL_DEPTH_TEST);
+        glEnable(GL_CULL_FACE);
+        volumes.show(its.volume, its.sight, at, no_attributes);
+        statistics.draws += 2;  // and the march
+    }
 }
 
 ShadowView Renderer::State::update_shadow(const Frame& frame) {
@@ -404,13 +426,15 @@ ShadowView Renderer::State::update_shadow(const Frame& frame) {
     return shadow_map.bind();
 }
 
-ViewBatches Renderer::State::collect_view(const ViewScene& view, const Rect& at) {
+ViewBatches Renderer::State::collect_view(const ViewScene& view, const Rect& at, Quality quality) {
     const auto& camera = view.camera;
     const fmat4 matrix = projection_matrix(camera, aspect_of(view.viewport)) * view_matrix(camera);
-    const float pixel_angle = 2 * std::tan(camera.fov_y / 2) / static_cast<float>(std::max(at.height, 1));
+    const float pixel_angle =
+        finest_px(quality) * 2 * std::tan(camera.fov_y / 2) / static_cast<float>(std::max(at.height, 1));
     hidden.clear();
     add_hidden(view.blocks, vec3(camera.position), hidden);
-    ViewBatches its{.sight = {matrix, camera.position, pixel_angle, hidden}, .first = batches.batches.size()};
+    ViewBatches its{
+        .sight = {matrix, camera.position, pixel_angle, hidden}, .at = at, .first = batches.batches.size()};
     const MeshTables tables{mesh_bounds, mesh_levels};
     its.solid = collect(view.instances, tables, its.sight, batches);
     arrange(its.first, mesh_patches, its.sight, batches);
@@ -458,7 +482,8 @@ void Renderer::State::draw_stone(const ViewScene& view, const ViewBatches& its, 
 }
 
 void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Quality quality,
-                                const ShadowView& shadow, const Rect& at, int height) {
+                                const ShadowView& shadow, int height) {
+    const auto& at = its.at;
     if (at.width <= 0 || at.height <= 0) return;
     glViewport(at.x, height - at.y - at.height, at.width, at.height);
     glEnable(GL_DEPTH_TEST);
@@ -475,10 +500,6 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
                     aspect_of(view.viewport), cleared_to_fog);
     draw_open_sky(view);
     draw_shades(its);
-    if (its.volume.volume == nullptr) return;
-    volumes.show(its.volume, its.sight, {at.x, height - at.y - at.height, at.width, at.height},
-                 no_attributes);
-    statistics.draws += 2;  // and the march
 }
 
 void Renderer::State::draw_shades(const ViewBatches& its) {

@@ -96,6 +96,26 @@ protected:
     MeshId cube{};
 };
 
+TEST_F(Picture, LowIsPlainFromHalfAsFarAsMedium) {
+    const float size = 4;
+    const auto grey = fvec3(0.5F);
+    const MeshId stone = renderer->upload(
+        Patchwork{{.full = box(fvec3(size), grey, 0.1F), .plain = box(fvec3(size), grey), .detail = 0.1F}});
+    const auto triangles = [&](Quality quality, float distance) {
+        const std::vector<Instance> one{{.mesh = stone, .model = translated({0, 0, -distance})}};
+        drawn({.width = width,
+               .height = height,
+               .views = {view(whole, one)},
+               .overlay = {},
+               .quality = quality});
+        return renderer->statistics().triangles;
+    };
+    const float pixel = 2 * std::tan(Camera{}.fov_y / 2) / static_cast<float>(height);  // rad
+    const float beyond_half = 0.75F * 0.1F / pixel + 2 * size;
+    EXPECT_EQ(triangles(Quality::low, 2 * size), triangles(Quality::medium, 2 * size));
+    EXPECT_LT(triangles(Quality::low, beyond_half), triangles(Quality::medium, beyond_half));
+}
+
 TEST_F(Picture, SplitViewsColourOnlyTheirOwnHalf) {
     for (const auto split : {Split::side_by_side, Split::top_bottom}) {
         for (const float scale : {1.0F, 0.5F}) {

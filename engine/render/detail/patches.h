@@ -13,7 +13,7 @@ namespace thaum::render::detail {
 struct Sight {
     fmat4 to_clip{1};
     fvec3 eye{0};
-    float pixel_angle{};  ///< rad, of one pixel in the middle of the view
+    float pixel_angle{};  ///< rad, of one pixel in the middle of the view, or of finest_px of them
     std::span<const Hidden> hidden{};
 };
 

@@ -252,8 +252,8 @@ void Volumes::begin_depth(const SeenVolume& its, const Sight& sight, const Small
     glUniformMatrix4fv(depth_program.parameter, 1, GL_FALSE, &sight.to_clip[0][0]);
 }
 
-void Volumes::march_behind_skin(const ViewScene& view, const SeenVolume& its, const Sight& sight,
-                                Quality quality, const VertexArray& no_attributes) {
+void Volumes::march(const ViewScene& view, const SeenVolume& its, const Sight& sight, Quality quality,
+                    const VertexArray& no_attributes) {
     glBindFramebuffer(GL_FRAMEBUFFER, marched_.framebuffer.get());
     glDisable(GL_DEPTH_TEST);
     scissored_clear(its.part, GL_COLOR_BUFFER_BIT);

@@ -36,15 +36,12 @@ public:
     VolumeId make();
     /// Makes room for a frame so many marched pixels wide and high.
     void begin(int width, int height, Quality quality);
-    /// Of one view: the depth of what stands in the volume, which `draw_dipped` draws with a program that has the view's matrix,
-    /// and the march.
-    template <class DrawDipped>
+    /// Sends what is new and makes ready for what stands in one view's volume to be drawn, with `depth_program`, which has the
+    /// view's matrix then.
+    void begin_depth(const SeenVolume& its, const Sight& sight, const SmallProgram& depth_program);
+    /// What is behind the skin in one view, up to the depth that was drawn.
     void march(const ViewScene& view, const SeenVolume& its, const Sight& sight, Quality quality,
-               const SmallProgram& depth_program, const VertexArray& no_attributes, DrawDipped draw_dipped) {
-        begin_depth(its, sight, depth_program);
-        draw_dipped();
-        march_behind_skin(view, its, sight, quality, no_attributes);
-    }
+               const VertexArray& no_attributes);
     /// Over the view that is drawn; `at` is its place in its target, px from the bottom left.
     void show(const SeenVolume& its, const Sight& sight, const Rect& at, const VertexArray& no_attributes);
     /// Texels and skins sent so far, for tests.
@@ -76,9 +73,6 @@ private:
     static void set_eye(const MarchProgram& program, const ViewScene& view);
     static void set_volume(const MarchProgram& program, const Volume& volume);
     void draw(const SeenVolume& its, const VertexArray& no_attributes) const;
-    void begin_depth(const SeenVolume& its, const Sight& sight, const SmallProgram& depth_program);
-    void march_behind_skin(const ViewScene& view, const SeenVolume& its, const Sight& sight, Quality quality,
-                           const VertexArray& no_attributes);
 
     std::vector<Gpu> all_;
     std::array<std::array<MarchProgram, 2>, 2> march_;  // outside, inside; pixels, light
