@@ -143,6 +143,7 @@ Expected<Fluid> make_fluid(const Settings& settings) {
     fluid.now.velocity.fill(make_samples(fluid.lattice));
     fluid.now.push.fill(make_samples(fluid.lattice));
     fluid.now.pressure = make_samples(fluid.lattice);
+    fluid.now.projected = make_samples(fluid.lattice);
     fluid.now.substances.assign(settings.substances.size(), make_samples(fluid.lattice));
     fluid.now.asleep = settings.lid == 0;
     if (settings.solver == Solver::thaum) {
@@ -239,6 +240,7 @@ void altered(Fluid& fluid) {
     else
         classic_fill(fluid);
     fill_ghosts(fluid.lattice, evenly, fluid.now.pressure);
+    fill_ghosts(fluid.lattice, evenly, fluid.now.projected);
     for (Samples& substance : fluid.now.substances) fill_ghosts(fluid.lattice, evenly, substance);
     fluid.now.asleep = false;
 }

@@ -58,6 +58,7 @@ struct State {
     std::array<Samples, 3> velocity;  ///< m/s, ghosts as the edges say; where components stand: Fluid::place
     std::array<Samples, 3> push;      ///< m/s, what the next step adds
     Samples pressure;                 ///< m^2/s^2, of the last step; where there are solids
+    Samples projected;  ///< m^2/s, what the last projection took the gradient of away; there too
     std::vector<Samples> substances;  ///< densities, >= 0
     bool pushed = false;
     bool asleep = true;  ///< nothing moves or is going to

@@ -49,6 +49,7 @@ void each_samples(S& now, F&& f) {
     for (std::size_t axis = 0; axis < 3; ++axis) f(now.velocity[axis], text("velocity along ", along[axis]));
     for (std::size_t axis = 0; axis < 3; ++axis) f(now.push[axis], text("push along ", along[axis]));
     f(now.pressure, std::string("pressure"));
+    f(now.projected, std::string("last projection"));
     for (std::size_t i = 0; i < now.substances.size(); ++i) f(now.substances[i], text("substance ", i + 1));
 }
 

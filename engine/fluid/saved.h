@@ -36,7 +36,7 @@ struct Saved {
     Bytes kept;  ///< by the caller, as it was given
 };
 
-inline constexpr std::uint32_t saved_version = 1;
+inline constexpr std::uint32_t saved_version = 2;
 
 Bytes save(const Fluid& fluid, const Sheet& sheet, const Shape& shape, std::span<const std::byte> kept = {});
 

@@ -144,9 +144,18 @@ void Solids::precondition() {
     }
 }
 
-/// correction = what the residual is minus the divergence of the gradient of, down to `tolerance` in each cell.
+/// The step along direction_, whose ghosts are filled, that leaves the least energy; `slope`: of the residual along it.
+bool Solids::step_along_direction(double slope) {
+    apply(direction_);
+    const double curvature = dot(rows_, direction_, image_);
+    if (!(curvature > 0)) return false;
+    add(rows_, correction_, slope / curvature, direction_);
+    add(rows_, residual_, -slope / curvature, image_);
+    return true;
+}
+
+/// Adds to the correction what the residual is minus the divergence of the gradient of, down to `tolerance` in each cell.
 int Solids::solve(double tolerance, int iterations_most) {
-    std::fill(correction_.begin(), correction_.end(), 0.0F);
     double before = 0;
     int iterations = 0;
     while (iterations < iterations_most && largest(rows_, residual_) > tolerance) {
@@ -160,11 +169,7 @@ int Solids::solve(double tolerance, int iterations_most) {
         });
         before = now;
         fill_sides(rows_, direction_);
-        apply(direction_);
-        const double curvature = dot(rows_, direction_, image_);
-        if (!(curvature > 0)) break;
-        add(rows_, correction_, now / curvature, direction_);
-        add(rows_, residual_, -now / curvature, image_);
+        if (!step_along_direction(now)) break;
         ++iterations;
     }
     fill_sides(rows_, correction_);
@@ -187,16 +192,20 @@ void Solids::subtract_correction(std::array<Samples, 3>& velocity) const {
     }
 }
 
-Solids::Found Solids::project(std::array<Samples, 3>& velocity, Samples& potential, double tolerance,
+Solids::Found Solids::project(std::array<Samples, 3>& velocity, Samples& potential, double share,
                               int iterations_most) {
     Found found;
+    direction_ = potential;
     std::fill(potential.begin(), potential.end(), 0.0F);
     for (int round = 0;; ++round) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             fill_ghosts_across(rows_, axis, Beyond::through_wall, velocity[axis]);
         divergence(velocity);
         found.divergence = largest(rows_, residual_);
+        const double tolerance = share * largest(rows_, velocity) / lattice_.h;
         if (!(found.divergence > tolerance) || round == rounds_most) break;
+        std::fill(correction_.begin(), correction_.end(), 0.0F);
+        if (round == 0) step_along_direction(dot(rows_, residual_, direction_));
         found.iterations +=
             solve(std::max(tolerance, found.divergence * gain_of_round), iterations_most - found.iterations);
         subtract_correction(velocity);

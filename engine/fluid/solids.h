@@ -35,15 +35,16 @@ public:
         int iterations{};
         double divergence{};  ///< 1/s, the largest that is left
     };
-    /// Takes the divergence away, down to `tolerance` 1/s in each cell; `potential`, ghosts included, is what was subtracted the
-    /// gradient of. The velocity is 0 on closed faces.
-    Found project(std::array<Samples, 3>& velocity, Samples& potential, double tolerance,
-                  int iterations_most);
+    /// Takes the divergence away, down to `share` of the largest component that is left by h; `potential`, ghosts included, becomes
+    /// what was subtracted the gradient of. What it was, that of the last projection, is where the search begins: as far along it as
+    /// leaves the least (Fischer 1998, with one direction), so that a bad guess does no harm. The velocity is 0 on closed faces.
+    Found project(std::array<Samples, 3>& velocity, Samples& potential, double share, int iterations_most);
 
 private:
     void divergence(const std::array<Samples, 3>& velocity);
     void apply(const Samples& potential);
     void precondition();
+    bool step_along_direction(double slope);
     int solve(double tolerance, int iterations_most);
     void subtract_correction(std::array<Samples, 3>& velocity) const;
 

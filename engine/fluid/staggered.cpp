@@ -27,8 +27,8 @@ constexpr double explicit_most = 0.15;
 /// nu dt / h^2 of what moves as one within a step on any grid, where viscosity varies or there are solids. At 9e6 a thick lump beside
 /// thin fluid in a bowl gained energy without end.
 constexpr double rigid = 1e5;
-/// Where there are solids: times h, by the mean of the components' largest.
-constexpr double divergence_most = 5e-5;
+/// Where there are solids: times h, by the largest component.
+constexpr double divergence_most = 7e-5;
 constexpr int iterations_most = 40;
 constexpr double rest_speed = 1e-6;  ///< m/s; slower than that a fluid without forces falls asleep
 
@@ -180,13 +180,11 @@ void Staggered::end_stage(const Settings& settings, Velocity& velocity) {
 /// sum_ becomes the velocity.
 void Staggered::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
     if (solids_) {
-        const double speed = sum_of_largest(rows_, sum_) / 3;
-        const auto found =
-            solids_->project(sum_, potential_, divergence_most * speed / lattice_.h, iterations_most);
+        const auto found = solids_->project(sum_, now.projected, divergence_most, iterations_most);
         report.pressure_iterations += found.iterations;
         report.divergence = found.divergence;
         const auto per_dt = static_cast<float>(1 / dt);
-        for (std::size_t i = 0; i < now.pressure.size(); ++i) now.pressure[i] += per_dt * potential_[i];
+        for (std::size_t i = 0; i < now.pressure.size(); ++i) now.pressure[i] += per_dt * now.projected[i];
         fill_sides(settings, sum_);
     } else {
         end_stage(settings, sum_);
@@ -294,7 +292,8 @@ bool Staggered::stays(const Settings& settings, const State& now, double dt) con
 
 void Staggered::fall_asleep(State& now) {
     for (Samples& u : now.velocity) std::fill(u.begin(), u.end(), 0.0F);
-    std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
+    for (Samples* pressure : {&now.pressure, &now.projected})
+        std::fill(pressure->begin(), pressure->end(), 0.0F);
     now.asleep = true;
 }
 
@@ -328,7 +327,7 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
     now.pushed = false;
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
     report.energy = half_square(rows_, now.velocity) * lattice_.h * lattice_.h * lattice_.h;
-    for (const Samples& u : now.velocity) report.speed = std::max(report.speed, largest(rows_, u));
+    report.speed = largest(rows_, now.velocity);
     if (!solids_) {
         divergence(lattice_, order_, now.velocity, packed_);
         for (const float d : packed_)

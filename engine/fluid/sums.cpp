@@ -58,5 +58,10 @@ double dot(const Rows& rows, const Samples& a, const Samples& b) { return produc
 
 double largest(const Lattice& lattice, const Samples& samples) { return most_of(lattice, samples); }
 double largest(const Rows& rows, const Samples& samples) { return most_of(rows, samples); }
+double largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
+    double most = 0;
+    for (const Samples& component : velocity) most = std::max(most, largest(rows, component));
+    return most;
+}
 
 }  // namespace thaum::fluid

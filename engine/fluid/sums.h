@@ -10,5 +10,7 @@ double dot(const Rows& rows, const Samples& a, const Samples& b);
 /// The largest size of a value; of NaNs, one.
 double largest(const Lattice& lattice, const Samples& samples);
 double largest(const Rows& rows, const Samples& samples);
+/// Of all components.
+double largest(const Rows& rows, const std::array<Samples, 3>& velocity);
 
 }  // namespace thaum::fluid

@@ -14,9 +14,10 @@ void each_array(State& state, Visit&& visit) {
     for (auto& component : state.velocity) visit(component);
     for (auto& substance : state.substances) visit(substance);
     visit(state.pressure);
+    visit(state.projected);
 }
 
-std::size_t arrays_of(const fluid::Fluid& fluid) { return fluid.now.substances.size() + 4; }
+std::size_t arrays_of(const fluid::Fluid& fluid) { return fluid.now.substances.size() + 5; }
 std::size_t size_of(const fluid::Fluid& fluid) { return arrays_of(fluid) * fluid.lattice.size; }
 
 template <class Page>

@@ -5,6 +5,7 @@
 
 #include "core/hash.h"
 #include "core/random.h"
+#include "core/text.h"
 #include "fluid/saved.h"
 
 namespace thaum::fluid {
@@ -138,9 +139,12 @@ TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
     Bytes longer = file;
     longer.push_back(std::byte{});
     EXPECT_EQ(refusal(longer), "saved fluid: something follows its end");
-    Bytes newer = file;
-    newer[8] = std::byte{2};
-    EXPECT_EQ(refusal(newer), "saved fluid: it has version 2; this program reads version 1");
+    for (const std::uint32_t version : {saved_version - 1, saved_version + 1}) {
+        Bytes other = file;
+        other[8] = static_cast<std::byte>(version);
+        EXPECT_EQ(refusal(other), text("saved fluid: it has version ", version,
+                                       "; this program reads version ", saved_version));
+    }
     // A byte too many, though all around it is right.
     Bytes wider(file.begin(), file.end() - 8);
     wider.push_back(std::byte{});
@@ -171,6 +175,7 @@ TEST(FluidSaved, WhatCannotBeIsNamed) {
     expect("push along z: a value is not finite",
            [&](Brew& b, Shape&) { b.fluid.now.push[2][middle(b)] = nan; });
     expect("pressure: a value", [&](Brew& b, Shape&) { b.fluid.now.pressure[middle(b)] = 1e30F; });
+    expect("last projection: a value", [&](Brew& b, Shape&) { b.fluid.now.projected[middle(b)] = 1e30F; });
     expect("substance 2: a value", [&](Brew& b, Shape&) { b.fluid.now.substances[1][middle(b)] = -1; });
     expect("cells must be 1 to 256", [](Brew& b, Shape&) { b.fluid.settings.cells = {6, 0, 6}; });
     expect("cells must be 1 to 256", [](Brew& b, Shape&) { b.fluid.settings.cells[2] = 1'000'000; });
