@@ -243,11 +243,13 @@ void add_turn(const TurnedShape& shape, int n, double cfl, Report& report) {
         const int steps = flows::steps_of_turn(n, cfl);
         for (int i = 0; i < steps; ++i)
             run.us.push_back(us_of([&] { carry_substances(run.fluid, 1.0 / steps); }));
-        const auto found = flows::densities_of(run.fluid, 0, shape.density);
+        const auto found = flows::densities_of(run.fluid, 0, shape.density, flows::inner_radius);
+        const auto edge = flows::densities_of(run.fluid, 0, shape.density);
         Row row = row_of(shape.name, run);
         row.setting.emplace_back("cfl", cfl);
         row.error = ErrorMeasure{"relative_l2_density", found.error};
         row.metrics = {{"steps", steps},
+                       {"error_to_edge", edge.error},
                        {"amount_change", amount(run.fluid, 0) / before - 1},
                        {"least_density", found.least},
                        {"most_density", found.most}};
