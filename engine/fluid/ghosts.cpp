@@ -77,10 +77,7 @@ void fill_x(const Lattice& lattice, const Mirrors& all, float* cells) {
 }
 
 void fill_x(const Rows& rows, const Mirrors& all, float* cells) {
-    const Lattice& lattice = rows.lattice;
-    for (int k = 0; k < lattice.cells[2]; ++k)
-        for (int j = 0; j < lattice.cells[1]; ++j)
-            if (rows.at(j, k).at_side) fill_row(lattice, all, cells + lattice.at(0, j, k));
+    for (const std::ptrdiff_t at : rows.at_sides) fill_row(rows.lattice, all, cells + at);
 }
 
 void fill_y(const Lattice& lattice, const Mirrors& all, float* cells) {

@@ -9,12 +9,13 @@ namespace thaum::fluid {
 struct Row {
     std::ptrdiff_t at{};  ///< where its first cell stands: whole eights from where the lattice's row begins
     std::ptrdiff_t count{};  ///< cells: whole eights, or as far as the lattice goes; 0: all is solid
-    bool at_side{};          ///< there is fluid so near to an end of the lattice's row that ghosts mirror it
 };
 
 struct Rows {
     Lattice lattice{};
     std::vector<Row> rows{};  ///< row j of layer k at k * lattice.cells[1] + j
+    /// Where the lattice's rows begin that have fluid so near to one of their ends that ghosts mirror it.
+    std::vector<std::ptrdiff_t> at_sides{};
 
     Row at(int j, int k) const {
         const auto across = static_cast<std::size_t>(lattice.cells[1]);

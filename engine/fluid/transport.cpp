@@ -65,21 +65,22 @@ template <Stage stage, Kind kind>
 [[gnu::noinline]] void flux_row(Pace pace, const FaceRow& face, Floats value, Floats start,
                                 std::ptrdiff_t count, float* __restrict sum) {
     const std::ptrdiff_t s = face.step;
+    const float sixtieth = pace.courant * (1.0F / 60);
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const float u = pace.courant * face.courant[i];
+        const float u = sixtieth * face.courant[i];
         const float p0 = value[i] + value[i - s], p1 = value[i + s] + value[i - 2 * s];
         const float p2 = value[i + 2 * s] + value[i - 3 * s];
         const float d0 = value[i] - value[i - s], d1 = value[i + s] - value[i - 2 * s];
         const float d2 = value[i + 2 * s] - value[i - 3 * s];
         float mean = 0, jump = 0, diffusion = pace.diffusion;
         if constexpr (kind.solids) {
-            mean = (30 * p0 + face.third[i] * (5 * p0 - 5 * p1)) + face.fifth[i] * ((2 * p0 - 3 * p1) + p2);
-            jump = (30 * d0 - face.third[i] * (15 * d0 + 5 * d1)) + face.fifth[i] * (d2 - 5 * d0);
+            mean = (30 * p0 + face.third[i] * (p0 - p1)) + face.fifth[i] * ((2 * p0 - 3 * p1) + p2);
+            jump = (30 * d0 - face.third[i] * (3 * d0 + d1)) + face.fifth[i] * (d2 - 5 * d0);
         } else {
             mean = (37 * p0 - 8 * p1) + p2;
             jump = (10 * d0 - 5 * d1) + d2;
         }
-        float flux = (u * mean - std::abs(u) * jump) * (1.0F / 60);
+        float flux = u * mean - std::abs(u) * jump;
         if constexpr (kind.diffuses) {
             if constexpr (kind.solids) diffusion *= face.aperture[i];
             flux -= diffusion * d0;
@@ -87,8 +88,8 @@ template <Stage stage, Kind kind>
         if constexpr (stage == Stage::first) sum[i] = flux;
         if constexpr (stage == Stage::second) sum[i] += flux;
         if constexpr (stage == Stage::third)
-            sum[i] =
-                (sum[i] * (1.0F / 6) + flux * (2.0F / 3)) - donor<kind>(u, diffusion, start[i - s], start[i]);
+            sum[i] = (sum[i] * (1.0F / 6) + flux * (2.0F / 3)) -
+                     donor<kind>(pace.courant * face.courant[i], diffusion, start[i - s], start[i]);
     }
 }
 
@@ -333,7 +334,7 @@ Openings make_openings(const Lattice& lattice, const std::array<Samples, 3>& ape
                     };
                     const bool third = open(-1) && open(0) && open(1);
                     const auto to = static_cast<std::size_t>(at);
-                    result.third[axis][to] = third ? 1.0F : 0.0F;
+                    result.third[axis][to] = third ? 5.0F : 0.0F;
                     result.fifth[axis][to] = third && open(-2) && open(2) ? 1.0F : 0.0F;
                     if (round && cell[axis] == n[axis])
                         result.aperture[axis][to] = aperture[axis][static_cast<std::size_t>(from)];
@@ -388,7 +389,7 @@ TransportReport transport(const Lattice& lattice, const Currents& currents, cons
     const auto [substeps, carried, spread] = schedule(currents.outflow, diffusion, settings.most_substeps);
     const Pace pace{static_cast<float>(carried / substeps),
                     static_cast<float>(diffusion * spread / substeps)};
-    fill_ghosts(lattice, evenly, density);
+    fill_ghosts(currents.rows(), evenly, density);
     const auto step = substep_of({currents.openings != nullptr, diffusion > 0});
     for (int i = 0; i < substeps; ++i) step(lattice, currents, pace, density, scratch);
     const auto [nx, ny, nz] = lattice.cells;

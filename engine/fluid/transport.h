@@ -28,7 +28,7 @@ namespace thaum::fluid {
 /// Apertures of the faces, at the places of the velocities, and what may be read across each. Made once.
 struct Openings {
     std::array<Samples, 3> aperture{};
-    std::array<Samples, 3> third{}, fifth{};  ///< 1 where the flux may be of that order, else 0
+    std::array<Samples, 3> third{}, fifth{};  ///< 5 and 1 where the flux may be of that order, else 0
     Rows rows{};                              ///< of the cells with open faces
 };
 
