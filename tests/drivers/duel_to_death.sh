@@ -8,17 +8,17 @@ thaum=$1 harness=$2
 need Xvfb xdotool import umockdev-wrapper
 open_screen 1280x720
 shots=${3:-$folder}
-# A stick so slow that a second of it is known to a fifth of a degree.
+# A stick so slow that two seconds of it are known to a fifth of a degree, though the machine be late by a hundredth of one.
 mkdir -p "$folder/config/thaum"
-sed 's/^turn_deg_per_s = .*/turn_deg_per_s = 45/' "$(dirname "$0")/../../assets/settings.toml" \
+sed 's/^turn_deg_per_s = .*/turn_deg_per_s = 22.5/' "$(dirname "$0")/../../assets/settings.toml" \
     >"$folder/config/thaum/settings.toml"
 
 # Both start 30 m apart, turned 45 degrees away from each other, towards the cauldron.
-script='7 rx 32767; 8 rx 0; 8.5 rt 255; 12 rt 0'
-umockdev-wrapper "$harness" "$script" "$thaum" --vs --seconds 21 --record "$folder/log" \
+script='7 rx 32767; 9 rx 0; 9.5 rt 255; 13 rt 0'
+umockdev-wrapper "$harness" "$script" "$thaum" --vs --seconds 22 --record "$folder/log" \
     --set bolt.shot.damage=40 --set bolt.shot.spread_deg=0.2 &
 game=$!
-sleep 12.5
+sleep 13.5
 import -window root "$shots/player_1_is_dead.png"
 sleep 3
 xdotool mousedown 1
