@@ -216,6 +216,19 @@ Finding folder(const std::string& what, const std::filesystem::path& path, const
             writable ? "" : text("make it writable, or set ", variable)};
 }
 
+/// Whether a game would go by the file. None yet is as good: the first game writes it.
+Finding settings(const std::filesystem::path& assets) {
+    const auto file = settings_file();
+    auto found = folder("settings", file.parent_path(), "XDG_CONFIG_HOME");
+    std::error_code ignored;
+    if (found.state != State::good || !std::filesystem::exists(file, ignored)) return found;
+    if (const auto read = load_settings(file, assets); !read)
+        return {"settings", State::note, text(read.error().message, "; the defaults hold"),
+                "mend it, or put it away: a new one is written then"};
+    found.detail = file.string();
+    return found;
+}
+
 std::vector<Finding> examine() {
     const auto assets = game::find_assets();
     const Expected<Data> data = game::load_match_data(assets, {}).map([](game::MatchData&& loaded) {
@@ -227,7 +240,7 @@ std::vector<Finding> examine() {
     findings.push_back(real_arm());
     findings.push_back(tick_clock());
     findings.push_back(input_to_picture(assets, data));
-    findings.push_back(folder("settings", settings_file().parent_path(), "XDG_CONFIG_HOME"));
+    findings.push_back(settings(assets));
     findings.push_back(folder("match logs", matches_folder(), "XDG_DATA_HOME"));
     return findings;
 }

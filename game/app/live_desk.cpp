@@ -94,6 +94,9 @@ void publish_screen(Desk& desk) {
                   .menu = menu_open(desk)};
     if (desk.shared.arm_player < game::players)
         screen.hud.device_says[desk.shared.arm_player] = desk.arm_says;
+    for (std::uint32_t player = 0; player < game::players; ++player)
+        if (desk.shared.pad_lost[player])
+            screen.hud.device_says[player] = "pad lost: press a button on it to rejoin";
     screen.quality = settings.quality;
     screen.menu = picture_of(desk.menu, desk.facts);
     screen.court = menu_open(desk) && desk.menu.pages.front().page == Page::start;
@@ -184,6 +187,7 @@ bool half_is_free(const Desk& desk) {
 void rejoin(Desk& desk, std::uint32_t player) {
     auto& shared = desk.shared;
     shared.pad_lost[player] = false;
+    desk.stale = true;
     rebind_hands(desk);
     const bool all = std::none_of(shared.pad_lost.begin(), shared.pad_lost.end(),
                                   [](const auto& lost) { return lost.load(); });

@@ -296,7 +296,7 @@ std::optional<MenuFacts::Rules> rules_of(const std::filesystem::path& file) {
     const auto rules = game::read_round_rules(*config);
     if (!config->check()) return {};
     const auto name = file.stem().string();
-    const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, " rounds, each ") : std::string();
+    const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, ", ") : std::string();
     return MenuFacts::Rules{name,
                             text(name, ": ", rounds, "first to ", rules.kills, ", ", clock_of(rules.length))};
 }

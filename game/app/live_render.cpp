@@ -66,8 +66,8 @@ struct QualityChoice {
     }
 };
 
-/// Outside of a match little moves, so few pictures do: a step of the camera is less than a pixel or two.
-constexpr std::int64_t court_period_ns = 66'000'000;
+/// Outside of a match, and in a pause, little moves, so few pictures do: a step of the court's camera is less than a pixel or two.
+constexpr std::int64_t still_period_ns = 66'000'000;
 constexpr double court_seconds_a_turn = 360;
 
 double court_angle() { return 2 * pi * static_cast<double>(monotonic_ns()) * 1e-9 / court_seconds_a_turn; }
@@ -79,7 +79,7 @@ struct Studio {
     Film film{};
     game::FrameMemory memory{};
     QualityChoice quality{};
-    std::int64_t next_court_ns = 0;
+    std::int64_t next_still_ns = 0;
 };
 
 /// The menu that is open, with the match's caption where it has a note: nothing else stands over the views then.
@@ -101,11 +101,12 @@ const render::Frame& frame_of(Studio& studio, const Screen& screen, double speed
     return studio.memory.frame;
 }
 
-/// Is a picture due? Of a match always.
+/// Is a picture due? Of a match that goes on always.
 bool due(Studio& studio, const Screen& screen, bool changed) {
     const auto now = monotonic_ns();
-    if (screen.court && !changed && now < studio.next_court_ns) return false;
-    studio.next_court_ns = now + court_period_ns;
+    const bool still = screen.court || studio.film.now.paused;
+    if (still && !changed && now < studio.next_still_ns) return false;
+    studio.next_still_ns = now + still_period_ns;
     return true;
 }
 

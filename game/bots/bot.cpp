@@ -104,8 +104,8 @@ vec3 way_in_a_fight(const Self& self, const Seat& seat, const WalkGrid& grid, Mi
     const double distance = glm::length(to_foe);
     if (distance < 1e-6) return {0, 0, 0};
     const double keep = seat.skill.keep;
-    vec3 way{0, 0, 0};
-    if (distance > 1.3 * keep) way = unit_or_zero(next_step(self, grid, mind.foe, ways));
+    vec3 way{0, 0, 0}, next{0, 0, 0};
+    if (distance > 1.3 * keep) next = way = unit_or_zero(next_step(self, grid, mind.foe, ways));
     if (distance < 0.6 * keep) way = -to_foe / distance;
     const vec3 right = glm::cross(to_foe / distance, vec3(0, 1, 0)) * static_cast<double>(mind.strafe);
     const auto safe = [&](vec3 by) {
@@ -116,7 +116,8 @@ vec3 way_in_a_fight(const Self& self, const Seat& seat, const WalkGrid& grid, Mi
         mind.strafe = -mind.strafe;
         return way - right;
     }
-    return safe(way) ? way : vec3(0, 0, 0);
+    // The next cell of a way is safe, though what lies beyond it may not be.
+    return safe(way) ? way : next;
 }
 
 /// What it needs comes first; in sight of the foe it fights; else it goes where the foe was, then anywhere.

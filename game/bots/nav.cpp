@@ -58,9 +58,12 @@ void WalkGrid::neighbours(int cell, Visit&& visit) const {
     for (const auto& [dx, dz] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
         if (open(dx, dz)) visit(cell + dz * side + dx);
     }
-    // A diagonal only where both ways round the corner are free too.
+    // A diagonal only where both ways round the corner are free too, all the way: so that one can also come back.
     for (const auto& [dx, dz] : {std::pair{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
-        if (open(dx, dz) && open(dx, 0) && open(0, dz)) visit(cell + dz * side + dx);
+        const int there = cell + dz * side + dx;
+        if (open(dx, dz) && open(dx, 0) && open(0, dz) && passable(cell + dx, there) &&
+            passable(cell + dz * side, there))
+            visit(there);
     }
 }
 

@@ -464,10 +464,14 @@ bool is_near_brew(const Court& court, vec3 eye) {
     return glm::distance(eye, court.brew->place.middle) < brew_seen_from;
 }
 
+/// As what it is, and not as if painted; the court that nobody plays in is seen from afar.
+bool sees_brew(const Court& court, const Picture& picture, std::uint32_t viewer) {
+    return viewer < players && visible_brew(court, picture, picture.wizards[viewer].eye) != nullptr;
+}
+
 void add_brew_of(const Court& court, const Picture& picture, std::uint32_t viewer,
                  std::vector<Instance>& out) {
-    const vec3 eye = viewer < players ? picture.wizards[viewer].eye : vec3(0);
-    if (visible_brew(court, picture, eye) == nullptr) return add_painted_brew(court, out);
+    if (!sees_brew(court, picture, viewer)) return add_painted_brew(court, out);
     add_brew(*court.brew, out);
     for (const auto& ladle : picture.cauldron.ladles) {
         if (ladle) add_ladle(court.brew->meshes, *ladle, out);
@@ -595,8 +599,7 @@ void add_instances(const Court& court, const Picture& picture, std::uint32_t vie
     add_brew_of(court, picture, viewer, out);
     add_niches(court, picture, out);
     add_embers(court, picture.played_s, out);
-    const vec3 eye = viewer < players ? picture.wizards[viewer].eye : vec3(0);
-    if (visible_brew(court, picture, eye) == nullptr) add_bubbles(court, picture.played_s, out);
+    if (!sees_brew(court, picture, viewer)) add_bubbles(court, picture.played_s, out);
 }
 
 void choose_lights(const Court& court, const Picture& picture, vec3 eye, std::vector<PointLight>& out) {

@@ -66,7 +66,7 @@ Layout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
     l.seats_height = seat_units * u;
     l.visible = std::min(rows, std::max<std::size_t>(rows_that_fit(menu, height, u), 1));
     l.first = menu.cursor < l.visible / 2 ? 0 : std::min(menu.cursor - l.visible / 2, rows - l.visible);
-    l.row_width = std::min(l.width, 620 * u);
+    l.row_width = std::min(l.width, 700 * u);
     l.row_height = row_units * u;
     // The rows stand low, so that what is behind them can be seen.
     const float head = head_units(menu) * u, foot = height - foot_units * u;

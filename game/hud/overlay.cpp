@@ -193,7 +193,7 @@ void add_gift(Overlay& out, const PlayerPicture& p, const Corner& c) {
     const bool energy = p.gift == PowerUpKind::spark;
     const auto name = capitalised(power_up_names[static_cast<std::size_t>(p.gift)]);
     add_text(out, text(name, "  +", std::lround(p.gift_amount), energy ? " energy" : " health"),
-             at(c.view, 0.5F, 0.72F), 18 * c.unit, white, Align::centre);
+             at(c.view, 0.5F, 0.76F) - fvec2(0, 25 * c.unit), 18 * c.unit, white, Align::centre);
 }
 
 /// Of the widest type.
@@ -223,7 +223,7 @@ std::string words_of_brew(const CauldronPicture& cauldron, std::uint32_t player)
 std::string words_at_cauldron(const Picture& picture, std::uint32_t player) {
     const auto& p = picture.wizards[player];
     if (!p.stirs && !p.at_rim)
-        return p.carries.empty() ? "" : text("You carry ", p.carries, " for the cauldron");
+        return p.carries.empty() ? "" : text("In your hand for the cauldron: ", p.carries);
     const auto hint = !p.stirs            ? std::string("hold Stir to take the ladle")
                       : p.carries.empty() ? std::string()
                                           : text("use wand: drop in ", p.carries);
@@ -403,24 +403,35 @@ void announce(Overlay& out, const Announcement& a, const Rect& window, float u) 
     add_panel(out, a, 460, 156, window, u);
 }
 
+// Of the table of deeds, units: where a side begins beside the middle, and how large its words are.
+constexpr float deeds_aside = 42, deeds_size = 15;
+
+/// Units, of a panel that holds the longest words.
+float width_of(const std::vector<ResultRow>& rows) {
+    std::size_t longest = 0;
+    for (const auto& row : rows)
+        for (const auto& words : row.words) longest = std::max(longest, words.size());
+    return 2 * (deeds_aside + em_per_character * deeds_size * static_cast<float>(longest) + 16);
+}
+
 /// Who hit whom with what: one line for each cause, a side for each player.
 void add_deeds(Overlay& out, const std::vector<ResultRow>& rows, fvec2 top, float u) {
     const std::array<Align, players> aligned{Align::right, Align::left};
     for (std::uint32_t player = 0; player < players; ++player) {
-        const float side = player == 0 ? -42 : 42;
+        const float side = player == 0 ? -deeds_aside : deeds_aside;
         const auto paint = opaque(team_colours(player).light);
         add_text(out, std::string(team_name(player)), top + u * fvec2(side, 0), 17 * u, paint,
                  aligned[player]);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const float y = result_row * static_cast<float>(i + 1);
             const auto& words = rows[i].words[player];
-            add_text(out, words.empty() ? "\u2014" : words, top + u * fvec2(side, y), 15 * u, white,
+            add_text(out, words.empty() ? "\u2014" : words, top + u * fvec2(side, y), deeds_size * u, white,
                      aligned[player]);
         }
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const float y = result_row * static_cast<float>(i + 1);
-        add_text(out, std::string(rows[i].cause), top + u * fvec2(0, y), 15 * u, soft, Align::centre);
+        add_text(out, std::string(rows[i].cause), top + u * fvec2(0, y), deeds_size * u, soft, Align::centre);
     }
 }
 
@@ -459,8 +470,10 @@ Announcement result_of(const Picture& picture, bool can_play_again) {
 void add_result(Overlay& out, const Picture& picture, bool can_play_again, const Rect& window, float u) {
     const auto rows = result_rows(picture.deeds);
     const float table = rows.empty() ? 0 : result_row * static_cast<float>(rows.size() + 1) + 14;
-    const float tall = 156 + table;
-    add_panel(out, result_of(picture, can_play_again), rows.empty() ? 460 : 640, tall, window, u);
+    const float tall = 156 + table, wide = rows.empty() ? 460 : std::max(640.0F, width_of(rows));
+    u = std::min({u, 0.96F * static_cast<float>(window.width) / wide,
+                  0.96F * static_cast<float>(window.height) / tall});
+    add_panel(out, result_of(picture, can_play_again), wide, tall, window, u);
     if (!rows.empty()) add_deeds(out, rows, at(window, 0.5F, 0.5F) + u * fvec2(0, 100 - tall / 2), u);
 }
 
@@ -527,7 +540,7 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     add_caption(out, picture.caption, middle.y + 42 * unit, window, unit);
     if (picture.overloaded) {
         add_text(out, text("This machine is too slow: ", picture.skipped, " ms of input left out"),
-                 at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 70) * unit), 14 * unit, red,
+                 at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 104) * unit), 14 * unit, red,
                  Align::centre);
     }
     if (picture.mark != 0) {

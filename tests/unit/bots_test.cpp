@@ -180,6 +180,39 @@ std::uint32_t hits_on_a_target(std::uint32_t dodges) {
     return scene.bolts_of(1).hits;
 }
 
+TEST(Bot, EveryWayLeadsOn) {
+    Scene scene(skill_of(3));
+    const WalkGrid grid(scene.match.physics());
+    WalkGrid::Ways ways;
+    std::size_t cells = 0;
+    for (const vec3 goal : {vec3(19.5, 0, -19.5), vec3(-19.5, 0, 19.5), vec3(6.5, 0, -5.5), vec3(0, 0, 15)}) {
+        grid.find_ways(WalkGrid::cell_at(goal), ways);
+        for (int cell = 0; cell < WalkGrid::side * WalkGrid::side; ++cell) {
+            const auto steps = ways.steps[static_cast<std::size_t>(cell)];
+            if (steps == WalkGrid::unreachable || steps == 0) continue;
+            const auto next = static_cast<std::size_t>(grid.next(cell, ways));
+            EXPECT_EQ(ways.steps[next] + 1, steps) << cell;
+            ++cells;
+        }
+    }
+    EXPECT_GT(cells, 3000U);
+}
+
+TEST(Bot, WaitsNowhereWhileItsFoeStandsInACorner) {
+    // From wherever the way along the pit's edge is narrow, a bot that has nothing else to do.
+    auto skill = skill_of(3);
+    skill.lift = {};
+    skill.stir = {};
+    skill.strafe = 0;
+    for (int place = 0; place < 12; ++place) {
+        Scene scene(skill);
+        scene.put(0, {5.5 + 0.13 * place, 0, -5.497}, -45);
+        scene.put(1, {19.65, 0, -19.65}, 135);
+        scene.run(10, stands_still);
+        EXPECT_GT(scene.bolts_of(0).shots, 3) << place;
+    }
+}
+
 TEST(Bot, WhoDodgesIsHitLess) {
     const auto stands = hits_on_a_target(0), dodges = hits_on_a_target(1);
     EXPECT_GT(stands, 100U);
