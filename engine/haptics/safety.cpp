@@ -14,7 +14,10 @@ namespace thaum::haptics {
 namespace {
 
 constexpr double excess_over_peak = 4;  // of the device's peak
-constexpr double switching_slew = 40;   // N/s (game.md, "Total force")
+// A small thing that is caught behind a corner stretches the lift wand's spring to 125 N, 38 times a Touch's peak, before it
+// slips away: that clips, and is no fault.
+constexpr double stretched_over_peak = 50;
+constexpr double switching_slew = 40;  // N/s (game.md, "Total force")
 // m/s. A simulated hand that is flung across a Touch reaches 3.8, across a Premium 4.5. Chosen, without a source.
 constexpr double fastest_hand = 4;
 constexpr std::uint32_t ramp_ticks = 50;
@@ -69,9 +72,11 @@ void begin_episode(SafetyState& state) {
 }
 
 /// One wild tick may be a glitch; three bursts of them in ten seconds are a fault, and no clamp makes a fault worth feeling.
-void note_excess(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
+void note_excess(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     forget_old_episodes(state);
-    if (is_finite(wanted) && glm::length(wanted) <= limits.excess) {
+    const bool sane = is_finite(input.wanted) && glm::length(input.wanted - input.spring) <= limits.excess &&
+                      glm::length(input.spring) <= limits.stretched;
+    if (sane) {
         if (state.excess_ticks > 0) --state.excess_ticks;
         return;
     }
@@ -112,7 +117,7 @@ void note_gate(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
 /// Takes in the whole input, whatever acts, so that no condition hides another. The gravest one that stops the force.
 SafetyCause note(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     note_rearm(state, input);
-    note_excess(limits, state, input.wanted);
+    note_excess(limits, state, input);
     if (input.panic) latch(state, SafetyCause::panic);
     note_gate(limits, state, input.wanted);
     const bool too_fast = note_speed(limits, state, input);
@@ -223,6 +228,7 @@ SafetyLimits safety_limits(const DeviceSpec& spec, double share) {
     const double part = share > 0 ? std::min(share, 1.0) : 0.0;  // 0 for NaN
     return {.cap = part * spec.peak_force,
             .excess = excess_over_peak * spec.peak_force,
+            .stretched = stretched_over_peak * spec.peak_force,
             .continuous = spec.continuous_force,
             .slew = switching_slew,
             .fastest = fastest_hand};

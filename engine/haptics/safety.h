@@ -21,6 +21,7 @@ namespace thaum::haptics {
 struct SafetyLimits {
     double cap{};     ///< N, length of the vector: the smaller of the device's peak and the player's own cap
     double excess{};  ///< N: what nothing sane asks for; to ask for it repeatedly shuts the device off
+    double stretched{};   ///< N: the same of a spring that the world stretches
     double continuous{};  ///< N: the root of the mean square over any thermal_window stays below
     double slew{};        ///< N/s, of the vector, where a source is switched or a model jumps
     double fastest{};     ///< m/s, of the tip: beyond, nothing is felt until the hand is slow again
@@ -73,7 +74,9 @@ static_assert(sizeof(SafetyState) == (3 + thermal_bins) * sizeof(double) + 12 * 
 
 /// One tick.
 struct SafetyInput {
-    vec3 wanted{};              ///< N, device frame
+    vec3 wanted{};  ///< N, device frame
+    vec3
+        spring{};  ///< N, what of that is of a spring whose other end the world holds: it may be stretched far
     vec3 velocity{};            ///< m/s, of the tip as measured
     double path_speed{};        ///< m/s, along its path: one that is back where it was has moved all the same
     std::uint32_t model_age{};  ///< ticks since the model was made

@@ -84,7 +84,8 @@ void SafetyAudit::watch_latches(const SafetyLimits& limits, const SafetyInput& i
 
     const double size = is_finite(input.wanted) ? size_of(input.wanted) : HUGE_VAL;
     if (size <= limits.cap) gate_open_ = true;
-    if (size <= limits.excess) return;
+    const double spring = size_of(input.spring), rest = size_of(input.wanted - input.spring);
+    if (is_finite(input.wanted) && rest <= limits.excess && spring <= limits.stretched) return;
     if (last_excess_ == 0 || now_ - last_excess_ > episodes_apart) {
         episodes_ = {episodes_[1], episodes_[2], now_};
         if (episodes_[0] != 0 && now_ - episodes_[0] <= episodes_within) shut_off_ = true;

@@ -320,8 +320,8 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
     const SurfaceFeel surfaces =
         feel_surfaces(state, model, sample.model_age, {sample.position, velocity, patch_jumped});
     const Tether tether = moved_on(model.tether, sample.model_age);
-    Sources sources{.active = play_pulses(state) + model.lean.force,
-                    .world = tether_force(tether, sample.position, velocity)};
+    const vec3 spring = tether_force(tether, sample.position, velocity);
+    Sources sources{.active = play_pulses(state) + model.lean.force, .world = spring};
     (surfaces.active ? sources.active : sources.world) += surfaces.force;
     sources.passive = sources.world;
     if (model.primitives.items().empty()) {
@@ -341,6 +341,7 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
     keep_books(servo, state, model, tether, {sample.position, velocity, switched}, surfaces, fluid, sources);
     const vec3 output = make_safe(servo.limits, state.safety,
                                   {.wanted = sources.passive + sources.active,
+                                   .spring = spring,
                                    .velocity = velocity,
                                    .path_speed = path_speed(state, servo.quantum),
                                    .model_age = sample.model_age,

@@ -50,6 +50,7 @@ TEST(HapticsSafety, LimitsComeFromTheDeviceAndThePlayersShare) {
     const auto limits = safety_limits(omni_like(), gentle_share);
     EXPECT_DOUBLE_EQ(limits.cap, 1.485);
     EXPECT_DOUBLE_EQ(limits.excess, 13.2);
+    EXPECT_DOUBLE_EQ(limits.stretched, 165);
     EXPECT_EQ(limits.continuous, 0.88);
     EXPECT_EQ(limits.slew, 40);
     for (const double none : {0.0, -1.0, not_a_number})
@@ -191,6 +192,24 @@ TEST(HapticsSafety, ThreeBurstsOfExcessInTenSecondsShutItOff) {
     EXPECT_EQ(stage.feel({.wanted = calm}, 50'000), vec3(0));
     EXPECT_NEAR(stage.feel({.wanted = calm, .rearm = true}).x, 0.04, 1e-12);
     EXPECT_FALSE(bursts(stage, {100}));  // counted anew
+}
+
+TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {
+    const auto shut_off_by = [](const SafetyInput& wild) {
+        Stage stage;
+        for (int burst = 0; burst < 5; ++burst) {
+            stage.feel({.wanted = {0.5, 0, 0}}, 100);
+            stage.feel(wild, 30);
+        }
+        return stage.cause() == SafetyCause::shut_off;
+    };
+    EXPECT_FALSE(shut_off_by({.wanted = {0, 125, 0}, .spring = {0, 125, 0}}));
+    EXPECT_FALSE(shut_off_by({.wanted = {0, 125, 13}, .spring = {0, 125, 0}}));
+    EXPECT_TRUE(shut_off_by({.wanted = {0, 125, 14}, .spring = {0, 125, 0}}));  // what comes besides
+    EXPECT_TRUE(shut_off_by({.wanted = {0, 166, 0}, .spring = {0, 166, 0}}));   // stretched beyond all sense
+    EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, 20, 0}}));      // the rest is wild
+    EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, not_a_number, 0}}));
+    EXPECT_TRUE(shut_off_by({.wanted = {0, not_a_number, 0}, .spring = {0, 1, 0}}));
 }
 
 TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
@@ -344,7 +363,7 @@ TEST(HapticsSafety, TheSameTicksGiveTheSameBits) {
     };
     EXPECT_EQ(run(), run());
     // Those of every build and processor. A change of the rules changes them: let it be on purpose.
-    EXPECT_EQ(run(), 16611928303249664958ULL);
+    EXPECT_EQ(run(), 2802296599424621714ULL);
 }
 
 // ---- the audit can fail -------------------------------------------------------------------------------------------

@@ -96,6 +96,27 @@ TEST(HapticsServo, WhatATetherHoldsIsThatOfWhereItIsByNow) {
     EXPECT_EQ(rig.state.safety.excess_count, 0U);
 }
 
+TEST(HapticsServo, AThingCaughtBehindACornerDoesNotShutTheForcesOff) {
+    Rig rig;
+    rig.feel();
+    for (int time = 0; time < 6; ++time) {
+        // The lift wand's spring, stretched as far as a small thing may be away, and let go again.
+        rig.model.tether = {.anchor = {0.4, 0, 0}, .stiffness = 300, .number = rig.model.tether.number + 1};
+        for (int tick = 0; tick < 200; ++tick) rig.feel();
+        EXPECT_GT(rig.state.safety.output.x, 0.1) << time;  // warm by and by
+        rig.model.tether = {.number = rig.model.tether.number + 1};
+        for (int tick = 0; tick < 200; ++tick) rig.feel();
+    }
+    // A fault of the world is one still.
+    for (int time = 0; time < 3; ++time) {
+        rig.model.tether = {.anchor = {40, 0, 0}, .stiffness = 300, .number = rig.model.tether.number + 1};
+        for (int tick = 0; tick < 50; ++tick) rig.feel();
+        rig.model.tether = {.number = rig.model.tether.number + 1};
+        for (int tick = 0; tick < 50; ++tick) rig.feel();
+    }
+    EXPECT_EQ(rig.cause(), SafetyCause::shut_off);
+}
+
 TEST(HapticsServo, TheMeanOfAHalfSineIsExact) {
     for (const std::uint32_t length : {1U, 2U, 3U, 15U, 60U, 1000U, 12'345U}) {
         double sum = 0;

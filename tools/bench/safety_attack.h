@@ -18,7 +18,9 @@ public:
         if (left_-- == 0) begin_phase();
         ++at_;
         age_ = next_age();
-        return {.wanted = wanted(),
+        const vec3 all = wanted();
+        return {.wanted = all,
+                .spring = spring_of(all),
                 .velocity = velocity(),
                 .path_speed = path_speed(),
                 .model_age = age_,
@@ -62,6 +64,12 @@ private:
         }
     }
     vec3 hostile_vector() { return {hostile_number(), hostile_number(), hostile_number()}; }
+
+    /// None, all of what is wanted, or anything.
+    vec3 spring_of(vec3 all) {
+        if (kind_ == 0 && once_in(2)) return hostile_vector();
+        return kind_ % 2 == 0 ? vec3(0) : all;
+    }
 
     vec3 wanted() {
         const double peak = spec_.peak_force;
