@@ -170,7 +170,7 @@ struct Self {
     double readiness{};          ///< of the wand in hand
     ShotKind shot{};             ///< the next one from it
     std::uint32_t wand{};        ///< its slot
-    bool can_shoot = false;      ///< there is energy for a shot
+    bool can_shoot = false;      ///< there is energy for that shot
     std::optional<vec3> held{};  ///< m, what the wand in hand holds or hangs on
     std::uint32_t key{};
     bool alive = false;

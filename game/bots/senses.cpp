@@ -92,7 +92,8 @@ Self self_of(const Simulation& match, std::uint32_t player, double readiness) {
         if (wand->kind->shot != nullptr)
             self.shot = wand->kind->shot(wand->data.get(), std::max(readiness, self.readiness));
         const double energy = energy_in_hand(match.data(), belt);
-        self.can_shoot = wand->kind->shot != nullptr && energy >= stats.energy_cost;
+        self.can_shoot =
+            wand->kind->shot != nullptr && energy >= std::max(stats.energy_cost, self.shot.energy);
         self.energy_share = stats.energy_cap > 0 ? energy / stats.energy_cap : 1;
         self.held = wand->kind->held_at(world, wizard);
     }

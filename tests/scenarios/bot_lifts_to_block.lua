@@ -11,7 +11,8 @@ foe:place {-14, 0, 7}
 foe:face(180, 0)
 local function stand_fire(seconds)
     local before = deeds(2, "bolt")
-    for _ = 1, 1000 * seconds do
+    local stop = now() + 1000 * seconds
+    while now() < stop do  -- to aim at who steps aside takes time
         foe:aim(bot)
         tick()
     end

@@ -39,11 +39,20 @@ struct Scene {
             bots.sample(match, frame);
             foe(t, frame.devices[1]);
             match.tick(frame);
+            held = frame.devices[0].down(input::Button::fire) ? held + 1 : 0;
+            longest_held = std::max(longest_held, held);
         }
     }
 
     const Deeds& bolts_of(std::uint32_t player) const {
         return match.world().single<Chronicle>().deeds[player][cause_of(EventKind::bolt_hit)];
+    }
+
+    /// From any wand.
+    double shots_of(std::uint32_t player) const {
+        double sum = 0;
+        for (const Deeds& deeds : match.world().single<Chronicle>().deeds[player]) sum += deeds.shots;
+        return sum;
     }
 
     std::optional<PowerUpKind> picked_up() const {
@@ -57,6 +66,7 @@ struct Scene {
 
     Simulation match;
     Bots bots;
+    Tick held = 0, longest_held = 0;  ///< player 0's trigger
 };
 
 void stands_still(Tick, input::DeviceSample&) {}
@@ -209,7 +219,23 @@ TEST(Bot, WaitsNowhereWhileItsFoeStandsInACorner) {
         scene.put(0, {5.5 + 0.13 * place, 0, -5.497}, -45);
         scene.put(1, {19.65, 0, -19.65}, 135);
         scene.run(10, stands_still);
-        EXPECT_GT(scene.bolts_of(0).shots, 3) << place;
+        EXPECT_GT(scene.shots_of(0), 3) << place;
+    }
+}
+
+TEST(Bot, DoesNotWaitForAChargeThatItCannotPay) {
+    auto skill = skill_of(3);
+    skill.variety = skill.charge = 1;
+    skill.throws = skill.strafe = skill.lift.share = skill.stir.share = skill.over_cover = 0;
+    skill.vial_below = skill.spark_below = skill.reserve = 0;
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        Scene scene(skill, {"blast.energy.regain_per_s=0", "bolt.energy.regain_per_s=0", "quick.seconds=60"},
+                    seed);
+        scene.put(0, {-14, 0, 18.5}, 0);
+        scene.put(1, {-14, 0, 8.5}, 180);
+        scene.run(15, stands_still);
+        EXPECT_GT(scene.longest_held, ticks(0.5)) << seed;
+        EXPECT_LT(scene.longest_held, ticks(4.0)) << seed;
     }
 }
 
