@@ -30,7 +30,7 @@ set_tests_properties(haptics.passivity PROPERTIES FIXTURES_REQUIRED scenarios)
 
 # Every log in the folder is a test. Its name says under which rules version it was recorded: NAME_rules_VERSION.thaumlog.
 # Those of this version must still come to the same bits, in this build too; those of older ones must be refused politely.
-# After a change of rules or data: thaum --headless --seed 2 --seconds 30 --record tests/replays/bots_rules_N.thaumlog, and
+# After a change of rules or data: thaum --headless --seed 9 --seconds 30 --record tests/replays/bots_rules_N.thaumlog, and
 # say why it changed. Logs of older versions stay.
 file(STRINGS ${PROJECT_SOURCE_DIR}/game/match/simulation.h rules_line REGEX "rules_version = [0-9]+;")
 string(REGEX MATCH "rules_version = ([0-9]+)" rules_line "${rules_line}")

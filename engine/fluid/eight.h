@@ -18,6 +18,11 @@ inline Eight load(const float* from) {
 
 inline void store(float* to, const Eight& values) { std::memcpy(to, &values, sizeof values); }
 
+/// At least `count` values, in whole eights.
+inline void copy_eights(const float* from, float* to, std::ptrdiff_t count) {
+    for (std::ptrdiff_t i = 0; i < count; i += 8) store(to + i, load(from + i));
+}
+
 /// The least multiple of eight that is not below n. A row of the lattice may be written so far: what is beyond it are ghosts.
 inline std::ptrdiff_t whole_eights(std::ptrdiff_t n) { return (n + 7) / 8 * 8; }
 

@@ -16,20 +16,19 @@ namespace {
 struct Wave {
     double angle;  ///< rad per cell
     bool cosine;
-    bool symmetric;
 };
 
 /// Of the places at i + 1/2 (cells) or i + 1 (faces between walls), i from 0.
 std::vector<Wave> waves_of(int n, Edge edge, Beyond beyond) {
     std::vector<Wave> result;
     if (edge == Edge::periodic) {
-        for (int k = 0; 2 * k < n; ++k) result.push_back({2 * pi * k / n, true, true});
-        for (int k = 1; 2 * k <= n; ++k) result.push_back({2 * pi * k / n, false, false});
+        for (int k = 0; 2 * k < n; ++k) result.push_back({2 * pi * k / n, true});
+        for (int k = 1; 2 * k <= n; ++k) result.push_back({2 * pi * k / n, false});
     } else if (beyond == Beyond::even) {
-        for (int k = 0; k < n; ++k) result.push_back({pi * k / n, true, k % 2 == 0});
+        for (int k = 0; k < n; ++k) result.push_back({pi * k / n, true});
     } else {
         const int most = beyond == Beyond::odd ? n : n - 1;
-        for (int k = 1; k <= most; ++k) result.push_back({pi * k / n, false, k % 2 == 1});
+        for (int k = 1; k <= most; ++k) result.push_back({pi * k / n, false});
     }
     return result;
 }
@@ -46,11 +45,59 @@ std::vector<double> column(const Wave& wave, int count, double offset) {
     return result;
 }
 
-std::vector<float> transposed(const std::vector<float>& matrix, std::size_t rows, std::size_t columns) {
-    std::vector<float> result(matrix.size());
-    for (std::size_t r = 0; r < rows; ++r)
-        for (std::size_t c = 0; c < columns; ++c) result[c * rows + r] = matrix[r * columns + c];
-    return result;
+/// Fewer places are not folded but at first: it would take longer than what it saves.
+constexpr int fold_least = 8;
+constexpr double symmetry_error = 1e-9;
+
+/// A wave, and its value at each place.
+struct Column {
+    double angle;
+    std::vector<double> values;
+};
+
+/// Whether it is its own mirror image about the middle of some places, times `sign`.
+bool mirrored(const Column& column, const Places& places, double sign) {
+    for (int i = 0; i < places.count; ++i) {
+        const auto low = static_cast<std::size_t>(places.first + i);
+        const auto high = static_cast<std::size_t>(places.first + places.count - 1 - i);
+        if (std::abs(column.values[low] - sign * column.values[high]) > symmetry_error) return false;
+    }
+    return true;
+}
+
+void add_dense(const std::vector<Column>& columns, const Places& places, Waves& waves) {
+    const auto n = columns.size();
+    std::vector<float> forth(n * n);
+    std::vector<float> back(n * n);
+    for (std::size_t k = 0; k < n; ++k) {
+        waves.angle.push_back(columns[k].angle);
+        for (std::size_t i = 0; i < n; ++i)
+            back[k * n + i] = forth[i * n + k] =
+                static_cast<float>(columns[k].values[static_cast<std::size_t>(places.first) + i]);
+    }
+    waves.dense.push_back(places);
+    waves.forth.push_back(std::move(forth));
+    waves.back.push_back(std::move(back));
+}
+
+/// As many waves as places, folded as long as each is symmetric or antisymmetric about the middle.
+void arrange(const std::vector<Column>& columns, const Places& places, Waves& waves) {
+    if (places.count == 0) return;
+    std::vector<Column> symmetric;
+    std::vector<Column> antisymmetric;
+    for (const Column& column : columns) {
+        if (mirrored(column, places, 1)) symmetric.push_back(column);
+        if (mirrored(column, places, -1)) antisymmetric.push_back(column);
+    }
+    const bool splits = symmetric.size() + antisymmetric.size() == columns.size();
+    if (!splits || (!waves.folds.empty() && places.count < fold_least)) {
+        add_dense(columns, places, waves);
+        return;
+    }
+    waves.folds.push_back(places);
+    const int half = (places.count + 1) / 2;
+    arrange(symmetric, {places.first, half}, waves);
+    arrange(antisymmetric, {places.first + half, places.count - half}, waves);
 }
 
 // ---- the change to waves and back -----------------------------------------------------------------------------------
@@ -85,10 +132,10 @@ inline void multiply_block(const float* matrix, std::ptrdiff_t pitch, int depth,
     }
 }
 
-/// matrix[n][n]
+/// matrix[in][out]
 void multiply(const float* matrix, int n, const Eight* in, Eight* out) {
     int r = 0;
-    for (; r + 6 <= n; r += 6) multiply_block<6>(matrix + r, n, n, in, out + 2 * r);
+    for (; n - r >= 6 && n - r != 8; r += 6) multiply_block<6>(matrix + r, n, n, in, out + 2 * r);
     for (; r + 4 <= n; r += 4) multiply_block<4>(matrix + r, n, n, in, out + 2 * r);
     for (; r + 2 <= n; r += 2) multiply_block<2>(matrix + r, n, n, in, out + 2 * r);
     for (; r < n; ++r) multiply_block<1>(matrix + r, n, n, in, out + 2 * r);
@@ -114,74 +161,54 @@ inline void store_row(const Block& rows, int row, const Eight* from) {
                 sizeof(float) * (whole ? std::size_t{wide} : rows.width));
 }
 
-/// Columns of n values as their symmetric part, the middle included, and their antisymmetric part; two vectors for each value.
-struct Halves {
-    Eight symmetric[cells_most + 2];
-    Eight antisymmetric[cells_most + 2];
-};
-
-template <bool whole>
-inline void fold(const Block& rows, int n, Halves& halves) {
-    for (int i = 0; i < n / 2; ++i) {
-        Eight a[2];
-        Eight b[2];
-        load_row<whole>(rows, i, a);
-        load_row<whole>(rows, n - 1 - i, b);
+/// A place and its mirror image become their sum and their difference.
+inline void fold(const Places& places, Eight* values) {
+    for (int low = places.first, high = low + places.count - 1; low < high; ++low, --high) {
         for (int v = 0; v < 2; ++v) {
-            halves.symmetric[2 * i + v] = a[v] + b[v];
-            halves.antisymmetric[2 * i + v] = a[v] - b[v];
+            const Eight a = values[2 * low + v];
+            const Eight b = values[2 * high + v];
+            values[2 * low + v] = a + b;
+            values[2 * high + v] = b - a;
         }
     }
-    if (n % 2 != 0) load_row<whole>(rows, n / 2, halves.symmetric + 2 * (n / 2));
 }
 
-template <bool whole>
-inline void unfold(const Halves& halves, int n, const Block& rows) {
-    for (int i = 0; i < n / 2; ++i) {
-        Eight a[2];
-        Eight b[2];
+inline void unfold(const Places& places, Eight* values) {
+    for (int low = places.first, high = low + places.count - 1; low < high; ++low, --high) {
         for (int v = 0; v < 2; ++v) {
-            a[v] = halves.symmetric[2 * i + v] + halves.antisymmetric[2 * i + v];
-            b[v] = halves.symmetric[2 * i + v] - halves.antisymmetric[2 * i + v];
+            const Eight a = values[2 * low + v];
+            const Eight b = values[2 * high + v];
+            values[2 * low + v] = a - b;
+            values[2 * high + v] = a + b;
         }
-        store_row<whole>(rows, i, a);
-        store_row<whole>(rows, n - 1 - i, b);
     }
-    if (n % 2 != 0) store_row<whole>(rows, n / 2, halves.symmetric + 2 * (n / 2));
 }
 
 /// From cells to waves, back, or both in one.
 enum class Way : std::uint8_t { to_waves, from_waves, through };
 
-/// A matrix for each half, [in][out].
+/// A matrix, [in][out], for each of the waves' dense places.
 struct Tables {
-    int count;
-    const std::vector<float>& symmetric;
-    const std::vector<float>& antisymmetric;
+    const Waves& waves;
+    const std::vector<std::vector<float>>& matrices;
 };
 
 template <Way way, bool whole>
 void change_columns(const Tables& by, const Block& from, const Block& to) {
-    const int n = by.count;
-    const int odd_first = (n + 1) / 2;  // waves stand the symmetric ones first
-    Halves given;
-    Halves found;
-    if constexpr (way == Way::from_waves) {
-        for (int k = 0; k < odd_first; ++k) load_row<whole>(from, k, given.symmetric + 2 * k);
-        for (int k = odd_first; k < n; ++k)
-            load_row<whole>(from, k, given.antisymmetric + 2 * (k - odd_first));
-    } else {
-        fold<whole>(from, n, given);
+    const Waves& waves = by.waves;
+    Eight given[2 * cells_most];
+    Eight found[2 * cells_most];
+    for (int i = 0; i < waves.count; ++i) load_row<whole>(from, i, given + 2 * i);
+    if constexpr (way != Way::from_waves)
+        for (const Places& places : waves.folds) fold(places, given);
+    for (std::size_t d = 0; d < waves.dense.size(); ++d) {
+        const Places& places = waves.dense[d];
+        multiply(by.matrices[d].data(), places.count, given + 2 * places.first, found + 2 * places.first);
     }
-    multiply(by.symmetric.data(), odd_first, given.symmetric, found.symmetric);
-    multiply(by.antisymmetric.data(), n / 2, given.antisymmetric, found.antisymmetric);
-    if constexpr (way == Way::to_waves) {
-        for (int k = 0; k < odd_first; ++k) store_row<whole>(to, k, found.symmetric + 2 * k);
-        for (int k = odd_first; k < n; ++k)
-            store_row<whole>(to, k, found.antisymmetric + 2 * (k - odd_first));
-    } else {
-        unfold<whole>(found, n, to);
-    }
+    if constexpr (way != Way::to_waves)
+        for (auto places = waves.folds.rbegin(); places != waves.folds.rend(); ++places)
+            unfold(*places, found);
+    for (int i = 0; i < waves.count; ++i) store_row<whole>(to, i, found + 2 * i);
 }
 
 /// Along the outer index of from[count][width]; `to` may be the same.
@@ -195,11 +222,11 @@ void change(const Tables& by, float* from, float* to, std::ptrdiff_t width) {
     change_columns<way, false>(by, {from + c, width, left}, {to + c, width, left});
 }
 
-Tables forth(const Waves& waves) { return {waves.count, waves.symmetric, waves.antisymmetric}; }
-Tables back(const Waves& waves) { return {waves.count, waves.symmetric_back, waves.antisymmetric_back}; }
+Tables forth(const Waves& waves) { return {waves, waves.forth}; }
+Tables back(const Waves& waves) { return {waves, waves.back}; }
 
 /// sum over waves of back[wave][i] factor[wave] back[wave][j]
-std::vector<float> damped(const std::vector<float>& waves, std::span<const double> factor) {
+std::vector<float> damped(const std::vector<float>& back, std::span<const double> factor) {
     const std::size_t n = factor.size();
     std::vector<float> result(n * n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -207,7 +234,7 @@ std::vector<float> damped(const std::vector<float>& waves, std::span<const doubl
             double sum = 0;
             for (std::size_t k = 0; k < n; ++k)
                 sum +=
-                    factor[k] * static_cast<double>(waves[k * n + i]) * static_cast<double>(waves[k * n + j]);
+                    factor[k] * static_cast<double>(back[k * n + i]) * static_cast<double>(back[k * n + j]);
             result[i * n + j] = static_cast<float>(sum);
         }
     }
@@ -220,20 +247,10 @@ Waves make_waves(int cells, Edge edge, Beyond beyond) {
     const auto all = waves_of(cells, edge, beyond);
     const bool faces = edge != Edge::periodic && beyond == Beyond::through_wall;
     Waves result{.start = faces ? 1 : 0, .count = static_cast<int>(all.size())};
-    const auto whole = static_cast<std::size_t>((result.count + 1) / 2);
-    const auto half = static_cast<std::size_t>(result.count / 2);
-    for (const bool symmetric : {true, false}) {
-        auto& back = symmetric ? result.symmetric_back : result.antisymmetric_back;
-        const auto kept = symmetric ? whole : half;
-        for (const Wave& wave : all) {
-            if (wave.symmetric != symmetric) continue;
-            const auto values = column(wave, result.count, faces ? 1.0 : 0.5);
-            result.angle.push_back(wave.angle);
-            for (std::size_t i = 0; i < kept; ++i) back.push_back(static_cast<float>(values[i]));
-        }
-    }
-    result.symmetric = transposed(result.symmetric_back, whole, whole);
-    result.antisymmetric = transposed(result.antisymmetric_back, half, half);
+    std::vector<Column> columns;
+    for (const Wave& wave : all)
+        columns.push_back({wave.angle, column(wave, result.count, faces ? 1.0 : 0.5)});
+    arrange(columns, {0, result.count}, result);
     return result;
 }
 
@@ -319,17 +336,19 @@ void Diffusion::take(double part, double lid, std::array<Samples, 3>& velocity) 
 }
 
 void Diffusion::component(double part, const std::array<Waves, 3>& waves, Samples& u) {
-    std::array<std::vector<float>, 3> symmetric;
-    std::array<std::vector<float>, 3> antisymmetric;
+    std::array<std::vector<std::vector<float>>, 3> matrices;
     std::vector<Tables> tables;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::vector<double> factor;
         for (const double angle : waves[axis].angle)
             factor.push_back(det::exp(-part * laplace_symbol(angle, order_)));
-        const auto odd_first = static_cast<std::size_t>((waves[axis].count + 1) / 2);
-        symmetric[axis] = damped(waves[axis].symmetric_back, std::span(factor).first(odd_first));
-        antisymmetric[axis] = damped(waves[axis].antisymmetric_back, std::span(factor).subspan(odd_first));
-        tables.push_back({waves[axis].count, symmetric[axis], antisymmetric[axis]});
+        for (std::size_t d = 0; d < waves[axis].dense.size(); ++d) {
+            const Places& places = waves[axis].dense[d];
+            matrices[axis].push_back(damped(
+                waves[axis].back[d], std::span(factor).subspan(static_cast<std::size_t>(places.first),
+                                                               static_cast<std::size_t>(places.count))));
+        }
+        tables.push_back({waves[axis], matrices[axis]});
     }
     const std::ptrdiff_t nx = waves[0].count;
     const std::ptrdiff_t ny = waves[1].count;

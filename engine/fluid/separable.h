@@ -4,7 +4,8 @@
 // on evenly beyond the walls, sines where oddly, both where periodic. So an equation in the Laplacian falls apart into one number
 // for each product of three waves. The change to waves and back is one small dense matrix for each axis; up to 64 cells that is
 // as fast as fast transforms or faster, for it runs at the speed of multiplication, and any wave costs alike. Every wave is
-// either symmetric or antisymmetric about the middle, so the halves are folded and half of the work is left.
+// either symmetric or antisymmetric about the middle, so the halves are folded and half of the work is left; and where all those of
+// a half are so about its own middle, as cosines are again and again, that half is folded in turn.
 //
 // Sums are taken in one fixed order. A mirrored input gives the mirrored output to the bit.
 #pragma once
@@ -15,15 +16,22 @@
 
 namespace thaum::fluid {
 
-/// The waves along one axis, orthonormal: first those that are symmetric about the middle, then the antisymmetric ones.
+/// Some places of an axis that follow one another.
+struct Places {
+    int first{}, count{};
+};
+
+/// The waves along one axis, orthonormal. Folding some places makes a place and its mirror image into their sum, which stays in the
+/// lower half with the middle, and their difference in the upper one; what has been folded belongs to one matrix for each of the
+/// dense places, of as many waves.
 struct Waves {
-    int start{};                     ///< the first cell or face that is not given by the edge
-    int count{};                     ///< of cells, and of waves
-    std::vector<double> angle{};     ///< rad per cell
-    std::vector<float> symmetric{};  ///< [half of a cell][wave], the middle included
-    std::vector<float> antisymmetric{};
-    std::vector<float> symmetric_back{};  ///< [wave][half of a cell]
-    std::vector<float> antisymmetric_back{};
+    int start{};                  ///< the first cell or face that is not given by the edge
+    int count{};                  ///< of cells, and of waves
+    std::vector<double> angle{};  ///< rad per cell, wave by wave
+    std::vector<Places> folds{};  ///< one after another; first of all the whole
+    std::vector<Places> dense{};
+    std::vector<std::vector<float>> forth{};  ///< of each dense places: [place][wave]
+    std::vector<std::vector<float>> back{};   ///< [wave][place]
 };
 
 Waves make_waves(int cells, Edge edge, Beyond beyond);

@@ -44,8 +44,11 @@ void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     });
 }
 
-void fill_sides(const Rows& rows, Samples& samples) {
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(rows, axis, Beyond::even, samples);
+/// Walls are closed faces, and what is beyond a closed face counts for nothing.
+void fill_round(const Rows& rows, Samples& potential) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        if (rows.lattice.edges[axis] == Edge::periodic)
+            fill_ghosts_across(rows, axis, Beyond::even, potential);
 }
 
 }  // namespace
@@ -100,7 +103,7 @@ void Solids::divergence(const std::array<Samples, 3>& velocity) {
     });
 }
 
-/// image = minus the divergence, through open faces, of the gradient; the ghosts of the potential are filled.
+/// image = minus the divergence, through open faces, of the gradient; what is beyond periodic sides is filled.
 void Solids::apply(const Samples& potential) {
     const auto [x, y, z] = lattice_.stride;
     const auto per_h2 = static_cast<float>(1 / (lattice_.h * lattice_.h));
@@ -123,7 +126,8 @@ void Solids::precondition() {
     const std::ptrdiff_t nx = lattice_.cells[0];
     float* packed = packed_.data();
     each_row(lattice_, [&](std::ptrdiff_t at) {
-        std::copy_n(residual_.data() + at, nx, packed);
+        // What is written too far, the next row writes over.
+        copy_eights(residual_.data() + at, packed, nx);
         packed += nx;
     });
     box_.solve(packed_);
@@ -144,21 +148,22 @@ void Solids::precondition() {
     }
 }
 
-/// The step along direction_, whose ghosts are filled, that leaves the least energy; `slope`: of the residual along it.
-bool Solids::step_along_direction(double slope) {
+/// The step along direction_, of which what is beyond periodic sides is filled, that leaves the least energy -> the largest residual
+/// that is left, or none where no step does. `slope`: of the residual along it.
+std::optional<double> Solids::step_along_direction(double slope) {
     apply(direction_);
     const double curvature = dot(rows_, direction_, image_);
-    if (!(curvature > 0)) return false;
+    if (!(curvature > 0)) return std::nullopt;
     add(rows_, correction_, slope / curvature, direction_);
-    add(rows_, residual_, -slope / curvature, image_);
-    return true;
+    return subtract(rows_, residual_, slope / curvature, image_);
 }
 
-/// Adds to the correction what the residual is minus the divergence of the gradient of, down to `tolerance` in each cell.
-int Solids::solve(double tolerance, int iterations_most) {
+/// Adds to the correction what the residual, `left` at most, is minus the divergence of the gradient of, down to `tolerance` in each
+/// cell.
+int Solids::solve(double left, double tolerance, int iterations_most) {
     double before = 0;
     int iterations = 0;
-    while (iterations < iterations_most && largest(rows_, residual_) > tolerance) {
+    while (iterations < iterations_most && left > tolerance) {
         precondition();
         const double now = dot(rows_, residual_, smoothed_);
         if (!(now > 0)) break;
@@ -168,11 +173,13 @@ int Solids::solve(double tolerance, int iterations_most) {
                 store(direction_.data() + i, load(smoothed_.data() + i) + turn * load(direction_.data() + i));
         });
         before = now;
-        fill_sides(rows_, direction_);
-        if (!step_along_direction(now)) break;
+        fill_round(rows_, direction_);
+        const auto found = step_along_direction(now);
+        if (!found) break;
+        left = *found;
         ++iterations;
     }
-    fill_sides(rows_, correction_);
+    fill_round(rows_, correction_);
     return iterations;
 }
 
@@ -195,7 +202,7 @@ void Solids::subtract_correction(std::array<Samples, 3>& velocity) const {
 Solids::Found Solids::project(std::array<Samples, 3>& velocity, Samples& potential, double share,
                               int iterations_most) {
     Found found;
-    direction_ = potential;
+    std::swap(direction_, potential);
     std::fill(potential.begin(), potential.end(), 0.0F);
     for (int round = 0;; ++round) {
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -205,9 +212,10 @@ Solids::Found Solids::project(std::array<Samples, 3>& velocity, Samples& potenti
         const double tolerance = share * largest(rows_, velocity) / lattice_.h;
         if (!(found.divergence > tolerance) || round == rounds_most) break;
         std::fill(correction_.begin(), correction_.end(), 0.0F);
-        if (round == 0) step_along_direction(dot(rows_, residual_, direction_));
-        found.iterations +=
-            solve(std::max(tolerance, found.divergence * gain_of_round), iterations_most - found.iterations);
+        double left = found.divergence;
+        if (round == 0) left = step_along_direction(dot(rows_, residual_, direction_)).value_or(left);
+        found.iterations += solve(left, std::max(tolerance, found.divergence * gain_of_round),
+                                  iterations_most - found.iterations);
         subtract_correction(velocity);
         add(rows_, potential, 1, correction_);
     }

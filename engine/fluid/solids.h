@@ -8,6 +8,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/maths.h"
 #include "fluid/rows.h"
@@ -44,8 +45,8 @@ private:
     void divergence(const std::array<Samples, 3>& velocity);
     void apply(const Samples& potential);
     void precondition();
-    bool step_along_direction(double slope);
-    int solve(double tolerance, int iterations_most);
+    std::optional<double> step_along_direction(double slope);
+    int solve(double left, double tolerance, int iterations_most);
     void subtract_correction(std::array<Samples, 3>& velocity) const;
 
     Lattice lattice_;

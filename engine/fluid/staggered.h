@@ -38,14 +38,17 @@ private:
     bool stays(const Settings& settings, const State& now, double dt) const;
     static void fall_asleep(State& now);
     void gather_forces(const Settings& settings, const State& now, double share);
+    void mix(const Settings& settings, const State& now, double base, double Substance::*part);
     void add_buoyancy(const Settings& settings, const State& now);
-    void pull_level(std::size_t axis, int level, float pull, bool without_mean);
+    void pull_along(std::size_t axis, float pull, bool without_mean);
+    void pull_rows(std::size_t axis, const Cells& first, const Cells& end, float pull, bool without_mean);
     void substep(const Settings& settings, State& now, double dt, StepReport& report);
     void end_stage(const Settings& settings, Velocity& velocity);
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
     void spread(const Settings& settings, const State& now, double dt);
     void carry_along(const Settings& settings, State& now, double dt);
-    void carry_by(const Velocity& velocity, const Settings& settings, State& now, double dt);
+    void carry_by(const Velocity& before, const Velocity& after, const Settings& settings, State& now,
+                  double dt);
     void semi_lagrangian(const Settings& settings, State& now, double dt, StepReport& report);
 
     Lattice lattice_;

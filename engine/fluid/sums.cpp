@@ -35,15 +35,17 @@ double product(const auto& where, const Samples& a, const Samples& b) {
     });
 }
 
+/// An integer that compares like the size of a float and, unlike this, side by side.
+std::uint32_t size_of(float value) { return std::bit_cast<std::uint32_t>(value) & 0x7fffffffU; }
+double of_size(std::uint32_t size) { return static_cast<double>(std::bit_cast<float>(size)); }
+
 double most_of(const auto& where, const Samples& samples) {
-    // As integers, which compare like the sizes of floats and, unlike these, side by side.
     std::uint32_t most = 0;
     each_whole_row(where, [&](Row row) {
         const float* value = samples.data() + row.at;
-        for (std::ptrdiff_t i = 0; i < row.count; ++i)
-            most = std::max(most, std::bit_cast<std::uint32_t>(value[i]) & 0x7fffffffU);
+        for (std::ptrdiff_t i = 0; i < row.count; ++i) most = std::max(most, size_of(value[i]));
     });
-    return static_cast<double>(std::bit_cast<float>(most));
+    return of_size(most);
 }
 
 }  // namespace
@@ -62,6 +64,22 @@ double largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     double most = 0;
     for (const Samples& component : velocity) most = std::max(most, largest(rows, component));
     return most;
+}
+
+double subtract(const Rows& rows, Samples& from, double part, const Samples& other) {
+    const auto factor = static_cast<float>(part);
+    std::uint32_t most = 0;
+    each_row(rows, [&](Row row) {
+        float* x = from.data() + row.at;
+        const float* y = other.data() + row.at;
+#pragma GCC ivdep
+        for (std::ptrdiff_t i = 0; i < row.count; ++i) {
+            const float left = x[i] - factor * y[i];
+            x[i] = left;
+            most = std::max(most, size_of(left));
+        }
+    });
+    return of_size(most);
 }
 
 }  // namespace thaum::fluid

@@ -358,17 +358,19 @@ TransportScratch make_transport_scratch(const Lattice& lattice) {
     return scratch;
 }
 
-void set_currents(const Lattice& lattice, const std::array<Samples, 3>& velocity, const Openings* openings,
-                  double dt, Currents& currents) {
+void set_currents(const Lattice& lattice, const std::array<Samples, 3>& before,
+                  const std::array<Samples, 3>& after, const Openings* openings, double dt,
+                  Currents& currents) {
     const auto factor = static_cast<float>(dt / lattice.h);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const Floats from = velocity[axis].data();
+        const Floats first = before[axis].data(), second = after[axis].data();
         float* const __restrict to = currents.courant[axis].data();
+        const auto mean = [=](std::size_t i) { return 0.5F * (first[i] + second[i]); };
         if (openings != nullptr) {
             const Floats aperture = openings->aperture[axis].data();
-            for (std::size_t i = 0; i < lattice.size; ++i) to[i] = from[i] * factor * aperture[i];
+            for (std::size_t i = 0; i < lattice.size; ++i) to[i] = mean(i) * factor * aperture[i];
         } else {
-            for (std::size_t i = 0; i < lattice.size; ++i) to[i] = from[i] * factor;
+            for (std::size_t i = 0; i < lattice.size; ++i) to[i] = mean(i) * factor;
         }
     }
     currents.openings = openings;

@@ -49,9 +49,11 @@ struct Currents {
 
 Currents make_currents(const Lattice& lattice);
 
-/// By velocities, m/s, that are finite, with their ghosts, for dt s >= 0. No allocation. The openings must outlive the currents.
-void set_currents(const Lattice& lattice, const std::array<Samples, 3>& velocity, const Openings* openings,
-                  double dt, Currents& currents);
+/// By the mean of the velocities before and after, m/s, that are finite, with their ghosts, for dt s >= 0. No allocation. The openings
+/// must outlive the currents.
+void set_currents(const Lattice& lattice, const std::array<Samples, 3>& before,
+                  const std::array<Samples, 3>& after, const Openings* openings, double dt,
+                  Currents& currents);
 
 /// Kept from call to call, for any substances of one lattice between the same openings. Zero where nothing is open.
 struct TransportScratch {

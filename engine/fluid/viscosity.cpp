@@ -171,12 +171,12 @@ void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across
         const float* nodal = nodal_.data() + first;
         if (lines.line == 1) {
             for (std::ptrdiff_t r = 0; r < lines.count; ++r) {
-                std::copy_n(values + r * lines.place, lines.width, slab.value + r * w);
-                std::copy_n(nodal + r * lines.place, lines.width, slab.coefficient + r * w);
+                copy_eights(values + r * lines.place, slab.value + r * w, w);
+                copy_eights(nodal + r * lines.place, slab.coefficient + r * w, w);
             }
             solve(lines, slab);
             for (std::ptrdiff_t r = 0; r < lines.count; ++r)
-                std::copy_n(slab.value + r * w, lines.width, values + r * lines.place);
+                copy_eights(slab.value + r * w, values + r * lines.place, w);
         } else {
             transpose({values, lines.line}, {slab.value, w}, lines.width, lines.count);
             transpose({nodal, lines.line}, {slab.coefficient, w}, lines.width, lines.count);

@@ -129,7 +129,7 @@ TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& densi
                       const Openings* openings = nullptr) {
     Currents currents = make_currents(l);
     TransportScratch scratch = make_transport_scratch(l);
-    set_currents(l, velocity, openings, seconds / steps, currents);
+    set_currents(l, velocity, velocity, openings, seconds / steps, currents);
     TransportReport report;
     for (int i = 0; i < steps; ++i) report = transport(l, currents, settings, density, scratch);
     return report;
