@@ -450,8 +450,8 @@ Announcement result_of(const Picture& picture, bool can_play_again) {
     const bool last = picture.phase == Phase::over;
     const auto winner = last ? picture.match_winner : picture.winner;
     const auto what = last ? std::string() : text(" round ", picture.round + 1);
-    const auto how = picture.ending == Ending::kills ? text("first to ", picture.kills_to_win, " kills")
-                                                     : std::string("time is up");
+    const auto kills = text(picture.kills_to_win, picture.kills_to_win == 1 ? " kill" : " kills");
+    const auto how = picture.ending == Ending::kills ? text("first to ", kills) : std::string("time is up");
     if (winner >= players) {
         a.head = last ? "A draw" : text("A draw in", what);
     } else {

@@ -27,7 +27,7 @@ constexpr std::string_view head =
 <title>Thaum: a benchmark report</title>
 <style>
 :root { color-scheme: light dark; }
-body { font: 15px/1.45 "DejaVu Sans", Verdana, sans-serif; margin: 2em auto; max-width: 60em; padding: 0 1em;
+body { font: 15px/1.45 "DejaVu Sans", Verdana, sans-serif; margin: 2em auto; max-width: 84em; padding: 0 1em;
   background: #ffffff; color: #1b1b1f; }
 h2 { margin-top: 2.2em; border-bottom: 1px solid #9a9aa4; }
 svg { max-width: 100%; height: auto; }
