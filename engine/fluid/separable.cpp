@@ -57,10 +57,10 @@ struct Column {
 
 /// Whether it is its own mirror image about the middle of some places, times `sign`.
 bool mirrored(const Column& column, const Places& places, double sign) {
+    const double* here = column.values.data() + places.first;
     for (int i = 0; i < places.count; ++i) {
-        const auto low = static_cast<std::size_t>(places.first + i);
-        const auto high = static_cast<std::size_t>(places.first + places.count - 1 - i);
-        if (std::abs(column.values[low] - sign * column.values[high]) > symmetry_error) return false;
+        const double low = here[i], high = here[places.count - 1 - i];
+        if (std::abs(low - sign * high) > symmetry_error) return false;
     }
     return true;
 }

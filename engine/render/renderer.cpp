@@ -92,7 +92,7 @@ bool share_fog(const Frame& frame) {
 struct ViewBatches {
     Sight sight;
     Rect at{};  // px inside
-    std::size_t first{}, solid{}, shades{};
+    std::size_t first{}, solid{}, shades{}, mists{};
     std::size_t patchworks{};  // of `solid`, the last ones
     SeenVolume volume{};
 };
@@ -128,6 +128,7 @@ struct Renderer::State {
     void collect_volume(const ViewScene& view, int height, Quality quality, ViewBatches& its);
     void march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width, int height);
     void show_volumes(std::span<const ViewBatches> of_views, int height);
+    void draw_mists(std::span<const ViewBatches> of_views, const MistProgram& program, int height);
     ShadowView update_shadow(const Frame& frame);
     ViewBatches collect_view(const ViewScene& view, const Rect& at, Quality quality);
     void draw_view(const ViewScene& view, const ViewBatches& its, Quality quality, const ShadowView& shadow,
@@ -339,6 +340,7 @@ void Renderer::State::draw_views(const Frame& frame) {
         glFlush();
     }
     show_volumes(of_views, height);
+    draw_mists(of_views, of_light ? programs.mist_of_light : programs.mist, height);
     if (straight) return;
     if (of_light) {
         statistics.draws +=
@@ -417,6 +419,24 @@ void Renderer::State::show_volumes(std::span<const ViewBatches> of_views, int he
     }
 }
 
+void Renderer::State::draw_mists(std::span<const ViewBatches> of_views, const MistProgram& program,
+                                 int height) {
+    for (const auto& its : of_views) {
+        if (its.mists == 0) continue;
+        glViewport(its.at.x, height - its.at.y - its.at.height, its.at.width, its.at.height);
+        glEnable(GL_DEPTH_TEST);
+        glDepthMask(GL_FALSE);
+        glEnable(GL_CULL_FACE);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        glUseProgram(program.program.get());
+        glUniformMatrix4fv(program.view_projection, 1, GL_FALSE, &its.sight.to_clip[0][0]);
+        const fvec3 eye(its.sight.eye);
+        glUniform3fv(program.eye, 1, &eye.x);
+        draw_batches(its.first + its.solid + its.shades, its.mists);
+    }
+}
+
 ShadowView Renderer::State::update_shadow(const Frame& frame) {
     if (frame.quality == Quality::low || frame.views.empty()) return {};
     const auto counts = shadow_map.update(frame.casters, frame.views[0].environment.sun.direction, meshes,
@@ -441,6 +461,7 @@ ViewBatches Renderer::State::collect_view(const ViewScene& view, const Rect& at,
     for (std::size_t i = its.first; i < its.first + its.solid; ++i)
         its.patchworks += mesh_patches[batches.batches[i].mesh].patches.empty() ? 0 : 1;
     its.shades = collect(view.shades, tables, its.sight, batches);
+    its.mists = collect(view.mists, tables, its.sight, batches);
     its.sight.hidden = {};
     return its;
 }

@@ -100,9 +100,12 @@ struct ViewScene {
     /// Flat shade over the ground, drawn last: what is there is multiplied by the mesh's colour. tint.r from 0 (not at
     /// all) to 1 says how strongly.
     std::span<const Instance> shades{};
+    /// Soft and seen through, drawn after all else in the world, without order: round meshes, densest where they face the eye. The
+    /// tint is their light, and `glow` the share of what is behind them that they hide at most.
+    std::span<const Instance> mists{};
     /// Blocks that `instances` fill, or a little more: what one of them hides is not drawn. For the sky up to 64 count.
     std::span<const Block> blocks{};
-    const Volume* volume{};  ///< none where it is null; drawn after all else in the world
+    const Volume* volume{};  ///< none where it is null; drawn after all that is solid
 };
 
 /// What keeps the sun away, in all views. `fixed` never changes from frame to frame: its shadow is drawn once and kept.

@@ -1,5 +1,7 @@
 #include "game/hud/brew_picture.h"
 
+#include <algorithm>
+
 #include "fluid/sample.h"
 #include "game/cauldron/brew_pages.h"
 #include "game/cauldron/cauldron.h"
@@ -91,6 +93,7 @@ void take_cauldron(const Simulation& match, CauldronPicture& out) {
     }
     out.owner = cauldron.owner;
     out.mixing = cauldron.mixing;
+    out.heat = std::clamp((1 - cauldron.density) / std::max(1 - rules.aura.light_below, 1e-3), 0.0, 1.0);
     const auto played = match.match().played, end = cauldron.begun + rules.spoils_after;
     out.spoils_in_s = cauldron.begun != 0 && end > played ? seconds(end - played) : 0;
 }

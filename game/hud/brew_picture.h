@@ -47,6 +47,7 @@ struct CauldronPicture {
     std::array<std::string_view, fluid::substances_most> contents{};  ///< names; empty: nothing
     std::uint32_t owner{no_player};
     double mixing{};       ///< of what was dropped in last, 0 to 1
+    double heat{};         ///< 0: as heavy as a pure brew, to 1: so light that it lifts who is near
     double spoils_in_s{};  ///< 0: nothing was begun
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);

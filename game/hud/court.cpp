@@ -19,6 +19,8 @@ using render::PointLight;
 constexpr double least_share = 0.02;    ///< of the strongest force; less is not drawn
 constexpr double ribbon_length = 0.25;  ///< m, of the strongest force
 constexpr int embers = 36, bubbles = 14;
+/// Of steam: over a pure brew, and over one that lifts.
+constexpr double wisps_least = 9, wisps_most = 26;
 constexpr float glow_share = 0.85F;  // of what shines by itself and is lit a little as well
 constexpr float brew_glow = 1.7F;    // the brightest thing in the court
 constexpr double shade_reach = 2.5;  // m above the ground, where contact shade is gone
@@ -529,6 +531,27 @@ void add_bubbles(const Court& court, double time, std::vector<Instance>& out) {
 }
 
 }  // namespace
+
+/// They swell, drift apart and thin out: the lighter the brew is, the hotter, and the more of them.
+void add_steam(const Court& court, const Picture& picture, std::vector<Instance>& out) {
+    if (!court.bowl) return;
+    const double heat = picture.cauldron.there ? picture.cauldron.heat : 0;
+    const double wanted = glm::mix(wisps_least, wisps_most, heat);
+    for (int i = 0; i < wanted; ++i) {
+        const double life = picture.played_s * (0.12 + 0.02 * (i % 5)) + i * 0.618;
+        const double round = std::floor(life), age = life - round;
+        const double angle = 2.4 * (i + 5 * round) + 1.2 * age;
+        const double radius = (0.1 + 0.75 * std::fmod(0.618 * (i + 2 * round), 1.0)) * (1 - 0.3 * age);
+        const vec3 at = *court.bowl + vec3(radius * std::cos(angle), 0.75 + (1.5 + 0.2 * (i % 3)) * age,
+                                           radius * std::sin(angle));
+        const double dense = std::min(1.0, wanted - i) * std::min(1.0, 4 * age) * (1 - age);
+        out.push_back(
+            {.mesh = court.bead,
+             .model = glm::scale(render::translated(fvec3(at)), fvec3(static_cast<float>(0.13 + 0.28 * age))),
+             .tint = colour(0xD8CCE0),
+             .glow = 0.4F * static_cast<float>(dense)});
+    }
+}
 
 void add_contact_shades(const Court& court, const Picture& picture, std::vector<Instance>& out) {
     for (const auto& thing : picture.things) {

@@ -33,14 +33,17 @@ void add_view(const Court& court, const Picture& picture, const HudSettings& set
                                   .lights = lights,
                                   .environment = court.environment,
                                   .shades = memory.shades,
+                                  .mists = memory.mists,
                                   .blocks = blocks_seen_from(court, picture.wizards[player].eye),
                                   .volume = brew});
 }
 
 /// What both views share.
-void add_shadows(const Court& court, const Picture& picture, FrameMemory& memory) {
-    for (auto* list : {&memory.shades, &memory.fixed_casters, &memory.moving_casters}) list->clear();
+void add_shared(const Court& court, const Picture& picture, FrameMemory& memory) {
+    for (auto* list : {&memory.shades, &memory.mists, &memory.fixed_casters, &memory.moving_casters})
+        list->clear();
     add_contact_shades(court, picture, memory.shades);
+    add_steam(court, picture, memory.mists);
     add_casters(court, picture, memory.fixed_casters, memory.moving_casters);
     memory.frame.casters = {memory.fixed_casters, memory.moving_casters};
 }
@@ -85,7 +88,7 @@ void begin_frame(const Court& court, const Picture& picture, const HudSettings& 
     frame.internal_scale = render::internal_scale_of(settings.quality, size.height);
     frame.views.clear();
     frame.overlay.items.clear();
-    add_shadows(court, picture, memory);
+    add_shared(court, picture, memory);
     show_brew_near(court, picture, {.arrows = settings.forces, .streamlines = settings.forces});
 }
 

@@ -26,7 +26,7 @@ struct HudSettings {
 /// Memory that frames are built in; a Frame's spans point into it.
 struct FrameMemory {
     std::array<std::vector<render::Instance>, players> instances;
-    std::vector<render::Instance> shades, fixed_casters, moving_casters;
+    std::vector<render::Instance> shades, mists, fixed_casters, moving_casters;
     std::array<std::vector<render::PointLight>, players> lights;
     render::Frame frame;
 };

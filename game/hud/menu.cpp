@@ -221,7 +221,8 @@ const render::Frame& make_court_frame(const Court& court, const Picture& picture
                     .instances = memory.instances[0],
                     .lights = memory.lights[0],
                     .environment = court.environment,
-                    .shades = memory.shades}};
+                    .shades = memory.shades,
+                    .mists = memory.mists}};
     return frame;
 }
 

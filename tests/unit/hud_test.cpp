@@ -381,6 +381,30 @@ TEST_F(Drawn, EveryThingOfTheArenaHasAMeshOfItsOwnKind) {
     EXPECT_LE(court.lights.size(), render::max_lights);
 }
 
+TEST_F(Drawn, SteamRisesFromTheBrewByItsHeat) {
+    ASSERT_TRUE(court.bowl.has_value());
+    const auto steam = [&](double heat, double seconds) {
+        picture.cauldron.there = true;
+        picture.cauldron.heat = heat;
+        picture.played_s = seconds;
+        std::vector<render::Instance> wisps;
+        add_steam(court, picture, wisps);
+        float dense = 0;
+        for (const auto& wisp : wisps) {
+            const vec3 off = vec3(wisp.model[3]) - *court.bowl;
+            EXPECT_LT(std::hypot(off.x, off.z), 1.2);
+            EXPECT_GT(off.y, 0.7);
+            EXPECT_LE(wisp.glow, 0.5F);
+            dense += wisp.glow;
+        }
+        return dense;
+    };
+    for (const double seconds : {0.0, 3.0, 100.0, 3600.0}) {
+        EXPECT_GT(steam(0, seconds), 0.2F) << seconds;
+        EXPECT_GT(steam(1, seconds), 1.8F * steam(0, seconds)) << seconds;
+    }
+}
+
 /// How far along its way a ray enters the block; infinite where it does not.
 double entry(const render::Block& block, vec3 eye, vec3 way) {
     double enter = 0, leave = std::numeric_limits<double>::infinity();

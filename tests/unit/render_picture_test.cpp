@@ -317,6 +317,32 @@ TEST_F(Picture, ShadesMultiplyWhatIsBelowThem) {
     EXPECT_NEAR(middle(drawn(frame)).g, before, 1);
 }
 
+TEST_F(Picture, MistsHideMostWhereTheyFaceTheEyeAndNothingAtTheirOutline) {
+    const auto ball = renderer->upload(sphere(1, 32, fvec3(1)));
+    for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
+        const std::vector<Instance> one{cube_at({0, 0, -6}, fvec3(1))};
+        Frame frame{
+            .width = width, .height = height, .views = {view(whole, one)}, .overlay = {}, .quality = quality};
+        const int before = middle(drawn(frame)).r;
+        Instance mist{.mesh = ball, .model = translated({0, 0, -3}), .tint = fvec3(0), .glow = 1};
+        frame.views[0].mists = {&mist, 1};
+        const auto whole_mist = drawn(frame);
+        mist.glow = 0.5F;
+        const int half = middle(drawn(frame)).r;
+        mist.glow = 0;
+        EXPECT_EQ(middle(drawn(frame)).r, before);
+        const int hidden = middle(whole_mist).r;
+        ASSERT_GT(std::abs(hidden - before), 20);
+        // Half of the way between, in light at high, as it is seen otherwise.
+        EXPECT_GT(std::abs(half - before), 0.3 * std::abs(hidden - before));
+        EXPECT_LT(std::abs(half - before), 0.8 * std::abs(hidden - before));
+        // Something solid before it hides it.
+        mist.glow = 1;
+        mist.model = translated({0, 0, -8});
+        EXPECT_NEAR(middle(drawn(frame)).r, before, 1);
+    }
+}
+
 TEST_F(Picture, BloomShinesBeyondWhatIsBrightAndCanBeTurnedOff) {
     auto bright = cube_at({0, 0, -6}, fvec3(3));
     bright.glow = 1;
@@ -525,8 +551,8 @@ protected:
 TEST_F(BrokenShader, EveryFileIsNamedWhenItDoesNotCompile) {
     for (const char* name :
          {"mesh.vert", "mesh.frag", "light.glsl", "shadow.glsl", "tone.glsl", "sky.vert", "flat.frag",
-          "shadow.vert", "shadow.frag", "shade.vert", "screen.vert", "bright.frag", "blur.frag",
-          "compose.frag", "overlay.vert", "overlay.frag", "shape.frag"}) {
+          "shadow.vert", "shadow.frag", "shade.vert", "mist.vert", "mist.frag", "screen.vert", "bright.frag",
+          "blur.frag", "compose.frag", "overlay.vert", "overlay.frag", "shape.frag"}) {
         const auto path = folder / "shaders" / name;
         std::ofstream(path) << "#version 330 core\nvoid main() {\n    no such thing;\n}\n";
         const auto message = error();

@@ -57,6 +57,16 @@ Expected<SkyProgram> load_sky_program(const Folder& shaders, const Variant& vari
     return out;
 }
 
+Expected<MistProgram> load_mist_program(const Folder& shaders, const Variant& variant) {
+    auto program =
+        load_program({shaders / "mist.vert", shaders / "tone.glsl", shaders / "mist.frag"}, variant);
+    if (!program) return tl::unexpected(program.error());
+    MistProgram out{.program = std::move(*program)};
+    out.view_projection = uniform(out.program, "view_projection");
+    out.eye = uniform(out.program, "eye");
+    return out;
+}
+
 Expected<SmallProgram> load_small_program(const std::vector<Folder>& files, const char* parameter) {
     auto program = load_program(files);
     if (!program) return tl::unexpected(program.error());
@@ -140,6 +150,8 @@ Expected<Programs> load_programs(const Folder& shaders) {
     loading.take(load_mesh_program(shaders, Quality::low, alone({})), out.sunless);
     loading.take(load_sky_program(shaders, {}), out.sky);
     loading.take(load_sky_program(shaders, {"LINEAR"}), out.sky_of_light);
+    loading.take(load_mist_program(shaders, {}), out.mist);
+    loading.take(load_mist_program(shaders, {"LINEAR"}), out.mist_of_light);
     const auto small = [&](const std::vector<Folder>& files, const char* parameter, SmallProgram& to) {
         loading.take(load_small_program(files, parameter), to);
     };

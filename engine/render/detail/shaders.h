@@ -26,6 +26,11 @@ struct SkyProgram {
         cleared_to_fog{};
 };
 
+struct MistProgram {
+    Program program;
+    GLint view_projection{}, eye{};
+};
+
 /// A program with a matrix, or with a length in texels, and nothing else.
 struct SmallProgram {
     Program program;
@@ -37,6 +42,7 @@ struct Programs {
     std::array<MeshProgram, qualities> alone;  ///< by Quality, for a single instance
     MeshProgram sunless;                       ///< at medium, for a single one that the sun never reaches
     SkyProgram sky, sky_of_light;              ///< tone mapped, and for what the last pass tone maps
+    MistProgram mist, mist_of_light;           ///< likewise
     SmallProgram shadow, shade;                ///< view_projection
     SmallProgram bright, blur;                 ///< texel, way
     SmallProgram compose;                      ///< bloom_strength
