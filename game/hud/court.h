@@ -84,9 +84,9 @@ const render::Volume* visible_brew(const Court& court, const Picture& picture, v
 /// What hides things from there; nothing from outside the court, which is open above.
 std::span<const render::Block> blocks_seen_from(const Court& court, vec3 eye);
 
-/// Whatever stands in the light of the sky darkens the ground below it a little, on ramps as well.
 /// Wisps that rise from the brew, for ViewScene::mists.
 void add_steam(const Court& court, const Picture& picture, std::vector<render::Instance>& out);
+/// Whatever stands in the light of the sky darkens the ground below it a little, on ramps as well.
 void add_contact_shades(const Court& court, const Picture& picture, std::vector<render::Instance>& out);
 
 /// What casts the sun's shadows: what never moves, and the rest, whoever looks.
