@@ -95,8 +95,7 @@ void publish_screen(Desk& desk) {
     if (desk.shared.arm_player < game::players)
         screen.hud.device_says[desk.shared.arm_player] = desk.arm_says;
     for (std::uint32_t player = 0; player < game::players; ++player)
-        if (desk.shared.pad_lost[player])
-            screen.hud.device_says[player] = "pad lost: press a button on it to rejoin";
+        if (desk.shared.pad_lost[player]) screen.hud.device_says[player] = text("pad lost: ", how_to_rejoin);
     screen.quality = settings.quality;
     screen.menu = picture_of(desk.menu, desk.facts);
     screen.court = menu_open(desk) && desk.menu.pages.front().page == Page::start;

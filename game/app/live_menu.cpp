@@ -271,7 +271,7 @@ void tell_pause(Desk& desk) {
     for (std::uint32_t p = 0; p < game::players; ++p) {
         if (!shared.pad_lost[p]) continue;
         head = pad_lost_heads[p];
-        line = "press a button on it to rejoin, or keypad 0 for half of the keyboard";
+        line = text(how_to_rejoin, ", or keypad 0 for half of the keyboard");
     }
     if (desk.menu.head == head && desk.menu.line == line) return;
     desk.menu.head = head;
@@ -288,6 +288,11 @@ std::string clock_of(Tick length) {
     return text(whole / 60, whole % 60 < 10 ? ":0" : ":", whole % 60);
 }
 
+MenuFacts::Rules told(const std::string& name, const game::RoundRules& rules) {
+    const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, ", ") : std::string();
+    return {name, text(name, ": ", rounds, "first to ", rules.kills, ", ", clock_of(rules.length))};
+}
+
 std::optional<MenuFacts::Rules> rules_of(const std::filesystem::path& file) {
     const auto source = read_text_file(file, max_rules_file);
     if (!source) return {};
@@ -295,10 +300,7 @@ std::optional<MenuFacts::Rules> rules_of(const std::filesystem::path& file) {
     if (!config) return {};
     const auto rules = game::read_round_rules(*config);
     if (!config->check()) return {};
-    const auto name = file.stem().string();
-    const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, ", ") : std::string();
-    return MenuFacts::Rules{name,
-                            text(name, ": ", rounds, "first to ", rules.kills, ", ", clock_of(rules.length))};
+    return told(file.stem().string(), rules);
 }
 
 std::vector<MenuFacts::Rules> all_rules(const LivePlan& plan) {
@@ -312,8 +314,9 @@ std::vector<MenuFacts::Rules> all_rules(const LivePlan& plan) {
     std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
     auto choice = plan.data->choice;
     const auto& chosen = length_of(choice);
-    if (std::none_of(all.begin(), all.end(), [&](const auto& r) { return r.name == chosen; }))
-        all.push_back({chosen, chosen});
+    // The chosen ones are loaded, with what --set changes in them.
+    const auto row = std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.name == chosen; });
+    (row == all.end() ? all.emplace_back() : *row) = told(chosen, plan.data->round);
     return all;
 }
 

@@ -1,6 +1,7 @@
 // game/app/live_shared.h: what the three threads of a live session share. All of it is lock-free.
 #pragma once
 #include <atomic>
+#include <string_view>
 #include <variant>
 
 #include "core/clock.h"
@@ -17,6 +18,9 @@
 namespace thaum::app {
 
 enum class Going : std::uint8_t { playing, paused, over };
+
+/// What brings a lost pad back.
+inline constexpr std::string_view how_to_rejoin = "press a button on it to rejoin";
 
 /// A player's arm comes after the hands of both.
 inline constexpr std::size_t arm_device = game::players;

@@ -280,7 +280,7 @@ std::string_view caption_of(const ForcePicture& force, bool told) {
         case ArmCondition::felt: break;
     }
     switch (force.cause) {
-        case SafetyCause::warm: return "Forces are weaker for a while: the device is warm";
+        case SafetyCause::warm: return "Forces are weaker for a while: they were strong for too long";
         case SafetyCause::stale: return "Forces fade: the game or the arm is late";
         case SafetyCause::over_speed: return "Forces wait until the hand is slower";
         case SafetyCause::shut_off:

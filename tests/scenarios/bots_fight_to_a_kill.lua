@@ -1,5 +1,5 @@
 -- Two bots of the higher levels find each other, shoot, fetch what they need, and one of them dies of it.
-match {set = {"quick.kills=2"}, seed = 4, players = {"bot 3", "bot 2"}}
+match {set = {"quick.kills=1"}, seed = 2, players = {"bot 3", "bot 2"}}
 trace("fight", {"1.health", "2.health", "1.energy", "2.energy"})
 wait_until(function() return round_over() end, 240)
 local over, how, winner = round_over()

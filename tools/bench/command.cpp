@@ -11,8 +11,8 @@ constexpr std::string_view bench_help =
     R"(usage: thaum bench [AREA ...] [--quick | --stress [--ticks N]] [--json FILE]
 
 Measures and prints one row for each setting of a case. Areas: ecs, tick,
-physics, replay, skip, render, coupling, primitives, haptics, fluid; without
-one, all.
+physics, replay, skip, render, coupling, primitives, haptics, fluid, surface,
+field; without one, all.
 
   --quick       at most 20 s an area: every case, at smaller sizes
   --stress      the long attack instead: tick plays ten million ticks of the best

@@ -42,7 +42,8 @@ if(THAUM_SANITIZE)
     # What sanitizers add confuses this warning of GCC, even in std::regex; the release build has it.
     target_compile_options(thaum_flags INTERFACE -Wno-maybe-uninitialized)
     if(THAUM_SANITIZE MATCHES "undefined")
-        target_compile_options(thaum_flags INTERFACE -fno-sanitize-recover=undefined)
+        # A null pointer that is followed ends the program anyway, with the same trace; asking first costs a fifth of the build.
+        target_compile_options(thaum_flags INTERFACE -fno-sanitize-recover=undefined -fno-sanitize=null)
     endif()
 endif()
 
