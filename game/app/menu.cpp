@@ -7,162 +7,9 @@
 
 namespace thaum::app {
 
-using input::Action;
 using input::Control;
 using input::DeviceKind;
 using Kind = MenuEvent::Kind;
-
-// Bindings -----------------------------------------------------------------------------------------------------------------
-
-namespace {
-
-/// Actions that the screen lists. The others have no control by default and nothing listens to them.
-constexpr bool listed(Action action) {
-    return action != Action::rejoin && action != Action::quit && action != Action::mark;
-}
-
-std::string capitalised_words(std::string_view name) {
-    std::string words(name);
-    std::replace(words.begin(), words.end(), '_', ' ');
-    if (!words.empty() && words[0] >= 'a' && words[0] <= 'z')
-        words[0] = static_cast<char>(words[0] - 'a' + 'A');
-    return words;
-}
-
-std::string label_of_slot(Slot slot) {
-    if (slot.sheet == session_sheet) return capitalised_words(name_of(static_cast<SessionKey>(slot.action)));
-    return capitalised_words(input::name_of(static_cast<Action>(slot.action)));
-}
-
-std::string label_of_sheet(std::size_t sheet) {
-    constexpr std::array<std::string_view, sheets> labels{"Mouse and keyboard", "Half of the keyboard", "Pad",
-                                                          "Keys for everybody"};
-    return std::string(labels[sheet]);
-}
-
-std::size_t size_of_sheet(std::size_t sheet) {
-    return sheet == session_sheet ? session_keys : input::actions;
-}
-
-std::vector<Control>& controls_to_change(Settings& settings, Slot slot) {
-    if (slot.sheet == session_sheet) return settings.session[slot.action];
-    return settings.bindings_of(settings_hands[slot.sheet]).controls[slot.action];
-}
-
-bool is_pad_sheet(std::size_t sheet) {
-    return sheet < settings_hands.size() && settings_hands[sheet] == DeviceKind::pad;
-}
-
-bool is_pad_control(const Control& c) {
-    return c.source == Control::Source::pad_button || c.source == Control::Source::pad_axis;
-}
-
-/// Can a hand of this sheet reach the control?
-bool fits(std::size_t sheet, const Control& control) {
-    if (is_pad_sheet(sheet)) return is_pad_control(control);
-    if (sheet == 0) return !is_pad_control(control);
-    return control.source == Control::Source::key;
-}
-
-bool is(Slot slot, Action action) {
-    return slot.sheet != session_sheet && slot.action == static_cast<std::size_t>(action);
-}
-bool is(Slot slot, SessionKey key) {
-    return slot.sheet == session_sheet && slot.action == static_cast<std::size_t>(key);
-}
-
-/// These act after the round only, when no other action of a hand does.
-bool acts_after_round(Slot slot) {
-    return is(slot, Action::confirm) || is(slot, SessionKey::again) || is(slot, SessionKey::leave);
-}
-bool acts_in_round(Slot slot) { return !acts_after_round(slot); }
-bool acts_always(Slot slot) { return slot.sheet == session_sheet && acts_in_round(slot); }
-
-/// May one control do both? The same thing for two players, or things that never happen at the same time.
-bool may_share(Slot a, Slot b) {
-    const bool hands = a.sheet != session_sheet && b.sheet != session_sheet;
-    if (hands && a.action == b.action)
-        return is(a, Action::panic) || is(a, Action::pause) || is(a, Action::confirm);
-    const auto either = [&](auto one, auto other) {
-        return (is(a, one) && is(b, other)) || (is(b, one) && is(a, other));
-    };
-    if (either(Action::pause, SessionKey::pause) || either(Action::confirm, SessionKey::again)) return true;
-    return acts_after_round(a) != acts_after_round(b) && !acts_always(a) && !acts_always(b);
-}
-
-/// Two pads are two people's: a control of the pad sheet is never one of another sheet.
-bool conflict(Slot a, Slot b) { return is_pad_sheet(a.sheet) == is_pad_sheet(b.sheet) && !may_share(a, b); }
-
-}  // namespace
-
-namespace {
-
-std::string label_of_key(int code) {
-    const auto words = capitalised_words(key_name_of(code));
-    return words.starts_with("Kp ") ? text("Keypad ", words.substr(3)) : words;
-}
-
-}  // namespace
-
-const std::vector<Control>& controls_of(const Settings& settings, Slot slot) {
-    if (slot.sheet == session_sheet) return settings.session[slot.action];
-    return settings.bindings_of(settings_hands[slot.sheet]).controls[slot.action];
-}
-
-std::vector<Slot> assign(Settings& settings, Slot slot, const Control& control) {
-    std::vector<Slot> losers;
-    for (std::size_t sheet = 0; sheet < sheets; ++sheet) {
-        for (std::size_t action = 0; action < size_of_sheet(sheet); ++action) {
-            const Slot other{sheet, action};
-            if (other == slot || !conflict(slot, other)) continue;
-            if (std::erase(controls_to_change(settings, other), control) > 0) losers.push_back(other);
-        }
-    }
-    controls_to_change(settings, slot) = {control};
-    return losers;
-}
-
-std::string label_of(const Control& control) {
-    constexpr std::array<std::string_view, 5> mouse{
-        "Left mouse button", "Right mouse button", "Middle mouse button", "Mouse button 4", "Mouse button 5"};
-    constexpr std::array<std::string_view, 15> buttons{"A",
-                                                       "B",
-                                                       "X",
-                                                       "Y",
-                                                       "LB",
-                                                       "RB",
-                                                       "Back",
-                                                       "Start",
-                                                       "Guide",
-                                                       "Left stick in",
-                                                       "Right stick in",
-                                                       "Pad up",
-                                                       "Pad right",
-                                                       "Pad down",
-                                                       "Pad left"};
-    constexpr std::array<std::string_view, 12> axes{"Left stick left",
-                                                    "Left stick right",
-                                                    "Left stick down",
-                                                    "Left stick up",
-                                                    "Right stick left",
-                                                    "Right stick right",
-                                                    "Right stick down",
-                                                    "Right stick up",
-                                                    "LT",
-                                                    "LT",
-                                                    "RT",
-                                                    "RT"};
-    const auto code = static_cast<std::size_t>(control.code);
-    switch (control.source) {
-        case Control::Source::key: return label_of_key(control.code);
-        case Control::Source::mouse_button: return std::string(mouse.at(code));
-        case Control::Source::wheel: return control.direction > 0 ? "Wheel up" : "Wheel down";
-        case Control::Source::pad_button: return std::string(buttons.at(code));
-        case Control::Source::pad_axis:
-            return std::string(axes.at(2 * code + (control.direction > 0 ? 1 : 0)));
-    }
-    return {};
-}
 
 std::string name_of(const Device& device, const MenuFacts& facts) {
     if (device.kind == DeviceKind::keyboard_mouse)
@@ -174,8 +21,7 @@ std::string name_of(const Device& device, const MenuFacts& facts) {
 
 bool esc_ends_waiting(const MenuState& state) {
     if (!state.waiting) return false;
-    return is_pad_sheet(state.waiting->sheet) ||
-           !(is(*state.waiting, Action::pause) || is(*state.waiting, SessionKey::pause));
+    return is_pad_sheet(state.waiting->sheet) || !pauses(*state.waiting);
 }
 
 // Rows ---------------------------------------------------------------------------------------------------------------------
@@ -267,11 +113,11 @@ std::string labels_of(const std::vector<Control>& controls) {
 void add_binding_rows(const MenuState& s, std::vector<Row>& rows) {
     for (std::size_t action = 0; action < size_of_sheet(s.sheet); ++action) {
         const Slot slot{s.sheet, action};
-        if (s.sheet != session_sheet && !listed(static_cast<Action>(action))) continue;
+        if (!is_listed(slot)) continue;
         const bool waits = s.waiting == slot;
         rows.push_back({RowKind::action,
                         action,
-                        {.label = label_of_slot(slot),
+                        {.label = label_of(slot),
                          .value = waits ? (is_pad_sheet(s.sheet) ? "press it on the pad ..." : "press it ...")
                                         : labels_of(controls_of(s.settings, slot))}});
     }
@@ -281,7 +127,7 @@ void add_binding_rows(const MenuState& s, std::vector<Row>& rows) {
             const auto index = static_cast<std::size_t>(action);
             rows.push_back({RowKind::toggle,
                             index,
-                            {.label = text(label_of_slot({s.sheet, index}), " while"),
+                            {.label = text(label_of(Slot{s.sheet, index}), " while"),
                              .value = toggled[index] ? "press and press again" : "held",
                              .adjustable = true}});
         }
@@ -480,7 +326,7 @@ void take_control(MenuState& s, const MenuEvent& event) {
     if (losers.empty()) return;
     s.note = text(label_of(event.control), " is taken from:");
     for (const auto loser : losers) {
-        s.note += text(loser == losers.front() ? " " : ", ", label_of_slot(loser));
+        s.note += text(loser == losers.front() ? " " : ", ", label_of(loser));
         if (loser.sheet != slot.sheet) s.note += text(" (", label_of_sheet(loser.sheet), ")");
     }
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "game/app/settings.h"
+#include "game/app/bindings.h"
 #include "game/hud/menu.h"
 
 namespace thaum::app {
@@ -62,14 +62,6 @@ struct MenuFacts {
     bool ends_match = false;  ///< leaving the pause goes to the start screen, not out of the program
 };
 
-/// One action of one sheet of bindings: sheet 0 to 2 is settings_hands, 3 the session's keys.
-struct Slot {
-    std::size_t sheet{}, action{};
-    bool operator==(const Slot&) const = default;
-};
-inline constexpr std::size_t sheets = settings_hands.size() + 1;
-inline constexpr std::size_t session_sheet = settings_hands.size();
-
 enum class MenuWish : std::uint8_t { none, start, range, go_on, leave, quit };
 
 struct MenuState {
@@ -104,14 +96,5 @@ game::MenuPicture picture_of(const MenuState& state, const MenuFacts& facts);
 
 /// "Mouse and keyboard", "Half of the keyboard", "Pad 2 (Xbox 360 Controller)".
 std::string name_of(const Device& device, const MenuFacts& facts);
-
-/// "Space", "Left mouse button", "RT", "Left stick up".
-std::string label_of(const input::Control& control);
-
-const std::vector<input::Control>& controls_of(const Settings& settings, Slot slot);
-
-/// Gives the slot this control and nothing else; it is taken from whatever else it would do at the same time. Returns
-/// what lost it.
-std::vector<Slot> assign(Settings& settings, Slot slot, const input::Control& control);
 
 }  // namespace thaum::app

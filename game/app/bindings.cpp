@@ -1,0 +1,159 @@
+#include "game/app/bindings.h"
+
+#include <algorithm>
+
+#include "core/text.h"
+
+namespace thaum::app {
+
+using input::Action;
+using input::Control;
+using input::DeviceKind;
+
+namespace {
+
+std::string capitalised_words(std::string_view name) {
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    if (!words.empty() && words[0] >= 'a' && words[0] <= 'z')
+        words[0] = static_cast<char>(words[0] - 'a' + 'A');
+    return words;
+}
+
+std::vector<Control>& controls_to_change(Settings& settings, Slot slot) {
+    if (slot.sheet == session_sheet) return settings.session[slot.action];
+    return settings.bindings_of(settings_hands[slot.sheet]).controls[slot.action];
+}
+
+bool is_pad_control(const Control& c) {
+    return c.source == Control::Source::pad_button || c.source == Control::Source::pad_axis;
+}
+
+bool is(Slot slot, Action action) {
+    return slot.sheet != session_sheet && slot.action == static_cast<std::size_t>(action);
+}
+bool is(Slot slot, SessionKey key) {
+    return slot.sheet == session_sheet && slot.action == static_cast<std::size_t>(key);
+}
+
+/// These act after the round only, when no other action of a hand does.
+bool acts_after_round(Slot slot) {
+    return is(slot, Action::confirm) || is(slot, SessionKey::again) || is(slot, SessionKey::leave);
+}
+bool acts_in_round(Slot slot) { return !acts_after_round(slot); }
+bool acts_always(Slot slot) { return slot.sheet == session_sheet && acts_in_round(slot); }
+
+/// May one control do both? The same thing for two players, or things that never happen at the same time.
+bool may_share(Slot a, Slot b) {
+    const bool hands = a.sheet != session_sheet && b.sheet != session_sheet;
+    if (hands && a.action == b.action)
+        return is(a, Action::panic) || is(a, Action::pause) || is(a, Action::confirm);
+    const auto either = [&](auto one, auto other) {
+        return (is(a, one) && is(b, other)) || (is(b, one) && is(a, other));
+    };
+    if (either(Action::pause, SessionKey::pause) || either(Action::confirm, SessionKey::again)) return true;
+    return acts_after_round(a) != acts_after_round(b) && !acts_always(a) && !acts_always(b);
+}
+
+/// Two pads are two people's: a control of the pad sheet is never one of another sheet.
+bool conflict(Slot a, Slot b) { return is_pad_sheet(a.sheet) == is_pad_sheet(b.sheet) && !may_share(a, b); }
+
+std::string label_of_key(int code) {
+    const auto words = capitalised_words(key_name_of(code));
+    return words.starts_with("Kp ") ? text("Keypad ", words.substr(3)) : words;
+}
+
+}  // namespace
+
+std::size_t size_of_sheet(std::size_t sheet) {
+    return sheet == session_sheet ? session_keys : input::actions;
+}
+
+bool is_pad_sheet(std::size_t sheet) {
+    return sheet < settings_hands.size() && settings_hands[sheet] == DeviceKind::pad;
+}
+
+bool is_listed(Slot slot) {
+    return !is(slot, Action::rejoin) && !is(slot, Action::quit) && !is(slot, Action::mark);
+}
+
+bool pauses(Slot slot) { return is(slot, Action::pause) || is(slot, SessionKey::pause); }
+
+bool fits(std::size_t sheet, const Control& control) {
+    if (is_pad_sheet(sheet)) return is_pad_control(control);
+    if (sheet == 0) return !is_pad_control(control);
+    return control.source == Control::Source::key;
+}
+
+const std::vector<Control>& controls_of(const Settings& settings, Slot slot) {
+    if (slot.sheet == session_sheet) return settings.session[slot.action];
+    return settings.bindings_of(settings_hands[slot.sheet]).controls[slot.action];
+}
+
+std::vector<Slot> assign(Settings& settings, Slot slot, const Control& control) {
+    std::vector<Slot> losers;
+    for (std::size_t sheet = 0; sheet < sheets; ++sheet) {
+        for (std::size_t action = 0; action < size_of_sheet(sheet); ++action) {
+            const Slot other{sheet, action};
+            if (other == slot || !conflict(slot, other)) continue;
+            if (std::erase(controls_to_change(settings, other), control) > 0) losers.push_back(other);
+        }
+    }
+    controls_to_change(settings, slot) = {control};
+    return losers;
+}
+
+std::string label_of_sheet(std::size_t sheet) {
+    constexpr std::array<std::string_view, sheets> labels{"Mouse and keyboard", "Half of the keyboard", "Pad",
+                                                          "Keys for everybody"};
+    return std::string(labels[sheet]);
+}
+
+std::string label_of(Slot slot) {
+    if (slot.sheet == session_sheet) return capitalised_words(name_of(static_cast<SessionKey>(slot.action)));
+    return capitalised_words(input::name_of(static_cast<Action>(slot.action)));
+}
+
+std::string label_of(const Control& control) {
+    constexpr std::array<std::string_view, 5> mouse{
+        "Left mouse button", "Right mouse button", "Middle mouse button", "Mouse button 4", "Mouse button 5"};
+    constexpr std::array<std::string_view, 15> buttons{"A",
+                                                       "B",
+                                                       "X",
+                                                       "Y",
+                                                       "LB",
+                                                       "RB",
+                                                       "Back",
+                                                       "Start",
+                                                       "Guide",
+                                                       "Left stick in",
+                                                       "Right stick in",
+                                                       "Pad up",
+                                                       "Pad right",
+                                                       "Pad down",
+                                                       "Pad left"};
+    constexpr std::array<std::string_view, 12> axes{"Left stick left",
+                                                    "Left stick right",
+                                                    "Left stick down",
+                                                    "Left stick up",
+                                                    "Right stick left",
+                                                    "Right stick right",
+                                                    "Right stick down",
+                                                    "Right stick up",
+                                                    "LT",
+                                                    "LT",
+                                                    "RT",
+                                                    "RT"};
+    const auto code = static_cast<std::size_t>(control.code);
+    switch (control.source) {
+        case Control::Source::key: return label_of_key(control.code);
+        case Control::Source::mouse_button: return std::string(mouse.at(code));
+        case Control::Source::wheel: return control.direction > 0 ? "Wheel up" : "Wheel down";
+        case Control::Source::pad_button: return std::string(buttons.at(code));
+        case Control::Source::pad_axis:
+            return std::string(axes.at(2 * code + (control.direction > 0 ? 1 : 0)));
+    }
+    return {};
+}
+
+}  // namespace thaum::app
