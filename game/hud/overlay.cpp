@@ -30,6 +30,7 @@ const fvec4 track = colour(0x140E22, 0.75F);
 const fvec4 white = colour(0xF6F0FF, 1.0F);
 const fvec4 soft = colour(0xD8CCE8, 0.85F);
 const fvec4 red = colour(0xFF4A3A, 1.0F);
+const fvec4 light_red = colour(0xFFB0A0, 1.0F);  // words: red ones are hard to read before brick and dusk
 
 /// A view, and how long a HUD's unit is in it, px.
 struct Corner {
@@ -125,7 +126,7 @@ void add_crosshair(Overlay& out, const PlayerPicture& p, const Corner& c) {
             line(way, 9, 18, colour(0xFFE08A, 1.0F), width + 0.5F);
     }
     if (p.since_dry_s < dry_seconds)
-        add_text(out, "no energy", centre + fvec2(0, 22 * u), 14 * u, red, Align::centre);
+        add_text(out, "no energy", centre + fvec2(0, 22 * u), 14 * u, light_red, Align::centre);
 }
 
 /// Clockwise from ahead, rad.
@@ -302,7 +303,7 @@ void add_caption(Overlay& out, const PlayerPicture& p, const std::string& device
     if (!words.empty()) add_text(out, std::string(words), place, size, white, Align::centre);
     if (!device_says.empty())
         add_text(out, device_says, place - fvec2(0, 1.3F * size), size_that_fits(device_says, size, c.view),
-                 red, Align::centre);
+                 light_red, Align::centre);
 }
 
 void add_death(Overlay& out, const PlayerPicture& p, const Corner& c) {
@@ -378,8 +379,8 @@ void add_practice(Overlay& out, const PracticePicture& practice, fvec2 middle, c
 
 void add_caption(Overlay& out, const Caption& caption, float top, const Rect& window, float u) {
     if (caption.words.empty()) return;
-    add_line(out, caption.words, at(window, 0.5F, 0) + fvec2(0, top), 16 * u, caption.fault ? red : white,
-             window);
+    add_line(out, caption.words, at(window, 0.5F, 0) + fvec2(0, top), 16 * u,
+             caption.fault ? light_red : white, window);
 }
 
 struct Announcement {
@@ -540,8 +541,8 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     add_caption(out, picture.caption, middle.y + 42 * unit, window, unit);
     if (picture.overloaded) {
         add_text(out, text("This machine is too slow: ", picture.skipped, " ms of input left out"),
-                 at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 104) * unit), 14 * unit, red,
-                 Align::centre);
+                 at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 104) * unit), 14 * unit,
+                 light_red, Align::centre);
     }
     if (picture.mark != 0) {
         add_text(out, text("mark ", picture.mark), middle + fvec2(0, 32 * unit), 15 * unit, soft,
