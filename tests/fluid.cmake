@@ -1,9 +1,7 @@
 thaum_test(test_fluid
-    SOURCES accuracy/fluid_accuracy_test.cpp accuracy/fluid_classic_test.cpp accuracy/fluid_solids_test.cpp stability/fluid_hostile_test.cpp unit/fluid_resample_test.cpp unit/fluid_saved_test.cpp
-    LINK thaum_fluid)
-thaum_test(test_sheet
-    SOURCES accuracy/fluid_sheet_test.cpp stability/fluid_sheet_hostile_test.cpp
-    LINK thaum_fluid)
-thaum_test(test_transport
-    SOURCES accuracy/fluid_transport_test.cpp
+    SOURCES
+        accuracy/fluid_accuracy_test.cpp accuracy/fluid_classic_test.cpp accuracy/fluid_sheet_test.cpp accuracy/fluid_solids_test.cpp
+        accuracy/fluid_transport_test.cpp
+        stability/fluid_hostile_test.cpp stability/fluid_sheet_hostile_test.cpp
+        unit/fluid_resample_test.cpp unit/fluid_saved_test.cpp
     LINK thaum_fluid)

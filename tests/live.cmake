@@ -1,19 +1,8 @@
 thaum_test(test_hud
-    SOURCES unit/brew_look_test.cpp unit/hud_test.cpp
+    SOURCES unit/brew_look_test.cpp unit/hud_test.cpp unit/hud_pictures_test.cpp
     LINK thaum_hud)
-thaum_test(test_pictures
-    SOURCES unit/hud_pictures_test.cpp
-    LINK thaum_hud)
-thaum_test(test_settings
-    SOURCES unit/settings_test.cpp
-    LINK thaum_live)
-
-thaum_test(test_menu
-    SOURCES unit/menu_test.cpp
-    LINK thaum_live)
-
-thaum_test(test_practice
-    SOURCES unit/practice_test.cpp
+thaum_test(test_live
+    SOURCES unit/menu_test.cpp unit/practice_test.cpp unit/settings_test.cpp
     LINK thaum_live)
 
 add_executable(live_shot drivers/shot.cpp)

@@ -1,6 +1,6 @@
 // Fixed scenes against stored pictures, by perceptual distance. Every stored picture has been looked at; after a change
 // that is meant, look at the new ones and keep them:
-//     THAUM_KEEP_PICTURES=tests/pictures build/release/tests/test_pictures
+//     THAUM_KEEP_PICTURES=tests/pictures build/release/tests/test_hud
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -27,6 +27,10 @@ endif()
 add_library(thaum_flags INTERFACE)
 target_compile_options(thaum_flags INTERFACE
     -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Up to so many kB the compiler does not tidy up its memory, which takes a tenth of its time.
+    target_compile_options(thaum_flags INTERFACE --param=ggc-min-heapsize=1000000)
+endif()
 if(CMAKE_UNITY_BUILD)
     # GCC takes the anonymous namespaces of sources that are included for a header's.
     target_compile_options(thaum_flags INTERFACE -Wno-subobject-linkage)
