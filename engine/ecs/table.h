@@ -142,13 +142,15 @@ struct Table {
     /// The last row takes the place of `row`; returns the entity that moved (the removed one if it was the last).
     Entity remove(std::uint32_t row);
     /// The entity's row becomes a new last row of the neighbour at the end of one of this table's edges, and the last row here
-    /// takes its place. Only cells that both have are touched: where `to` has one column less, the caller fills the hole in it,
-    /// whose type he may know.
+    /// takes its place; but for the cells, which `move_cells` moves.
     struct Moved {
-        std::uint32_t to_row{};
-        Entity filler;  ///< that is in the old row now
+        std::uint32_t to_row{}, last{};  ///< over there; here, which is no row any more
+        Entity filler;                   ///< that is in the old row now
     };
     Moved move(std::uint32_t row, Entity entity, const Edge& edge);
+    /// Only cells that both have are touched: where `to` has one column less, the caller fills the hole in it, whose type he may
+    /// know.
+    static void move_cells(const Edge& edge, std::uint32_t row, std::uint32_t last, std::uint32_t to_row);
     /// Once, for two tables that differ in this component.
     void join(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component);
     /// The column of bits of a tag, made when it is first needed.
@@ -232,29 +234,32 @@ template <std::size_t size>
     copy_cell(hole, lane.from + last * size, constant);
 }
 
-// One size of cells in the loop, since the places in arrays of every size would be worked out before it and kept on the stack; and
-// nothing is written before all that is needed of the two tables was read, since a byte's address may be anything's.
 [[gnu::always_inline]] inline Table::Moved Table::move(std::uint32_t row, Entity entity, const Edge& edge) {
     auto& to = *edge.to;
     if (to.rows == to.capacity) [[unlikely]] {
         to.grow();
     }
     const std::uint32_t last = rows - 1, to_row = to.rows;
-    auto *const here = entities(), *const there = to.entities();
-    const Entity filler = here[last];
-    if (!edge.only_lanes) [[unlikely]] {
-        move_other_cells(edge, row, last, to_row);
-    }
     if (!tags.empty()) [[unlikely]] {
         move_tags(row, to, to_row);
     }
+    auto* const here = entities();
+    const Entity filler = here[last];
     to.rows = to_row + 1;
     rows = last;
+    to.entities()[to_row] = entity;
+    here[row] = filler;
+    return {to_row, last, filler};
+}
+
+// One size of cells in the loop, since the places in arrays of every size would be worked out before it and kept on the stack.
+[[gnu::always_inline]] inline void Table::move_cells(const Edge& edge, std::uint32_t row, std::uint32_t last,
+                                                     std::uint32_t to_row) {
     for (const auto *lane = edge.lanes.data(), *end = lane + edge.lanes.size(); lane != end; ++lane)
         move_cell<lane_size>(*lane, row, last, to_row);
-    there[to_row] = entity;
-    here[row] = filler;
-    return {to_row, filler};
+    if (!edge.only_lanes) [[unlikely]] {
+        move_other_cells(edge, row, last, to_row);
+    }
 }
 
 }  // namespace thaum::ecs

@@ -27,17 +27,22 @@ std::string World::component_message(std::string_view what, std::uint32_t compon
     return text("entity ", entity.index, " (generation ", entity.generation, ") ", what, " ", name);
 }
 
-std::string World::undeclared_message(std::string_view name) const {
-    return text("component ", name, " was not declared in this World");
+void World::fail(const char* what, std::uint32_t component, Entity entity) const {
+    assertion_failed(__FILE__, __LINE__, component_message(what, component, entity));
 }
 
-std::string World::stale_message(Entity entity, std::uint32_t component) const {
-    return component_message("is stale, asked for component", component, entity);
+void World::fail_stale(Entity entity, std::uint32_t component) const {
+    fail("is stale, asked for component", component, entity);
 }
 
-std::string World::locked_message(std::uint32_t component) const {
+void World::fail_locked(std::uint32_t component) const {
     const auto name = component < infos_.size() ? infos_[component].name : std::string_view("(none)");
-    return text("structural change inside a view or hook, component ", name, ": use commands()");
+    assertion_failed(__FILE__, __LINE__,
+                     text("structural change inside a view or hook, component ", name, ": use commands()"));
+}
+
+void World::fail_undeclared(std::string_view name) const {
+    assertion_failed(__FILE__, __LINE__, text("component ", name, " was not declared in this World"));
 }
 
 void World::check_access(std::uint32_t component, bool write) const {

@@ -173,14 +173,18 @@ private:
     };
 
     const Record& record(Entity entity, std::uint32_t component) const {
-        THAUM_ASSERT(alive(entity), stale_message(entity, component));
+        if (!alive(entity)) [[unlikely]] {
+            fail_stale(entity, component);
+        }
         return records_[entity.index];
     }
     Record& record(Entity entity, std::uint32_t component) {
         return const_cast<Record&>(std::as_const(*this).record(entity, component));
     }
     void assert_unlocked(std::uint32_t component) const {
-        THAUM_ASSERT(locks_ == 0, locked_message(component));
+        if (locks_ != 0) [[unlikely]] {
+            fail_locked(component);
+        }
     }
     void check_read(std::uint32_t component) const {
         if (access_ != nullptr) [[unlikely]] {
@@ -193,11 +197,12 @@ private:
         }
     }
     void check_access(std::uint32_t component, bool write) const;
-    std::string stale_message(Entity entity, std::uint32_t component) const;
-    std::string locked_message(std::uint32_t component) const;
+    // Assertions of what is called most. Calls of their own, since a message made in place costs the way past it registers.
+    [[noreturn, gnu::cold]] void fail_stale(Entity entity, std::uint32_t component) const;
+    [[noreturn, gnu::cold]] void fail_locked(std::uint32_t component) const;
+    [[noreturn, gnu::cold]] void fail_undeclared(std::string_view name) const;
+    [[noreturn, gnu::cold]] void fail(const char* what, std::uint32_t component, Entity entity) const;
     std::string component_message(std::string_view what, std::uint32_t component, Entity entity) const;
-
-    std::string undeclared_message(std::string_view name) const;
 
     /// id() where it is known that C was declared.
     template <Component C>
@@ -242,6 +247,8 @@ private:
     void declare_info(ComponentInfo info, std::uint32_t type_number);
     template <class... Cs>
     const Pack& pack_of();
+    template <class... Cs>
+    void make_pack(std::uint32_t type);
     void note_pack(std::uint32_t type, std::span<const std::uint32_t> components);
 
     std::vector<ComponentInfo> infos_;
@@ -277,21 +284,29 @@ void World::declare() {
 }
 
 template <Component C>
-std::uint32_t World::id() const {
+[[gnu::always_inline]] inline std::uint32_t World::id() const {
     const auto type = detail::type_number<C>;
-    THAUM_ASSERT(id_of_type_[type] != none, undeclared_message(C::name));
-    return id_of_type_[type];
+    const auto component = id_of_type_[type];
+    if (component == none) [[unlikely]] {
+        fail_undeclared(C::name);
+    }
+    return component;
 }
 
 template <class... Cs>
-const World::Pack& World::pack_of() {
+[[gnu::always_inline]] inline const World::Pack& World::pack_of() {
     static_assert(sizeof...(Cs) <= std::tuple_size_v<decltype(Pack::components)>);
     const auto type = detail::type_number<detail::Pack<Cs...>>;
     if (packs_[type].table == none) [[unlikely]] {
-        const std::array<std::uint32_t, sizeof...(Cs)> components{id<Cs>()...};
-        note_pack(type, components);
+        make_pack<Cs...>(type);
     }
     return packs_[type];
+}
+
+template <class... Cs>
+[[gnu::cold, gnu::noinline]] void World::make_pack(std::uint32_t type) {
+    const std::array<std::uint32_t, sizeof...(Cs)> components{id<Cs>()...};
+    note_pack(type, components);
 }
 
 // Inlined, so that components go from registers into their cells. They come by value, since a reference might be to a cell of
@@ -299,7 +314,7 @@ const World::Pack& World::pack_of() {
 template <Component... Cs>
 [[gnu::always_inline]] inline Entity World::create(Cs... components) {
     const Pack& pack = pack_of<Cs...>();
-    THAUM_ASSERT(locks_ == 0, locked_message(sizeof...(Cs) > 0 ? pack.components[0] : none));
+    assert_unlocked(sizeof...(Cs) > 0 ? pack.components[0] : none);
     const auto index = take_number();
     auto& record = records_[index];
     auto& table = *tables_[pack.table];
@@ -327,7 +342,9 @@ inline void World::mark(Entity entity, std::uint32_t tag) {
     assert_unlocked(tag);
     const auto& r = record(entity, tag);
     auto& column = tables_[r.table]->tag_column(tag);
-    THAUM_ASSERT(!column.test(r.row), component_message("already has", tag, entity));
+    if (column.test(r.row)) [[unlikely]] {
+        fail("already has", tag, entity);
+    }
     column.set(r.row);
 }
 
@@ -336,17 +353,21 @@ inline void World::unmark(Entity entity, std::uint32_t tag) {
     const auto& r = record(entity, tag);
     auto& table = *tables_[r.table];
     const auto at = table.tag_of[tag];
-    THAUM_ASSERT(at != no_tag && table.tags[at].test(r.row), component_message("has no", tag, entity));
+    if (at == no_tag || !table.tags[at].test(r.row)) [[unlikely]] {
+        fail("has no", tag, entity);
+    }
     removing(tag, entity);
     table.tags[at].clear(r.row);
 }
 
+// Cells last: a byte's address may be anything's, so whatever is needed after them would have to be read anew.
 [[gnu::always_inline]] inline std::uint32_t World::follow(const Edge& edge, Record& record, Entity entity) {
     const auto row = record.row;
-    const auto [to_row, filler] = edge.from->move(row, entity, edge);
+    const auto [to_row, last, filler] = edge.from->move(row, entity, edge);
     records_[filler.index].row = row;
     record.table = edge.to_number;  // after the line above: the entity may itself have been the last
     record.row = to_row;
+    Table::move_cells(edge, row, last, to_row);
     return to_row;
 }
 
@@ -427,7 +448,9 @@ const C& World::get(Entity entity) const {
     check_read(c);
     const auto& r = record(entity, c);
     const auto* cells = tables_[r.table]->template cells_of<const C>(c);
-    THAUM_ASSERT(cells != nullptr, component_message("has no component", c, entity));
+    if (cells == nullptr) [[unlikely]] {
+        fail("has no component", c, entity);
+    }
     return cells[r.row];
 }
 

@@ -12,7 +12,6 @@
 #include "render/detail/shadow_map.h"
 #include "render/detail/shapes2d.h"
 #include "render/detail/sky_cells.h"
-#include "render/detail/software_memory.h"
 #include "render/detail/targets.h"
 #include "render/detail/volumes.h"
 #include "render/simplify.h"
@@ -229,7 +228,6 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .hidden = {},
                                                .dipped = {}});
     Renderer renderer(std::move(state));
-    if (is_software(renderer.device())) keep_freed_memory();
     warm_up(renderer);
     return renderer;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/memory.h"
 #include "core/text.h"
 #include "game/app/command.h"
 
@@ -75,5 +76,6 @@ int main(int argc, char** argv) {
                      "thaum: this build needs a processor with AVX2; build with -DTHAUM_PORTABLE=ON\n");
         return thaum::app::wrong_use;
     }
+    thaum::keep_freed_memory();
     return thaum::app::dispatch({argv + 1, argv + argc});
 }

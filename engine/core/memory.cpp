@@ -1,8 +1,8 @@
-#include "render/detail/software_memory.h"
+#include "core/memory.h"
 
 #include <malloc.h>
 
-namespace thaum::render::detail {
+namespace thaum {
 
 void keep_freed_memory() {
 #ifdef __GLIBC__
@@ -13,4 +13,4 @@ void keep_freed_memory() {
 #endif
 }
 
-}  // namespace thaum::render::detail
+}  // namespace thaum

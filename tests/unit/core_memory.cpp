@@ -1,0 +1,50 @@
+// What the allocator does with memory that is freed: page faults, as the system counts them.
+#include "core/memory.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cstring>
+#include <memory>
+#include <vector>
+
+namespace thaum {
+namespace {
+
+/// A store that grows by doubling, up to 8 MiB, and goes.
+void grow_and_go() {
+    std::unique_ptr<std::byte[]> store;
+    for (std::size_t size = 4096; size <= std::size_t{8} << 20U; size *= 2) {
+        store = std::make_unique_for_overwrite<std::byte[]>(size);
+        std::memset(store.get(), 1, size);
+    }
+}
+
+long page_faults_of(void (*work)()) {
+    rusage before{}, after{};
+    ::getrusage(RUSAGE_SELF, &before);
+    work();
+    ::getrusage(RUSAGE_SELF, &after);
+    return after.ru_minflt - before.ru_minflt;
+}
+
+// In a process of its own: what is freed stays with the process that asked for it.
+TEST(CoreMemoryDeathTest, WhatIsFreedIsNotAskedOfTheSystemAgain) {
+#if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    GTEST_SKIP() << "the allocator is not glibc's";
+#else
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(
+        {
+            const long as_it_comes = (grow_and_go(), page_faults_of(grow_and_go));
+            keep_freed_memory();
+            grow_and_go();
+            const long kept = page_faults_of(grow_and_go);
+            std::exit(as_it_comes > 1000 && kept < 100 ? 0 : 1);
+        },
+        testing::ExitedWithCode(0), "");
+#endif
+}
+
+}  // namespace
+}  // namespace thaum
