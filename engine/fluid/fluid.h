@@ -29,7 +29,8 @@ enum class Solver : std::uint8_t { thaum, classic };
 inline constexpr std::size_t substances_most = 3;
 inline constexpr double viscosity_most = 1e6;  ///< m^2/s
 inline constexpr double speed_most = 1e6;      ///< m/s; what would be faster is refused
-inline constexpr int substeps_most = 4;        ///< of one step; the rest is taken by a semi-Lagrangian one
+/// Of one step. Where it wants more, a semi-Lagrangian step takes the place of all that are left.
+inline constexpr int substeps_most = 4;
 
 struct Substance {
     double viscosity{};  ///< m^2/s, added where its density is 1
@@ -109,7 +110,7 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
 /// What a step did.
 struct StepReport {
     int substeps{};
-    bool fell_back{};           ///< beyond `substeps_most`: the rest was taken by a semi-Lagrangian step
+    bool fell_back{};           ///< beyond `substeps_most`: what was left went by a semi-Lagrangian step
     int pressure_iterations{};  ///< of all sub-steps; a direct solve counts as one
     double divergence{};        ///< largest, times h by the largest speed
     double energy{};            ///< m^5/s^2: J per density

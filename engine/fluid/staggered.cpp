@@ -341,20 +341,23 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
     while (left > 0) {
         gather_forces(settings, now, 1 / dt);
         double wanted = std::max(1.0, steps_wanted(settings, now, left));
-        if (solids_ && wanted > substeps_most) {
+        const int allowed = substeps_most - report.substeps;
+        if (solids_ && wanted > allowed) {
             // What struck in a shorter step left its pressure; over a longer one it would strike much harder. Without it a step is of first
             // order, and stable.
             std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
             gather_forces(settings, now, 1 / dt);
             wanted = std::max(1.0, steps_wanted(settings, now, left));
         }
-        const double sub = left / wanted;
-        if (report.substeps == substeps_most) {
+        if (wanted > allowed) {
+            // At once, for the sub-steps that are allowed would hardly come forward. Twenty steps after a push for which five to six would be
+            // wanted, what moves is 0.03 to 0.04 from what fine steps come to, and was 0.06 to 0.08 with four of them first; for ten it
+            // is the same either way.
             explicit_ = false;
             semi_lagrangian(settings, now, left, report);
-            left = 0;
             break;
         }
+        const double sub = left / wanted;
         explicit_ = !solids_ && !viscosity_varies(settings) &&
                     settings.viscosity * sub <= explicit_most * lattice_.h * lattice_.h;
         substep(settings, now, sub, report);

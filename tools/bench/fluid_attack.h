@@ -155,10 +155,9 @@ inline void judge(Attack& attack, const StepReport& report, const AttackBounds& 
     if (!all_finite(fluid)) note(attack, "not finite");
     if (!(divergence <= bounds.divergence)) note(attack, text("divergence ", divergence));
     if (!(growth <= bounds.energy_growth)) note(attack, text("energy grew by ", growth));
-    // One more than the most is the step that a solver falls back to.
-    if (report.substeps > substeps_most + 1) note(attack, text("sub-steps ", report.substeps));
-    if (report.cells > std::int64_t{nx} * ny * nz * (substeps_most + 1))
-        note(attack, text("cells ", report.cells));
+    if (report.substeps + (report.fell_back ? 1 : 0) > substeps_most)
+        note(attack, text("sub-steps ", report.substeps));
+    if (report.cells > std::int64_t{nx} * ny * nz * substeps_most) note(attack, text("cells ", report.cells));
     for (std::size_t s = 0; s < fluid.settings.substances.size(); ++s) {
         const double drift = attack.amounts[s] > 0 ? std::abs(amount(fluid, s) / attack.amounts[s] - 1) : 0;
         attack.worst_drift = std::max(attack.worst_drift, drift);

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "core/hash.h"
 #include "core/text.h"
@@ -363,14 +364,37 @@ fluid::AttackBounds bounds_of(const Scheme& scheme) {
     return {.divergence = any, .energy_growth = any, .amount_drift = any};
 }
 
+/// us for which this thread had a processor: in a long run another program has it at some time, within some step.
+double processor_us() {
+    timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+/// Of a few, before the first strike: all that is at work later is at work, but nothing moves fast.
+double calm_step_us(fluid::Fluid calm) {
+    for (std::size_t s = 0; s < calm.settings.substances.size(); ++s)
+        pour(calm, s, vec3(0.5, 0.5, 0.5), 0.3, 1e-3);
+    std::vector<double> us;
+    for (int i = 0; i < 21; ++i) {
+        push(calm, {.place = vec3(0.5, 0.5, 0.5), .radius = 0.2, .impulse = vec3(1e-3, 0, 0)});
+        us.push_back(us_of([&] { advance(calm, flows::step); }));
+    }
+    return median(us);
+}
+
 void stress_one(const Scheme& scheme, std::uint64_t steps, Report& report) {
     auto made = fluid::make_attack(scheme, 24, 1);
     if (!made) return report.faults.push_back(text("fluid: ", made.error().message));
     fluid::Attack& attack = *made;
     FluidRun run{.scheme = scheme, .n = 24, .fluid = {}};
+    const double calm = calm_step_us(attack.fluid);
+    double worst_of_processor = 0;
     for (std::uint64_t i = 0; i < steps && attack.fault.empty(); ++i) {
         strike(attack);
+        const double before = processor_us();
         run.us.push_back(us_of([&] { run.last = advance(attack.fluid, flows::step); }));
+        worst_of_processor = std::max(worst_of_processor, processor_us() - before);
         judge(attack, run.last, bounds_of(scheme));
         if (!attack.fault.empty())
             report.faults.push_back(text("fluid: ", solver_name(scheme), " order ", scheme.order, " step ", i,
@@ -380,6 +404,7 @@ void stress_one(const Scheme& scheme, std::uint64_t steps, Report& report) {
     Row row = row_of("stress", run);
     row.metrics = {
         {"steps", static_cast<double>(run.us.size())},   {"worst_step_us", percentile(run.us, 1)},
+        {"worst_step_processor_us", worst_of_processor}, {"worst_step_per_calm", worst_of_processor / calm},
         {"largest_divergence", attack.worst_divergence}, {"largest_energy_growth", attack.worst_growth},
         {"largest_amount_change", attack.worst_drift},   {"refused_pushes", attack.refused}};
     report.rows.push_back(std::move(row));
