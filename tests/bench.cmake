@@ -1,5 +1,6 @@
 if(TARGET thaum_bench)
     thaum_test(test_bench
         SOURCES unit/bench_test.cpp
-        LINK thaum_bench nlohmann_json::nlohmann_json)
+        LINK thaum_bench nlohmann_json::nlohmann_json
+        NOT_SANITIZED BenchPhysics.TheShippedStep*)
 endif()

@@ -295,6 +295,17 @@ std::string_view caption_of(const ForcePicture& force, bool told) {
     return {};
 }
 
+/// Words on a panel that is as wide as they are, by the widest type; long ones shrink until the window holds them.
+void add_line(Overlay& out, const std::string& words, fvec2 top, float size, fvec4 paint,
+              const Rect& window) {
+    size = size_that_fits(words, size, window);
+    const float em = em_per_character * static_cast<float>(words.size());
+    const fvec2 half(0.5F * em * size + 0.5F * size, 0.85F * size), middle = top + fvec2(0, 0.6F * size);
+    out.items.emplace_back(
+        render::RectItem{middle - half, middle + half, colour(0x140E22, 0.8F), 0.5F * size});
+    add_text(out, words, top, size, paint, Align::centre);
+}
+
 /// The driver's words above our own.
 void add_caption(Overlay& out, const PlayerPicture& p, const std::string& device_says, const Corner& c) {
     const fvec2 place = at(c.view, 0.5F, 0.82F);
@@ -302,8 +313,7 @@ void add_caption(Overlay& out, const PlayerPicture& p, const std::string& device
     const auto words = caption_of(p.force, !device_says.empty());
     if (!words.empty()) add_text(out, std::string(words), place, size, white, Align::centre);
     if (!device_says.empty())
-        add_text(out, device_says, place - fvec2(0, 1.3F * size), size_that_fits(device_says, size, c.view),
-                 light_red, Align::centre);
+        add_line(out, device_says, place - fvec2(0, 1.7F * size), size, light_red, c.view);
 }
 
 void add_death(Overlay& out, const PlayerPicture& p, const Corner& c) {
@@ -347,28 +357,17 @@ std::string goal_line(const Picture& picture) {
 
 /// Score and clock, between the halves.
 void add_score(Overlay& out, const Picture& picture, fvec2 middle, float u) {
-    out.items.emplace_back(render::RectItem{middle - u * fvec2(92, 27), middle + u * fvec2(92, 27),
+    out.items.emplace_back(render::RectItem{middle - u * fvec2(96, 27), middle + u * fvec2(96, 27),
                                             colour(0x140E22, 0.8F), 12 * u});
-    add_mark(out, 0, middle + u * fvec2(-72, -4), 10 * u);
-    add_mark(out, 1, middle + u * fvec2(72, -4), 10 * u);
+    add_mark(out, 0, middle + u * fvec2(-76, -4), 10 * u);
+    add_mark(out, 1, middle + u * fvec2(76, -4), 10 * u);
     const float high = 25 * u;
-    add_text(out, text(picture.wizards[0].kills), middle + u * fvec2(-40, -22), high,
+    add_text(out, text(picture.wizards[0].kills), middle + u * fvec2(-44, -22), high,
              opaque(team_colours(0).light), Align::centre);
-    add_text(out, text(picture.wizards[1].kills), middle + u * fvec2(40, -22), high,
+    add_text(out, text(picture.wizards[1].kills), middle + u * fvec2(44, -22), high,
              opaque(team_colours(1).light), Align::centre);
     add_text(out, clock(picture.left_s), middle + u * fvec2(0, -19), 19 * u, white, Align::centre);
     add_text(out, goal_line(picture), middle + u * fvec2(0, 7), 11 * u, soft, Align::centre);
-}
-
-/// Words on a panel that is as wide as they are, by the widest type; long ones shrink until the window holds them.
-void add_line(Overlay& out, const std::string& words, fvec2 top, float size, fvec4 paint,
-              const Rect& window) {
-    size = size_that_fits(words, size, window);
-    const float em = em_per_character * static_cast<float>(words.size());
-    const fvec2 half(0.5F * em * size + 0.5F * size, 0.85F * size), middle = top + fvec2(0, 0.6F * size);
-    out.items.emplace_back(
-        render::RectItem{middle - half, middle + half, colour(0x140E22, 0.8F), 0.5F * size});
-    add_text(out, words, top, size, paint, Align::centre);
 }
 
 /// What one has done, and to whom.
@@ -540,9 +539,9 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
         add_score(out, picture, middle, unit);
     add_caption(out, picture.caption, middle.y + 42 * unit, window, unit);
     if (picture.overloaded) {
-        add_text(out, text("This machine is too slow: ", picture.skipped, " ms of input left out"),
+        add_line(out, text("This machine is too slow: ", picture.skipped, " ms of input left out"),
                  at(window, 0.5F, 0) + fvec2(0, (middle.y > 100 * unit ? 8 : 104) * unit), 14 * unit,
-                 light_red, Align::centre);
+                 light_red, window);
     }
     if (picture.mark != 0) {
         add_text(out, text("mark ", picture.mark), middle + fvec2(0, 32 * unit), 15 * unit, soft,

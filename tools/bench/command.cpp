@@ -1,19 +1,20 @@
 // thaum bench: time, error and cost, as a table and as JSON. It stands here and not with the other commands, since
 // the game must not include its tools.
 #include "game/app/command.h"
+#include "core/text.h"
 #include "game/app/arguments.h"
 #include "tools/bench/bench.h"
 
 namespace thaum::app {
 namespace {
 
-constexpr std::string_view bench_help =
+constexpr std::string_view bench_usage =
     R"(usage: thaum bench [AREA ...] [--quick | --stress [--ticks N]] [--json FILE]
 
-Measures and prints one row for each setting of a case. Areas: ecs, tick,
-physics, replay, skip, render, coupling, primitives, haptics, fluid, surface,
-field; without one, all.
+Measures and prints one row for each setting of a case; without an AREA, of all:
+)";
 
+constexpr std::string_view bench_options = R"(
   --quick       at most 20 s an area: every case, at smaller sizes
   --stress      the long attack instead: tick plays ten million ticks of the best
                 bots, alone and on two threads, and looks at hashes, bounds, memory;
@@ -21,6 +22,22 @@ field; without one, all.
   --ticks N     so many ticks or steps instead
   --json FILE   the report as JSON; - for standard output
 )";
+
+/// In lines that fit a terminal.
+std::string names_of_areas() {
+    constexpr std::size_t widest = 80;
+    std::string result = " ";
+    std::size_t wide = 1;
+    for (const auto& area : bench::areas()) {
+        if (wide + 1 + area.name.size() > widest) {
+            result.append("\n ");
+            wide = 1;
+        }
+        result.append(" ").append(area.name);
+        wide += 1 + area.name.size();
+    }
+    return result.append("\n");
+}
 
 int run_bench(const std::vector<std::string>& words) {
     static constexpr Option options[] = {{"--quick"}, {"--stress"}, {"--ticks", 1}, {"--json", 1}};
@@ -42,6 +59,9 @@ int run_bench(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command bench_command() { return {"bench", "measure time against error", bench_help, run_bench}; }
+Command bench_command() {
+    static const std::string help = text(bench_usage, names_of_areas(), bench_options);
+    return {"bench", "measure time against error", help, run_bench};
+}
 
 }  // namespace thaum::app
