@@ -19,8 +19,10 @@ namespace {
 
 constexpr std::int64_t ns_per_tick = 1'000'000;
 constexpr Tick most_behind = 250;
-constexpr Tick publish_period = 4;        ///< in real time
-constexpr Tick idle_wake = 8;             ///< ticks at once, in a pause and after the end
+constexpr Tick publish_period = 4;  ///< in real time
+// In a pause and after the end, when less than that is to be seen:
+constexpr Tick idle_wake = 8;             ///< ticks at once
+constexpr Tick idle_publish_period = 32;  ///< half as long as one picture stays
 constexpr Tick log_after_end = 500;       ///< ticks of the result that are still recorded
 constexpr Tick rematch_not_before = 800;  ///< ticks, so that who was just shooting does not ask for one
 constexpr Tick mark_shown = 1500;         ///< ticks
@@ -269,7 +271,8 @@ void run_tick(Session& s) {
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
     watch_buttons(s, frame);
     tell_going(s.shared, round.match->match());
-    if (now % s.publish_every == 0) publish(s);
+    const bool idle = s.shared.going.load() != Going::playing;
+    if (now % (idle ? std::max(s.publish_every, idle_publish_period) : s.publish_every) == 0) publish(s);
 }
 
 /// Ticks whose deadline has passed and that are not done.

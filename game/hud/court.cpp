@@ -433,10 +433,12 @@ void add_missile(const Court& court, const Picture& picture, const MissilePictur
     out.push_back({.mesh = mesh, .model = glm::scale(flying(missile), fvec3(size)), .glow = 1});
 }
 
-/// A small core that goes out, and a shell that flies as far as the burst reaches. The core never fills a view.
+/// A small core that goes out, and a shell that flies as far as the burst reaches. Neither ever fills a view: the core is small where it
+/// is near, and nobody sees the shell that goes past their eye.
 void add_burst(const Court& court, const Picture& picture, const BurstPicture& burst, std::uint32_t viewer,
                std::vector<Instance>& out) {
     constexpr double most_of_view = 0.15;  // of the distance to it
+    constexpr double past_the_eye = 1.25;  // its bars are thick
     const auto& team = court.teams[burst.player % players];
     const auto age = static_cast<float>(std::clamp(burst.age_s / burst_seconds, 0.0, 1.0));
     const auto radius = static_cast<float>(burst.radius);
@@ -444,10 +446,11 @@ void add_burst(const Court& court, const Picture& picture, const BurstPicture& b
     const float shell = radius * (0.15F + 0.85F * std::sqrt(age)), core = 0.2F * radius * (1 - age);
     const double distance = viewer < players ? glm::distance(burst.place, picture.wizards[viewer].eye) : 100;
     const float shown = std::min(core, static_cast<float>(most_of_view * distance));
-    out.push_back({.mesh = team.burst,
-                   .model = glm::scale(at, fvec3(shell)),
-                   .tint = fvec3(1 - 0.8F * age),
-                   .glow = 1});
+    if (distance > past_the_eye * double{shell})
+        out.push_back({.mesh = team.burst,
+                       .model = glm::scale(at, fvec3(shell)),
+                       .tint = fvec3(1 - 0.8F * age),
+                       .glow = 1});
     if (shown > 0) out.push_back({.mesh = court.ember, .model = glm::scale(at, fvec3(shown)), .glow = 1});
 }
 

@@ -335,6 +335,31 @@ TEST_F(Drawn, WhoAsksForForcesSeesTheFlowOfABrewThatIsNear) {
     }
 }
 
+TEST_F(Drawn, ABurstInOnesFaceHidesNothing) {
+    const auto shells = [&](double distance) {
+        int seen = 0;
+        for (const double age : {0.01, 0.1, 0.2, 0.39}) {
+            const vec3 place = picture.wizards[0].eye + vec3(distance, 0, 0);
+            picture.burst_count = 1;
+            picture.bursts[0] = {.age_s = age, .player = 1, .place = place, .radius = 3.5};
+            make_frame(court, picture, {}, size, memory);
+            for (const auto& instance : memory.instances[0]) {
+                const double reach = glm::length(fvec3(instance.model[0]));
+                if (instance.mesh == court.teams[1].burst) {
+                    EXPECT_GT(distance, 1.2 * reach) << "its bars pass the eye";
+                    ++seen;
+                } else if (instance.mesh == court.ember) {
+                    EXPECT_LT(reach, 0.2 * distance) << "its core fills the view";
+                }
+            }
+        }
+        return seen;
+    };
+    EXPECT_EQ(shells(6), 4);
+    EXPECT_EQ(shells(1.5), 1);
+    EXPECT_EQ(shells(0.2), 0);
+}
+
 TEST_F(Drawn, PauseAndResultCoverBothHalves) {
     const auto before = draw({});
     picture.paused = true;
