@@ -58,7 +58,7 @@ Mirrors mirrors(int n, Edge edge, Beyond beyond) {
 
 void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float factor) {
     if (factor == 1) {
-        std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
+        if (to != from) std::memcpy(to, from, static_cast<std::size_t>(count) * sizeof(float));
     } else if (factor == 0) {
         std::fill_n(to, count, 0.0F);
     } else {
