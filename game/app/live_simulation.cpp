@@ -57,6 +57,8 @@ struct Session {
 
 /// Null: it is not recorded.
 input::LogWriter* log_of(Round& round) { return std::get_if<input::LogWriter>(&round.kept); }
+/// In a pause and after the end.
+bool is_idle(const Session& s) { return s.shared.going.load() != Going::playing; }
 bool holds_arm(const Session& s) { return s.shared.arm && s.shared.arm_player < game::players; }
 Practice* practice_of(Round& round) { return std::get_if<Practice>(&round.kept); }
 
@@ -271,8 +273,8 @@ void run_tick(Session& s) {
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
     watch_buttons(s, frame);
     tell_going(s.shared, round.match->match());
-    const bool idle = s.shared.going.load() != Going::playing;
-    if (now % (idle ? std::max(s.publish_every, idle_publish_period) : s.publish_every) == 0) publish(s);
+    if (now % (is_idle(s) ? std::max(s.publish_every, idle_publish_period) : s.publish_every) == 0)
+        publish(s);
 }
 
 /// Ticks whose deadline has passed and that are not done.
@@ -293,7 +295,7 @@ void skip(Session& s, Tick behind) {
 }
 
 void wait_for_next(Session& s) {
-    const bool idle = s.shared.going.load() != Going::playing;
+    const bool idle = is_idle(s);
     const auto tick = s.round.match->now() + (idle ? idle_wake : 1);
     const auto deadline = s.start_ns + static_cast<std::int64_t>(tick) * s.tick_ns;
     sleep_until_ns(deadline);

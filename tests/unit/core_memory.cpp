@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <vector>
 
 namespace thaum {
 namespace {
@@ -28,15 +28,8 @@ long page_faults_of(void (*work)()) {
     return after.ru_minflt - before.ru_minflt;
 }
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-constexpr bool glibc_allocates = true;
-#else
-constexpr bool glibc_allocates = false;
-#endif
-
 // In a process of its own: what is freed stays with the process that asked for it.
 TEST(CoreMemoryDeathTest, WhatIsFreedIsNotAskedOfTheSystemAgain) {
-    if (!glibc_allocates) GTEST_SKIP() << "the allocator is not glibc's";
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(
         {
