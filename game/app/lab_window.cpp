@@ -22,9 +22,9 @@ using game::LabState;
 
 constexpr int steps_of_a_frame = 4;  // beyond that time is let go
 constexpr double note_s = 4, rate_s = 0.5;
-constexpr double pour_m3 = 2e-3;                 // in a step, while the key is held
-constexpr double above = 0.15;                   // m, where a ladle is out of the brew
-constexpr double dip_m = 0.04;                   // in a step, up and down
+constexpr double pour_m3 = 2e-3;  // in a step, while the key is held; at least once for each press
+constexpr double above = 0.15;    // m, where a ladle is out of the brew
+constexpr double dip_m = 0.04;    // in a step, up and down
 constexpr double follow = 0.5, way_most = 0.12;  // m, in a step: how a ladle follows the mouse
 constexpr double depth_step = 0.08;              // m
 constexpr double within_walls = 0.93;            // of the basin's width
@@ -41,6 +41,7 @@ struct LabDesk {
 
     std::optional<fvec2> cursor{};  ///< px
     bool stirring = false, turning = false, pouring = false;
+    bool pour_is_due = false;                                ///< pressed since the last step
     bool wants_reset = false, leaves = false, anew = false;  ///< anew: the picture's bowl is another one
     double height{};                                         ///< m, of a ladle that stirs, below the level
     std::optional<vec3> ladle{};  ///< as the mouse leads it; also while it is lifted out
@@ -119,6 +120,7 @@ void load_now(LabDesk& desk) {
 void press(LabDesk& desk, std::string_view key) {
     if (game::turn_control(key, desk.page.hands, desk.plan.lab.rules)) return;
     if (key == "Esc") desk.leaves = true;
+    if (key == "Space") desk.pour_is_due = true;
     if (key == "Backspace") desk.wants_reset = true;
     if (key == "F5") save_now(desk);
     if (key == "F9") load_now(desk);
@@ -173,7 +175,8 @@ game::LabInput input_now(LabDesk& desk, render::Size size) {
     game::LabInput input = game::scripted_input(desk.plan.script, lab);
     move_ladle(desk, size);
     if (desk.ladle) input.ladle = desk.ladle;
-    if (desk.pouring && desk.page.hands.chosen < lab.settings.substances.size())
+    const bool pours = std::exchange(desk.pour_is_due, false) || desk.pouring;
+    if (pours && desk.page.hands.chosen < lab.settings.substances.size())
         input.pours.push_back({desk.page.hands.chosen, pour_m3, game::place_to_pour(lab, input.ladle)});
     if (!same_settings(desk.page.hands.settings, lab.settings)) input.change = desk.page.hands.settings;
     input.reset = std::exchange(desk.wants_reset, false);

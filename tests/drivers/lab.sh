@@ -37,6 +37,10 @@ key s
 key F5
 [ -s "$folder/brew" ] || fail "F5 did not save"
 key BackSpace
+for _ in 1 2 3 4 5; do # pressed and let go within one picture
+    xdotool key --delay 0 space
+    sleep 0.3
+done
 key F9
 key Escape
 wait "$lab" || fail "the exit code"
@@ -48,6 +52,10 @@ grids=$(awk -F, -v c="$(column cells)" -v s="$(column substeps)" 'NR > 1 && $s >
 [ "$grids" -ge 2 ] || fail "the grid did not change"
 poured=$(awk -F, -v p="$(column substance_1_m3)" 'END { print ($p > 0.01) }' "$folder/trace.csv")
 [ "$poured" = 1 ] || fail "what was poured is not there after reset and load"
+# Between the reset and the load, where the time jumps.
+tapped=$(awk -F, -v t="$(column time_s)" -v p="$(column substance_1_m3)" 'NR > 2 && ($t < last || $t > last + 0.02) { ++jumps; most = jumps > 1 ? most : 0 }
+    { last = $t } jumps == 1 && $p > most { most = $p } END { print (most > 0.0099 && most < 0.0201) }' "$folder/trace.csv")
+[ "$tapped" = 1 ] || fail "five presses did not pour what five steps pour"
 "$thaum" lab --fluid --headless --stir none --load "$folder/brew" --seconds 0.1 >"$folder/said" || fail "the state does not load"
 grep -q '32 cells across, thaum, bowl' "$folder/said" || fail "another solver or grid than was chosen"
 echo "stirred, changed, saved and loaded by mouse and keys"
