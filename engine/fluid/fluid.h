@@ -30,7 +30,7 @@ inline constexpr std::size_t substances_most = 3;
 inline constexpr double viscosity_most = 1e6;  ///< m^2/s
 inline constexpr double speed_most = 1e6;      ///< m/s; what would be faster is refused
 /// Of one step. Where it wants more, a semi-Lagrangian step takes the place of all that are left.
-inline constexpr int substeps_most = 4;
+inline constexpr int substeps_most = 3;
 
 struct Substance {
     double viscosity{};  ///< m^2/s, added where its density is 1
