@@ -11,9 +11,9 @@
 #include <cstdint>
 
 #include "core/maths.h"
+#include "haptics/balance.h"
 #include "haptics/energy.h"
 #include "haptics/fluid_touch.h"
-#include "haptics/primitives.h"
 #include "haptics/safety.h"
 #include "haptics/surface.h"
 

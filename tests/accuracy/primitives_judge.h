@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "haptics/primitives.h"
+#include "haptics/balance.h"
 
 namespace thaum::haptics::sets {
 

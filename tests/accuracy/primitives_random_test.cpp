@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "accuracy/primitives_judge.h"
-#include "haptics/primitives.h"
+#include "haptics/balance.h"
 #include "tools/bench/primitive_sets.h"
 
 namespace thaum::haptics {

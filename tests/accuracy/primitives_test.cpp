@@ -1,5 +1,5 @@
 // Proxies of known sets, in closed form, and what must be refused.
-#include "haptics/primitives.h"
+#include "haptics/balance.h"
 
 #include <gtest/gtest.h>
 

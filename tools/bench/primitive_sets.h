@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "core/random.h"
-#include "haptics/primitives.h"
+#include "haptics/balance.h"
 
 namespace thaum::haptics::sets {
 

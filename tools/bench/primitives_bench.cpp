@@ -1,4 +1,4 @@
-// The proxy of haptic primitives (engine/haptics/primitives.h): run time against what is left of the sum of forces.
+// The proxy of haptic primitives (engine/haptics/balance.h): run time against what is left of the sum of forces.
 //
 // "exact" is what ships. "iterative" is the usual way, minimising the size of eq. 8's sum numerically: damped steps along it,
 // halved where it does not fall, at most 200. "gauss_seidel" is how a physics engine would do it: 20 rounds in which one
@@ -10,7 +10,7 @@
 
 #include "core/hash.h"
 #include "core/text.h"
-#include "haptics/primitives.h"
+#include "haptics/balance.h"
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"

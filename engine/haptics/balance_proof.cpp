@@ -1,0 +1,122 @@
+#include "haptics/balance_proof.h"
+
+#include <algorithm>
+
+namespace thaum::haptics::balancing {
+namespace {
+
+/// N: what counts as solved.
+constexpr double solved = 1e-9;
+
+/// Distances at x and forces within the strengths.
+void tidy(Problem& problem, vec3 x) {
+    for (Term& term : terms_of(problem)) {
+        term.distance = project(term, project(term, x) - term.offset);
+        term.dual = project(term, term.dual);
+        limit_dual(term);
+    }
+}
+
+/// How far the most mistaken force is from the one that its primitive exerts at x, N.
+double worst_misfit(const Problem& problem, vec3 x) {
+    const double rounding = rounding_of(world_of(problem, x));
+    double worst = 0;
+    for (const Term& term : terms_of(problem)) {
+        if (touches(term, rounding)) continue;
+        const vec3 pull = term.distance * (term.strength / glm::length(term.distance));
+        worst = std::max(worst, glm::length(term.dual - pull));
+    }
+    return worst;
+}
+
+}  // namespace
+
+void improve(Answer& best, const Problem& problem, vec3 x, double residual) {
+    if (!(residual < best.residual)) return;
+    best.residual = residual;
+    best.proxy = world_of(problem, x);
+    std::size_t i = 0;
+    for (const Term& term : terms_of(problem)) best.pulls[i++] = -outward(problem, term.dual);
+}
+
+double spread_of_held(Problem& problem, vec3 x) {
+    const double rounding = rounding_of(world_of(problem, x));
+    double spread = 0;
+    for (Term& term : terms_of(problem)) {
+        if (!term.held) continue;
+        term.distance = project(term, x) - term.offset;
+        if (!touches(term, rounding)) spread = std::max(spread, glm::dot(term.distance, term.distance));
+    }
+    return std::sqrt(spread);
+}
+
+double residual_at(Problem& problem, vec3 x) {
+    tidy(problem, x);
+    const double rounding = rounding_of(world_of(problem, x));
+    vec3 missing = problem.stiffness * x - problem.target;
+    for (Term& term : terms_of(problem)) {
+        if (!touches(term, rounding))
+            term.dual = term.distance * (term.strength / glm::length(term.distance));
+        missing += term.dual;
+    }
+    return glm::length(missing);
+}
+
+double duality_bound(Problem& problem, vec3 x) {
+    tidy(problem, x);
+    vec3 missing = problem.stiffness * x - problem.target;
+    double gap = 0;
+    for (const Term& term : terms_of(problem)) {
+        missing += term.dual;
+        gap += std::max(0.0, term.strength * glm::length(term.distance) - glm::dot(term.dual, term.distance));
+    }
+    const double bound = std::sqrt(glm::dot(missing, missing) + 2 * problem.stiffness * gap);
+    // The sum may be known while a strong force next to its kink is not: that is not solved.
+    return bound <= solved && worst_misfit(problem, x) > solved ? 2 * solved : bound;
+}
+
+vec3 balance_held(Problem& problem, vec3 x) {
+    const vec3 gradient = problem.stiffness * x - problem.target;
+    vec3 missing = gradient;
+    std::size_t held = 0;
+    for (Term& term : terms_of(problem)) {
+        if (!term.held) missing += term.dual;
+        held += term.held ? 1 : 0;
+    }
+    if (held == 0) return missing;
+    if (Term* const only = held == 1 ? only_held(problem) : nullptr) {
+        only->dual = -project(*only, missing);
+        limit_dual(*only);
+        return missing + only->dual;
+    }
+    const double rounding = 2 * epsilon * (problem.strength + glm::length(gradient));
+    for (Term& term : terms_of(problem)) {
+        if (term.held) term.dual = project(term, term.dual);
+    }
+    double before = std::numeric_limits<double>::infinity();
+    for (;;) {
+        missing = gradient;
+        Symmetric room;
+        double most = 0;
+        for (Term& term : terms_of(problem)) {
+            missing += term.dual;
+            if (!term.held) continue;
+            const double left = 1.01 * term.strength - glm::length(term.dual);
+            add_projector(room, term, left);
+            most += left;
+        }
+        const double size = glm::length(missing);
+        if (size <= rounding || most == 0 || size > 0.7 * before) return missing;
+        before = size;
+        add_identity(room, 1e-14 * most);
+        const vec3 share = solve(room, missing, 1e-14 * most);
+        for (Term& term : terms_of(problem)) {
+            if (!term.held) continue;
+            const double left = 1.01 * term.strength - glm::length(term.dual);
+            term.dual -= left * project(term, share);
+            limit_dual(term);
+        }
+    }
+}
+
+}  // namespace thaum::haptics::balancing

@@ -1,0 +1,29 @@
+// haptics/balance_proof.h: step 3 of balance.cpp: can the held kinks exert what is missing? If so, the sum is zero with forces that each
+// can exert, which only the one minimum allows: the proof does not depend on how the guess was made.
+#pragma once
+#include "haptics/held_kinks.h"
+
+namespace thaum::haptics::balancing {
+
+/// The best place so far.
+struct Answer {
+    vec3 proxy;  ///< m, world
+    double residual = std::numeric_limits<double>::infinity();
+    std::array<vec3, primitive_capacity> pulls;  ///< N, world: of the terms, in their order
+};
+
+/// Takes x and the forces as they are, where they are better.
+void improve(Answer& best, const Problem& problem, vec3 x, double residual);
+
+/// How far the held kinks miss x, m; zero where it is the rounding of positions.
+double spread_of_held(Problem& problem, vec3 x);
+/// Spreads what is missing over the held terms by the room each has left, and again what did not fit. What is left, N.
+vec3 balance_held(Problem& problem, vec3 x);
+/// The residual at x, N, whatever was held: every force becomes the one that its primitive exerts there, where x does not
+/// touch it.
+double residual_at(Problem& problem, vec3 x);
+/// The bound of the error, N, with the forces as they are: f is by k/2 |x - minimum|^2 above its minimum, and the dual
+/// problem's value at these forces is below it.
+double duality_bound(Problem& problem, vec3 x);
+
+}  // namespace thaum::haptics::balancing

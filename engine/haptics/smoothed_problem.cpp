@@ -1,0 +1,83 @@
+#include "haptics/smoothed_problem.h"
+
+namespace thaum::haptics::balancing {
+namespace {
+
+/// The smoothed problem's slope along the step, at the part t of it; N m.
+double slope_along(const Problem& problem, vec3 x, double smoothing, vec3 step, double t) {
+    double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
+    for (const Term& term : terms_of(problem)) {
+        const vec3 moved = project(term, step);
+        const vec3 m = term.distance + t * moved;
+        slope += term.strength * glm::dot(m, moved) / std::sqrt(glm::dot(m, m) + smoothing * smoothing);
+    }
+    return slope;
+}
+
+/// Where on the step between low and high a kink is nearest: there the slope jumps. The middle where there is none.
+double next_try(const Problem& problem, vec3 step, double low, double high) {
+    for (const Term& term : terms_of(problem)) {
+        const vec3 moved = project(term, step);
+        const double t = -glm::dot(term.distance, moved) / glm::dot(moved, moved);
+        if (t > low && t < high) return t;
+    }
+    return 0.5 * (low + high);
+}
+
+struct Part {
+    double taken = 1;
+    bool good = false;      ///< all of it, and the slope is small there
+    bool falls_on = false;  ///< all of it, and it falls on
+};
+
+/// How much of the step to take: all of it, unless the smoothed problem rises there more steeply than a quarter of its fall
+/// at the start; then about as far as to its lowest place.
+Part part_of(const Problem& problem, vec3 x, double smoothing, vec3 step, double fall) {
+    double low = 0, high = 1, t = 1;
+    for (int tries = 0; tries < 24; ++tries) {
+        const double slope = slope_along(problem, x, smoothing, step, t);
+        const bool flat = std::abs(slope) <= -0.25 * fall;
+        if (flat || (t == 1 && slope < 0)) return {t, flat && t == 1, !flat};
+        (slope > 0 ? high : low) = t;
+        t = next_try(problem, step, low, high);
+    }
+    return {t, false, false};
+}
+
+}  // namespace
+
+bool smoothed_step(Problem& problem, vec3& x, double smoothing) {
+    Symmetric matrix = scaled_identity(problem.stiffness);
+    vec3 gradient = problem.stiffness * x - problem.target;
+    std::array<double, primitive_capacity> inverse{};
+    std::size_t i = 0;
+    for (Term& term : terms_of(problem)) {
+        const vec3 m = term.distance;
+        const double over = 1 / std::sqrt(glm::dot(m, m) + smoothing * smoothing);
+        const double weight = term.strength * over;
+        gradient += weight * m;
+        add_projector(matrix, term, weight);
+        add_pair(matrix, -0.5 * over * over, term.dual, m);
+        inverse[i++] = over;
+    }
+    vec3 step = -solve(matrix, gradient, problem.stiffness);
+    const Part part = part_of(problem, x, smoothing, step, glm::dot(gradient, step));
+    step *= part.taken;
+    x += step;
+    i = 0;
+    for (Term& term : terms_of(problem)) {
+        const vec3 moved = project(term, step);
+        const vec3 m = term.distance;
+        const double over = inverse[i++];
+        term.dual = over * (term.strength * (m + moved) - glm::dot(m, moved) * over * term.dual);
+        limit_dual(term);
+        term.distance = project(term, x) - term.offset;
+        if (part.falls_on && glm::dot(term.distance, term.distance) > smoothing * smoothing)
+            term.dual =
+                term.distance *
+                (term.strength / std::sqrt(glm::dot(term.distance, term.distance) + smoothing * smoothing));
+    }
+    return part.good;
+}
+
+}  // namespace thaum::haptics::balancing
