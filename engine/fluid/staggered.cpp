@@ -32,7 +32,11 @@ constexpr double rigid = 1e5;
 /// Where there are solids: times h, by the largest component.
 constexpr double divergence_most = 9.5e-5;
 constexpr int iterations_most = 40;
-constexpr double rest_speed = 1e-6;  ///< m/s; slower than that a fluid without forces falls asleep
+/// In a box. More than that is rounding, of a velocity that viscosity took nearly all of or that a lid's corners tear: of that the solve
+/// is told once more, and at most twice.
+constexpr double divergence_of_box = 1e-6;
+constexpr int solves_more = 2;
+constexpr double rest_speed = 1e-6;  ///< m/s; slower than that a fluid falls asleep that nothing makes faster
 
 double sum_of_largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     double sum = 0;
@@ -55,7 +59,7 @@ Staggered::Staggered(const Settings& settings, const Lattice& lattice)
       rows_(solids_ ? solids_->rows() : whole_rows(lattice)),
       pressure_(lattice, order_),
       momentum_(lattice, order_, solids_.get()),
-      viscosity_(lattice),
+      viscosity_(lattice, solids_ ? Walls{&solids_->open(), settings.solid} : Walls{}),
       diffusion_(lattice, order_),
       currents_(make_currents(lattice)),
       transport_(make_transport_scratch(lattice)),
@@ -271,12 +275,8 @@ void Staggered::spread(const Settings& settings, const State& now, double dt) {
     const auto thickest = static_cast<float>(rigid * lattice_.h * lattice_.h / dt);
     for (float& viscosity : mixed_) viscosity = std::min(viscosity, thickest);
     fill_ghosts(lattice_, evenly, mixed_);
-    viscosity_.take({.viscosity = &mixed_,
-                     .open = solids_ ? &solids_->open() : nullptr,
-                     .solid_holds = settings.solid_holds,
-                     .lid = settings.lid,
-                     .dt = dt},
-                    sum_);
+    viscosity_.take(
+        {.viscosity = &mixed_, .solid_holds = settings.solid_holds, .lid = settings.lid, .dt = dt}, sum_);
 }
 
 void Staggered::carry_by(const Velocity& before, const Velocity& after, const Settings& settings, State& now,
@@ -320,9 +320,14 @@ void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt,
     report.fell_back = true;
 }
 
-/// Nothing drives it and nothing spreads.
-bool Staggered::stays(const Settings& settings, const State& now, double dt) const {
-    if (settings.lid != 0 || (forced_ && dt * sum_of_largest(rows_, force_) >= rest_speed)) return false;
+/// Nothing spreads, and nothing drives it; or what does has not made it faster, as where viscosity leaves nothing of it. Before the last
+/// sub-step the velocity was sum_.
+bool Staggered::stays(const Settings& settings, const State& now, double dt, double speed) const {
+    if (settings.lid != 0) return false;
+    if (forced_ && dt * sum_of_largest(rows_, force_) >= rest_speed) {
+        const double before = largest(rows_, sum_);
+        if (before >= rest_speed || speed > before) return false;
+    }
     for (std::size_t s = 0; s < now.substances.size(); ++s)
         if (settings.substances[s].diffusion > 0 && largest(rows_, now.substances[s]) > 0) return false;
     return true;
@@ -333,6 +338,20 @@ void Staggered::fall_asleep(State& now) {
     for (Samples* pressure : {&now.pressure, &now.projected})
         std::fill(pressure->begin(), pressure->end(), 0.0F);
     now.asleep = true;
+}
+
+/// What is left of it in a box, 1/s.
+void Staggered::clear_divergence(const Settings& settings, State& now, StepReport& report) {
+    for (int more = 0;; ++more) {
+        divergence(lattice_, order_, now.velocity, packed_);
+        report.divergence = 0;
+        for (const float d : packed_)
+            report.divergence = std::max(report.divergence, static_cast<double>(std::abs(d)));
+        if (more == solves_more || !(report.divergence * lattice_.h > divergence_of_box * report.speed))
+            return;
+        end_stage(settings, now.velocity);
+        ++report.pressure_iterations;
+    }
 }
 
 StepReport Staggered::step(const Settings& settings, State& now, double dt) {
@@ -369,13 +388,9 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
     report.energy = half_square(rows_, now.velocity) * lattice_.h * lattice_.h * lattice_.h;
     report.speed = largest(rows_, now.velocity);
-    if (!solids_) {
-        divergence(lattice_, order_, now.velocity, packed_);
-        for (const float d : packed_)
-            report.divergence = std::max(report.divergence, static_cast<double>(std::abs(d)));
-    }
+    if (!solids_) clear_divergence(settings, now, report);
     if (report.speed > 0) report.divergence *= lattice_.h / report.speed;
-    if (report.speed < rest_speed && stays(settings, now, dt)) fall_asleep(now);
+    if (report.speed < rest_speed && stays(settings, now, dt, report.speed)) fall_asleep(now);
     return report;
 }
 

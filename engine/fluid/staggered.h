@@ -35,7 +35,7 @@ private:
     void fill_sides(const Settings& settings, Velocity& velocity) const;
     bool viscosity_varies(const Settings& settings) const;
     double steps_wanted(const Settings& settings, const State& now, double dt) const;
-    bool stays(const Settings& settings, const State& now, double dt) const;
+    bool stays(const Settings& settings, const State& now, double dt, double speed) const;
     static void fall_asleep(State& now);
     void gather_forces(const Settings& settings, const State& now, double share);
     void mix(const Settings& settings, const State& now, double base, double Substance::*part);
@@ -44,6 +44,7 @@ private:
     void pull_rows(std::size_t axis, const Cells& first, const Cells& end, float pull, bool without_mean);
     void substep(const Settings& settings, State& now, double dt, StepReport& report);
     void end_stage(const Settings& settings, Velocity& velocity);
+    void clear_divergence(const Settings& settings, State& now, StepReport& report);
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
     void spread(const Settings& settings, const State& now, double dt);
     void carry_along(const Settings& settings, State& now, double dt);

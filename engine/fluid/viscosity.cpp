@@ -8,6 +8,31 @@
 namespace thaum::fluid {
 namespace {
 
+/// Of h, to a wall. A place that is cut off along three axes loses its speed by the product of all three; were that thousands, the pressure
+/// there would take minutes to settle.
+constexpr double least_way = 0.1;
+
+/// Slabs of lines side by side along x; lines along x stand side by side along y.
+struct Slabs {
+    std::size_t beside, outer;  ///< axes
+    std::ptrdiff_t pitch;       ///< lines of one, in whole eights
+};
+
+Slabs slabs_along(const Lattice& lattice, std::size_t across) {
+    const std::size_t beside = across == 0 ? 1 : 0;
+    return {beside, 3 - across - beside, whole_eights(lattice.cells[beside])};
+}
+
+/// The part of the way after which solid begins; 1 where none does.
+double open_way(const std::function<double(vec3)>& solid, vec3 from, vec3 to) {
+    double open = 0, end = 1;
+    for (int halvings = 0; halvings < 12; ++halvings) {
+        const double middle = 0.5 * (open + end);
+        (solid(from + middle * (to - from)) < 0.5 ? open : end) = middle;
+    }
+    return end;
+}
+
 /// How lines are laid out in the samples, and how they end.
 struct Lines {
     std::ptrdiff_t count;  ///< places along a line
@@ -19,6 +44,7 @@ struct Lines {
     bool through;  ///< the component goes along the line: it is 0 on the walls at both ends
     bool solid_holds;
     float lid;  ///< m/s, what the wall at the high end moves by
+    std::span<const CutLink> cuts;
 };
 
 inline Eight larger(const Eight& a, const Eight& b) { return a > b ? a : b; }
@@ -49,6 +75,8 @@ void find_links(const Lines& lines, const Slab& slab) {
     for (std::ptrdiff_t i = 0; i < last; i += 8)
         store(slab.link + i, link(lines, slab.coefficient + i, slab.coefficient + i + lines.pitch));
     std::fill_n(slab.link + last, lines.pitch, 0.0F);
+    if (lines.solid_holds)
+        for (const CutLink& cut : lines.cuts) slab.link[cut.at] *= cut.nearer;
 }
 
 /// Forward elimination and back substitution of every line at once. `ends`: multiples of the first and last place's own
@@ -121,11 +149,47 @@ void solve(const Lines& lines, const Slab& slab) {
 
 }  // namespace
 
-Viscosity::Viscosity(const Lattice& lattice) : lattice_(lattice), nodal_(make_samples(lattice)) {
+Viscosity::Viscosity(const Lattice& lattice, const Walls& walls)
+    : lattice_(lattice), open_(walls.open), nodal_(make_samples(lattice)) {
     const auto [nx, ny, nz] = lattice.cells;
     const auto width = whole_eights(std::max(nx, ny));
     const auto most = static_cast<std::size_t>(width * (1 + std::max({nx, ny, nz})));
     for (auto* slab : {&value_, &coefficient_, &link_, &upper_, &corner_}) slab->assign(most, 0.0F);
+    if (open_ == nullptr) return;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t across = 0; across < 3; ++across) find_cuts(walls.solid, axis, across);
+}
+
+void Viscosity::find_cuts(const std::function<double(vec3)>& solid, std::size_t axis, std::size_t across) {
+    const auto [beside, outer, pitch] = slabs_along(lattice_, across);
+    const auto is_open = [&](const Cells& c) {
+        return (*open_)[axis][static_cast<std::size_t>(lattice_.at(c[0], c[1], c[2]))] > 0;
+    };
+    const auto place_of = [&](const Cells& c) {
+        vec3 place = vec3(c[0], c[1], c[2]) + 0.5;
+        place[static_cast<int>(axis)] -= 0.5;
+        return lattice_.h * place;
+    };
+    Cells low{};
+    for (low[outer] = 0; low[outer] < lattice_.cells[outer]; ++low[outer]) {
+        for (low[across] = 0; low[across] + 1 < lattice_.cells[across]; ++low[across]) {
+            for (low[beside] = 0; low[beside] < lattice_.cells[beside]; ++low[beside]) {
+                Cells high = low;
+                ++high[across];
+                if (is_open(low) == is_open(high)) continue;
+                const vec3 first = place_of(low), second = place_of(high);
+                const double way =
+                    is_open(low) ? open_way(solid, first, second) : open_way(solid, second, first);
+                cuts_[axis][across].push_back({low[outer], low[across] * pitch + low[beside],
+                                               static_cast<float>(1 / std::max(way, least_way))});
+            }
+        }
+    }
+}
+
+std::span<const CutLink> Viscosity::cuts_of(std::size_t axis, std::size_t across, int slab) const {
+    const auto found = std::ranges::equal_range(cuts_[axis][across], slab, {}, &CutLink::slab);
+    return {found.begin(), found.end()};
 }
 
 void Viscosity::take(const Spread& spread, std::array<Samples, 3>& velocity) {
@@ -136,7 +200,7 @@ void Viscosity::component(const Spread& spread, std::size_t axis, Samples& u) {
     const auto s = lattice_.stride[axis];
     const auto half = static_cast<float>(0.5 * spread.dt / (lattice_.h * lattice_.h));
     const float* nu = spread.viscosity->data();
-    const float* open = spread.open != nullptr ? (*spread.open)[axis].data() : nullptr;
+    const float* open = open_ != nullptr ? (*open_)[axis].data() : nullptr;
     each_row(lattice_, [&](std::ptrdiff_t at) {
         for (std::ptrdiff_t i = at; i < at + lattice_.cells[0]; i += 8) {
             const Eight both = half * (load(nu + i - s) + load(nu + i));
@@ -149,19 +213,17 @@ void Viscosity::component(const Spread& spread, std::size_t axis, Samples& u) {
 }
 
 void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across, Samples& u) {
-    // Slabs of lines side by side along x; lines along x stand side by side along y.
-    const std::size_t beside = across == 0 ? 1 : 0;
-    const std::size_t outer = 3 - across - beside;
-    const Lines lines{.count = lattice_.cells[across],
-                      .width = lattice_.cells[beside],
-                      .pitch = whole_eights(lattice_.cells[beside]),
-                      .place = lattice_.stride[across],
-                      .line = lattice_.stride[beside],
-                      .edge = lattice_.edges[across],
-                      .through = axis == across,
-                      .solid_holds = spread.solid_holds,
-                      .lid = axis == 0 && across == 1 ? static_cast<float>(spread.lid) : 0.0F};
-    const auto w = lines.pitch;
+    const auto [beside, outer, w] = slabs_along(lattice_, across);
+    Lines lines{.count = lattice_.cells[across],
+                .width = lattice_.cells[beside],
+                .pitch = w,
+                .place = lattice_.stride[across],
+                .line = lattice_.stride[beside],
+                .edge = lattice_.edges[across],
+                .through = axis == across,
+                .solid_holds = spread.solid_holds,
+                .lid = axis == 0 && across == 1 ? static_cast<float>(spread.lid) : 0.0F,
+                .cuts = {}};
     const Slab slab{value_.data() + w, coefficient_.data() + w, link_.data() + w, upper_.data() + w,
                     corner_.data() + w};
     for (auto* rows : {&value_, &link_, &upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
@@ -169,6 +231,7 @@ void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across
         const auto first = lattice_.first + o * lattice_.stride[outer];
         float* values = u.data() + first;
         const float* nodal = nodal_.data() + first;
+        lines.cuts = cuts_of(axis, across, o);
         if (lines.line == 1) {
             for (std::ptrdiff_t r = 0; r < lines.count; ++r) {
                 copy_eights(values + r * lines.place, slab.value + r * w, w);

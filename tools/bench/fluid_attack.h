@@ -18,9 +18,7 @@ struct AttackPlan {
 
 /// What must hold after each step.
 struct AttackBounds {
-    /// Largest, times h by the speed after the step or by a hundredth of that at its start: of the little that a huge viscosity
-    /// leaves, much is rounding.
-    double divergence = 1e-4;
+    double divergence = 1e-6;     ///< largest, times h by the speed after the step
     double energy_growth = 1e-5;  ///< of a step without forces, relative
     double amount_drift = 1e-5;   ///< of a substance in a step, relative
 };
@@ -30,7 +28,6 @@ struct Attack {
     AttackPlan plan{};
     Random random{};
     double energy{};                                ///< m^5/s^2, given by the strike
-    double speed{};                                 ///< m/s, the largest component with what the strike adds
     std::array<double, substances_most> amounts{};  ///< m^3, after the strike
     int refused{};
     std::string fault{};  ///< the first; empty: none
@@ -106,17 +103,6 @@ inline void pour_something(Attack& attack) {
         note(attack, "took an absurd amount");
 }
 
-/// Of what moves and of what is pushed.
-inline double speed_given(const Fluid& fluid) {
-    double result = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < fluid.now.push[axis].size(); ++i)
-            result = std::max({result, double{std::abs(fluid.now.push[axis][i])},
-                               double{std::abs(fluid.now.velocity[axis][i])}});
-    }
-    return result;
-}
-
 inline void strike(Attack& attack) {
     auto& settings = attack.fluid.settings;
     for (auto pushes = attack.random.below(4); pushes > 0; --pushes) {
@@ -129,7 +115,6 @@ inline void strike(Attack& attack) {
     if (attack.plan.jumps && attack.once_in(50))
         settings.viscosity = attack.once_in(3) ? 0 : viscosity_most * attack.magnitude(-12, 0);
     attack.energy = flows::energy_given(attack.fluid);
-    attack.speed = speed_given(attack.fluid);
     for (std::size_t s = 0; s < settings.substances.size(); ++s) attack.amounts[s] = amount(attack.fluid, s);
 }
 
@@ -148,12 +133,10 @@ inline void judge(Attack& attack, const StepReport& report, const AttackBounds& 
     const Fluid& fluid = attack.fluid;
     const auto [nx, ny, nz] = fluid.lattice.cells;
     const double growth = attack.energy > 0 ? energy(fluid) / attack.energy - 1 : 0;
-    const double against = std::max(report.speed, 0.01 * attack.speed);
-    const double divergence = against > 0 ? report.divergence * report.speed / against : 0;
-    attack.worst_divergence = std::max(attack.worst_divergence, divergence);
+    attack.worst_divergence = std::max(attack.worst_divergence, report.divergence);
     attack.worst_growth = std::max(attack.worst_growth, growth);
     if (!all_finite(fluid)) note(attack, "not finite");
-    if (!(divergence <= bounds.divergence)) note(attack, text("divergence ", divergence));
+    if (!(report.divergence <= bounds.divergence)) note(attack, text("divergence ", report.divergence));
     if (!(growth <= bounds.energy_growth)) note(attack, text("energy grew by ", growth));
     if (report.substeps + (report.fell_back ? 1 : 0) > substeps_most)
         note(attack, text("sub-steps ", report.substeps));
