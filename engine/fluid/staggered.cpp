@@ -33,10 +33,11 @@ constexpr double rigid = 1e5;
 constexpr double divergence_most = 9.5e-5;
 constexpr int iterations_most = 40;
 /// In a box. More than that is rounding, of a velocity that viscosity took nearly all of or that a lid's corners tear: of that the solve
-/// is told once more, and at most twice.
+/// is told again, twice at most.
 constexpr double divergence_of_box = 1e-6;
 constexpr int solves_more = 2;
-constexpr double rest_speed = 1e-6;  ///< m/s; slower than that a fluid falls asleep that nothing makes faster
+/// m/s. What is slower comes to rest, where nothing makes it faster.
+constexpr double rest_speed = 1e-6;
 
 double sum_of_largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     double sum = 0;
@@ -320,21 +321,19 @@ void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt,
     report.fell_back = true;
 }
 
-/// Nothing spreads, and nothing drives it; or what does has not made it faster, as where viscosity leaves nothing of it. Before the last
-/// sub-step the velocity was sum_.
-bool Staggered::stays(const Settings& settings, const State& now, double dt, double speed) const {
-    if (settings.lid != 0) return false;
-    if (forced_ && dt * sum_of_largest(rows_, force_) >= rest_speed) {
-        const double before = largest(rows_, sum_);
-        if (before >= rest_speed || speed > before) return false;
-    }
+/// Of what is slower than rest_speed: where nothing drives it, it stands still; and sleeps, unless something spreads.
+void Staggered::come_to_rest(const Settings& settings, State& now, double dt, double speed) const {
+    if (settings.lid != 0) return;
+    bool spreads = false;
     for (std::size_t s = 0; s < now.substances.size(); ++s)
-        if (settings.substances[s].diffusion > 0 && largest(rows_, now.substances[s]) > 0) return false;
-    return true;
-}
-
-void Staggered::fall_asleep(State& now) {
+        spreads = spreads || (settings.substances[s].diffusion > 0 && largest(rows_, now.substances[s]) > 0);
+    if (forced_ && dt * sum_of_largest(rows_, force_) >= rest_speed) {
+        // What drives it may not make it faster, as where viscosity leaves nothing of it. Before the last sub-step the velocity was sum_.
+        const double before = largest(rows_, sum_);
+        if (spreads || before >= rest_speed || speed > before) return;
+    }
     for (Samples& u : now.velocity) std::fill(u.begin(), u.end(), 0.0F);
+    if (spreads) return;
     for (Samples* pressure : {&now.pressure, &now.projected})
         std::fill(pressure->begin(), pressure->end(), 0.0F);
     now.asleep = true;
@@ -342,13 +341,13 @@ void Staggered::fall_asleep(State& now) {
 
 /// What is left of it in a box, 1/s.
 void Staggered::clear_divergence(const Settings& settings, State& now, StepReport& report) {
+    const double most = divergence_of_box * report.speed / lattice_.h;
     for (int more = 0;; ++more) {
         divergence(lattice_, order_, now.velocity, packed_);
         report.divergence = 0;
         for (const float d : packed_)
             report.divergence = std::max(report.divergence, static_cast<double>(std::abs(d)));
-        if (more == solves_more || !(report.divergence * lattice_.h > divergence_of_box * report.speed))
-            return;
+        if (report.divergence <= most || more == solves_more) return;
         end_stage(settings, now.velocity);
         ++report.pressure_iterations;
     }
@@ -390,7 +389,7 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
     report.speed = largest(rows_, now.velocity);
     if (!solids_) clear_divergence(settings, now, report);
     if (report.speed > 0) report.divergence *= lattice_.h / report.speed;
-    if (report.speed < rest_speed && stays(settings, now, dt, report.speed)) fall_asleep(now);
+    if (report.speed < rest_speed) come_to_rest(settings, now, dt, report.speed);
     return report;
 }
 

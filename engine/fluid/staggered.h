@@ -35,8 +35,7 @@ private:
     void fill_sides(const Settings& settings, Velocity& velocity) const;
     bool viscosity_varies(const Settings& settings) const;
     double steps_wanted(const Settings& settings, const State& now, double dt) const;
-    bool stays(const Settings& settings, const State& now, double dt, double speed) const;
-    static void fall_asleep(State& now);
+    void come_to_rest(const Settings& settings, State& now, double dt, double speed) const;
     void gather_forces(const Settings& settings, const State& now, double share);
     void mix(const Settings& settings, const State& now, double base, double Substance::*part);
     void add_buoyancy(const Settings& settings, const State& now);

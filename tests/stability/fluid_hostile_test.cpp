@@ -1,6 +1,8 @@
 // The fluid under attack (tools/bench/fluid_attack.h), in short; `thaum bench fluid --stress` is the long form.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tools/bench/fluid_attack.h"
 
 namespace thaum::fluid {
@@ -72,6 +74,26 @@ TEST(FluidHostile, AStepThatFallsBackIsNearFineSteps) {
     }
     ASSERT_GE(pushes, 2);
     EXPECT_LE(sum / pushes, 0.04);
+}
+
+/// What viscosity stops stands still, to the bit, and does not fade into numbers that float has no digits for; what spreads goes on.
+TEST(FluidHostile, WhatIsStoppedStandsStillWhileASubstanceSpreads) {
+    Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 12);
+    settings.substances = {Substance{.diffusion = 1e-4}};
+    auto fluid = make_fluid(settings);
+    ASSERT_TRUE(fluid.has_value());
+    ASSERT_TRUE(pour(*fluid, 0, vec3(0.5), 0.2, 1e-3));
+    ASSERT_TRUE(push(*fluid, {.place = vec3(0.5), .radius = 0.2, .impulse = vec3(1e-3, 0, 0)}));
+    EXPECT_GT(advance(*fluid, flows::step).speed, 0);
+    fluid->settings.viscosity = 1;
+    StepReport report;
+    for (int i = 0; i < 30; ++i) report = advance(*fluid, flows::step);
+    EXPECT_EQ(report.speed, 0);
+    EXPECT_GT(report.cells, 0);
+    const auto densest = [&] { return *std::ranges::max_element(fluid->now.substances[0]); };
+    const float before = densest();
+    for (int i = 0; i < 30; ++i) advance(*fluid, flows::step);
+    EXPECT_LT(densest(), before);
 }
 
 TEST(FluidHostile, AnyStepUpToASecond) {
