@@ -188,8 +188,9 @@ void Viscosity::find_cuts(const std::function<double(vec3)>& solid, std::size_t 
 }
 
 std::span<const CutLink> Viscosity::cuts_of(std::size_t axis, std::size_t across, int slab) const {
-    const auto found = std::ranges::equal_range(cuts_[axis][across], slab, {}, &CutLink::slab);
-    return {found.begin(), found.end()};
+    const auto& cuts = cuts_[axis][across];
+    return {std::ranges::lower_bound(cuts, slab, {}, &CutLink::slab),
+            std::ranges::upper_bound(cuts, slab, {}, &CutLink::slab)};
 }
 
 void Viscosity::take(const Spread& spread, std::array<Samples, 3>& velocity) {
