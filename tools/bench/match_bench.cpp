@@ -248,9 +248,9 @@ void drop_three(SceneMatch& scene) {
     }
 }
 
-/// Two ladles that stir three substances all the time; the fluid's steps on the same core.
+/// Two ladles that stir three substances all the time, which never boil over; the fluid's steps on the same core.
 void tick_duel_cauldron(const Options& options, Report& report) {
-    auto scene = idle_match();
+    auto scene = idle_match({"cauldron.brewing.spoils_after_s=3600"});
     if (!scene) return;
     auto& match = *scene->match;
     match.live().timing = false;
