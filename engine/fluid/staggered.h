@@ -45,10 +45,12 @@ private:
     void end_stage(const Settings& settings, Velocity& velocity);
     void clear_divergence(const Settings& settings, State& now, StepReport& report);
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
+    void keep_energy(const Settings& settings, State& now, double dt, double before,
+                     StepReport& report) const;
     void spread(const Settings& settings, const State& now, double dt);
-    void carry_along(const Settings& settings, State& now, double dt);
+    void carry_along(const Settings& settings, State& now, double dt, int most_substeps);
     void carry_by(const Velocity& before, const Velocity& after, const Settings& settings, State& now,
-                  double dt);
+                  double dt, int most_substeps);
     void semi_lagrangian(const Settings& settings, State& now, double dt, StepReport& report);
 
     Lattice lattice_;
@@ -63,7 +65,8 @@ private:
     Currents currents_;
     TransportScratch transport_;
     Velocity force_, stage_, other_, sum_;
-    bool forced_ = false;    ///< force_ is not all zero
+    bool forced_ = false;  ///< force_ is not all zero
+    double driven_{};  ///< half the squares of what stands in it but for the pressure, where there are solids
     bool explicit_ = false;  ///< viscosity is in the stages of this step
     Samples potential_, mixed_;
     std::vector<float> packed_;

@@ -31,6 +31,15 @@ TEST(FluidHostile, OurSolverStandsPushesJumpsAndNonsense) {
     }
 }
 
+TEST(FluidHostile, SoItDoesInABowl) {
+    for (const std::uint64_t seed : {1U, 2U, 3U}) {
+        const Attack attack =
+            attacked({Solver::thaum, 2}, seed, 300, {.bowl = true}, {.divergence = bowl_divergence});
+        EXPECT_EQ(attack.fault, "") << seed;
+        EXPECT_GT(attack.refused, 0);
+    }
+}
+
 TEST(FluidHostile, TheBaselineStandsThemToo) {
     // It promises neither to be free of divergence nor to keep amounts.
     const AttackBounds loose{.divergence = 10, .energy_growth = 10, .amount_drift = 1e9};
@@ -130,6 +139,29 @@ TEST(FluidHostile, AHeavyThickLumpComesToRest) {
         for (int i = 0; i < 25; ++i) report = advance(*fluid, flows::step);
         EXPECT_TRUE(all_finite(*fluid)) << viscosity;
         EXPECT_LT(report.energy, 10 * 10 * 100 * 2 * flows::bowl_radius) << viscosity;  // what it had to give
+    }
+}
+
+/// What the pressure remembers of a violent step makes nothing faster: neither where nothing brakes it nor where it stands nearly still.
+TEST(FluidHostile, ABowlLeftAloneGainsNoEnergy) {
+    for (const double viscosity : {0.0, 1e-6, 1e-3, 0.1, 10.0}) {
+        auto fluid = make_fluid(bowl_of({}, 16));
+        ASSERT_TRUE(fluid.has_value());
+        Random random = random_stream(3, 0);
+        fluid->settings.viscosity = 1e-3;
+        for (int i = 0; i < 10; ++i) {
+            push(*fluid, flows::random_push(fluid->settings, 300, random));
+            advance(*fluid, flows::step);
+        }
+        fluid->settings.viscosity = viscosity;
+        double before = energy(*fluid);
+        ASSERT_GT(before, 0);
+        for (int i = 0; i < 300; ++i) {
+            advance(*fluid, flows::step);
+            const double now = energy(*fluid);
+            ASSERT_LE(now, before * (1 + 1e-6)) << viscosity << " step " << i;
+            before = now;
+        }
     }
 }
 

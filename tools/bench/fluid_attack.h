@@ -14,7 +14,11 @@ namespace thaum::fluid {
 struct AttackPlan {
     double speed = 1e4;  ///< m/s, given to a cell at most by one push
     bool jumps = true;   ///< of viscosity
+    bool bowl = false;   ///< and not a box
 };
+
+/// In a bowl, where the pressure is found in steps.
+inline constexpr double bowl_divergence = 1e-4;
 
 /// What must hold after each step.
 struct AttackBounds {
@@ -38,11 +42,15 @@ struct Attack {
     double magnitude(double low, double high) { return det::exp(random.uniform(low, high) * det::log(10)); }
 };
 
-/// In a closed box, with substances that weigh as much as the base fluid, so that no force but the strikes adds energy.
+/// In a closed box, or half a ball, with substances that weigh as much as the base fluid, so that no force but the strikes adds energy.
 inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uint64_t seed,
                                     const AttackPlan& plan = {}) {
     Settings settings = flows::settings_of(flows::Flow{}, scheme, n);
     settings.substances = {Substance{.viscosity = 1e-2}, Substance{.diffusion = 1e-4}};
+    if (plan.bowl) {
+        settings.cells[1] = n / 2;
+        settings.solid = [](vec3 place) { return flows::in_bowl(place) ? 0.0 : 1.0; };
+    }
     auto fluid = make_fluid(settings);
     if (!fluid) return tl::unexpected(fluid.error());
     return Attack{.fluid = std::move(*fluid), .plan = plan, .random = random_stream(seed, 0)};
