@@ -88,12 +88,17 @@ double kernel(const Fluid& fluid, vec3 place, vec3 at, double radius) {
     return part > 0 ? part * part : 0;
 }
 
-/// Cells along one axis that a kernel may reach, [low, high).
+/// Cells along one axis that a kernel may reach, [low, high); they go round where the edge is periodic.
 std::array<int, 2> reach(const Fluid& fluid, std::size_t axis, vec3 place, double radius) {
     const int n = fluid.lattice.cells[axis];
-    if (fluid.lattice.edges[axis] == Edge::periodic) return {0, n};
-    const double at = place[static_cast<int>(axis)] / fluid.lattice.h;
     const double wide = radius / fluid.lattice.h + 1;
+    double at = place[static_cast<int>(axis)] / fluid.lattice.h;
+    if (fluid.lattice.edges[axis] == Edge::periodic) {
+        at -= n * std::floor(at / n);
+        // So far away that it is anywhere, or as wide as all.
+        if (!(at >= 0 && at < n) || 2 * wide + 2 >= n) return {0, n};
+        return {static_cast<int>(n + at - wide), static_cast<int>(n + at + wide + 1)};
+    }
     const auto inside = [n](double cell) {
         return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(n)));
     };
@@ -108,10 +113,13 @@ bool add_smoothly(const Fluid& fluid, vec3 place, double radius, double total, v
     const auto [x0, x1] = reach(fluid, 0, place, radius);
     const auto [y0, y1] = reach(fluid, 1, place, radius);
     const auto [z0, z1] = reach(fluid, 2, place, radius);
-    const auto each = [&, x0 = x0, x1 = x1, y0 = y0, y1 = y1, z0 = z0, z1 = z1](auto&& visit) {
-        for (int k = z0; k < z1; ++k)
-            for (int j = y0; j < y1; ++j)
-                for (int i = x0; i < x1; ++i) {
+    const auto [nx, ny, nz] = fluid.lattice.cells;
+    const auto each = [&, x0 = x0, x1 = x1, y0 = y0, y1 = y1, z0 = z0, z1 = z1, nx = nx, ny = ny,
+                       nz = nz](auto&& visit) {
+        for (int z = z0; z < z1; ++z)
+            for (int y = y0; y < y1; ++y)
+                for (int x = x0; x < x1; ++x) {
+                    const int i = x % nx, j = y % ny, k = z % nz;
                     const vec3 cell(i, j, k);
                     const double weight = kernel(fluid, place, fluid.lattice.h * (cell + first), radius);
                     const auto at = static_cast<std::size_t>(fluid.lattice.at(i, j, k));

@@ -67,15 +67,18 @@ bool mirrored(const Column& column, const Places& places, double sign) {
 
 void add_dense(const std::vector<Column>& columns, const Places& places, Waves& waves) {
     const auto n = columns.size();
+    std::vector<double> exact(n * n);
     std::vector<float> forth(n * n);
     std::vector<float> back(n * n);
     for (std::size_t k = 0; k < n; ++k) {
         waves.angle.push_back(columns[k].angle);
-        for (std::size_t i = 0; i < n; ++i)
-            back[k * n + i] = forth[i * n + k] =
-                static_cast<float>(columns[k].values[static_cast<std::size_t>(places.first) + i]);
+        for (std::size_t i = 0; i < n; ++i) {
+            exact[k * n + i] = columns[k].values[static_cast<std::size_t>(places.first) + i];
+            back[k * n + i] = forth[i * n + k] = static_cast<float>(exact[k * n + i]);
+        }
     }
     waves.dense.push_back(places);
+    waves.exact.push_back(std::move(exact));
     waves.forth.push_back(std::move(forth));
     waves.back.push_back(std::move(back));
 }
@@ -225,18 +228,21 @@ void change(const Tables& by, float* from, float* to, std::ptrdiff_t width) {
 Tables forth(const Waves& waves) { return {waves, waves.forth}; }
 Tables back(const Waves& waves) { return {waves, waves.back}; }
 
-/// sum over waves of back[wave][i] factor[wave] back[wave][j]
-std::vector<float> damped(const std::vector<float>& back, std::span<const double> factor) {
+/// sum over waves of wave[i] factor[wave] wave[j]. Momentum is the sum over all places: what rounding takes of a row's sum its smallest
+/// element gives back, since that has the finest digits.
+std::vector<float> damped(const std::vector<double>& waves, std::span<const double> factor) {
     const std::size_t n = factor.size();
     std::vector<float> result(n * n);
     for (std::size_t i = 0; i < n; ++i) {
+        const auto row = std::span(result).subspan(i * n, n);
+        double lost = 0;
         for (std::size_t j = 0; j < n; ++j) {
             double sum = 0;
-            for (std::size_t k = 0; k < n; ++k)
-                sum +=
-                    factor[k] * static_cast<double>(back[k * n + i]) * static_cast<double>(back[k * n + j]);
-            result[i * n + j] = static_cast<float>(sum);
+            for (std::size_t k = 0; k < n; ++k) sum += factor[k] * waves[k * n + i] * waves[k * n + j];
+            row[j] = static_cast<float>(sum);
+            lost += sum - static_cast<double>(row[j]);
         }
+        *std::ranges::min_element(row, {}, [](float x) { return std::abs(x); }) += static_cast<float>(lost);
     }
     return result;
 }
@@ -345,8 +351,8 @@ void Diffusion::component(double part, const std::array<Waves, 3>& waves, Sample
         for (std::size_t d = 0; d < waves[axis].dense.size(); ++d) {
             const Places& places = waves[axis].dense[d];
             matrices[axis].push_back(damped(
-                waves[axis].back[d], std::span(factor).subspan(static_cast<std::size_t>(places.first),
-                                                               static_cast<std::size_t>(places.count))));
+                waves[axis].exact[d], std::span(factor).subspan(static_cast<std::size_t>(places.first),
+                                                                static_cast<std::size_t>(places.count))));
         }
         tables.push_back({waves[axis], matrices[axis]});
     }

@@ -30,8 +30,9 @@ struct Waves {
     std::vector<double> angle{};  ///< rad per cell, wave by wave
     std::vector<Places> folds{};  ///< one after another; first of all the whole
     std::vector<Places> dense{};
-    std::vector<std::vector<float>> forth{};  ///< of each dense places: [place][wave]
-    std::vector<std::vector<float>> back{};   ///< [wave][place]
+    std::vector<std::vector<float>> forth{};   ///< of each dense places: [place][wave]
+    std::vector<std::vector<float>> back{};    ///< [wave][place]
+    std::vector<std::vector<double>> exact{};  ///< back, before it was rounded
 };
 
 Waves make_waves(int cells, Edge edge, Beyond beyond);

@@ -3,7 +3,6 @@
 // Times are of one step of 16 ms with all its sub-steps, on one thread. Solvers that are compared step by turns, so that
 // what slows the machine slows all of them.
 #include <array>
-#include <chrono>
 #include <cmath>
 
 #include "core/hash.h"
@@ -35,12 +34,6 @@ struct FluidRun {
     double steps{}, substeps{};
     StepReport last{};
 };
-
-double us_of(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
-}
 
 void advance_timed(FluidRun& run, double dt) {
     const double us = us_of([&] { run.last = advance(run.fluid, dt); });
@@ -323,8 +316,8 @@ Expected<Fluid> attacked(const Scheme& scheme, int n) {
 }
 
 /// Every step one push of up to 100 m/s.
-void hostile(const Options& options, Report& report) {
-    const int n = 24, steps = options.quick ? 50 : 2000;
+void hostile_of(int n, const Options& options, Report& report) {
+    const int steps = options.quick ? 50 : 2000;
     auto runs = runs_of(attacked, n, report);
     run_by_turns(runs, 20 * flows::step);
     for (FluidRun& run : runs) {
@@ -352,13 +345,28 @@ void hostile(const Options& options, Report& report) {
     }
 }
 
+void hostile(const Options& options, Report& report) {
+    for (const int n : {24, 32}) hostile_of(n, options, report);
+}
+
 // ---- stress -------------------------------------------------------------------------------------------------------
 
 constexpr std::uint64_t usual_strikes = 100'000;
 
+struct StressCase {
+    Scheme scheme;
+    int n;
+    bool bowl{};
+};
+constexpr std::array stress_cases{
+    StressCase{{Solver::thaum, 4}, 24}, StressCase{{Solver::thaum, 2}, 24},
+    StressCase{{Solver::classic}, 24},  StressCase{{Solver::thaum, 4}, 32},
+    StressCase{{Solver::thaum, 2}, 32}, StressCase{{Solver::thaum, 2}, 32, true}};
+
 /// The paper's method promises neither to be free of divergence nor to keep energy and amounts: it must only stay finite.
-fluid::AttackBounds bounds_of(const Scheme& scheme) {
-    if (scheme.solver == Solver::thaum) return {};
+fluid::AttackBounds bounds_of(const StressCase& stressed) {
+    if (stressed.bowl) return {.divergence = fluid::bowl_divergence};
+    if (stressed.scheme.solver == Solver::thaum) return {};
     constexpr double any = std::numeric_limits<double>::infinity();
     return {.divergence = any, .energy_growth = any, .amount_drift = any};
 }
@@ -386,11 +394,12 @@ double calm_step_us(fluid::Fluid calm) {
     return median(us);
 }
 
-void stress_one(const Scheme& scheme, std::uint64_t steps, Report& report) {
-    auto made = fluid::make_attack(scheme, 24, 1);
+void stress_one(const StressCase& stressed, std::uint64_t steps, Report& report) {
+    const auto& [scheme, n, bowl] = stressed;
+    auto made = fluid::make_attack(scheme, n, 1, {.bowl = bowl});
     if (!made) return report.faults.push_back(text("fluid: ", made.error().message));
     fluid::Attack& attack = *made;
-    FluidRun run{.scheme = scheme, .n = 24, .fluid = {}};
+    FluidRun run{.scheme = scheme, .n = n, .fluid = {}};
     const double calm = calm_step_us(attack.fluid);
     double worst = 0;
     for (std::uint64_t i = 0; i < steps && attack.fault.empty(); ++i) {
@@ -398,13 +407,15 @@ void stress_one(const Scheme& scheme, std::uint64_t steps, Report& report) {
         const fluid::Fluid before = attack.fluid;
         run.us.push_back(us_of([&] { run.last = advance(attack.fluid, flows::step); }));
         if (run.us.back() > worst) worst = std::max(worst, least_us(before, run.us.back()));
-        judge(attack, run.last, bounds_of(scheme));
+        judge(attack, run.last, bounds_of(stressed));
         if (!attack.fault.empty())
-            report.faults.push_back(text("fluid: ", solver_name(scheme), " order ", scheme.order, " step ", i,
-                                         ": ", attack.fault));
+            report.faults.push_back(text("fluid: ", solver_name(scheme), " order ", scheme.order,
+                                         bowl ? " in a bowl" : "", ", n = ", n, ", step ", i, ": ",
+                                         attack.fault));
     }
     run.fluid = attack.fluid;
     Row row = row_of("stress", run);
+    row.setting.emplace_back("in", std::string(bowl ? "bowl" : "box"));
     row.metrics = {{"steps", static_cast<double>(run.us.size())},
                    {"worst_step_us", worst},
                    {"worst_step_per_calm", worst / calm},
@@ -418,7 +429,8 @@ void stress_one(const Scheme& scheme, std::uint64_t steps, Report& report) {
 }  // namespace
 
 void fluid_stress(const Options& options, Report& report) {
-    for (const Scheme& scheme : solvers) stress_one(scheme, options.ticks.value_or(usual_strikes), report);
+    for (const StressCase& stressed : stress_cases)
+        stress_one(stressed, options.ticks.value_or(usual_strikes), report);
 }
 
 void fluid(const Options& options, Report& report) {

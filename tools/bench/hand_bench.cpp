@@ -1,5 +1,6 @@
 // The hand in the fluid (haptics/fluid_touch.h): what it costs to take a patch of the flow and to read it, beside how far what is read is
-// off; what the servo's step costs with it, beside the largest jump that a fluid step makes; and what passive modes create.
+// off; what the servo's step costs with it, beside the largest jump that a fluid step makes; what a ladle's push costs, beside how far
+// the fluid's momentum is off what was pushed; and what passive modes create.
 #include <array>
 
 #include "core/hash.h"
@@ -225,11 +226,91 @@ void hand_steps(const Options& options, Report& report) {
     }
 }
 
+// ---- momentum ------------------------------------------------------------------------------------------------------
+
+constexpr double brew_density = 8;  // kg/m^3
+
+/// A hand that is led along a straight stroke through the brew, whatever it feels.
+struct StrokingHand {
+    haptics::Servo servo;
+    vec3 from, velocity;  ///< m, m/s, of the device
+    haptics::HapticModel model{};
+    haptics::ServoState state{};
+    std::uint32_t tick{};
+
+    StrokingHand(vec3 start, vec3 speed)
+        : servo(haptics::servo_of(reference_device(0.5, 0), 1)), from(start), velocity(speed) {
+        auto& touch = model.fluid;
+        touch.number = 1;
+        touch.modes = {1, 1, 1, 0, 0, 0, 0};
+        touch.frame = {.origin = vec3(0.5), .metres_per_metre = 20, .newtons_per_newton = 0.00375};
+        touch.drag = {.viscous = 0.4, .form = 0.15, .stirred_mass = 0.01 * brew_density};
+    }
+
+    void take_flow(const fluid::Fluid& fluid) {
+        const FlowSource source{.velocity = face_grid(fluid.lattice, fluid.now.velocity),
+                                .viscosity = fluid.settings.viscosity * brew_density,
+                                .density = brew_density};
+        const vec3 place = from + velocity * (tick * tick_seconds);
+        newest_step(model.fluid, patch_of(source, haptics::to_bowl(model.fluid.frame, place)));
+    }
+
+    /// N s, given to the fluid in one of its steps.
+    vec3 stroke() {
+        vec3 impulse{};
+        for (std::uint32_t i = 0; i < haptics::fluid_period; ++i, ++tick, ++model.fluid.step_age) {
+            servo_step(servo, state, model, {from + velocity * (tick * tick_seconds), 0});
+            impulse -= force_on_ladle(model.fluid, state.fluid) * tick_seconds;
+        }
+        return impulse;
+    }
+};
+
+/// Two ladles in a brew without walls, which would take momentum too: what they gave against what is there, after each step.
+void ladle_momentum(const Options&, Report& report) {
+    for (const int n : {16, 32, 64}) {
+        auto made =
+            fluid::make_fluid({.cells = {n, n, n},
+                               .h = 1.0 / n,
+                               .edges = {fluid::Edge::periodic, fluid::Edge::periodic, fluid::Edge::periodic},
+                               .viscosity = 0.02});
+        if (!made) return report.faults.push_back(text("fluid: ", made.error().message));
+        auto& brew = *made;
+        std::array hands{StrokingHand{{-0.016, 0.002, 0}, {0.05, 0, 0}},
+                         StrokingHand{{0.004, -0.01, 0.012}, {0.01, 0.03, -0.02}}};
+        vec3 given{};
+        double worst = 0;
+        std::vector<double> samples;
+        for (int step = 0; step < 40; ++step) {
+            for (StrokingHand& hand : hands) {
+                hand.take_flow(brew);
+                const vec3 impulse = hand.stroke();
+                given += impulse;
+                samples.push_back(us_of([&] {
+                    push(brew, {hand.state.fluid.place, 0.2, impulse / brew_density});
+                }));
+            }
+            advance(brew, fluid::flows::step);
+            worst = std::max(worst,
+                             glm::length(brew_density * fluid::momentum(brew) - given) / glm::length(given));
+        }
+        report.rows.push_back({.area = "fluid",
+                               .name = "momentum",
+                               .setting = {{"n", std::int64_t{n}}, {"ladles", std::int64_t{2}}},
+                               .time_us = times(samples),
+                               .error = ErrorMeasure{"relative_to_given", worst},
+                               .is_default = n == 32,
+                               .metrics = {{"given_n_s", glm::length(given)}},
+                               .hash = hex(hash_value(fluid::momentum(brew).x))});
+    }
+}
+
 }  // namespace
 
 void fluid_hand(const Options& options, Report& report) {
     hand_patches(options, report);
     hand_steps(options, report);
+    ladle_momentum(options, report);
 }
 
 void stirring_passivity(const Options& options, Report& report) {

@@ -1,6 +1,5 @@
 // The simulated device: how stiff a wall it can touch (Z-width) beside what theory says, and what a tick costs. The safety
 // stage under attack, and what a step of the servo costs.
-#include <chrono>
 
 #include "core/hash.h"
 #include "core/text.h"
@@ -134,11 +133,11 @@ struct AttackBlock {
 
 /// us of a tick.
 double run_block(AttackBlock& block, haptics::SafetyState& state) {
-    const auto start = std::chrono::steady_clock::now();
-    for (std::size_t i = 0; i < block_ticks; ++i)
-        block.outputs[i] = haptics::make_safe(block.limits[i], state, block.inputs[i]);
-    const std::chrono::duration<double, std::micro> took = std::chrono::steady_clock::now() - start;
-    return took.count() / block_ticks;
+    return us_of([&] {
+               for (std::size_t i = 0; i < block_ticks; ++i)
+                   block.outputs[i] = haptics::make_safe(block.limits[i], state, block.inputs[i]);
+           }) /
+           block_ticks;
 }
 
 void safety_hostile(const Options& options, Report& report) {

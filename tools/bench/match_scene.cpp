@@ -1,6 +1,5 @@
 #include "tools/bench/match_scene.h"
 
-#include <chrono>
 #include <cstdio>
 
 #include "game/match/data.h"
@@ -9,11 +8,6 @@
 namespace thaum::bench {
 
 using game::Simulation;
-
-double now_us() {
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
 
 double mean(const std::vector<double>& samples) {
     double sum = 0;
@@ -24,9 +18,7 @@ double mean(const std::vector<double>& samples) {
 double median_of(std::size_t count, const std::function<void()>& run) {
     std::vector<double> samples;
     for (std::size_t i = 0; i < count; ++i) {
-        const double start = now_us();
-        run();
-        samples.push_back(now_us() - start);
+        samples.push_back(us_of(run));
     }
     return median(samples);
 }

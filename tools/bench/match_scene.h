@@ -10,7 +10,6 @@
 
 namespace thaum::bench {
 
-double now_us();
 double mean(const std::vector<double>& samples);
 /// us
 double median_of(std::size_t count, const std::function<void()>& run);

@@ -7,25 +7,32 @@
 namespace thaum::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double us(Clock::duration d) { return std::chrono::duration<double, std::micro>(d).count(); }
-
 double sample(const Contestant& contestant, std::size_t calls) {
     if (contestant.setup) contestant.setup();
-    const auto start = Clock::now();
+    const double start = now_us();
     for (std::size_t i = 0; i < calls; ++i) contestant.run();
-    return us(Clock::now() - start) / static_cast<double>(calls);
+    return (now_us() - start) / static_cast<double>(calls);
 }
 
 }  // namespace
 
+double now_us() {
+    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+double us_of(const std::function<void()>& run) {
+    const double start = now_us();
+    run();
+    return now_us() - start;
+}
+
 std::vector<std::vector<double>> measure(std::span<const Contestant> contestants, const Plan& plan) {
     std::vector<std::vector<double>> result(contestants.size());
     for (const auto& contestant : contestants) sample(contestant, plan.calls);
-    const auto start = Clock::now();
+    const double start = now_us();
     for (std::size_t round = 0; round < plan.most; ++round) {
-        if (round >= plan.least && us(Clock::now() - start) > plan.seconds * 1e6) break;
+        if (round >= plan.least && now_us() - start > plan.seconds * 1e6) break;
         for (std::size_t i = 0; i < contestants.size(); ++i) {
             const auto who = (round + i) % contestants.size();
             result[who].push_back(sample(contestants[who], plan.calls));

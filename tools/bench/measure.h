@@ -35,6 +35,11 @@ struct Plan {
 /// Every contestant is called equally often.
 std::vector<std::vector<double>> measure(std::span<const Contestant> contestants, const Plan& plan);
 
+/// us, from some time on.
+double now_us();
+/// us of one call.
+double us_of(const std::function<void()>& run);
+
 /// Nearest rank; samples must not be empty, 0 <= p <= 1.
 double percentile(std::vector<double> samples, double p);
 inline double median(std::vector<double> samples) { return percentile(std::move(samples), 0.5); }
