@@ -342,6 +342,7 @@ TEST(ArmServo, TwoThreadsAgree) {
             arm.step();
             if (servo.waiting() > 20 || arm.ticks % 50 == 0) std::this_thread::yield();
         }
+        stop = true;  // or the other waits for ever, where it had no processor until all ticks were over
     });
     for (int i = 0; i < 20'000; ++i) {
         while (servo.waiting() == 0 && i % 100 != 0 && !stop) std::this_thread::yield();
