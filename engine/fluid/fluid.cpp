@@ -92,13 +92,13 @@ double kernel(const Fluid& fluid, vec3 place, vec3 at, double radius) {
 std::array<int, 2> reach(const Fluid& fluid, std::size_t axis, vec3 place, double radius) {
     const int n = fluid.lattice.cells[axis];
     const double wide = radius / fluid.lattice.h + 1;
-    double at = place[static_cast<int>(axis)] / fluid.lattice.h;
     if (fluid.lattice.edges[axis] == Edge::periodic) {
-        at -= n * std::floor(at / n);
+        const double at = into_box(fluid.lattice, place / fluid.lattice.h)[static_cast<int>(axis)];
         // So far away that it is anywhere, or as wide as all.
         if (!(at >= 0 && at < n) || 2 * wide + 2 >= n) return {0, n};
         return {static_cast<int>(n + at - wide), static_cast<int>(n + at + wide + 1)};
     }
+    const double at = place[static_cast<int>(axis)] / fluid.lattice.h;
     const auto inside = [n](double cell) {
         return static_cast<int>(std::clamp(cell, 0.0, static_cast<double>(n)));
     };

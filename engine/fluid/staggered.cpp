@@ -36,9 +36,9 @@ constexpr int iterations_most = 40;
 /// is told again, twice at most.
 constexpr double divergence_of_box = 1e-6;
 constexpr int solves_more = 2;
-/// Sub-steps of the substances: enough for a flow of four cells along two axes at once. A step that goes semi-Lagrangian has no time for
-/// as many, and is mostly one in which no number of them would be enough.
-constexpr int transports_most = 10, transports_of_fall_back = 7;
+/// Sub-steps of the substances. A step that goes semi-Lagrangian has no time for as many as usual, and is mostly one in which no number of
+/// them would be enough.
+constexpr int transports_of_fall_back = 7;
 /// m/s. What is slower comes to rest, where nothing makes it faster.
 constexpr double rest_speed = 1e-6;
 
@@ -281,7 +281,7 @@ void Staggered::substep(const Settings& settings, State& now, double dt, StepRep
     if (!explicit_) spread(settings, now, dt);
     end_step(settings, now, dt, report);
     keep_energy(settings, now, dt, before, report);
-    carry_along(settings, now, dt, transports_most);
+    carry_along(settings, now, dt);
     ++report.substeps;
 }
 
@@ -313,7 +313,7 @@ void Staggered::carry_by(const Velocity& before, const Velocity& after, const Se
 }
 
 void Staggered::carry(const Settings& settings, State& now, double dt) {
-    carry_by(now.velocity, now.velocity, settings, now, dt, transports_most);
+    carry_by(now.velocity, now.velocity, settings, now, dt);
 }
 
 /// Substances, by the velocities before and after a sub-step; the former stand in sum_.

@@ -48,9 +48,10 @@ private:
     void keep_energy(const Settings& settings, State& now, double dt, double before,
                      StepReport& report) const;
     void spread(const Settings& settings, const State& now, double dt);
-    void carry_along(const Settings& settings, State& now, double dt, int most_substeps);
+    void carry_along(const Settings& settings, State& now, double dt,
+                     int most_substeps = TransportSettings{}.most_substeps);
     void carry_by(const Velocity& before, const Velocity& after, const Settings& settings, State& now,
-                  double dt, int most_substeps);
+                  double dt, int most_substeps = TransportSettings{}.most_substeps);
     void semi_lagrangian(const Settings& settings, State& now, double dt, StepReport& report);
 
     Lattice lattice_;

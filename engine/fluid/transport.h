@@ -67,7 +67,7 @@ inline constexpr double courant_most = 0.9;
 
 struct TransportSettings {
     double diffusion{};     ///< m^2/s, finite, >= 0
-    int most_substeps{10};  ///< >= 1
+    int most_substeps{10};  ///< >= 1; enough for a flow of four cells along two axes at once
 };
 
 struct TransportReport {

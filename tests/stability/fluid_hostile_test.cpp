@@ -123,7 +123,7 @@ Settings bowl_of(const Substance& substance, int n) {
     settings.cells = {n, n, n};
     settings.h = 1.0 / n;
     settings.substances = {substance};
-    settings.solid = [](vec3 p) { return flows::in_bowl(p) ? 0.0 : 1.0; };
+    settings.solid = flows::solid_beyond_bowl;
     return settings;
 }
 

@@ -13,7 +13,7 @@ Settings settings_of(int n, Solver solver, bool bowl) {
     s.cells = {n, n, n};
     s.h = 1.0 / n;
     s.substances = {{}, {.weight = 0.2}, {.diffusion = 1e-3}};
-    if (bowl) s.solid = [](vec3 p) { return flows::in_bowl(p) ? 0.0 : 1.0; };
+    if (bowl) s.solid = flows::solid_beyond_bowl;
     return s;
 }
 

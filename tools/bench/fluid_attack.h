@@ -47,10 +47,7 @@ inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uin
                                     const AttackPlan& plan = {}) {
     Settings settings = flows::settings_of(flows::Flow{}, scheme, n);
     settings.substances = {Substance{.viscosity = 1e-2}, Substance{.diffusion = 1e-4}};
-    if (plan.bowl) {
-        settings.cells[1] = n / 2;
-        settings.solid = [](vec3 place) { return flows::in_bowl(place) ? 0.0 : 1.0; };
-    }
+    if (plan.bowl) flows::put_into_bowl(settings);
     auto fluid = make_fluid(settings);
     if (!fluid) return tl::unexpected(fluid.error());
     return Attack{.fluid = std::move(*fluid), .plan = plan, .random = random_stream(seed, 0)};

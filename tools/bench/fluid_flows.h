@@ -366,12 +366,19 @@ inline bool in_bowl(vec3 place, double part = 1) {
     return glm::length(place - bowl_centre) < part * bowl_radius;
 }
 
+inline double solid_beyond_bowl(vec3 place) { return in_bowl(place) ? 0 : 1; }
+
+/// Of n x n x n cells, n even: half of it, and what is beyond the bowl is solid.
+inline void put_into_bowl(Settings& settings) {
+    settings.cells[1] /= 2;
+    settings.solid = solid_beyond_bowl;
+}
+
 /// n even. Turning as a whole to begin with; the wall holds.
 inline Expected<Fluid> turning_bowl(const Scheme& scheme, int n) {
     Settings settings = settings_of(Flow{}, scheme, n);
-    settings.cells[1] = n / 2;
+    put_into_bowl(settings);
     settings.viscosity = bowl_viscosity;
-    settings.solid = [](vec3 place) { return in_bowl(place) ? 0.0 : 1.0; };
     auto fluid = make_fluid(settings);
     if (fluid)
         set_velocity(*fluid, [](vec3 p) { return glm::cross(vec3(0, bowl_turn, 0), p - bowl_centre); });

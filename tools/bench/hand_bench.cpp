@@ -24,6 +24,7 @@ using haptics::FlowSource;
 // ---- patches -------------------------------------------------------------------------------------------------------
 
 constexpr std::size_t hand_places = 64;
+constexpr double brew_density = 8;  // kg/m^3
 
 /// A brew of three substances that turns in a known way.
 struct TurningBrew {
@@ -31,7 +32,7 @@ struct TurningBrew {
     std::vector<vec3> places{};
 
     FlowSource source() const {
-        FlowSource result{.velocity = face_grid(fluid.lattice, fluid.now.velocity), .density = 8};
+        FlowSource result{.velocity = face_grid(fluid.lattice, fluid.now.velocity), .density = brew_density};
         for (std::size_t s = 0; s < fluid.now.substances.size(); ++s)
             result.substances[s] = {cell_grid(fluid.lattice, fluid.now.substances[s]), 1, 0.5};
         return result;
@@ -228,8 +229,6 @@ void hand_steps(const Options& options, Report& report) {
 
 // ---- momentum ------------------------------------------------------------------------------------------------------
 
-constexpr double brew_density = 8;  // kg/m^3
-
 /// A hand that is led along a straight stroke through the brew, whatever it feels.
 struct StrokingHand {
     haptics::Servo servo;
@@ -247,19 +246,20 @@ struct StrokingHand {
         touch.drag = {.viscous = 0.4, .form = 0.15, .stirred_mass = 0.01 * brew_density};
     }
 
+    vec3 place() const { return from + velocity * (tick * tick_seconds); }
+
     void take_flow(const fluid::Fluid& fluid) {
         const FlowSource source{.velocity = face_grid(fluid.lattice, fluid.now.velocity),
                                 .viscosity = fluid.settings.viscosity * brew_density,
                                 .density = brew_density};
-        const vec3 place = from + velocity * (tick * tick_seconds);
-        newest_step(model.fluid, patch_of(source, haptics::to_bowl(model.fluid.frame, place)));
+        newest_step(model.fluid, patch_of(source, haptics::to_bowl(model.fluid.frame, place())));
     }
 
     /// N s, given to the fluid in one of its steps.
     vec3 stroke() {
         vec3 impulse{};
         for (std::uint32_t i = 0; i < haptics::fluid_period; ++i, ++tick, ++model.fluid.step_age) {
-            servo_step(servo, state, model, {from + velocity * (tick * tick_seconds), 0});
+            servo_step(servo, state, model, {place(), 0});
             impulse -= force_on_ladle(model.fluid, state.fluid) * tick_seconds;
         }
         return impulse;

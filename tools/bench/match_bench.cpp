@@ -205,9 +205,7 @@ void tick_duel_haptic(const Options& options, Report& report) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
         auto frame = scene->frame;
         shake_hands(i, frame);
-        const double start = now_us();
-        match.tick(frame);
-        samples[i] = now_us() - start;
+        samples[i] = us_of([&] { match.tick(frame); });
         felt +=
             static_cast<double>(match.felt(0)[match.match().played % std::tuple_size_v<game::ForceTrace>]);
     }

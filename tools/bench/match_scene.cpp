@@ -17,9 +17,7 @@ double mean(const std::vector<double>& samples) {
 
 double median_of(std::size_t count, const std::function<void()>& run) {
     std::vector<double> samples;
-    for (std::size_t i = 0; i < count; ++i) {
-        samples.push_back(us_of(run));
-    }
+    for (std::size_t i = 0; i < count; ++i) samples.push_back(us_of(run));
     return median(samples);
 }
 

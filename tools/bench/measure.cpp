@@ -1,8 +1,9 @@
 #include "tools/bench/measure.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+
+#include "core/clock.h"
 
 namespace thaum::bench {
 namespace {
@@ -16,10 +17,7 @@ double sample(const Contestant& contestant, std::size_t calls) {
 
 }  // namespace
 
-double now_us() {
-    return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
-}
+double now_us() { return 1e-3 * static_cast<double>(monotonic_ns()); }
 
 double us_of(const std::function<void()>& run) {
     const double start = now_us();

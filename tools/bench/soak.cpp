@@ -4,16 +4,15 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <functional>
 #include <thread>
 
 #include "core/hash.h"
 #include "core/text.h"
 #include "game/bots/duel.h"
 #include "tools/bench/areas.h"
+#include "tools/bench/measure.h"
 
 namespace thaum::bench {
 namespace {
@@ -121,12 +120,6 @@ Soaked soak_once(const Course& course) {
     return soaked;
 }
 
-double seconds_of(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 void add_row(const Course& course, std::int64_t threads, const Soaked& soaked, double took_s,
              Report& report) {
     report.rows.push_back({.area = "tick",
@@ -153,21 +146,21 @@ void soak(const Options& options, Report& report) {
     course.level = best_level(course.assets);
 
     Soaked alone;
-    const double alone_s = seconds_of([&] { alone = soak_once(course); });
+    const double alone_s = 1e-6 * us_of([&] { alone = soak_once(course); });
     add_row(course, 1, alone, alone_s, report);
     if (alone.most_mib - alone.first_mib > may_grow_mib)
         report.faults.push_back(
             text("soak: memory grew by ", fixed(alone.most_mib - alone.first_mib, 1), " MiB"));
 
     std::array<Soaked, 2> beside;
-    const double beside_s = seconds_of([&] {
-        course.name = "one of two";
-        auto silent = course;
-        silent.name = nullptr;
-        std::thread other([&] { beside[1] = soak_once(silent); });
-        beside[0] = soak_once(course);
-        other.join();
-    });
+    const double beside_s = 1e-6 * us_of([&] {
+                                course.name = "one of two";
+                                auto silent = course;
+                                silent.name = nullptr;
+                                std::thread other([&] { beside[1] = soak_once(silent); });
+                                beside[0] = soak_once(course);
+                                other.join();
+                            });
     for (const auto& soaked : beside) {
         add_row(course, 2, soaked, beside_s, report);
         if (soaked.hash != alone.hash)
