@@ -1,8 +1,12 @@
 #version 330 core
-// One triangle over the whole target.
-out vec2 at;
+// One triangle over the whole viewport.
+uniform vec4 part = vec4(0.0, 0.0, 1.0, 1.0);  // the part of the picture that is read: lower left corner, size
+
+out vec2 at;      // place in the picture
+out vec2 within;  // place in the viewport
 
 void main() {
-    at = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
-    gl_Position = vec4(2.0 * at - 1.0, 0.0, 1.0);
+    within = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
+    at = part.xy + part.zw * within;
+    gl_Position = vec4(2.0 * within - 1.0, 0.0, 1.0);
 }

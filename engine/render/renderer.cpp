@@ -77,14 +77,28 @@ void pack_rgb(std::span<const std::uint32_t> pixels, std::uint8_t* to) {
     }
 }
 
+/// True where no pixel of the window is left over by the views.
+bool cover_window(const Frame& frame) {
+    int covered = 0;
+    for (const auto& view : frame.views) covered += view.viewport.width * view.viewport.height;
+    return covered == frame.width * frame.height;
+}
+
 /// Whether the views cover the window and have fog of one colour: then the window is cleared to it.
 bool share_fog(const Frame& frame) {
-    int covered = 0;
-    for (const auto& view : frame.views) {
-        covered += view.viewport.width * view.viewport.height;
+    for (const auto& view : frame.views)
         if (view.environment.fog.colour != frame.views[0].environment.fog.colour) return false;
-    }
-    return !frame.views.empty() && covered == frame.width * frame.height;
+    return !frame.views.empty() && cover_window(frame);
+}
+
+/// The same rectangle with its y counted from the bottom of a target `height` px high, as OpenGL counts.
+Rect from_below(const Rect& r, int height) { return {r.x, height - r.y - r.height, r.width, r.height}; }
+
+/// Stretches one view from the framebuffer that is read into the one that is drawn.
+void stretch(const ViewPlace& view) {
+    const auto &from = view.drawn, &to = view.shown;
+    glBlitFramebuffer(from.x, from.y, from.x + from.width, from.y + from.height, to.x, to.y, to.x + to.width,
+                      to.y + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
 /// What one view draws, and from where: batches of the frame's, from `first` on.
@@ -110,8 +124,8 @@ struct Renderer::State {
     Buffer instance_buffer, patch_buffer;
     VertexArray no_attributes;
     OverlayBuffers overlay;
-    Target pixels, light;  // smaller than the window; for Quality::high
-    Bloom bloom;
+    Target pixels, light;       // smaller than the window; for Quality::high
+    std::vector<Bloom> blooms;  // by view
     ShadowMap shadow_map;
     Volumes volumes;
     Batches batches;
@@ -127,6 +141,7 @@ struct Renderer::State {
     void collect_volume(const ViewScene& view, int height, Quality quality, ViewBatches& its);
     void march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width, int height);
     void show_volumes(std::span<const ViewBatches> of_views, int height);
+    void show_views(const Frame& frame, std::span<const ViewBatches> of_views, const Target& target);
     void draw_mists(std::span<const ViewBatches> of_views, const MistProgram& program, int height);
     ShadowView update_shadow(const Frame& frame);
     ViewBatches collect_view(const ViewScene& view, const Rect& at, Quality quality);
@@ -216,7 +231,7 @@ Expected<Renderer> Renderer::create(const std::filesystem::path& assets) {
                                                .overlay = make_overlay_buffers(),
                                                .pixels = {},
                                                .light = {},
-                                               .bloom = {},
+                                               .blooms = {},
                                                .shadow_map = {},
                                                .volumes = std::move(*volumes),
                                                .batches = {},
@@ -340,14 +355,31 @@ void Renderer::State::draw_views(const Frame& frame) {
     show_volumes(of_views, height);
     draw_mists(of_views, of_light ? programs.mist_of_light : programs.mist, height);
     if (straight) return;
-    if (of_light) {
-        statistics.draws +=
-            compose(light, bloom, programs, frame.bloom, no_attributes, frame.width, frame.height);
-        return;
+    show_views(frame, of_views, target);
+}
+
+/// From the target that all views were drawn into to the window, each view by itself: else what is bright, or
+/// stretched, would spread into the view beside it.
+void Renderer::State::show_views(const Frame& frame, std::span<const ViewBatches> of_views,
+                                 const Target& target) {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (!cover_window(frame)) {
+        glClearColor(0, 0, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
     }
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, pixels.framebuffer.get());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    glBlitFramebuffer(0, 0, width, height, 0, 0, frame.width, frame.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    const bool of_light = frame.quality == Quality::high;
+    blooms.resize(of_views.size());
+    if (!of_light) glBindFramebuffer(GL_READ_FRAMEBUFFER, target.framebuffer.get());
+    for (std::size_t i = 0; i < of_views.size(); ++i) {
+        const ViewPlace place{from_below(of_views[i].at, target.height),
+                              from_below(frame.views[i].viewport, frame.height)};
+        if (place.drawn.width <= 0 || place.drawn.height <= 0) continue;
+        if (of_light)
+            statistics.draws +=
+                compose(target, place, frame.bloom ? &blooms[i] : nullptr, programs, no_attributes);
+        else
+            stretch(place);
+    }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
@@ -408,7 +440,7 @@ void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatc
 void Renderer::State::show_volumes(std::span<const ViewBatches> of_views, int height) {
     for (const auto& its : of_views) {
         if (its.volume.volume == nullptr) continue;
-        const Rect at{its.at.x, height - its.at.y - its.at.height, its.at.width, its.at.height};
+        const Rect at = from_below(its.at, height);
         glViewport(at.x, at.y, at.width, at.height);
         glEnable(GL_DEPTH_TEST);
         glEnable(GL_CULL_FACE);

@@ -14,12 +14,14 @@
 #include "game/hud/hud.h"
 #include "render/context.h"
 #include "render/perceptual.h"
+#include "unit/picture_part.h"
 #include "unit/read_png.h"
 
 namespace thaum::game {
 namespace {
 
 using render::Image;
+using render::part_of;
 using render::Quality;
 
 const std::filesystem::path source = THAUM_SOURCE_DIR;
@@ -332,6 +334,89 @@ TEST_F(StoredPictures, TheLargestTextInBothSplits) {
     expect_stored("text_beside", scene, {Quality::medium});
     scene.settings.split = render::Split::top_bottom;
     expect_stored("text_stacked", scene, {Quality::medium});
+}
+
+/// Two wizards near the bowl, and everything that can be drawn in the sight of both.
+class SplitPictures : public StoredBrews {
+protected:
+    void SetUp() override {
+        StoredBrews::SetUp();
+        if (IsSkipped() || HasFatalFailure()) return;
+        stir(20);
+        crowd = start;
+        auto& cauldron = crowd.cauldron;
+        ASSERT_TRUE(cauldron.there);
+        take_brew(brew, rules, ++state, cauldron.brew);
+        cauldron.heat = 1;
+        for (auto& each : cauldron.ladles) each = ladle;
+        stand(crowd, 0, {-3.4, 0, 2.6}, above_bowl);
+        stand(crowd, 1, {3.1, 0, 2.9}, above_bowl);
+        for (auto& wizard : crowd.wizards) wizard.held = vec3(0.4, 2, -2);
+        crowd.missiles.push_back(
+            {.entity = {}, .player = 0, .position = {0.6, 1.6, -1}, .velocity = {3, 0, 1}});
+        crowd.missiles.push_back({.entity = {},
+                                  .player = 1,
+                                  .position = {-0.7, 1.9, -1},
+                                  .velocity = {1, 0, 1},
+                                  .look = MissileLook::stone,
+                                  .size = 0.2});
+        crowd.burst_count = 1;
+        crowd.bursts[0] = {.age_s = 0.1, .player = 1, .place = {0, 1.7, -3}, .radius = 1};
+    }
+
+    Image whole(const render::Frame& frame) {
+        renderer->draw(frame);
+        return renderer->read_pixels();
+    }
+
+    /// The same frame with nothing in all views but one. They stay, since their fog is what the window is cleared to.
+    static render::Frame alone(render::Frame frame, std::size_t view) {
+        for (std::size_t i = 0; i < frame.views.size(); ++i) {
+            if (i == view) continue;
+            auto& other = frame.views[i];
+            other.instances = other.shades = other.mists = {};
+            other.lights = {};
+            other.volume = nullptr;
+        }
+        return frame;
+    }
+
+    double without_brew(render::Frame frame, std::size_t view, const Image& seen) {
+        for (auto& each : frame.views) each.volume = nullptr;
+        return render::distance(seen, part_of(whole(frame), frame.views[view].viewport)).worst;
+    }
+
+    void expect_views_alone(render::Size window) {
+        const auto frame = make_frame(court, crowd, settings, window, memory);
+        ASSERT_EQ(frame.views.size(), 2U);
+        const auto both = whole(frame);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto seen = part_of(both, frame.views[i].viewport);
+            const auto d = render::distance(seen, part_of(whole(alone(frame, i)), frame.views[i].viewport));
+            EXPECT_LT(d.mean, same_mean) << "view " << i;
+            EXPECT_LT(d.worst, same_worst) << "view " << i;
+            EXPECT_GT(without_brew(frame, i, seen), most_worst) << "view " << i << " shows no brew";
+        }
+    }
+
+    static constexpr double same_mean = 0.002, same_worst = 0.3;
+    static constexpr vec3 above_bowl{0, 1, 0};
+    Picture crowd;
+    HudSettings settings;
+};
+
+TEST_F(SplitPictures, EachViewIsThatViewDrawnAlone) {
+    for (const auto split : {render::Split::side_by_side, render::Split::top_bottom}) {
+        for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
+            SCOPED_TRACE(text(split == render::Split::top_bottom ? "stacked " : "beside ",
+                              render::quality_names[static_cast<std::size_t>(quality)]));
+            settings.split = split;
+            settings.quality = quality;
+            expect_views_alone({640, 360});
+            // So high that views are drawn smaller and stretched, where quality allows it.
+            if (quality != Quality::high) expect_views_alone({701, 809});
+        }
+    }
 }
 
 /// What must not pass: each is a change that somebody would notice.

@@ -9,6 +9,7 @@
 #include "render/context.h"
 #include "render/detail/shaders.h"
 #include "render/renderer.h"
+#include "unit/picture_part.h"
 
 namespace thaum::render {
 namespace {
@@ -220,6 +221,37 @@ TEST_F(VolumeTest, StandsWhereItDoesInEveryViewAndSize) {
             EXPECT_EQ(right, 0);
             EXPECT_NEAR(middle_x / left, 0.25 * size - 0.5, 1.0);
             EXPECT_NEAR(middle_y / left, 0.5 * size - 0.5, 1.0);
+        }
+    }
+}
+
+int bright_pixels(const Image& image) {
+    int bright = 0;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3) bright += image.rgb[i] >= 100 ? 1 : 0;
+    return bright;
+}
+
+TEST_F(VolumeTest, StandsInBothViewsOfASplitPictureAsInEachAlone) {
+    fill({255, 0, 0, 255});
+    for (const auto split : {Split::side_by_side, Split::top_bottom}) {
+        const auto views = split_window(size, size, split);
+        for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
+            auto frame = frame_of(&volume, quality, views[0]);
+            frame.views.push_back(frame.views[0]);
+            frame.views[1].viewport = views[1];
+            // The second eye is nearer, so that one view in the place of the other is seen too.
+            frame.views[1].camera.position.y = 2.5F;
+            renderer->draw(frame);
+            const auto both = renderer->read_pixels();
+            EXPECT_EQ(renderer->statistics().volumes_drawn, 2U);
+            for (std::size_t i = 0; i < 2; ++i) {
+                auto alone = frame;
+                alone.views = {frame.views[i]};
+                renderer->draw(alone);
+                const auto seen = part_of(both, views[i]);
+                EXPECT_GT(bright_pixels(seen), 200) << "view " << i;
+                EXPECT_TRUE(same(seen, part_of(renderer->read_pixels(), views[i]))) << "view " << i;
+            }
         }
     }
 }

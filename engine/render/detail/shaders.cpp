@@ -72,6 +72,7 @@ Expected<SmallProgram> load_small_program(const std::vector<Folder>& files, cons
     if (!program) return tl::unexpected(program.error());
     SmallProgram out{.program = std::move(*program)};
     out.parameter = uniform(out.program, parameter);
+    out.part = uniform(out.program, "part");
     glUseProgram(out.program.get());
     for (const char* sampler : {"picture", "atlas"}) glUniform1i(uniform(out.program, sampler), picture_unit);
     glUniform1i(uniform(out.program, "bloom"), bloom_unit);

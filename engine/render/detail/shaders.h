@@ -31,10 +31,11 @@ struct MistProgram {
     GLint view_projection{}, eye{};
 };
 
-/// A program with a matrix, or with a length in texels, and nothing else.
+/// A program with one parameter, a matrix or a length in texels.
 struct SmallProgram {
     Program program;
     GLint parameter{};
+    GLint part{};  ///< uniform for the part of the picture that screen.vert reads; -1 where there is none
 };
 
 struct Programs {

@@ -31,12 +31,20 @@ void blur(const SmallProgram& program, const Texture& from, const Target& to, fv
     fill(to);
 }
 
-void make_bloom(const Target& light, Bloom& bloom, const Programs& programs) {
-    const int width = std::max(1, light.width / bloom_share),
-              height = std::max(1, light.height / bloom_share);
+/// The part of the picture that the view covers, in texture coordinates.
+void set_part(const SmallProgram& program, const Target& light, const Rect& drawn) {
+    const fvec2 size(static_cast<float>(light.width), static_cast<float>(light.height));
+    glUniform4f(program.part, static_cast<float>(drawn.x) / size.x, static_cast<float>(drawn.y) / size.y,
+                static_cast<float>(drawn.width) / size.x, static_cast<float>(drawn.height) / size.y);
+}
+
+void make_bloom(const Target& light, const Rect& drawn, Bloom& bloom, const Programs& programs) {
+    const int width = std::max(1, drawn.width / bloom_share),
+              height = std::max(1, drawn.height / bloom_share);
     resize(bloom.bright, GL_RGBA16F, false, width, height);
     resize(bloom.blurred, GL_RGBA16F, false, width, height);
     glUseProgram(programs.bright.program.get());
+    set_part(programs.bright, light, drawn);
     glUniform2f(programs.bright.parameter, 1 / static_cast<float>(light.width),
                 1 / static_cast<float>(light.height));
     bind(picture_unit, light.colour);
@@ -68,22 +76,23 @@ void resize(Target& target, GLint format, bool with_depth, int width, int height
                  text("no framebuffer of ", width, " x ", height));
 }
 
-std::size_t compose(const Target& light, Bloom& bloom, const Programs& programs, bool with_bloom,
-                    const VertexArray& no_attributes, int width, int height) {
+std::size_t compose(const Target& light, const ViewPlace& view, Bloom* bloom, const Programs& programs,
+                    const VertexArray& no_attributes) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
     glBindVertexArray(no_attributes.get());
-    if (with_bloom) make_bloom(light, bloom, programs);
+    if (bloom != nullptr) make_bloom(light, view.drawn, *bloom, programs);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glViewport(0, 0, width, height);
+    glViewport(view.shown.x, view.shown.y, view.shown.width, view.shown.height);
     glUseProgram(programs.compose.program.get());
-    glUniform1f(programs.compose.parameter, with_bloom ? bloom_strength : 0);
+    set_part(programs.compose, light, view.drawn);
+    glUniform1f(programs.compose.parameter, bloom != nullptr ? bloom_strength : 0);
     bind(picture_unit, light.colour);
     // Without bloom it is multiplied by 0, but something must be there.
-    bind(bloom_unit, with_bloom ? bloom.bright.colour : light.colour);
+    bind(bloom_unit, bloom != nullptr ? bloom->bright.colour : light.colour);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    return with_bloom ? 4 : 1;
+    return bloom != nullptr ? 4 : 1;
 }
 
 }  // namespace thaum::render::detail

@@ -16,13 +16,19 @@ struct Target {
 /// Makes the target anew if its size is another; `format` GL_RGBA8 or GL_RGBA16F.
 void resize(Target& target, GLint format, bool with_depth, int width, int height);
 
-/// What is bright shines beyond its edges: a quarter of the size, blurred.
+/// Bright light that shines beyond its edges: a quarter of one view's size, blurred.
 struct Bloom {
     Target bright, blurred;
 };
 
-/// From the target's light to the window's pixels. Returns the number of draw calls.
-std::size_t compose(const Target& light, Bloom& bloom, const Programs& programs, bool with_bloom,
-                    const VertexArray& no_attributes, int width, int height);
+/// Place of one view: in the target it was drawn into, and in the window (px, from the bottom left).
+struct ViewPlace {
+    Rect drawn, shown;
+};
+
+/// Turns one view's light into the window's pixels. Nothing of it reaches another view. Without bloom `bloom` is null. Returns
+/// the number of draw calls.
+std::size_t compose(const Target& light, const ViewPlace& view, Bloom* bloom, const Programs& programs,
+                    const VertexArray& no_attributes);
 
 }  // namespace thaum::render::detail

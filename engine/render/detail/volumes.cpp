@@ -255,6 +255,8 @@ void Volumes::begin_depth(const SeenVolume& its, const Sight& sight, const Small
 void Volumes::march(const ViewScene& view, const SeenVolume& its, const Sight& sight, Quality quality,
                     const VertexArray& no_attributes) {
     glBindFramebuffer(GL_FRAMEBUFFER, marched_.framebuffer.get());
+    // The depth passes of all views came before, so the viewport may still be that of another view.
+    glViewport(its.view.x, its.view.y, its.view.width, its.view.height);
     glDisable(GL_DEPTH_TEST);
     scissored_clear(its.part, GL_COLOR_BUFFER_BIT);
     bind(texels_unit, GL_TEXTURE_3D, all_[its.volume->id].texels);
