@@ -7,6 +7,7 @@ thaum_test(test_haptics
         accuracy/haptics_coupling_accuracy_test.cpp accuracy/fluid_touch_accuracy_test.cpp
         accuracy/primitives_test.cpp accuracy/primitives_random_test.cpp
         stability/haptics_z_width_test.cpp stability/haptics_hostile_test.cpp
-        stability/haptics_safety_hostile_test.cpp stability/fluid_touch_hostile_test.cpp
+        stability/haptics_safety_hostile_test.cpp stability/haptics_switches_test.cpp
+        stability/fluid_touch_hostile_test.cpp
     LINK thaum_haptics thaum_fluid
     NOT_SANITIZED HapticsZWidth.WithDamping* HapticsZWidth.AControllerOfMore*)

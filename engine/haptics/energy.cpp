@@ -47,17 +47,18 @@ vec3 within_budget(const EnergyBook& book, vec3 active, vec3 velocity) {
     return active - std::max(0.0, glm::dot(active, way)) * way;
 }
 
-// Cap and heat scale all sources alike; what else the safety stage leaves (a slow change where something was switched) is nobody's
-// spring, and counts as active.
-void enter(EnergyBook& book, vec3 output, vec3 passive, vec3 active, vec3 world) {
+// Cap and heat scale all sources alike. What fades after a switch gives back what it was given and next to nothing besides, so it is
+// passive as the controller's brake is. The rest, the ramp of a dead model, is nobody's spring and counts as active.
+void enter(EnergyBook& book, vec3 output, vec3 passive, vec3 active, vec3 world, vec3 lag) {
     const vec3 wanted = passive + active;
     const double size2 = glm::dot(wanted, wanted);
-    const double share = size2 > 0 ? std::clamp(glm::dot(output, wanted) / size2, 0.0, 1.0) : 0;
-    const bool sane = is_finite(passive) && is_finite(active) && is_finite(world) && std::isfinite(share);
+    const double share = size2 > 0 ? std::clamp(glm::dot(output - lag, wanted) / size2, 0.0, 1.0) : 0;
+    const bool sane =
+        is_finite(passive) && is_finite(active) && is_finite(world) && is_finite(lag) && std::isfinite(share);
     book.newest = (book.newest + 1) % kept;
     auto& force = book.forces[book.newest];
     force.share = sane ? share : 0;
-    force.passive = sane ? share * passive : vec3(0);
+    force.passive = sane ? share * passive + lag : vec3(0);
     force.world = sane ? share * world : vec3(0);
     force.active = output - force.passive;
 }

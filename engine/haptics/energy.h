@@ -53,8 +53,8 @@ vec3 passivity_control(const EnergyBook& book, vec3 velocity, double most);
 /// The active force as its budget allows: beyond it nothing that pushes along the velocity.
 vec3 within_budget(const EnergyBook& book, vec3 active, vec3 velocity);
 
-/// What the device is told, N, of which the passive sources and the controller wanted `passive`, the active ones `active`; world: of the
-/// passive force, what pulls at something that the world moves.
-void enter(EnergyBook& book, vec3 output, vec3 passive, vec3 active, vec3 world);
+/// Books the force that the device is told (N). passive, active: what the sources wanted. world: the part of `passive` that pulls at
+/// something which the world moves. lag: the part of `output` that no source wanted, the controller's brake and what fades after a switch.
+void enter(EnergyBook& book, vec3 output, vec3 passive, vec3 active, vec3 world, vec3 lag = {});
 
 }  // namespace thaum::haptics

@@ -28,7 +28,8 @@ constexpr std::uint32_t bin_ticks = 500;
 constexpr double almost_there = 1 + 1e-9;  // else rounding may leave a slew one tick short of its end
 // Of the thermal budget: from the one on a burst is held back, by the other it is over. The rest is for what presses on.
 constexpr double warm_from = 0.8, burst_until = 0.9;
-constexpr double rise_time = 0.5;  // s, of what is held back to what can be kept up
+constexpr double longest_step = 0.05;  // m, of a hand in a tick
+constexpr double rise_time = 0.5;      // s, of what is held back to what can be kept up
 static_assert((thermal_bins - 2) * bin_ticks == ticks(thermal_window));
 
 bool latched(const SafetyState& state, SafetyCause cause) {
@@ -111,7 +112,7 @@ bool note_age(SafetyState& state, std::uint32_t age) {
 void note_gate(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
     if (state.gate_open != 0 || !is_finite(wanted) || !(glm::length(wanted) <= limits.cap)) return;
     state.gate_open = 1;
-    state.slewing = 1;
+    state.fade = static_cast<std::uint32_t>(Fade::begins);
 }
 
 /// Takes in the whole input, whatever acts, so that no condition hides another. The gravest one that stops the force.
@@ -176,7 +177,7 @@ double bearable(const SafetyLimits& limits, const SafetyState& state) {
     if (held_back) {
         const double before = glm::length(state.output);
         burst = std::min(burst, before);
-        if (state.slewing == 0)
+        if (state.fade == static_cast<std::uint32_t>(Fade::over))
             kept_up = std::min(kept_up, before + (kept_up - before) * (tick_seconds / rise_time));
     }
     const double at_most = std::sqrt(left / tick_seconds);  // does not overrun the budget within this tick
@@ -193,17 +194,58 @@ void add_heat(SafetyState& state, vec3 force) {
 
 // ---- the force ----------------------------------------------------------------------------------------------------
 
-/// After a switch the force walks to where it should be; from then on it follows freely, for a delay inside a passive source
-/// would make that source create energy. It walks from what the last output could be now: the cap may have come down.
-vec3 walked(const SafetyLimits& limits, double most, SafetyState& state, vec3 target) {
-    if (state.slewing == 0) return target;
-    const vec3 from = shortened(state.output, most);
+/// A switch begins: the output stays where it was, and what parts it from the sources becomes the offset. The last output may be beyond
+/// what is possible now, for the cap may have come down.
+void begin_fade(double most, SafetyState& state, vec3 goal) {
+    state.offset = shortened(state.output, most) - goal;
+    state.full_offset = glm::length(state.offset);
+    state.spent = 0;
+    state.fade = static_cast<std::uint32_t>(Fade::running);
+}
+
+/// Books the work that the offset has done since the last tick. A step that no hand makes was measured wrongly, and is no work.
+void book_work(SafetyState& state, vec3 tip) {
+    const double work = glm::dot(state.offset, tip - state.tip);
+    if (glm::distance(tip, state.tip) <= longest_step) state.spent = std::max(0.0, state.spent + work);
+}
+
+/// The length that the work done so far allows (N). An offset that falls in proportion to the way along it, like a spring that relaxes,
+/// keeps to this law exactly and is at zero when it has done all its work.
+double worked_off(const SafetyState& state) {
+    const double left = std::clamp(1 - state.spent / switch_energy, 0.0, 1.0);
+    return state.full_offset * std::sqrt(left);
+}
+
+/// The largest part of the offset, 0 to 1, with which force + offset is within `most`; 0 where there is none.
+double part_within(double most, vec3 force, vec3 offset) {
+    const double square = glm::dot(offset, offset);
+    const double along = glm::dot(force, offset);
+    const double room = most * most - glm::dot(force, force);
+    if (square + 2 * along <= room) return 1;
+    const double bent = along * along + square * room;
+    if (!(bent >= 0)) return 0;
+    const double root = std::sqrt(bent);
+    return std::clamp(along > 0 ? room / (root + along) : (root - along) / square, 0.0, 1.0);
+}
+
+/// The force after a switch: the goal, which is never delayed, and an offset that fades. Every change of the offset is a shortening.
+vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal, vec3 tip) {
+    if (state.fade == static_cast<std::uint32_t>(Fade::over)) return goal;
+    if (state.fade == static_cast<std::uint32_t>(Fade::begins))
+        begin_fade(most, state, goal);
+    else
+        book_work(state, tip);
     const double step = limits.slew * tick_seconds;
-    const vec3 gap = target - from;
-    const double distance = glm::length(gap);
-    if (distance > step * almost_there) return from + gap * (step / distance);
-    state.slewing = 0;
-    return target;
+    const double size = glm::length(state.offset);
+    const double left = std::min(size, worked_off(state)) - step;
+    if (!(left > step * (almost_there - 1))) {
+        state.fade = static_cast<std::uint32_t>(Fade::over);
+        state.offset = {};
+        return goal;
+    }
+    state.offset *= left / size;
+    state.offset *= part_within(most, goal, state.offset);
+    return goal + state.offset;
 }
 
 /// Of the last output, so that the ramp is a line whatever it started from; the last factor is zero.
@@ -238,16 +280,21 @@ vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput
     SafetyCause cause = note(limits, state, input);
     const double most = bearable(limits, state);
     const vec3 wanted = is_finite(input.wanted) ? input.wanted : vec3(0);
-    if (input.switched || cause != SafetyCause::none) state.slewing = 1;
+    if (input.switched || cause != SafetyCause::none) state.fade = static_cast<std::uint32_t>(Fade::begins);
 
-    vec3 force{};
-    if (cause == SafetyCause::none) {
-        force = walked(limits, most, state, shortened(wanted, most));
+    const bool follows = cause == SafetyCause::none;
+    vec3 force{}, target{};
+    if (follows) {
+        target = shortened(wanted, most);
+        const vec3 brake = is_finite(input.brake) ? shortened(input.brake, most) : vec3(0);
+        force = faded(limits, most, state, shortened(target + brake, most), input.tip);
         cause = shortening(limits, most, wanted);
     } else if (cause == SafetyCause::stale) {
         force = ramped_down(state);
     }
     state.output = last_word(most, force);
+    state.lag = follows ? state.output - target : vec3(0);
+    state.tip = input.tip;
     state.cause = static_cast<std::uint32_t>(cause);
     add_heat(state, state.output);
     return state.output;

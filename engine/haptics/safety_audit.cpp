@@ -9,6 +9,8 @@ namespace {
 // Written anew from haptics.md; that the stage has the same figures is what is tested.
 constexpr std::uint64_t window_ticks = 10'000;
 constexpr std::uint64_t memory_ticks = 11'000;
+constexpr double energy_of_a_switch = 0.01;       // J
+constexpr double longest_hand_step = 0.05;        // m
 constexpr double surely_cool = 0.8 * (1 - 1e-9);  // of the budget: nothing may be scaled below
 constexpr std::uint64_t fresh_for = 20;
 constexpr double stale_ramp = 50;
@@ -25,6 +27,21 @@ double distance_from_line(vec3 point, vec3 end) {
     const double square = glm::dot(end, end);
     const double along = square > 0 ? glm::clamp(glm::dot(point, end) / square, 0.0, 1.0) : 0;
     return size_of(point - along * end);
+}
+
+/// By halving: the largest share of `change`, 0 to 1, that leads from `force` to a place within the cap; 0 where none does.
+double share_within(double cap, vec3 force, vec3 change) {
+    const auto within = [&](double share) { return size_of(force + share * change) <= cap * (1 + 1e-15); };
+    const double square = glm::dot(change, change);
+    double inside = square > 0 ? glm::clamp(-glm::dot(force, change) / square, 0.0, 1.0) : 0;
+    if (within(1)) return 1;
+    if (!within(inside)) return 0;
+    double outside = 1;
+    for (int halvings = 0; halvings < 60; ++halvings) {
+        const double middle = (inside + outside) / 2;
+        (within(middle) ? inside : outside) = middle;
+    }
+    return inside;
 }
 
 vec3 without_the_infinite(vec3 v) { return is_finite(v) ? v : vec3(0); }
@@ -65,6 +82,7 @@ void SafetyAudit::record(const SafetyLimits& limits, const SafetyInput& input, v
     watch_hand(limits, input);
     watch_model(input);
     if (!judge_stopped(input, output)) judge_following(limits, input, output);
+    tip_ = input.tip;
     heat(output);
     judge_always(limits, output);
     before_ = output;
@@ -135,27 +153,66 @@ bool SafetyAudit::judge_stopped(const SafetyInput& input, vec3 output) {
     } else {
         return false;
     }
-    surely_slewing_ = maybe_slewing_ = true;
+    begins_ = true;
+    unscaled_ = true;
     return true;
 }
 
-void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output) {
+bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
     const double budget = limits.continuous * limits.continuous * static_cast<double>(window_ticks);
-    const bool cool = memory_sum_ <= surely_cool * budget;
+    return memory_sum_ <= surely_cool * budget;
+}
+
+/// The force does not jump, unless it has to shrink.
+void SafetyAudit::begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool) {
+    const bool may_shrink = !cool || size_of(before_) > limits.cap;
+    const double moved = may_shrink ? distance_from_line(output, before_) : size_of(output - before_);
+    const double step = limits.slew * tick_seconds;
+    count(SafetyRule::slew, moved > step * (1 + 1e-8) + rounding(before_));
+
+    offset_ = within_cap(before_, limits.cap) - goal;
+    full_ = size_of(offset_);
+    spent_ = 0;
+    const double longest = size_of(before_) + size_of(goal);
+    last_fading_ = now_ + static_cast<Moment>(longest / step) + 1;
+    begins_ = false;
+    maybe_fading_ = known_ = true;
+}
+
+/// By time, by the work that it does, and so far that it leads nowhere beyond the cap.
+void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, vec3 tip) {
+    if (size_of(tip - tip_) <= longest_hand_step)
+        spent_ = std::fmax(0, spent_ + glm::dot(offset_, tip - tip_));
+    const double size = size_of(offset_);
+    const double worked_off = full_ * std::sqrt(std::fmax(0, 1 - spent_ / energy_of_a_switch));
+    const double left = std::fmin(size, worked_off) - limits.slew * tick_seconds;
+    offset_ = left > 0 ? offset_ * (left / size) : vec3(0);
+    offset_ *= share_within(limits.cap, goal, offset_);
+}
+
+void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output) {
+    const bool cool = is_cool(limits);
     const vec3 wanted = within_cap(without_the_infinite(input.wanted), limits.cap);
-    if (input.switched) surely_slewing_ = maybe_slewing_ = true;
-
-    if (surely_slewing_) {
-        const bool may_shrink = !cool || size_of(before_) > limits.cap;
-        const double moved = may_shrink ? distance_from_line(output, before_) : size_of(output - before_);
-        count(SafetyRule::slew, moved > limits.slew * tick_seconds * (1 + 1e-8) + rounding(before_));
+    const vec3 brake = within_cap(without_the_infinite(input.brake), limits.cap);
+    const vec3 goal = within_cap(wanted + brake, limits.cap);
+    const bool begins = begins_ || input.switched;
+    if (begins) begin_fade(limits, goal, output, cool);
+    const bool all_of_it = brake == vec3(0) && size_of(output - goal) <= rounding(goal);
+    unscaled_ = cool && (unscaled_ || all_of_it);
+    known_ = known_ && unscaled_;
+    if (known_) {
+        fade_on(limits, goal, begins ? tip_ : input.tip);
+        const vec3 expected = within_cap(goal + offset_, limits.cap);
+        // Where the cap leaves next to nothing of an offset that is square to it, rounding decides how much: the root of an ulp.
+        const bool grazes = size_of(offset_) < limits.slew * tick_seconds;
+        const double tolerance = rounding(expected) + (grazes ? 1e-6 : limits.slew * tick_seconds * 1e-8);
+        count(SafetyRule::slew, size_of(output - expected) > tolerance);
+        maybe_fading_ = known_ = offset_ != vec3(0);
+    } else if (!maybe_fading_) {
+        const bool judged = cool || brake == vec3(0);
+        count(SafetyRule::unasked, judged && distance_from_line(output, goal) > rounding(wanted));
     }
-    if (!maybe_slewing_) count(SafetyRule::unasked, distance_from_line(output, wanted) > rounding(wanted));
-
-    const bool there = size_of(output - wanted) <= rounding(wanted);
-    const bool perhaps_there = !cool && distance_from_line(output, wanted) <= rounding(wanted);
-    if (there && cool) maybe_slewing_ = false;
-    if (there || perhaps_there) surely_slewing_ = false;
+    if (now_ > last_fading_) maybe_fading_ = known_ = false;
 }
 
 void SafetyAudit::heat(vec3 output) {

@@ -25,7 +25,7 @@ enum class SafetyRule : std::uint32_t {
     finite,
     cap,      ///< not longer than it, to the bit
     budget,   ///< mean square over exactly the last 10 s
-    slew,     ///< from a switch on, until what is wanted was reached
+    slew,     ///< no jump at a switch; then wanted force and an offset that fades by time, work and cap
     unasked,  ///< else a part of what is wanted, from 0 to 1
     stale,    ///< not above the line to zero in 50 ms
     waiting,  ///< zero before the first wanted force in range; the others below likewise
@@ -62,6 +62,9 @@ private:
     void judge_always(const SafetyLimits& limits, vec3 output);
     bool judge_stopped(const SafetyInput& input, vec3 output);
     void judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output);
+    bool is_cool(const SafetyLimits& limits) const;
+    void begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool);
+    void fade_on(const SafetyLimits& limits, vec3 goal, vec3 tip);
     void heat(vec3 output);
 
     std::array<std::uint64_t, safety_rules> counts_{};
@@ -77,8 +80,15 @@ private:
     Moment last_fresh_{};
     vec3 at_stale_{};  // N, where the ramp begins
 
-    bool surely_slewing_ = true;  // has not reached what is wanted; the start is a switch
-    bool maybe_slewing_ = true;   // may not have
+    bool begins_ = true;        // the next force that is let through is a switch, as the first one is
+    bool maybe_fading_ = true;  // an offset may be left
+    bool known_ = false;        // and is the one below
+    bool unscaled_ = true;  // the stage does not scale down to keep the motors cool, nor come back from that
+    vec3 offset_{};         // N
+    vec3 tip_{};            // m
+    double full_{};         // N, length of the offset when it began
+    double spent_{};        // J, work of the offset
+    Moment last_fading_{};  // the last tick in which there may be an offset
 
     std::vector<double> squares_;  // N^2, a ring
     double window_sum_{};          // N^2, of the last 10 s

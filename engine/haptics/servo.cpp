@@ -107,7 +107,8 @@ struct Tip {
 struct SurfaceFeel {
     vec3 force{};       ///< N
     vec3 world_step{};  ///< m, by which what is touched moved over the tip in the last tick
-    double stored{};    ///< J
+    double stored{};    ///< energy that a spring of this force and stretch would hold (J)
+    double stretch{};   ///< distance from the tip to the proxy (m)
     bool active{};      ///< a texture that is no passive source
 };
 
@@ -157,6 +158,7 @@ SurfaceFeel feel_patch(ServoState& state, const SurfacePatch& patch, const Drift
     return {.force = touched.force,
             .world_step = step_of_touched(patch, state.surface, touched.proxy) - (state.shift - shift),
             .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
+            .stretch = glm::length(stretch),
             .active = has_active_texture(patch)};
 }
 
@@ -201,19 +203,29 @@ double potential(const Primitive& primitive, vec3 proxy) {
     return 0;
 }
 
-/// J, that the passive sources hold and may give back.
+/// Stored energy of a spring (J) that would hold `energy` at `stretch` (m) if the cap (N) let all of its force through.
+double within_cap(double energy, double stretch, double cap) {
+    const double pull = 2 * energy / stretch;
+    if (!(pull > cap)) return energy;
+    return cap * stretch * (1 - cap / (2 * pull));
+}
+
+/// J, that the passive sources hold and may give back: what lies beyond the cap was never put in.
 double stored_energy(const ServoState& state, const HapticModel& model, const Tether& tether, vec3 tip,
-                     const SurfaceFeel& surfaces) {
-    double stored = surfaces.active ? 0 : surfaces.stored;
+                     const SurfaceFeel& surfaces, double cap) {
+    double stored = surfaces.active ? 0 : within_cap(surfaces.stored, surfaces.stretch, cap);
     if (tether.stiffness > 0) {
         const vec3 off = tip - tether.anchor;
-        stored +=
-            tether.stiffness * glm::dot(off, off) / 2 + tether.detents.depth * tether.detents.width / pi;
+        stored += within_cap(tether.stiffness * glm::dot(off, off) / 2, glm::length(off), cap) +
+                  tether.detents.depth * tether.detents.width / pi;
     }
     if (state.primitives != 0 && conservative(model.primitives)) {
         const vec3 off = tip - state.proxy;
-        stored += model.coupling.stiffness * glm::dot(off, off) / 2;
-        for (const auto& primitive : model.primitives.items()) stored += potential(primitive, state.proxy);
+        stored += within_cap(model.coupling.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
+        for (Primitive primitive : model.primitives.items()) {
+            primitive.strength = std::min(primitive.strength, cap);
+            stored += potential(primitive, state.proxy);
+        }
     }
     return stored;
 }
@@ -225,17 +237,18 @@ Tether moved_on(Tether tether, std::uint32_t age) {
     return tether;
 }
 
-/// Books what the last tick did, and adds what keeps the sources passive and within their budget. What a source holds when it comes is
-/// the switch's doing.
-void keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
+/// Books what the last tick did, and keeps active sources within their budget. Returns the brake that keeps passive ones passive (N). The
+/// energy that a source holds when it comes is not its own creation: whoever stretched it put it there.
+vec3 keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
                 const Tip& tip, const SurfaceFeel& surfaces, const FluidFeel& fluid, Sources& sources) {
-    const double stored = stored_energy(state, model, tether, tip.position, surfaces) + fluid.stored;
+    const double stored =
+        stored_energy(state, model, tether, tip.position, surfaces, servo.limits.cap) + fluid.stored;
     // Who is tethered touches nothing else.
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.brought);
     if (tip.switched) state.energy.created = -stored;
-    sources.passive += passivity_control(state.energy, tip.velocity, servo.most_damping);
     sources.active = within_budget(state.energy, sources.active, tip.velocity);
+    return passivity_control(state.energy, prompt_velocity(state, servo.quantum), servo.most_damping);
 }
 
 }  // namespace
@@ -276,7 +289,7 @@ ServoState resumed(const ServoState& before) {
     ServoState state;
     state.safety = before.safety;
     state.safety.output = vec3(0);
-    state.safety.gate_open = state.safety.slewing = 0;
+    state.safety.gate_open = state.safety.fade = 0;
     state.safety.fast_ticks = state.safety.stale_ticks = 0;
     state.safety.cause = static_cast<std::uint32_t>(SafetyCause::stale);
     state.last_pulse = before.last_pulse;
@@ -293,6 +306,29 @@ vec3 tip_velocity(const ServoState& state) {
     };
     const std::uint32_t span = state.samples - 1;
     return (at(0) - at(span)) / (span * tick_seconds);
+}
+
+vec3 prompt_velocity(const ServoState& state, double quantum) {
+    if (state.samples < 2) return vec3(0);
+    const double slack = std::max(quantum, finest_motion);
+    const auto& ring = state.positions;
+    const auto at = [&](std::uint32_t back) {
+        return ring[(state.next_position + velocity_window - 1 - back) % velocity_window];
+    };
+    const auto straight = [&](vec3 step, std::uint32_t span) {
+        for (std::uint32_t i = 1; i < span; ++i) {
+            const vec3 off = glm::abs(at(0) - static_cast<double>(i) * step - at(i));
+            if (!(std::max({off.x, off.y, off.z}) <= slack)) return false;
+        }
+        return true;
+    };
+    vec3 step = at(0) - at(1);
+    for (std::uint32_t span = 2; span < state.samples; ++span) {
+        const vec3 mean = (at(0) - at(span)) / static_cast<double>(span);
+        if (!straight(mean, span)) break;
+        step = mean;
+    }
+    return step / tick_seconds;
 }
 
 double path_speed(const ServoState& state, double quantum) {
@@ -338,10 +374,13 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
         sources.passive += fluid.passive;
         sources.active += fluid.active;
     }
-    keep_books(servo, state, model, tether, {sample.position, velocity, switched}, surfaces, fluid, sources);
+    const vec3 brake = keep_books(servo, state, model, tether, {sample.position, velocity, switched},
+                                  surfaces, fluid, sources);
     const vec3 output = make_safe(servo.limits, state.safety,
                                   {.wanted = sources.passive + sources.active,
                                    .spring = spring,
+                                   .brake = brake,
+                                   .tip = sample.position,
                                    .velocity = velocity,
                                    .path_speed = path_speed(state, servo.quantum),
                                    .model_age = sample.model_age,
@@ -349,7 +388,7 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
                                    .on = model.on,
                                    .panic = model.panic,
                                    .rearm = model.rearm});
-    enter(state.energy, output, sources.passive, sources.active, sources.world);
+    enter(state.energy, output, sources.passive, sources.active, sources.world, state.safety.lag);
     return output;
 }
 

@@ -145,6 +145,15 @@ ServoState resumed(const ServoState& before);
 /// m/s, of the tip, over the window or what there is of it; zero before the second sample.
 vec3 tip_velocity(const ServoState& state);
 
+inline constexpr double finest_motion =
+    5e-5;  ///< deviation from a line that is taken for noise, at least (m)
+
+/// Velocity of the tip with the least delay that the quantum (m) allows: the mean over the longest part of the window in which the
+/// samples lie on a line within one quantum, but at least `finest_motion` (m/s). At rest that is the whole window, in a quick turn two
+/// samples. A damper that acts on a velocity of four ticks ago makes a stiff spring swing instead of calming it.
+/// Source: first-order adaptive windowing, Janabi-Sharifi, Hayward and Chen 2000.
+vec3 prompt_velocity(const ServoState& state, double quantum);
+
 /// m/s, along the way from sample to sample, less what a quantum (m) can add to it: a tip that is here and there in turn has no
 /// velocity over the window, and is fast all the same. Over the window, because a sample may come late and the next one soon.
 double path_speed(const ServoState& state, double quantum);

@@ -16,9 +16,11 @@ constexpr auto fields_of(const SimulatedState*) {
 
 constexpr auto fields_of(const SafetyState*) {
     using S = SafetyState;
-    return std::tuple(ecs::field("output", &S::output), ecs::field("heat", &S::heat),
-                      ecs::field("tick", &S::tick), ecs::field("bin", &S::bin),
-                      ecs::field("gate_open", &S::gate_open), ecs::field("slewing", &S::slewing),
+    return std::tuple(ecs::field("output", &S::output), ecs::field("offset", &S::offset),
+                      ecs::field("lag", &S::lag), ecs::field("tip", &S::tip),
+                      ecs::field("full_offset", &S::full_offset), ecs::field("spent", &S::spent),
+                      ecs::field("heat", &S::heat), ecs::field("tick", &S::tick), ecs::field("bin", &S::bin),
+                      ecs::field("gate_open", &S::gate_open), ecs::field("fade", &S::fade),
                       ecs::field("fast_ticks", &S::fast_ticks), ecs::field("latched", &S::latched),
                       ecs::field("excess_ticks", &S::excess_ticks),
                       ecs::field("excess_count", &S::excess_count), ecs::field("cause", &S::cause),

@@ -110,6 +110,19 @@ TEST(HapticsEnergy, CapAndHeatScaleAllSourcesAlikeAndTheRestIsActive) {
     EXPECT_EQ(now().passive, vec3(0));
 }
 
+TEST(HapticsEnergy, WhatFadesAfterASwitchIsPassive) {
+    EnergyBook book;
+    observe(book, {}, {}, 0, 0);
+    // The spring wants 1 N and gets it; 2 N of the last source are left.
+    enter(book, {3, 0, 0}, {1, 0, 0}, {}, {1, 0, 0}, {2, 0, 0});
+    EXPECT_EQ(book.forces[book.newest].passive, vec3(3, 0, 0));
+    EXPECT_EQ(book.forces[book.newest].world, vec3(1, 0, 0)) << "nothing of the world holds what is left";
+    EXPECT_EQ(book.forces[book.newest].active, vec3(0));
+    observe(book, {0.01, 0, 0}, {}, 0, 0);
+    EXPECT_NEAR(book.created, 0.03, 1e-15);
+    EXPECT_EQ(book.given, 0);
+}
+
 TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
     EnergyBook book;
     book.created = 1e-4;
@@ -120,6 +133,33 @@ TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
     EXPECT_EQ(passivity_control(book, {}, 30), vec3(0));
     book.created = -1;
     EXPECT_EQ(passivity_control(book, velocity, 30), vec3(0));
+}
+
+TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {
+    const double quantum = 5.5e-5, radius = 0.01,
+                 rate = 150;  // 1.5 m/s round a circle, by an Omni's encoders
+    const auto rounded = [quantum](vec3 place) { return quantum * glm::round(place / quantum); };
+    const Servo servo = servo_of(reference_device(0), 1);
+    ServoState state;
+    vec3 place{};
+    double prompt = 0, late = 0;
+    for (int tick = 0; tick < 500; ++tick) {
+        const double phase = rate * tick * tick_seconds;
+        place = rounded(radius * vec3(std::cos(phase), std::sin(phase), 0));
+        servo_step(servo, state, {}, {place, 0});
+        const vec3 exact = radius * rate * vec3(-std::sin(phase), std::cos(phase), 0);
+        if (tick < 10) continue;
+        prompt = std::max(prompt, glm::length(prompt_velocity(state, quantum) - exact));
+        late = std::max(late, glm::length(tip_velocity(state) - exact));
+    }
+    EXPECT_GT(late, 0.7) << "3.5 ms behind";
+    EXPECT_LT(prompt, 0.3) << "a tick behind, and the quantum's noise";
+    for (int tick = 0; tick < 100; ++tick) {
+        place = vec3(tick % 2 == 0 ? quantum : 0, 0, 0);
+        servo_step(servo, state, {}, {place, 0});
+        if (tick < 10) continue;
+        EXPECT_LE(glm::length(prompt_velocity(state, quantum)), quantum / 6e-3) << "flicker is no motion";
+    }
 }
 
 TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {

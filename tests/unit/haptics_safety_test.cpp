@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "core/hash.h"
+#include "core/random.h"
 #include "haptics/safety_audit.h"
 #include "tools/bench/safety_attack.h"
 
@@ -109,6 +110,71 @@ TEST(HapticsSafety, ASwitchSlewsAndWithinASourceNothingIsDelayed) {
     for (vec3 force = first; force != vec3(2.5, 0, 0); ++ticks) force = stage.feel({2.5, 0, 0});
     EXPECT_EQ(ticks, static_cast<int>(std::ceil(2.5 * std::sqrt(2.0) / 0.04)));
     EXPECT_EQ(stage.feel(vec3(0)), vec3(0));
+}
+
+TEST(HapticsSafety, WhileASwitchFadesTheSourceIsNotDelayed) {
+    // A spring that swings at 1 N in 6 ms, four times what the slew limit would follow, is met in 50 ms all the same.
+    Stage stage;
+    stage.feel(vec3(0));
+    const auto swings = [](int tick) { return vec3(2 + std::sin(1e-3 * 250 * tick), 0, 0); };
+    stage.feel({.wanted = swings(0), .switched = true});
+    for (int tick = 1; tick < 50; ++tick) {
+        const double offset = -2.0 * (1 - (tick + 1) / 50.0);
+        EXPECT_NEAR(stage.feel(swings(tick)).x - swings(tick).x, offset, 1e-9) << tick;
+    }
+    for (int tick = 50; tick < 100; ++tick) EXPECT_EQ(stage.feel(swings(tick)), swings(tick)) << tick;
+}
+
+TEST(HapticsSafety, AFadeEndsWithinTwiceTheCapWhateverIsWanted) {
+    Random random{3};
+    for (int round = 0; round < 200; ++round) {
+        Stage stage;
+        stage.limits.continuous = 1e3;  // so that heat does not hide the force
+        stage.feel(vec3(0));
+        const auto anything = [&random] {
+            return vec3(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
+        };
+        stage.feel({.wanted = anything()}, 100);
+        stage.feel({.wanted = anything(), .switched = true});
+        for (int tick = 1; tick < 2 * 3.3 / 0.04; ++tick) stage.feel(anything());
+        const vec3 last = stage.feel({0, 1.5, 0});
+        EXPECT_EQ(last, vec3(0, 1.5, 0)) << round;
+    }
+}
+
+TEST(HapticsSafety, AHandThatYieldsToWhatFadesIsLetGoOf) {
+    // The force of a source that has gone pushes on by 40 N/s less, and a hand that gives way to it gets 0.01 J and no more.
+    for (const double speed : {0.01, 0.1, 0.5}) {
+        for (const double way : {1.0, -1.0}) {
+            Stage stage;
+            stage.feel({.wanted = {3, 0, 0}}, 100);
+            SafetyInput gone{.switched = true};
+            double given = 0, taken = 0;
+            for (int tick = 0; tick < 100; ++tick) {
+                const double force = stage.feel(gone).x;
+                EXPECT_LE(force, std::max(0.0, 3 - 0.04 * (tick + 1)) + 1e-9);
+                EXPECT_GE(force, 0);
+                (way > 0 ? given : taken) += force * speed * tick_seconds;
+                gone.switched = false;
+                gone.tip.x += way * speed * tick_seconds;
+            }
+            EXPECT_LE(given, switch_energy + 3 * speed * tick_seconds) << "all but the last tick is known";
+            if (way < 0) {
+                EXPECT_NEAR(taken, 3 * 3 / 80.0 * speed, 0.07 * speed) << "it resists as long as it may";
+            }
+        }
+    }
+}
+
+TEST(HapticsSafety, TheCapDoesNotSwallowTheBrake) {
+    Stage stage;
+    stage.feel(vec3(0));
+    const vec3 far{50, 0, 0};
+    EXPECT_NEAR(stage.feel({.wanted = far, .spring = far}).x, 3.3, 1e-12);
+    EXPECT_NEAR(stage.feel({.wanted = far, .spring = far, .brake = {-2, 0, 0}}).x, 1.3, 1e-12);
+    EXPECT_NEAR(stage.feel({.wanted = far, .spring = far, .brake = {2, 0, 0}}).x, 3.3, 1e-12);
+    EXPECT_NEAR(stage.state.lag.x, 0, 1e-12) << "what the cap let through of it";
+    EXPECT_NEAR(stage.feel({.wanted = far, .spring = far, .brake = {not_a_number, 0, 0}}).x, 3.3, 1e-12);
 }
 
 TEST(HapticsSafety, OffAndPanicAreZeroAtOnceAndComeBackSlowly) {
@@ -363,7 +429,7 @@ TEST(HapticsSafety, TheSameTicksGiveTheSameBits) {
     };
     EXPECT_EQ(run(), run());
     // Those of every build and processor. A change of the rules changes them: let it be on purpose.
-    EXPECT_EQ(run(), 2802296599424621714ULL);
+    EXPECT_EQ(run(), 10325101369958194150ULL);
 }
 
 // ---- the audit can fail -------------------------------------------------------------------------------------------
@@ -415,6 +481,25 @@ TEST(HapticsSafetyAudit, SeesEveryKindOfFault) {
                   [](int tick, vec3 output) { return tick == 500 ? output - vec3(0.001, 0, 0) : output; });
     expect_caught(SafetyRule::slew, as_usual, [](int tick, vec3 output) {  // the gate's opening is a switch
         return tick == 0 ? vec3(1.5, 0, 0) : output;
+    });
+    // The limit that this stage had once: it followed a swinging spring at 40 N/s, and so for ever.
+    const auto swings = [](int tick, SafetyInput& input) {
+        input.switched = tick == 500;
+        if (tick >= 500) input.wanted = {std::sin(0.2 * tick), 0, 0};
+    };
+    vec3 chasing{};
+    expect_caught(SafetyRule::slew, swings, [&chasing](int tick, vec3 output) {
+        if (tick < 500) return chasing = output;
+        const vec3 gap = vec3(std::sin(0.2 * tick), 0, 0) - chasing;
+        return chasing += gap * std::min(1.0, 0.04 / glm::length(gap));
+    });
+    // A hand that yields to a force that fades, and is pushed on.
+    const auto goes_and_yields = [&goes](int tick, SafetyInput& input) {
+        goes(tick, input);
+        input.tip.x = tick < 500 ? 0 : 1e-3 * (tick - 500);
+    };
+    expect_caught(SafetyRule::slew, goes_and_yields, [](int tick, vec3 output) {
+        return tick < 500 ? output : vec3(std::max(0.0, 1.5 - 0.04 * (tick - 499)), 0, 0);
     });
     const auto dies = [](int tick, SafetyInput& input) {
         input.model_age = static_cast<std::uint32_t>(std::max(0, tick - 480));

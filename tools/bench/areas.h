@@ -19,6 +19,7 @@ void haptics(const Options& options, Report& report);
 /// Parts of `haptics`.
 void surfaces(const Options& options, Report& report);
 void passivity(Report& report);
+void switches(const Options& options, Report& report);
 void arms(const Options& options, Report& report);
 void stirring_passivity(const Options& options, Report& report);
 void field(const Options& options, Report& report);

@@ -161,6 +161,9 @@ void safety_hostile(const Options& options, Report& report) {
             }
         }
         const auto ticks = static_cast<double>(audit.ticks());
+        if (audit.violations() != 0)
+            report.faults.push_back(text("haptics safety_hostile, ", device.name, ": ", audit.violations(),
+                                         " ticks broke a rule of the safety stage"));
         report.rows.push_back({.area = "haptics",
                                .name = "safety_hostile",
                                .setting = {{"model", std::string(device.name)}},
@@ -262,6 +265,7 @@ void haptics(const Options& options, Report& report) {
     servo_steps(options, report);
     surfaces(options, report);
     passivity(report);
+    switches(options, report);
     stirring_passivity(options, report);
     arms(options, report);
 }

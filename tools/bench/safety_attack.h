@@ -1,5 +1,5 @@
 // tools/bench/safety_attack.h: what nothing sane would ask of the safety stage, for the tests and the benchmark. It goes
-// through phases: pure noise alone would keep the stage shut off or cut out, and never meet it warm, slewing or ramping.
+// through phases: pure noise alone would keep the stage shut off or cut out, and never meet it warm, fading or ramping.
 #pragma once
 #include <limits>
 
@@ -21,6 +21,8 @@ public:
         const vec3 all = wanted();
         return {.wanted = all,
                 .spring = spring_of(all),
+                .brake = brake(),
+                .tip = tip(),
                 .velocity = velocity(),
                 .path_speed = path_speed(),
                 .model_age = age_,
@@ -86,6 +88,20 @@ private:
         }
     }
 
+    /// None for most phases; else along with the motion or against it, for the stage need not know which.
+    vec3 brake() {
+        if (lateness_ == 3 && once_in(100)) return hostile_vector();
+        return haste_ == 4 && once_in(3) ? random_.uniform(-1, 1) * spec_.peak_force * direction_ : vec3(0);
+    }
+
+    /// To and fro along the force, askew, far away, nowhere.
+    vec3 tip() {
+        if (haste_ == 5 && once_in(200)) return hostile_vector();
+        const double step = 1e-4 * (at_ / 300 % 2 == 0 ? 1.0 : -1.0);
+        tip_ += step * (kind_ % 3 == 0 ? direction_ : vec3(random_.uniform(-1, 1), 0, direction_.z));
+        return tip_;
+    }
+
     vec3 velocity() {
         const double fastest = limits_.fastest;
         if (haste_ == 0 && once_in(300)) return hostile_vector();
@@ -108,7 +124,7 @@ private:
     Random random_;
     haptics::SafetyLimits limits_{};
     std::uint64_t left_{}, at_{}, kind_{}, haste_{}, lateness_{}, switches_{}, offs_{}, panics_{};
-    vec3 direction_{};
+    vec3 direction_{}, tip_{};
     std::uint32_t age_{};
 };
 

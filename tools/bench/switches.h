@@ -1,0 +1,189 @@
+// tools/bench/switches.h: the energy that a switch of passive sources creates at the hand, summed from the positions of a simulated
+// device and the forces that act on it. The books of the servo are not read. Used by benchmark and tests.
+//
+// Every source here pulls towards a point or out of a plane with stiffness times distance, up to a largest force. So its stored energy has
+// a closed form. At a switch the new source may hold energy, since somebody stretched it: that much it may give. What is given beyond
+// that, or beyond what was put in since, has been created.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/random.h"
+#include "haptics/servo.h"
+#include "haptics/simulated.h"
+
+namespace thaum::bench {
+
+/// A simulated hand and how it moves its target.
+struct SwitchHand {
+    const char* name{};
+    haptics::Hand hand{};
+    double swing{};  ///< amplitude of the target about the middle (m)
+};
+inline constexpr std::array switch_hands{
+    SwitchHand{"absent", haptics::no_hand, 0},
+    SwitchHand{"loose", {.mass = 0.55, .stiffness = 135, .damping = 6.5}, 0},
+    SwitchHand{"firm", {.mass = 0.3, .stiffness = 1500, .damping = 30}, 0},
+    SwitchHand{"moving_loose", {.mass = 0.55, .stiffness = 135, .damping = 6.5}, 0.02},
+    SwitchHand{"moving_firm", {.mass = 0.3, .stiffness = 1500, .damping = 30}, 0.02},
+};
+
+/// A passive source with its exact potential.
+struct SwitchedSource {
+    enum class Kind : std::uint8_t { none, tether, point, plane };
+    Kind kind{};
+    vec3 place{};        ///< point where it pulls to, or a point of the plane (m)
+    vec3 normal{};       ///< direction out of the plane (unit)
+    double stiffness{};  ///< force per distance (N/m)
+    double most{};       ///< largest force (N)
+
+    /// Stored energy with the tip at a position (J).
+    double stored(vec3 tip) const {
+        if (kind == Kind::none) return 0;
+        const double away =
+            kind == Kind::plane ? std::max(0.0, -glm::dot(tip - place, normal)) : glm::length(tip - place);
+        const double bent = std::min(away, most / stiffness);
+        return stiffness * bent * bent / 2 + most * (away - bent);
+    }
+};
+
+/// What one run of random switches came to.
+struct SwitchRun {
+    double most_created{};  ///< energy created after the worst switch (J)
+    double mean_created{};  ///< mean over the switches (J)
+    double fastest{};       ///< largest speed of the tip (m/s)
+    double largest_jump{};  ///< largest change of force in the tick of a switch (N)
+    int switches{};
+};
+
+/// A device, a hand and a servo that one source after another is switched on.
+class SwitchRig {
+public:
+    /// Heat is left out: it weakens springs, and a weaker spring hides what a switch creates.
+    SwitchRig(haptics::DeviceSpec spec, const SwitchHand& hand, std::uint64_t seed)
+        : spec_(std::move(spec)), hand_(hand), random_{seed} {
+        spec_.continuous_force = 10 * spec_.peak_force;
+        device_ = haptics::simulated_device(spec_, hand.hand);
+        servo_ = haptics::servo_of(spec_, 1);
+        tip_ = haptics::resting_at({});
+        rate_ = random_.uniform(0.5, 3);
+        run_for(10);
+    }
+
+    vec3 tip() const { return tip_.position; }
+    const haptics::DeviceSpec& spec() const { return spec_; }
+    SwitchRun result() const {
+        SwitchRun run = run_;
+        run.mean_created = run.switches > 0 ? run.mean_created / run.switches : 0;
+        return run;
+    }
+
+    void switch_to(const SwitchedSource& source) {
+        using Kind = SwitchedSource::Kind;
+        source_ = source;
+        model_.tether = {.number = model_.tether.number + 1};
+        model_.primitives.clear();
+        model_.set_number += 1;
+        model_.coupling.stiffness = source.stiffness;
+        const bool is_plane = source.kind == Kind::plane;
+        if (source.kind == Kind::tether)
+            model_.tether.anchor = source.place, model_.tether.stiffness = source.stiffness;
+        else if (source.kind != Kind::none)
+            model_.primitives.add({is_plane ? haptics::PrimitiveKind::plane : haptics::PrimitiveKind::point,
+                                   source.place, is_plane ? source.normal : vec3(1, 0, 0), source.most});
+        created_ = -source.stored(tip_.position);
+        most_here_ = 0;
+        ++run_.switches;
+        just_switched_ = true;
+    }
+
+    void run_for(int ticks) {
+        for (int i = 0; i < ticks; ++i) tick();
+    }
+    void end_of_switch() { run_.mean_created += most_here_; }
+
+    SwitchedSource random_source() {
+        using Kind = SwitchedSource::Kind;
+        static constexpr std::array kinds{Kind::none,  Kind::tether, Kind::tether, Kind::tether,
+                                          Kind::point, Kind::plane,  Kind::none,   Kind::tether};
+        const double share = random_.below(2) == 0 ? 1 : random_.uniform(0.05, 1);
+        SwitchedSource source{.kind = kinds[random_.below(kinds.size())],
+                              .stiffness = share * spec_.max_stiffness,
+                              .most = spec_.peak_force};
+        const double full = source.most / source.stiffness;
+        const std::array distances{0.0, full * random_.uniform(), full, 0.03 * random_.uniform()};
+        source.normal = direction();
+        const vec3 reach = 0.4 * spec_.workspace;
+        source.place = glm::clamp(tip_.position + distances[random_.below(distances.size())] * direction(),
+                                  -reach, reach);
+        return source;
+    }
+    int random_length() { return static_cast<int>(10 * std::pow(200.0, random_.uniform())); }
+
+private:
+    vec3 direction() {
+        for (;;) {
+            const vec3 v{random_.uniform(-1, 1), random_.uniform(-1, 1), random_.uniform(-1, 1)};
+            const double size = glm::length(v);
+            if (size > 0.1 && size < 1) return v / size;
+        }
+    }
+
+    void tick() {
+        const double phase = 2 * pi * rate_ * tick_seconds * ticks_++;
+        const vec3 target = hand_.swing * vec3(std::sin(phase), std::sin(1.3 * phase), std::sin(0.7 * phase));
+        const vec3 measured = haptics::measured_position(device_, tip_);
+        const vec3 force = haptics::servo_step(servo_, state_, model_, {measured, 0});
+        if (just_switched_) run_.largest_jump = std::max(run_.largest_jump, glm::length(force - before_));
+        just_switched_ = false;
+        before_ = force;
+        const vec3 from = tip_.position;
+        tip_ = haptics::step(device_, tip_, target, force);
+        created_ += glm::dot(tip_.force, tip_.position - from);
+        created_ = std::max(created_, -source_.stored(tip_.position));  // what damping took is gone
+        most_here_ = std::max(most_here_, created_);
+        run_.most_created = std::max(run_.most_created, created_);
+        run_.fastest = std::max(run_.fastest, glm::length(tip_.velocity));
+    }
+
+    haptics::DeviceSpec spec_;
+    SwitchHand hand_;
+    Random random_;
+    haptics::SimulatedDevice device_{};
+    haptics::SimulatedState tip_{};
+    haptics::Servo servo_{};
+    haptics::ServoState state_{};
+    haptics::HapticModel model_{};
+    SwitchedSource source_{};
+    vec3 before_{};
+    double rate_{}, created_{}, most_here_{};
+    int ticks_{};
+    bool just_switched_{};
+    SwitchRun run_{};
+};
+
+inline SwitchRun random_switches(const haptics::DeviceSpec& spec, const SwitchHand& hand, int switches,
+                                 std::uint64_t seed) {
+    SwitchRig rig(spec, hand, seed);
+    for (int i = 0; i < switches; ++i) {
+        rig.switch_to(rig.random_source());
+        rig.run_for(rig.random_length());
+        rig.end_of_switch();
+    }
+    return rig.result();
+}
+
+/// A spring at the limit of the device comes `stretch` beyond the tip (m), and nothing else happens for nine seconds.
+inline SwitchRun one_spring(const haptics::DeviceSpec& spec, const SwitchHand& hand, double stretch) {
+    SwitchRig rig(spec, hand, 1);
+    rig.switch_to({.kind = SwitchedSource::Kind::tether,
+                   .place = rig.tip() + vec3(stretch, 0, 0),
+                   .stiffness = spec.max_stiffness,
+                   .most = spec.peak_force});
+    rig.run_for(9000);
+    rig.end_of_switch();
+    return rig.result();
+}
+
+}  // namespace thaum::bench

@@ -1,0 +1,60 @@
+// Energy that switches of passive sources create at the hand, for every device model and hand: the worst switch, the mean, and the
+// largest change of force in the tick of a switch. A row that breaks haptics.md's bound is a fault.
+#include "core/file.h"
+#include "core/text.h"
+#include "game/hud/hud.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/switches.h"
+
+namespace thaum::bench {
+namespace {
+
+constexpr double most_per_switch = 0.02;  // J (haptics.md, "Energy")
+constexpr std::size_t most_file = 1U << 16U;
+constexpr std::array device_files{"touch.toml", "omni.toml", "premium.toml", "falcon.toml", "omega3.toml"};
+
+Expected<haptics::DeviceSpec> device_of(const char* file) {
+    const auto path = game::find_assets() / "devices" / file;
+    const auto source = read_text_file(path, most_file);
+    if (!source) return tl::unexpected(source.error());
+    const auto config = Config::parse(*source, path.string(), 1);
+    if (!config) return tl::unexpected(config.error());
+    return haptics::read_device(*config);
+}
+
+void add_row(const haptics::DeviceSpec& spec, const SwitchHand& hand, int switches, Report& report) {
+    const SwitchRun run = random_switches(spec, hand, switches, 7);
+    const double full = spec.peak_force / spec.max_stiffness;
+    double one = 0;
+    for (const double stretch : {0.2 * full, full, 3 * full})
+        one = std::max(one, one_spring(spec, hand, stretch).most_created);
+    report.rows.push_back({.area = "haptics",
+                           .name = "switches",
+                           .setting = {{"model", spec.name}, {"hand", std::string(hand.name)}},
+                           .metrics = {{"switches", static_cast<double>(run.switches)},
+                                       {"worst_j", run.most_created},
+                                       {"mean_j", run.mean_created},
+                                       {"one_spring_j", one},
+                                       {"jump_n", run.largest_jump}}});
+    const double worst = std::max(run.most_created, one);
+    if (!(worst <= most_per_switch))
+        report.faults.push_back(text("haptics switches, ", spec.name, ", hand ", hand.name,
+                                     ": a switch created ", shown(worst), " J, more than ",
+                                     shown(most_per_switch)));
+}
+
+}  // namespace
+
+void switches(const Options& options, Report& report) {
+    const int count = options.quick ? 100 : 500;
+    for (const char* file : device_files) {
+        const auto spec = device_of(file);
+        if (!spec) {
+            report.faults.push_back(text("haptics switches: ", spec.error().message));
+            continue;
+        }
+        for (const SwitchHand& hand : switch_hands) add_row(*spec, hand, count, report);
+    }
+}
+
+}  // namespace thaum::bench
