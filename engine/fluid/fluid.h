@@ -114,6 +114,7 @@ struct StepReport {
     int pressure_iterations{};  ///< of all sub-steps; a direct solve counts as one
     double divergence{};        ///< largest, times h by the largest speed
     double energy{};            ///< m^5/s^2: J per density
+    double rescaled{};          ///< kinetic energy taken away, since no force had done that work (m^5/s^2)
     double speed{};             ///< m/s, the largest component
     std::int64_t cells{};       ///< visited: cells times sub-steps
 };

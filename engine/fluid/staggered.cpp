@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "fluid/buoyancy.h"
 #include "fluid/eight.h"
 #include "fluid/ghosts.h"
 #include "fluid/pressure.h"
@@ -99,6 +100,11 @@ bool Staggered::viscosity_varies(const Settings& settings) const {
                        [](const Substance& s) { return s.viscosity > 0; });
 }
 
+bool Staggered::weighs(const Settings& settings) {
+    return settings.gravity != vec3(0) && std::any_of(settings.substances.begin(), settings.substances.end(),
+                                                      [](const Substance& s) { return s.weight != 0; });
+}
+
 /// Of equal length, so that none carries too far.
 double Staggered::steps_wanted(const Settings& settings, const State& now, double dt) const {
     double carried = sum_of_largest(rows_, now.velocity) + std::abs(settings.lid);
@@ -119,9 +125,7 @@ void Staggered::gather_forces(const Settings& settings, const State& now, double
                        [=](float push) { return factor * push; });
     }
     add_buoyancy(settings, now);
-    if (!solids_) return;
-    driven_ = half_square(rows_, force_);
-    subtract_gradient(lattice_, 2, now.pressure, force_);
+    if (solids_) subtract_gradient(lattice_, 2, now.pressure, force_);
 }
 
 /// mixed_ = base + sum over substances of what they have by density
@@ -143,10 +147,27 @@ void Staggered::mix(const Settings& settings, const State& now, double base, dou
 
 /// What is heavier sinks. The mean of every level is a pressure's and left out, so that what is layered stays at rest exactly.
 void Staggered::add_buoyancy(const Settings& settings, const State& now) {
-    const auto weighs = [](const Substance& s) { return s.weight != 0; };
-    if (std::none_of(settings.substances.begin(), settings.substances.end(), weighs)) return;
+    if (!weighs(settings)) return;
     mix(settings, now, 0, &Substance::weight);
     forced_ = true;
+    pull_mixed(settings);
+}
+
+/// Replaces the buoyancy of the densities at the start of a sub-step by that half the sub-step later.
+void Staggered::predict_buoyancy(const Settings& settings, const State& now, double dt) {
+    if (!weighs(settings)) return;
+    mix(settings, now, 0, &Substance::weight);
+    predict_weight(rows_, now.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt, mixed_, potential_);
+    each_row(rows_, [&](Row row) {
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
+            store(mixed_.data() + i, load(potential_.data() + i) - load(mixed_.data() + i));
+    });
+    fill_ghosts(rows_, evenly, mixed_);
+    pull_mixed(settings);
+}
+
+/// Adds the pull of gravity on mixed_ to the forces.
+void Staggered::pull_mixed(const Settings& settings) {
     const vec3& pull = settings.gravity;
     const std::size_t down = pull.y != 0 ? 1 : pull.z != 0 ? 2 : 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -187,7 +208,13 @@ void Staggered::pull_rows(std::size_t axis, const Cells& first, const Cells& end
         }
     };
     const auto open_at = [&](std::ptrdiff_t at) { return open != nullptr ? load(open + at) : none + 1.0F; };
-    const auto both_sides = [&](std::ptrdiff_t at) { return load(mixed + at) + load(mixed + at - s); };
+    // At order 4 the flow through a face is (26 u[0] - u[-1] - u[1]) / 24; the same of the density beside it makes force times velocity
+    // what the flow carries down.
+    const auto both_sides = [&](std::ptrdiff_t at) {
+        const Eight near = load(mixed + at) + load(mixed + at - s);
+        if (order_ == 2) return near;
+        return (25.0F / 24) * near - (1.0F / 24) * (load(mixed + at + s) + load(mixed + at - 2 * s));
+    };
     // By the place along x: of the open faces' both sides, how many these are, and the mean.
     std::array<double, cells_most> sums{};
     std::array<float, cells_most> counts{}, means{};
@@ -250,23 +277,37 @@ void Staggered::end_step(const Settings& settings, State& now, double dt, StepRe
     std::swap(now.velocity, sum_);
 }
 
-/// Nothing but forces makes it faster, and they no more than that. Where there are solids the pressure of the step before is such a force
-/// too, and after a violent step it is more than what is left needs: without this, energy grew tenfold in a step.
-void Staggered::keep_energy(const Settings& settings, State& now, double dt, double before,
-                            StepReport& report) const {
-    if (!solids_ || settings.lid != 0) return;
-    const double most = std::sqrt(before) + dt * std::sqrt(driven_);
-    const double is = std::sqrt(half_square(rows_, now.velocity));
-    if (is <= most) return;
-    const auto factor = static_cast<float>(most / is);
-    for (Samples& u : now.velocity) {
-        for (float& value : u) value *= factor;
-    }
-    report.divergence *= most / is;
+/// Work of the pushes at the velocity given: their force times that (m^2/s^2, summed over cells, for the whole step).
+double Staggered::work_of_pushes(const State& now, const Velocity& velocity) const {
+    if (!now.pushed) return 0;
+    double work = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) work += dot(rows_, now.push[axis], velocity[axis]);
+    return work;
 }
 
-void Staggered::substep(const Settings& settings, State& now, double dt, StepReport& report) {
-    const double before = solids_ ? half_square(rows_, now.velocity) : 0;
+/// Slows the flow where it has more kinetic energy than it had, which stands in sum_, than the substances gave by sinking, and than
+/// pushes did work at the mean of the velocities before and after. Two things make more: the pressure kept from the step before,
+/// where there are solids, and differences between the force on a substance and its flux. `share`: of the pushes, in this sub-step;
+/// `sunk`: potential energy given (m^2/s^2, summed over cells).
+void Staggered::keep_energy(const Settings& settings, State& now, double share, double sunk,
+                            StepReport& report) const {
+    if (settings.lid != 0 || (!solids_ && !weighs(settings))) return;
+    const double is = half_square(rows_, now.velocity);
+    const double most =
+        std::max(0.0, half_square(rows_, sum_) + sunk + 0.5 * share * work_of_pushes(now, sum_));
+    const double by_pushes = 0.5 * share * work_of_pushes(now, now.velocity);
+    if (is <= most + by_pushes) return;
+    // Slower by a factor f, the pushes do less work too: f^2 is = most + f by_pushes.
+    const double root = std::sqrt(std::max(0.0, by_pushes * by_pushes + 4 * is * most));
+    const double factor = std::clamp((by_pushes + root) / (2 * is), 0.0, 1.0);
+    for (Samples& u : now.velocity)
+        for (float& value : u) value *= static_cast<float>(factor);
+    report.divergence *= factor;
+    report.rescaled += (1 - factor * factor) * is * lattice_.h * lattice_.h * lattice_.h;
+}
+
+void Staggered::substep(const Settings& settings, State& now, double dt, double whole, StepReport& report) {
+    predict_buoyancy(settings, now, dt);
     const double nu = explicit_ ? settings.viscosity : 0;
     const auto* force = forced_ ? &force_ : nullptr;
     const auto& start = now.velocity;
@@ -280,8 +321,8 @@ void Staggered::substep(const Settings& settings, State& now, double dt, StepRep
     momentum_.take({stage_, start, force, nullptr, sum_, 0, part(weight_4), false}, nu);
     if (!explicit_) spread(settings, now, dt);
     end_step(settings, now, dt, report);
-    keep_energy(settings, now, dt, before, report);
-    carry_along(settings, now, dt);
+    const double sunk = carry_along(settings, now, dt);
+    keep_energy(settings, now, dt / whole, sunk, report);
     ++report.substeps;
 }
 
@@ -302,27 +343,39 @@ void Staggered::spread(const Settings& settings, const State& now, double dt) {
         {.viscosity = &mixed_, .solid_holds = settings.solid_holds, .lid = settings.lid, .dt = dt}, sum_);
 }
 
-void Staggered::carry_by(const Velocity& before, const Velocity& after, const Settings& settings, State& now,
-                         double dt, int most_substeps) {
-    if (now.substances.empty()) return;
-    set_currents(lattice_, before, after, solids_ ? &openings_ : nullptr, dt, currents_);
-    for (std::size_t s = 0; s < now.substances.size(); ++s)
-        transport(lattice_, currents_,
-                  {.diffusion = settings.substances[s].diffusion, .most_substeps = most_substeps},
-                  now.substances[s], transport_);
+/// Carries the substances -> potential energy that they gave by sinking, but for what diffusion lifted (m^2/s^2, summed over cells).
+double Staggered::carry_by(const Velocity& before, const Velocity& after, const Settings& settings,
+                           State& now, double dt, int most_substeps) {
+    if (now.substances.empty()) return 0;
+    const auto* open = solids_ ? &solids_->open() : nullptr;
+    set_currents(lattice_, before, after, solids_ ? &openings_ : nullptr, dt, currents_, order_);
+    double sunk = 0;
+    for (std::size_t s = 0; s < now.substances.size(); ++s) {
+        const Substance& substance = settings.substances[s];
+        Samples& density = now.substances[s];
+        const vec3 pull = substance.weight * settings.gravity;
+        const double lifted = substance.diffusion > 0 ? lifted_by_diffusion(rows_, open, pull, density) : 0;
+        const TransportReport did =
+            transport(lattice_, currents_,
+                      {.diffusion = substance.diffusion, .most_substeps = most_substeps, .moved_along = pull},
+                      density, transport_);
+        sunk += lattice_.h * glm::dot(pull, did.moved) + dt * did.spread * substance.diffusion * lifted;
+    }
+    return sunk;
 }
 
 void Staggered::carry(const Settings& settings, State& now, double dt) {
     carry_by(now.velocity, now.velocity, settings, now, dt);
 }
 
-/// Substances, by the velocities before and after a sub-step; the former stand in sum_.
-void Staggered::carry_along(const Settings& settings, State& now, double dt, int most_substeps) {
-    carry_by(sum_, now.velocity, settings, now, dt, most_substeps);
+/// Substances, by the velocities before and after a sub-step; the former stand in sum_. Returns what carry_by does.
+double Staggered::carry_along(const Settings& settings, State& now, double dt, int most_substeps) {
+    return carry_by(sum_, now.velocity, settings, now, dt, most_substeps);
 }
 
 /// Whatever dt is: each place takes what came from where its flow was. Energy that the interpolation made is taken away again.
-void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt, StepReport& report) {
+void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt, double whole,
+                                StepReport& report) {
     const double before = half_square(rows_, now.velocity);
     for (std::size_t axis = 0; axis < 3; ++axis) carry_back(lattice_, now.velocity, axis, dt, sum_[axis]);
     if (solids_) solids_->close(sum_);
@@ -340,8 +393,8 @@ void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt,
     if (solids_) solids_->close(sum_);
     spread(settings, now, dt);
     end_step(settings, now, dt, report);
-    keep_energy(settings, now, dt, before, report);
-    carry_along(settings, now, dt, transports_of_fall_back);
+    const double sunk = carry_along(settings, now, dt, transports_of_fall_back);
+    keep_energy(settings, now, dt / whole, sunk, report);
     report.fell_back = true;
 }
 
@@ -396,13 +449,13 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
             // wanted, what moves is 0.021 from what fine steps come to (with these four: 0.015); for five 0.053, and with four of them first
             // 0.059; for ten it is the same either way.
             explicit_ = false;
-            semi_lagrangian(settings, now, left, report);
+            semi_lagrangian(settings, now, left, dt, report);
             break;
         }
         const double sub = left / wanted;
         explicit_ = !solids_ && !viscosity_varies(settings) &&
                     settings.viscosity * sub <= explicit_most * lattice_.h * lattice_.h;
-        substep(settings, now, sub, report);
+        substep(settings, now, sub, dt, report);
         left = wanted > 1 ? left - sub : 0;
     }
     if (now.pushed)

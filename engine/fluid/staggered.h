@@ -34,25 +34,29 @@ private:
 
     void fill_sides(const Settings& settings, Velocity& velocity) const;
     bool viscosity_varies(const Settings& settings) const;
+    static bool weighs(const Settings& settings);
     double steps_wanted(const Settings& settings, const State& now, double dt) const;
     void come_to_rest(const Settings& settings, State& now, double dt, double speed) const;
     void gather_forces(const Settings& settings, const State& now, double share);
     void mix(const Settings& settings, const State& now, double base, double Substance::*part);
     void add_buoyancy(const Settings& settings, const State& now);
+    void predict_buoyancy(const Settings& settings, const State& now, double dt);
+    void pull_mixed(const Settings& settings);
     void pull_along(std::size_t axis, float pull, bool without_mean);
     void pull_rows(std::size_t axis, const Cells& first, const Cells& end, float pull, bool without_mean);
-    void substep(const Settings& settings, State& now, double dt, StepReport& report);
+    void substep(const Settings& settings, State& now, double dt, double whole, StepReport& report);
     void end_stage(const Settings& settings, Velocity& velocity);
     void clear_divergence(const Settings& settings, State& now, StepReport& report);
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
-    void keep_energy(const Settings& settings, State& now, double dt, double before,
+    double work_of_pushes(const State& now, const Velocity& velocity) const;
+    void keep_energy(const Settings& settings, State& now, double share, double sunk,
                      StepReport& report) const;
     void spread(const Settings& settings, const State& now, double dt);
-    void carry_along(const Settings& settings, State& now, double dt,
-                     int most_substeps = TransportSettings{}.most_substeps);
-    void carry_by(const Velocity& before, const Velocity& after, const Settings& settings, State& now,
-                  double dt, int most_substeps = TransportSettings{}.most_substeps);
-    void semi_lagrangian(const Settings& settings, State& now, double dt, StepReport& report);
+    double carry_along(const Settings& settings, State& now, double dt,
+                       int most_substeps = TransportSettings{}.most_substeps);
+    double carry_by(const Velocity& before, const Velocity& after, const Settings& settings, State& now,
+                    double dt, int most_substeps = TransportSettings{}.most_substeps);
+    void semi_lagrangian(const Settings& settings, State& now, double dt, double whole, StepReport& report);
 
     Lattice lattice_;
     int order_;
@@ -66,8 +70,7 @@ private:
     Currents currents_;
     TransportScratch transport_;
     Velocity force_, stage_, other_, sum_;
-    bool forced_ = false;  ///< force_ is not all zero
-    double driven_{};  ///< half the squares of what stands in it but for the pressure, where there are solids
+    bool forced_ = false;    ///< force_ is not all zero
     bool explicit_ = false;  ///< viscosity is in the stages of this step
     Samples potential_, mixed_;
     std::vector<float> packed_;

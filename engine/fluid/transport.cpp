@@ -162,6 +162,56 @@ template <Kind kind>
     }
 }
 
+/// Sums over faces of one level, for one sub-step.
+struct Crossed {
+    double density{};  ///< density that crosses them
+    double flow{};     ///< fluid that crosses them, in cells
+    double either{};   ///< fluid that crosses them either way
+    double carried{};  ///< that fluid times the mean density beside the face
+
+    /// What crosses beyond the fluid's own mean: no fluid crosses a level in all, but for what the pressure solve has left.
+    double beyond_mean() const { return either > 0 ? density - flow * carried / either : density; }
+};
+
+/// Adds the low faces of a row of cells to `levels`, each cell's level being `across` beyond that of the cell before it.
+template <Kind kind>
+[[gnu::noinline]] void add_crossed(Pace pace, const FaceRow& face, Floats difference, Floats start,
+                                   Floats part, std::ptrdiff_t count, std::ptrdiff_t across,
+                                   Crossed* levels) {
+    constexpr std::ptrdiff_t lanes = 8;
+    const std::ptrdiff_t s = face.step;
+    std::array<std::array<float, lanes>, 4> sums{};
+    const auto add = [&](std::ptrdiff_t i, std::size_t lane) {
+        float diffusion = pace.diffusion;
+        if constexpr (kind.solids && kind.diffuses) diffusion *= face.aperture[i];
+        const float flow = pace.courant * face.courant[i];
+        const float taken = above_zero(difference[i]) * part[i - s] + below_zero(difference[i]) * part[i];
+        sums[0][lane] += donor<kind>(flow, diffusion, start[i - s], start[i]) + taken;
+        sums[1][lane] += flow;
+        sums[2][lane] += std::abs(flow);
+        sums[3][lane] += std::abs(flow) * (0.5F * (start[i - s] + start[i]));
+    };
+    const auto hand_over = [&](std::size_t lane, Crossed& level) {
+        level.density += static_cast<double>(sums[0][lane]);
+        level.flow += static_cast<double>(sums[1][lane]);
+        level.either += static_cast<double>(sums[2][lane]);
+        level.carried += static_cast<double>(sums[3][lane]);
+        for (auto& sum : sums) sum[lane] = 0;
+    };
+    if (across != 0) {
+        for (std::ptrdiff_t i = 0; i < count; ++i) {
+            add(i, 0);
+            hand_over(0, levels[i * across]);
+        }
+        return;
+    }
+    const std::ptrdiff_t whole = count / lanes * lanes;
+    for (std::ptrdiff_t i = 0; i < whole; i += lanes)
+        for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) add(i + lane, static_cast<std::size_t>(lane));
+    for (std::ptrdiff_t i = whole; i < count; ++i) add(i, 0);
+    for (std::size_t lane = 0; lane < lanes; ++lane) hand_over(lane, *levels);
+}
+
 // ---- over the lattice --------------------------------------------------------------------------------------------
 
 /// One sub-step's arrays.
@@ -239,8 +289,28 @@ void take_stage(const Crossing& c, const Samples& value, float part, Samples& ne
     fill_ghosts(c.rows(), evenly, next);
 }
 
+/// What crosses all faces along an axis, counted in the direction of the axis.
 template <Kind kind>
-void substep(const Lattice& lattice, const Currents& currents, Pace pace, Samples& density,
+double crossed(const Crossing& c, std::size_t axis, const Samples& part) {
+    std::array<Crossed, cells_most> levels{};
+    for (int k = 0; k < c.lattice.cells[2]; ++k) {
+        for (int j = 0; j < c.lattice.cells[1]; ++j) {
+            const Row row = c.rows().at(j, k);
+            if (row.count == 0) continue;
+            const auto first = row.at - c.lattice.at(0, j, k);
+            const auto level = static_cast<std::size_t>(axis == 0 ? first : axis == 1 ? j : k);
+            add_crossed<kind>(c.pace, c.face(axis, row.at), c.scratch.flux[axis].data() + row.at,
+                              c.start.data() + row.at, part.data() + row.at, row.count, axis == 0 ? 1 : 0,
+                              levels.data() + level);
+        }
+    }
+    double sum = 0;
+    for (const Crossed& level : levels) sum += level.beyond_mean();
+    return sum;
+}
+
+template <Kind kind>
+vec3 substep(const Lattice& lattice, const Currents& currents, Pace pace, const vec3& along, Samples& density,
              TransportScratch& scratch) {
     const Crossing c{lattice, currents, pace, density, scratch};
     Samples& first = scratch.first;
@@ -256,14 +326,18 @@ void substep(const Lattice& lattice, const Currents& currents, Pace pace, Sample
                          density.data() + at, whole_eights(row.count), left.data() + at, part.data() + at);
     });
     fill_ghosts(c.rows(), evenly, part);
+    vec3 moved(0);
+    for (int axis = 0; axis < 3; ++axis)
+        if (along[axis] != 0) moved[axis] = crossed<kind>(c, static_cast<std::size_t>(axis), part);
     each_row(c.rows(), [&](Row row) {
         const std::ptrdiff_t at = row.at;
         cut_row(c.fluxes(at), left.data() + at, part.data() + at, row.count, density.data() + at);
     });
     fill_ghosts(c.rows(), evenly, density);
+    return moved;
 }
 
-using Substep = void (*)(const Lattice&, const Currents&, Pace, Samples&, TransportScratch&);
+using Substep = vec3 (*)(const Lattice&, const Currents&, Pace, const vec3&, Samples&, TransportScratch&);
 
 Substep substep_of(Kind kind) {
     if (kind.solids) return kind.diffuses ? substep<Kind{true, true}> : substep<Kind{true, false}>;
@@ -360,13 +434,17 @@ TransportScratch make_transport_scratch(const Lattice& lattice) {
 
 void set_currents(const Lattice& lattice, const std::array<Samples, 3>& before,
                   const std::array<Samples, 3>& after, const Openings* openings, double dt,
-                  Currents& currents) {
+                  Currents& currents, int order) {
     const auto factor = static_cast<float>(dt / lattice.h);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const Floats first = before[axis].data(), second = after[axis].data();
         float* const __restrict to = currents.courant[axis].data();
         const auto mean = [=](std::size_t i) { return 0.5F * (first[i] + second[i]); };
-        if (openings != nullptr) {
+        if (order == 4) {
+            const auto s = static_cast<std::size_t>(lattice.stride[axis]);
+            for (std::size_t i = s; i < lattice.size - s; ++i)
+                to[i] = factor * (mean(i) * (26.0F / 24) - (mean(i - s) + mean(i + s)) * (1.0F / 24));
+        } else if (openings != nullptr) {
             const Floats aperture = openings->aperture[axis].data();
             for (std::size_t i = 0; i < lattice.size; ++i) to[i] = mean(i) * factor * aperture[i];
         } else {
@@ -393,9 +471,11 @@ TransportReport transport(const Lattice& lattice, const Currents& currents, cons
                     static_cast<float>(diffusion * spread / substeps)};
     fill_ghosts(currents.rows(), evenly, density);
     const auto step = substep_of({currents.openings != nullptr, diffusion > 0});
-    for (int i = 0; i < substeps; ++i) step(lattice, currents, pace, density, scratch);
+    vec3 moved(0);
+    for (int i = 0; i < substeps; ++i)
+        moved += step(lattice, currents, pace, settings.moved_along, density, scratch);
     const auto [nx, ny, nz] = lattice.cells;
-    return {substeps, carried, spread, std::int64_t{nx} * ny * nz * substeps};
+    return {substeps, carried, spread, moved, std::int64_t{nx} * ny * nz * substeps};
 }
 
 }  // namespace thaum::fluid

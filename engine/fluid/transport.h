@@ -21,6 +21,7 @@
 #include <array>
 #include <cstdint>
 
+#include "core/maths.h"
 #include "fluid/rows.h"
 
 namespace thaum::fluid {
@@ -50,10 +51,11 @@ struct Currents {
 Currents make_currents(const Lattice& lattice);
 
 /// By the mean of the velocities before and after, m/s, that are finite, with their ghosts, for dt s >= 0. No allocation. The openings
-/// must outlive the currents.
+/// must outlive the currents. `order`: of the divergence that the velocity is free of (pressure.h). At order 4 it is the
+/// difference of (26 u[0] - u[-1] - u[1]) / 24 on the two sides of a cell, which is then the flow; openings must be null.
 void set_currents(const Lattice& lattice, const std::array<Samples, 3>& before,
                   const std::array<Samples, 3>& after, const Openings* openings, double dt,
-                  Currents& currents);
+                  Currents& currents, int order = 2);
 
 /// Kept from call to call, for any substances of one lattice between the same openings. Zero where nothing is open.
 struct TransportScratch {
@@ -68,6 +70,7 @@ inline constexpr double courant_most = 0.9;
 struct TransportSettings {
     double diffusion{};     ///< m^2/s, finite, >= 0
     int most_substeps{10};  ///< >= 1; enough for a flow of four cells along two axes at once
+    vec3 moved_along{};     ///< axes for which `moved` is asked for: those that are not 0
 };
 
 struct TransportReport {
@@ -76,6 +79,9 @@ struct TransportReport {
         1};  ///< the part of dt for which the flow was followed; below 1 where the sub-steps were not enough
     double spread{
         1};  ///< the part of the diffusion that was done, likewise: at least half the room is the flow's
+    /// Density that crossed the faces along each axis, counted upwards (cells): by so much its first moment grew. What merely goes
+    /// round with the mean density of a level is left out, being zero but for what the pressure solve left.
+    vec3 moved{};
     std::int64_t cells{};  ///< visited, over all sub-steps
 };
 

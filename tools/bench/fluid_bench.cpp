@@ -10,6 +10,7 @@
 #include "tools/bench/areas.h"
 #include "tools/bench/fluid_attack.h"
 #include "tools/bench/fluid_flows.h"
+#include "tools/bench/fluid_substances.h"
 #include "tools/bench/measure.h"
 
 namespace thaum::bench {
@@ -261,6 +262,44 @@ void turns(const Options& options, Report& report) {
     }
 }
 
+// ---- heavy and light ------------------------------------------------------------------------------------------------
+
+/// Kinetic and potential energy above the start, by what was released, that still count as rounding and order.
+constexpr double excess_most = 0.01;
+
+void add_weighing(flows::Weighing weighing, bool in_bowl, int n, double viscosity, Report& report) {
+    auto fluid = flows::weighing_fluid(weighing, in_bowl, n, viscosity);
+    if (!fluid) return report.faults.push_back(text("fluid: ", fluid.error().message));
+    FluidRun run{.scheme = {Solver::thaum, in_bowl ? 2 : 4}, .n = n, .fluid = std::move(*fluid)};
+    flows::EnergyBook book = flows::open_book(run.fluid);
+    for (const double dt : flows::steps_until(4)) {
+        advance_timed(run, dt);
+        enter(run.fluid, run.last, book);
+    }
+    Row row = row_of("plume_energy", run);
+    row.setting.emplace_back("flow", std::string(name_of(weighing)));
+    row.setting.emplace_back("in", std::string(in_bowl ? "bowl" : "box"));
+    row.setting.emplace_back("viscosity", viscosity);
+    row.error = ErrorMeasure{"excess_energy_per_released", book.excess / book.released};
+    row.metrics = {{"released_m5_s2", book.released},
+                   {"kinetic_per_released", flows::kinetic_energy(run.fluid) / book.released},
+                   {"rescaled_per_released", book.rescaled / book.released}};
+    if (!(book.excess <= excess_most * book.released))
+        report.faults.push_back(text("fluid plume_energy: ", name_of(weighing), in_bowl ? " in the bowl" : "",
+                                     ", n = ", n, ", viscosity ", viscosity, ": energy above the start by ",
+                                     book.excess / book.released, " of what was released"));
+    report.rows.push_back(std::move(row));
+}
+
+void weighings(const Options& options, Report& report) {
+    const std::vector<int> sizes = options.quick ? std::vector{16} : std::vector{16, 32};
+    for (const int n : sizes)
+        for (const flows::Weighing weighing : flows::weighings)
+            for (const bool in_bowl : {false, true})
+                for (const double viscosity : {0.0, 1e-3})
+                    add_weighing(weighing, in_bowl, n, viscosity, report);
+}
+
 // ---- the cauldron ---------------------------------------------------------------------------------------------------
 
 /// What a match pays: two ladles, three substances, one of them thick, in a bowl; beside an empty box of as many cells.
@@ -438,6 +477,7 @@ void fluid(const Options& options, Report& report) {
     viscous(options, report);
     cavities(options, report);
     turns(options, report);
+    weighings(options, report);
     bowls(options, report);
     cauldron(options, report);
     rest(options, report);

@@ -1,0 +1,83 @@
+// Flows in which substances are what matters: heavy and light ones that fall, rise and slosh, with their energies. Written once, for the
+// benchmarks (fluid_bench_substances.cpp) and for the tests.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "tools/bench/fluid_flows.h"
+
+namespace thaum::fluid::flows {
+
+// ---- heavy and light ------------------------------------------------------------------------------------------------
+
+/// A light lump near the floor, a heavy one near the top, or a heavy layer whose surface is tilted.
+enum class Weighing : std::uint8_t { plume, settling, sloshing };
+inline constexpr std::array weighings{Weighing::plume, Weighing::settling, Weighing::sloshing};
+inline constexpr std::string_view name_of(Weighing weighing) {
+    constexpr std::array<std::string_view, 3> names{"plume", "settling", "sloshing"};
+    return names[static_cast<std::size_t>(weighing)];
+}
+
+inline constexpr double weighing_share = 0.3;  ///< weight of the substance against that of the base fluid
+
+inline double weighing_density(Weighing weighing, vec3 place, double top) {
+    if (weighing == Weighing::sloshing) return place.y < top * (0.5 + 0.4 * (place.x - 0.5)) ? 1 : 0;
+    const vec3 off = place - vec3(0.52, (weighing == Weighing::plume ? 0.3 : 0.75) * top, 0.47);
+    return det::exp(-glm::dot(off, off) / (2 * 0.1 * 0.1));
+}
+
+/// At rest, in a box or the bowl of n cells across, n even.
+inline Expected<Fluid> weighing_fluid(Weighing weighing, bool in_bowl, int n, double viscosity) {
+    Settings settings = settings_of(Flow{}, {Solver::thaum, in_bowl ? 2 : 4}, n);
+    settings.viscosity = viscosity;
+    settings.substances = {
+        Substance{.weight = weighing == Weighing::plume ? -weighing_share : weighing_share}};
+    if (in_bowl) put_into_bowl(settings);
+    auto fluid = make_fluid(settings);
+    if (fluid)
+        set_substance(*fluid, 0,
+                      [&](vec3 place) { return weighing_density(weighing, place, in_bowl ? 0.5 : 1.0); });
+    return fluid;
+}
+
+/// Summed over the velocities (m^5/s^2), apart from the solver's own sum.
+inline double kinetic_energy(const Fluid& fluid) {
+    double sum = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        each_component(fluid, axis, [&](double v, vec3) { sum += v * v; });
+    const double h = fluid.lattice.h;
+    return 0.5 * sum * h * h * h;
+}
+
+/// Summed over the densities (m^5/s^2), zero at the origin.
+inline double potential_energy(const Fluid& fluid) {
+    double sum = 0;
+    const double h = fluid.lattice.h;
+    each_cell(fluid.lattice, [&](int i, int j, int k, std::size_t at) {
+        const double height = -glm::dot(fluid.settings.gravity, h * (vec3(i, j, k) + 0.5));
+        for (std::size_t s = 0; s < fluid.now.substances.size(); ++s)
+            sum += fluid.settings.substances[s].weight * height * double{fluid.now.substances[s][at]};
+    });
+    return sum * h * h * h;
+}
+
+/// Follows the energies of a fluid at rest that is left to its weight.
+struct EnergyBook {
+    double start{};     ///< potential energy at first (m^5/s^2)
+    double released{};  ///< most of it that was given so far
+    double excess{};    ///< most by which kinetic and potential energy together were above the start
+    double rescaled{};  ///< kinetic energy that the solver took away, all in all
+};
+
+inline EnergyBook open_book(const Fluid& fluid) { return {.start = potential_energy(fluid)}; }
+
+inline void enter(const Fluid& fluid, const StepReport& report, EnergyBook& book) {
+    const double potential = potential_energy(fluid);
+    book.released = std::max(book.released, book.start - potential);
+    book.excess = std::max(book.excess, kinetic_energy(fluid) + potential - book.start);
+    book.rescaled += report.rescaled;
+}
+
+}  // namespace thaum::fluid::flows
