@@ -4,10 +4,10 @@ thaum_test(test_haptics
         unit/haptics_safety_test.cpp unit/haptics_servo_test.cpp unit/haptics_energy_test.cpp unit/haptics_surface_test.cpp unit/haptics_texture_test.cpp unit/haptics_allocations.cpp
         unit/flow_patch_test.cpp unit/fluid_touch_test.cpp
         accuracy/haptics_oscillator_test.cpp accuracy/haptics_simulated_accuracy_test.cpp
-        accuracy/haptics_coupling_accuracy_test.cpp accuracy/fluid_touch_accuracy_test.cpp
+        accuracy/haptics_coupling_accuracy_test.cpp accuracy/haptics_round_accuracy_test.cpp accuracy/fluid_touch_accuracy_test.cpp
         accuracy/primitives_test.cpp accuracy/primitives_random_test.cpp
         stability/haptics_z_width_test.cpp stability/haptics_hostile_test.cpp
-        stability/haptics_safety_hostile_test.cpp stability/haptics_switches_test.cpp
+        stability/haptics_safety_hostile_test.cpp stability/haptics_switches_test.cpp stability/haptics_round_test.cpp
         stability/fluid_touch_hostile_test.cpp
     LINK thaum_haptics thaum_fluid
     NOT_SANITIZED HapticsZWidth.WithDamping* HapticsZWidth.AControllerOfMore*)

@@ -5,15 +5,15 @@
 //     tip ------------------+--> touch() --> force on the hand = stiffness (proxy - tip) + damping
 //     state (the proxy) <---'
 //
-// The proxy is where the tip would be if it could not enter anything. Each tick it starts where it was, is carried along by
-// what it touched, is pushed out by what moved over it, and then goes towards the tip as a swept point: straight until it meets
-// a surface, then along that surface, along the crease of two, into the corner of three. All within the tick, so that
-// nothing lags: on flat surfaces it ends at the place nearest to the tip to rounding. Since it is swept, relative to
-// each body's own motion, no speed takes it through anything that the patch holds.
+// The proxy is where the tip would be if it could not enter anything. Each tick it starts where it was, is carried along by what it
+// touched, is pushed out by what moved over it, and goes towards the tip as a swept point: straight until it meets a surface, then
+// along that surface (a round one: surface_round.h), along the crease of two, into the corner of three. Nothing lags: it ends at
+// the place nearest to the tip to rounding. Swept relative to each body's own motion, no speed takes it through anything in the
+// patch. A proxy whose moves are used up stays held by what held it last: inside, the force never vanishes.
 //
-// Friction (Coulomb, in metres of penetration: with one stiffness forces are lengths). Where the way to the frictionless goal
-// is at most the sum of friction x penetration over the touched surfaces, the proxy sticks; farther, it slides until
-// the dynamic friction holds it. It holds still with the static one.
+// Friction (Coulomb, in metres of penetration: with one stiffness forces are lengths). Where the pull along the touched surfaces
+// is at most the sum of friction x penetration over them, the proxy sticks; beyond that, it slides in the direction of the pull
+// until the dynamic friction holds it. It holds still with the static one.
 //
 // Force: stiffness is the mean of the touched ones, weighted by their part of the push, so the direction is that of proxy -
 // tip whatever the mixture. With one stiffness and no friction the force is minus the gradient of stiffness/2 times the square of

@@ -1,0 +1,18 @@
+// haptics/surface_feel.h: how deep the tip feels to be behind a wall, and how far friction holds the proxy.
+#pragma once
+#include "haptics/surface_walls.h"
+
+namespace thaum::haptics {
+
+/// A wall's push with its texture.
+struct Felt {
+    double depth{};  ///< depth that is felt (m)
+    vec3 way{};      ///< direction of the push; unit, but longer for bumps
+};
+
+Felt felt(const Scene& scene, const Wall& wall, vec3 x);
+
+/// Pull along the walls up to which friction holds a proxy at x: the sum of the depths times the friction (m).
+double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding);
+
+}  // namespace thaum::haptics

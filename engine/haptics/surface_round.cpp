@@ -1,0 +1,440 @@
+#include "haptics/surface_round.h"
+
+#include <algorithm>
+
+#include "haptics/surface_feel.h"
+#include "haptics/surface_sweep.h"
+
+namespace thaum::haptics {
+namespace {
+
+// ---- pieces of surfaces ---------------------------------------------------------------------------------------------
+
+/// Smooth part of a surface: a plane, or all places at one distance from a point or a line.
+struct Piece {
+    enum class Kind : std::uint8_t { plane, about_point, about_line } kind{};
+    int zone{};  ///< which part of its solid: -1, 0 and 1 are the lower end, the side and the upper end of a capsule
+    vec3 centre{};    ///< a place of the core (m)
+    vec3 axis{};      ///< direction of the line, or normal of the plane (unit)
+    double radius{};  ///< distance from the core, the gap included; offset of the plane (m)
+};
+
+constexpr int not_round = 2;  // zone of the caps and edges of a solid
+
+/// Part of a solid that is nearest to x, which lies outside.
+int zone_of(const Surface& s, quat orientation, vec3 x) {
+    if (s.kind == SurfaceKind::sphere) return 0;
+    if (s.kind != SurfaceKind::capsule && s.kind != SurfaceKind::cylinder) return not_round;
+    const double half = s.b.y, y = (glm::conjugate(orientation) * (x - s.a)).y;
+    if (!(half >= 0)) return not_round;
+    if (std::abs(y) <= half) {
+        if (s.kind == SurfaceKind::capsule) return 0;
+        const vec3 local = glm::conjugate(orientation) * (x - s.a);
+        const double beside = std::sqrt(local.x * local.x + local.z * local.z) - s.b.x;
+        return beside > 0 || beside > std::abs(y) - half ? 0 : not_round;
+    }
+    if (s.kind == SurfaceKind::cylinder) return not_round;
+    return y > 0 ? 1 : -1;
+}
+
+int zone_of(const Scene& scene, std::uint32_t surface, vec3 x) {
+    return zone_of(scene.surface(surface), scene.body_of(surface).orientation, x);
+}
+
+Piece piece_at(const Scene& scene, const Wall& wall, vec3 x) {
+    const Surface& s = scene.surface(wall.surface);
+    const quat orientation = scene.body_of(wall.surface).orientation;
+    const int zone = is_flat(s.kind) ? not_round : zone_of(s, orientation, x);
+    if (zone == not_round) return {Piece::Kind::plane, zone, {}, wall.normal, wall.offset};
+    const double radius = s.b.x + scene.gap[wall.surface];
+    if (s.kind == SurfaceKind::sphere) return {Piece::Kind::about_point, zone, s.a, {}, radius};
+    const vec3 axis = orientation * vec3(0, 1, 0);
+    if (zone == 0) return {Piece::Kind::about_line, zone, s.a, axis, radius};
+    return {Piece::Kind::about_point, zone, s.a + zone * s.b.y * axis, {}, radius};
+}
+
+/// Way from the core to y (m).
+vec3 from_core(const Piece& piece, vec3 y) {
+    const vec3 arm = y - piece.centre;
+    return piece.kind == Piece::Kind::about_line ? arm - glm::dot(arm, piece.axis) * piece.axis : arm;
+}
+
+Distance distance_to(const Piece& piece, vec3 y) {
+    if (piece.kind == Piece::Kind::plane) return {glm::dot(piece.axis, y) - piece.radius, piece.axis};
+    const vec3 out = from_core(piece, y);
+    const double length = glm::length(out);
+    return {length - piece.radius, length > 0 ? out / length : vec3(0, 1, 0)};
+}
+
+/// Second derivative of the distance along a tangent (1/m).
+double bend_along(const Piece& piece, vec3 y, vec3 tangent) {
+    if (piece.kind == Piece::Kind::plane) return 0;
+    const double along = piece.kind == Piece::Kind::about_line ? glm::dot(piece.axis, tangent) : 0;
+    return (1 - along * along) / glm::length(from_core(piece, y));
+}
+
+// ---- paths ----------------------------------------------------------------------------------------------------------
+
+/// Path along one or two pieces, from 0 at the proxy to 1 at the goal.
+struct Path {
+    std::array<Piece, 2> pieces{};
+    std::size_t count{};
+    vec3 from{}, way{};  ///< two pieces: the straight line that is projected onto both
+    vec3 core{};         ///< one piece, from here on: the core's place nearest to the tip (m)
+    vec3 out{};          ///< direction from there to the tip (unit)
+    vec3 side{};         ///< direction at right angles to `out`, to the proxy's side (unit)
+    double half_tan{};   ///< tangent of half the angle from `out` to the proxy
+    double axial{};      ///< distance of the proxy from `core` along the axis (m)
+    double ratio{};      ///< distance of the tip from the core over that of the proxy
+};
+
+/// Moves y onto both pieces, each time by the shortest way to their tangent planes.
+bool onto_both(const std::array<Piece, 2>& pieces, vec3& y) {
+    constexpr int most_steps = 12;
+    constexpr double parallel = 1e-12;
+    constexpr double last =
+        1e-9;  // m; after a step so short the error is its square over the radius: rounding
+    for (int n = 0; n < most_steps; ++n) {
+        const Distance a = distance_to(pieces[0], y), b = distance_to(pieces[1], y);
+        const double g = glm::dot(a.normal, b.normal), sine2 = 1 - g * g;
+        if (sine2 < parallel) return false;
+        const Depths by = depths_of_two(-a.value, -b.value, g, sine2);
+        y += by.a * a.normal + by.b * b.normal;
+        if (std::abs(by.a) + std::abs(by.b) <= last) return true;
+    }
+    return false;
+}
+
+/// Place on a path, s from 0 to 1. False where the two pieces have none.
+bool place_on(const Path& path, double s, vec3& y) {
+    if (path.count == 2) {
+        y = path.from + s * path.way;
+        return onto_both(path.pieces, y);
+    }
+    constexpr double negligible = 1e-12;  // m
+    const Piece& piece = path.pieces[0];
+    const double left = 1 - s;
+    const bool both = std::abs(path.axial) > negligible && path.half_tan * piece.radius > negligible;
+    const double t = path.half_tan * (!both ? left : left > 0 ? det::pow(left, path.ratio) : 0.0);
+    const double inverse = 1 / (1 + t * t);
+    y = path.core + path.axial * left * piece.axis +
+        piece.radius * inverse * ((1 - t * t) * path.out + 2 * t * path.side);
+    return true;
+}
+
+/// Path of steepest descent to the place on one piece that is nearest to the tip.
+Path path_on_one(const Piece& piece, vec3 x, vec3 tip) {
+    constexpr double opposite = 1e-15;  // sine, below which the pull has no direction round the core
+    Path path{.pieces = {piece}, .count = 1};
+    const double height =
+        piece.kind == Piece::Kind::about_line ? glm::dot(tip - piece.centre, piece.axis) : 0;
+    const vec3 in = from_core(piece, tip), normal = distance_to(piece, x).normal;
+    const double rho = glm::length(in);
+    path.core = piece.centre + height * piece.axis;
+    if (piece.kind == Piece::Kind::about_line) path.axial = glm::dot(x - path.core, piece.axis);
+    path.ratio = rho / piece.radius;
+    path.out = rho > 0 ? in / rho : normal;
+    const double cosine = glm::dot(normal, path.out);
+    const vec3 beside = normal - cosine * path.out;
+    const double sine = glm::length(beside);
+    if (sine < opposite) {
+        path.out = normal;
+        return path;
+    }
+    path.side = beside / sine;
+    path.half_tan = cosine < 0 ? (1 - cosine) / sine : sine / (1 + cosine);
+    return path;
+}
+
+/// Newton's step along the curve of two pieces, to where the pull has no part along it.
+Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 direction) {
+    constexpr double flattest = 1e-3;  // second derivative, relative to a straight curve's, that is trusted
+    Path path{.pieces = {a, b}, .count = 2, .from = x};
+    const vec3 na = distance_to(a, x).normal, nb = distance_to(b, x).normal;
+    const vec3 cross = glm::cross(na, nb);
+    const double sine2 = glm::dot(cross, cross), g = glm::dot(na, nb);
+    if (!(sine2 > 0)) return path;
+    vec3 tangent = cross / std::sqrt(sine2);
+    if (glm::dot(direction, tangent) < 0) tangent = -tangent;
+    const Depths bend = depths_of_two(-bend_along(a, x, tangent), -bend_along(b, x, tangent), g, sine2);
+    const vec3 curvature = bend.a * na + bend.b * nb;
+    const double pull = glm::dot(tip - x, tangent);
+    const double step = pull / std::max(flattest, 1 - glm::dot(tip - x, curvature));
+    path.way = step / std::max(1.0, step * glm::length(curvature)) * tangent;
+    vec3 end;
+    for (int n = 0; n < 8 && !place_on(path, 1, end); ++n) path.way *= 0.5;
+    return path;
+}
+
+// ---- where a path ends ----------------------------------------------------------------------------------------------
+
+/// How a path's walls hold the proxy.
+struct Loads {
+    double least{};   ///< smallest depth of a wall; the wall lets go at zero (m)
+    double pull{};    ///< pull along the walls (m)
+    double excess{};  ///< part of it that friction does not hold (m)
+};
+
+/// A path with what is needed to judge its places.
+struct Track {
+    const Scene* scene{};
+    const Walls* walls{};
+    SurfaceSet own{};  ///< surfaces on which the path lies
+    Path path{};
+    vec3 tip{};
+
+    vec3 at(double s) const {
+        vec3 y = path.from;
+        place_on(path, s, y);
+        return y;
+    }
+};
+
+Loads loads_at(const Track& track, double s) {
+    const vec3 y = track.at(s), pull = track.tip - y;
+    Walls walls = *track.walls;
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        walls.items[i].normal = distance_to(track.path.pieces[i], y).normal;
+        walls.items[i].depth = -glm::dot(pull, walls.items[i].normal);
+    }
+    Wall &a = walls.items[0], &b = walls.items[1];
+    if (walls.count == 2) {
+        const vec3 cross = glm::cross(a.normal, b.normal);
+        const Depths depths =
+            depths_of_two(a.depth, b.depth, glm::dot(a.normal, b.normal), glm::dot(cross, cross));
+        a.depth = depths.a;
+        b.depth = depths.b;
+    }
+    vec3 along = pull + a.depth * a.normal;
+    if (walls.count == 2) along += b.depth * b.normal;
+    const double length = glm::length(along);
+    return {walls.count == 2 ? std::min(a.depth, b.depth) : a.depth, length,
+            length - friction_reach(*track.scene, walls, y, true)};
+}
+
+/// A value of a function of the path.
+struct Sample {
+    double s{}, value{};
+};
+
+/// Place where a function falls to zero between two samples, above and below zero: by the secant of the last two samples, or by
+/// halving where that leads out of the bracket. The value there is at most zero, or within the tolerance.
+template <class Function>
+double fall_to_zero(const Function& function, Sample above, Sample below, double guess, double tolerance) {
+    constexpr int most_samples = 64;
+    Sample newer = above;
+    double s = guess;
+    for (int n = 0; n < most_samples && below.value < -tolerance; ++n) {
+        if (!(s > above.s && s < below.s) || n % 8 == 7) s = 0.5 * (above.s + below.s);
+        if (!(s > above.s && s < below.s)) break;
+        const Sample older = newer;
+        newer = {s, function(s)};
+        if (std::abs(newer.value) <= tolerance) return s;
+        (newer.value > 0 ? above : below) = newer;
+        s = newer.s - newer.value * (newer.s - older.s) / (newer.value - older.value);
+    }
+    return below.s;
+}
+
+/// Last place of a path up to which a condition holds, by halving; the condition fails at `end`.
+template <class Condition>
+double fails_at(const Condition& condition, double end) {
+    constexpr int halvings = 60;
+    double last = 0, first = end;
+    for (int n = 0; n < halvings; ++n) {
+        const double middle = 0.5 * (last + first);
+        (condition(middle) ? last : first) = middle;
+    }
+    return first;
+}
+
+/// Place where the walls let go or friction holds, or the end.
+double hold_at(const Track& track, const Loads& start) {
+    constexpr double exact = 1e-16;
+    double end = 1;
+    Loads loads = loads_at(track, end);
+    if (loads.least <= 0) {
+        const double even = start.least / (start.least - loads.least);
+        end = fall_to_zero([&](double s) { return loads_at(track, s).least; }, {0, start.least},
+                           {end, loads.least}, even, exact);
+        loads = loads_at(track, end);
+    }
+    if (loads.excess >= -0.5 * tight) return end;
+    const double if_straight = start.excess / start.pull;
+    return fall_to_zero([&](double s) { return loads_at(track, s).excess; }, {0, start.excess},
+                        {end, loads.excess}, if_straight, 0.5 * tight);
+}
+
+/// Whether all walls have the same piece at a place as at the path's start.
+bool on_its_pieces(const Track& track, double s) {
+    const vec3 y = track.at(s);
+    for (std::size_t i = 0; i < track.walls->count; ++i) {
+        const Wall& wall = track.walls->items[i];
+        const int zone = track.path.pieces[i].zone;
+        if (zone == not_round ? !stands(*track.scene, wall, y)
+                              : zone_of(*track.scene, wall.surface, y) != zone)
+            return false;
+    }
+    return true;
+}
+
+bool within_reach(const Track& track, double s) {
+    const SurfacePatch& patch = *track.scene->patch;
+    const vec3 arm = track.at(s) - patch.centre;
+    return glm::dot(arm, arm) <= patch.reach * patch.reach;
+}
+
+// ---- the sweep ------------------------------------------------------------------------------------------------------
+
+/// Direction that rises above all pieces by one each.
+vec3 outward(const Path& path, vec3 y) {
+    constexpr double steepest = 0.1;
+    const vec3 a = distance_to(path.pieces[0], y).normal;
+    if (path.count == 1) return a;
+    const vec3 b = distance_to(path.pieces[1], y).normal;
+    return (a + b) / std::max(steepest, 1 + glm::dot(a, b));
+}
+
+/// Another surface on a path, or none.
+struct Obstacle {
+    bool met{};
+    vec3 place{};  ///< place on the path's tangents where it is met (m)
+    Wall wall{};
+};
+
+Obstacle obstacle_on(const Track& track, const Sweep& way) {
+    const Hit hit = first_hit(*track.scene, way, track.own);
+    return {hit.at <= 1, way.from + std::min(hit.at, 1.0) * way.step, hit.wall};
+}
+
+/// First obstacle between two places of a path, along two tangents that lie outside of the path's own surfaces.
+Obstacle obstacle_between(const Track& track, double from, double to) {
+    constexpr double above_tangents = 1.2;
+    const vec3 a = track.at(from), b = track.at(to), middle = track.at(0.5 * (from + to));
+    const double sagitta = glm::length(middle - 0.5 * (a + b));
+    const vec3 apex = middle + above_tangents * sagitta * outward(track.path, middle);
+    const Obstacle first = obstacle_on(track, Sweep(a, apex - a));
+    return first.met ? first : obstacle_on(track, Sweep(apex, b - apex));
+}
+
+/// Whether the patch holds no surfaces but the path's own.
+bool alone(const Track& track) {
+    return track.scene->flat_count + track.scene->solid_count == track.walls->count;
+}
+
+/// Goes along a path up to a place or to the first obstacle. Where the tangents meet something, the path itself may pass beneath
+/// it: so a part of the path is halved until it is free or too short to pass, and doubled after each free part.
+Obstacle travel(const Track& track, double end) {
+    constexpr int most_parts = 200;
+    constexpr double shortest = 1e-9;  // m; on a radius of 1 mm the tangents are then nowhere 1e-15 m outside
+    if (alone(track)) return {.place = track.at(end)};
+    double done = 0, part = end;
+    for (int n = 0; n < most_parts && done < end; ++n) {
+        const double to = std::min(done + part, end);
+        const Obstacle obstacle = obstacle_between(track, done, to);
+        if (!obstacle.met) {
+            done = to;
+            part *= 2;
+            continue;
+        }
+        if (glm::length(track.at(to) - track.at(done)) < shortest) return obstacle;
+        part *= 0.5;
+    }
+    return {.place = track.at(done)};
+}
+
+Track track_of(const Scene& scene, const Walls& walls, vec3 x, const RoundGoal& goal) {
+    Track track{.scene = &scene, .walls = &walls, .tip = goal.tip};
+    for (std::size_t i = 0; i < walls.count; ++i) track.own |= only(walls.items[i].surface);
+    const Piece a = piece_at(scene, walls.items[0], x);
+    track.path = walls.count == 1
+                     ? path_on_one(a, x, goal.tip)
+                     : path_on_two(a, piece_at(scene, walls.items[1], x), x, goal.tip, goal.tangent - x);
+    return track;
+}
+
+/// Drops the wall that pushes least.
+void drop_least(Walls& walls) {
+    if (walls.count == 2 && walls.items[0].depth < walls.items[1].depth) walls.items[0] = walls.items[1];
+    --walls.count;
+}
+
+/// Three walls leave no freedom: what is left of the way is rounding, or a Newton step to their corner.
+RoundEnd step_to_corner(const Scene& scene, Slide& slide, vec3 corner) {
+    const Sweep way(slide.x, corner - slide.x);
+    const Hit hit = first_hit(scene, way);
+    slide.x += std::min(hit.at, 1.0) * way.step;
+    if (hit.at <= 1) add_wall(slide.walls, hit.wall);
+    return way.length * std::min(hit.at, 1.0) > tight ? RoundEnd::moved : RoundEnd::rests;
+}
+
+/// Adds a surface against which the proxy stands already. Its wall counts before the path's end is sought.
+bool add_blocking(const Scene& scene, Slide& slide, const Track& track, vec3 tangent) {
+    if (alone(track)) return false;
+    const Sweep ahead(slide.x, tangent - slide.x);
+    const Hit hit = first_hit(scene, ahead, track.own);
+    if (hit.at * ahead.length > tight) return false;
+    add_wall(slide.walls, hit.wall);
+    return true;
+}
+
+}  // namespace
+
+bool is_round(const Scene& scene, const Walls& walls, vec3 x) {
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        const std::uint32_t surface = walls.items[i].surface;
+        if (!is_flat(scene.surface(surface).kind) && zone_of(scene, surface, x) != not_round) return true;
+    }
+    return false;
+}
+
+void refresh_round(const Scene& scene, Walls& walls, vec3 x) {
+    constexpr double slack = 10 * tight;
+    if (!is_round(scene, walls, x)) return;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        const Wall wall = walls.items[i];
+        const Surface& s = scene.surface(wall.surface);
+        if (is_flat(s.kind) || zone_of(scene, wall.surface, x) == not_round) {
+            if (stands(scene, wall, x)) walls.items[kept++] = wall;
+            continue;
+        }
+        const Distance here = to_solid(s, scene.body_of(wall.surface).orientation, x);
+        if (here.value <= scene.gap[wall.surface] + slack)
+            walls.items[kept++] = wall_at(scene, x, here, wall.surface);
+    }
+    walls.count = kept;
+}
+
+RoundEnd slide_round(const Scene& scene, Slide& slide, const RoundGoal& goal) {
+    const double pull = glm::length(slide.x - goal.tangent);
+    if (pull <= friction_reach(scene, slide.walls, slide.x, goal.was_sliding || slide.slid) + tight)
+        return RoundEnd::rests;
+    if (slide.walls.count > 2) return step_to_corner(scene, slide, goal.tangent);
+    const Walls walls = slide.walls;
+    const Track track = track_of(scene, walls, slide.x, goal);
+    if (add_blocking(scene, slide, track, goal.tangent)) return RoundEnd::moved;
+    const Loads start = loads_at(track, 0);
+    if (start.least <= 0) {
+        drop_least(slide.walls);
+        return RoundEnd::moved;
+    }
+    if (start.excess <= 0) return RoundEnd::rests;
+    double end = hold_at(track, start);
+    if (!on_its_pieces(track, end)) end = fails_at([&](double s) { return on_its_pieces(track, s); }, end);
+    const bool limited = scene.patch->reach < HUGE_VAL && !within_reach(track, end);
+    if (limited) end = fails_at([&](double s) { return within_reach(track, s); }, end);
+    const Obstacle obstacle = travel(track, end);
+    const bool moved = glm::length(obstacle.place - slide.x) > tight;
+    slide.slid = slide.slid || moved;
+    slide.x = obstacle.place;
+    if (obstacle.met) {
+        add_wall(slide.walls, obstacle.wall);
+        return RoundEnd::moved;
+    }
+    slide.limited = limited;
+    if (limited) return RoundEnd::limited;
+    return moved ? RoundEnd::moved : RoundEnd::rests;
+}
+
+}  // namespace thaum::haptics

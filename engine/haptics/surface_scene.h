@@ -1,0 +1,73 @@
+// haptics/surface_scene.h: a patch prepared for one tick, and distances to its surfaces.
+//
+// All distances are to the surface `surface_gap` outside the true one: rounding (1e-16 of a coordinate) then never decides on which
+// side the proxy is. A triangle is hit where the path crosses the triangle itself, not its offset plane: between the offset
+// planes of two triangles that meet in a ridge there would be a slit. So a mesh whose triangles share corners has no holes.
+#pragma once
+#include "haptics/surface.h"
+
+namespace thaum::haptics {
+
+inline constexpr double tight = 1e-13;  ///< distance below which two places are the same (m)
+
+/// Motion of a body over the last tick: `now` maps a place of the tick before to its place in this one.
+struct Carrier {
+    mat3 turn{1.0};
+    vec3 pivot_before{};
+    vec3 pivot{};
+    bool moving{};
+    bool turning{};
+
+    vec3 now(vec3 before) const {
+        if (!moving) return before;
+        const vec3 arm = before - pivot_before;
+        return pivot + (turning ? turn * arm : arm);
+    }
+};
+
+Carrier carrier_of(const SurfaceBody& body, double dt);
+
+/// A plane, or that of a triangle, close together in memory: each sweep looks at all of them.
+struct Facet {
+    vec3 normal;
+    double offset;  ///< offset of the true surface's plane (m)
+    double gap;     ///< distance at which the proxy stays before it, with the texture's top (m)
+    std::uint32_t surface;
+    SurfaceKind kind;
+};
+
+/// What a tick computes once from a patch. Only the entries below the counts are set.
+struct Scene {
+    const SurfacePatch* patch;
+    std::uint32_t flat_count;
+    std::uint32_t solid_count;
+    std::uint32_t body_count;
+    std::array<Facet, surface_capacity> flats;
+    std::array<std::uint32_t, surface_capacity> solids;
+    std::array<vec3, surface_capacity> normal;  ///< normals of the flat surfaces (unit)
+    std::array<double, surface_capacity> gap;
+    std::array<Carrier, surface_body_capacity> carriers;
+
+    const Surface& surface(std::uint32_t i) const { return patch->surfaces[i]; }
+    const SurfaceBody& body_of(std::uint32_t i) const { return patch->bodies[surface(i).body]; }
+};
+
+void set_scene(Scene& scene, const SurfacePatch& patch, double dt);
+
+inline bool is_flat(SurfaceKind kind) { return kind <= SurfaceKind::sheet; }
+inline bool is_triangle(SurfaceKind kind) {
+    return kind == SurfaceKind::triangle || kind == SurfaceKind::sheet;
+}
+
+struct Distance {
+    double value;  ///< distance from the true surface, negative inside (m)
+    vec3 normal;   ///< unit, outward
+};
+
+/// Distance to a solid that is no half-space.
+Distance to_solid(const Surface& s, quat orientation, vec3 p);
+
+/// Whether the plane's point p lies in the triangle, or at most `slack` (m) beside it.
+bool over_triangle(const Surface& s, vec3 normal, vec3 p, double slack);
+
+}  // namespace thaum::haptics
