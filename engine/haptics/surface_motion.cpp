@@ -45,6 +45,7 @@ bool overran(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall)
         wall = hit.wall;
         if (hit.at <= 1) return true;
     }
+    if (scene.beyond(i, x, 0)) return false;
     const Distance d = to_solid(scene.surface(i), scene.body_of(i).orientation, x);
     wall = wall_at(scene, x, d, i);
     return d.value < scene.gap[i] - tight;

@@ -75,6 +75,8 @@ void set_scene(Scene& scene, const SurfacePatch& patch, double dt) {
         if (is_flat(patch.surfaces[i].kind)) {
             add_flat(scene, i);
         } else {
+            const vec3 size = glm::abs(patch.surfaces[i].b);
+            scene.extent[i] = size.x + size.y + size.z + 2 * scene.gap[i];
             scene.solids[scene.solid_count++] = i;
         }
     }

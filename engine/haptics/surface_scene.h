@@ -46,10 +46,18 @@ struct Scene {
     std::array<std::uint32_t, surface_capacity> solids;
     std::array<vec3, surface_capacity> normal;  ///< normals of the flat surfaces (unit)
     std::array<double, surface_capacity> gap;
+    std::array<double, surface_capacity>
+        extent;  ///< no part of a solid is farther from its centre, the gap included (m)
     std::array<Carrier, surface_body_capacity> carriers;
 
     const Surface& surface(std::uint32_t i) const { return patch->surfaces[i]; }
     const SurfaceBody& body_of(std::uint32_t i) const { return patch->bodies[surface(i).body]; }
+    /// Whether a solid is farther than `distance` from a place: most are, and this is known without a square root.
+    bool beyond(std::uint32_t solid, vec3 place, double distance) const {
+        const vec3 arm = place - patch->surfaces[solid].a;
+        const double near = extent[solid] + distance;
+        return glm::dot(arm, arm) > near * near;
+    }
 };
 
 void set_scene(Scene& scene, const SurfacePatch& patch, double dt);
