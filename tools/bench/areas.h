@@ -18,6 +18,7 @@ void tug(const Options& options, Report& report);
 void haptics(const Options& options, Report& report);
 /// Parts of `haptics`.
 void surfaces(const Options& options, Report& report);
+void round_bodies(const Options& options, Report& report);
 void passivity(Report& report);
 void switches(const Options& options, Report& report);
 void arms(const Options& options, Report& report);

@@ -264,6 +264,7 @@ void haptics(const Options& options, Report& report) {
     safety_hostile(options, report);
     servo_steps(options, report);
     surfaces(options, report);
+    round_bodies(options, report);
     passivity(report);
     switches(options, report);
     stirring_passivity(options, report);

@@ -1,0 +1,173 @@
+// Sliding over round bodies: the time of a servo step beside the error of the force against the closed form.
+//
+// The tip circles at 0.2 m/s under a surface of radius R = 10 mm, at a distance rho from the axis. Coulomb's law puts the proxy an
+// angle theta behind the tip with sin(theta + alpha) = sin(alpha) R / rho, where tan(alpha) is the friction. In the
+// groove of two spheres of radius S both bear the pull, so that the friction counts S / R times.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "core/hash.h"
+#include "core/text.h"
+#include "core/units.h"
+#include "haptics/servo.h"
+#include "tools/bench/areas.h"
+#include "tools/bench/measure.h"
+
+namespace thaum::bench {
+namespace {
+
+using haptics::SurfaceKind;
+using haptics::SurfacePatch;
+using haptics::SurfaceState;
+
+constexpr double stiffness = 300;       // N/m
+constexpr double radius = 0.01;         // m
+constexpr double depth_ratio = 0.4;     // depth of the tip over the radius
+constexpr double speed = 0.2;           // m/s
+constexpr double groove_radius = 1.25;  // radius of the two spheres over that of their groove
+constexpr int ticks = 4000;
+
+enum class Ground : std::uint8_t { sphere, capsule, cylinder, groove, crowd };
+
+struct Run {
+    Ground ground{};
+    std::string_view name{};
+    double friction{};
+    haptics::ServoState state{};
+    double worst{};  ///< largest error of the force (N)
+    double
+        chatter{};  ///< largest change of the force from tick to tick, seen from the tip, once it slides steadily (N)
+    int lost{};  ///< ticks without force
+};
+
+void add(SurfacePatch& patch, SurfaceKind kind, vec3 centre, vec3 size) {
+    patch.surfaces[patch.count] = {
+        .kind = kind, .body = patch.body_count - 1, .part = patch.count, .a = centre, .b = size};
+    ++patch.count;
+}
+
+void add_body(SurfacePatch& patch, double friction) {
+    haptics::SurfaceBody& body = patch.bodies[patch.body_count];
+    body.key = patch.body_count++;
+    body.orientation = rotation({1, 0, 0}, pi / 2);  // the axes of capsules and cylinders lie along z
+    body.material = {.stiffness = stiffness, .static_friction = friction, .dynamic_friction = friction};
+}
+
+/// As many round bodies as fit stand about the sphere that is felt.
+void add_crowd(SurfacePatch& patch, double friction) {
+    constexpr std::array kinds{SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder};
+    while (patch.count < haptics::surface_capacity) {
+        if (patch.count % 4 == 0 && patch.body_count < haptics::surface_body_capacity)
+            add_body(patch, friction);
+        const double angle = 2 * pi * patch.count / haptics::surface_capacity;
+        add(patch, kinds[patch.count % kinds.size()], {0.03 * det::cos(angle), 0.03 * det::sin(angle), 0},
+            {0.004, 0.004, 0});
+    }
+}
+
+SurfacePatch patch_of(const Run& run) {
+    SurfacePatch patch;
+    add_body(patch, run.friction);
+    const double aside = radius * std::sqrt(groove_radius * groove_radius - 1);
+    switch (run.ground) {
+        case Ground::capsule: add(patch, SurfaceKind::capsule, {}, {radius, radius, 0}); break;
+        case Ground::cylinder: add(patch, SurfaceKind::cylinder, {}, {radius, radius, 0}); break;
+        case Ground::groove:
+            add(patch, SurfaceKind::sphere, {0, 0, aside}, {groove_radius * radius, 0, 0});
+            add(patch, SurfaceKind::sphere, {0, 0, -aside}, {groove_radius * radius, 0, 0});
+            break;
+        case Ground::crowd:
+            add(patch, SurfaceKind::sphere, {}, {radius, 0, 0});
+            add_crowd(patch, run.friction);
+            break;
+        case Ground::sphere: add(patch, SurfaceKind::sphere, {}, {radius, 0, 0}); break;
+    }
+    return patch;
+}
+
+vec3 on_circle(double r, double angle) { return {r * det::cos(angle), r * det::sin(angle), 0}; }
+
+/// Tip at a tick: it comes from outside.
+vec3 tip_at(int tick) {
+    const double in = (1 - depth_ratio) * radius;
+    return tick == 0 ? vec3(1.5 * radius, 0, 0) : on_circle(in, speed * tick_seconds / radius * tick);
+}
+
+/// Compares the forces with the closed form, once the proxy slides.
+void judge(Run& run) {
+    const SurfacePatch patch = patch_of(run);
+    const double felt = run.friction * (run.ground == Ground::groove ? groove_radius : 1);
+    const double alpha = det::atan2(felt, 1);
+    const double lag = det::asin(det::sin(alpha) / (1 - depth_ratio)) - alpha;
+    SurfaceState state;
+    vec3 before(0);
+    for (int tick = 0; tick < ticks; ++tick) {
+        const vec3 tip = tip_at(tick);
+        const vec3 force = haptics::touch(patch, state, {tip}, tick_seconds).force;
+        if (tick > 0 && force == vec3(0)) ++run.lost;
+        const double angle = speed * tick_seconds / radius * tick;
+        const vec3 out = on_circle(1, angle), round = on_circle(1, angle + pi / 2);
+        const vec3 seen(glm::dot(force, out), glm::dot(force, round), force.z);
+        constexpr int steady = 400;
+        if (tick > steady) {
+            const vec3 exact = stiffness * (on_circle(radius + haptics::surface_gap, angle - lag) - tip);
+            run.worst = std::max(run.worst, glm::length(force - exact));
+            run.chatter = std::max(run.chatter, glm::length(seen - before));
+        }
+        before = seen;
+    }
+}
+
+void play(Run& run, const haptics::Servo& servo, haptics::HapticModel& model) {
+    run.state = {};
+    for (int tick = 0; tick < ticks; ++tick)
+        do_not_optimise(haptics::servo_step(servo, run.state, model, {tip_at(tick), 0}));
+}
+
+}  // namespace
+
+void round_bodies(const Options& options, Report& report) {
+    constexpr double most_chatter = 1e-6;  // N
+    std::vector<Run> runs;
+    for (const double friction : {0.0, 0.35}) {
+        runs.push_back({Ground::sphere, "sphere", friction});
+        runs.push_back({Ground::capsule, "capsule", friction});
+        runs.push_back({Ground::cylinder, "cylinder", friction});
+        runs.push_back({Ground::groove, "two_spheres", friction});
+        runs.push_back({Ground::crowd, "sphere_among_31", friction});
+    }
+    const haptics::DeviceSpec spec{
+        .peak_force = 12, .continuous_force = 12, .max_damping = 5, .position_quantum = 5.5e-5};
+    const haptics::Servo servo = haptics::servo_of(spec, 1);
+    std::vector<haptics::HapticModel> models(runs.size());
+    std::vector<Contestant> contestants;
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        judge(runs[i]);
+        models[i].patch = patch_of(runs[i]);
+        models[i].patch_number = 1;
+        models[i].start = tip_at(0);
+        contestants.push_back(
+            {{}, [&run = runs[i], &servo, &model = models[i]] { play(run, servo, model); }});
+    }
+    auto samples = measure(contestants, {.seconds = options.quick ? 0.5 : 3.0, .least = 11});
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+        const Run& run = runs[i];
+        for (double& us : samples[i]) us /= ticks;
+        report.rows.push_back(
+            {.area = "haptics",
+             .name = "round_bodies",
+             .setting = {{"shape", std::string(run.name)}, {"friction", run.friction}},
+             .time_us = times(samples[i]),
+             .error = ErrorMeasure{"force_error_n", run.worst},
+             .metrics = {{"force_chatter_n", run.chatter}, {"ticks_lost", static_cast<double>(run.lost)}},
+             .hash = hex(hash_value(run.state))});
+        if (run.lost > 0 || !(run.chatter <= most_chatter) || !(run.worst <= most_chatter))
+            report.faults.push_back(text("haptics: round_bodies ", run.name, " friction ",
+                                         shown(run.friction), " loses ", run.lost, " ticks, errs by ",
+                                         shown(run.worst), " N and chatters by ", shown(run.chatter), " N"));
+    }
+}
+
+}  // namespace thaum::bench
