@@ -75,15 +75,56 @@ struct Waves {
         s;  // e^-x cosh(sqrt z), e^-x sinh(sqrt z) / sqrt z: entire functions of z, so nothing happens at z = 0
 };
 
-Waves waves(double x, double q) {
+/// A number as an unevaluated sum of two, so that a product is exact. Dekker 1971; no fused multiply-add, for old processors lack it.
+struct Twofold {
+    double high{}, low{};
+};
+
+Twofold halves(double a) {
+    const double scaled = 134217729 * a;  // 2^27 + 1
+    const double high = scaled - (scaled - a);
+    return {high, a - high};
+}
+
+Twofold product(double a, double b) {
+    const Twofold p = halves(a), q = halves(b);
+    const double high = a * b;
+    return {high, ((p.high * q.high - high) + p.high * q.low + p.low * q.high) + p.low * q.low};
+}
+
+/// The oscillator in units of t.
+struct Scaled {
+    double x{}, q{};
+    double z{};          ///< x^2 - q
+    double x_rounded{};  ///< what x lacks of the exact product
+};
+
+constexpr double rounding_matters_from = 8;  // of x: below, what rounding of x^2 does to z is nothing
+
+/// Near critical damping with large x, z is the small difference of large numbers, and their rounding would be its error.
+Scaled scaled(Oscillator o, double t) {
+    const double x = o.decay * t, q = o.frequency2 * t * t;
     const double z = x * x - q;
-    if (z > 1) {
+    if (!(x > rounding_matters_from && std::abs(z) < x * x / 2)) return {x, q, z, 0};
+    const Twofold decayed = product(o.decay, t), once = product(o.frequency2, t);
+    const Twofold square = product(x, x), twice = product(once.high, t);
+    const double low = square.low + 2 * x * decayed.low - twice.low - once.low * t;
+    return {x, q, (square.high - twice.high) + low, decayed.low};
+}
+
+Waves waves(const Scaled& in) {
+    const auto [x, q, z, x_rounded] = in;
+    if (z > 16 || (z > 1 && x <= rounding_matters_from)) {
         const double root = std::sqrt(z);
         const double rising = det::exp(-q / (x + root));  // x - root would cancel
         const double falling = det::exp(-root - x);
         return {(rising + falling) / 2, (rising - falling) / (2 * root)};
     }
-    const double decayed = det::exp(-x);
+    const double decayed = det::exp(-x) * (1 - x_rounded);
+    if (z > 1) {  // the two above would each carry the rounding of a large exponent
+        const double root = std::sqrt(z), up = det::exp(root), down = det::exp(-root);
+        return {decayed * (up + down) / 2, decayed * (up - down) / (2 * root)};
+    }
     if (z < -1) {
         const double root = std::sqrt(-z);
         return {decayed * det::cos(root), decayed * det::sin(root) / root};
@@ -97,29 +138,30 @@ Waves waves(double x, double q) {
 }
 
 /// q > 1 and no slow root: the oscillator's own equation, integrated once and twice, gives the integrals.
-Response by_equation(double x, double q) {
-    const auto [c, s] = waves(x, q);
+Response by_equation(const Scaled& in) {
+    const double x = in.x, q = in.q;
+    const auto [c, s] = waves(in);
     Response r{.t = 1, .s = s};
     r.s1 = (1 - (c + x * s)) / q;
     r.s2 = (1 - 2 * x * r.s1 - r.s) / q;
     return r;
 }
 
-Response in_units_of_t(double x, double q) {
+Response in_units_of_t(const Scaled& in) {
+    const auto [x, q, z, x_rounded] = in;
     if (x <= most_x_of_series && q <= 1) return by_series(x, q);
-    const double z = x * x - q;
     if (z > 1) {
         const double fast = x + std::sqrt(z);
         const double slow = q / fast;
         if (slow < 1) return by_two_rates(slow, fast);
     }
-    return by_equation(x, q);
+    return by_equation(in);
 }
 
 }  // namespace
 
 Response response(Oscillator o, double t) {
-    const Response unit = in_units_of_t(o.decay * t, o.frequency2 * t * t);
+    const Response unit = in_units_of_t(scaled(o, t));
     return {.t = t, .s = unit.s * t, .s1 = unit.s1 * t * t, .s2 = unit.s2 * t * t * t};
 }
 

@@ -34,8 +34,8 @@ struct Response {
     double s2{};  ///< s^3
 };
 
-/// t >= 0; NaN where sqrt(frequency2) t is above 1e9. Relative error of each below 1e-13 where sqrt(frequency2) t <= 300 (tests/accuracy); the same bits on
-/// every processor. S and, undamped, S1 pass through zero; near there the error is relative to their swing.
+/// t >= 0; NaN where sqrt(frequency2) t is above 1e9. Relative error of each below 1e-13 where sqrt(frequency2) t <= 300, at critical
+/// damping too (tests/accuracy); the same bits on every processor. S and, undamped, S1 pass through zero; near there the error is relative to their swing.
 Response response(Oscillator o, double t);
 
 /// S'(t).
