@@ -16,7 +16,8 @@
 // The best kink to start from is tried before 1, which settles most small sets. Where 1 fails at three paces, the proxy descends from
 // kink to kink (balance_descent.h). Why not always: that needs the steepest direction where several kinks meet, which is this
 // problem again. Coordinates are relative to a point on the nearest kink, since a unit vector m / |m| is only as good as m. Should
-// all fail, or the steps run out, the smoothed problem's best forces and place remain, whose duality gap bounds their error.
+// all fail, or the steps run out, the best forces so far are improved one by one (balance_proof.h), and the duality gap bounds the
+// error: lines that are parallel but for 1e-12 end there, within 1 mN.
 
 namespace thaum::haptics {
 namespace balancing {
@@ -157,9 +158,11 @@ void find_answer(Problem& problem, Answer& best, int& steps) {
                                       Pace{0.5, 1, 0.2, 150}};
     for (const Pace& pace : paces) {
         follow(problem, x, pace, accepted, best, steps);
-        if (best.residual <= accepted || spent(steps)) return;
+        if (best.residual <= accepted) return;
+        if (spent(steps)) break;
     }
-    descend(problem, start_of(problem, x), accepted, best, steps);
+    if (!spent(steps)) descend(problem, start_of(problem, x), accepted, best, steps);
+    if (best.residual > accepted) improve_by_duals(problem, accepted, best, steps);
 }
 
 bool in_range(const Spring& spring) {

@@ -40,7 +40,8 @@ struct Balance {
     ///
     /// Solved where it is <= 1e-9: then it is what is left of the sum of all forces, each being one that its primitive can
     /// exert at x. Of random sets at the scale of a hand (0.01 m, 3 N, 300 N/m), half of them degenerate, all of 8 million are.
-    /// Where strength / stiffness is 1e12 times the set's size, one in a thousand is left, and by any amount.
+    /// Where strength / stiffness is 1e12 times the set's size, one in a thousand is left, and by any amount. Of lines that are parallel
+    /// but for 1e-8 to 1e-14, up to one in ten is left, by 0.3 mN at most of 280,000 sets.
     double residual{};
     int steps{};  ///< Newton steps and what costs as much
 };

@@ -23,6 +23,9 @@ void fill(Term& term, const Primitive& primitive, std::size_t source) {
     term.source = source;
 }
 
+/// Strength below which a primitive counts as none (N): its square and what is divided by it leave the range of numbers.
+constexpr double least_strength = 1e-300;
+
 /// Terms are those of strength that have a kink.
 void take_primitives(Problem& problem, const PrimitiveSet& set) {
     std::size_t source = 0;
@@ -31,7 +34,7 @@ void take_primitives(Problem& problem, const PrimitiveSet& set) {
         fill(next, primitive, source++);
         problem.load += load_of_kind[static_cast<std::size_t>(primitive.kind)] * primitive.strength * next.q;
         problem.strength += next.strength;
-        problem.terms.count += next.strength > 0 ? 1 : 0;
+        problem.terms.count += next.strength > 0 && primitive.strength >= least_strength ? 1 : 0;
     }
 }
 

@@ -26,4 +26,9 @@ double residual_at(Problem& problem, vec3 x);
 /// problem's value at these forces is below it.
 double duality_bound(Problem& problem, vec3 x);
 
+/// For sets on which the proof fails: improves the forces of the best answer, and with them its place and residual. Each term in turn
+/// takes the force that is best while the others keep theirs, which is block coordinate ascent of the dual problem. The proxy is where
+/// the spring balances these forces, so nothing is missing and the bound is that of the gap alone.
+void improve_by_duals(Problem& problem, double accepted, Answer& best, int& steps);
+
 }  // namespace thaum::haptics::balancing

@@ -290,6 +290,57 @@ TEST(PrimitivesRandom, StrengthsThatDwarfTheSetAreBalancedAllTheSame) {
     }
 }
 
+/// A set of random primitives, one of which is next to nothing.
+PrimitiveSet set_with_a_speck(Random& random, double speck) {
+    PrimitiveSet set;
+    const std::size_t count = 1 + random.below(8), at = random.below(count + 1);
+    for (std::size_t i = 0; i <= count; ++i) {
+        Primitive p = sets::random_primitive(random, {});
+        if (i == at) p.strength = speck;
+        set.add(p);
+    }
+    return set;
+}
+
+TEST(PrimitivesRandom, AStrengthNextToNothingSpoilsNoSet) {
+    for (const double speck : {1e-10, 1e-160, 1e-290, 1e-300, 9e-301, 1e-308, 1e-312, 1e-320, 5e-324}) {
+        Random random{12};
+        for (int i = 0; i < 2'000; ++i) {
+            const PrimitiveSet set = set_with_a_speck(random, speck);
+            const Spring spring{sets::random_position(random, 0.01), 300};
+            const Balance found = balance(set, spring);
+            ASSERT_LE(found.residual, 1e-9) << speck << ", set " << i;
+            ASSERT_LE(sets::fault(set, spring, found, touching({})), 1e-9) << speck << ", set " << i;
+        }
+    }
+}
+
+TEST(PrimitivesRandom, LinesThatAreNearlyParallelGiveTheBestForceAndATrueResidual) {
+    // Where they are 1e-14 m apart their forces turn within a few roundings of a position: some sets end unsolved.
+    for (const double angle : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
+        Random random{13};
+        for (int i = 0; i < 3'000; ++i) {
+            const vec3 through = sets::random_position(random, 0.01), along = sets::random_direction(random);
+            PrimitiveSet set;
+            for (std::size_t line = 0; line < 2 + random.below(2); ++line)
+                set.add({PrimitiveKind::line, through + angle * sets::random_position(random, 0.01),
+                         glm::normalize(along + angle * sets::random_direction(random)),
+                         random.uniform(0.1, 3)});
+            if (random.below(2) == 0)
+                set.add(
+                    {PrimitiveKind::point, sets::random_position(random, 0.01), {}, random.uniform(0.1, 3)});
+            const Spring spring{through + sets::random_position(random, 0.01), 300};
+            const Balance found = balance(set, spring);
+            ASSERT_LE(found.residual, 1e-3) << angle << ", set " << i;
+            const double rounding = sets::bound_rounding(set, spring, found);
+            ASSERT_LE(sets::proven_bound(set, spring, found), found.residual + rounding)
+                << angle << ", set " << i;
+            const vec3 pull = spring.stiffness * (found.proxy - spring.centre);
+            ASSERT_LE(glm::length(pull - found.force), found.residual + 1e-12) << angle << ", set " << i;
+        }
+    }
+}
+
 TEST(PrimitivesRandom, TheStepBudgetHolds) {
     // Where strength / stiffness dwarfs the set, some are left.
     Random random{5};
