@@ -1,12 +1,12 @@
 // fluid/transport.h: what a flow carries with it, and what spreads by itself: one substance, dc/dt = -div(u c) + k lap c.
 //
 // Finite volumes. What leaves a cell through a face enters its neighbour, so the amount of a substance stays what it was but for the
-// rounding of sums; and no cell falls below zero:
+// rounding of sums; no cell falls below zero, and none rises above the highest one:
 //
-//     1. fluxes of fifth order, upwind-biased, in the three stages of Runge-Kutta (Shu and Osher 1988), summed to one flux per face
-//     2. fluxes of first order, by which no cell can fall below zero
-//     3. the difference of the two, cut at the faces of cells that it would take more from than they have (Zalesak 1979,
-//        for zero alone: peaks are not clipped)
+//     1. fluxes of fifth order, a little upwind-biased, in the three stages of Runge-Kutta (Shu and Osher 1988), summed to one flux per face
+//     2. fluxes of first order, by which no cell can fall below zero or, where the flow has no divergence, rise above the rest
+//     3. the difference of the two, cut at the faces of cells that it would take more from than they have or fill beyond the highest
+//        density of the whole lattice (Zalesak 1979). Smooth hills may come as high as they are between cells: they are not clipped
 //
 // in sub-steps of such a length that the first-order fluxes take no more than `courant_most` of any cell. No direction is split off:
 // all three fluxes act at once.
@@ -59,7 +59,7 @@ void set_currents(const Lattice& lattice, const std::array<Samples, 3>& before,
 
 /// Kept from call to call, for any substances of one lattice between the same openings. Zero where nothing is open.
 struct TransportScratch {
-    Samples first{}, second{};
+    Samples first{}, second{}, room{};
     std::array<Samples, 3> flux{};
 };
 

@@ -10,6 +10,8 @@
 
 #include "core/maths.h"
 #include "core/random.h"
+#include "fluid/sums.h"
+#include "tools/bench/fluid_substances.h"
 
 namespace thaum::fluid {
 namespace {
@@ -191,7 +193,87 @@ TEST(TransportAccuracy, ABlobComesBackFromATurn) {
     }
 }
 
+struct Deformed {
+    double error;        ///< relative L1
+    double least, most;  ///< over all steps
+    double change;       ///< of the amount, relative
+};
+
+Velocity deformation_at_start(const Lattice& l) {
+    Velocity velocity{make_samples(l), make_samples(l), make_samples(l)};
+    for (int axis = 0; axis < 3; ++axis) {
+        vec3 stands(0.5);
+        stands[axis] = 0;
+        each_cell(l, [&](int i, int j, int k, std::size_t at) {
+            velocity[static_cast<std::size_t>(axis)][at] =
+                static_cast<float>(flows::deformation(l.h * (vec3(i, j, k) + stands), 0)[axis]);
+        });
+    }
+    fill_velocity_ghosts(l, velocity);
+    return velocity;
+}
+
+Velocity times(double factor, Velocity velocity) {
+    for (Samples& component : velocity)
+        for (float& u : component) u *= static_cast<float>(factor);
+    return velocity;
+}
+
+/// There and back again in LeVeque's flow.
+Deformed deformed(double (*shape)(vec3), int n, double courant) {
+    const Lattice l = make_lattice({n, n, n}, 1.0 / n, {Edge::free_slip, Edge::free_slip, Edge::free_slip});
+    const Samples before = field(l, shape);
+    Samples density = before;
+    Currents currents = make_currents(l);
+    TransportScratch scratch = make_transport_scratch(l);
+    const Velocity start = deformation_at_start(l);
+    const int steps = flows::steps_of_deformation(n, courant);
+    Deformed result{.error = 0, .least = 0, .most = 0, .change = 0};
+    for (int i = 0; i < steps; ++i) {
+        const Velocity velocity = times(det::cos(pi * (i + 0.5) / steps), start);
+        set_currents(l, velocity, velocity, nullptr, flows::deformation_end / steps, currents);
+        transport(l, currents, {}, density, scratch);
+        result.least = std::min(result.least, double{least(l, density)});
+        result.most = std::max(result.most, largest(l, density));
+    }
+    double off = 0;
+    each_cell(
+        l, [&](int, int, int, std::size_t at) { off += std::abs(double{density[at]} - double{before[at]}); });
+    result.error = off / amount(l, before);
+    result.change = amount(l, density) / amount(l, before) - 1;
+    return result;
+}
+
+TEST(TransportAccuracy, WhatIsDrawnThinStaysWithinItsBoundsAndComesBack) {
+    for (const double courant : {1.0, 4.0}) {
+        const Deformed sphere = deformed(flows::deformed_sphere, 32, courant);
+        EXPECT_LE(sphere.most, 1 + 1e-5);
+        EXPECT_GE(sphere.least, 0);
+        EXPECT_NEAR(sphere.change, 0, 1e-6);
+        EXPECT_LE(sphere.error, 0.99);
+        const Deformed gaussian = deformed(flows::deformed_gaussian, 32, courant);
+        EXPECT_LE(gaussian.most, 1 + 1e-5);
+        EXPECT_GE(gaussian.least, 0);
+        EXPECT_NEAR(gaussian.change, 0, 1e-6);
+        EXPECT_LE(gaussian.error, 0.555);
+    }
+}
+
 // ---- what holds for any flow -----------------------------------------------------------------------------------------
+
+TEST(Transport, NothingRisesAboveTheHighestWhereTheFlowHasNoDivergence) {
+    for (const Edges& edges : {all_round, all_walls}) {
+        const Lattice l = make_lattice({12, 15, 9}, 0.1, edges);
+        const Velocity velocity = solenoidal(l, 6, nothing_closed);
+        Random random = random_stream(9, 1);
+        Samples density = field(l, [&](vec3) { return random.uniform() < 0.5 ? random.uniform(0, 3) : 3; });
+        const double before = amount(l, density);
+        carry(l, velocity, density, 1, 20);
+        EXPECT_LE(largest(l, density), 3 * (1 + 1e-5));
+        EXPECT_GE(least(l, density), 0);
+        EXPECT_NEAR(amount(l, density) / before, 1, 1e-6);
+    }
+}
 
 TEST(Transport, AConstantStaysOne) {
     for (const Edges& edges : {all_round, all_walls, Edges{Edge::periodic, Edge::no_slip, Edge::free_slip}}) {

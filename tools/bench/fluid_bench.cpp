@@ -262,6 +262,48 @@ void turns(const Options& options, Report& report) {
     }
 }
 
+/// The flow that goes back to where it began; an error of 2 has nothing where it ought to be.
+void add_deformation(const TurnedShape& shape, int n, Report& report) {
+    constexpr double cfl = 1;
+    auto runs = runs_of([](const Scheme& scheme,
+                           int cells) { return make_fluid(flows::deformation_settings(scheme, cells)); },
+                        n, report);
+    for (FluidRun& run : runs) {
+        if (run.scheme.solver == Solver::thaum && run.scheme.order != 2) continue;
+        set_substance(run.fluid, 0, shape.density);
+        const double before = amount(run.fluid, 0);
+        const int steps = flows::steps_of_deformation(n, cfl);
+        double least = 0, most = 0;
+        for (int i = 0; i < steps; ++i) {
+            flows::set_deformation(run.fluid, i, steps);
+            run.us.push_back(us_of([&] { carry_substances(run.fluid, flows::deformation_end / steps); }));
+            const auto [low, high] = flows::range_of(run.fluid);
+            least = std::min(least, low);
+            most = std::max(most, high);
+        }
+        Row row = row_of("leveque", run);
+        row.setting.emplace_back("shape", std::string(shape.name));
+        row.error = ErrorMeasure{"relative_l1_density", flows::absolute_error(run.fluid, shape.density)};
+        row.metrics = {{"steps", steps},
+                       {"amount_change", amount(run.fluid, 0) / before - 1},
+                       {"least_density", least},
+                       {"most_density", most}};
+        row.hash = hex(hash_bytes(std::as_bytes(std::span(run.fluid.now.substances[0]))));
+        // Both shapes are 1 high.
+        if (run.scheme.solver == Solver::thaum && !(least >= 0 && most <= 1 + 1e-5))
+            report.faults.push_back(text("fluid leveque: ", shape.name, ", n = ", n, ": densities from ",
+                                         least, " to ", most, ", not within 0 and 1"));
+        report.rows.push_back(std::move(row));
+    }
+}
+
+void deformations(const Options& options, Report& report) {
+    const std::vector<int> sizes = options.quick ? std::vector{16} : std::vector{32, 64};
+    for (const TurnedShape& shape :
+         {TurnedShape{"gaussian", flows::deformed_gaussian}, TurnedShape{"sphere", flows::deformed_sphere}})
+        for (const int n : sizes) add_deformation(shape, n, report);
+}
+
 // ---- heavy and light ------------------------------------------------------------------------------------------------
 
 /// Kinetic and potential energy above the start, by what was released, that still count as rounding and order.
@@ -477,6 +519,7 @@ void fluid(const Options& options, Report& report) {
     viscous(options, report);
     cavities(options, report);
     turns(options, report);
+    deformations(options, report);
     weighings(options, report);
     bowls(options, report);
     cauldron(options, report);

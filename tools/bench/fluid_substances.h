@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "tools/bench/fluid_flows.h"
 
@@ -78,6 +79,70 @@ inline void enter(const Fluid& fluid, const StepReport& report, EnergyBook& book
     book.released = std::max(book.released, book.start - potential);
     book.excess = std::max(book.excess, kinetic_energy(fluid) + potential - book.start);
     book.rescaled += report.rescaled;
+}
+
+// ---- reversed deformation ---------------------------------------------------------------------------------------------
+
+/// LeVeque's flow (1996): it draws what it carries out into sheets thinner than a cell, and back again, within `deformation_end`.
+inline constexpr double deformation_end = 3;  ///< s
+
+/// Velocity (m/s); the components cross walls nowhere, and have no divergence on a staggered grid either.
+inline vec3 deformation(vec3 place, double time) {
+    const vec3 once(det::sin(pi * place.x), det::sin(pi * place.y), det::sin(pi * place.z));
+    const vec3 twice(det::sin(2 * pi * place.x), det::sin(2 * pi * place.y), det::sin(2 * pi * place.z));
+    return det::cos(pi * time / deformation_end) * vec3(2 * once.x * once.x * twice.y * twice.z,
+                                                        -twice.x * once.y * once.y * twice.z,
+                                                        -twice.x * twice.y * once.z * once.z);
+}
+
+inline constexpr vec3 deformed_centre(0.35);
+
+inline double deformed_gaussian(vec3 place) {
+    const vec3 off = place - deformed_centre;
+    return det::exp(-glm::dot(off, off) / (2 * 0.08 * 0.08));
+}
+
+inline double deformed_sphere(vec3 place) {
+    const vec3 off = place - deformed_centre;
+    return glm::dot(off, off) < 0.15 * 0.15 ? 1 : 0;
+}
+
+inline Settings deformation_settings(const Scheme& scheme, int n) {
+    Settings result = settings_of(Flow{}, scheme, n);
+    result.substances = {Substance{}};
+    return result;
+}
+
+/// Steps in which the fastest component crosses at most `cfl` cells.
+inline int steps_of_deformation(int n, double cfl) {
+    return static_cast<int>(std::ceil(2 * deformation_end * n / cfl));
+}
+
+/// Sets the velocity in the middle of step `i` of `steps`.
+inline void set_deformation(Fluid& fluid, int i, int steps) {
+    const double time = (i + 0.5) * deformation_end / steps;
+    set_velocity(fluid, [&](vec3 place) { return deformation(place, time); });
+}
+
+/// Sum of what densities are off by, by the sum of what they should be (relative L1).
+inline double absolute_error(const Fluid& fluid, const std::function<double(vec3)>& exact) {
+    double off = 0, of = 0;
+    each_cell(fluid.lattice, [&](int i, int j, int k, std::size_t at) {
+        const double expected = exact(fluid.lattice.h * (vec3(i, j, k) + 0.5));
+        off += std::abs(double{fluid.now.substances[0][at]} - expected);
+        of += expected;
+    });
+    return off / of;
+}
+
+/// The highest and the least density of the first substance.
+inline std::pair<double, double> range_of(const Fluid& fluid) {
+    double least = 1e300, most = -1e300;
+    each_cell(fluid.lattice, [&](int, int, int, std::size_t at) {
+        least = std::min(least, double{fluid.now.substances[0][at]});
+        most = std::max(most, double{fluid.now.substances[0][at]});
+    });
+    return {least, most};
 }
 
 }  // namespace thaum::fluid::flows
