@@ -306,10 +306,12 @@ void take_stage(const Crossing& c, const Samples& value, float part, Samples& ne
     fill_ghosts(c.rows(), evenly, next);
 }
 
-float highest_of_row(Floats value, std::ptrdiff_t count) {
-    float most = 0;
-    for (std::ptrdiff_t i = 0; i < count; ++i) most = value[i] > most ? value[i] : most;
-    return most;
+/// The highest of densities >= 0 (a negative zero may be among them): they compare like the integers of their bits, side by side.
+[[gnu::noinline]] float highest_of_row(Floats value, std::ptrdiff_t count) {
+    std::uint32_t most = 0;
+    for (std::ptrdiff_t i = 0; i < count; ++i)
+        most = std::max(most, std::bit_cast<std::uint32_t>(value[i]) & 0x7fffffffU);
+    return std::bit_cast<float>(most);
 }
 
 /// Densities along one axis, of a cell in the middle and of three on each side; mirrored at walls and solids.
