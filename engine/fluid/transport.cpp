@@ -376,6 +376,27 @@ float crest_above(const std::array<Along, 3>& along) {
     return sum;
 }
 
+/// Whether so many cells are above `level` that they are a body's inside and not a hill's top. What goes from side to side of the lattice,
+/// as layers and waves do, may be as high in any number of cells.
+bool is_plateau(const Rows& rows, const Samples& density, float level) {
+    constexpr int cells_of_a_top = 64;
+    const auto [nx, ny, nz] = rows.lattice.cells;
+    int cells = 0;
+    std::array<int, 3> first{nx, ny, nz}, last{-1, -1, -1};
+    each_cell(rows.lattice, [&](int i, int j, int k, std::size_t at) {
+        if (!(density[at] > level)) return;
+        ++cells;
+        const std::array<int, 3> cell{i, j, k};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            first[axis] = std::min(first[axis], cell[axis]);
+            last[axis] = std::max(last[axis], cell[axis]);
+        }
+    });
+    const bool crosses =
+        last[0] - first[0] + 1 == nx || last[1] - first[1] + 1 == ny || last[2] - first[2] + 1 == nz;
+    return cells > cells_of_a_top && !crosses;
+}
+
 /// The most that a cell may come to: the highest density that there is, or the height of a smooth hill above its cells, without which hills
 /// would be cut whenever their middle is between cells.
 float highest(const Currents& currents, const std::array<std::ptrdiff_t, 3>& stride, const Samples& density) {
@@ -400,7 +421,7 @@ float highest(const Currents& currents, const std::array<std::ptrdiff_t, 3>& str
         for (std::ptrdiff_t i = 0; i < row.count; ++i)
             if (value[i] >= near_highest * most) result = std::max(result, value[i] + crest(row.at + i));
     });
-    return result;
+    return result > most && is_plateau(rows, density, most - (result - most)) ? most : result;
 }
 
 /// What crosses all faces along an axis, counted in the direction of the axis.
