@@ -229,6 +229,11 @@ void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity) {
             const vec3 value = velocity(fluid.lattice.h * (cell + fluid.place(axis)));
             fluid.now.velocity[axis][at] = static_cast<float>(value[static_cast<int>(axis)]);
         });
+    const Solids* solids = fluid.work->staggered ? fluid.work->staggered->solids() : nullptr;
+    for (std::size_t axis = 0; axis < 3 && solids != nullptr; ++axis)
+        for (const CutFace& face : solids->cut_faces(axis))
+            fluid.now.velocity[axis][face.at] =
+                static_cast<float>(velocity(face.middle)[static_cast<int>(axis)]);
     altered(fluid);
 }
 

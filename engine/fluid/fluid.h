@@ -49,7 +49,7 @@ struct Settings {
     vec3 gravity{0, -9.81, 0};  ///< m/s^2; acts on substances that are heavier or lighter than the base fluid
     double lid{};               ///< m/s along x, of the wall at the top of y; where that is a no-slip wall
     std::vector<Substance> substances{};
-    /// Share of a place that is solid, 0 to 1, by the place, m. Null: no solids but the edges.
+    /// Share of a place that is solid, 0 to 1, by the place (m). The wall stands where it is one half. Null: no solids but the edges.
     std::function<double(vec3)> solid{};
     bool solid_holds = true;  ///< no slip at solids
 };
@@ -128,7 +128,7 @@ void carry_substances(Fluid& fluid, double dt);
 /// Of a place inside a cell to be sampled by: the velocity there, m/s, linear between samples.
 vec3 velocity_at(const Fluid& fluid, vec3 place);
 
-/// Sets the velocity from a function of the place, m -> m/s, wherever components stand.
+/// Sets the velocity from a function of the place, m -> m/s, wherever components stand: in the middle of the open part of each face.
 void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity);
 void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density);
 

@@ -9,28 +9,19 @@
 namespace thaum::fluid {
 namespace {
 
-constexpr int per_edge = 4;           ///< places asked along one edge of a face
 constexpr double open_least = 0.125;  ///< less of a face is taken for closed
+// What the preconditioner adds for a cell that is mostly closed, by the sum d of its open shares: own_part h^2 (1 / d - 1 / own_below).
+// With these the cauldron takes 4.2 iterations; with h^2 / d, as it was, 6.2.
+constexpr double own_part = 0.8, own_below = 5;
 // In float, conjugate gradients lose their way some thousandths below where they began. Then they begin anew with what the velocity
 // itself says is left.
 constexpr double gain_of_round = 2e-3;
 constexpr int rounds_most = 4;
 
-/// The share of a face that is open, by places spread evenly over it.
-double open_share(const std::function<double(vec3)>& solid, vec3 low, std::size_t axis, double h) {
-    const auto first = static_cast<int>((axis + 1) % 3);
-    const auto second = static_cast<int>((axis + 2) % 3);
+double total(const Eight& values) {
     double sum = 0;
-    for (int a = 0; a < per_edge; ++a) {
-        for (int b = 0; b < per_edge; ++b) {
-            vec3 place = low;
-            place[first] += (a + 0.5) * h / per_edge;
-            place[second] += (b + 0.5) * h / per_edge;
-            sum += 1 - std::clamp(solid(place), 0.0, 1.0);
-        }
-    }
-    const double share = sum / (per_edge * per_edge);
-    return share < open_least ? 0 : share;
+    for (std::ptrdiff_t lane = 0; lane < 8; ++lane) sum += static_cast<double>(values[lane]);
+    return sum;
 }
 
 /// to += part * from
@@ -53,8 +44,7 @@ void fill_round(const Rows& rows, Samples& potential) {
 
 }  // namespace
 
-Solids::Solids(const Lattice& lattice, const std::function<double(vec3)>& solid)
-    : lattice_(lattice), box_(lattice, 2) {
+Solids::Solids(const Lattice& lattice, const SolidShare& solid) : lattice_(lattice), box_(lattice, 2) {
     for (auto* samples : {&residual_, &smoothed_, &direction_, &image_, &correction_})
         *samples = make_samples(lattice);
     // And eight more, so that the last row may be read past, as those of the lattice.
@@ -63,16 +53,22 @@ Solids::Solids(const Lattice& lattice, const std::function<double(vec3)>& solid)
                    8);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         open_[axis] = make_samples(lattice);
-        for (int k = 0; k < lattice.cells[2]; ++k)
-            for (int j = 0; j < lattice.cells[1]; ++j)
-                for (int i = 0; i < lattice.cells[0]; ++i)
-                    open_[axis][static_cast<std::size_t>(lattice.at(i, j, k))] =
-                        static_cast<float>(open_share(solid, lattice.h * vec3(i, j, k), axis, lattice.h));
+        each_cell(lattice, [&](int i, int j, int k, std::size_t at) {
+            const OpenPart part = open_part(solid, lattice.h * vec3(i, j, k), axis, lattice.h);
+            if (part.share < open_least) return;
+            open_[axis][at] = static_cast<float>(part.share);
+            if (part.share < 1) cut_faces_[axis].push_back({at, part.middle});
+        });
         std::array<Beyond, 3> beyond = evenly;
         beyond[axis] = Beyond::through_wall;
         fill_ghosts(lattice, beyond, open_[axis]);
     }
     diagonal_ = openness(lattice, open_);
+    own_ = make_samples(lattice);
+    std::ranges::transform(diagonal_, own_.begin(), [h2 = lattice.h * lattice.h](float d) {
+        const double more = d > 0 ? 1 / static_cast<double>(d) - 1 / own_below : 0;
+        return static_cast<float>(own_part * h2 * std::max(more, 0.0));
+    });
     rows_ = rows_above_zero(lattice, diagonal_);
 }
 
@@ -103,26 +99,35 @@ void Solids::divergence(const std::array<Samples, 3>& velocity) {
     });
 }
 
-/// image = minus the divergence, through open faces, of the gradient; what is beyond periodic sides is filled.
-void Solids::apply(const Samples& potential) {
+/// image = minus the divergence, through open faces, of the direction's gradient; what is beyond periodic sides is filled -> the product
+/// of the direction and its image.
+double Solids::apply_to_direction() {
     const auto [x, y, z] = lattice_.stride;
     const auto per_h2 = static_cast<float>(1 / (lattice_.h * lattice_.h));
-    const float* p = potential.data();
+    const float* p = direction_.data();
     const float *a = open_[0].data(), *b = open_[1].data(), *c = open_[2].data();
     const float* d = diagonal_.data();
-    float* out = image_.data();
+    double sum = 0;
     each_row(rows_, [&, x = x, y = y, z = z](Row row) {
-        const std::ptrdiff_t end = row.at + row.count;
-#pragma GCC ivdep
-        for (std::ptrdiff_t i = row.at; i < end; ++i)
-            out[i] = per_h2 * (d[i] * p[i] - ((a[i + x] * p[i + x] + a[i] * p[i - x]) +
-                                              ((b[i + y] * p[i + y] + b[i] * p[i - y]) +
-                                               (c[i + z] * p[i + z] + c[i] * p[i - z]))));
+        Eight products{};
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
+            const Eight own = load(p + i);
+            const Eight beside = load(a + i + x) * load(p + i + x) + load(a + i) * load(p + i - x);
+            const Eight above = load(b + i + y) * load(p + i + y) + load(b + i) * load(p + i - y);
+            const Eight behind = load(c + i + z) * load(p + i + z) + load(c + i) * load(p + i - z);
+            const Eight diagonal = load(d + i);
+            const Eight image = per_h2 * (diagonal * own - (beside + (above + behind)));
+            const Eight kept = diagonal > none ? image : none;
+            store(image_.data() + i, kept);
+            products += own * kept;
+        }
+        sum += total(products);
     });
+    return sum;
 }
 
-/// smoothed = preconditioner * residual
-void Solids::precondition() {
+/// smoothed = preconditioner * residual -> their product.
+double Solids::precondition() {
     const std::ptrdiff_t nx = lattice_.cells[0];
     float* packed = packed_.data();
     each_row(lattice_, [&](std::ptrdiff_t at) {
@@ -131,31 +136,51 @@ void Solids::precondition() {
         packed += nx;
     });
     box_.solve(packed_);
-    const auto h2 = static_cast<float>(lattice_.h * lattice_.h);
+    double sum = 0;
     for (int k = 0; k < lattice_.cells[2]; ++k) {
         for (int j = 0; j < lattice_.cells[1]; ++j) {
             const Row row = rows_.at(j, k);
             const float* found =
                 packed_.data() + (k * lattice_.cells[1] + j) * nx + (row.at - lattice_.at(0, j, k));
+            Eight products{};
             for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
                 // -lap in the operator, lap in the box's solve.
                 const Eight d = load(diagonal_.data() + row.at + i);
-                const Eight own = h2 * load(residual_.data() + row.at + i) / d;
-                const Eight both = (d < 5.0F ? own : none) - load(found + i);
-                store(smoothed_.data() + row.at + i, d > none ? both : none);
+                const Eight residual = load(residual_.data() + row.at + i);
+                const Eight both = load(own_.data() + row.at + i) * residual - load(found + i);
+                const Eight smoothed = d > none ? both : none;
+                store(smoothed_.data() + row.at + i, smoothed);
+                products += d > none ? smoothed * residual : none;
             }
+            sum += total(products);
         }
     }
+    return sum;
 }
 
 /// The step along direction_, of which what is beyond periodic sides is filled, that leaves the least energy -> the largest residual
 /// that is left, or none where no step does. `slope`: of the residual along it.
 std::optional<double> Solids::step_along_direction(double slope) {
-    apply(direction_);
-    const double curvature = dot(rows_, direction_, image_);
+    const double curvature = apply_to_direction();
     if (!(curvature > 0)) return std::nullopt;
-    add(rows_, correction_, slope / curvature, direction_);
-    return subtract(rows_, residual_, slope / curvature, image_);
+    const auto step = static_cast<float>(slope / curvature);
+    Eight most{};
+    each_row(rows_, [&](Row row) {
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
+            store(correction_.data() + i, load(correction_.data() + i) + step * load(direction_.data() + i));
+            const Eight left = load(residual_.data() + i) - step * load(image_.data() + i);
+            store(residual_.data() + i, left);
+            const Eight size = left < none ? -left : left;
+            // A comparison with what is no number is false: so that is kept.
+            most = size <= most ? most : size;
+        }
+    });
+    double result = 0;
+    for (std::ptrdiff_t lane = 0; lane < 8; ++lane) {
+        const auto size = static_cast<double>(most[lane]);
+        result = size <= result ? result : size;
+    }
+    return result;
 }
 
 /// Adds to the correction what the residual, `left` at most, is minus the divergence of the gradient of, down to `tolerance` in each
@@ -164,8 +189,7 @@ int Solids::solve(double left, double tolerance, int iterations_most) {
     double before = 0;
     int iterations = 0;
     while (iterations < iterations_most && left > tolerance) {
-        precondition();
-        const double now = dot(rows_, residual_, smoothed_);
+        const double now = precondition();
         if (!(now > 0)) break;
         const auto turn = static_cast<float>(iterations > 0 ? now / before : 0);
         each_row(rows_, [&](Row row) {

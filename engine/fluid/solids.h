@@ -10,19 +10,26 @@
 #include <memory>
 #include <optional>
 
-#include "core/maths.h"
+#include "fluid/cuts.h"
 #include "fluid/rows.h"
 #include "fluid/separable.h"
 
 namespace thaum::fluid {
 
+/// A face of which a part is open.
+struct CutFace {
+    std::size_t at{};  ///< place in the samples
+    vec3 middle{};     ///< middle of the open part (m)
+};
+
 class Solids {
 public:
-    /// solid: share of a place that is solid, 0 to 1, by the place in m.
-    Solids(const Lattice& lattice, const std::function<double(vec3)>& solid);
+    Solids(const Lattice& lattice, const SolidShare& solid);
 
     /// Shares of the faces of each component that are open, 0 to 1, ghosts included: 0 at walls.
     const std::array<Samples, 3>& open() const { return open_; }
+    /// Faces of a component that are open in part, by their places in the samples.
+    const std::vector<CutFace>& cut_faces(std::size_t axis) const { return cut_faces_[axis]; }
     /// Of a cell, counted as Lattice::at does.
     bool holds_fluid(std::size_t cell) const { return diagonal_[cell] > 0; }
 
@@ -43,15 +50,17 @@ public:
 
 private:
     void divergence(const std::array<Samples, 3>& velocity);
-    void apply(const Samples& potential);
-    void precondition();
+    double apply_to_direction();
+    double precondition();
     std::optional<double> step_along_direction(double slope);
     int solve(double left, double tolerance, int iterations_most);
     void subtract_correction(std::array<Samples, 3>& velocity) const;
 
     Lattice lattice_;
     std::array<Samples, 3> open_;
+    std::array<std::vector<CutFace>, 3> cut_faces_;
     Samples diagonal_;  ///< sum of the open shares round a cell
+    Samples own_;       ///< what the preconditioner takes of a cell's own residual besides (m^2)
     Rows rows_;
     PressureSolver box_;
     // Of the conjugate gradients: residual, its preconditioned, the direction, the operator on that, and their sum.

@@ -27,11 +27,13 @@ constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 constexpr double carried_most = 2.0;
 /// nu dt / h^2 up to which viscosity is taken by the stages: 16 times that is at most 2.4 for the steepest wave.
 constexpr double explicit_most = 0.15;
+/// nu dt / h^2 of the base fluid up to which implicit viscosity takes one pass. At 0.66 one pass errs twice as much beside a curved wall.
+constexpr double one_pass_most = 0.25;
 /// nu dt / h^2 of what moves as one within a step on any grid, where viscosity varies or there are solids. At 9e6 a thick lump beside
 /// thin fluid in a bowl gained energy without end.
 constexpr double rigid = 1e5;
 /// Where there are solids: times h, by the largest component.
-constexpr double divergence_most = 9.5e-5;
+constexpr double divergence_most = 9.5e-7;
 constexpr int iterations_most = 40;
 /// In a box. More than that is rounding, of a velocity that viscosity took nearly all of or that a lid's corners tear: of that the solve
 /// is told again, twice at most.
@@ -64,7 +66,7 @@ Staggered::Staggered(const Settings& settings, const Lattice& lattice)
       rows_(solids_ ? solids_->rows() : whole_rows(lattice)),
       pressure_(lattice, order_),
       momentum_(lattice, order_, solids_.get()),
-      viscosity_(lattice, solids_ ? Walls{&solids_->open(), settings.solid} : Walls{}),
+      viscosity_(lattice, solids_.get(), settings.solid),
       diffusion_(lattice, order_),
       currents_(make_currents(lattice)),
       transport_(make_transport_scratch(lattice)),
@@ -339,8 +341,14 @@ void Staggered::spread(const Settings& settings, const State& now, double dt) {
     const auto thickest = static_cast<float>(rigid * lattice_.h * lattice_.h / dt);
     for (float& viscosity : mixed_) viscosity = std::min(viscosity, thickest);
     fill_ghosts(lattice_, evenly, mixed_);
-    viscosity_.take(
-        {.viscosity = &mixed_, .solid_holds = settings.solid_holds, .lid = settings.lid, .dt = dt}, sum_);
+    const double ratio = settings.viscosity * dt / (lattice_.h * lattice_.h);
+    viscosity_.take({.viscosity = &mixed_,
+                     .force = forced_ ? &force_ : nullptr,
+                     .solid_holds = settings.solid_holds,
+                     .lid = settings.lid,
+                     .dt = dt,
+                     .passes = ratio > one_pass_most ? 2 : 1},
+                    sum_);
 }
 
 /// Carries the substances -> potential energy that they gave by sinking, but for what diffusion lifted (m^2/s^2, summed over cells).

@@ -66,20 +66,4 @@ double largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     return most;
 }
 
-double subtract(const Rows& rows, Samples& from, double part, const Samples& other) {
-    const auto factor = static_cast<float>(part);
-    std::uint32_t most = 0;
-    each_row(rows, [&](Row row) {
-        float* x = from.data() + row.at;
-        const float* y = other.data() + row.at;
-#pragma GCC ivdep
-        for (std::ptrdiff_t i = 0; i < row.count; ++i) {
-            const float left = x[i] - factor * y[i];
-            x[i] = left;
-            most = std::max(most, size_of(left));
-        }
-    });
-    return of_size(most);
-}
-
 }  // namespace thaum::fluid

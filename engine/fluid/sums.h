@@ -12,7 +12,5 @@ double largest(const Lattice& lattice, const Samples& samples);
 double largest(const Rows& rows, const Samples& samples);
 /// Of all components.
 double largest(const Rows& rows, const std::array<Samples, 3>& velocity);
-/// from -= part * other -> the largest size of what is left.
-double subtract(const Rows& rows, Samples& from, double part, const Samples& other);
 
 }  // namespace thaum::fluid

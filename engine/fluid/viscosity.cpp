@@ -3,14 +3,23 @@
 #include <algorithm>
 
 #include "fluid/eight.h"
+#include "fluid/sample.h"
 #include "fluid/transpose.h"
 
 namespace thaum::fluid {
 namespace {
 
-/// Of h, to a wall. A place that is cut off along three axes loses its speed by the product of all three; were that thousands, the pressure
-/// there would take minutes to settle.
-constexpr double least_way = 0.1;
+/// The least way to a wall, in h. A place that is cut off along three axes loses its speed by the product of all three; were that
+/// thousands, the pressure there would take minutes to settle.
+constexpr double least_way = 0.2;
+/// The speed in the middle of a face by that in the middle of its open part. Where it would be less, the face is dragged.
+constexpr double least_factor = 0.25;
+/// How firmly a dragged face is held, by dt nu / h^2 and the distance from its open middle to the wall in h.
+constexpr float drag_factor = 8;
+/// The most that the explicit half takes through a link between two open places, and to a wall. With both links of a place at their most
+/// no wave grows in that half, so that energy only falls; between open places no value leaves the range of those before it.
+constexpr float explicit_most = 0.25F;
+constexpr float explicit_most_to_wall = 0.5F;
 
 /// Slabs of lines side by side along x; lines along x stand side by side along y.
 struct Slabs {
@@ -21,16 +30,6 @@ struct Slabs {
 Slabs slabs_along(const Lattice& lattice, std::size_t across) {
     const std::size_t beside = across == 0 ? 1 : 0;
     return {beside, 3 - across - beside, whole_eights(lattice.cells[beside])};
-}
-
-/// The part of the way after which solid begins; 1 where none does.
-double open_way(const std::function<double(vec3)>& solid, vec3 from, vec3 to) {
-    double open = 0, end = 1;
-    for (int halvings = 0; halvings < 12; ++halvings) {
-        const double middle = 0.5 * (open + end);
-        (solid(from + middle * (to - from)) < 0.5 ? open : end) = middle;
-    }
-    return end;
 }
 
 /// How lines are laid out in the samples, and how they end.
@@ -68,6 +67,7 @@ struct Slab {
     float* link;   ///< to the next place
     float* upper;  ///< what elimination leaves of that
     float* corner;
+    std::array<float*, 2> end;  ///< the links to the walls at both ends; a row each
 };
 
 void find_links(const Lines& lines, const Slab& slab) {
@@ -79,19 +79,65 @@ void find_links(const Lines& lines, const Slab& slab) {
         for (const CutLink& cut : lines.cuts) slab.link[cut.at] *= cut.nearer;
 }
 
-/// Forward elimination and back substitution of every line at once. `ends`: multiples of the first and last place's own
-/// coefficient that its diagonal has besides.
-void eliminate(const Lines& lines, const Slab& slab, float* value, const std::array<float, 2>& ends) {
+/// The part of a link that is taken by the velocity before the step: half of it, which makes the step of second order in time.
+inline Eight explicit_part(const Eight& whole, const Eight& most) {
+    const Eight half = 0.5F * whole;
+    return half < most ? half : most;
+}
+
+inline Eight explicit_part_to_wall(const float* link) {
+    return explicit_part(load(link), none + explicit_most_to_wall);
+}
+
+/// Of the link from a place to the next one.
+inline Eight explicit_part(const Lines& lines, const Slab& slab, std::ptrdiff_t at) {
+    const Eight a = load(slab.coefficient + at), b = load(slab.coefficient + at + lines.pitch);
+    const Eight most = (a < none) | (b < none) ? none + explicit_most_to_wall : none + explicit_most;
+    return explicit_part(load(slab.link + at), most);
+}
+
+/// The explicit half of the step.
+void take_explicit_half(const Lines& lines, const Slab& slab) {
+    const auto w = lines.pitch;
+    const auto last = (lines.count - 1) * w;
+    for (std::ptrdiff_t i = 0; i < w; i += 8) {
+        Eight from_before = -explicit_part_to_wall(slab.end[0] + i) * load(slab.value + i);
+        for (std::ptrdiff_t at = i; at < last; at += w) {
+            const Eight value = load(slab.value + at);
+            const Eight to_next = explicit_part(lines, slab, at) * (value - load(slab.value + at + w));
+            store(slab.value + at, value + (from_before - to_next));
+            from_before = to_next;
+        }
+        const Eight value = load(slab.value + last + i);
+        const Eight to_wall = explicit_part_to_wall(slab.end[1] + i) * value;
+        store(slab.value + last + i, value + (from_before - to_wall));
+    }
+}
+
+/// Leaves in the links what the implicit half takes.
+void leave_implicit_half(const Lines& lines, const Slab& slab) {
+    const auto last = (lines.count - 1) * lines.pitch;
+    for (std::ptrdiff_t i = 0; i < last; i += 8)
+        store(slab.link + i, load(slab.link + i) - explicit_part(lines, slab, i));
+    for (float* end : slab.end)
+        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
+            store(end + i, load(end + i) - explicit_part_to_wall(end + i));
+}
+
+/// Forward elimination and back substitution of every line at once.
+void eliminate(const Lines& lines, const Slab& slab, float* value) {
     const auto n = lines.count;
     const auto w = lines.pitch;
     for (std::ptrdiff_t r = 0; r < n; ++r) {
-        const float more = (r == 0 ? ends[0] : 0.0F) + (r == n - 1 ? ends[1] : 0.0F);
         for (std::ptrdiff_t i = r * w; i < (r + 1) * w; i += 8) {
+            const auto lane = i - r * w;
+            const Eight low = r == 0 ? load(slab.end[0] + lane) : none;
+            const Eight more = r == n - 1 ? low + load(slab.end[1] + lane) : low;
             const Eight own = load(slab.coefficient + i);
             const Eight above = load(slab.link + i);
             const Eight below = load(slab.link + i - w);
             const Eight kept = 1.0F - load(slab.upper + i - w);
-            const Eight per = 1.0F / (1.0F + below * kept + above + more * larger(own, none));
+            const Eight per = 1.0F / (1.0F + below * kept + above + more);
             const Eight open = own < none ? none : per;
             store(slab.upper + i, above * open);
             const Eight found = (load(value + i) + below * load(value + i - w)) * open;
@@ -102,19 +148,36 @@ void eliminate(const Lines& lines, const Slab& slab, float* value, const std::ar
         store(value + i, load(value + i) + load(slab.upper + i) * load(value + i + w));
 }
 
-/// The ends of periodic lines are linked: Sherman and Morrison's correction by a second solution.
+/// The link between the ends of periodic lines, of two places at least, in the explicit half.
+void take_explicit_ring(const Lines& lines, const Slab& slab) {
+    const auto last = (lines.count - 1) * lines.pitch;
+    float* flux = slab.corner;
+    for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8) {
+        const Eight whole = link(lines, slab.coefficient + last + i, slab.coefficient + i);
+        const Eight half = explicit_part(whole, none + explicit_most);
+        store(flux + i, half * (load(slab.value + i) - load(slab.value + last + i)));
+    }
+    take_explicit_half(lines, slab);
+    for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8) {
+        store(slab.value + i, load(slab.value + i) - load(flux + i));
+        store(slab.value + last + i, load(slab.value + last + i) + load(flux + i));
+    }
+}
+
+/// Such lines in the implicit half: Sherman and Morrison's correction by a second solution.
 void solve_ring(const Lines& lines, const Slab& slab) {
     const auto w = lines.pitch;
     const auto last = (lines.count - 1) * w;
     // The matrix is that of open ends plus ends * (e0 - en)(e0 - en)^T.
     std::fill_n(slab.corner, last + w, 0.0F);
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
-        const Eight ends = link(lines, slab.coefficient + last + i, slab.coefficient + i);
-        store(slab.corner + i, load(slab.corner + i) + ends);
-        store(slab.corner + last + i, load(slab.corner + last + i) - ends);
+        const Eight whole = link(lines, slab.coefficient + last + i, slab.coefficient + i);
+        const Eight ends = whole - explicit_part(whole, none + explicit_most);
+        store(slab.corner + i, ends);
+        store(slab.corner + last + i, -ends);
     }
-    eliminate(lines, slab, slab.value, {});
-    eliminate(lines, slab, slab.corner, {});
+    eliminate(lines, slab, slab.value);
+    eliminate(lines, slab, slab.corner);
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
         const Eight by = (load(slab.value + i) - load(slab.value + last + i)) /
                          (1.0F + load(slab.corner + i) - load(slab.corner + last + i));
@@ -123,63 +186,123 @@ void solve_ring(const Lines& lines, const Slab& slab) {
     }
 }
 
-void solve(const Lines& lines, const Slab& slab) {
+/// The links to the walls at both ends, by multiples of the first and last place's own coefficient.
+void set_ends(const Lines& lines, const Slab& slab, const std::array<float, 2>& multiples) {
+    const std::array<std::ptrdiff_t, 2> row{0, (lines.count - 1) * lines.pitch};
+    for (std::size_t end = 0; end < 2; ++end)
+        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
+            store(slab.end[end] + i, multiples[end] * larger(load(slab.coefficient + row[end] + i), none));
+}
+
+/// The links of all places, to each other and to the walls at both ends.
+void find_all_links(const Lines& lines, const Slab& slab) {
+    const float wall = lines.edge == Edge::no_slip ? 2.0F : 0.0F;
+    Lines to_wall = lines;
     if (lines.edge == Edge::periodic) {
-        find_links(lines, slab);
-        if (lines.count > 1) solve_ring(lines, slab);
-        return;
-    }
-    const auto last = (lines.count - 1) * lines.pitch;
-    if (lines.through) {
+        set_ends(lines, slab, {});
+    } else if (lines.through) {
         // The first place is the wall.
         std::fill_n(slab.coefficient, lines.pitch, -1.0F);
-        Lines to_wall = lines;
         to_wall.solid_holds = true;
-        find_links(to_wall, slab);
-        eliminate(to_wall, slab, slab.value, {0, 1});
-        return;
+        set_ends(lines, slab, {0, 1});
+    } else {
+        set_ends(lines, slab, {wall, wall});
     }
-    const float wall = lines.edge == Edge::no_slip ? 2.0F : 0.0F;
-    if (wall > 0 && lines.lid != 0)
-        for (std::ptrdiff_t i = last; i < last + lines.width; ++i)
-            slab.value[i] += wall * lines.lid * std::max(slab.coefficient[i], 0.0F);
-    find_links(lines, slab);
-    eliminate(lines, slab, slab.value, {wall, wall});
+    find_links(to_wall, slab);
+}
+
+/// What a moving wall at the high end draws along, in the implicit half.
+void add_lid(const Lines& lines, const Slab& slab) {
+    const auto last = (lines.count - 1) * lines.pitch;
+    for (std::ptrdiff_t i = 0; i < lines.width; ++i) slab.value[last + i] += lines.lid * slab.end[1][i];
+}
+
+void solve(const Lines& lines, const Slab& slab) {
+    const bool ring = lines.edge == Edge::periodic;
+    if (ring && lines.count == 1) return;
+    find_all_links(lines, slab);
+    ring ? take_explicit_ring(lines, slab) : take_explicit_half(lines, slab);
+    if (lines.lid != 0) add_lid(lines, slab);
+    leave_implicit_half(lines, slab);
+    ring ? solve_ring(lines, slab) : eliminate(lines, slab, slab.value);
 }
 
 }  // namespace
 
-Viscosity::Viscosity(const Lattice& lattice, const Walls& walls)
-    : lattice_(lattice), open_(walls.open), nodal_(make_samples(lattice)) {
+Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidShare& solid)
+    : lattice_(lattice),
+      solids_(solids),
+      rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)),
+      nodal_(lattice.size, -1.0F) {
     const auto [nx, ny, nz] = lattice.cells;
     const auto width = whole_eights(std::max(nx, ny));
     const auto most = static_cast<std::size_t>(width * (1 + std::max({nx, ny, nz})));
     for (auto* slab : {&value_, &coefficient_, &link_, &upper_, &corner_}) slab->assign(most, 0.0F);
-    if (open_ == nullptr) return;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        for (std::size_t across = 0; across < 3; ++across) find_cuts(walls.solid, axis, across);
+    for (auto* row : {&low_end_, &high_end_}) row->assign(static_cast<std::size_t>(width), 0.0F);
+    if (solids_ == nullptr) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        find_faces(solid, axis);
+        for (std::size_t across = 0; across < 3; ++across) find_cuts(solid, axis, across);
+    }
 }
 
-void Viscosity::find_cuts(const std::function<double(vec3)>& solid, std::size_t axis, std::size_t across) {
+/// The place of a face's middle (m).
+vec3 Viscosity::place_of(std::size_t axis, std::size_t at) const {
+    const auto from = static_cast<std::ptrdiff_t>(at) - lattice_.at(-ghosts, -ghosts, -ghosts);
+    const auto [x, y, z] = lattice_.stride;
+    const vec3 cell(double(from % y / x), double(from % z / y), double(from / z));
+    return lattice_.h * (cell - double(ghosts) + face_place(axis));
+}
+
+void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
+    const double h = lattice_.h;
+    Samples& stands = stands_[axis];
+    stands = solids_->open()[axis];
+    for (const CutFace& face : solids_->cut_faces(axis)) {
+        const double centre = distance_to_wall(solid, place_of(axis, face.at), h);
+        const double middle = distance_to_wall(solid, face.middle, h);
+        if (centre >= least_way * h && centre >= least_factor * middle)
+            scaled_[axis].push_back({face.at, static_cast<float>(centre / std::max(middle, least_way * h))});
+        else
+            stands[face.at] = 0;
+    }
+    for (const CutFace& face : solids_->cut_faces(axis))
+        if (!(stands[face.at] > 0)) dragged_[axis].push_back(dragged_face(solid, axis, face));
+    kept_.resize(std::max(kept_.size(), dragged_[axis].size()));
+}
+
+/// By neighbours that grow in proportion to their distance from the wall: the least squares of what they are off by.
+DraggedFace Viscosity::dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const {
+    const double h = lattice_.h;
+    const double middle = distance_to_wall(solid, face.middle, h);
+    DraggedFace result{.at = face.at, .nearer = static_cast<float>(h / std::max(middle, least_way * h))};
+    std::array<double, 6> away{};
+    double squares = 0;
+    for (std::size_t side = 0; side < 6; ++side) {
+        const auto step = static_cast<std::size_t>(lattice_.stride[side / 2]);
+        const auto at = result.from[side] = side % 2 == 0 ? face.at + step : face.at - step;
+        if (stands_[axis][at] > 0) away[side] = distance_to_wall(solid, place_of(axis, at), h);
+        squares += away[side] * away[side];
+    }
+    for (std::size_t side = 0; side < 6 && squares > 0; ++side)
+        result.share[side] = static_cast<float>(std::min(middle * away[side] / squares, 1.0));
+    return result;
+}
+
+void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t across) {
     const auto [beside, outer, pitch] = slabs_along(lattice_, across);
-    const auto is_open = [&](const Cells& c) {
-        return (*open_)[axis][static_cast<std::size_t>(lattice_.at(c[0], c[1], c[2]))] > 0;
-    };
-    const auto place_of = [&](const Cells& c) {
-        vec3 place = vec3(c[0], c[1], c[2]) + 0.5;
-        place[static_cast<int>(axis)] -= 0.5;
-        return lattice_.h * place;
-    };
+    const auto at = [&](const Cells& c) { return static_cast<std::size_t>(lattice_.at(c[0], c[1], c[2])); };
+    const auto stands_at = [&](const Cells& c) { return stands_[axis][at(c)] > 0; };
     Cells low{};
     for (low[outer] = 0; low[outer] < lattice_.cells[outer]; ++low[outer]) {
         for (low[across] = 0; low[across] + 1 < lattice_.cells[across]; ++low[across]) {
             for (low[beside] = 0; low[beside] < lattice_.cells[beside]; ++low[beside]) {
                 Cells high = low;
                 ++high[across];
-                if (is_open(low) == is_open(high)) continue;
-                const vec3 first = place_of(low), second = place_of(high);
-                const double way =
-                    is_open(low) ? open_way(solid, first, second) : open_way(solid, second, first);
+                if (stands_at(low) == stands_at(high)) continue;
+                const vec3 first = place_of(axis, at(low)), second = place_of(axis, at(high));
+                const double way = stands_at(low) ? way_to_wall(solid, first, second - first, 2)
+                                                  : way_to_wall(solid, second, first - second, 2);
                 cuts_[axis][across].push_back({low[outer], low[across] * pitch + low[beside],
                                                static_cast<float>(1 / std::max(way, least_way))});
             }
@@ -199,18 +322,68 @@ void Viscosity::take(const Spread& spread, std::array<Samples, 3>& velocity) {
 
 void Viscosity::component(const Spread& spread, std::size_t axis, Samples& u) {
     const auto s = lattice_.stride[axis];
-    const auto half = static_cast<float>(0.5 * spread.dt / (lattice_.h * lattice_.h));
+    const auto half = static_cast<float>(0.5 * spread.dt / (spread.passes * lattice_.h * lattice_.h));
     const float* nu = spread.viscosity->data();
-    const float* open = open_ != nullptr ? (*open_)[axis].data() : nullptr;
-    each_row(lattice_, [&](std::ptrdiff_t at) {
-        for (std::ptrdiff_t i = at; i < at + lattice_.cells[0]; i += 8) {
+    const bool holds = solids_ != nullptr && spread.solid_holds;
+    const float* open = holds                ? stands_[axis].data()
+                        : solids_ != nullptr ? solids_->open()[axis].data()
+                                             : nullptr;
+    each_row(rows_, [&](Row row) {
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
             const Eight both = half * (load(nu + i - s) + load(nu + i));
             const Eight closed = none - 1.0F;
             const Eight share = open == nullptr ? closed + 2.0F : load(open + i);
             store(nodal_.data() + i, share > none ? both : closed);
         }
     });
-    for (std::size_t across = 0; across < 3; ++across) along(spread, axis, across, u);
+    if (spread.force != nullptr) add_force(spread, axis, -1, u);
+    if (holds) put_onto_lines(axis, u);
+    for (int pass = 0; pass < spread.passes; ++pass)
+        for (std::size_t across = 0; across < 3; ++across)
+            along(spread, axis, pass % 2 == 0 ? across : 2 - across, u);
+    if (holds) put_onto_faces(spread, axis, u);
+    if (spread.force != nullptr) add_force(spread, axis, 1, u);
+}
+
+/// The part of what a force gave in this step that the explicit half would have seen, had it been there from the start.
+void Viscosity::add_force(const Spread& spread, std::size_t axis, float sign, Samples& u) const {
+    const float* force = (*spread.force)[axis].data();
+    const auto half = 0.5F * sign * static_cast<float>(spread.dt);
+    each_row(rows_, [&](Row row) {
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
+            const Eight r = load(nodal_.data() + i);
+            const Eight share = 2 * explicit_most < r ? 2 * explicit_most / r : none + 1.0F;
+            const Eight more = half * share * load(force + i);
+            store(u.data() + i, load(u.data() + i) + (r < none ? none : more));
+        }
+    });
+}
+
+/// From the speeds in the middles of the open parts to those in the middles of the faces; dragged ones are set aside.
+void Viscosity::put_onto_lines(std::size_t axis, Samples& u) {
+    const auto& dragged = dragged_[axis];
+    for (std::size_t i = 0; i < dragged.size(); ++i) {
+        kept_[i] = u[dragged[i].at];
+        u[dragged[i].at] = 0;
+    }
+    for (const ScaledFace& face : scaled_[axis]) u[face.at] *= face.factor;
+}
+
+/// And back; dragged ones follow what the lines have become.
+void Viscosity::put_onto_faces(const Spread& spread, std::size_t axis, Samples& u) {
+    const auto& dragged = dragged_[axis];
+    const auto step = static_cast<std::size_t>(lattice_.stride[axis]);
+    const Samples& nu = *spread.viscosity;
+    const auto factor = static_cast<float>(0.5 * spread.dt / (lattice_.h * lattice_.h)) * drag_factor;
+    for (std::size_t i = 0; i < dragged.size(); ++i) {
+        const DraggedFace& face = dragged[i];
+        float drawn = 0;
+        for (std::size_t side = 0; side < 6; ++side) drawn += face.share[side] * u[face.from[side]];
+        const float drag = factor * (nu[face.at - step] + nu[face.at]) * face.nearer;
+        kept_[i] = (kept_[i] + drag * drawn) / (1 + drag);
+    }
+    for (std::size_t i = 0; i < dragged.size(); ++i) u[dragged[i].at] = kept_[i];
+    for (const ScaledFace& face : scaled_[axis]) u[face.at] /= face.factor;
 }
 
 void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across, Samples& u) {
@@ -225,8 +398,8 @@ void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across
                 .solid_holds = spread.solid_holds,
                 .lid = axis == 0 && across == 1 ? static_cast<float>(spread.lid) : 0.0F,
                 .cuts = {}};
-    const Slab slab{value_.data() + w, coefficient_.data() + w, link_.data() + w, upper_.data() + w,
-                    corner_.data() + w};
+    const Slab slab{value_.data() + w, coefficient_.data() + w, link_.data() + w,
+                    upper_.data() + w, corner_.data() + w,      {low_end_.data(), high_end_.data()}};
     for (auto* rows : {&value_, &link_, &upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
     for (int o = 0; o < lattice_.cells[outer]; ++o) {
         const auto first = lattice_.first + o * lattice_.stride[outer];

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "fluid/fluid.h"
-#include "tools/bench/fluid_flows.h"
+#include "tools/bench/fluid_bowls.h"
 
 namespace thaum::fluid {
 namespace {
@@ -74,20 +74,58 @@ TEST(FluidAccuracy, ALidDragsTheFluidAsTheSeriesSays) {
     }
 }
 
-double bowl_error(int n) {
+/// The fluid after its spin-down; no step may leave more divergence than is promised.
+Fluid spun_down(int n) {
     auto fluid = flows::turning_bowl(second, n);
     EXPECT_TRUE(fluid.has_value());
-    for (const double dt : flows::steps_until(flows::bowl_end)) advance(*fluid, dt);
-    return flows::bowl_error(*fluid, flows::bowl_end);
+    for (const double dt : flows::steps_until(flows::bowl_end))
+        EXPECT_LE(advance(*fluid, dt).divergence, 1e-6);
+    return std::move(*fluid);
 }
 
 TEST(FluidAccuracy, ABowlBrakesTheFluidAsTheSeriesSays) {
-    const double coarse = bowl_error(12), middle = bowl_error(24), fine = bowl_error(48);
+    std::vector<double> errors, between;
+    for (const int n : {16, 24, 32, 48}) {
+        const Fluid fluid = spun_down(n);
+        errors.push_back(flows::bowl_error(fluid, flows::bowl_end));
+        between.push_back(flows::bowl_error_between(fluid, flows::bowl_end));
+    }
+    // With walls of first order: 0.100 at 16, 0.041 at 32.
+    EXPECT_LE(errors[0], 0.0135);
+    EXPECT_LE(errors[2], 0.0036);
+    EXPECT_LE(errors[3], 0.0022);
+    EXPECT_GE(order_between(errors[0], errors[2]), 1.85);
     // With the wall where the nearest closed places are the error is 0.22 at 32.
-    EXPECT_LE(middle, 0.042);
-    EXPECT_LE(fine, 0.022);
-    EXPECT_GE(order_between(coarse, middle), 1.7);
-    EXPECT_GE(order_between(middle, fine), 0.8);
+    EXPECT_LE(between[1], 0.042);
+    EXPECT_LE(between[3], 0.022);
+}
+
+double walled_error(const flows::WalledFlow& flow, int n) {
+    auto fluid = flows::start(flow, second, n);
+    EXPECT_TRUE(fluid.has_value());
+    const auto force = flows::forces_of(flow, *fluid);
+    for (const double dt : flows::steps_until(flow.end)) {
+        flows::drive(*fluid, force, dt);
+        EXPECT_LE(advance(*fluid, dt).divergence, 1e-6);
+    }
+    return flows::faces_error(*fluid, flow.inside, flow.velocity);
+}
+
+TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersGoesRoundAsItOught) {
+    const flows::WalledFlow flow = flows::taylor_couette();
+    // With walls of first order 0.177, 0.055 and 0.029.
+    EXPECT_LE(walled_error(flow, 16), 0.021);
+    EXPECT_LE(walled_error(flow, 32), 0.0099);
+    EXPECT_LE(walled_error(flow, 64), 0.0031);
+}
+
+TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysWhatItIs) {
+    const flows::WalledFlow flow = flows::bowl_vortex();
+    const double coarse = walled_error(flow, 16), fine = walled_error(flow, 32);
+    // With walls of first order 0.089 and 0.032.
+    EXPECT_LE(coarse, 0.024);
+    EXPECT_LE(fine, 0.0061);
+    EXPECT_GE(order_between(coarse, fine), 1.9);
 }
 
 TEST(FluidAccuracy, AnyViscosityDampsAsItOught) {

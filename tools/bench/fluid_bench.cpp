@@ -9,7 +9,7 @@
 #include "core/text.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/fluid_attack.h"
-#include "tools/bench/fluid_flows.h"
+#include "tools/bench/fluid_bowls.h"
 #include "tools/bench/fluid_substances.h"
 #include "tools/bench/measure.h"
 
@@ -198,22 +198,47 @@ void cavities(const Options& options, Report& report) {
 
 // ---- the bowl -----------------------------------------------------------------------------------------------------
 
-/// Of our solver alone: the paper's knows no walls but the box. Where there are solids it is of second order.
+/// Our solver alone: the paper's knows no walls but the box. Where there are solids it is of second order.
+Row row_between_walls(const std::string& name, const FluidRun& run, double error, Report& report) {
+    Row row = row_of(name, run);
+    row.error = ErrorMeasure{"relative_l2_velocity", error};
+    row.metrics = {{"divergence", run.divergence}, {"substeps_per_step", run.substeps / run.steps}};
+    if (!(run.divergence <= 1e-6))
+        report.faults.push_back(text("fluid / ", name, ": divergence ", run.divergence));
+    return row;
+}
+
+void spin_down(int n, const Scheme& scheme, Report& report) {
+    auto fluid = flows::turning_bowl(scheme, n);
+    if (!fluid) return report.faults.push_back(text("fluid: ", fluid.error().message));
+    std::vector<FluidRun> runs;
+    runs.push_back({.scheme = scheme, .n = n, .fluid = std::move(*fluid)});
+    run_by_turns(runs, flows::bowl_end);
+    const Fluid& found = runs[0].fluid;
+    Row row = row_between_walls("bowl_spin_down", runs[0], flows::bowl_error(found, flows::bowl_end), report);
+    row.metrics.emplace_back("error_linear_between_faces", flows::bowl_error_between(found, flows::bowl_end));
+    report.rows.push_back(std::move(row));
+}
+
+void walled_flow(const flows::WalledFlow& flow, int n, const Scheme& scheme, Report& report) {
+    auto fluid = flows::start(flow, scheme, n);
+    if (!fluid) return report.faults.push_back(text("fluid: ", fluid.error().message));
+    FluidRun run{.scheme = scheme, .n = n, .fluid = std::move(*fluid)};
+    const auto force = flows::forces_of(flow, run.fluid);
+    for (const double dt : flows::steps_until(flow.end)) {
+        flows::drive(run.fluid, force, dt);
+        advance_timed(run, dt);
+    }
+    const double error = flows::faces_error(run.fluid, flow.inside, flow.velocity);
+    report.rows.push_back(row_between_walls(flow.name, run, error, report));
+}
+
 void bowls(const Options& options, Report& report) {
     const std::vector<int> sizes = options.quick ? std::vector{16, 32} : std::vector{16, 32, 64};
-    for (const int n : sizes) {
-        const Scheme scheme{Solver::thaum, 2};
-        auto fluid = flows::turning_bowl(scheme, n);
-        if (!fluid) return report.faults.push_back(text("fluid: ", fluid.error().message));
-        std::vector<FluidRun> runs;
-        runs.push_back({.scheme = scheme, .n = n, .fluid = std::move(*fluid)});
-        run_by_turns(runs, flows::bowl_end);
-        Row row = row_of("bowl_spin_down", runs[0]);
-        row.error = ErrorMeasure{"relative_l2_velocity", flows::bowl_error(runs[0].fluid, flows::bowl_end)};
-        row.metrics = {{"divergence", runs[0].divergence},
-                       {"substeps_per_step", runs[0].substeps / runs[0].steps}};
-        report.rows.push_back(std::move(row));
-    }
+    constexpr Scheme scheme{Solver::thaum, 2};
+    for (const int n : sizes) spin_down(n, scheme, report);
+    for (const int n : sizes) walled_flow(flows::taylor_couette(), n, scheme, report);
+    for (const int n : sizes) walled_flow(flows::bowl_vortex(), n, scheme, report);
 }
 
 // ---- substances ---------------------------------------------------------------------------------------------------

@@ -385,42 +385,30 @@ inline Expected<Fluid> turning_bowl(const Scheme& scheme, int n) {
     return fluid;
 }
 
+/// The positive solutions of tan x = x.
+inline std::array<double, 40> roots_of_tan() {
+    std::array<double, 40> result{};
+    for (std::size_t m = 0; m < result.size(); ++m) {
+        const double turns = static_cast<double>(m + 1) * pi;
+        result[m] = turns + 0.5 * pi;
+        for (int i = 0; i < 30; ++i) result[m] = turns + det::atan2(result[m], 1);
+    }
+    return result;
+}
+
 /// m/s. In a ball, of which the bowl is half: the sum over the spherical Bessel functions j1 that are zero on the wall.
 inline vec3 bowl_spin_down(vec3 place, double time) {
     const vec3 off = place - bowl_centre;
     const double part = glm::length(off) / bowl_radius;
+    static const std::array<double, 40> roots = roots_of_tan();
     double speed = 0;  // by the distance from the axis
-    for (int m = 1; m <= 40; ++m) {
-        double root = (m + 0.5) * pi;  // of tan x = x
-        for (int i = 0; i < 30; ++i) root = m * pi + det::atan2(root, 1);
+    for (const double root : roots) {
         const double fade = det::exp(-root * root * bowl_viscosity * time / (bowl_radius * bowl_radius));
         const double x = std::max(root * part, 1e-3);
         const double bessel = det::sin(x) / (x * x) - det::cos(x) / x;
         speed -= 2 / det::sin(root) * bessel * fade / (x / root);
     }
     return glm::cross(vec3(0, bowl_turn * speed, 0), off);
-}
-
-/// Places in the bowl, not nearer to its wall than 5 % of its radius.
-inline std::vector<vec3> bowl_places() {
-    std::vector<vec3> result;
-    Random random = random_stream(1, 0);
-    while (result.size() < 128) {
-        const vec3 place(random.uniform(), 0.5 * random.uniform(), random.uniform());
-        if (in_bowl(place, 0.95)) result.push_back(place);
-    }
-    return result;
-}
-
-/// Relative, L2, over bowl_places.
-inline double bowl_error(const Fluid& fluid, double time) {
-    double off = 0, of = 0;
-    for (const vec3 place : bowl_places()) {
-        const vec3 expected = bowl_spin_down(place, time), miss = velocity_at(fluid, place) - expected;
-        off += glm::dot(miss, miss);
-        of += glm::dot(expected, expected);
-    }
-    return std::sqrt(off / of);
 }
 
 // ---- the cauldron ---------------------------------------------------------------------------------------------------

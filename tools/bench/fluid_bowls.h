@@ -1,0 +1,205 @@
+// Flows between curved walls whose course is known, and how far the fluid is off. A face that a wall cuts carries the mean velocity over
+// its open part (fluid/cuts.h), so that is what it is compared with.
+#pragma once
+#include "tools/bench/fluid_flows.h"
+
+namespace thaum::fluid::flows {
+
+using Inside = std::function<bool(vec3)>;
+using Exact = std::function<vec3(vec3)>;
+
+/// The open share of a face across an axis, and the mean of a component over that part.
+struct FaceMean {
+    double share{}, mean{};
+};
+
+inline FaceMean face_mean(const Inside& inside, const Exact& exact, vec3 middle, int axis, double h) {
+    constexpr int places = 8;
+    const auto at = [&](double a, double b) {
+        vec3 place = middle;
+        place[(axis + 1) % 3] += a * h;
+        place[(axis + 2) % 3] += b * h;
+        return place;
+    };
+    int corners = 0;
+    for (const double a : {-0.5, 0.0, 0.5})
+        for (const double b : {-0.5, 0.0, 0.5}) corners += inside(at(a, b)) ? 1 : 0;
+    if (corners == 0) return {};
+    if (corners == 9) return {1, exact(middle)[axis]};
+    FaceMean result;
+    for (int i = 0; i < places; ++i) {
+        for (int j = 0; j < places; ++j) {
+            const vec3 place = at((i + 0.5) / places - 0.5, (j + 0.5) / places - 0.5);
+            if (!inside(place)) continue;
+            result.share += 1;
+            result.mean += exact(place)[axis];
+        }
+    }
+    if (result.share > 0) result.mean /= result.share;
+    result.share /= places * places;
+    return result;
+}
+
+/// Relative L2 error of the velocities on all faces with an open part, by their open area.
+inline double faces_error(const Fluid& fluid, const Inside& inside, const Exact& exact) {
+    double off = 0, of = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        each_component(fluid, axis, [&](double found, vec3 place) {
+            const FaceMean face = face_mean(inside, exact, place, static_cast<int>(axis), fluid.lattice.h);
+            off += face.share * (found - face.mean) * (found - face.mean);
+            of += face.share * face.mean * face.mean;
+        });
+    }
+    return std::sqrt(off / of);
+}
+
+/// A steady flow between walls at rest, kept up by a force.
+struct WalledFlow {
+    std::string name;
+    Cells divided{1, 1, 1};  ///< by what n is divided for the cells along each axis
+    double viscosity{};      ///< m^2/s
+    double end{};            ///< s, when it is compared
+    Inside inside;
+    Exact velocity;       ///< m/s
+    Exact force;          ///< m/s^2
+    bool starts = false;  ///< with that velocity; else at rest
+};
+
+inline Expected<Fluid> start(const WalledFlow& flow, const Scheme& scheme, int n) {
+    Settings settings = settings_of(Flow{}, scheme, n);
+    for (std::size_t axis = 0; axis < 3; ++axis) settings.cells[axis] = std::max(4, n / flow.divided[axis]);
+    settings.viscosity = flow.viscosity;
+    settings.solid = [inside = flow.inside](vec3 place) { return inside(place) ? 0.0 : 1.0; };
+    auto fluid = make_fluid(settings);
+    if (fluid && flow.starts)
+        set_velocity(*fluid, [&](vec3 p) { return flow.inside(p) ? flow.velocity(p) : vec3(0); });
+    return fluid;
+}
+
+/// What the force adds in a second, on each face.
+inline std::array<Samples, 3> forces_of(const WalledFlow& flow, const Fluid& fluid) {
+    std::array<Samples, 3> result;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        result[axis] = make_samples(fluid.lattice);
+        each_cell(fluid.lattice, [&](int i, int j, int k, std::size_t at) {
+            const vec3 place = fluid.lattice.h * (vec3(i, j, k) + fluid.place(axis));
+            const int a = static_cast<int>(axis);
+            const FaceMean face = face_mean(flow.inside, flow.force, place, a, fluid.lattice.h);
+            result[axis][at] = static_cast<float>(face.mean);
+        });
+    }
+    return result;
+}
+
+/// Before a step of dt s.
+inline void drive(Fluid& fluid, const std::array<Samples, 3>& force, double dt) {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        std::ranges::transform(force[axis], fluid.now.push[axis].begin(),
+                               [dt](float f) { return static_cast<float>(dt) * f; });
+    fluid.now.pushed = true;
+    fluid.now.asleep = false;
+}
+
+// ---- between two cylinders --------------------------------------------------------------------------------------------
+
+inline constexpr double couette_inner = 0.17, couette_outer = 0.43;  ///< m
+inline constexpr double couette_viscosity = 0.01, couette_swirl = 0.01;
+
+/// Round an axis along y: the speed A r + B / r that any steady flow in circles has, and what a force of couette_swirl / r adds. The
+/// walls stand still, so A and B are such that it is 0 on both.
+inline double couette_speed(double radius) {
+    const auto driven = [](double r) { return -couette_swirl / (2 * couette_viscosity) * r * det::log(r); };
+    const double a = couette_inner, b = couette_outer;
+    const double rate = (driven(a) * a - driven(b) * b) / (b * b - a * a);
+    const double constant = -driven(a) * a - rate * a * a;
+    return rate * radius + constant / radius + driven(radius);
+}
+
+/// 4 cells high.
+inline WalledFlow taylor_couette() {
+    const auto off_axis = [](vec3 place) { return vec3(place.x - 0.5, 0, place.z - 0.5); };
+    const auto round = [off_axis](vec3 place) {
+        const vec3 off = off_axis(place);
+        return vec3(-off.z, 0, off.x) / glm::length(off);
+    };
+    return {
+        .name = "taylor_couette",
+        .divided = {1, cells_most, 1},
+        .viscosity = couette_viscosity,
+        .end = 4,
+        .inside =
+            [=](vec3 place) {
+                const double r = glm::length(off_axis(place));
+                return r > couette_inner && r < couette_outer;
+            },
+        .velocity = [=](vec3 place) { return couette_speed(glm::length(off_axis(place))) * round(place); },
+        .force = [=](vec3 place) { return couette_swirl / glm::length(off_axis(place)) * round(place); }};
+}
+
+// ---- a vortex beside the axis of a bowl ---------------------------------------------------------------------------------
+
+/// m/s. In every level round a place that is not on the bowl's axis, and 0 on the wall: the curl, along y, of (R^2 - r^2)^2 (1 + 3 x),
+/// scaled to a speed of 0.2 m/s or so.
+inline vec3 bowl_vortex_velocity(vec3 place) {
+    const vec3 off = (place - bowl_centre) / bowl_radius;
+    const double room = 1 - glm::dot(off, off), lean = 1 + 1.5 * off.x;
+    const double by_x = -4 * off.x * room * lean + 1.5 * room * room, by_z = -4 * off.z * room * lean;
+    return 0.15 * vec3(-by_z, 0, by_x);
+}
+
+/// m/s^2. What carries itself, less what viscosity takes, by differences.
+inline vec3 bowl_vortex_force(vec3 place) {
+    constexpr double d = 1e-4;
+    const vec3 here = bowl_vortex_velocity(place);
+    vec3 result(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        vec3 step(0);
+        step[axis] = d;
+        const vec3 up = bowl_vortex_velocity(place + step), down = bowl_vortex_velocity(place - step);
+        result += here[axis] * (up - down) / (2 * d) - bowl_viscosity * (up + down - 2.0 * here) / (d * d);
+    }
+    return result;
+}
+
+inline WalledFlow bowl_vortex() {
+    return {.name = "bowl_vortex",
+            .divided = {1, 2, 1},
+            .viscosity = bowl_viscosity,
+            .end = 1,
+            .inside = [](vec3 place) { return in_bowl(place); },
+            .velocity = bowl_vortex_velocity,
+            .force = bowl_vortex_force,
+            .starts = true};
+}
+
+// ---- how far they are off ------------------------------------------------------------------------------------------------
+
+inline double bowl_error(const Fluid& fluid, double time) {
+    return faces_error(
+        fluid, [](vec3 place) { return in_bowl(place); },
+        [time](vec3 place) { return bowl_spin_down(place, time); });
+}
+
+/// Places in the bowl, not nearer to its wall than 5 % of its radius.
+inline std::vector<vec3> bowl_places() {
+    std::vector<vec3> result;
+    Random random = random_stream(1, 0);
+    while (result.size() < 128) {
+        const vec3 place(random.uniform(), 0.5 * random.uniform(), random.uniform());
+        if (in_bowl(place, 0.95)) result.push_back(place);
+    }
+    return result;
+}
+
+/// Relative, L2, over bowl_places, linear between the faces; that alone errs by 0.031 / 0.0077 / 0.0019 at n = 16 / 32 / 64.
+inline double bowl_error_between(const Fluid& fluid, double time) {
+    double off = 0, of = 0;
+    for (const vec3 place : bowl_places()) {
+        const vec3 expected = bowl_spin_down(place, time), miss = velocity_at(fluid, place) - expected;
+        off += glm::dot(miss, miss);
+        of += glm::dot(expected, expected);
+    }
+    return std::sqrt(off / of);
+}
+
+}  // namespace thaum::fluid::flows
