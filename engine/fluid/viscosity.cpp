@@ -44,6 +44,7 @@ struct Lines {
     bool solid_holds;
     float lid;  ///< m/s, what the wall at the high end moves by
     std::span<const CutLink> cuts;
+    std::ptrdiff_t skipped;  ///< places before the first of these lines, all closed
 };
 
 inline Eight larger(const Eight& a, const Eight& b) { return a > b ? a : b; }
@@ -76,7 +77,7 @@ void find_links(const Lines& lines, const Slab& slab) {
         store(slab.link + i, link(lines, slab.coefficient + i, slab.coefficient + i + lines.pitch));
     std::fill_n(slab.link + last, lines.pitch, 0.0F);
     if (lines.solid_holds)
-        for (const CutLink& cut : lines.cuts) slab.link[cut.at] *= cut.nearer;
+        for (const CutLink& cut : lines.cuts) slab.link[cut.at - lines.skipped * lines.pitch] *= cut.nearer;
 }
 
 /// The part of a link that is taken by the velocity before the step: half of it, which makes the step of second order in time.
@@ -242,7 +243,10 @@ Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidSh
     if (solids_ == nullptr) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         find_faces(solid, axis);
-        for (std::size_t across = 0; across < 3; ++across) find_cuts(solid, axis, across);
+        for (std::size_t across = 0; across < 3; ++across) {
+            find_cuts(solid, axis, across);
+            find_wet(axis, across);
+        }
     }
 }
 
@@ -257,7 +261,9 @@ vec3 Viscosity::place_of(std::size_t axis, std::size_t at) const {
 void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
     const double h = lattice_.h;
     Samples& stands = stands_[axis];
-    stands = solids_->open()[axis];
+    // Ghosts hold nothing that a step could depend on.
+    stands = make_samples(lattice_);
+    each_cell(lattice_, [&](int, int, int, std::size_t at) { stands[at] = solids_->open()[axis][at]; });
     for (const CutFace& face : solids_->cut_faces(axis)) {
         const double centre = distance_to_wall(solid, place_of(axis, face.at), h);
         const double middle = distance_to_wall(solid, face.middle, h);
@@ -307,6 +313,28 @@ void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t
                                                static_cast<float>(1 / std::max(way, least_way))});
             }
         }
+    }
+}
+
+/// The places along the lines of each slab between which all open ones are, with a closed one at either end where there is one.
+void Viscosity::find_wet(std::size_t axis, std::size_t across) {
+    const auto [beside, outer, pitch] = slabs_along(lattice_, across);
+    const int n = lattice_.cells[across];
+    Cells at{};
+    for (at[outer] = 0; at[outer] < lattice_.cells[outer]; ++at[outer]) {
+        int first = n, end = 0;
+        for (at[across] = 0; at[across] < n; ++at[across]) {
+            for (at[beside] = 0; at[beside] < lattice_.cells[beside]; ++at[beside]) {
+                if (!(solids_->open()[axis][static_cast<std::size_t>(lattice_.at(at[0], at[1], at[2]))] > 0))
+                    continue;
+                first = std::min(first, at[across]);
+                end = at[across] + 1;
+            }
+        }
+        Places wet{std::max(first - 1, 0), 0};
+        if (end > 0) wet.count = std::min(end + 1, n) - wet.first;
+        if (end > 0 && lattice_.edges[across] == Edge::periodic) wet = {0, n};
+        wet_[axis][across].push_back(wet);
     }
 }
 
@@ -397,12 +425,19 @@ void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across
                 .through = axis == across,
                 .solid_holds = spread.solid_holds,
                 .lid = axis == 0 && across == 1 ? static_cast<float>(spread.lid) : 0.0F,
-                .cuts = {}};
+                .cuts = {},
+                .skipped = 0};
     const Slab slab{value_.data() + w, coefficient_.data() + w, link_.data() + w,
                     upper_.data() + w, corner_.data() + w,      {low_end_.data(), high_end_.data()}};
     for (auto* rows : {&value_, &link_, &upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
     for (int o = 0; o < lattice_.cells[outer]; ++o) {
-        const auto first = lattice_.first + o * lattice_.stride[outer];
+        if (solids_ != nullptr) {
+            const Places wet = wet_[axis][across][static_cast<std::size_t>(o)];
+            if (wet.count == 0) continue;
+            lines.skipped = wet.first;
+            lines.count = wet.count;
+        }
+        const auto first = lattice_.first + o * lattice_.stride[outer] + lines.skipped * lines.place;
         float* values = u.data() + first;
         const float* nodal = nodal_.data() + first;
         lines.cuts = cuts_of(axis, across, o);

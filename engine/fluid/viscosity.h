@@ -72,6 +72,7 @@ private:
     DraggedFace dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const;
     void find_faces(const SolidShare& solid, std::size_t axis);
     void find_cuts(const SolidShare& solid, std::size_t axis, std::size_t across);
+    void find_wet(std::size_t axis, std::size_t across);
     std::span<const CutLink> cuts_of(std::size_t axis, std::size_t across, int slab) const;
 
     Lattice lattice_;
@@ -82,7 +83,8 @@ private:
     std::array<std::vector<DraggedFace>, 3> dragged_;
     std::vector<float> kept_;  ///< speeds of the dragged faces
     std::array<std::array<std::vector<CutLink>, 3>, 3>
-        cuts_;       ///< by component and direction, in order of slabs
+        cuts_;  ///< by component and direction, in order of slabs
+    std::array<std::array<std::vector<Places>, 3>, 3> wet_;  ///< by component, direction and slab
     Samples nodal_;  ///< dt nu / h^2 where the component stands; below 0 where it does not
     // Of the lines that stand side by side, [place along a line][line].
     std::vector<float> value_, coefficient_, link_, upper_, corner_, low_end_, high_end_;
