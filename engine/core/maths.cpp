@@ -1,54 +1,148 @@
 #include "core/maths.h"
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-// Each function reduces its argument to a small interval and sums a Taylor series there, from the smallest term up.
-// The number of terms makes the first one left out smaller than half an ulp.
+#include "core/double2.h"
+#include "core/sin_cos.h"
+
+// Each function reduces its argument to a small interval and sums a Taylor series there. The number of terms makes the
+// first one left out smaller than half an ulp. powers.cpp has exp, log and pow.
 namespace thaum::det {
 namespace {
 
+__extension__ using Wide = unsigned __int128;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// pi/2 and ln 2 in parts whose product with an integer below 2^20 (2^11) is exact.
+// pi/2 in parts whose product with an integer below 2^20 is exact.
 constexpr double half_pi_high = 0x1.921fb544p+0;
 constexpr double half_pi_middle = 0x1.0b4611a6p-34;
 constexpr double half_pi_low = 0x1.3198a2e037073p-69;
-constexpr double ln2_high = 0x1.62e42fee00000p-1;
-constexpr double ln2_low = 0x1.a39ef35793c76p-33;
 
-// x in [-pi/4, pi/4]
-double sin_near_zero(double x) {
+/// sin(x + rest) for |x| <= pi/4 and |rest| below an ulp of x.
+double sin_near_zero(double x, double rest) {
+    if (std::abs(x) < 0x1p-27) return rest == 0 ? x : x + rest;  // -0 keeps its sign
     const double q = x * x;
-    double sum = 0;
-    for (int n = 17; n >= 3; n -= 2) sum = (1.0 + sum) * -q / static_cast<double>(n * (n - 1));
-    return x + x * sum;
+    const double q2 = q * q;
+    const double low = (-1.0 / 6 + q / 120) + q2 * (-1.0 / 5040 + q / 362880);
+    const double high = (-1.0 / 39916800 + q * (1.0 / 6227020800)) +
+                        q2 * (-1.0 / 1307674368000 + q * (1.0 / 355687428096000));
+    return x + (x * q * (low + q2 * q2 * high) + rest * (1 - q / 2));
 }
 
-double cos_near_zero(double x) {
+double cos_near_zero(double x, double rest) {
     const double q = x * x;
-    double sum = 0;
-    for (int n = 18; n >= 4; n -= 2) sum = (1.0 + sum) * -q / static_cast<double>(n * (n - 1));
-    return 1.0 + (-q / 2) * (1.0 + sum);
+    const double q2 = q * q;
+    const double low = (1.0 / 24 - q * (1.0 / 720)) + q2 * (1.0 / 40320 - q * (1.0 / 3628800));
+    const double high = (1.0 / 479001600 - q * (1.0 / 87178291200)) + q2 * (1.0 / 20922789888000);
+    const double half = q / 2;
+    const double top = 1 - half;
+    return top + (((1 - top) - half) + (q2 * (low + q2 * q2 * high) - x * rest));
 }
 
+/// An angle less a whole number of quarter turns.
 struct Reduced {
-    double x;      // in [-pi/4, pi/4]
-    int quadrant;  // 0..3
+    double x;      ///< in [-pi/4, pi/4], a little more where the last place decides (rad)
+    double rest;   ///< what rounding has taken from x (rad)
+    int quadrant;  ///< 0..3
 };
 
-Reduced reduce(double x) {
-    const double k = std::floor(x / (half_pi_high + half_pi_middle) + 0.5);
-    const double high = x - k * half_pi_high;
-    const double middle = k * half_pi_middle;
-    const double r = high - middle;
-    const double lost = (high - r) - middle;  // what the line above rounded away
-    return {r + (lost - k * half_pi_low), static_cast<int>(static_cast<std::int64_t>(k) & 3)};
+/// Bits of 2/pi after the point.
+constexpr std::uint64_t two_over_pi[19] = {
+    0xa2f9836e4e441529, 0xfc2757d1f534ddc0, 0xdb6295993c439041, 0xfe5163abdebbc561, 0xb7246e3a424dd2e0,
+    0x06492eea09d1921c, 0xfe1deb1cb129a73e, 0xe88235f52ebb4484, 0xe99c7026b45f7e41, 0x3991d639835339f4,
+    0x9c845f8bbdf9283b, 0x1ff897ffde05980f, 0xef2f118b5a0a6d1f, 0x6d367ecf27cb09b7, 0x4f463f669e5fea2d,
+    0x7527bac7ebe5f17b, 0x3d0739f78a5292ea, 0x6bfb5fb11f8d5d08, 0x56033046fc7b6bab};
+
+/// The 64 bits of 2/pi from the bit of weight 2^-first on; those before the point are 0.
+std::uint64_t bits_of_two_over_pi(int first) {
+    if (first <= -63) return 0;
+    if (first <= 0) return two_over_pi[0] >> static_cast<unsigned>(1 - first);
+    const auto word = static_cast<std::size_t>(first - 1) / 64;
+    const auto shift = static_cast<unsigned>(first - 1) % 64;
+    if (shift == 0) return two_over_pi[word];
+    return two_over_pi[word] << shift | two_over_pi[word + 1] >> (64 - shift);
 }
 
-bool reducible(double x) { return std::abs(x) <= 1e9; }  // false for NaN too
+/// Integer of 192 bits, lowest word first.
+using Long = std::array<std::uint64_t, 3>;
+
+/// (x 2/pi) mod 4 in units of 2^-190, x > 0. Payne and Hanek: bits of 2/pi that only add whole turns are left out, and those
+/// too small to matter; the error is below 2^-137.
+Long quarter_turns(double x) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const std::uint64_t mantissa = (bits & 0xfffffffffffffULL) | 0x10000000000000ULL;
+    const int first = static_cast<int>(bits >> 52U) - 1075 - 1;
+    Long product{};
+    Wide carry = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        carry += static_cast<Wide>(mantissa) * bits_of_two_over_pi(first + 128 - 64 * static_cast<int>(i));
+        product[i] = static_cast<std::uint64_t>(carry);
+        carry >>= 64U;
+    }
+    return product;
+}
+
+Long negated(Long value) {
+    std::uint64_t carry = 1;
+    for (auto& word : value) {
+        word = ~word + carry;
+        carry = word == 0 && carry == 1 ? 1 : 0;
+    }
+    return value;
+}
+
+/// For |x| of any size, to the last bit.
+Reduced reduce_exactly(double x) {
+    Long turns = quarter_turns(std::abs(x));
+    // The upper two bits are the quadrant; half a quarter turn and more belongs to the next one.
+    int quadrant = static_cast<int>(turns[2] >> 62U);
+    turns[2] &= 0x3fffffffffffffffULL;
+    const bool beyond = (turns[2] & 0x2000000000000000ULL) != 0;
+    if (beyond) {
+        ++quadrant;
+        turns[2] |= 0xc000000000000000ULL;
+        turns = negated(turns);
+    }
+    int weight = 2;  // exponent of the highest bit of the top word, and one more
+    while (turns[2] < 0x8000000000000000ULL && weight > -190) {
+        turns = {turns[0] << 1U, turns[1] << 1U | turns[0] >> 63U, turns[2] << 1U | turns[1] >> 63U};
+        --weight;
+    }
+    const double high = std::ldexp(static_cast<double>(turns[2] >> 11U), weight - 53);
+    const auto next = (turns[2] & 0x7ffU) << 42U | turns[1] >> 22U;
+    const double low = std::ldexp(static_cast<double>(next), weight - 106);
+    auto [angle, rest] = product_of(high, 0x1.921fb54442d18p+0);
+    rest += high * 0x1.1a62633145c07p-54 + low * 0x1.921fb54442d18p+0;
+    if (beyond != std::signbit(x)) angle = -angle, rest = -rest;
+    const Double2 sum = sum_of(angle, rest);
+    return {sum.high, sum.low, (std::signbit(x) ? -quadrant : quadrant) & 3};
+}
+
+Reduced reduce(double x) {
+    if (std::abs(x) <= 0x1.921fb54442d18p-1) return {x, 0, 0};
+    if (std::abs(x) > 1e6) return reduce_exactly(x);
+    constexpr double to_integer = 0x1.8p52;  // added and taken away again, it leaves the nearest integer
+    const double k = (x * 0x1.45f306dc9c883p-1 + to_integer) - to_integer;
+    const Double2 near = sum_of(x - k * half_pi_high, -(k * half_pi_middle));
+    if (std::abs(near.high) < 0x1p-20) return reduce_exactly(x);  // the parts are too short for this
+    const Double2 sum = sum_of(near.high, near.low - k * half_pi_low);
+    return {sum.high, sum.low, static_cast<int>(static_cast<std::int64_t>(k) & 3)};
+}
+
+double sin_of(const Reduced& r) {
+    const double value = (r.quadrant & 1) != 0 ? cos_near_zero(r.x, r.rest) : sin_near_zero(r.x, r.rest);
+    return (r.quadrant & 2) != 0 ? -value : value;
+}
+
+double cos_of(const Reduced& r) {
+    const double value = (r.quadrant & 1) != 0 ? sin_near_zero(r.x, r.rest) : cos_near_zero(r.x, r.rest);
+    return r.quadrant == 1 || r.quadrant == 2 ? -value : value;
+}
 
 constexpr double tan_16th = 0.198912367379658;     // tan(pi/16)
 constexpr double tan_3_16ths = 0.668178637919299;  // tan(3 pi/16)
@@ -56,38 +150,39 @@ constexpr double tan_3_16ths = 0.668178637919299;  // tan(3 pi/16)
 // |x| <= 1.001 tan(pi/16)
 double atan_near_zero(double x) {
     const double q = x * x;
-    double sum = 0;
-    for (int n = 23; n >= 3; n -= 2) sum = -q * (1.0 / static_cast<double>(n) + sum);
-    return x + x * sum;
+    const double q2 = q * q;
+    const double q4 = q2 * q2;
+    const double low = (-1.0 / 3 + q * (1.0 / 5)) + q2 * (-1.0 / 7 + q * (1.0 / 9));
+    const double middle = (-1.0 / 11 + q * (1.0 / 13)) + q2 * (-1.0 / 15 + q * (1.0 / 17));
+    const double high = (-1.0 / 19 + q * (1.0 / 21)) + q2 * (-1.0 / 23);
+    return x + x * (q * (low + q4 * (middle + q4 * high)));
 }
 
 // x in [0, 1]. atan x = atan t + atan((x - t) / (1 + x t)); t near tan(pi/8) has few bits, so that it is exact.
 double atan_unit(double x) {
     if (x <= tan_16th) return atan_near_zero(x);
-    if (x > tan_3_16ths) return pi / 4 + atan_near_zero((x - 1) / (x + 1));
+    if (x > tan_3_16ths) return pi / 4 + (atan_near_zero((x - 1) / (x + 1)) + 0x1.1a62633145c07p-55);
     constexpr double t = 0.4140625;
-    constexpr double atan_t = 0.3925701350118286;
-    return atan_t + atan_near_zero((x - t) / (1.0 + x * t));
+    constexpr double atan_t = 0x1.91fde7cd0c662p-2;
+    return atan_t + (atan_near_zero((x - t) / (1.0 + x * t)) + 0x1.1074188054b53p-56);
 }
 
 }  // namespace
 
-double sin(double x) {
-    if (!reducible(x)) return nan;
-    if (x == 0) return x;  // the series would lose the sign of -0
-    const auto [r, quadrant] = reduce(x);
-    const double value = (quadrant & 1) != 0 ? cos_near_zero(r) : sin_near_zero(r);
-    return (quadrant & 2) != 0 ? -value : value;
+double sin(double x) { return std::isfinite(x) ? sin_of(reduce(x)) : nan; }
+
+double cos(double x) { return std::isfinite(x) ? cos_of(reduce(x)) : nan; }
+
+SinCos sin_cos(double x) {
+    if (!std::isfinite(x)) return {nan, nan};
+    const Reduced r = reduce(x);
+    return {sin_of(r), cos_of(r)};
 }
 
-double cos(double x) {
-    if (!reducible(x)) return nan;
-    const auto [r, quadrant] = reduce(x);
-    const double value = (quadrant & 1) != 0 ? sin_near_zero(r) : cos_near_zero(r);
-    return quadrant == 1 || quadrant == 2 ? -value : value;
+double tan(double x) {
+    const auto [sine, cosine] = sin_cos(x);
+    return sine / cosine;
 }
-
-double tan(double x) { return sin(x) / cos(x); }
 
 double atan2(double y, double x) {
     if (std::isnan(x) || std::isnan(y)) return nan;
@@ -109,37 +204,5 @@ double atan2(double y, double x) {
 
 double asin(double x) { return std::abs(x) <= 1 ? atan2(x, std::sqrt((1 - x) * (1 + x))) : nan; }
 double acos(double x) { return std::abs(x) <= 1 ? atan2(std::sqrt((1 - x) * (1 + x)), x) : nan; }
-
-double exp(double x) {
-    if (std::isnan(x)) return nan;
-    if (x > 709.782712893384) return std::numeric_limits<double>::infinity();
-    if (x < -745.2) return 0;
-    const double k = std::floor(x / (ln2_high + ln2_low) + 0.5);
-    const double r = (x - k * ln2_high) - k * ln2_low;
-    double sum = 0;
-    for (int n = 14; n >= 2; --n) sum = (1.0 + sum) * r / static_cast<double>(n);
-    return std::ldexp(1.0 + (r + r * sum), static_cast<int>(k));
-}
-
-double log(double x) {
-    if (std::isnan(x) || x < 0) return nan;
-    if (x == 0) return -std::numeric_limits<double>::infinity();
-    if (std::isinf(x)) return x;
-    int exponent = 0;
-    double mantissa = std::frexp(x, &exponent);  // [0.5, 1)
-    if (mantissa < 0.70710678118654752) {
-        mantissa *= 2;
-        --exponent;
-    }
-    // log m = 2 atanh((m - 1) / (m + 1)), |s| <= 0.172
-    const double s = (mantissa - 1) / (mantissa + 1);
-    const double q = s * s;
-    double sum = 0;
-    for (int n = 21; n >= 3; n -= 2) sum = q * (1.0 / static_cast<double>(n) + sum);
-    const double k = exponent;
-    return k * ln2_high + (2 * s + (2 * s * sum + k * ln2_low));
-}
-
-double pow(double x, double y) { return exp(y * log(x)); }
 
 }  // namespace thaum::det

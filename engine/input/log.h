@@ -34,7 +34,7 @@ struct LogHeader {
     std::string rule_set;           ///< "thaum" or "classic"
     std::string arena;              ///< its name; its content is among `files`
     std::uint64_t seed{};
-    std::uint64_t maths_probe{};         ///< differs where the machine's mathematics would compute other bits
+    std::uint64_t maths_probe{};         ///< hash of the elementary functions' results
     std::vector<std::string> players;    ///< "human", "bot 1"; at most 16
     std::vector<DeviceSpec> devices;     ///< at most max_devices; one column of samples each
     std::vector<DataFile> files;         ///< at most 1,000

@@ -13,6 +13,7 @@
 
 #include "core/assert.h"
 #include "core/text.h"
+#include "physics/bullet_maths.h"
 #include "physics/detail/bound_tree.h"
 #include "physics/detail/bullet_world.h"
 #include "physics/detail/cast.h"
@@ -164,6 +165,7 @@ bool active(const btPersistentManifold& manifold) {
 }
 
 std::vector<detail::Mesh> built(const std::vector<TriangleMesh>& meshes) {
+    require_our_maths();
     detail::use_pool();  // before the first Bullet object
     std::vector<detail::Mesh> out;
     out.reserve(meshes.size());

@@ -16,7 +16,7 @@
 #include "game/app/settings.h"
 #include "game/app/still.h"
 #include "haptics/safety.h"
-#include "physics/probe.h"
+#include "physics/bullet_maths.h"
 #include "render/context.h"
 
 namespace thaum::app {
@@ -70,7 +70,12 @@ Finding processor() {
 }
 
 Finding mathematics() {
-    return {"mathematics", State::good, text("probe ", hex(physics::libm_probe()), " (logs carry it)"), ""};
+    const auto foreign = physics::foreign_maths();
+    if (!foreign.empty())
+        return {"mathematics", State::missing, text("Bullet calls the machine's own: ", foreign.front()),
+                "link the program with all of thaum_physics"};
+    return {"mathematics", State::good,
+            text("ours, for Bullet too; probe ", hex(physics::maths_probe()), " (logs carry it)"), ""};
 }
 
 Finding data_files(const std::filesystem::path& assets, const Expected<Data>& data) {

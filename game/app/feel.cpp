@@ -72,14 +72,16 @@ public:
     RecordedForces(game::Playback playback, std::uint32_t player)
         : playback_(std::move(playback)), player_(player), felt_(playback_.match().match().played) {}
 
-    /// Computes ahead; false where the log ends.
+    /// Computes ahead; false where the log ends, or the replay is no longer the recorded match.
     bool fill(input::ArmPlayback& hand) {
         while (hand.waiting() < ahead) {
-            if (!playback_.step()) return false;
+            if (!playback_.step() || playback_.divergence()) return false;
             put(hand);
         }
         return true;
     }
+
+    const std::optional<game::Divergence>& divergence() const { return playback_.divergence(); }
 
 private:
     /// A pause, a round's end: there nothing was felt, and nothing is played.
@@ -181,7 +183,8 @@ int feel(game::Playback playback, const FeelPlan& plan) {
     tell(hand, **arm);
     arm->reset();  // its thread, before what that calls
     if (why) std::printf("%s\n", why->c_str());
-    return fault ? does_not_hold : done;
+    if (forces.divergence()) std::printf("%s\n", game::described(*forces.divergence()).c_str());
+    return fault || forces.divergence() ? does_not_hold : done;
 }
 
 }  // namespace thaum::app

@@ -40,6 +40,8 @@ else is computed again, without bots and devices.
   --dump TICK FILE    write the whole state at a tick, for `thaum diff`
 
 --verify, --events, --state, --forces and --shots go together in one pass.
+Every replay is compared with the log's hashes. One that differs says at which
+tick, leaves no tables, and exits 1.
 )";
 
 /// What one pass over the log is to give.
@@ -121,12 +123,11 @@ Expected<void> close_outputs(const game::Playback& playback, Outputs& out) {
     return out.forces.close();
 }
 
-void print_difference(const input::HashRecord& wrong, const game::Playback& playback) {
-    const auto& match = playback.match();
-    const bool state = wrong.state != match.state_hash();
-    std::printf("tick %llu: %s: the log has %s, here it is %s\n", static_cast<unsigned long long>(wrong.tick),
-                state ? "state differs" : "forces differ", hex(state ? wrong.state : wrong.force).c_str(),
-                hex(state ? match.state_hash() : match.force_hash()).c_str());
+/// True where the replay is not the recorded match; says so.
+bool has_diverged(const game::Playback& playback) {
+    if (!playback.divergence()) return false;
+    std::printf("%s\n", game::described(*playback.divergence()).c_str());
+    return true;
 }
 
 /// From the first tick to the last. Where the replay turns out wrong the files are not written: what they would say did
@@ -138,12 +139,8 @@ int run_pass(const Pass& pass, game::Playback& playback) {
     std::size_t compared = 0;
     do {
         if (const auto put = put_outputs(pass, playback, *out); !put) return refuse(put.error());
-        if (!pass.verify || !playback.log().hash_at(playback.match().now())) continue;
-        ++compared;
-        if (const auto wrong = playback.mismatch()) {
-            print_difference(*wrong, playback);
-            return does_not_hold;
-        }
+        if (playback.log().hash_at(playback.match().now())) ++compared;
+        if (has_diverged(playback)) return does_not_hold;
     } while (playback.step());
     const bool damaged = playback.log().ending() == input::LogEnding::damaged;
     if (pass.verify && damaged) {
@@ -161,6 +158,7 @@ int run_pass(const Pass& pass, game::Playback& playback) {
     return done;
 }
 
+/// A replay that is not the recorded match leaves its state all the same: `thaum diff` says in what it differs.
 int dump(game::Playback& playback, const std::vector<std::string>& values) {
     const auto tick = parse_whole(values[0], "--dump", 0, ~std::uint64_t{0});
     if (!tick) return refuse(tick.error());
@@ -172,7 +170,7 @@ int dump(game::Playback& playback, const std::vector<std::string>& values) {
     if (const auto written = write_file(values[1], state); !written) return refuse(written.error());
     std::printf("tick %llu: state %s written to %s\n", static_cast<unsigned long long>(*tick),
                 hex(playback.match().state_hash()).c_str(), values[1].c_str());
-    return done;
+    return has_diverged(playback) ? does_not_hold : done;
 }
 
 Expected<void> read_kinds(const std::vector<std::string>& words, ShotPlan& plan) {

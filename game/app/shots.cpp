@@ -83,6 +83,7 @@ Expected<Highlight> find_highlight(const std::string& log) {
     if (!playback) return tl::unexpected(playback.error());
     Highlight best;
     while (playback->step()) watch_for_highlight(playback->match(), best);
+    if (playback->divergence()) return fail(text(log, ": ", game::described(*playback->divergence())));
     if (best.tick == 0) return fail(text(log, ": the two never meet in it; take a longer match"));
     return best;
 }
@@ -96,7 +97,10 @@ int run_shots(const std::vector<std::string>& words) {
         return refuse({"shots needs one log and --out; `thaum shots --help` tells more"});
     const auto& log = arguments->plain()[0];
     const auto best = find_highlight(log);
-    if (!best) return refuse(best.error());
+    if (!best) {
+        refuse(best.error());
+        return does_not_hold;
+    }
     auto playback = game::Playback::open(log, game::find_assets());
     if (!playback || !playback->play_to(best->tick))
         return refuse({text(log, ": changed while it was read")});

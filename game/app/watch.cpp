@@ -12,6 +12,13 @@ namespace thaum::app {
 
 namespace {
 
+/// Exit code of what was shown: was it the recorded match?
+int verdict(const game::Playback& playback) {
+    if (!playback.divergence()) return done;
+    std::printf("%s\n", game::described(*playback.divergence()).c_str());
+    return does_not_hold;
+}
+
 int watch_in_window(game::Playback playback, double speed) {
     const auto assets = game::find_assets();
     LivePlan plan;
@@ -20,7 +27,8 @@ int watch_in_window(game::Playback playback, double speed) {
     plan.speed = speed;
     plan.assets = assets;
     plan.settings = settings_to_play_with(settings_file(), assets);
-    return run_live(plan);
+    const int result = run_live(plan);
+    return result == done ? verdict(playback) : result;
 }
 
 int leave_picture(const game::Playback& playback, const std::filesystem::path& out) {
@@ -38,7 +46,7 @@ int leave_picture(const game::Playback& playback, const std::filesystem::path& o
     if (const auto saved = write_file(stem.string() + ".dump", state); !saved) return refuse(saved.error());
     std::printf("no display: tick %llu, state %s, in %s.png and .dump\n",
                 static_cast<unsigned long long>(match.now()), hex(match.state_hash()).c_str(), stem.c_str());
-    return done;
+    return verdict(playback);
 }
 
 }  // namespace

@@ -13,12 +13,14 @@ Expected<Playback> Playback::open(const std::filesystem::path& log, const std::f
     Playback playback;
     playback.log_ = std::make_unique<input::LogReader>(std::move(*reader));
     playback.match_ = std::move(*match);
+    playback.divergence_ = playback.mismatch();
     return playback;
 }
 
 bool Playback::step() {
     if (!log_->next(frame_)) return false;
     match_->tick(frame_);
+    if (!divergence_) divergence_ = mismatch();
     return true;
 }
 
@@ -29,11 +31,19 @@ bool Playback::play_to(Tick tick) {
     return true;
 }
 
-std::optional<input::HashRecord> Playback::mismatch() const {
+std::optional<Divergence> Playback::mismatch() const {
     const auto recorded = log_->hash_at(match_->now());
     if (!recorded) return std::nullopt;
-    const bool same = recorded->state == match_->state_hash() && recorded->force == match_->force_hash();
-    return same ? std::nullopt : recorded;
+    const Divergence found{*recorded, match_->state_hash(), match_->force_hash()};
+    if (recorded->state == found.state && recorded->force == found.force) return std::nullopt;
+    return found;
+}
+
+std::string described(const Divergence& d) {
+    const bool state = d.recorded.state != d.state;
+    return text("tick ", d.recorded.tick, ": ", state ? "state differs" : "forces differ", ": the log has ",
+                hex(state ? d.recorded.state : d.recorded.force), ", here it is ",
+                hex(state ? d.state : d.force));
 }
 
 }  // namespace thaum::game

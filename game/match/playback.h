@@ -3,10 +3,21 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "game/match/record.h"
 
 namespace thaum::game {
+
+/// A recorded hash and what the replay came to at the same tick.
+struct Divergence {
+    input::HashRecord recorded;
+    std::uint64_t state{};
+    std::uint64_t force{};
+};
+
+/// "tick 128: state differs: the log has ..., here it is ...".
+std::string described(const Divergence&);
 
 /// A log and the match that it makes.
 class Playback {
@@ -18,20 +29,23 @@ public:
     const Simulation& match() const { return *match_; }
     Simulation& match() { return *match_; }
 
-    /// Plays one tick; false at the log's end.
+    /// Plays one tick and compares it with the log's hash, if there is one; false at the log's end.
     bool step();
     /// Plays up to that many ticks in all; false where the log is shorter.
     bool play_to(Tick tick);
     /// The frame that the last step played.
     const input::InputFrame& frame() const { return frame_; }
-    /// The hash that the log has for the state now and that is not the state's; nothing where they agree or there is none.
-    std::optional<input::HashRecord> mismatch() const;
+    /// The log's hash of this tick where it is not the state's; nothing where they agree or the log has none.
+    std::optional<Divergence> mismatch() const;
+    /// The first such difference since the log's beginning: what is played after it never happened.
+    const std::optional<Divergence>& divergence() const { return divergence_; }
 
 private:
     Playback() = default;
     std::unique_ptr<input::LogReader> log_;
     std::unique_ptr<Simulation> match_;
     input::InputFrame frame_;
+    std::optional<Divergence> divergence_;
 };
 
 }  // namespace thaum::game

@@ -1,7 +1,7 @@
 #include "game/match/record.h"
 
 #include "core/text.h"
-#include "physics/probe.h"
+#include "physics/bullet_maths.h"
 
 namespace thaum::game {
 namespace {
@@ -35,7 +35,7 @@ input::LogHeader log_header(const MatchData& data, const MatchSetup& setup,
     header.rule_set = data.choice.rules;
     header.arena = data.choice.arena;
     header.seed = setup.seed;
-    header.maths_probe = physics::libm_probe();
+    header.maths_probe = physics::maths_probe();
     header.players = std::move(players);
     header.devices = setup.devices;
     for (const auto& file : data.files) header.files.push_back({file.name, file.hash});
@@ -94,8 +94,8 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
 }
 
 std::string probe_warning(const input::LogHeader& header) {
-    if (header.maths_probe == physics::libm_probe()) return {};
-    return "recorded on a machine whose mathematical library computes other bits: the replay may differ";
+    if (header.maths_probe == physics::maths_probe()) return {};
+    return "recorded by a program whose elementary functions compute other bits: the replay may differ";
 }
 
 }  // namespace thaum::game

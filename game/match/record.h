@@ -21,7 +21,7 @@ std::string result_line(const Simulation& match);
 Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& header,
                                                    const std::filesystem::path& assets);
 
-/// A line of warning where this machine's mathematical library computes other bits than the recording one's; else empty.
+/// A line of warning where the log was recorded with elementary functions that compute other bits than ours; else empty.
 std::string probe_warning(const input::LogHeader& header);
 
 }  // namespace thaum::game

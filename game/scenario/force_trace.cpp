@@ -5,7 +5,7 @@
 #include "core/hash.h"
 #include "core/text.h"
 #include "game/components/grip.h"
-#include "physics/probe.h"
+#include "physics/bullet_maths.h"
 
 namespace thaum::game {
 namespace {
@@ -62,8 +62,8 @@ void ForceRecord::end_block() {
 
 std::string ForceRecord::file() {
     if (ticks_ % block_ticks != 0) end_block();
-    return text("# thaum forces, rules ", rules_version, ", maths ", hex(physics::libm_probe()), ", ", ticks_,
-                " ticks, hash ", hex(hash_),
+    return text("# thaum forces, rules ", rules_version, ", maths ", hex(physics::maths_probe()), ", ",
+                ticks_, " ticks, hash ", hex(hash_),
                 "\nfrom_tick,p1_peak_n,p1_x_n,p1_y_n,p1_z_n,p2_peak_n,p2_x_n,p2_y_n,p2_z_n,hash\n", rows_);
 }
 
@@ -75,7 +75,9 @@ std::string difference_of_forces(const std::string& kept, const std::string& now
     if (rules != told(b[0], "rules "))
         return text("the kept force trace is of rules version ", rules, ", this program plays ",
                     rules_version);
-    if (told(a[0], "maths ") != told(b[0], "maths ")) return {};
+    if (told(a[0], "maths ") != told(b[0], "maths "))
+        return text("the kept force trace was made with other elementary functions: probe ",
+                    told(a[0], "maths "), ", here ", told(b[0], "maths "));
     for (std::size_t i = 1; i < std::min(a.size(), b.size()); ++i)
         if (a[i] != b[i]) return text("forces differ: kept ", a[i], ", now ", b[i]);
     return text("forces differ: kept ", a[0], ", now ", b[0]);

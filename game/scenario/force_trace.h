@@ -33,8 +33,8 @@ private:
     Tick now_{};
 };
 
-/// Nothing where both files say the same, or where one was made by a mathematical library that computes other bits; else one line:
-/// where they part.
+/// Nothing where both files say the same; else one line: where they part, or that they were made under other rules or with other
+/// elementary functions.
 std::string difference_of_forces(const std::string& kept, const std::string& now);
 
 }  // namespace thaum::game

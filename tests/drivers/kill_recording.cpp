@@ -65,7 +65,7 @@ std::string fault_of(const Runner& runner, Tick killed_at, Tick& kept) {
     if (playback->log().ending() != input::LogEnding::cut_off) return "does not read as cut off";
     if (kept + may_be_lost < killed_at) return text("only ", kept, " ticks of ", killed_at);
     while (playback->step()) {
-        if (const auto wrong = playback->mismatch()) return text("differs at tick ", wrong->tick);
+        if (const auto wrong = playback->mismatch()) return text("differs at tick ", wrong->recorded.tick);
     }
     return {};
 }

@@ -322,7 +322,7 @@ TEST(ScenarioRunner, ForcesAreKeptAndComparedToTheBit) {
     };
     EXPECT_TRUE(has(with("rules ", "rules 9"), "is of rules version 9"));
     EXPECT_TRUE(has(with(" ticks, hash ", " ticks, hash 0"), "forces differ"));
-    EXPECT_EQ(with("maths ", "maths 9"), "") << "another mathematical library may come to other bits";
+    EXPECT_TRUE(has(with("maths ", "maths 9"), "made with other elementary functions"));
     EXPECT_TRUE(write_text_file(kept.trace, ""));
     EXPECT_TRUE(has(kept.play(), "empty"));
 }
