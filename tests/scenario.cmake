@@ -64,6 +64,21 @@ if(NOT THAUM_SANITIZE)
     set_tests_properties(replay.long_duel.record PROPERTIES FIXTURES_SETUP long_duel LABELS slow TIMEOUT 300)
     set_tests_properties(replay.long_duel.older_libm PROPERTIES FIXTURES_REQUIRED long_duel LABELS slow TIMEOUT 300
         ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4)
+
+    # An ordinary build on older processors: one line and no illegal instruction. Each lacks at least the feature named first.
+    find_program(qemu qemu-x86_64)
+    if(qemu)
+        foreach(processor avx:Nehalem avx2:Haswell,-avx2 movbe:Haswell,-movbe abm:Haswell,-abm bmi1:Haswell,-bmi1
+                bmi2:Haswell,-bmi2 f16c:Haswell,-f16c)
+            string(REPLACE ":" ";" processor "${processor}")
+            list(GET processor 0 feature)
+            list(GET processor 1 model)
+            add_test(NAME start.without_${feature} COMMAND ${qemu} -cpu ${model} $<TARGET_FILE:thaum> --version)
+            set_tests_properties(start.without_${feature} PROPERTIES PASS_REGULAR_EXPRESSION
+                "this one lacks[a-z0-9_ ]* ${feature}[ ;]")
+        endforeach()
+        add_test(NAME start.without_fma COMMAND ${qemu} -cpu Haswell,-fma $<TARGET_FILE:thaum> --version)
+    endif()
 endif()
 
 thaum_test(test_scenario

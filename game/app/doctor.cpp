@@ -9,6 +9,7 @@
 
 #include "core/clock.h"
 #include "core/file.h"
+#include "core/processor.h"
 #include "core/text.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
@@ -61,11 +62,10 @@ std::string first_value(const char* file, std::string_view key) {
 }
 
 Finding processor() {
-    const bool v3 =
-        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
+    const auto missing = missing_of_x86_64_v3();
     return {"processor", State::good,
             text(first_value("/proc/cpuinfo", "model name"), ", ", sysconf(_SC_NPROCESSORS_ONLN), " cores, ",
-                 v3 ? "x86-64-v3" : "older than x86-64-v3"),
+                 missing.length == 0 ? "x86-64-v3" : text("older than x86-64-v3, lacks", missing.text)),
             ""};
 }
 

@@ -57,25 +57,11 @@ int dispatch(std::vector<std::string> words) {
     return refuse({text("unknown command '", name, "'; `thaum --help` lists them")});
 }
 
-/// This build uses instructions of x86-64-v3; without them it would die with no word of why.
-bool processor_can_run_this() {
-#ifdef __AVX2__
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
-#else
-    return true;
-#endif
-}
-
 }  // namespace
 
 }  // namespace thaum::app
 
 int main(int argc, char** argv) {
-    if (!thaum::app::processor_can_run_this()) {
-        std::fprintf(stderr,
-                     "thaum: this build needs a processor with AVX2; build with -DTHAUM_PORTABLE=ON\n");
-        return thaum::app::wrong_use;
-    }
     thaum::keep_freed_memory();
     return thaum::app::dispatch({argv + 1, argv + argc});
 }

@@ -35,7 +35,12 @@ if(CMAKE_UNITY_BUILD)
     # GCC takes the anonymous namespaces of sources that are included for a header's.
     target_compile_options(thaum_flags INTERFACE -Wno-subobject-linkage)
 endif()
-if(NOT THAUM_PORTABLE)
+# For sources that run before we know the processor, and before the sanitizers know the memory.
+set(THAUM_ANY_PROCESSOR -march=x86-64 -fno-sanitize=all)
+if(THAUM_PORTABLE)
+    # Vectors of eight floats are passed in another way with AVX than without; all that passes them is compiled here, in one way.
+    target_compile_options(thaum_flags INTERFACE -Wno-psabi)
+else()
     # Without FMA: GCC 12 joins additions and subtractions side by side into vfmaddsub whatever -ffp-contract says, and then two
     # builds differ in the last bit.
     target_compile_options(thaum_flags INTERFACE -march=x86-64-v3 -mno-fma)
