@@ -17,11 +17,14 @@
 #include "physics/detail/bound_tree.h"
 #include "physics/detail/bullet_world.h"
 #include "physics/detail/cast.h"
+#include "physics/detail/checks.h"
 #include "physics/detail/pool.h"
+#include "physics/detail/swept.h"
 
 namespace thaum::physics {
 namespace {
 
+using detail::about;
 using detail::Box;
 using detail::from_bullet;
 using detail::to_bullet;
@@ -58,57 +61,6 @@ struct Pair {
     auto operator<=>(const Pair&) const = default;
 };
 
-std::string about(Key key, const char* what) { return text("body ", key, ": ", what); }
-
-bool is_finite(const quat& q) {
-    return std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
-}
-
-void check_state(Key key, const BodyState& s) {
-    THAUM_ASSERT(thaum::is_finite(s.position), about(key, "position is not finite"));
-    THAUM_ASSERT(is_finite(s.orientation), about(key, "orientation is not finite"));
-    THAUM_ASSERT(std::abs(glm::dot(s.orientation, s.orientation) - 1) < 1e-6,
-                 about(key, "orientation is not unit"));
-    THAUM_ASSERT(thaum::is_finite(s.velocity), about(key, "velocity is not finite"));
-    THAUM_ASSERT(thaum::is_finite(s.spin), about(key, "spin is not finite"));
-    THAUM_ASSERT(std::isfinite(s.idle_s), about(key, "idle time is not finite"));
-}
-
-void check_material(Key key, const BodyDesc& d) {
-    for (const double value : {d.friction, d.restitution, d.rolling_friction}) {
-        THAUM_ASSERT(std::isfinite(value) && value >= 0,
-                     about(key, "friction or restitution is not a number >= 0"));
-    }
-    for (const double value : {d.linear_damping, d.angular_damping}) {
-        THAUM_ASSERT(value >= 0 && value < 1, about(key, "damping is not in [0, 1)"));
-    }
-}
-
-void check_desc(Key key, const BodyDesc& d, std::size_t meshes) {
-    THAUM_ASSERT(std::isfinite(d.mass) && d.mass >= 0, about(key, "mass is not a number >= 0"));
-    check_material(key, d);
-    if (d.shape == Shape::mesh) {
-        THAUM_ASSERT(d.mass == 0, about(key, "a mesh must be static"));
-        THAUM_ASSERT(d.mesh < meshes, about(key, "unknown mesh"));
-        return;
-    }
-    THAUM_ASSERT(thaum::is_finite(d.size) && d.size.x > 0, about(key, "size is not positive"));
-    if (d.shape == Shape::box || d.shape == Shape::cylinder) THAUM_ASSERT(d.size.y > 0, about(key, "flat"));
-    if (d.shape == Shape::box) THAUM_ASSERT(d.size.z > 0, about(key, "flat"));
-    if (d.shape == Shape::capsule) THAUM_ASSERT(d.size.y >= 0, about(key, "half length is negative"));
-}
-
-double reach_of(const BodyDesc& d) {
-    switch (d.shape) {
-        case Shape::box: return glm::length(d.size);
-        case Shape::sphere: return d.size.x;
-        case Shape::capsule: return d.size.x + d.size.y;
-        case Shape::cylinder: return std::sqrt(d.size.x * d.size.x + d.size.y * d.size.y);
-        case Shape::mesh: break;
-    }
-    return HUGE_VAL;
-}
-
 Box box_around(const Body& body) {
     btVector3 low, high;
     body.bt().getCollisionShape()->getAabb(body.bt().getWorldTransform(), low, high);
@@ -120,6 +72,19 @@ bool overlap(const Box& a, const Box& b, double gap) {
         if (a.low[i] > b.high[i] + gap || b.low[i] > a.high[i] + gap) return false;
     }
     return true;
+}
+
+bool collide(const BodyDesc& a, const BodyDesc& b) {
+    return (a.layer & b.collides_with) != 0 && (b.layer & a.collides_with) != 0;
+}
+
+/// Whether a path may touch the body, judged by the ball around it.
+bool comes_near(const Body& body, const detail::Path& path) {
+    const vec3 offset = body.state.position - path.from;
+    const double along = std::clamp(glm::dot(offset, path.direction), 0.0, path.length);
+    const vec3 apart = offset - along * path.direction;
+    const double meeting = body.reach + path.radius + detail::touching;
+    return glm::dot(apart, apart) <= meeting * meeting;
 }
 
 /// A sleeper has no motion, whatever it was given.
@@ -199,6 +164,8 @@ struct Physics::Inside {
     void prepare_damping(Body&) const;
     void before_step(double dt);
     void fly_exactly(Body&, vec3 from) const;
+    void stop_at_walls(Body&, const BodyState& from) const;
+    double free_share(const Body&, vec3 start, vec3 end, double radius) const;
     bool after_step();
     void collect_contacts();
     void remember_touching();
@@ -293,10 +260,48 @@ void Physics::Inside::fly_exactly(Body& body, vec3 from) const {
     const vec3 velocity = body.state.velocity;
     const vec3 free = body.start_velocity * body.kept_velocity + settings.gravity * body.drive_s;
     if (glm::length(velocity - free) > pushed * (1 + glm::length(free))) return;
-    // Penetration is taken out of the position alone, and a swept body may have been stopped at a wall.
+    // Penetration is taken out of the position alone.
     if (glm::length(body.state.position - (from + velocity * damping_dt)) > pushed) return;
     body.state.position = from + body.start_velocity * body.drive_s + settings.gravity * body.fall_s2;
     body.bt().getWorldTransform().setOrigin(to_bullet(body.state.position));
+}
+
+/// Share of a sphere's way from start to end before it meets a static body; 1: meets none. One that overlaps a body at the start
+/// does not meet it.
+double Physics::Inside::free_share(const Body& moving, vec3 start, vec3 end, double radius) const {
+    const double length = glm::length(end - start);
+    if (length <= 0) return 1;
+    detail::Path left{start, (end - start) / length, length, radius};
+    for (const Body& body : bodies) {
+        if (body.dynamic() || !collide(moving.desc, body.desc) || !comes_near(body, left)) continue;
+        const auto touch = cast_at(body, left);
+        if (touch && touch->travelled > 0) left.length = touch->travelled;
+    }
+    return left.length / length;
+}
+
+/// Puts a body that would have come through a wall in this step where it meets that wall. The solver does the rest in the next one.
+void Physics::Inside::stop_at_walls(Body& body, const BodyState& from) const {
+    BodyState& to = body.state;
+    const detail::InnerSpheres spheres = detail::inner_spheres(body.desc);
+    const double path = glm::length(to.position - from.position);
+    double share = 1;
+    if (path >= spheres.least_path) {
+        for (const vec3& centre : spheres) {
+            const vec3 start = from.position + from.orientation * centre;
+            const vec3 end = to.position + to.orientation * centre;
+            share = std::min(share, free_share(body, start, end, spheres.radius));
+        }
+    }
+    // A body that tumbles over its first contact may lie in the wall with any part, but its centre stays on this side; and to
+    // this side the solver then pushes it out.
+    const double centre_share = free_share(body, from.position, to.position, 0);
+    if (centre_share < 1) share = std::clamp(centre_share - spheres.centre_gap / path, 0.0, share);
+    if (share >= 1) return;
+    to.position = from.position + share * (to.position - from.position);
+    const double sign = glm::dot(from.orientation, to.orientation) < 0 ? -1 : 1;
+    to.orientation = glm::normalize(from.orientation * (1 - share) + to.orientation * (sign * share));
+    detail::write_motion(body.bt(), to);
 }
 
 /// Whether nothing moved.
@@ -309,9 +314,10 @@ bool Physics::Inside::after_step() {
         counters.awake += !asleep;
         if (asleep && body.was_asleep) continue;
         still = false;
-        const vec3 from = body.state.position;
+        const BodyState from = body.state;
         body.state = detail::read_state(body.bt());
-        if (settings.exact_flight) fly_exactly(body, from);
+        if (settings.exact_flight) fly_exactly(body, from.position);
+        if (body.desc.swept) stop_at_walls(body, from);
         body.state.velocity = limited(body.state.velocity, settings.max_speed);
         body.state.spin = limited(body.state.spin, settings.max_spin);
         tree.move(body.leaf, box_around(body));
@@ -383,15 +389,15 @@ void Physics::add(Key key, const BodyDesc& desc, const BodyState& state) {
     THAUM_ASSERT(key != no_key, "no_key is not a key");
     THAUM_ASSERT(in.bodies.size() < in.settings.max_bodies,
                  about(key, "more bodies than Settings.max_bodies"));
-    check_desc(key, desc, in.meshes.size());
-    check_state(key, state);
+    detail::check_desc(key, desc, in.meshes.size());
+    detail::check_state(key, state);
     const auto place = std::ranges::lower_bound(in.bodies, key, {}, &Body::key);
     THAUM_ASSERT(place == in.bodies.end() || place->key != key, about(key, "added twice"));
     Body& body = *in.bodies.emplace(place);
     body.key = key;
     body.desc = desc;
     body.state = settled(state);
-    body.reach = reach_of(desc);
+    body.reach = detail::reach_of(desc);
     in.prepare_damping(body);
     in.enter_world(body);
     body.leaf = in.tree.add(key, box_around(body));
@@ -419,7 +425,7 @@ const BodyState& Physics::state(Key key) const { return inside_->at(key).state; 
 void Physics::set_state(Key key, const BodyState& state) {
     Inside& in = *inside_;
     Body& body = in.at(key);
-    check_state(key, state);
+    detail::check_state(key, state);
     in.wake_near(box_around(body));
     body.state = settled(state);
     detail::write_motion(body.bt(), body.state);
@@ -504,11 +510,7 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
     detail::Touch touch{};
     for (const Body& body : in.bodies) {
         if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
-        const vec3 offset = body.state.position - from;
-        const double along = std::clamp(glm::dot(offset, path.direction), 0.0, path.length);
-        const vec3 apart = offset - along * path.direction;
-        const double meeting = body.reach + radius + detail::touching;
-        if (glm::dot(apart, apart) > meeting * meeting) continue;
+        if (!comes_near(body, path)) continue;
         const auto here = in.cast_at(body, path);
         if (!here || (nearest && here->travelled >= touch.travelled)) continue;
         nearest = &body;

@@ -205,7 +205,7 @@ TEST(PhysicsRepeat, ASpoiltBitIsSeen) {
 
 // The same at -O0, -O3, under sanitizers and on every processor. A change of rules may change it: then look why, and record the
 // new one.
-constexpr std::uint64_t recorded_hash = 0x852ae0de02040086ULL;
+constexpr std::uint64_t recorded_hash = 0x3132f8884f3be158ULL;
 
 TEST(PhysicsRepeat, EveryBuildGivesTheRecordedHash) {
     Drama a;

@@ -9,6 +9,7 @@
 #include <functional>
 
 #include "core/hash.h"
+#include "core/random.h"
 #include "core/text.h"
 #include "physics/physics.h"
 #include "tools/bench/areas.h"
@@ -234,6 +235,120 @@ void measure_case(const Case& one, const Options& options, Report& report) {
         report.rows.push_back(row_of(one, settings[i], outcomes[i], samples[i]));
 }
 
+// ---- contacts -----------------------------------------------------------------------------------------------------
+
+/// One row under the shipped settings: an error that must not pass a bound.
+struct Stress {
+    std::string name;
+    std::string shape;
+    std::string error_name;
+    double bound;
+    std::function<double()> worst;
+};
+
+constexpr std::array shape_names{"box", "sphere", "capsule", "cylinder"};
+
+/// Largest deviation of rebound speed by approach speed from a restitution of 1, over drops of 0.1 to 4 m on a static box.
+double worst_rebound(Shape shape) {
+    double worst = 0;
+    for (double height = 0.1; height < 4; height *= 1.17) {
+        Physics world;
+        world.add(1, {.shape = Shape::box, .size = {50, 1, 50}, .restitution = 1}, {.position = {0, -1, 0}});
+        const BodyDesc body{.shape = shape, .size = vec3(0.1), .mass = 1, .friction = 0, .restitution = 1};
+        const double half = shape == Shape::capsule ? 0.2 : 0.1;
+        world.add(2, body, {.position = {0, half + height, 0}});
+        double approach = 0, rebound = 0;
+        for (int i = 0; i < 2000 && rebound <= 0.01 - approach; ++i) {
+            approach = -world.velocity(2).y;
+            world.step(1e-3);
+            rebound = world.velocity(2).y;
+        }
+        for (int i = 0; i < 3; ++i) {  // a rim may touch some steps later
+            world.step(1e-3);
+            rebound = std::max(rebound, world.velocity(2).y);
+        }
+        worst = std::max(worst, std::abs(rebound / approach - 1));
+    }
+    return worst;
+}
+
+/// Share of 300 slender bodies that come through a wall of 2 cm at 50 to 200 m/s.
+double share_through(Shape shape) {
+    int through = 0;
+    for (std::uint64_t i = 0; i < 300; ++i) {
+        Random random{i};
+        Physics world({.gravity = {}});
+        world.add(1, {.shape = Shape::box, .size = {0.01, 3, 3}}, {});
+        const vec3 axis{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+        world.add(2, {.shape = shape, .size = {0.03, 0.2, 0.03}, .mass = 0.5, .friction = 0.3, .swept = 1},
+                  {.position = {-random.uniform(0.5, 0.8), 0, 0},
+                   .orientation = rotation(glm::normalize(axis), random.uniform(0, 2 * pi)),
+                   .velocity = {random.uniform(50, 200), random.uniform(-30, 30), random.uniform(-30, 30)},
+                   .spin = {random.uniform(-50, 50), random.uniform(-50, 50), random.uniform(-50, 50)}});
+        bool behind = false;
+        for (int tick = 0; tick < 50 && !behind; ++tick) {
+            world.step(1e-3);
+            const vec3 p = world.state(2).position;
+            behind = p.x > 0 && std::abs(p.y) < 2.5 && std::abs(p.z) < 2.5;
+        }
+        through += behind ? 1 : 0;
+    }
+    return through / 300.0;
+}
+
+/// How far a load on four boxes of 2 kg has sunk after 10 s (m).
+double sunk_under(double load) {
+    Physics world;
+    world.add(1, {.size = {50, 1, 50}}, {.position = {0, -1, 0}});
+    for (Key i = 0; i < 5; ++i) {
+        world.add(10 + i, {.size = vec3(0.1), .mass = i == 4 ? load : 2.0},
+                  {.position = {0.003 * i, 0.1 + 0.2 * i, 0.002 * (i % 2)}});
+    }
+    for (int i = 0; i < 10'000; ++i) world.step(1e-3);
+    return 0.9 - world.state(14).position.y;
+}
+
+std::vector<Stress> contact_stresses() {
+    std::vector<Stress> all;
+    for (std::uint32_t i = 0; i < shape_names.size(); ++i) {
+        const auto shape = static_cast<Shape>(i);
+        all.push_back({.name = "restitution",
+                       .shape = shape_names[i],
+                       .error_name = "rebound_speed_off_its_share",
+                       .bound = 0.05,
+                       .worst = [shape] { return worst_rebound(shape); }});
+    }
+    for (std::uint32_t i = 0; i < shape_names.size(); ++i) {
+        const auto shape = static_cast<Shape>(i);
+        all.push_back({.name = "swept",
+                       .shape = shape_names[i],
+                       .error_name = "share_through_2_cm",
+                       .bound = 0,
+                       .worst = [shape] { return share_through(shape); }});
+    }
+    all.push_back({.name = "loaded_stack",
+                   .shape = "200_kg_on_2_kg",
+                   .error_name = "sunk_m_after_10_s",
+                   .bound = 0.001,
+                   .worst = [] { return sunk_under(200); }});
+    return all;
+}
+
+void measure_contacts(Report& report) {
+    for (const auto& stress : contact_stresses()) {
+        const double start = now_us();
+        const double worst = stress.worst();
+        Row row{.area = "physics", .name = stress.name, .is_default = true};
+        row.setting = {{"shape", stress.shape}, {"dt_ms", shipped_step_ms}};
+        row.time_us = times({now_us() - start});
+        row.error = ErrorMeasure{stress.error_name, worst};
+        report.rows.push_back(row);
+        if (worst <= stress.bound) continue;
+        report.faults.push_back(text("physics / ", stress.name, " (", stress.shape, "): ", stress.error_name,
+                                     " is ", worst, ", at most ", stress.bound));
+    }
+}
+
 }  // namespace
 
 void physics(const Options& options, Report& report) {
@@ -247,6 +362,7 @@ void physics(const Options& options, Report& report) {
         {"stack", "top_off_its_place_m_after_5_s", 5, stacks, true},
     };
     for (const auto& one : cases) measure_case(one, options, report);
+    measure_contacts(report);
 }
 
 }  // namespace thaum::bench

@@ -1,0 +1,94 @@
+#include "physics/detail/bounce.h"
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+
+namespace thaum::physics::detail {
+namespace {
+
+/// Speeds at which the two surfaces of a contact come together; negative: they part (m/s).
+struct Closing {
+    btScalar now;  ///< before the step's forces: what the solver's restitution goes by
+    btScalar end;  ///< with the step's forces: decides whether they meet
+};
+
+btVector3 velocity_at(const btRigidBody* body, const btVector3& point) {
+    return body == nullptr ? btVector3(0, 0, 0)
+                           : body->getVelocityInLocalPoint(point - body->getCenterOfMassPosition());
+}
+
+btVector3 velocity_by_forces(const btRigidBody* body, btScalar dt) {
+    return body == nullptr ? btVector3(0, 0, 0) : body->getTotalForce() * (body->getInvMass() * dt);
+}
+
+Closing closing_at(const btManifoldPoint& point, const btRigidBody* a, const btRigidBody* b, btScalar dt) {
+    const btVector3 apart =
+        velocity_at(a, point.getPositionWorldOnA()) - velocity_at(b, point.getPositionWorldOnB());
+    const btVector3 gained = velocity_by_forces(a, dt) - velocity_by_forces(b, dt);
+    const btScalar now = -point.m_normalWorldOnB.dot(apart);
+    return {now, now - point.m_normalWorldOnB.dot(gained)};
+}
+
+}  // namespace
+
+void BouncingWorld::time_contact(btPersistentManifold& manifold, btScalar dt, btScalar least_speed) {
+    const btRigidBody* const a = btRigidBody::upcast(manifold.getBody0());
+    const btRigidBody* const b = btRigidBody::upcast(manifold.getBody1());
+    btScalar most = 0;
+    btVector3 normal(0, 0, 0);
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        btManifoldPoint& point = manifold.getContactPoint(i);
+        const btScalar gap = point.getDistance(), e = point.m_combinedRestitution;
+        if (gap <= 0 || e <= 0) continue;
+        const Closing closing = closing_at(point, a, b, dt);
+        if (closing.now < least_speed) continue;  // the solver lets this one come to rest
+        if (gap >= closing.end * dt) {
+            point.setDistance(std::max(gap, (e * closing.now + closing.end) * dt));
+            continue;
+        }
+        point.setDistance(0);
+        if ((1 + e) * gap > most) most = (1 + e) * gap, normal = point.m_normalWorldOnB;
+    }
+    if (most <= 0) return;
+    const btScalar give_a = a ? a->getInvMass() : 0, give_b = b ? b->getInvMass() : 0;
+    put_back(*manifold.getBody0(), normal * (-most * give_a / (give_a + give_b)));
+    put_back(*manifold.getBody1(), normal * (most * give_b / (give_a + give_b)));
+}
+
+/// Two floors side by side ask for the same way once each: it is gone once.
+void BouncingWorld::put_back(const btCollisionObject& object, const btVector3& way) {
+    const btScalar length = way.length();
+    if (length <= 0) return;
+    auto* const body = const_cast<btRigidBody*>(btRigidBody::upcast(&object));
+    const btVector3 direction = way / length;
+    for (int i = 0; i < excess_.size(); ++i) {
+        Excess& known = excess_[i];
+        if (known.body != body) continue;
+        known.way += direction * std::max(btScalar(0), length - known.way.dot(direction));
+        return;
+    }
+    excess_.push_back({body, way});
+}
+
+void BouncingWorld::solveConstraints(btContactSolverInfo& info) {
+    excess_.resizeNoInitialize(0);
+    btDispatcher& dispatcher = *getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (manifold.getNumContacts() == 0 || manifold.getContactPoint(0).m_combinedRestitution <= 0)
+            continue;
+        time_contact(manifold, info.m_timeStep, info.m_restitutionVelocityThreshold);
+    }
+    btDiscreteDynamicsWorld::solveConstraints(info);
+}
+
+void BouncingWorld::integrateTransforms(btScalar dt) {
+    btDiscreteDynamicsWorld::integrateTransforms(dt);
+    for (int i = 0; i < excess_.size(); ++i) {
+        btTransform& place = excess_[i].body->getWorldTransform();
+        place.setOrigin(place.getOrigin() + excess_[i].way);
+    }
+}
+
+}  // namespace thaum::physics::detail

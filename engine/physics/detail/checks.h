@@ -1,0 +1,17 @@
+// physics/detail/checks.h: is a body's description or state possible? A wrong one is an assertion that names the body.
+#pragma once
+#include <string>
+
+#include "physics/physics.h"
+
+namespace thaum::physics::detail {
+
+/// "body 7: unknown".
+std::string about(Key key, const char* what);
+void check_state(Key, const BodyState&);
+void check_desc(Key, const BodyDesc&, std::size_t meshes);
+
+/// Distance of the farthest point of the shape from its centre; infinite for a mesh (m).
+double reach_of(const BodyDesc&);
+
+}  // namespace thaum::physics::detail

@@ -1,0 +1,190 @@
+// Bounces against Newton's law of restitution, swept bodies against thin walls, and stacks that carry a heavy load.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "unit/physics_scenes.h"
+
+namespace thaum::physics {
+namespace {
+
+using namespace scenes;
+
+/// 100 m by 100 m in the plane y = 0.
+TriangleMesh level_ground() {
+    return {{{-50, 0, -50}, {50, 0, -50}, {50, 0, 50}, {-50, 0, 50}}, {{0, 2, 1}, {0, 3, 2}}};
+}
+
+double half_height(const BodyDesc& d) {
+    if (d.shape == Shape::sphere) return d.size.x;
+    return d.shape == Shape::capsule ? d.size.x + d.size.y : d.size.y;
+}
+
+/// A body dropped onto the ground, with the same restitution on both sides of the pair.
+struct Drop {
+    Physics physics{{}, {level_ground()}};
+    double step;
+
+    Drop(Shape shape, Shape ground, double restitution, double height, double step_s) : step(step_s) {
+        BodyDesc floor{.shape = ground, .size = {50, 1, 50}, .restitution = 1};
+        physics.add(1, floor, at({0, ground == Shape::mesh ? 0.0 : -1.0, 0}));
+        BodyDesc body{
+            .shape = shape, .size = {0.1, 0.1, 0.1}, .mass = 1, .friction = 0, .restitution = restitution};
+        physics.add(2, body, at({0, half_height(body) + height, 0}));
+    }
+
+    /// Rebound speed by approach speed at the next bounce.
+    double next_bounce() {
+        double before = 0, now = 0;
+        for (double s = 0; now <= before + 0.01 && s < 3; s += step) {
+            before = physics.velocity(2).y;
+            physics.step(step);
+            now = physics.velocity(2).y;
+        }
+        double fastest = now;  // a corner may touch a step later
+        for (int i = 0; i < 3; ++i) {
+            physics.step(step);
+            fastest = std::max(fastest, physics.velocity(2).y);
+        }
+        return fastest / -before;
+    }
+};
+
+class Restitution : public ::testing::TestWithParam<std::tuple<Shape, Shape, double>> {};
+
+TEST_P(Restitution, ReboundSpeedIsItsShareOfTheApproach) {
+    const auto [shape, ground, step] = GetParam();
+    const double tolerance = shape == Shape::cylinder ? 0.05 : shape == Shape::box ? 0.02 : 0.001;
+    for (const double e : {1.0, 0.7, 0.4}) {
+        for (double height = 0.1; height < 4; height *= 1.17) {
+            Drop drop(shape, ground, e, height, step);
+            EXPECT_NEAR(drop.next_bounce(), e, tolerance) << "from " << height << " m";
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Physics, Restitution,
+    ::testing::Combine(::testing::Values(Shape::box, Shape::sphere, Shape::capsule, Shape::cylinder),
+                       ::testing::Values(Shape::box, Shape::mesh), ::testing::Values(0.001, 0.002, 0.004)));
+
+/// Each bounce reaches e^2 of the height before it: no step may add to that, and little is lost.
+TEST(PhysicsBounce, BallComesToTheSameHeightAgain) {
+    for (const double e : {1.0, 0.8}) {
+        Drop drop(Shape::sphere, Shape::box, e, 1, dt);
+        double height = 1;
+        for (int bounce = 0; bounce < 8; ++bounce) {
+            drop.next_bounce();
+            double top = 0;
+            while (drop.physics.velocity(2).y > 0) {
+                drop.physics.step(dt);
+                top = std::max(top, drop.physics.state(2).position.y - 0.1);
+            }
+            EXPECT_NEAR(top / height, e * e, 0.015) << "bounce " << bounce;
+            height = top;
+        }
+    }
+}
+
+TEST(PhysicsBounce, FastBallAgainstTheSeamOfTwoFloorsBouncesAsOnOne) {
+    for (const double speed : {3.0, 17.0, 60.0}) {
+        Physics physics({.gravity = {}});
+        BodyDesc floor = box({5, 1, 5}, 0, 0);
+        floor.restitution = 1;
+        physics.add(1, floor, at({-5, -1, 0}));
+        physics.add(2, floor, at({5, -1, 0}));
+        BodyDesc shot = ball(0.1, 1);
+        shot.restitution = 1;
+        shot.friction = shot.rolling_friction = 0;
+        const double from = 0.1 + speed * 0.01 + 0.0003;
+        physics.add(3, shot, at({0, from, 0}, {0, -speed, 0}));
+        for (int i = 0; i < 20; ++i) physics.step(dt);
+        EXPECT_NEAR(physics.velocity(3).y, speed, 1e-3 * speed);
+        // 20 ms of flight less the way down is the way up.
+        const double down = (from - 0.1) / speed;
+        EXPECT_NEAR(physics.state(3).position.y, 0.1 + speed * (0.02 - down), 0.002 * speed * dt) << speed;
+    }
+}
+
+/// Speeds below 0.2 m/s come to rest, as they do in Bullet: a ball does not tremble for ever.
+TEST(PhysicsBounce, BouncingBallComesToRestOnTheFloor) {
+    Drop drop(Shape::sphere, Shape::box, 0.6, 0.5, dt);
+    for (int i = 0; i < 8000; ++i) drop.physics.step(dt);
+    EXPECT_TRUE(drop.physics.state(2).asleep);
+    EXPECT_NEAR(drop.physics.state(2).position.y, 0.1, 1e-3);
+}
+
+/// A wall of 2 cm, or one of triangles without any thickness, and something thrown at it from a random side.
+bool comes_through(Shape shape, vec3 size, Shape wall, double step, std::uint64_t seed) {
+    const TriangleMesh sheet{{{0, -3, -3}, {0, 3, -3}, {0, 3, 3}, {0, -3, 3}}, {{0, 2, 1}, {0, 3, 2}}};
+    Random random{seed};
+    Physics physics({.gravity = {}}, {sheet});
+    physics.add(1, {.shape = wall, .size = {0.01, 3, 3}}, {});
+    const vec3 axis{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
+    const vec3 way = glm::normalize(vec3{1, random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5)});
+    const vec3 spin{random.uniform(-50, 50), random.uniform(-50, 50), random.uniform(-50, 50)};
+    physics.add(2, {.shape = shape, .size = size, .mass = 0.5, .friction = 0.3, .swept = 1},
+                {.position = {-random.uniform(0.5, 0.8), 0, 0},
+                 .orientation = rotation(glm::normalize(axis), random.uniform(0, 2 * pi)),
+                 .velocity = random.uniform(50, 200) * way,
+                 .spin = spin});
+    for (int i = 0; i < 100; ++i) {
+        physics.step(step);
+        const vec3 p = physics.state(2).position;
+        if (p.x > 0 && std::abs(p.y) < 2.5 && std::abs(p.z) < 2.5) return true;
+    }
+    return false;
+}
+
+class Swept : public ::testing::TestWithParam<std::tuple<Shape, Shape, double>> {};
+
+TEST_P(Swept, NothingComesThroughAThinWall) {
+    const auto [shape, wall, step] = GetParam();
+    int through = 0;
+    for (std::uint64_t i = 0; i < 100; ++i) {
+        for (const vec3 size : {vec3{0.03, 0.2, 0.03}, vec3{0.05, 0.1, 0.05}, vec3{0.1, 0.03, 0.05}})
+            through += comes_through(shape, size, wall, step, i) ? 1 : 0;
+    }
+    EXPECT_EQ(through, 0) << "of 300";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Physics, Swept,
+    ::testing::Combine(::testing::Values(Shape::box, Shape::sphere, Shape::capsule, Shape::cylinder),
+                       ::testing::Values(Shape::box, Shape::mesh), ::testing::Values(0.001, 0.004)));
+
+/// What passes beside a wall, or slides along it, is not held.
+TEST(PhysicsSwept, FreeWayIsNotStopped) {
+    Physics physics({.gravity = {}});
+    physics.add(1, box({0.01, 3, 3}, 0), {});
+    BodyDesc shot = box({0.05, 0.05, 0.05}, 0.5, 0);
+    shot.swept = 1;
+    physics.add(2, shot, at({-5, 3.2, 0}, {150, 0, 0}));
+    physics.add(3, shot, at({-0.0601, -2, 0}, {0, 150, 0}));
+    for (int i = 0; i < 50; ++i) physics.step(dt);
+    EXPECT_NEAR(physics.state(2).position.x, 2.5, 1e-9);
+    EXPECT_NEAR(physics.state(3).position.y, 5.5, 1e-6);
+}
+
+/// Four boxes of 2 kg and a heavy one on top stay where they are; sunk at the end by (m).
+double sunk_stack(double half, double load) {
+    Physics physics;
+    add_floor(physics);
+    for (Key i = 0; i < 5; ++i) {
+        const vec3 place{0.003 * i, half + 2 * half * i, 0.002 * (i % 2)};
+        physics.add(10 + i, box(vec3(half), i == 4 ? load : 2.0), at(place));
+    }
+    for (int i = 0; i < 20'000; ++i) physics.step(dt);
+    return 9 * half - physics.state(14).position.y;
+}
+
+TEST(PhysicsStack, TwoHundredKilogramsOnBoxesOfTwo) {
+    for (const double half : {0.1, 0.25}) {
+        EXPECT_LT(sunk_stack(half, 200), 0.001) << half;
+        EXPECT_LT(sunk_stack(half, 400), 0.001) << half;
+    }
+}
+
+}  // namespace
+}  // namespace thaum::physics
