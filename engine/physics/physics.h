@@ -47,7 +47,7 @@ struct BodyDesc {
     /// m. box: half extents; sphere: radius in x; capsule, cylinder: radius in x, half the length of the cylindrical
     /// part in y; mesh: unused.
     vec3 size{0.5, 0.5, 0.5};
-    double mass{};  ///< kg; 0: static, never moved by forces. A mesh must be static.
+    double mass{};  ///< kg; 0: static, as a mesh must be. A stack carries 200 times its lightest body.
     /// The product of a pair counts. Restitution: rebound by approach speed, where that is 0.2 m/s and more (cylinders: 5 %).
     double friction{0.7};
     double restitution{};

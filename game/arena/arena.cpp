@@ -73,6 +73,9 @@ void read_solids(const ConfigTable& root, Arena& arena) {
     }
 }
 
+/// Masses of props (kg). A stack carries up to 200 times the mass of its lightest body (physics/physics.h).
+constexpr Range prop_mass{1, 200};
+
 void read_props(const ConfigTable& root, Arena& arena) {
     for (const auto& table : root.tables("prop")) {
         Thing thing;
@@ -80,7 +83,7 @@ void read_props(const ConfigTable& root, Arena& arena) {
         read_shape(table, prop_shapes[table.choice("shape", prop_shapes)], thing.body);
         thing.surface = read_surface(table);
         thing.position = table.vector("position", place);
-        thing.body.mass = table.number("mass", {0.1, 1000});
+        thing.body.mass = table.number("mass", prop_mass);
         thing.body.friction = table.number("friction", {0, 2}, 0.8);
         thing.body.restitution = table.number("restitution", {0, 1}, 0.1);
         thing.body.layer = layer::prop;
