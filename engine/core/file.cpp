@@ -69,6 +69,22 @@ Expected<std::string> read_text_file(const std::filesystem::path& path, std::siz
     });
 }
 
+Expected<void> make_folder(const std::filesystem::path& folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed) return fail(text(folder.string(), ": cannot create: ", failed.message()));
+    if (!std::filesystem::is_directory(folder, failed))
+        return fail(text(folder.string(), ": cannot create: not a folder"));
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) return system_error(folder, "write");
+    return {};
+}
+
+Expected<void> check_output(const std::filesystem::path& path) {
+    const auto file = FileWriter::create(path);
+    if (!file) return tl::unexpected(file.error());
+    return {};
+}
+
 Expected<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
     auto file = FileWriter::create(path);
     if (!file) return tl::unexpected(file.error());

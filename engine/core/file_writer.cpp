@@ -10,6 +10,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "core/write_rule.h"
 
 namespace thaum {
 namespace {
@@ -20,15 +21,34 @@ tl::unexpected<Error> fault(const std::filesystem::path& path, std::string_view 
     return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(why)));
 }
 
+/// A new file beside the target, never one that lies there already: its name could lead to a file of somebody else.
+/// A name may be taken by a program that was killed. -1 and errno where none can be made.
+int create_part(const std::filesystem::path& target, std::string& part) {
+    constexpr int most_tries = 100;
+    for (int i = 0; i < most_tries; ++i) {
+        part = text(target.string(), ".", ::getpid(), "-", i, ".part");
+        const int fd = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (fd >= 0 || errno != EEXIST) return fd;
+    }
+    return -1;
+}
+
+/// The new file has the rights of the one that it replaces. A file system without rights keeps its own.
+void take_rights_of(const std::filesystem::path& target, int fd) {
+    struct stat info {};
+    if (::stat(target.c_str(), &info) == 0 && ::fchmod(fd, info.st_mode & 0777U) != 0) errno = 0;
+}
+
 }  // namespace
 
-FileWriter::FileWriter(std::filesystem::path path, std::string part, int fd)
-    : path_(std::move(path)), part_(std::move(part)), fd_(fd) {
+FileWriter::FileWriter(std::filesystem::path name, std::filesystem::path target, std::string part, int fd)
+    : name_(std::move(name)), target_(std::move(target)), part_(std::move(part)), fd_(fd) {
     buffer_.reserve(buffer_size);
 }
 
 FileWriter::FileWriter(FileWriter&& other) noexcept
-    : path_(std::move(other.path_)),
+    : name_(std::move(other.name_)),
+      target_(std::move(other.target_)),
       part_(std::move(other.part_)),
       fd_(std::exchange(other.fd_, -1)),
       fault_(other.fault_),
@@ -41,14 +61,13 @@ FileWriter::~FileWriter() {
 }
 
 Expected<FileWriter> FileWriter::create(std::filesystem::path path) {
-    // Renaming over a device would replace it: as root, /dev/null would become a file.
-    struct stat info {};
-    if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
-        return fail(text(path.string(), ": cannot write: not an ordinary file"));
-    auto part = text(path.string(), ".", ::getpid(), ".part");
-    const int fd = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    auto target = writable_target(path);
+    if (!target) return tl::unexpected(target.error());
+    std::string part;
+    const int fd = create_part(*target, part);
     if (fd < 0) return fault(path, "create", errno);
-    return FileWriter(std::move(path), std::move(part), fd);
+    take_rights_of(*target, fd);
+    return FileWriter(std::move(path), std::move(*target), std::move(part), fd);
 }
 
 void FileWriter::write(std::span<const std::byte> bytes) {
@@ -67,14 +86,26 @@ void FileWriter::flush() {
     buffer_.clear();
 }
 
+tl::unexpected<Error> FileWriter::give_up(std::string_view doing, int why) {
+    if (fd_ >= 0) ::close(std::exchange(fd_, -1));
+    ::unlink(part_.c_str());
+    return fault(name_, doing, why);
+}
+
 Expected<void> FileWriter::close() {
     flush();
-    if (fault_ != 0) return fault(path_, "write", fault_);
-    ::close(std::exchange(fd_, -1));
-    if (::rename(part_.c_str(), path_.c_str()) == 0) return {};
-    auto error = fault(path_, "replace", errno);
-    ::unlink(part_.c_str());
-    return error;
+    if (fault_ != 0) return give_up("write", fault_);
+    // A disk may find only here that it has no place. EINVAL: a file system without a disk.
+    if (::fdatasync(fd_) != 0 && errno != EINVAL) return give_up("write", errno);
+    if (::close(std::exchange(fd_, -1)) != 0) return give_up("write", errno);
+    // The target may have become an input or a recording since the file was begun.
+    const auto still = writable_target(target_);
+    if (!still) {
+        ::unlink(part_.c_str());
+        return tl::unexpected(still.error());
+    }
+    if (::rename(part_.c_str(), target_.c_str()) != 0) return give_up("replace", errno);
+    return {};
 }
 
 }  // namespace thaum

@@ -43,7 +43,7 @@ struct LogHeader {
     bool operator==(const LogHeader&) const = default;
 };
 
-/// Hashes of the state after `tick` ticks; tick is a multiple of hash_interval.
+/// Hashes of the state after `tick` ticks; tick is a multiple of hash_interval, or that of the log's last state.
 struct HashRecord {
     Tick tick{};
     std::uint64_t state{};
@@ -98,9 +98,9 @@ public:
     /// Why recording ended early (a full disk), in one line that says what was kept. The match goes on.
     std::optional<Error> error() const;
 
-    /// Writes what is left, and `result` (one line, at most 4,096 bytes kept) into the end block. The error is
-    /// that of `error`.
-    Expected<void> close(std::string_view result);
+    /// Writes what is left, and into the end block `result` (one line, at most 4,096 bytes kept) and the hashes of the
+    /// last state, where they are given; their tick is `ticks()`. The error is that of `error`.
+    Expected<void> close(std::string_view result, std::optional<HashRecord> last = {});
 
 private:
     struct State;
@@ -138,7 +138,7 @@ public:
     /// The text given to close; empty unless the ending is clean.
     const std::string& result() const;
 
-    /// By rising tick.
+    /// By rising tick, that of the end block included.
     const std::vector<HashRecord>& hashes() const;
     std::optional<HashRecord> hash_at(Tick tick) const;
     /// In the order in which they were made.
@@ -158,6 +158,10 @@ private:
 
 /// Is it being recorded now, by this or another program?
 bool log_in_use(const std::filesystem::path& path);
+
+/// Removes the log of an earlier run, so that the next one can have its name; no error where nothing is there. The
+/// error names what lies there and stays: no log, or one that is being recorded.
+Expected<void> remove_log(const std::filesystem::path& path);
 
 /// Only the header, for lists of logs. Errors as LogReader::open.
 Expected<LogHeader> read_log_header(const std::filesystem::path& path);

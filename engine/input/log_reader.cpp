@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/text.h"
+#include "core/write_rule.h"
 #include "input/detail/block.h"
 
 namespace thaum::input {
@@ -170,12 +171,20 @@ struct LogReader::State {
     }
 
     bool read_end(const detail::BlockHeader& header, std::span<const std::byte> bytes) {
-        auto end_text = unpacker.end(header, bytes);
-        if (!end_text) return spoilt(at, "payload");
+        auto end_block = unpacker.end(header, bytes);
+        if (!end_block) return spoilt(at, "payload");
         if (at != log.file.size) return damaged("bytes after the end");
+        if (end_block->last && !add_last(*end_block->last)) return damaged("payload");
         ending = LogEnding::clean;
-        result = std::move(*end_text);
+        result = std::move(end_block->result);
         return false;
+    }
+
+    /// The hashes of the last state; false where the last block has others for it.
+    bool add_last(const HashRecord& last) {
+        if (!hashes.empty() && hashes.back().tick == last.tick) return hashes.back() == last;
+        hashes.push_back(last);
+        return true;
     }
 
     /// Hashes and marks of `block` to the lists; false where they do not continue them.
@@ -266,6 +275,16 @@ bool log_in_use(const std::filesystem::path& path) {
     const bool locked = ::flock(fd, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
     ::close(fd);
     return locked;
+}
+
+Expected<void> remove_log(const std::filesystem::path& path) {
+    const auto stays = [&](std::string_view why) { return fail(text(path.string(), ": stays: ", why)); };
+    std::error_code failed;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(path, failed))) return {};
+    if (!begins_like_recording(path)) return stays("it is no log");
+    if (log_in_use(path)) return stays("a program is recording into it");
+    if (std::filesystem::remove(path, failed)) return {};
+    return stays(failed.message());
 }
 
 Expected<LogHeader> read_log_header(const std::filesystem::path& path) {

@@ -22,6 +22,7 @@
 #include "core/assert.h"
 #include "core/file.h"
 #include "core/text.h"
+#include "core/threads.h"
 #include "input/detail/block.h"
 
 namespace thaum::input {
@@ -99,7 +100,14 @@ struct LogWriter::State {
         blocks.reserve(most_blocks);
         for (std::size_t i = 0; i < usual_blocks; ++i) spare = make_block(spare);
         current = take_spare();
-        thread = std::thread([this] { work(); });
+    }
+
+    /// Before this nothing is written. The error is that of start_thread.
+    Expected<void> start() {
+        auto started = start_thread([this] { work(); });
+        if (!started) return tl::unexpected(started.error());
+        thread = std::move(*started);
+        return {};
     }
 
     ~State() {
@@ -129,7 +137,8 @@ struct LogWriter::State {
     std::atomic<bool> stopped{false};  // recording ended early; `fault` is set before and never again
     std::atomic_flag fault_taken;
     std::string fault;
-    std::string result;  // set before the last block is handed over
+    std::string result;              // this and `last` are set before the last block is handed over
+    std::optional<HashRecord> last;  // hashes of the last state
 
     // The log's thread's.
     detail::Packer packer;
@@ -221,6 +230,7 @@ struct LogWriter::State {
     void finish(Then then) {
         if (finished) return;
         finished = true;
+        if (!thread.joinable()) return;  // it could not be started
         hand_over(then);
         thread.join();
     }
@@ -259,7 +269,7 @@ struct LogWriter::State {
         // The other thread may have stopped early for want of a block; then the log was not closed cleanly.
         const bool whole = !stopped.load(std::memory_order_acquire);
         if (block.then == Then::end_block && whole) {
-            write_whole(packer.end(block.first + block.ticks, result));
+            write_whole(packer.end(block.first + block.ticks, {result, last}));
         }
         if (block.then != Then::go_on || Clock::now() >= synced + sync_interval) sync();
     }
@@ -312,8 +322,13 @@ Expected<LogWriter> LogWriter::create(const std::filesystem::path& path, const L
         return fail(text(path.string(), ": cannot write: ", why));
     }
     const auto salt = detail::decode_preamble(*bytes)->salt;
-    return LogWriter(
-        std::make_unique<State>(path.string(), fd, bytes->size(), salt, header.devices.size(), when_behind));
+    auto state =
+        std::make_unique<State>(path.string(), fd, bytes->size(), salt, header.devices.size(), when_behind);
+    if (const auto started = state->start(); !started) {
+        ::unlink(path.c_str());
+        return fail(text(path.string(), ": cannot record: ", started.error().message));
+    }
+    return LogWriter(std::move(state));
 }
 
 void LogWriter::append(const InputFrame& frame) { state_->append(frame); }
@@ -333,8 +348,12 @@ std::optional<Error> LogWriter::error() const {
     return Error{state_->fault};
 }
 
-Expected<void> LogWriter::close(std::string_view result) {
-    if (!state_->finished) state_->result = result;
+Expected<void> LogWriter::close(std::string_view result, std::optional<HashRecord> last) {
+    if (!state_->finished) {
+        state_->result = result;
+        // A log that stopped early has no end block.
+        if (last && last->tick == ticks()) state_->last = last;
+    }
     state_->finish(Then::end_block);
     if (auto fault = error()) return tl::unexpected(std::move(*fault));
     return {};

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 
 #include "core/file.h"
@@ -79,10 +80,26 @@ Expected<Bytes> state_among(const std::string& log, Tick tick, std::uint64_t thr
     return state_here(log, tick);
 }
 
+/// A new folder that goes with its contents; an empty path where none could be made.
+struct TemporaryFolder {
+    std::string path = (std::filesystem::temp_directory_path() / "thaum-diff-XXXXXX").string();
+
+    TemporaryFolder() {
+        if (::mkdtemp(path.data()) == nullptr) path.clear();
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        if (!path.empty()) std::filesystem::remove_all(path, ignored);
+    }
+};
+
 /// Runs PROGRAM replay LOG --dump TICK FILE.
 Expected<Bytes> state_elsewhere(const std::string& program, const std::string& log, Tick tick) {
-    const auto file =
-        std::filesystem::temp_directory_path() / text("thaum-diff-", static_cast<long>(::getpid()), ".dump");
+    const TemporaryFolder folder;
+    if (folder.path.empty()) return fail("diff: cannot create a temporary folder");
+    const auto file = std::filesystem::path(folder.path) / "state.dump";
     const auto tick_text = text(tick);
     const std::vector<std::string> words{program, "replay", log, "--dump", tick_text, file.string()};
     std::vector<char*> argv;
@@ -101,10 +118,7 @@ Expected<Bytes> state_elsewhere(const std::string& program, const std::string& l
     // The state of a replay that differs from its log, which is what we look for, comes with does_not_hold.
     if (!WIFEXITED(status) || WEXITSTATUS(status) > does_not_hold)
         return fail(text(program, ": could not replay ", log));
-    auto state = read_file(file, max_dump);
-    std::error_code ignored;
-    std::filesystem::remove(file, ignored);
-    return state;
+    return read_file(file, max_dump);
 }
 
 struct Sides {

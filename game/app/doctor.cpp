@@ -34,7 +34,7 @@ in a picture is measured. A force feedback arm (OpenHaptics; THAUM_LIBHD says
 where libHD.so is) is held still for two seconds, without force: how evenly its
 ticks come, and how long from a pose to the force that answers it.
 
-  --json FILE   the findings as JSON; - for standard output
+  --json FILE   the findings as JSON, replacing an older file; - for stdout
 
 Exit 0: a match can be played here; 1: something that it needs is missing.
 )";
@@ -211,6 +211,8 @@ Finding tick_clock() {
 }
 
 Finding folder(const std::string& what, const std::filesystem::path& path, const char* variable) {
+    if (path.empty())
+        return {what, State::missing, "there is no home folder", text("set HOME, or ", variable)};
     auto existing = path;
     std::error_code ignored;
     while (!existing.empty() && !std::filesystem::exists(existing, ignored))
@@ -276,8 +278,10 @@ int run_doctor(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
     if (!arguments->plain().empty()) return refuse({text("doctor takes no '", arguments->plain()[0], "'")});
-    const auto findings = examine();
     const auto json = arguments->value("--json");
+    if (const auto free = json && json != "-" ? check_output(*json) : Expected<void>(); !free)
+        return refuse(free.error());
+    const auto findings = examine();
     if (json == "-") {
         std::printf("%s", as_json(findings).c_str());
     } else {

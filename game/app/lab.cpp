@@ -6,8 +6,10 @@
 #include <cstdio>
 
 #include "core/clock.h"
+#include "core/file.h"
 #include "core/hash.h"
 #include "core/text.h"
+#include "core/write_rule.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/lab/lab_file.h"
@@ -37,7 +39,8 @@ keys, or with --headless faster than real time.
   --pour S,AT,L    at second AT, L litres of that substance (name or number); repeats
   --stir PATH      circle, figure8, none, or FILE.csv with time_s,x_m,y_m,z_m
                    (headless: circle; the window: the mouse)
-  --load FILE      goes on from a saved state;  --save FILE  saves it at the end
+  --load FILE      goes on from a saved state;  --save FILE  saves it at the end,
+                   replacing an older file, but not the loaded one; so --trace
   --trace FILE     CSV, a row a step of 16 ms;  --times  adds microseconds
   --shots DIR      pictures, --every N steps (25)
   --size WxH       of them, or of the window, in px (1280x720)
@@ -231,6 +234,8 @@ Expected<void> read_outputs(const Arguments& arguments, LabPlan& plan) {
     if (arguments.has("--size") && arguments.has("--headless") && !plan.shots)
         return fail("--size needs --shots, or a window");
     if (plan.times && !plan.trace) return fail("--times needs --trace");
+    if (plan.save && plan.trace && same_target(*plan.save, *plan.trace))
+        return fail("--save and --trace need one file for each");
     const auto every = arguments.whole("--every", 1, 1'000'000, 25);
     if (!every) return tl::unexpected(every.error());
     plan.every = static_cast<std::int64_t>(*every);
@@ -277,6 +282,8 @@ void tell_end(const LabState& lab, const game::LabFigures& last, std::int64_t st
 }
 
 int run_headless(LabPlan plan) {
+    if (const auto free = plan.save ? check_output(*plan.save) : Expected<void>(); !free)
+        return refuse(free.error());
     auto trace = LabTrace::open(plan);
     if (!trace) return refuse(trace.error());
     auto shots = LabShots::open(plan);
@@ -306,6 +313,9 @@ int run_lab(const std::vector<std::string>& words) {
         return refuse({"lab: volumes are not there yet; `thaum lab --fluid` has the cauldron's brew"});
     if (!arguments->has("--headless") && !display_there())
         return refuse({"lab needs a display; without one: thaum lab --fluid --headless"});
+    for (const auto* word : {"--load", "--stir"}) {
+        if (const auto file = arguments->value(word)) protect_input(*file);
+    }
     auto plan = read_plan(*arguments);
     if (!plan) return refuse(plan.error());
     return arguments->has("--headless") ? run_headless(std::move(*plan)) : run_lab_window(std::move(*plan));

@@ -1,4 +1,5 @@
 // Pictures of the lab, drawn in memory.
+#include "core/file.h"
 #include "core/text.h"
 #include "game/app/lab.h"
 #include "game/app/lab_picture.h"
@@ -18,19 +19,25 @@ LabShots::LabShots(LabShots&&) noexcept = default;
 LabShots& LabShots::operator=(LabShots&&) noexcept = default;
 LabShots::~LabShots() = default;
 
+namespace {
+
+std::filesystem::path lab_shot(const std::filesystem::path& folder, std::int64_t step) {
+    const auto digits = text(step);
+    const auto zeros = std::string(digits.size() < 7 ? 7 - digits.size() : 0, '0');
+    return folder / text("lab_", zeros, digits, ".png");
+}
+
+}  // namespace
+
 Expected<void> make_lab_folder(const LabPlan& plan) {
     if (!plan.shots) return {};
-    std::error_code failed;
-    std::filesystem::create_directories(*plan.shots, failed);
-    if (failed) return fail(text(plan.shots->string(), ": cannot create: ", failed.message()));
-    return {};
+    if (auto made = make_folder(*plan.shots); !made) return made;
+    return check_output(lab_shot(*plan.shots, plan.lab.steps + plan.every));
 }
 
 Expected<void> write_lab_shot(const std::filesystem::path& folder, std::int64_t step,
                               const render::Image& image) {
-    const auto digits = text(step);
-    const auto zeros = std::string(digits.size() < 7 ? 7 - digits.size() : 0, '0');
-    return render::write_png(folder / text("lab_", zeros, digits, ".png"), image);
+    return render::write_png(lab_shot(folder, step), image);
 }
 
 Expected<LabShots> LabShots::open(const LabPlan& plan) {

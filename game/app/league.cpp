@@ -29,7 +29,7 @@ Every two of the levels play matches; each seed twice, with the sides swapped.
   --rules NAME, --match NAME, --arena NAME, --set KEY=VALUE   as in `thaum play`
   --seed N         of the first match (1)
   --jobs N         processes; default: the processor's cores
-  --json FILE      the table as JSON; - for standard output
+  --json FILE      the table as JSON, replacing an older one; - for stdout
   --check          exit code 1 unless each level wins 60 to 85 % against the next
                    lower one and the median round takes 100 to 240 s
 
@@ -291,12 +291,15 @@ int run_league(const std::vector<std::string>& words) {
         if (const auto skill = game::load_bot_skill(game::find_assets(), level); !skill)
             return refuse(skill.error());
     }
+    const bool to_file = !plan->json.empty() && plan->json != "-";
+    if (const auto free = to_file ? check_output(plan->json) : Expected<void>(); !free)
+        return refuse(free.error());
     const auto matches = play(*plan, std::make_shared<const game::MatchData>(std::move(*loaded)));
     if (!matches) return refuse(matches.error());
     const auto summary = game::summarise(*matches);
     const auto json = json_of(*plan, summary).dump(1) + "\n";
     std::printf("%s", plan->json == "-" ? json.c_str() : table(*plan, summary).c_str());
-    if (!plan->json.empty() && plan->json != "-") {
+    if (to_file) {
         if (const auto written = write_text_file(plan->json, json); !written) return refuse(written.error());
     }
     const auto wrong = plan->check ? complaint(*plan, summary) : std::string();

@@ -114,7 +114,7 @@ bool start_round(Session& s, MatchStart start) {
 void close_log(Round& round) {
     auto* log = log_of(round);
     if (log == nullptr) return;
-    if (const auto closed = log->close(game::result_line(*round.match)); !closed)
+    if (const auto closed = game::close_log(*log, *round.match); !closed)
         std::fprintf(stderr, "%s\n", closed.error().message.c_str());
     round.kept = std::monostate{};
 }

@@ -1,11 +1,17 @@
 // thaum: the program. The first word names the command; without one it is `play`.
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
+#include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "core/memory.h"
 #include "core/text.h"
+#include "core/write_rule.h"
 #include "game/app/command.h"
+#include "game/match/data.h"
 
 namespace thaum::app {
 namespace {
@@ -52,9 +58,28 @@ int dispatch(std::vector<std::string> words) {
             std::printf("%s", std::string(command.help).c_str());
             return done;
         }
+        protect_input(game::find_assets());
         return command.run(words);
     }
     return refuse({text("unknown command '", name, "'; `thaum --help` lists them")});
+}
+
+/// What nothing nearer could deal with ends here, in a line.
+int dispatch_guarded(std::vector<std::string> words) {
+    try {
+        return dispatch(std::move(words));
+    } catch (const std::system_error& refused) {
+        return refuse({text("the system refused what the program needs: ", refused.what())});
+    } catch (const std::bad_alloc&) {
+        return refuse({"out of memory"});
+    }
+}
+
+/// What was printed may not have arrived: a full disk, a closed pipe. A command that said nothing cannot say so.
+int with_output_checked(int code) {
+    const bool failed = std::ferror(stdout) != 0;
+    if (std::fflush(stdout) == 0 && !failed) return code;
+    return refuse({text("cannot write to standard output: ", std::strerror(errno))});
 }
 
 }  // namespace
@@ -63,5 +88,5 @@ int dispatch(std::vector<std::string> words) {
 
 int main(int argc, char** argv) {
     thaum::keep_freed_memory();
-    return thaum::app::dispatch({argv + 1, argv + argc});
+    return thaum::app::with_output_checked(thaum::app::dispatch_guarded({argv + 1, argv + argc}));
 }

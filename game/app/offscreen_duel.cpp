@@ -38,7 +38,7 @@ Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const gam
         played.frames.push_back(frame);
         watch_for_highlight(match, played.highlight);
     }
-    if (auto closed = log->close(game::result_line(match)); !closed) played.log_fault = closed.error();
+    if (auto closed = game::close_log(*log, match); !closed) played.log_fault = closed.error();
     return played;
 }
 
@@ -82,11 +82,13 @@ int play_offscreen_duel(const OffscreenDuel& duel) {
     auto loaded = game::load_match_data(duel.assets, duel.data);
     if (!loaded) return refuse(loaded.error());
     const auto data = std::make_shared<const game::MatchData>(std::move(*loaded));
-    std::error_code failed;
-    std::filesystem::create_directories(duel.out, failed);
-    if (failed) return refuse({text(duel.out.string(), ": cannot create: ", failed.message())});
+    if (const auto made = make_folder(duel.out); !made) return refuse(made.error());
+    for (const auto* file : {"duel.png", "duel.txt"}) {
+        if (const auto free = check_output(duel.out / file); !free) return refuse(free.error());
+    }
     const auto log = duel.log.empty() ? duel.out / "duel.thaumlog" : duel.log;
-    if (duel.log.empty()) std::filesystem::remove(log, failed);  // ours, from the last time
+    if (const auto free = duel.log.empty() ? input::remove_log(log) : Expected<void>(); !free)
+        return refuse(free.error());
     const auto played = play(duel, data, log);
     if (!played) return refuse(played.error());
     const auto drawn = picture(duel, data, *played);

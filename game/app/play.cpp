@@ -31,13 +31,13 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
   --match NAME     quick (default): first to 3, 4 min; standard: best of 3 rounds,
                    each first to 5, 6 min; a tied round counts for nobody
-  --arena NAME     boiling_court (default)
   --set KEY=VALUE  another value for one number, such as bolt.shot.damage=12
-  --seed N         of all that is random
+  --arena NAME     boiling_court (default);  --seed N  of all that is random
   --record FILE    the log; default: a new file in the data folder
   --headless       no window: two bots, faster than real time
   --seconds S      ends after that; headless: 60
-  --out DIR        where headless leaves duel.png, duel.thaumlog, duel.txt (out)
+  --out DIR        where headless leaves duel.png, duel.thaumlog, duel.txt, replacing
+                   those of the last time (out)
 
 With no display it says so and plays headless.
 )";
@@ -167,6 +167,9 @@ int play_in_window(const Wish& wish) {
     plan.seconds = wish.seconds;
     plan.log = wish.record;
     plan.logs_folder = matches_folder();
+    if (plan.logs_folder.empty() && plan.log.empty())
+        std::fprintf(
+            stderr, "this match is not recorded: there is no home folder; set HOME, or give --record FILE\n");
     plan.settings = std::move(settings);
     plan.settings_file = settings_file();
     return run_live(plan);

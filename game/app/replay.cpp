@@ -6,6 +6,7 @@
 #include "core/file.h"
 #include "core/file_writer.h"
 #include "core/text.h"
+#include "core/write_rule.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/feel.h"
@@ -41,7 +42,8 @@ else is computed again, without bots and devices.
 
 --verify, --events, --state, --forces and --shots go together in one pass.
 Every replay is compared with the log's hashes. One that differs says at which
-tick, leaves no tables, and exits 1.
+tick, leaves no tables, and exits 1. A FILE that is there is replaced, but never
+LOG, a data file or another recording.
 )";
 
 /// What one pass over the log is to give.
@@ -130,26 +132,36 @@ bool has_diverged(const game::Playback& playback) {
     return true;
 }
 
+/// Prints the line, if there is one.
+bool says(const std::string& line) {
+    if (!line.empty()) std::printf("%s\n", line.c_str());
+    return !line.empty();
+}
+
 /// From the first tick to the last. Where the replay turns out wrong the files are not written: what they would say did
 /// not happen.
 int run_pass(const Pass& pass, game::Playback& playback) {
     const auto start = std::chrono::steady_clock::now();
+    if (pass.verify && says(playback.missing_hashes())) return does_not_hold;
     auto out = open_outputs(pass, playback);
     if (!out) return refuse(out.error());
     std::size_t compared = 0;
+    Tick last_compared = 0;
     do {
         if (const auto put = put_outputs(pass, playback, *out); !put) return refuse(put.error());
-        if (playback.log().hash_at(playback.match().now())) ++compared;
+        if (playback.log().hash_at(playback.match().now())) {
+            ++compared;
+            last_compared = playback.match().now();
+        }
         if (has_diverged(playback)) return does_not_hold;
     } while (playback.step());
     const bool damaged = playback.log().ending() == input::LogEnding::damaged;
-    if (pass.verify && damaged) {
-        std::printf("%s\n", playback.log().ending_reason().c_str());
-        return does_not_hold;
-    }
+    if (pass.verify && damaged && says(playback.log().ending_reason())) return does_not_hold;
+    if (pass.verify && says(playback.wrong_result())) return does_not_hold;
     if (const auto closed = close_outputs(playback, *out); !closed) return refuse(closed.error());
     const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const auto checked = pass.verify ? text(", ", compared, " state hashes agree") : std::string();
+    const auto checked =
+        pass.verify ? text(", ", compared, " state hashes agree, the last at tick ", last_compared) : "";
     const auto drawn = out->shots ? text(", ", out->shots->taken(), " pictures") : std::string();
     std::printf("%llu ticks%s%s; %s (%s s, %s x real time)\n",
                 static_cast<unsigned long long>(playback.match().now()), checked.c_str(), drawn.c_str(),
@@ -162,6 +174,7 @@ int run_pass(const Pass& pass, game::Playback& playback) {
 int dump(game::Playback& playback, const std::vector<std::string>& values) {
     const auto tick = parse_whole(values[0], "--dump", 0, ~std::uint64_t{0});
     if (!tick) return refuse(tick.error());
+    if (auto free = check_output(values[1]); !free) return refuse(free.error());
     if (!playback.play_to(*tick)) {
         return refuse({text("--dump ", *tick, ": the log has ", playback.log().ticks(), " ticks")});
     }
@@ -213,6 +226,14 @@ Expected<ShotPlan> read_shots(const Arguments& arguments, Tick log_ticks) {
     return plan;
 }
 
+/// Two tables in one file would be one table.
+Expected<void> check_distinct(const Pass& pass) {
+    const auto same = [](const auto& a, const auto& b) { return a && b && same_target(*a, *b); };
+    if (same(pass.events, pass.state) || same(pass.events, pass.forces) || same(pass.state, pass.forces))
+        return fail("--events, --state and --forces need one file for each");
+    return {};
+}
+
 /// Options that mean nothing without another one are mistakes.
 Expected<void> check_company(const Arguments& arguments, const Pass& pass) {
     for (const auto* word : {"--shot-every", "--shot-at", "--shot-on", "--size"}) {
@@ -242,22 +263,24 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
         pass.shots = std::move(*shots);
     }
     if (auto fits = check_company(arguments, pass); !fits) return tl::unexpected(fits.error());
+    if (auto distinct = check_distinct(pass); !distinct) return tl::unexpected(distinct.error());
     return pass;
 }
 
-/// To where --at says.
-Expected<void> play_to_start(const Arguments& arguments, game::Playback& playback) {
+/// The tick at which --at begins, within the log.
+Expected<Tick> start_of(const Arguments& arguments, const game::Playback& playback) {
     const auto at = arguments.number("--at", 0, 1e6, 0);
     if (!at) return tl::unexpected(at.error());
-    if (playback.play_to(ticks(*at))) return {};
+    if (ticks(*at) <= playback.log().ticks()) return ticks(*at);
     return fail(text("--at ", *at, ": the log has ", fixed(seconds(playback.log().ticks()), 1), " s"));
 }
 
 int watch_from(const Arguments& arguments, game::Playback playback) {
     const auto speed = arguments.number("--speed", 0.25, 16, 1);
     if (!speed) return refuse(speed.error());
-    if (auto at = play_to_start(arguments, playback); !at) return refuse(at.error());
-    return watch(std::move(playback), *speed, arguments.value("--out").value_or("out"));
+    const auto start = start_of(arguments, playback);
+    if (!start) return refuse(start.error());
+    return watch(std::move(playback), {*start, *speed, arguments.value("--out").value_or("out")});
 }
 
 /// A kick that lasts twice as long pushes a hand twice as far, and one of half the time is another kick: so only real time.
@@ -269,7 +292,9 @@ int feel_from(const Arguments& arguments, game::Playback playback) {
     if (arguments.has("--out")) return refuse({"--feel leaves nothing in --out"});
     const auto player = arguments.whole("--player", 1, game::players, 1);
     if (!player) return refuse(player.error());
-    if (auto at = play_to_start(arguments, playback); !at) return refuse(at.error());
+    const auto start = start_of(arguments, playback);
+    if (!start) return refuse(start.error());
+    playback.play_to(*start);
     return feel(std::move(playback),
                 {.device = *arguments.value("--feel"), .player = static_cast<std::uint32_t>(*player - 1)});
 }
@@ -284,6 +309,7 @@ int run_replay(const std::vector<std::string>& words) {
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1)
         return refuse({"replay needs one log; `thaum replay --help` tells more"});
+    protect_input(arguments->plain()[0]);
     auto playback = game::Playback::open(arguments->plain()[0], game::find_assets());
     if (!playback) return refuse(playback.error());
     const auto pass = read_pass(*arguments, playback->log().ticks());

@@ -4,6 +4,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "core/write_rule.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/still.h"
@@ -18,8 +19,9 @@ constexpr std::string_view scenario_help =
 Plays scenarios (Lua scripts) through the players' own devices, faster than real
 time. Each runs twice, with equal state hashes. Without a name: all of them.
 
-  --json FILE   the results as JSON; - for standard output
-  --out DIR     where logs, traces and pictures go (default: out/scenarios)
+  --json FILE   the results as JSON, in place of older ones; - for standard output
+  --out DIR     where logs, traces and pictures go, replacing those of the last
+                run (default: out/scenarios)
   --once        without the second run: in half the time, and no hashes compared
 
 What hands feel is compared with the force traces in tests/replays/forces, to the
@@ -80,6 +82,12 @@ int run_scenario(const std::vector<std::string>& words) {
     chosen.once = arguments->has("--once");
     chosen.read_screen = game::words_over_views;
     if (const char* keep = std::getenv("THAUM_KEEP_FORCES"); keep != nullptr) chosen.keep_forces = keep;
+    const auto scripts = game::find_scenarios(arguments->plain(), chosen);
+    if (!scripts) return refuse(scripts.error());
+    for (const auto& script : *scripts) protect_input(script);
+    if (const auto made = make_folder(chosen.out); !made) return refuse(made.error());
+    if (const auto free = json && json != "-" ? check_output(*json) : Expected<void>(); !free)
+        return refuse(free.error());
     const auto results =
         game::run_scenarios(arguments->plain(), chosen, json == "-" ? nullptr : print_result);
     if (!results) return refuse(results.error());

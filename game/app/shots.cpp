@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/file.h"
 #include "core/text.h"
+#include "core/write_rule.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/highlight.h"
@@ -19,13 +21,6 @@ std::string padded(Tick tick) {
     return std::string(digits.size() < 8 ? 8 - digits.size() : 0, '0') + digits;
 }
 
-Expected<void> make_folder(const std::filesystem::path& folder) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed) return fail(text(folder.string(), ": cannot create: ", failed.message()));
-    return {};
-}
-
 }  // namespace
 
 bool ShotPlan::any() const {
@@ -35,6 +30,8 @@ bool ShotPlan::any() const {
 Expected<Shots> Shots::create(ShotPlan plan, const game::MatchData& data,
                               const std::filesystem::path& assets) {
     if (auto made = make_folder(plan.folder); !made) return tl::unexpected(made.error());
+    if (auto free = check_output(plan.folder / "shot_00000000.png"); !free)
+        return tl::unexpected(free.error());
     auto still = Still::create(data, assets, plan.size);
     if (!still) return tl::unexpected(still.error());
     return Shots(std::move(plan), std::move(*still));
@@ -74,7 +71,7 @@ constexpr std::string_view shots_help =
 
 Makes the README's pictures from a recorded match; needs no display.
 
-  --out DIR   where they go: duel.png, the moment at which the two came closest
+  --out DIR   where they go, in place of older ones: duel.png, the moment at which the two came closest
               while player 1 saw the other and something flew
 )";
 
@@ -96,6 +93,10 @@ int run_shots(const std::vector<std::string>& words) {
     if (arguments->plain().size() != 1 || !out)
         return refuse({"shots needs one log and --out; `thaum shots --help` tells more"});
     const auto& log = arguments->plain()[0];
+    const auto file = std::filesystem::path(*out) / "duel.png";
+    protect_input(log);
+    if (const auto made = make_folder(*out); !made) return refuse(made.error());
+    if (const auto free = check_output(file); !free) return refuse(free.error());
     const auto best = find_highlight(log);
     if (!best) {
         refuse(best.error());
@@ -105,10 +106,8 @@ int run_shots(const std::vector<std::string>& words) {
     if (!playback || !playback->play_to(best->tick))
         return refuse({text(log, ": changed while it was read")});
     const auto& match = playback->match();
-    if (const auto made = make_folder(*out); !made) return refuse(made.error());
     auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
     if (!still) return refuse(still.error());
-    const auto file = std::filesystem::path(*out) / "duel.png";
     if (const auto saved = still->save(match, {}, file); !saved) return refuse(saved.error());
     std::printf("tick %llu in %s\n", static_cast<unsigned long long>(best->tick), file.c_str());
     return done;

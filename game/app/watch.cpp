@@ -31,14 +31,16 @@ int watch_in_window(game::Playback playback, double speed) {
     return result == done ? verdict(playback) : result;
 }
 
-int leave_picture(const game::Playback& playback, const std::filesystem::path& out) {
+int leave_picture(game::Playback& playback, const WatchPlan& plan) {
+    const auto stem = plan.out / text("replay_", plan.start);
+    if (const auto made = make_folder(plan.out); !made) return refuse(made.error());
+    for (const auto* ending : {".png", ".dump"}) {
+        if (const auto free = check_output(stem.string() + ending); !free) return refuse(free.error());
+    }
+    playback.play_to(plan.start);
     const auto& match = playback.match();
-    std::error_code failed;
-    std::filesystem::create_directories(out, failed);
-    if (failed) return refuse({text(out.string(), ": cannot create: ", failed.message())});
     auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
     if (!still) return refuse(still.error());
-    const auto stem = out / text("replay_", match.now());
     if (const auto saved = still->save(match, {}, stem.string() + ".png"); !saved)
         return refuse(saved.error());
     Bytes state;
@@ -51,8 +53,10 @@ int leave_picture(const game::Playback& playback, const std::filesystem::path& o
 
 }  // namespace
 
-int watch(game::Playback playback, double speed, const std::filesystem::path& out) {
-    return display_there() ? watch_in_window(std::move(playback), speed) : leave_picture(playback, out);
+int watch(game::Playback playback, const WatchPlan& plan) {
+    if (!display_there()) return leave_picture(playback, plan);
+    playback.play_to(plan.start);
+    return watch_in_window(std::move(playback), plan.speed);
 }
 
 }  // namespace thaum::app

@@ -6,8 +6,14 @@
 
 namespace thaum::app {
 
-/// Plays the rest of the log in a window, `speed` times as fast as it was; Esc leaves. Without a display: one picture of the moment and its state in
-/// `out`, and a line that says so. Returns an exit code.
-int watch(game::Playback playback, double speed, const std::filesystem::path& out);
+struct WatchPlan {
+    Tick start = 0;               ///< first tick that is shown
+    double speed = 1;             ///< ratio of the replay's pace to real time
+    std::filesystem::path out{};  ///< folder for the picture, without a display
+};
+
+/// Plays the rest of the log in a window; Esc leaves. Without a display it leaves one picture of the moment and its
+/// state in the folder, and says so in a line. Returns an exit code.
+int watch(game::Playback playback, const WatchPlan& plan);
 
 }  // namespace thaum::app

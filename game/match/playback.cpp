@@ -46,4 +46,20 @@ std::string described(const Divergence& d) {
                 hex(state ? d.state : d.force));
 }
 
+std::string Playback::missing_hashes() const {
+    const auto last = log_->ticks();
+    for (Tick tick = hash_interval; tick <= last; tick += hash_interval) {
+        if (!log_->hash_at(tick)) return text("tick ", tick, ": the log has no hash of this state");
+    }
+    if (log_->ended_cleanly() && !log_->hash_at(last))
+        return text("tick ", last, ": the log has no hash of its last state");
+    return log_->hashes().empty() ? text("the log has no hashes: nothing was compared") : std::string();
+}
+
+std::string Playback::wrong_result() const {
+    if (!log_->ended_cleanly() || log_->result() == result_line(*match_)) return {};
+    return text("the result differs: the log has \"", in_one_line(log_->result()), "\", here it is \"",
+                result_line(*match_), "\"");
+}
+
 }  // namespace thaum::game

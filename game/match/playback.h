@@ -40,6 +40,12 @@ public:
     /// The first such difference since the log's beginning: what is played after it never happened.
     const std::optional<Divergence>& divergence() const { return divergence_; }
 
+    /// Why agreeing hashes would not prove the whole replay, as a line: one of the states that must have a hash has
+    /// none (every 128th, and the last one of a log that was closed), or there is nothing to compare. Empty: they would.
+    std::string missing_hashes() const;
+    /// A line where the log's result is not that of the match now, at the end of a log that was closed; else empty.
+    std::string wrong_result() const;
+
 private:
     Playback() = default;
     std::unique_ptr<input::LogReader> log_;

@@ -44,15 +44,23 @@ input::LogHeader log_header(const MatchData& data, const MatchSetup& setup,
     return header;
 }
 
+void record_tick(const Simulation& match, const input::InputFrame& frame, input::LogWriter& log) {
+    log.append(frame);
+    if (match.now() % hash_interval == 0)
+        log.append_hash(match.now(), match.state_hash(), match.force_hash());
+    if (match.now() % keyframe_interval == 0) {
+        log.mark(static_cast<std::uint32_t>(match.now() / keyframe_interval), input::MarkKind::keyframe);
+    }
+}
+
 void tick_and_record(Simulation& match, const input::InputFrame& frame, input::LogWriter* log) {
     match.tick(frame);
-    if (log == nullptr) return;
-    log->append(frame);
-    if (match.now() % hash_interval == 0)
-        log->append_hash(match.now(), match.state_hash(), match.force_hash());
-    if (match.now() % keyframe_interval == 0) {
-        log->mark(static_cast<std::uint32_t>(match.now() / keyframe_interval), input::MarkKind::keyframe);
-    }
+    if (log != nullptr) record_tick(match, frame, *log);
+}
+
+Expected<void> close_log(input::LogWriter& log, const Simulation& match) {
+    return log.close(result_line(match),
+                     input::HashRecord{match.now(), match.state_hash(), match.force_hash()});
 }
 
 std::string result_line(const Simulation& match) {
@@ -75,8 +83,9 @@ Expected<std::unique_ptr<Simulation>> match_of_log(const input::LogHeader& heade
                                                    const std::filesystem::path& assets) {
     if (header.rules_version != rules_version) {
         return fail(text("recorded under rules version ", header.rules_version,
-                         ", this program plays version ", rules_version, "; replay it with Thaum ",
-                         header.program));
+                         ", this program plays version ", rules_version,
+                         "; it replays only in a build of Thaum whose rules version is ",
+                         header.rules_version));
     }
     DataChoice choice;
     choice.rules = header.rule_set;

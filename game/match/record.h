@@ -10,8 +10,14 @@ namespace thaum::game {
 /// The header of a match about to begin. `players` says who plays: "human", "bot 1".
 input::LogHeader log_header(const MatchData& data, const MatchSetup& setup, std::vector<std::string> players);
 
+/// What a log keeps of the tick that the match has just had: its frame, and the hashes and marks that are due.
+void record_tick(const Simulation& match, const input::InputFrame& frame, input::LogWriter& log);
+
 /// One tick of the match, its frame and what belongs to it into the log (null: not recorded).
 void tick_and_record(Simulation& match, const input::InputFrame& frame, input::LogWriter* log);
+
+/// Closes the log with the match's result and the hashes of its last state.
+Expected<void> close_log(input::LogWriter& log, const Simulation& match);
 
 /// One line: who has won, how, and the score.
 std::string result_line(const Simulation& match);

@@ -242,7 +242,7 @@ void EventTable::finish(const Playback& playback, std::string& out) {
             .played = match.match().played,
             .kind = "end",
             .with = std::string(name_of(playback.log().ending())),
-            .note = playback.log().result()},
+            .note = result_line(match)},
            out);
 }
 

@@ -27,7 +27,7 @@ void append_csv(std::string& row, std::string_view field);
 ///     with     the wand, the cause of a death, what a burst hurts by, the pad of a resurrection, how the round or the log ended, the mark's number
 ///     amount   in `unit`: hp, m (burst: how far it reaches), ticks (skip), events (lost: more came in one tick than a match keeps)
 ///     x_m ...  where; empty for what has no place
-///     note     of an end: the log's result line
+///     note     of an end: the result of the replay, in a line
 class EventTable {
 public:
     static std::string header();

@@ -22,16 +22,21 @@ input::DeviceSpec script_device(std::uint32_t player) {
 
 std::string player_name(int bot_level) { return bot_level == 0 ? "script" : text("bot ", bot_level); }
 
+void note_fault(Play& play, const Error& fault) {
+    if (play.write_fault.empty()) play.write_fault = fault.message;
+}
+
 void open_log(Play& play) {
     if (!play.keeps_files || play.options->out.empty()) return;
     play.log_path = play.options->out / (play.name + ".thaumlog");
-    std::error_code ignored;
-    std::filesystem::remove(play.log_path, ignored);
+    if (const auto removed = input::remove_log(play.log_path); !removed)
+        return note_fault(play, removed.error());
     std::vector<std::string> names;
     for (const int level : play.bot_level) names.push_back(player_name(level));
     auto log = input::LogWriter::create(play.log_path, log_header(*play.data, play.match->setup(), names),
                                         input::WhenBehind::wait);
-    if (log) play.log.emplace(std::move(*log));
+    if (!log) return note_fault(play, log.error());
+    play.log.emplace(std::move(*log));
 }
 
 /// The part of a turn that a hand can do in one tick.
@@ -155,20 +160,29 @@ void scene_is_set(Play& play) {
     std::filesystem::remove(play.log_path, ignored);
 }
 
+namespace {
+
+void put_table(Play& play, const std::string& file, std::string_view csv) {
+    if (const auto written = write_text_file(play.options->out / file, csv); written)
+        play.files.push_back(file);
+    else
+        note_fault(play, written.error());
+}
+
+}  // namespace
+
 void end_match(Play& play) {
     if (play.log) {
-        if (play.log->close(result_line(*play.match)))
+        if (const auto closed = close_log(*play.log, *play.match); closed)
             play.files.push_back(play.log_path.filename().string());
+        else
+            note_fault(play, closed.error());
         play.log.reset();
     }
     if (!play.keeps_files || play.options->out.empty()) return;
-    for (const auto& trace : play.traces) {
-        const auto file = text(play.name, ".", trace.name, ".csv");
-        if (write_text_file(play.options->out / file, trace.csv)) play.files.push_back(file);
-    }
-    if (!play.felt) return;
-    const auto file = play.name + ".forces.csv";
-    if (write_text_file(play.options->out / file, play.felt->csv)) play.files.push_back(file);
+    for (const auto& trace : play.traces)
+        put_table(play, text(play.name, ".", trace.name, ".csv"), trace.csv);
+    if (play.felt) put_table(play, play.name + ".forces.csv", play.felt->csv);
 }
 
 double readiness(const Play& play, std::uint32_t player) {

@@ -93,6 +93,7 @@ struct Play {
     std::optional<FeltForces> felt;
     std::vector<Pixels> pictures;
     std::vector<std::string> files;
+    std::string write_fault;  ///< the first file that could not be written, and why; empty: none
 
     bool no_picture{};  ///< the script asked for a picture, and nobody can draw one
     bool scene_set{};   ///< the script has changed the world itself: its input alone does not lead here

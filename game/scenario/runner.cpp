@@ -125,6 +125,8 @@ Outcome run_once(std::string_view source, const std::string& name, const Scenari
         if (play.felt) outcome.forces = play.felt->record.file();
         if (!done) keep_failure_picture(play);
         end_match(play);
+        if (done && !play.write_fault.empty()) done = fail(play.write_fault);
+        outcome.ended = done.has_value();
     }
     if (!done) {
         outcome.message = done.error().message;
@@ -193,7 +195,11 @@ void write_result(const ScenarioOptions& options, ScenarioResult& result) {
     if (options.out.empty()) return;
     const auto file = result.name + ".json";
     result.files.push_back(file);
-    if (!write_text_file(options.out / file, scenario_report({result}))) result.files.pop_back();
+    const auto written = write_text_file(options.out / file, scenario_report({result}));
+    if (written) return;
+    result.files.pop_back();
+    result.passed = false;
+    result.message = written.error().message;
 }
 
 /// kept: the folder of force traces; empty: they are not looked at.

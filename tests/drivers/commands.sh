@@ -94,6 +94,10 @@ done
 [[ $(cd "$folder/shots1" && echo *) == "shot_00000000.png shot_00000500.png shot_00002000.png shot_00004000.png" ]] || { echo "failed: the pictures of a replay: $(ls "$folder/shots1")"; failures=$((failures + 1)); }
 diff -r "$folder/shots1" "$folder/shots2" || { echo "failed: the same replay gave other pictures"; failures=$((failures + 1)); }
 "$thaum" replay "$log" --verify >/dev/null || { echo "failed: its own log differs"; failures=$((failures + 1)); }
+size=$(od -An -tu4 -j12 -N4 "$log")
+head -c $((size + 24)) "$log" >"$folder/only_header"
+said=$("$thaum" replay "$folder/only_header" --verify 2>/dev/null)
+[[ $? == 1 && $said == *"nothing was compared"* ]] || { echo "failed: a log of a header alone: $said"; failures=$((failures + 1)); }
 head -c 4000 "$log" >"$folder/cut"
 expect 0 "cut off after tick" replay "$folder/cut" --verify
 cp "$log" "$folder/flipped"

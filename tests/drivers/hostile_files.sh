@@ -112,6 +112,49 @@ wait
 [[ $(cat "$folder"/line[1-4] | grep -c 'never written over') == 3 ]] || fail "four programs, one name: $(cat "$folder"/line[1-4])"
 "$thaum" replay "$folder/shared.thaumlog" --verify >/dev/null || fail "the log of the one that got the name"
 
+# No further thread: fewer workers do the same work, and what cannot do without one says so in a line.
+limited() {
+    if [[ $(id -u) != 0 ]]; then
+        (ulimit -u 1 && "$thaum" "$@")
+    else
+        setpriv --reuid=65534 --clear-groups prlimit --nproc=1 "$thaum" "$@"
+    fi
+}
+if [[ ${THAUM_MEMORY_KB:-} != unlimited ]] && { [[ $(id -u) != 0 ]] || command -v setpriv prlimit; } >/dev/null; then
+    chmod 755 "$folder" && mkdir -m 777 "$folder/anybody"
+    export THAUM_ASSETS=$folder/assets
+    said=$(limited --headless --seconds 1 --out "$folder/anybody" 2>&1 >/dev/null)
+    status=$?
+    [[ $status == 2 && $said == *"no further thread"* && $(grep -c . <<<"$said") == 1 ]] ||
+        fail "no thread for the log: $status: $said"
+    limited diff "$log" --threads 1,2 | grep -q 'no difference' || fail "no threads to compare with"
+    limited lab --fluid --headless --cells 16 --seconds 0.1 --threads 2 >/dev/null || fail "no thread for the brew"
+    said=$(limited bench haptics --quick 2>&1 >/dev/null)
+    status=$?
+    [[ $status -lt 3 && $said != *terminate* ]] || fail "no thread for a bench: $status: $said"
+    unset THAUM_ASSETS
+fi
+
+# Faults between two files name the line, too.
+lined() {
+    local said
+    said=$(THAUM_ASSETS=$folder/assets "$thaum" --headless --seconds 1 --out "$folder/out" 2>&1 >/dev/null)
+    [[ $? == 2 && $said == *"$1"* && $(grep -c . <<<"$said") == 1 ]] || fail "wanted '$1': $said"
+}
+cp -r "$folder/assets" "$folder/sound_assets"
+again() { rm -rf "$folder/assets" && cp -r "$folder/sound_assets" "$folder/assets"; }
+arena=$folder/assets/arenas/boiling_court.toml
+line=$(grep -n '^ingredient' "$arena" | head -n 1 | cut -d: -f1)
+sed -i "${line}s/=.*/= \"gold\"/" "$arena"
+lined "arenas/boiling_court.toml:$line: niche: cauldron.toml has no ingredient 'gold'"
+again
+line=$(grep -n '^device' "$folder/assets/haptics.toml" | cut -d: -f1)
+for device in ../x nothing; do
+    sed -i "${line}s|=.*|= \"$device\"|" "$folder/assets/haptics.toml"
+    lined "haptics.toml:$line: device '$device'"
+done
+again
+
 # The same bytes on every run.
 for run in 1 2; do
     "$thaum" replay "$log" --verify --events "$folder/e$run" --state "$folder/s$run" --every 7 >/dev/null || fail "tables"

@@ -39,7 +39,7 @@ std::vector<std::string> recorded_logs(const Places& places) {
     if (!log) return {};
     for (Tick t = 0; t < recorded; ++t) game::tick_and_record(match, duel->next_frame(), &*log);
     log->mark(1);
-    if (!log->close(game::result_line(match))) return {};
+    if (!game::close_log(*log, match)) return {};
     logs.push_back(string_of(samples::bytes_of(folder / "duel")));
     return logs;
 }

@@ -150,7 +150,8 @@ TEST(ReplayCorpus, ALogOfAnOlderRulesVersionIsRefusedByName) {
     ASSERT_FALSE(playback.has_value());
     EXPECT_EQ(playback.error().message,
               text(file.string(), ": recorded under rules version ", rules_version - 1,
-                   ", this program plays version ", rules_version, "; replay it with Thaum 0.0.9"));
+                   ", this program plays version ", rules_version,
+                   "; it replays only in a build of Thaum whose rules version is ", rules_version - 1));
     std::filesystem::remove(file);
 }
 

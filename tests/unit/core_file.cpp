@@ -1,12 +1,16 @@
 #include "core/file.h"
 #include "core/file_writer.h"
+#include "core/write_rule.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <thread>
 
 #include "core/text.h"
@@ -103,11 +107,88 @@ TEST_F(CoreFile, AFailedWriteLeavesTheOldState) {
 }
 
 TEST_F(CoreFile, AFullDiskIsAnError) {
-    // /dev/full takes no byte, but it cannot be renamed onto; so the temporary name itself leads there.
+    // A disk that is full: in a child process no file may grow beyond 4 KiB.
     const auto path = in_folder("a");
-    fs::create_symlink("/dev/full", path.string() + text(".", ::getpid(), ".part"));
-    expect_refused(write_text_file(path, "x"), path, "cannot write: No space left");
-    EXPECT_EQ(files(), 0);
+    ASSERT_TRUE(write_text_file(path, "old"));
+    const auto attempt = [&] {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{4096, 4096};
+        if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(3);
+        const auto result = write_text_file(path, std::string(100'000, 'x'));
+        std::fputs(result ? "written" : result.error().message.c_str(), stderr);
+        ::_exit(0);
+    };
+    EXPECT_EXIT(attempt(), ::testing::ExitedWithCode(0), "cannot write: File too large");
+    EXPECT_EQ(files(), 1);
+    EXPECT_EQ(read_text_file(path, 100), "old");
+}
+
+/// A link at the temporary name must not lead the bytes elsewhere.
+TEST_F(CoreFile, ALinkAtTheTemporaryNameIsNotFollowed) {
+    const auto path = in_folder("a"), precious = in_folder("precious");
+    ASSERT_TRUE(write_text_file(precious, "precious"));
+    for (const auto* ending : {"", "-0", "-1"})
+        fs::create_symlink(precious, path.string() + text(".", ::getpid(), ending, ".part"));
+    ASSERT_TRUE(write_text_file(path, "x"));
+    EXPECT_EQ(read_text_file(precious, 100), "precious");
+    EXPECT_EQ(read_text_file(path, 100), "x");
+}
+
+TEST_F(CoreFile, AnInputIsNeverReplacedUnderAnyName) {
+    const auto input = in_folder("input"), data = in_folder("data");
+    fs::create_directories(data / "below");
+    ASSERT_TRUE(write_text_file(input, "input"));
+    ASSERT_TRUE(write_text_file(data / "below/file", "data"));
+    fs::create_hard_link(input, in_folder("hard"));
+    fs::create_symlink(input, in_folder("soft"));
+    fs::create_hard_link(data / "below/file", in_folder("hard_data"));
+    protect_input(input);
+    protect_input(data);
+    for (const auto* name :
+         {"input", "hard", "soft", "data/../input", "data/below/file", "data/new", "hard_data"})
+        expect_refused(write_text_file(in_folder(name), "x"), in_folder(name), "is read by this command");
+    EXPECT_EQ(read_text_file(input, 100), "input");
+    EXPECT_EQ(read_text_file(data / "below/file", 100), "data");
+    EXPECT_TRUE(write_text_file(in_folder("other"), "x"));
+}
+
+TEST_F(CoreFile, ARecordingIsNeverReplaced) {
+    const auto log = in_folder("log"), short_file = in_folder("short");
+    std::ofstream(log) << "THAUMLOG and more";
+    std::ofstream(short_file) << "THAUMLO";
+    expect_refused(write_text_file(log, "x"), log, "is a recording");
+    expect_refused(check_output(log), log, "is a recording");
+    EXPECT_TRUE(write_text_file(short_file, "x"));
+    // Nor one that came while the file was written.
+    auto file = FileWriter::create(in_folder("late")).value();
+    fs::create_hard_link(log, in_folder("late"));
+    expect_refused(file.close(), fs::canonical(in_folder("late")), "is a recording");
+    EXPECT_EQ(files(), 3);
+}
+
+TEST_F(CoreFile, ALinkStaysALinkAndRightsStay) {
+    const auto goal = in_folder("goal"), link = in_folder("link");
+    ASSERT_TRUE(write_text_file(goal, "old"));
+    fs::permissions(goal, fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("goal", link);
+    ASSERT_TRUE(write_text_file(link, "new"));
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(read_text_file(goal, 100), "new");
+    EXPECT_EQ(fs::status(goal).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("nothing", in_folder("dangling"));
+    expect_refused(write_text_file(in_folder("dangling"), "x"), in_folder("dangling"), "leads nowhere");
+}
+
+TEST_F(CoreFile, LongWorkLearnsFirstThatItsOutputCannotBeWritten) {
+    expect_refused(check_output("/dev/full"), "/dev/full", "not an ordinary file");
+    expect_refused(check_output("/proc/x"), "/proc/x", "cannot create");
+    expect_refused(make_folder("/proc/x"), "/proc/x", "cannot create");
+    ASSERT_TRUE(write_text_file(in_folder("a"), "old"));
+    EXPECT_TRUE(check_output(in_folder("a")));
+    EXPECT_EQ(read_text_file(in_folder("a"), 100), "old");
+    expect_refused(make_folder(in_folder("a")), in_folder("a"), "cannot create");
+    EXPECT_TRUE(make_folder(in_folder("b/c")));
+    EXPECT_EQ(files(), 2);
 }
 
 /// As root a rename would make /dev/null a file for everybody.

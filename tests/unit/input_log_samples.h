@@ -122,6 +122,12 @@ void record(LogWriter& writer, Tick count, Frame frame_at) {
     }
 }
 
+/// Writes the file where a log may lie already, which no writer of ours replaces.
+inline Expected<void> put_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
+    std::filesystem::remove(path);
+    return write_file(path, bytes);
+}
+
 inline Bytes bytes_of(const std::filesystem::path& path) { return read_file(path, 1U << 28U).value(); }
 
 /// A closed log of 1,100 calm ticks: three blocks and the end.

@@ -20,7 +20,7 @@ constexpr std::string_view bench_options = R"(
                 bots, alone and on two threads, and looks at hashes, bounds, memory;
                 fluid is pushed, thickened and thinned for 100,000 steps
   --ticks N     so many ticks or steps instead
-  --json FILE   the report as JSON; - for standard output
+  --json FILE   the report as JSON, replacing an older one; - for stdout
 )";
 
 /// In lines that fit a terminal.

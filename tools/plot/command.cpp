@@ -3,6 +3,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "core/write_rule.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "tools/plot/page.h"
@@ -17,7 +18,8 @@ Draws what `thaum bench --json REPORT.json` wrote: run time against error with
 the Pareto front and the default marked, or bars of ratios where there is no
 error, as SVG files; and one page, index.html, with all tables and figures.
 
-  --out DIR     the folder, made where it is missing (default: out/plot)
+  --out DIR     the folder, made where it is missing (default: out/plot); files of
+                an earlier report are replaced
 )";
 
 constexpr std::size_t longest_report = std::size_t{256} << 20U;
@@ -28,6 +30,7 @@ int run_plot(const std::vector<std::string>& words) {
     if (!arguments) return refuse(arguments.error());
     if (arguments->plain().size() != 1) return refuse({"plot needs one report: thaum plot REPORT.json"});
     const auto& file = arguments->plain().front();
+    protect_input(file);
     const auto json = read_text_file(file, longest_report);
     if (!json) return refuse(json.error());
     const auto report = bench::from_json(*json);

@@ -252,9 +252,11 @@ Page make_page(const bench::Report& report) {
 }
 
 Expected<void> write_page(const Page& page, const std::filesystem::path& folder) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed) return fail(text(folder.string(), ": cannot create: ", failed.message()));
+    if (auto made = make_folder(folder); !made) return made;
+    if (auto free = check_output(folder / "index.html"); !free) return free;
+    for (const auto& figure : page.figures) {
+        if (auto free = check_output(folder / figure.name); !free) return free;
+    }
     for (const auto& figure : page.figures) {
         if (auto written = write_text_file(folder / figure.name, figure.svg); !written) return written;
     }

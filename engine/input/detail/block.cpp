@@ -17,11 +17,13 @@ constexpr std::uint32_t block_magic = 0x4b4c4254;  // "TBLK"
 constexpr std::size_t block_checksum_offset = 32;
 constexpr int compression_level = 3;
 
-// A residual can cost at most a token of its own (2 bytes) and 5 bytes; raw_limit covers every column at that, and the
-// hashes and marks.
-constexpr std::size_t columns = max_counts + 3;
-static_assert(max_devices * columns * (1 + block_ticks * 7) + block_hashes * 18 + block_marks * 8 + 8 <=
-              raw_limit);
+/// Bytes that a block can hold unpacked. A residual costs at most a token of its own (2 bytes) and 5 bytes; hashes and
+/// marks are written in at most 18 and 8 bytes, and counts, lengths and the total in at most 10.
+constexpr std::size_t most_raw(BlockKind kind, std::size_t ticks) {
+    if (kind == BlockKind::end) return 10 + 4 + result_limit + 16;
+    return max_devices * columns * (1 + ticks * 7) + block_hashes * 18 + block_marks * 8 + 8;
+}
+static_assert(most_raw(BlockKind::ticks, block_ticks) <= raw_limit);
 
 using Column = std::array<std::uint32_t, block_ticks>;
 
@@ -182,11 +184,15 @@ std::span<const std::byte> Packer::ticks(const Block& block) {
     return pack({BlockKind::ticks, block.ticks, 0, 0, block.first, 0});
 }
 
-std::span<const std::byte> Packer::end(Tick total, std::string_view result) {
+std::span<const std::byte> Packer::end(Tick total, const EndBlock& end) {
     raw_.clear();
     ByteWriter out(raw_);
     out.put_varint(total);
-    out.put_string(result.substr(0, result_limit));
+    out.put_string(std::string_view(end.result).substr(0, result_limit));
+    if (end.last) {
+        out.put(end.last->state);
+        out.put(end.last->force);
+    }
     return pack({BlockKind::end, 0, 0, 0, total, 0});
 }
 
@@ -222,7 +228,8 @@ std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes,
     header.first = in.get<std::uint64_t>();
     header.payload_checksum = in.get<std::uint64_t>();
     if (in.get<std::uint64_t>() != checksum_of_header(bytes, salt) || magic != block_magic) return {};
-    const bool sizes = header.raw_size <= raw_limit && header.packed_size <= packed_limit;
+    const bool sizes = header.raw_size <= most_raw(header.kind, header.ticks) &&
+                       header.packed_size <= ZSTD_COMPRESSBOUND(header.raw_size);
     const bool ticks = header.kind == BlockKind::ticks && header.ticks >= 1 && header.ticks <= block_ticks;
     const bool end = header.kind == BlockKind::end && header.ticks == 0;
     if (!sizes || !(ticks || end) || header.first > tick_limit) return {};
@@ -236,6 +243,9 @@ Unpacker::~Unpacker() { ZSTD_freeDCtx(zstd_); }
 
 bool Unpacker::unpack(const BlockHeader& header, std::span<const std::byte> payload) {
     if (hash_bytes(payload, salt_) != header.payload_checksum) return false;
+    // One frame that claims what the block does: else a few bytes could ask for any amount of work.
+    if (ZSTD_getFrameContentSize(payload.data(), payload.size()) != header.raw_size) return false;
+    if (ZSTD_findFrameCompressedSize(payload.data(), payload.size()) != payload.size()) return false;
     const auto size =
         ZSTD_decompressDCtx(zstd_, raw_.data(), header.raw_size, payload.data(), payload.size());
     return ZSTD_isError(size) == 0 && size == header.raw_size;
@@ -254,13 +264,17 @@ bool Unpacker::ticks(const BlockHeader& header, std::span<const std::byte> paylo
     return get_hashes(in, block) && get_marks(in, block) && in.left() == 0;
 }
 
-std::optional<std::string> Unpacker::end(const BlockHeader& header, std::span<const std::byte> payload) {
+std::optional<EndBlock> Unpacker::end(const BlockHeader& header, std::span<const std::byte> payload) {
     if (!unpack(header, payload)) return {};
     ByteReader in(std::span<const std::byte>(raw_).first(header.raw_size));
     const auto total = in.get_varint();
-    auto result = in.get_string();
-    if (!in.ok() || in.left() != 0 || total != header.first || result.size() > result_limit) return {};
-    return result;
+    EndBlock end{in.get_string()};
+    if (in.left() != 0) {
+        const auto state = in.get<std::uint64_t>();
+        end.last = HashRecord{total, state, in.get<std::uint64_t>()};
+    }
+    if (!in.ok() || in.left() != 0 || total != header.first || end.result.size() > result_limit) return {};
+    return end;
 }
 
 }  // namespace thaum::input::detail

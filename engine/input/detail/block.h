@@ -32,6 +32,7 @@ inline constexpr std::size_t block_header_size = 40;
 inline constexpr std::size_t raw_limit = 256 * 1024;
 inline constexpr std::size_t packed_limit = 288 * 1024;
 inline constexpr std::size_t result_limit = 4096;
+inline constexpr std::size_t columns = max_counts + 3;  ///< values of a device in a tick
 
 /// Up to 512 ticks as they were appended.
 struct Block {
@@ -57,6 +58,12 @@ Expected<Preamble> decode_preamble(std::span<const std::byte> bytes);
 /// `file` starts with the preamble and holds the whole body.
 Expected<LogHeader> decode_header(std::span<const std::byte> file, const Preamble& preamble);
 
+/// What an end block says.
+struct EndBlock {
+    std::string result;
+    std::optional<HashRecord> last{};  ///< hashes of the last state; logs of older programs have none
+};
+
 enum class BlockKind : std::uint16_t { ticks = 1, end = 2 };
 
 struct BlockHeader {
@@ -81,7 +88,7 @@ public:
 
     /// Block header and payload; valid until the next call.
     std::span<const std::byte> ticks(const Block& block);
-    std::span<const std::byte> end(Tick total, std::string_view result);
+    std::span<const std::byte> end(Tick total, const EndBlock& end);
 
 private:
     std::span<const std::byte> pack(BlockHeader header);
@@ -100,7 +107,7 @@ public:
     ~Unpacker();
 
     bool ticks(const BlockHeader& header, std::span<const std::byte> payload, Block& block);
-    std::optional<std::string> end(const BlockHeader& header, std::span<const std::byte> payload);
+    std::optional<EndBlock> end(const BlockHeader& header, std::span<const std::byte> payload);
 
 private:
     bool unpack(const BlockHeader& header, std::span<const std::byte> payload);

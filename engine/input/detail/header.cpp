@@ -3,12 +3,13 @@
 
 #include "core/hash.h"
 #include "core/text.h"
+#include "core/write_rule.h"
 #include "input/detail/block.h"
 
 namespace thaum::input::detail {
 namespace {
 
-constexpr std::string_view magic = "THAUMLOG";
+constexpr std::string_view magic = recording_magic;
 constexpr std::size_t salt_offset = 16;
 
 std::span<const std::byte> bytes_of(std::string_view s) {

@@ -1,0 +1,176 @@
+#!/usr/bin/env bash
+# tests/drivers/outputs.sh THAUM: no output destroys an input. Each command that writes is given its own input, other
+# names of it, another recording, and places that cannot be written. It must say so in one line, exit with 2 and leave
+# every file as it was.
+set -uo pipefail
+thaum=$(readlink -f "$1")
+repository=$(readlink -f "$(dirname "$0")/../..")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+unset DISPLAY WAYLAND_DISPLAY
+export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data THAUM_ASSETS=$folder/assets
+cp -r "$repository/assets" assets
+failures=0
+fail() { echo "failed: $1"; failures=$((failures + 1)); }
+
+"$thaum" --headless --seconds 2 --out made >/dev/null || { echo "failed: no recording"; exit 1; }
+"$thaum" bench ecs --quick --json report >/dev/null 2>&1 || { echo "failed: no report"; exit 1; }
+"$thaum" lab --fluid --headless --cells 16 --seconds 0.1 --save brew >/dev/null || { echo "failed: no brew"; exit 1; }
+printf 'time_s,x_m,y_m,z_m\n0,0.5,-0.2,0\n0.5,-0.5,-0.3,0.4\n' >path.csv
+cp "$repository/tests/scenarios/panic_key.lua" script.lua
+mv made/duel.thaumlog log
+cp log other
+mkdir kept
+cp log other report brew path.csv script.lua kept/
+
+restore() {
+    rm -rf log other report brew path.csv script.lua hard soft outputs
+    cp kept/* .
+    ln log hard
+    ln -s log soft
+}
+
+# unharmed WHAT: the inputs are those that were made, and nothing half-written lies about.
+unharmed() {
+    local file
+    for file in log other report brew path.csv script.lua; do
+        cmp -s "$file" "kept/$file" && continue
+        fail "$1: $file was destroyed"
+        cp "kept/$file" "$file"
+    done
+    [[ -z $(find . -name '*.part') ]] || fail "$1: leaves $(find . -name '*.part')"
+}
+
+# refused WORDS COMMAND...: one line with these words, code 2, within 10 s.
+refused() {
+    local words=$1 output status
+    shift
+    output=$(timeout "${THAUM_PATIENCE_S:-10}" "$thaum" "$@" 2>&1 >/dev/null </dev/null)
+    status=$?
+    [[ $status == 2 && $output == *"$words"* && $(grep -c . <<<"$output") == 1 ]] ||
+        fail "thaum $*: exit $status, said: ${output:0:300}"
+    unharmed "thaum $*"
+}
+
+# ---- commands that write a file: INPUT and the words, where @ is the output's name ------------------------------------------
+
+league="league --levels 1,2 --matches 20 --seed 5 --json @"
+writers=(
+    "log replay log --events @"
+    "log replay log --state @"
+    "log replay log --forces @"
+    "log replay log --verify --events @"
+    "log replay log --verify --state @ --every 100"
+    "log replay log --dump 1000 @"
+    "script.lua scenario script.lua --out outputs --json @"
+    "- $league"
+    "- bench fluid --json @"
+    "- doctor --json @"
+    "brew lab --fluid --headless --seconds 3 --load brew --save @"
+    "brew lab --fluid --headless --seconds 3 --load brew --trace @"
+    "path.csv lab --fluid --headless --seconds 3 --stir path.csv --save @"
+)
+for row in "${writers[@]}"; do
+    input=${row%% *}
+    words=${row#* }
+    if [[ $input != - ]]; then
+        restore
+        ln "$input" other_name
+        ln -s "$input" link
+        for name in "$input" "./$input" other_name link "$folder/../$(basename "$folder")/$input"; do
+            # shellcheck disable=SC2086
+            refused "is read by this command" ${words//@/$name}
+        done
+        rm other_name link
+    fi
+    restore
+    for name in other hard soft; do
+        [[ $input == log && $name != other ]] && continue
+        # shellcheck disable=SC2086
+        refused "is a recording" ${words//@/$name}
+    done
+    for name in /dev/full /proc/x missing/file log/file "$folder"; do
+        # shellcheck disable=SC2086
+        refused "$name: cannot" ${words//@/$name}
+    done
+done
+restore
+refused "exists" --headless --seconds 1 --record log
+bolt=$(cat assets/wands/bolt.toml)
+refused "is read by this command" replay log --events assets/wands/bolt.toml
+[[ $(cat assets/wands/bolt.toml) == "$bolt" ]] || fail "a data file was destroyed"
+refused "one file for" replay log --events same --state same
+refused "one file for" lab --fluid --headless --seconds 3 --save same --trace ./same
+
+# ---- commands that fill a folder: the file among its own whose name leads to a recording ------------------------------------
+
+fillers=(
+    "duel.png shots log --out @"
+    "shot_00000000.png replay log --shots @ --size 64x64"
+    "replay_0.png replay log --out @"
+    "replay_0.dump replay log --out @"
+    "lab_0000001.png lab --fluid --headless --cells 16 --seconds 0.1 --every 1 --size 64x64 --shots @"
+    "index.html plot report --out @"
+    "duel.png --headless --seconds 1 --out @"
+    "duel.txt --headless --seconds 1 --out @"
+)
+for row in "${fillers[@]}"; do
+    # shellcheck disable=SC2086
+    words=${row#* }
+    restore
+    mkdir outputs
+    ln other "outputs/${row%% *}"
+    # shellcheck disable=SC2086
+    refused "is a recording" ${words//@/outputs}
+    restore
+    for place in /dev/full /proc/x log/below; do
+        # shellcheck disable=SC2086
+        refused "$place: cannot" ${words//@/$place}
+    done
+done
+for place in /proc/x log/below; do refused "$place: cannot" scenario script.lua --out "$place"; done
+# A scenario that cannot leave its files has failed.
+mkdir outputs
+ln other outputs/script.json
+said=$("$thaum" scenario script.lua --out outputs --once 2>&1)
+[[ $? == 1 && $said == *"is a recording"* ]] || fail "a scenario's own file: $said"
+unharmed "a scenario's own file"
+
+# ---- a folder without rights; as root only another user meets one -----------------------------------------------------------
+
+if [[ $(id -u) == 0 ]] && command -v setpriv >/dev/null; then
+    restore
+    chmod 755 "$folder" && mkdir -m 755 locked
+    for words in "replay $folder/log --state locked/f" "doctor --json locked/f" "shots $folder/log --out locked" \
+        "scenario $folder/script.lua --out locked" "plot $folder/report --out locked" "--headless --out locked"; do
+        # shellcheck disable=SC2086
+        output=$(setpriv --reuid=65534 --clear-groups "$thaum" $words 2>&1 >/dev/null </dev/null)
+        [[ $? == 2 && $output == *"locked"*"Permission denied"* && $(grep -c . <<<"$output") == 1 ]] ||
+            fail "thaum $words, in a locked folder: $output"
+    done
+    [[ -z $(ls locked) ]] || fail "a locked folder was written"
+    unharmed "a locked folder"
+fi
+
+# ---- what may be replaced, and standard output ------------------------------------------------------------------------------
+
+restore
+echo old >table
+"$thaum" replay log --events table >/dev/null || fail "an old table is not replaced"
+[[ $(head -c 4 table) != "old"* && $(stat -c %h log) == 2 ]] || fail "the old table stays"
+echo old >goal && ln -s goal table_link
+"$thaum" replay log --events table_link >/dev/null || fail "a link to an old table"
+[[ -L table_link && $(head -c 3 goal) != old ]] || fail "a link was replaced instead of what it leads to"
+for words in "replay log --verify" "doctor --json -" "bench ecs --quick --json -" "scenario script.lua --once --json -" \
+    "league --levels 1,2 --matches 2 --set quick.seconds=3 --json -" "--headless --seconds 1" "replay --help"; do
+    # shellcheck disable=SC2086
+    output=$("$thaum" $words 2>&1 >/dev/full </dev/null)
+    [[ $? == 2 && $output == *"cannot write to standard output"* ]] || fail "thaum $words >/dev/full: said ${output:0:200}"
+done
+ln -s /proc/self/fd/1 standard_output
+"$thaum" replay log --events standard_output >said 2>line && fail "a table over its own standard output"
+unharmed "at the end"
+
+((failures == 0)) && echo "no output destroyed an input"
+exit $((failures > 0))

@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# tests/drivers/verify.sh THAUM FORGE_LOG: a log that was changed with all its checksums made anew is not verified, and a
+# log that proves nothing is not called so.
+set -uo pipefail
+thaum=$(readlink -f "$1")
+forge=$(readlink -f "$2")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+unset DISPLAY WAYLAND_DISPLAY
+failures=0
+fail() { echo "failed: $1"; failures=$((failures + 1)); }
+
+"$thaum" --headless --seconds 3.3 --out made >/dev/null || { echo "failed: no recording"; exit 1; }
+log=made/duel.thaumlog
+
+# differs WORDS HOW: the forged log is found out, with these words.
+differs() {
+    local said status
+    "$forge" "$2" "$log" "$2.thaumlog" || fail "forging $2"
+    said=$("$thaum" replay "$2.thaumlog" --verify --events "$2.csv" 2>&1)
+    status=$?
+    [[ $status == 1 && $said == *"$1"* && $(grep -c . <<<"$said") == 1 ]] || fail "$2: exit $status, said: $said"
+    [[ $said != *[$'\x01'-$'\x1f']* ]] || fail "$2: control characters reach the terminal"
+    [[ ! -e $2.csv ]] || fail "$2: leaves a table of what did not happen"
+}
+differs "tick 128: the log has no hash of this state" no_hashes
+differs "tick 256: the log has no hash of this state" no_middle
+differs "tick 3300: the log has no hash of its last state" no_last
+differs "tick 3300: state differs" late_input
+differs 'the result differs: the log has "player 2 wins by kills' result
+differs "the result differs" codes
+
+"$forge" same "$log" same.thaumlog || fail "forging nothing"
+said=$("$thaum" replay same.thaumlog --verify) || fail "an honest copy: $said"
+[[ $said == *"26 state hashes agree, the last at tick 3300"* ]] || fail "hashes of an honest copy: $said"
+
+# A table tells what the replay came to, and no code of the log's.
+"$thaum" replay codes.thaumlog --events codes.csv >/dev/null 2>&1
+! grep -q $'[\x01-\x09\x0b-\x1f]' codes.csv || fail "the table has control characters"
+"$thaum" replay result.thaumlog --events result.csv >/dev/null 2>&1
+! grep -q 'player 2 wins' result.csv || fail "the table repeats a false result"
+
+# Cut off by a crash: it replays up to its last whole block, and says so.
+size=$(od -An -tu4 -j12 -N4 "$log")
+first=$((24 + size))
+second=$((first + 40 + $(od -An -tu4 -j$((first + 12)) -N4 "$log")))
+head -c $((second + 50)) "$log" >cut.thaumlog
+said=$("$thaum" replay cut.thaumlog --verify 2>line) || fail "a cut-off log: $said"
+[[ $said == "512 ticks, 4 state hashes agree, the last at tick 512"* && $(cat line) == *"cut off after tick 512"* ]] ||
+    fail "a cut-off log: $said, $(cat line)"
+head -c "$first" "$log" >header.thaumlog
+said=$("$thaum" replay header.thaumlog --verify 2>/dev/null)
+[[ $? == 1 && $said == *"nothing was compared"* ]] || fail "a header alone: $said"
+
+((failures == 0)) && echo "verified means verified"
+exit $((failures > 0))
