@@ -231,35 +231,13 @@ int sorted_pairs(lua_State* lua) {
 
 // ---- C loops that no count of instructions would end ---------------------------------------------------------------
 
-constexpr double most_matching = 1e8;
 constexpr lua_Integer most_moved = 1 << 16;
 
-/// At least as many steps as matching can take: each repetition may try every length.
-double matching_steps(std::string_view pattern, std::size_t subject) {
-    double steps = static_cast<double>(subject) + 1;
-    for (std::size_t i = 0; i < pattern.size(); ++i) {
-        const char c = pattern[i];
-        const bool repeats = c == '*' || c == '+' || c == '-';
-        const bool percent = c == '%' && i + 1 < pattern.size();
-        const bool again =
-            percent && (pattern[i + 1] == 'b' || (pattern[i + 1] >= '0' && pattern[i + 1] <= '9'));
-        if (repeats || again) steps *= static_cast<double>(subject) + 1;
-        if (c == '?') steps *= 2;
-    }
-    return steps;
-}
-
-/// find, match, gmatch, gsub: upvalue 1 is Lua's.
-int safe_matching(lua_State* lua) {
+/// Lua's own function (upvalue 1), whose work grows with a text (argument 1), which is counted.
+int counted_by_length(lua_State* lua) {
     std::size_t size = 0;
-    std::size_t pattern_size = 0;
     luaL_checklstring(lua, 1, &size);
-    const char* const pattern = luaL_checklstring(lua, 2, &pattern_size);
-    const double steps =
-        std::max(matching_steps({pattern, pattern_size}, size),
-                 static_cast<double>(size) * static_cast<double>(pattern_size));  // plain search
-    if (steps > most_matching)
-        return luaL_error(lua, "this pattern on a text of that length may take too long");
+    state_of(lua).spend(size / 8);
     lua_pushvalue(lua, lua_upvalueindex(1));
     lua_insert(lua, 1);
     lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
@@ -291,6 +269,7 @@ int safe_range(lua_State* lua) {
     if (last >= first && static_cast<double>(last) - static_cast<double>(first) > most_moved) {
         return luaL_error(lua, "a range of more than %d", static_cast<int>(most_moved));
     }
+    if (last >= first) state_of(lua).spend(static_cast<std::uint64_t>(last - first) / 4);
     lua_pushvalue(lua, lua_upvalueindex(1));
     lua_insert(lua, 1);
     lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
@@ -391,7 +370,13 @@ void open_string(lua_State* lua) {
     remove_fields(lua, -1, {"dump", "pack", "unpack", "packsize"});
     wrap(lua, -1, "format", safe_format);
     wrap(lua, -1, "rep", safe_rep);
-    for (const char* name : {"find", "match", "gmatch", "gsub"}) wrap(lua, -1, name, safe_matching);
+    wrap(lua, -1, "byte", counted_by_length);
+    set_matching(lua);
+    // Text that is asked to compute calls the machine's own pow as the operator ^ would.
+    lua_pushliteral(lua, "");
+    lua_getmetatable(lua, -1);
+    remove_fields(lua, -1, {"__pow"});
+    lua_pop(lua, 2);
 }
 
 void open_table(lua_State* lua) {
@@ -428,11 +413,24 @@ std::size_t skip_long(std::string_view source, std::size_t at, int level) {
     return end == std::string_view::npos ? source.size() : end + close.size();
 }
 
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+/// Past an escape sequence of a quoted text, as far as it may hide the text's end: \z takes all white space that
+/// follows, line ends included, and a line end of two characters counts as one.
+std::size_t skip_escape(std::string_view source, std::size_t at) {
+    const auto next = at + 1;
+    if (next >= source.size()) return next;
+    if (source[next] == 'z')
+        return std::min(source.find_first_not_of(" \t\n\v\f\r", next + 1), source.size());
+    const bool pair = is_line_end(source[next]) && next + 1 < source.size() &&
+                      is_line_end(source[next + 1]) && source[next + 1] != source[next];
+    return next + (pair ? 2 : 1);
+}
+
 std::size_t skip_quoted(std::string_view source, std::size_t at) {
-    const char quote = source[at];
-    for (++at; at < source.size() && source[at] != quote && source[at] != '\n'; ++at) {
-        if (source[at] == '\\') ++at;
-    }
+    const char quote = source[at++];
+    while (at < source.size() && source[at] != quote && !is_line_end(source[at]))
+        at = source[at] == '\\' ? skip_escape(source, at) : at + 1;
     return at + 1;
 }
 
@@ -440,8 +438,7 @@ std::size_t skip_remark(std::string_view source, std::size_t at) {
     if (at + 2 < source.size() && source[at + 2] == '[') {
         if (const int level = long_level(source, at + 2); level >= 0) return skip_long(source, at + 2, level);
     }
-    const auto end = source.find('\n', at);
-    return end == std::string_view::npos ? source.size() : end;
+    return std::min(source.find_first_of("\n\r", at), source.size());
 }
 
 }  // namespace
@@ -452,6 +449,7 @@ void open_library(lua_State* lua) {
     open_table(lua);
     open_maths(lua);
     luaL_requiref(lua, LUA_UTF8LIBNAME, luaopen_utf8, 1);
+    for (const char* name : {"len", "codepoint", "offset"}) wrap(lua, -1, name, counted_by_length);
     open_coroutine(lua);
     lua_settop(lua, 0);
     // What `require` would look in.

@@ -1,8 +1,10 @@
 #include "game/scenario/sandbox.h"
 
 #include <cstdlib>
+#include <system_error>
 
 #include "core/assert.h"
+#include "core/clock.h"
 #include "core/one_line.h"
 #include "core/text.h"
 #include "game/scenario/detail/sandbox_state.h"
@@ -42,11 +44,18 @@ void* allocate(void* context, void* block, std::size_t old_size, std::size_t new
     return moved;
 }
 
+constexpr const char* out_of_steps = "the script has spent all its steps: an endless loop?";
+constexpr const char* out_of_time =
+    "the script has computed for too long by the wall clock, and was stopped: use shorter texts and lists";
+
 void count_steps(lua_State* lua, lua_Debug*) {
     auto& state = state_of(lua);
-    if (state.spend(hook_steps)) return;
+    const bool on_time = !state.late && monotonic_ns() < state.deadline_ns;
+    if (state.spend(hook_steps) && on_time) return;
+    state.late = state.late || !on_time;
+    state.exhausted = true;
     state.trusted = true;
-    lua_pushliteral(lua, "the script has spent all its steps: an endless loop?");
+    lua_pushstring(lua, state.late ? out_of_time : out_of_steps);
     raise_at_script(lua);
 }
 
@@ -60,16 +69,20 @@ constexpr int failed = -2;
 /// Everything that C++ may throw ends here, before Lua's frames.
 int guarded_call(lua_State* lua, const VerbEntry& entry, State& state) noexcept {
     int results = failed;
+    const auto began_ns = monotonic_ns();
     state.trusted = true;
     try {
         lua_checkstack(lua, 40);
         results = entry.verb(lua, entry.context);
     } catch (ScriptFault& fault) {
         state.fault = std::move(fault.message);
+    } catch (const std::system_error&) {
+        state.fault = "the system allows no further thread";
     } catch (...) {
         state.fault = "out of memory";
     }
     state.trusted = false;
+    state.deadline_ns += monotonic_ns() - began_ns;
     return results;
 }
 
@@ -187,7 +200,10 @@ Expected<void> Sandbox::start(std::string_view source, std::string_view name) {
 Expected<Sandbox::Progress> Sandbox::resume() {
     state_->spend(resume_steps);
     int results = 0;
+    const auto left_ns = static_cast<std::int64_t>(state_->limits.wall_s * 1e9) - state_->computed_ns;
+    state_->deadline_ns = monotonic_ns() + left_ns;
     const int status = lua_resume(state_->script, state_->lua, 0, &results);
+    state_->computed_ns += left_ns - (state_->deadline_ns - monotonic_ns());
     if (status == LUA_OK) return Progress::done;
     if (status == LUA_YIELD) {
         lua_pop(state_->script, results);
@@ -195,9 +211,10 @@ Expected<Sandbox::Progress> Sandbox::resume() {
     }
     auto message = message_of(state_->script);
     // Where the steps ran out in an allocation, Lua knows only that it got no memory.
-    if (state_->exhausted && message.find("steps") == std::string::npos) {
-        message = text(state_->name, ": the script has spent all its steps: an endless loop?");
-    }
+    const std::string why = state_->late ? out_of_time : out_of_steps;
+    if (state_->exhausted && message.find("steps") == std::string::npos &&
+        message.find("wall clock") == std::string::npos)
+        message = text(state_->name, ": ", why);
     return fail(std::move(message));
 }
 

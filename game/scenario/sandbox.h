@@ -3,8 +3,8 @@
 // The same script does the same on every machine and every day: no clock, no random numbers, no files, no other code;
 // `pairs` goes by sorted keys; no address ever becomes text; the functions of `math` are those of core/maths.h, and the
 // operator ^, which calls the machine's own pow, is refused. And it always comes to an end: it may spend so many steps (one for
-// an instruction, one for every 64 bytes asked for) and so much memory, and when the steps are spent no pcall and no
-// coroutine keeps it alive.
+// an instruction, one for every 64 bytes asked for, one for every byte that a pattern is compared with), so much memory
+// and so much time, and when the steps are spent no pcall and no coroutine keeps it alive.
 //
 //     Sandbox sandbox;
 //     sandbox.add("answer", [](lua_State* lua, void*) { lua_pushinteger(lua, 42); return 1; }, nullptr);
@@ -28,6 +28,9 @@ struct SandboxLimits {
     std::size_t block = 1U << 20U;      ///< bytes, of one string or table part
     std::uint64_t steps = 300'000'000;  ///< in the sandbox's whole life
     std::size_t output = 64U << 10U;    ///< bytes of `print` that are kept
+    /// Time for which a script may compute, verbs and waits left out (s). It guards against work that no step counts,
+    /// and is so generous that no result depends on it.
+    double wall_s = 60;
 };
 
 /// Thrown by a verb: becomes a Lua error with the script's file and line in front.

@@ -1,8 +1,11 @@
 // What a script can and cannot do in the sandbox.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <lua.hpp>
+#include <random>
 #include <regex>
+#include <thread>
 
 #include "game/scenario/sandbox.h"
 
@@ -208,6 +211,110 @@ TEST(Sandbox, PatternsThatTakeForEverAreRefused) {
     EXPECT_EQ(printed("print(('some words here'):gsub('%a+', string.upper))"), "SOME WORDS HERE\t3\n");
 }
 
+/// Work that costs no steps would run for minutes or for ever, and the count of steps would not end it.
+TEST(Sandbox, MatchingCostsSteps) {
+    for (const auto* source : {
+             "print(('a'):rep(1000):find('[' .. ('b'):rep(1e5) .. ']*c'))",
+             "print(('a'):rep(1000):match('[' .. ('b'):rep(1e5) .. ']-c'))",
+             "while true do ('a'):rep(200):find('.-.-.-b') end",
+             "while true do ('a'):rep(1000):gsub('a*b', '') end",
+             "local s = ('a'):rep(3000) while true do for w in s:gmatch('a-b') do end end",
+             "while true do ('('):rep(3000):find('%b()') end",
+             "local s = ('a'):rep(500000) while true do s:find(('a'):rep(100) .. 'b', 1, true) end",
+             "local s = ('a'):rep(500000) while true do s:byte(1, 100) s:find('b', 1, true) end",
+             "local s = ('a'):rep(500000) while true do utf8.len(s) end",
+             "local t = {} while true do table.concat(t, '', 1, 0) table.unpack(t, 1, 60000) end",
+         }) {
+        const auto start = std::chrono::steady_clock::now();
+        const auto message = error_of(source);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        EXPECT_TRUE(mentions(message, "steps")) << source << "\n" << message;
+        EXPECT_LT(took.count(), 10) << source;
+    }
+    // What scripts do with short texts is cheap.
+    Sandbox sandbox(small);
+    ASSERT_TRUE(sandbox.start("for i = 1, 100 do local k, v = ('speed=12.5'):match('(%a+)=(%d+)') end", "x"));
+    ASSERT_TRUE(sandbox.resume());
+    EXPECT_LT(sandbox.steps(), 20'000U);
+}
+
+TEST(Sandbox, TheWallClockEndsWhatNoStepCounts) {
+    SandboxLimits limits{.steps = ~std::uint64_t{0} / 2};
+    limits.wall_s = 0.1;
+    for (const auto* source :
+         {"while true do end", "while true do pcall(function() while true do end end) end",
+          "while true do wait() end"})
+        EXPECT_TRUE(mentions(error_of(source, limits), "wall clock")) << source;
+    // Waits and verbs do not count.
+    Sandbox sandbox(limits);
+    sandbox.add(
+        "slow",
+        [](lua_State*, void*) -> int {
+            std::this_thread::sleep_for(std::chrono::milliseconds(200));
+            return Sandbox::wait;
+        },
+        nullptr);
+    ASSERT_TRUE(sandbox.start("slow() slow() for i = 1, 5000 do local x = i end", "test.lua"));
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(sandbox.resume());
+        std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    }
+}
+
+/// What a chunk prints, in a plain Lua with all its libraries.
+std::string plain_lua(const std::string& source) {
+    auto* const lua = luaL_newstate();
+    luaL_openlibs(lua);
+    const auto chunk =
+        "local out = {} local function print(...) for i = 1, select('#', ...) do out[#out + 1] = "
+        "tostring((select(i, ...))) .. (i < select('#', ...) and '\\t' or '') end out[#out + 1] = "
+        "'\\n' end " +
+        source + " return table.concat(out)";
+    std::size_t size = 0;
+    const bool ok = luaL_dostring(lua, chunk.c_str()) == LUA_OK;
+    const char* const chars = lua_tolstring(lua, -1, &size);
+    const auto result = (ok ? "" : "?") + std::string(chars, size);
+    lua_close(lua);
+    return result;
+}
+
+/// Random patterns give what Lua's own functions give, errors included, but for their words.
+TEST(Sandbox, PatternsMatchAsLuasOwn) {
+    std::mt19937 random(1);
+    const auto any_of = [&](const auto& list) { return std::string(list[random() % std::size(list)]); };
+    static const char* const parts[] = {
+        "a",     "b", "%a", "%d", "[ab]", "[^a]",  "[a-c%d]", ".",    "*",    "+",      "-",      "?",
+        "(",     ")", "()", "%1", "%2",   "^",     "$",       "%b()", "%%",   "%f[%w]", "%f[^a]", "[]]",
+        "[^]a]", "[", "%",  "%S", "%W",   "[%w_]", "x",       "(a)",  "(.-)", "(%d*)",  "a?",     "b-"};
+    static const char* const letters[] = {"a", "b", "1", " ", "(", ")", "x", "]", "_", "\\0", "\\255"};
+    int errors = 0;
+    for (int i = 0; i < 4000; ++i) {
+        std::string subject, pattern;
+        for (auto n = random() % 9; n > 0; --n) subject += any_of(letters);
+        for (auto n = random() % 6; n > 0; --n) pattern += any_of(parts);
+        const auto init = std::to_string(static_cast<int>(random() % 8) - 3);
+        const auto source = "local s, p = '" + subject + "', '" + pattern + "' " +
+                            "local function show(ok, ...) if ok then print(ok, ...) else print(ok) end end "
+                            "show(pcall(string.find, s, p, " +
+                            init + ")) show(pcall(string.match, s, p, " + init +
+                            ")) "
+                            "show(pcall(string.gsub, s, p, '<%0>')) show(pcall(string.gsub, s, p, '%1-', 2)) "
+                            "show(pcall(string.gsub, s, p, {a = 'A', b = false})) show(pcall(string.gsub, s, "
+                            "p, string.upper)) "
+                            "show(pcall(string.find, s, p, " +
+                            init +
+                            ", true)) "
+                            "show(pcall(function() local n = 0 for a, b in s:gmatch(p) do n = n + 1 print(a, "
+                            "b) end return n end))";
+        const auto ours = run(source);
+        ASSERT_TRUE(ours.ok) << ours.message << "\n" << source;
+        ASSERT_EQ(ours.output, plain_lua(source)) << source;
+        errors += mentions(ours.output, "false\n") ? 1 : 0;
+    }
+    EXPECT_GT(errors, 200);
+    EXPECT_LT(errors, 3000);
+}
+
 TEST(Sandbox, CompiledCodeIsRefused) {
     const char compiled[] = "\x1bLua\x54\x00\x19\x93\r\n\x1a\n";
     EXPECT_TRUE(mentions(error_of({compiled, sizeof compiled}), "attempt to load a binary chunk"));
@@ -217,6 +324,15 @@ TEST(Sandbox, MathsIsOurs) {
     EXPECT_EQ(printed("print(math.sin(0), math.pow(2, 10), math.log(8, 2), math.atan(1, 1) == math.pi / 4)"),
               "0.0\t1024.0\t3.0\ttrue\n");
     EXPECT_TRUE(error_of("local x = 1\nprint(x ^ 2)").starts_with("test.lua:2: the operator ^"));
+    // The end of a text is where Lua sees it: escapes may hide a line's end, and a line ends with \r too.
+    for (const auto* source :
+         {"local s = \"\\z\n\" x = 2 ^ 0.5 --\"", "local s = '\\z \t\r\n' x = 2 ^ 0.5 --'",
+          "local s = '\\\n' x = 2 ^ 0.5 --'", "local s = '\\\r\n' x = 2 ^ 0.5 --'",
+          "local s = '\\\\' x = 2 ^ 0.5 --'", "-- remark\rx = 2 ^ 0.5", "--[==[ ]] ]==] x = 2 ^ 0.5 --[[ ]]",
+          "local s = [=[ ]] ]=] x = 2 ^ 0.5"})
+        EXPECT_TRUE(mentions(error_of(source), "the operator ^")) << source;
+    EXPECT_EQ(printed("print('\\z\n^', \"a\\\n^\", '\\'^')"), "^\ta\n^\t'^\n");
+    EXPECT_EQ(printed("print(getmetatable('').__pow)"), "nil\n");
     // Not an operator.
     EXPECT_EQ(
         printed("print('^', \"^\\\"^\", [[^]], [==[^]]^]==], ('x'):find('^x')) -- ^\n--[[^\n^]] print(1)"),

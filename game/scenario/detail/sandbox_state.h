@@ -3,6 +3,7 @@
 // Lua is C: an error jumps over our frames without destroying anything. So a function that may raise one holds nothing that
 // needs to be destroyed while it calls Lua.
 #pragma once
+#include <limits>
 #include <lua.hpp>
 #include <optional>
 
@@ -20,7 +21,11 @@ struct Sandbox::State {
     std::uint64_t steps = 0;
     bool trusted = false;    ///< our own code runs, which no allocation may interrupt
     bool exhausted = false;  ///< from now on every error passes through all pcalls
-    std::string name;        ///< of the script
+    bool late = false;       ///< exhausted by the wall clock
+    std::int64_t deadline_ns =
+        std::numeric_limits<std::int64_t>::max();  ///< monotonic clock, while a script runs
+    std::int64_t computed_ns = 0;                  ///< time that the script has computed before
+    std::string name;                              ///< of the script
     std::string output;
     std::string fault;  ///< of the verb that has just failed
 
@@ -42,6 +47,9 @@ int raise_at_script(lua_State* lua);
 
 /// The safe parts of Lua's libraries, and our own in place of the others.
 void open_library(lua_State* lua);
+
+/// Puts find, match, gmatch and gsub, whose work is counted, into the table on top of the stack.
+void set_matching(lua_State* lua);
 
 /// Line of the first operator ^ in a source, if there is one.
 std::optional<int> line_of_power(std::string_view source);
