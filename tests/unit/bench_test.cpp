@@ -11,6 +11,7 @@
 #include "tools/bench/allocations.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/invariants.h"
 #include "tools/bench/measure.h"
 
 namespace thaum::bench {
@@ -91,6 +92,39 @@ TEST(BenchReport, TableHasAColumnForEverySettingAndMetricAndMarksFrontAndDefault
                              "hash", "1.25", "00ff", "*d"}) {
         EXPECT_NE(table.find(part), std::string::npos) << part << " is missing in\n" << table;
     }
+}
+
+TEST(BenchReport, ARowThatBreaksItsInvariantIsMarkedAndIsAFault) {
+    auto report = empty_report();
+    report.rows = {{.area = "replay", .name = "verify", .metrics = {{"compared", 78}, {"mismatches", 78}}},
+                   {.area = "replay", .name = "verify", .metrics = {{"compared", 0}, {"mismatches", 0}}},
+                   {.area = "replay", .name = "verify", .metrics = {{"compared", 78}, {"mismatches", 0}}},
+                   {.area = "tick", .name = "alloc", .metrics = {{"allocations", 178}, {"shots", 9}}},
+                   {.area = "made_up", .name = "nan", .metrics = {{"us", std::nan("")}}},
+                   row("infinite", 1, 1, std::numeric_limits<double>::infinity())};
+    check_invariants(report);
+    EXPECT_EQ(report.rows[0].fault, "mismatches is 78, must be 0");
+    EXPECT_EQ(report.rows[1].fault, "compared is 0, must be at least 1");
+    EXPECT_EQ(report.rows[2].fault, "");
+    EXPECT_EQ(report.rows[3].fault, "allocations is 178, must be 0");
+    EXPECT_EQ(report.rows[4].fault, "us is no finite number");
+    EXPECT_EQ(report.rows[5].fault, "rms is no finite number");
+    ASSERT_EQ(report.faults.size(), 5U);
+    EXPECT_EQ(report.faults[0], "replay verify: mismatches is 78, must be 0");
+    EXPECT_NE(to_table(report).find("!"), std::string::npos);
+    const auto read = from_json(to_json(report));
+    ASSERT_TRUE(read) << read.error().message;
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(read->rows[i].fault, report.rows[i].fault);
+}
+
+TEST(BenchRun, AVerifiedReplayHasNoFault) {
+    auto report = empty_report();
+    Options options;
+    options.quick = true;
+    replay(options, report);
+    check_invariants(report);
+    ASSERT_EQ(report.rows.size(), 1U);
+    EXPECT_EQ(report.rows[0].fault, "");
 }
 
 TEST(BenchMeasure, ContestantsAreCalledEquallyOftenAndSetupIsNotTimed) {

@@ -5,6 +5,7 @@
 
 #include "core/file.h"
 #include "core/text.h"
+#include "tools/bench/invariants.h"
 
 namespace thaum::bench {
 namespace {
@@ -37,10 +38,25 @@ int publish(const Options& options, const Report& report) {
         const auto written = write_text_file(*options.json, to_json(report));
         if (!written) {
             print(stderr, text("bench: ", written.error().message, "\n"));
-            return 1;
+            return 2;
         }
     }
     return 0;
+}
+
+using RunArea = void(const Options&, Report&);
+
+/// An area whose scene could not be made has said why, and leaves no row.
+void run_area(const Area& area, RunArea& run, const Options& options, Report& report) {
+    const auto rows = report.rows.size(), faults = report.faults.size();
+    run(options, report);
+    if (report.rows.size() == rows && report.faults.size() == faults)
+        report.faults.push_back(text(area.name, ": nothing was measured"));
+}
+
+/// A report that cannot be written is told before minutes of measuring.
+Expected<void> check_json(const Options& options) {
+    return options.json && *options.json != "-" ? check_output(*options.json) : Expected<void>();
 }
 
 }  // namespace
@@ -58,15 +74,20 @@ int run(const Options& options) {
             return 2;
         }
     }
+    if (const auto free = check_json(options); !free) {
+        print(stderr, text("bench: ", free.error().message, "\n"));
+        return 2;
+    }
     auto report = empty_report();
     for (const auto& area : areas()) {
         const auto run = options.stress ? area.stress : area.run;
-        if (wanted(options, area) && run != nullptr) run(options, report);
+        if (wanted(options, area) && run != nullptr) run_area(area, *run, options, report);
     }
     mark_fronts(report.rows);
+    check_invariants(report);
     const int published = publish(options, report);
     for (const auto& fault : report.faults) print(stderr, text("bench: ", fault, "\n"));
-    return report.faults.empty() ? published : 1;
+    return published == 0 && !report.faults.empty() ? 1 : published;
 }
 
 }  // namespace thaum::bench

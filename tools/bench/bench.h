@@ -28,8 +28,9 @@ struct Area {
 /// In the order in which they run. A new area is one line in areas.cpp.
 std::span<const Area> areas();
 
-/// Runs, prints the table and writes the JSON. The exit code: 0, 1 where the file cannot be written or a
-/// stress has found a fault, 2 for an unknown area or one without the stress asked for.
+/// Runs, prints the table and writes the JSON. The exit code: 0; 1 where a row breaks its own
+/// invariant, an area has measured nothing or a stress has found a fault; 2 where the JSON cannot be written, and for
+/// an unknown area or one without the stress asked for.
 int run(const Options& options);
 
 }  // namespace thaum::bench

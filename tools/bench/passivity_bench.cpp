@@ -65,8 +65,8 @@ void passivity(Report& report) {
         const auto csv = read_text_file(options.out / (result.name + ".forces.csv"), most_table);
         const auto energy = csv ? passive_energy(*csv) : Expected<PassiveEnergy>(tl::unexpected(csv.error()));
         if (!result.passed || !energy) {
-            std::fprintf(stderr, "bench: scenario %s: %s\n", result.name.c_str(),
-                         result.passed ? energy.error().message.c_str() : result.message.c_str());
+            report.faults.push_back(text("haptics passivity: scenario ", result.name, ": ",
+                                         result.passed ? energy.error().message : result.message));
             continue;
         }
         ++count;

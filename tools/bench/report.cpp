@@ -49,6 +49,7 @@ Json row_json(const Row& row) {
     out["default"] = row.is_default;
     for (const auto& [name, value] : row.metrics) out["metrics"][name] = value;
     if (row.hash) out["hash"] = *row.hash;
+    if (!row.fault.empty()) out["fault"] = row.fault;
     return out;
 }
 
@@ -107,8 +108,8 @@ void put_row(Grid& grid, const Row& row) {
         grid.put("p99 us", shown(row.time_us->p99));
     }
     if (row.error) grid.put(row.error->name, shown(row.error->value));
-    if (row.front || row.is_default) {
-        grid.put("mark", std::string(row.front ? "*" : "") + (row.is_default ? "d" : ""));
+    if (row.front || row.is_default || !row.fault.empty()) {
+        grid.put("mark", text(row.fault.empty() ? "" : "!", row.front ? "*" : "", row.is_default ? "d" : ""));
     }
     for (const auto& [name, value] : row.metrics) grid.put(name, shown(value));
     if (row.hash) grid.put("hash", *row.hash);

@@ -40,6 +40,7 @@ struct Row {
     bool is_default = false;                                ///< the shipped setting
     std::vector<std::pair<std::string, double>> metrics{};  ///< the names carry the unit
     std::optional<std::string> hash{};                      ///< of what was computed, in hexadecimal
+    std::string fault{};  ///< why the row cannot be trusted (invariants.h); empty: it can
 };
 
 struct Machine {
@@ -52,7 +53,7 @@ struct Report {
     std::string version;
     Machine machine;
     std::vector<Row> rows{};
-    std::vector<std::string> faults{};  ///< what a stress found that must not be, a line each
+    std::vector<std::string> faults{};  ///< what must not be, a line each
 };
 
 /// No rows yet; this program's version, this machine.
@@ -73,7 +74,8 @@ std::string shown(double value);
 /// A text as it is, an integer in full, another number by four digits.
 std::string shown(const Value& value);
 
-/// One table for each area. A column is a setting or a metric that some row of the area has; '*' marks the front, 'd' the default.
+/// One table for each area. A column is a setting or a metric that some row of the area has; '*' marks the front, 'd' the default,
+/// '!' a row that breaks its own invariant.
 std::string to_table(const Report& report);
 
 }  // namespace thaum::bench

@@ -116,6 +116,11 @@ Expected<void> read_marks(const SortedJson& from, Row& row) {
     if (!is_default) return tl::unexpected(is_default.error());
     row.front = *front;
     row.is_default = *is_default;
+    if (!member(from, "fault").is_null()) {
+        const auto fault = word(from, "fault");
+        if (!fault) return tl::unexpected(fault.error());
+        row.fault = *fault;
+    }
     if (member(from, "hash").is_null()) return {};
     const auto hash = word(from, "hash");
     if (!hash) return tl::unexpected(hash.error());

@@ -1,0 +1,87 @@
+#include "tools/bench/invariants.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/text.h"
+
+namespace thaum::bench {
+namespace {
+
+constexpr double any = std::numeric_limits<double>::infinity();
+
+/// Bounds of one figure, which is a metric or the error of a row.
+struct Invariant {
+    std::string_view area;
+    std::string_view name;  ///< case; empty: every case of the area
+    std::string_view figure;
+    double least, most;
+};
+
+/// Energy that passive sources may create in a hand (J): the bound of the haptic design.
+constexpr double created_most = 0.02;
+/// Relative change of an amount that transport must keep, beyond what the rounding of floats explains.
+constexpr double amount_drift = 1e-5;
+
+constexpr std::array invariants{
+    Invariant{"replay", "verify", "mismatches", 0, 0},
+    Invariant{"replay", "verify", "compared", 1, any},
+    Invariant{"tick", "alloc", "allocations", 0, 0},
+    Invariant{"tick", "alloc", "shots", 1, any},
+    Invariant{"tick", "duel", "shots", 1, any},
+    Invariant{"tick", "duel_haptic", "allocations", 0, 0},
+    Invariant{"tick", "duel_haptic", "things_held", 2, 2},
+    Invariant{"tick", "duel_haptic", "created_j", 0, created_most},
+    Invariant{"tick", "duel_cauldron", "ingredients", 3, 3},
+    Invariant{"tick", "duel_cauldron", "created_j", 0, created_most},
+    Invariant{"primitives", "", "allocations", 0, 0},
+    Invariant{"haptics", "arm_exchange", "allocations", 0, 0},
+    Invariant{"haptics", "arm_exchange", "differing", 0, 0},
+    Invariant{"haptics", "arm_exchange", "lost", 0, 0},
+    Invariant{"haptics", "safety_hostile", "violations", 0, 0},
+    Invariant{"haptics", "passivity", "energy_j", 0, created_most},
+    Invariant{"haptics", "passivity", "scenarios", 1, any},
+    Invariant{"fluid", "", "amount_change", -amount_drift, amount_drift},
+};
+
+bool applies(const Invariant& invariant, const Row& row) {
+    return invariant.area == row.area && (invariant.name.empty() || invariant.name == row.name);
+}
+
+std::string wrong_figure(const Row& row, std::string_view figure, double value) {
+    if (!std::isfinite(value)) return text(figure, " is no finite number");
+    for (const auto& i : invariants) {
+        if (!applies(i, row) || i.figure != figure || (value >= i.least && value <= i.most)) continue;
+        const auto bound = i.least == i.most ? text(shown(i.most))
+                           : i.most == any   ? text("at least ", shown(i.least))
+                                             : text("from ", shown(i.least), " to ", shown(i.most));
+        return text(figure, " is ", shown(value), ", must be ", bound);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string broken_invariant(const Row& row) {
+    if (row.error) {
+        if (auto wrong = wrong_figure(row, row.error->name, row.error->value); !wrong.empty()) return wrong;
+    }
+    for (const auto& [name, value] : row.metrics) {
+        if (auto wrong = wrong_figure(row, name, value); !wrong.empty()) return wrong;
+    }
+    if (row.time_us && !std::isfinite(row.time_us->median)) return "its time is no finite number";
+    return {};
+}
+
+void check_invariants(Report& report) {
+    for (auto& row : report.rows) {
+        row.fault = broken_invariant(row);
+        if (row.fault.empty()) continue;
+        std::string setting;
+        for (const auto& [name, value] : row.setting) setting += text(" ", name, "=", shown(value));
+        report.faults.push_back(text(row.area, " ", row.name, setting, ": ", row.fault));
+    }
+}
+
+}  // namespace thaum::bench
