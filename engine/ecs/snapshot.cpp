@@ -96,7 +96,8 @@ struct SnapshotAccess {
         world.records_.clear();
         world.last_edge_ = &world.no_edge_;
         world.tables_.clear();
-        world.tables_.push_back(std::make_unique<Table>());
+        world.memory_.release();
+        world.tables_.push_back(make_pooled<Table>(world.memory_));
         world.free_ = none;
         world.counts_.fill(0);
         for (auto& query : world.queries_) query.reset();

@@ -4,11 +4,16 @@
 #include <new>
 
 namespace thaum::ecs {
-void RawArray::grow(std::size_t bytes, std::size_t keep) {
-    std::unique_ptr<std::byte, Free> larger(
-        static_cast<std::byte*>(::operator new (bytes, std::align_val_t{64})));
-    if (keep > 0) std::memcpy(larger.get(), bytes_.get(), keep);
-    bytes_ = std::move(larger);
+
+void RawArray::grow(std::size_t bytes, std::size_t keep, TableMemory& memory) {
+    constexpr std::size_t pooled_most = std::size_t{64} << 10U;
+    RawArray larger;
+    larger.pooled_ = bytes <= pooled_most;
+    auto* const made =
+        larger.pooled_ ? memory.allocate(bytes, 64) : ::operator new (bytes, std::align_val_t{64});
+    larger.bytes_ = static_cast<std::byte*>(made);
+    if (keep > 0) std::memcpy(larger.bytes_, bytes_, keep);
+    *this = std::move(larger);
 }
 
 void Table::add_column(std::uint32_t component, std::uint32_t size) {
@@ -18,9 +23,9 @@ void Table::add_column(std::uint32_t component, std::uint32_t size) {
 void Table::reserve(std::uint32_t rows_wanted) {
     if (rows_wanted <= capacity) return;
     capacity = rows_wanted;
-    entity_array.grow(std::size_t{capacity} * sizeof(Entity), std::size_t{rows} * sizeof(Entity));
+    entity_array.grow(std::size_t{capacity} * sizeof(Entity), std::size_t{rows} * sizeof(Entity), *memory);
     for (auto& column : columns) {
-        column.array.grow(std::size_t{capacity} * column.size, std::size_t{rows} * column.size);
+        column.array.grow(std::size_t{capacity} * column.size, std::size_t{rows} * column.size, *memory);
         cells[column.component] = column.array.data();
     }
     for (auto& tag : tags) tag.words.resize(words_for(capacity), 0);
@@ -37,7 +42,7 @@ void Edge::aim() {
 }
 
 void Table::join(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component) {
-    auto edge = std::make_unique<Edge>();
+    auto edge = make_pooled<Edge>(*memory);
     edge->key = edge_key(number, component, !mask.test(component));
     edge->from = this;
     edge->to = &other;
@@ -86,7 +91,7 @@ void Table::move_odd_cells(std::span<const Lane> lanes, std::uint32_t row, std::
 
 TagColumn& Table::new_tag_column(std::uint32_t component) {
     tag_of[component] = static_cast<std::uint8_t>(tags.size());
-    tags.push_back({component, std::vector<std::uint64_t>(words_for(capacity), 0)});
+    tags.push_back({component, std::pmr::vector<std::uint64_t>(words_for(capacity), 0, memory)});
     return tags.back();
 }
 

@@ -14,7 +14,10 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <memory_resource>
+#include <new>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "ecs/component.h"
@@ -24,18 +27,47 @@ namespace thaum::ecs {
 
 inline constexpr std::uint32_t none = 0xffffffffU;
 
-/// 64-byte aligned memory that is not initialised.
+/// Memory for tables and edges, taken from the system in one piece and given back with the World or by a restore. A table
+/// that first appears in the middle of a match, when somebody dies with a new wand in hand, then costs no allocation.
+using TableMemory = std::pmr::monotonic_buffer_resource;
+inline constexpr std::size_t table_memory_bytes = std::size_t{4} << 20U;
+
+/// Destroys what lies in TableMemory, whose bytes stay there.
+struct DestroyOnly {
+    template <class T>
+    void operator()(T* object) const {
+        object->~T();
+    }
+};
+template <class T>
+using Pooled = std::unique_ptr<T, DestroyOnly>;
+template <class T>
+Pooled<T> make_pooled(TableMemory& memory) {
+    return Pooled<T>(new (memory.allocate(sizeof(T), alignof(T))) T(memory));
+}
+
+/// 64-byte aligned memory that is not initialised. Small arrays lie in TableMemory; large ones would fill it with the
+/// arrays that they have outgrown, and are given back to the system.
 class RawArray {
 public:
-    std::byte* data() const { return bytes_.get(); }
+    RawArray() = default;
+    RawArray(RawArray&& other) noexcept
+        : bytes_(std::exchange(other.bytes_, nullptr)), pooled_(other.pooled_) {}
+    RawArray& operator=(RawArray&& other) noexcept {
+        std::swap(bytes_, other.bytes_);
+        std::swap(pooled_, other.pooled_);
+        return *this;
+    }
+    ~RawArray() {
+        if (!pooled_) ::operator delete (bytes_, std::align_val_t{64});
+    }
+    std::byte* data() const { return bytes_; }
     /// Keeps the first `keep` bytes.
-    void grow(std::size_t bytes, std::size_t keep);
+    void grow(std::size_t bytes, std::size_t keep, TableMemory& memory);
 
 private:
-    struct Free {
-        void operator()(std::byte* p) const { ::operator delete (p, std::align_val_t{64}); }
-    };
-    std::unique_ptr<std::byte, Free> bytes_;
+    std::byte* bytes_ = nullptr;
+    bool pooled_ = true;
 };
 
 struct Column {
@@ -52,7 +84,7 @@ constexpr std::size_t words_for(std::uint32_t rows) { return (std::size_t{rows} 
 /// One bit a row; bits at and beyond `rows` are zero.
 struct TagColumn {
     std::uint32_t component{};
-    std::vector<std::uint64_t> words;
+    std::pmr::vector<std::uint64_t> words;
 
     bool test(std::uint32_t row) const { return ((words[row / 64] >> (row % 64)) & 1U) != 0; }
     void set(std::uint32_t row) { words[row / 64] |= std::uint64_t{1} << (row % 64); }
@@ -87,10 +119,12 @@ struct Edge {
     Table* from = nullptr;
     Table* to = nullptr;
     std::uint32_t to_number = none;
-    std::vector<Lane> lanes;       ///< of what both have; those of `lane_size` bytes
-    std::vector<Lane> more_lanes;  ///< those of other sizes whose cells go through registers
-    std::vector<Lane> odd_lanes;   ///< and the others
-    bool only_lanes = true;        ///< there are no more and no odd ones
+    std::pmr::vector<Lane> lanes;       ///< of what both have; those of `lane_size` bytes
+    std::pmr::vector<Lane> more_lanes;  ///< those of other sizes whose cells go through registers
+    std::pmr::vector<Lane> odd_lanes;   ///< and the others
+    bool only_lanes = true;             ///< there are no more and no odd ones
+
+    explicit Edge(TableMemory& memory) : lanes(&memory), more_lanes(&memory), odd_lanes(&memory) {}
 
     /// Finds the arrays anew.
     void aim();
@@ -102,9 +136,10 @@ constexpr std::uint64_t edge_key(std::uint32_t table, std::uint32_t component, b
 }
 
 struct Table {
-    Mask mask;                    ///< data components
-    std::vector<Column> columns;  ///< in the order of their components
-    std::vector<TagColumn> tags;  ///< only those that a row here has had
+    Mask mask;  ///< data components
+    TableMemory* memory;
+    std::pmr::vector<Column> columns;  ///< in the order of their components
+    std::pmr::vector<TagColumn> tags;  ///< only those that a row here has had
     RawArray entity_array;
     std::uint32_t rows = 0;
     std::uint32_t capacity = 0;  ///< of every array; above 0 where there are columns
@@ -112,10 +147,12 @@ struct Table {
     std::array<std::byte*, max_components> cells;     ///< a data component's array; null: no such column
     std::array<std::uint8_t, max_components> tag_of;  ///< a tag's index into tags; no_tag
     /// The way to the table with this component more, or less; null: not known yet.
-    std::array<std::unique_ptr<Edge>, max_components> edges;
-    std::vector<Edge*> incident;  ///< from here or to here: they hold the addresses of this table's arrays
+    std::array<Pooled<Edge>, max_components> edges;
+    std::pmr::vector<Edge*>
+        incident;  ///< from here or to here: they hold the addresses of this table's arrays
 
-    Table() {
+    explicit Table(TableMemory& table_memory)
+        : memory(&table_memory), columns(memory), tags(memory), incident(memory) {
         cells.fill(nullptr);
         tag_of.fill(no_tag);
     }

@@ -183,6 +183,7 @@ View<Terms...> World::view() const {
     const auto type = detail::type_number<View<Terms...>>;
     if (!queries_[type]) [[unlikely]] {
         auto made = std::make_unique<Query>();
+        made->tables.reserve(usual_tables);
         const auto note = [&]<class T>(std::type_identity<T>) {
             using Term = detail::Term<T>;
             const auto c = id<typename Term::component>();

@@ -11,7 +11,8 @@ World::World() {
     id_of_type_.resize(types, none);
     queries_.resize(types);
     packs_.resize(types);
-    tables_.push_back(std::make_unique<Table>());
+    tables_.reserve(usual_tables);
+    tables_.push_back(make_pooled<Table>(memory_));
 }
 
 void World::declare_info(ComponentInfo info, std::uint32_t type_number) {
@@ -55,7 +56,7 @@ std::uint32_t World::table_with(const Mask& mask) {
     for (std::uint32_t t = 0; t < tables_.size(); ++t) {
         if (tables_[t]->mask == mask) return t;
     }
-    auto made = std::make_unique<Table>();
+    auto made = make_pooled<Table>(memory_);
     auto& table = *made;
     table.mask = mask;
     for (std::uint32_t c = 0; c < infos_.size(); ++c) {

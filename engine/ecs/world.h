@@ -34,6 +34,9 @@ struct Hook {
     void* context = nullptr;
 };
 
+/// Tables for which lists have room from the start.
+inline constexpr std::size_t usual_tables = 256;
+
 /// Which components a running system said it reads and writes.
 struct Access {
     Mask reads;
@@ -134,7 +137,7 @@ public:
         return m;
     }
     std::span<const ComponentInfo> components() const { return infos_; }
-    std::span<const std::unique_ptr<Table>> tables() const { return tables_; }
+    std::span<const Pooled<Table>> tables() const { return tables_; }
     std::uint32_t count(std::uint32_t component) const { return counts_[component]; }
     /// While set, every access is checked against what the system declared; null turns the check off.
     void set_access(const Access* access) { access_ = access; }
@@ -256,8 +259,9 @@ private:
     std::array<Hook, max_components> added_{}, removed_{};
     bool has_remove_hooks_ = false;
     std::array<std::uint32_t, max_components> counts_{};
-    std::vector<std::unique_ptr<Table>> tables_;  // the first one has no components
-    const Edge no_edge_{};
+    TableMemory memory_{table_memory_bytes};
+    std::vector<Pooled<Table>> tables_;  // the first one has no components
+    const Edge no_edge_{memory_};
     // The one that was last taken, since the same change often follows for many entities: then what it leads to is known before
     // the entity is.
     const Edge* last_edge_ = &no_edge_;
