@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include "core/threads.h"
+
 namespace thaum {
 
 struct Jobs::Ticket::Job {
@@ -24,7 +26,12 @@ bool Jobs::Ticket::ended() const { return !job_ || job_->done.load(std::memory_o
 
 Jobs::Jobs(unsigned threads) {
     threads_.reserve(threads);
-    for (unsigned i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+    // With fewer threads, or none, the same work is done more slowly.
+    for (unsigned i = 0; i < threads; ++i) {
+        auto started = start_thread([this] { work(); });
+        if (!started) break;
+        threads_.push_back(std::move(*started));
+    }
 }
 
 Jobs::~Jobs() {

@@ -101,6 +101,7 @@ void move_ladle(LabDesk& desk, render::Size size) {
 // ---- keys and mouse ----------------------------------------------------------------------------------------------------
 
 void save_now(LabDesk& desk) {
+    if (desk.file.empty()) return note(desk, "there is no home folder: --save FILE says where");
     std::error_code failed;
     if (desk.file.has_parent_path()) std::filesystem::create_directories(desk.file.parent_path(), failed);
     const auto saved = game::save_lab(desk.plan.lab, desk.file);
@@ -270,7 +271,8 @@ int run_lab_window(LabPlan plan) {
     if (auto made = make_lab_folder(plan); !made) return refuse(made.error());
     window->make_current();
     LabDesk desk{.plan = std::move(plan), .trace = std::move(*trace)};
-    desk.file = desk.plan.save.value_or(matches_folder().parent_path() / "lab.brew");
+    desk.file = desk.plan.save.value_or(
+        matches_folder().empty() ? std::filesystem::path() : matches_folder().parent_path() / "lab.brew");
     desk.page.hands.settings = desk.plan.lab.settings;
     desk.page.text_scale = settings.text_scale;
     desk.height = -0.35 * desk.plan.lab.basin.depth;

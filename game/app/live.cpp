@@ -7,6 +7,7 @@
 
 #include "core/random.h"
 #include "core/text.h"
+#include "core/threads.h"
 #include "game/app/command.h"
 #include "game/app/live_desk.h"
 #include "game/bots/bot.h"
@@ -203,15 +204,18 @@ void take_seats(Desk& desk) {
         armed == seats.end() ? game::no_player : static_cast<std::uint32_t>(armed - seats.begin());
 }
 
-void play_match(Desk& desk, MatchStart start) {
+/// The error: no thread for the simulation.
+Expected<void> play_match(Desk& desk, MatchStart start) {
     auto& shared = desk.shared;
     shared.ended = shared.end_match = shared.rematch = false;
     shared.going = Going::playing;
     shared.wants_pause = shared.wants_to_go_on = game::no_player;
     for (auto& lost : shared.pad_lost) lost = false;
-    std::thread simulating([&] { run_simulation(desk.plan, shared, std::move(start)); });
+    auto simulating = start_thread([&] { run_simulation(desk.plan, shared, std::move(start)); });
+    if (!simulating) return tl::unexpected(simulating.error());
     run_desk(desk);
-    simulating.join();
+    simulating->join();
+    return {};
 }
 
 /// Match after match, until nobody wants another.
@@ -227,10 +231,12 @@ Expected<void> play_matches(Desk& desk) {
         take_seats(desk);
         desk.facts.practice = desk.range.has_value();
         auto keeping = keeping_of(desk, seed, number);
-        if (!keeping && number == 1) return tl::unexpected(keeping.error());
+        // A name that was asked for must be had; without the data folder a match is played all the same.
+        if (!keeping && number == 1 && !desk.plan.log.empty()) return tl::unexpected(keeping.error());
         if (!keeping)
             std::fprintf(stderr, "this match is not recorded: %s\n", keeping.error().message.c_str());
-        play_match(desk, {desk.data, seed, keeping ? std::move(*keeping) : Keeping()});
+        const auto played = play_match(desk, {desk.data, seed, keeping ? std::move(*keeping) : Keeping()});
+        if (!played) return played;
         again = shared.rematch;
         if (!again && !desk.plan.start_screen) break;
         Random next = random_stream(seed, number);
@@ -294,10 +300,11 @@ int run_live(const LivePlan& plan) {
     LiveShared shared(*window);
     if (const auto opened = open_arm(shared, plan); !opened) return refuse(opened.error());
     Desk desk(shared, plan);
-    std::thread drawing([&] { run_render(plan, shared); });
+    auto drawing = start_thread([&] { run_render(plan, shared); });
+    if (!drawing) return refuse(drawing.error());
     const auto played = play_matches(desk);
     shared.stop = true;
-    drawing.join();
+    drawing->join();
     if (plan.report != nullptr) fill_report(shared, *plan.report);
     tell_arm(shared, plan.report);
     if (!played) return refuse(played.error());

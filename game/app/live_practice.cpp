@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/text.h"
+#include "core/threads.h"
 
 namespace thaum::app {
 namespace {
@@ -16,7 +17,10 @@ constexpr Tick until_next_reading = std::numeric_limits<Tick>::max() / 2;
 
 }  // namespace
 
-DataWatcher::DataWatcher(game::RangeFiles files) : files_(std::move(files)), thread_([this] { watch(); }) {}
+DataWatcher::DataWatcher(game::RangeFiles files) : files_(std::move(files)) {
+    // Without it data files are read once only, and practice goes on.
+    if (auto started = start_thread([this] { watch(); })) thread_ = std::move(*started);
+}
 
 DataWatcher::~DataWatcher() {
     {
@@ -24,7 +28,7 @@ DataWatcher::~DataWatcher() {
         stop_ = true;
     }
     stopped_.notify_one();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
 }
 
 void DataWatcher::watch() {

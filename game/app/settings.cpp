@@ -1,5 +1,9 @@
 #include "game/app/settings.h"
 
+#include <pwd.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,12 +27,27 @@ constexpr std::array<std::string_view, session_keys> session_names{"pause",     
 constexpr std::array<std::string_view, session_keys> session_defaults{
     "key escape", "key enter, key kp_enter", "key q", "key f6", "key f11", "key f10", "key f3"};
 
-/// An XDG folder: an absolute path in the variable, else the usual place below the home folder.
+/// The user's home folder; empty: there is none. A relative HOME would lead to another folder in each place.
+std::filesystem::path home_folder() {
+    const char* home = std::getenv("HOME");
+    if (home != nullptr && std::filesystem::path(home).is_absolute()) return home;
+    const auto* user = ::getpwuid(::getuid());
+    if (user == nullptr || user->pw_dir == nullptr) return {};
+    std::filesystem::path listed = user->pw_dir;
+    return listed.is_absolute() ? listed : std::filesystem::path();
+}
+
+/// An XDG folder: an absolute path in the variable (the specification says that others are ignored), else the usual place
+/// below the home folder; empty where there is none.
 std::filesystem::path base_folder(const char* variable, const char* usual) {
     const char* set = std::getenv(variable);
     if (set != nullptr && std::filesystem::path(set).is_absolute()) return set;
-    const char* home = std::getenv("HOME");
-    return std::filesystem::path(home != nullptr && *home != '\0' ? home : ".") / usual;
+    const auto home = home_folder();
+    return home.empty() ? home : home / usual;
+}
+
+std::filesystem::path below(const std::filesystem::path& base, const char* way) {
+    return base.empty() ? base : base / way;
 }
 
 void read_session(const ConfigTable& table, Settings& settings) {
@@ -73,10 +92,9 @@ void read(const ConfigTable& root, const Setting& setting, Settings& s) {
 std::string two_digits(int n) { return text(n < 10 ? "0" : "", n); }
 
 /// "2026-03-01_18-05-59": sorts as time goes.
-std::string date_and_time() {
-    const std::time_t now = std::time(nullptr);
+std::string date_and_time(std::time_t when) {
     std::tm t{};
-    ::localtime_r(&now, &t);
+    ::localtime_r(&when, &t);
     return text(t.tm_year + 1900, "-", two_digits(t.tm_mon + 1), "-", two_digits(t.tm_mday), "_",
                 two_digits(t.tm_hour), "-", two_digits(t.tm_min), "-", two_digits(t.tm_sec));
 }
@@ -97,29 +115,44 @@ bool is_own_name(std::string_view name) {
            (rest.empty() || (rest[0] == '-' && is_number(rest.substr(1))));
 }
 
-/// The date and counter, then the rematches by number: the tenth comes after the second.
-bool is_older(const std::filesystem::path& a, const std::filesystem::path& b) {
-    const auto key = [](const std::filesystem::path& path) {
-        auto name = path.stem().string();
-        const auto dated = name.substr(0, name.find('-', 20));
-        return std::tuple(dated, name.size(), std::move(name));
-    };
-    return key(a) < key(b);
+/// A recorded match as it sorts: the oldest first.
+struct AgedLog {
+    bool after_now;  ///< recorded before the clock was set back, so before all that is dated in the past
+    std::string dated, name;  ///< date and counter; with the number of a rematch
+    std::filesystem::path path;
+
+    /// Rematches go by number: the tenth comes after the second.
+    auto key() const {
+        return std::tuple(!after_now, std::string_view(dated), name.size(), std::string_view(name));
+    }
+};
+
+/// Names are in local time, which summer time and journeys move by up to a day, and a clock that is kept right steps by
+/// seconds: what is further ahead than that was recorded under another clock.
+AgedLog aged(const std::filesystem::path& path, std::time_t now) {
+    constexpr std::time_t journeys_s = 26 * 3600, steps_s = 120;
+    AgedLog log{false, {}, path.stem().string(), path};
+    log.dated = log.name.substr(0, log.name.find('-', 20));
+    struct stat info {};
+    const bool written_later = ::stat(path.c_str(), &info) == 0 && info.st_mtime > now + steps_s;
+    log.after_now = written_later || log.dated > date_and_time(now + journeys_s);
+    return log;
 }
 
 /// Another program may be recording into one of them.
 void delete_oldest(const std::filesystem::path& folder, int kept) {
-    std::vector<std::filesystem::path> logs;
+    std::vector<AgedLog> logs;
+    const auto now = std::time(nullptr);
     std::error_code error;
     for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
          it.increment(error)) {
         if (it->is_regular_file(error) && is_own_name(it->path().filename().string()))
-            logs.push_back(it->path());
+            logs.push_back(aged(it->path(), now));
     }
-    std::sort(logs.begin(), logs.end(), is_older);
+    std::sort(logs.begin(), logs.end(), [](const auto& a, const auto& b) { return a.key() < b.key(); });
     const auto room = static_cast<std::size_t>(std::max(kept - 1, 0));
     for (std::size_t i = 0; i + room < logs.size(); ++i) {
-        if (!input::log_in_use(logs[i])) std::filesystem::remove(logs[i], error);
+        if (!input::log_in_use(logs[i].path)) std::filesystem::remove(logs[i].path, error);
     }
 }
 
@@ -268,6 +301,7 @@ Expected<Settings> parse_settings(std::string_view toml, std::string name) {
 }
 
 Expected<Settings> load_settings(const std::filesystem::path& file, const std::filesystem::path& assets) {
+    if (file.empty()) return Settings{};
     std::error_code error;
     // A link that leads nowhere is there as well.
     if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
@@ -291,19 +325,18 @@ Settings settings_to_play_with(const std::filesystem::path& file, const std::fil
 }
 
 std::filesystem::path settings_file() {
-    return base_folder("XDG_CONFIG_HOME", ".config") / "thaum" / "settings.toml";
+    return below(base_folder("XDG_CONFIG_HOME", ".config"), "thaum/settings.toml");
 }
 
 std::filesystem::path matches_folder() {
-    return base_folder("XDG_DATA_HOME", ".local/share") / "thaum" / "matches";
+    return below(base_folder("XDG_DATA_HOME", ".local/share"), "thaum/matches");
 }
 
 Expected<std::filesystem::path> new_match_log(const std::filesystem::path& folder, int kept) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) return fail(text(folder.string(), ": cannot be created: ", error.message()));
+    if (auto made = make_folder(folder); !made) return tl::unexpected(made.error());
     delete_oldest(folder, kept);
-    const auto now = date_and_time();
+    std::error_code error;
+    const auto now = date_and_time(std::time(nullptr));
     for (int i = 1; i < 100; ++i) {
         const auto path = folder / text(now, "_", two_digits(i), log_ending);
         if (!std::filesystem::exists(path, error)) return path;

@@ -171,6 +171,7 @@ Expected<void> save_changes(const std::filesystem::path& file, const Settings& b
                             const Settings& after) {
     const auto edits = changes(before, after);
     if (edits.empty()) return {};
+    if (file.empty()) return fail("there is no home folder for the settings: set HOME or XDG_CONFIG_HOME");
     std::error_code error;
     // A link to a file elsewhere stays a link.
     const auto real = std::filesystem::weakly_canonical(file, error);

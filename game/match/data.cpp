@@ -30,6 +30,14 @@ public:
         return value;
     }
 
+    /// A fault between two files is told at its line in `file`, where `report` finds it.
+    template <class Report>
+    void check_across(const std::optional<Config>& file, Report report) {
+        if (error || !file) return;
+        report(file->root());
+        if (auto checked = file->check(); !checked) keep(std::move(checked.error()));
+    }
+
     void check_overrides() {
         for (std::size_t i = 0; i < used_.size() && !error; ++i) {
             if (!used_[i]) {
@@ -39,6 +47,8 @@ public:
             }
         }
     }
+
+    const std::filesystem::path& assets() const { return assets_; }
 
     std::optional<Error> error;
 
@@ -85,20 +95,24 @@ Expected<void> check_name(const std::array<std::string_view, 2>& known, std::str
     return fail(text("there is no ", what, " '", name, "', only ", known[0], " and ", known[1]));
 }
 
-/// A wand that shares another's energy has its cap.
-Expected<void> share_energies(MatchData& data) {
-    for (auto& wand : data.wands) {
+/// A wand that shares another's energy has its cap. `files` are those of the wands.
+void share_energies(MatchData& data, const std::vector<std::optional<Config>>& files, Loader& loader) {
+    for (std::size_t i = 0; i < data.wands.size(); ++i) {
+        auto& wand = data.wands[i];
         if (wand.stats.energy_slot == wand.stats.slot) continue;
         const auto lender = std::find_if(data.wands.begin(), data.wands.end(), [&](const auto& w) {
             return w.stats.slot == wand.stats.energy_slot && w.stats.energy_slot == w.stats.slot;
         });
-        if (lender == data.wands.end()) {
-            return fail(text("wands/", wand.kind->name, ".toml: energy.of_slot: no wand of slot ",
-                             wand.stats.energy_slot + 1, " has energy of its own"));
+        if (lender != data.wands.end()) {
+            wand.stats.energy_cap = lender->stats.energy_cap;
+            continue;
         }
-        wand.stats.energy_cap = lender->stats.energy_cap;
+        loader.check_across(files[i], [&](const ConfigTable& root) {
+            root.table("energy").report("of_slot",
+                                        text("energy.of_slot: no wand of slot ", wand.stats.energy_slot + 1,
+                                             " has energy of its own"));
+        });
     }
-    return {};
 }
 
 void refuse_taken_slot(const std::vector<LoadedWand>& before, const LoadedWand& wand, const Config& file) {
@@ -109,16 +123,41 @@ void refuse_taken_slot(const std::vector<LoadedWand>& before, const LoadedWand& 
     }
 }
 
-void check_niches(const MatchData& data, Loader& loader) {
-    const auto& known = data.cauldron->ingredients;
-    for (const auto& niche : data.arena.niches) {
-        const bool found = std::any_of(known.begin(), known.end(),
-                                       [&](const Ingredient& i) { return i.name == niche.ingredient; });
-        if (!found)
-            loader.error =
-                Error{text("arenas/", data.choice.arena, ".toml: niche: cauldron.toml has no ingredient '",
-                           niche.ingredient, "'")};
+void check_niches(const ConfigTable& arena, const std::vector<Ingredient>& known) {
+    for (const auto& niche : arena.tables("niche")) {
+        const auto name = niche.string("ingredient");
+        if (std::none_of(known.begin(), known.end(), [&](const Ingredient& i) { return i.name == name; }))
+            niche.report("ingredient", text("niche: cauldron.toml has no ingredient '", name, "'"));
     }
+}
+
+/// The device that haptics.toml names has a file of its own.
+void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& loader) {
+    const auto name = data.touch.device;
+    if (!plain_name(name)) {
+        return loader.check_across(haptics, [&](const ConfigTable& root) {
+            root.report("device", text("device '", name, "' is no name of a device (a-z, 0-9, _)"));
+        });
+    }
+    const auto file = text("devices/", name, ".toml");
+    std::error_code ignored;
+    if (!std::filesystem::exists(loader.assets() / file, ignored)) {
+        return loader.check_across(haptics, [&](const ConfigTable& root) {
+            root.report("device", text("device '", name, "': there is no ", file));
+        });
+    }
+    auto device = loader.load(file, haptics::read_device);
+    if (device) data.device = std::move(*device);
+    if (!device && !loader.error) loader.error = device.error();
+}
+
+/// A reader that keeps the file too, for faults that only another file shows.
+template <class Read>
+auto noting(std::optional<Config>& kept, Read read) {
+    return [&kept, read](const Config& file) {
+        kept = file;
+        return read(file);
+    };
 }
 
 /// What the rule set switches off is gone from the data: no system asks for the rule set's name.
@@ -140,31 +179,31 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     MatchData data;
     data.choice = choice;
     Loader loader(assets, data);
-    data.arena = loader.load("arenas/" + choice.arena + ".toml", read_arena);
+    std::optional<Config> arena_file, haptics_file;
+    data.arena = loader.load("arenas/" + choice.arena + ".toml", noting(arena_file, read_arena));
     data.rules = loader.load("rules/" + choice.rules + ".toml", read_rule_set);
     data.round = loader.load("rules/" + choice.match + ".toml", read_round_rules);
     data.wizard = loader.load("wizards/wizard.toml", read_wizard_rules);
-    data.touch = loader.load("haptics.toml", read_touch_rules);
-    if (!loader.error && !plain_name(data.touch.device))
-        return fail(
-            text("haptics.toml: device '", data.touch.device, "' is no name of a device (a-z, 0-9, _)"));
-    auto device = loader.load("devices/" + data.touch.device + ".toml", haptics::read_device);
-    if (!device) return tl::unexpected(device.error());
-    data.device = std::move(*device);
+    data.touch = loader.load("haptics.toml", noting(haptics_file, read_touch_rules));
+    if (!loader.error) load_device(data, haptics_file, loader);
     if (data.rules.cauldron && data.arena.bowl) {
         data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
-        if (!loader.error) check_niches(data, loader);
+        loader.check_across(arena_file,
+                            [&](const ConfigTable& root) { check_niches(root, data.cauldron->ingredients); });
     }
+    std::vector<std::optional<Config>> wand_files;
     for (const auto& kind : wand_kinds()) {
-        data.wands.push_back(loader.load(text("wands/", kind.name, ".toml"), [&](const Config& file) {
+        const auto read = [&](const Config& file) {
             auto wand = read_wand(kind, file);
             refuse_taken_slot(data.wands, wand, file);
             return wand;
-        }));
+        };
+        data.wands.push_back(
+            loader.load(text("wands/", kind.name, ".toml"), noting(wand_files.emplace_back(), read)));
     }
     loader.check_overrides();
+    if (!loader.error) share_energies(data, wand_files, loader);
     if (loader.error) return tl::unexpected(*loader.error);
-    if (const auto shared = share_energies(data); !shared) return tl::unexpected(shared.error());
     apply_rule_set(data);
     return data;
 }

@@ -352,6 +352,66 @@ TEST(MatchLogs, NamesAreNewAndOnlyTheOldestOfThemAreDeleted) {
     EXPECT_NE(*first, *second);
 }
 
+/// Logs dated long after now were recorded before the clock was set back: they go first, and a new log stays.
+TEST(MatchLogs, AClockThatWasSetBackDoesNotDeleteTheNewestLogs) {
+    const auto folder = fresh_folder("matches_of_2099");
+    std::filesystem::create_directories(folder);
+    const auto touch = [](const std::filesystem::path& p) { std::ofstream(p) << "x"; };
+    for (int i = 10; i < 60; ++i) touch(folder / text("2099-01-01_00-00-", i, "_01.thaumlog"));
+    std::vector<std::filesystem::path> played;
+    for (int match = 0; match < 8; ++match) {
+        const auto log = new_match_log(folder, 50);
+        ASSERT_TRUE(log);
+        touch(played.emplace_back(*log));
+        for (const auto& kept : played) EXPECT_TRUE(std::filesystem::exists(kept)) << "after match " << match;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "2099-01-01_00-00-17_01.thaumlog"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "2099-01-01_00-00-18_01.thaumlog"));
+    // Names of the past, but written later than now.
+    const auto later = folder / "2001-01-01_00-00-00_01.thaumlog";
+    const auto named = folder / "2001-01-01_00-00-01_01.thaumlog";
+    for (const auto& path : {later, named}) touch(path);
+    std::filesystem::last_write_time(later,
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::hours(9));
+    ASSERT_TRUE(new_match_log(folder, 53));
+    EXPECT_FALSE(std::filesystem::exists(later));
+    EXPECT_TRUE(std::filesystem::exists(named));
+}
+
+/// Sets variables of the environment for one test.
+class Environment {
+public:
+    Environment(std::initializer_list<std::pair<const char*, const char*>> values) {
+        for (const auto& [name, value] : values) {
+            const char* const old = std::getenv(name);
+            before_.emplace_back(name, old != nullptr ? std::optional<std::string>(old) : std::nullopt);
+            value != nullptr ? ::setenv(name, value, 1) : ::unsetenv(name);
+        }
+    }
+    ~Environment() {
+        for (const auto& [name, value] : before_)
+            value ? ::setenv(name.c_str(), value->c_str(), 1) : ::unsetenv(name.c_str());
+    }
+    Environment(const Environment&) = delete;
+    Environment& operator=(const Environment&) = delete;
+
+private:
+    std::vector<std::pair<std::string, std::optional<std::string>>> before_;
+};
+
+TEST(MatchLogs, FoldersAreNeverRelativeToWhereTheProgramWasStarted) {
+    for (const char* home : {static_cast<const char*>(nullptr), "", "relative", "."}) {
+        for (const char* xdg : {static_cast<const char*>(nullptr), "", "relative", "./here"}) {
+            const Environment here{{"HOME", home}, {"XDG_CONFIG_HOME", xdg}, {"XDG_DATA_HOME", xdg}};
+            for (const auto& path : {settings_file(), matches_folder()})
+                EXPECT_TRUE(path.empty() || path.is_absolute()) << path;
+        }
+    }
+    const Environment here{{"HOME", "/home/a"}, {"XDG_CONFIG_HOME", "relative"}, {"XDG_DATA_HOME", "/data"}};
+    EXPECT_EQ(settings_file(), "/home/a/.config/thaum/settings.toml");
+    EXPECT_EQ(matches_folder(), "/data/thaum/matches");
+}
+
 TEST(MatchLogs, RematchesAreCountedAfterTheirMatchAndALogInUseStays) {
     const auto folder = fresh_folder("matches_in_use");
     std::filesystem::create_directories(folder);
