@@ -2,7 +2,8 @@
 # bring along what it needs and show no more than its functions. The second one lacks a function, as an old version does.
 foreach(name fake_hd fake_hd_old)
     add_library(${name} SHARED
-        drivers/fake_hd/fake_hd.cpp
+        drivers/fake_hd/calls.cpp drivers/fake_hd/library.cpp drivers/fake_hd/misbehaviour.cpp
+        drivers/fake_hd/scheduler.cpp drivers/fake_hd/script.cpp
         ${PROJECT_SOURCE_DIR}/engine/core/assert.cpp
         ${PROJECT_SOURCE_DIR}/engine/core/maths.cpp
         ${PROJECT_SOURCE_DIR}/engine/haptics/oscillator.cpp
@@ -13,9 +14,14 @@ foreach(name fake_hd fake_hd_old)
 endforeach()
 target_compile_definitions(fake_hd_old PRIVATE FAKE_HD_OLD)
 
+# Holds a force with an arm that goes wrong, in a process that may hang or die.
+add_executable(arm_probe drivers/arm_probe.cpp)
+target_include_directories(arm_probe PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(arm_probe PRIVATE thaum_flags thaum_input ${CMAKE_DL_LIBS})
+
 thaum_test(test_arm
-    SOURCES unit/arm_test.cpp unit/openhaptics_test.cpp
+    SOURCES unit/arm_modes_test.cpp unit/arm_test.cpp unit/openhaptics_test.cpp
     LINK thaum_input ${CMAKE_DL_LIBS})
 target_compile_definitions(test_arm PRIVATE
-    FAKE_HD="$<TARGET_FILE:fake_hd>" FAKE_HD_OLD="$<TARGET_FILE:fake_hd_old>")
-add_dependencies(test_arm fake_hd fake_hd_old)
+    ARM_PROBE="$<TARGET_FILE:arm_probe>" FAKE_HD="$<TARGET_FILE:fake_hd>" FAKE_HD_OLD="$<TARGET_FILE:fake_hd_old>")
+add_dependencies(test_arm arm_probe fake_hd fake_hd_old)

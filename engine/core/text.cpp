@@ -1,5 +1,9 @@
 #include "core/text.h"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 #include "core/assert.h"
 #include "core/one_line.h"
 
@@ -26,6 +30,54 @@ std::string in_one_line(std::string_view message) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
     }
     return line;
+}
+
+namespace {
+
+/// Number of bytes of the UTF-8 character that `s` begins with, and its code point; 0 bytes where it begins with none.
+std::pair<std::size_t, char32_t> first_character(std::string_view s) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
+    const auto lead = byte(0);
+    if (lead < 0x80) return {1, lead};
+    const std::size_t bytes = lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
+    if (bytes == 0 || bytes > s.size()) return {0, 0};
+    char32_t code = lead & (0x7fU >> bytes);
+    for (std::size_t i = 1; i < bytes; ++i) {
+        if ((byte(i) & 0xc0U) != 0x80) return {0, 0};
+        code = code << 6U | (byte(i) & 0x3fU);
+    }
+    constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
+    const bool surrogate = code >= 0xd800 && code < 0xe000;
+    return code < least[bytes] || surrogate || code > 0x10ffff ? std::pair<std::size_t, char32_t>{0, 0}
+                                                               : std::pair{bytes, code};
+}
+
+/// Whether a terminal does something else with it than show it.
+bool is_command(char32_t code) {
+    const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
+    const bool turns_writing = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+    const bool breaks_line = code == 0x2028 || code == 0x2029;
+    return control || turns_writing || breaks_line;
+}
+
+}  // namespace
+
+std::string printable(std::string_view outside, std::size_t most) {
+    std::string out;
+    while (!outside.empty()) {
+        const auto [bytes, code] = first_character(outside);
+        const auto used = std::max<std::size_t>(bytes, 1);
+        std::string shown(outside.substr(0, used));
+        if (bytes == 0 || is_command(code)) {
+            shown.clear();
+            for (const char c : outside.substr(0, used))
+                shown += text("\\x", hex(static_cast<unsigned char>(c)).substr(14));
+        }
+        if (out.size() + shown.size() > most) return out + "...";
+        out += shown;
+        outside.remove_prefix(used);
+    }
+    return out;
 }
 
 }  // namespace thaum

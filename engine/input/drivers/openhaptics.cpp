@@ -1,192 +1,96 @@
 #include "input/drivers/openhaptics.h"
 
-#include <dlfcn.h>
-#include <pthread.h>
-#include <sched.h>
-
 #include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <cstdlib>
 
 #include "core/clock.h"
 #include "core/text.h"
+#include "input/arm_silence.h"
+#include "input/detail/hd_ticks.h"
 
 namespace thaum::input {
+
+using namespace hd;
+
+/// What the threads that call the library share.
+struct OpenHaptics::State {
+    ArmPatience patience{};
+    const Api* api{};
+    Handle handle = invalid_handle;
+    ArmFacts facts{};
+    bool running = false;                ///< the library's scheduler
+    std::atomic<unsigned long> task{0};  ///< the scheduler's number of our ticks; 0: none
+    std::int64_t started_ns = 0;         ///< when ticks were asked for; 0: not yet
+    std::unique_ptr<Ticks> ticks = std::make_unique<Ticks>();
+};
+
 namespace {
 
-// ---- the library's words ---------------------------------------------------------------------------------------------
+std::atomic<bool> in_use{false};
+std::atomic<int> hanging{0};  ///< threads that wait for the library and were left behind
 
-using Handle = unsigned int;
-using Callback = unsigned int (*)(void*);
+// ---- calibration -------------------------------------------------------------------------------------------------------
 
-constexpr Handle invalid_handle = 0xffffffff;
-constexpr unsigned int callback_done = 0, callback_continue = 1;
-constexpr unsigned short first_priority = 65535;
-constexpr unsigned long servo_hz = 1000;
-
-enum Name : unsigned int {
-    current_buttons = 0x2000,
-    current_position = 0x2050,   // mm
-    current_transform = 0x2052,  // 16 numbers, column by column
-    version = 0x2500,
-    model_type = 0x2501,
-    serial_number = 0x2504,
-    usable_workspace = 0x2551,  // mm: least x y z, most x y z
-    input_dof = 0x2553,
-    output_dof = 0x2554,
-    update_rate = 0x2600,
-    nominal_max_stiffness = 0x2602,  // N/mm
-    nominal_max_force = 0x2603,      // N
-    nominal_max_continuous_force = 0x2604,
-    nominal_max_damping = 0x2609,  // N/(mm/s)
-    current_force = 0x2700,        // N
-    force_output = 0x4000,
-    max_force_clamping = 0x4001,
-    force_ramping = 0x4002,
-    calibration_ok = 0x5000,
-    calibration_needs_update = 0x5001,
+/// A task in the library's thread. It lives for ever, since the library may run it late.
+struct Calibration {
+    const Api* api{};
+    Handle handle{};
+    bool update = false;             ///< wanted: the arm calibrates itself, else: how it is
+    std::atomic<bool> asked{false};  ///< the task counts once
+    std::atomic<bool> done{false};
+    std::atomic<unsigned int> status{0}, code{0};
 };
 
-enum Code : unsigned int {
-    warm_motors = 0x0200,
-    last_force_error = 0x02ff,
-    device_fault = 0x0300,
-    already_initiated = 0x0301,
-    comm_error = 0x0302,
-    comm_config = 0x0303,
-    timer_error = 0x0304,
-    invalid_license = 0x0600,
-};
+Calibration& calibration() {
+    static Calibration the;
+    return the;
+}
 
-struct ErrorInfo {
-    unsigned int code;
-    int internal;
-    Handle device;
-};
+unsigned int do_calibration(void*) {
+    auto& c = calibration();
+    if (!c.asked.exchange(false)) return callback_done;
+    const auto& api = *c.api;
+    api.hdBeginFrame(c.handle);
+    if (c.update)
+        api.hdUpdateCalibration(api.hdCheckCalibrationStyle());
+    else
+        c.status = api.hdCheckCalibration();
+    api.hdEndFrame(c.handle);
+    c.code = take_error(api);
+    c.done = true;
+    return callback_done;
+}
 
-/// The functions that we call. All are needed: a library without one of them is too old.
-struct Api {
-    Handle (*hdInitDevice)(const char*);
-    void (*hdDisableDevice)(Handle);
-    void (*hdMakeCurrentDevice)(Handle);
-    void (*hdBeginFrame)(Handle);
-    void (*hdEndFrame)(Handle);
-    void (*hdGetIntegerv)(unsigned int, int*);
-    void (*hdGetDoublev)(unsigned int, double*);
-    void (*hdSetDoublev)(unsigned int, const double*);
-    const char* (*hdGetString)(unsigned int);
-    void (*hdEnable)(unsigned int);
-    ErrorInfo (*hdGetError)();
-    const char* (*hdGetErrorString)(unsigned int);
-    void (*hdStartScheduler)();
-    void (*hdStopScheduler)();
-    void (*hdSetSchedulerRate)(unsigned long);
-    void (*hdScheduleSynchronous)(Callback, void*, unsigned short);
-    unsigned long (*hdScheduleAsynchronous)(Callback, void*, unsigned short);
-    void (*hdUnschedule)(unsigned long);
-    unsigned int (*hdCheckCalibration)();
-    unsigned int (*hdCheckCalibrationStyle)();
-    void (*hdUpdateCalibration)(unsigned int);
-};
+/// Runs the task, and returns the error: the task's, or that of a library that did not run it.
+unsigned int run_calibration(const Api& api, Handle handle, bool update) {
+    auto& c = calibration();
+    c.api = &api;
+    c.handle = handle;
+    c.update = update;
+    c.status = c.code = 0;
+    c.done = false;
+    c.asked = true;
+    api.hdScheduleSynchronous(do_calibration, nullptr, first_priority);
+    c.asked = false;
+    const auto refused = take_error(api);
+    return c.done ? c.code.load() : refused;
+}
 
-/// Finds functions by name; remembers the first that is missing.
-struct Finder {
-    void* library;
-    const char* missing = nullptr;
-
-    template <class F>
-    void find(F& function, const char* name) {
-        function = reinterpret_cast<F>(::dlsym(library, name));
-        if (function == nullptr && missing == nullptr) missing = name;
+/// An arm that calibrates itself is asked to; others need a hand.
+Expected<void> calibrate(const Api& api, Handle handle) {
+    auto code = run_calibration(api, handle, false);
+    if (code == 0 && calibration().status == calibration_needs_update) {
+        code = run_calibration(api, handle, true);
+        if (code == 0) code = run_calibration(api, handle, false);
     }
-};
-
-const char* find_all(void* library, Api& api) {
-    Finder finder{library};
-    finder.find(api.hdInitDevice, "hdInitDevice");
-    finder.find(api.hdDisableDevice, "hdDisableDevice");
-    finder.find(api.hdMakeCurrentDevice, "hdMakeCurrentDevice");
-    finder.find(api.hdBeginFrame, "hdBeginFrame");
-    finder.find(api.hdEndFrame, "hdEndFrame");
-    finder.find(api.hdGetIntegerv, "hdGetIntegerv");
-    finder.find(api.hdGetDoublev, "hdGetDoublev");
-    finder.find(api.hdSetDoublev, "hdSetDoublev");
-    finder.find(api.hdGetString, "hdGetString");
-    finder.find(api.hdEnable, "hdEnable");
-    finder.find(api.hdGetError, "hdGetError");
-    finder.find(api.hdGetErrorString, "hdGetErrorString");
-    finder.find(api.hdStartScheduler, "hdStartScheduler");
-    finder.find(api.hdStopScheduler, "hdStopScheduler");
-    finder.find(api.hdSetSchedulerRate, "hdSetSchedulerRate");
-    finder.find(api.hdScheduleSynchronous, "hdScheduleSynchronous");
-    finder.find(api.hdScheduleAsynchronous, "hdScheduleAsynchronous");
-    finder.find(api.hdUnschedule, "hdUnschedule");
-    finder.find(api.hdCheckCalibration, "hdCheckCalibration");
-    finder.find(api.hdCheckCalibrationStyle, "hdCheckCalibrationStyle");
-    finder.find(api.hdUpdateCalibration, "hdUpdateCalibration");
-    return finder.missing;
+    if (code != 0) return fail(advice(api, code));
+    if (calibration().status == calibration_ok) return {};
+    return fail(
+        "the arm is not calibrated: put the stylus into its inkwell (or the arm into its rest position) "
+        "until "
+        "its light is steady, and start again");
 }
 
-// ---- loading -----------------------------------------------------------------------------------------------------------
-
-std::string library_name(const std::string& given) {
-    if (!given.empty()) return given;
-    const char* set = std::getenv("THAUM_LIBHD");
-    return set != nullptr && *set != '\0' ? set : "libHD.so";
-}
-
-/// libHD takes symbols of libraries that it brings along, hence RTLD_GLOBAL.
-Expected<Api> load(const std::string& name) {
-    void* library = ::dlopen(name.c_str(), RTLD_LAZY | RTLD_GLOBAL);
-    if (library == nullptr) {
-        const char* why = ::dlerror();
-        return fail(text("no OpenHaptics: ", why != nullptr ? why : name.c_str(),
-                         "; install the arm's driver and OpenHaptics, or say in THAUM_LIBHD where libHD.so "
-                         "is"));
-    }
-    Api api{};
-    if (const char* missing = find_all(library, api); missing != nullptr)
-        return fail(text(name, " is too old: it lacks ", missing, "; install OpenHaptics 3.4 or newer"));
-    return api;
-}
-
-/// All that went wrong since the last call; the first of it, since the others follow from it.
-unsigned int take_error(const Api& api) {
-    constexpr int more_than_a_stack = 64;
-    unsigned int first = 0;
-    for (int i = 0; i < more_than_a_stack; ++i) {
-        const auto code = api.hdGetError().code;
-        if (code == 0) break;
-        first = code;  // the stack gives the newest first
-    }
-    return first;
-}
-
-std::string name_of_code(const Api& api, unsigned int code) {
-    const char* said = api.hdGetErrorString(code);
-    return text(said != nullptr ? said : "unknown", " (", hex(code).substr(12), ")");
-}
-
-std::string advice(const Api& api, unsigned int code) {
-    const auto what = name_of_code(api, code);
-    switch (code) {
-        case already_initiated: return text("another program has the arm: close it; ", what);
-        case comm_error:
-        case comm_config:
-            return text(
-                "the arm does not answer: plug it in and switch it on; if it is, this user may not open its "
-                "port: give it the right (a udev rule, or the group that owns the port); ",
-                what);
-        case device_fault: return text("the arm reports a fault: switch it off and on; ", what);
-        case invalid_license: return text("OpenHaptics has no valid licence: install one; ", what);
-        case warm_motors: return text("the arm's motors are too warm: let them rest; ", what);
-        default: break;
-    }
-    if (code > warm_motors && code <= last_force_error)
-        return text("the arm has cut the force out: let go of it and start again; ", what);
-    return text("OpenHaptics refuses: ", what);
-}
+// ---- opening and closing, on a thread that may hang ------------------------------------------------------------------
 
 /// On some systems only one of the names of the default arm works.
 Expected<Handle> init_device(const Api& api) {
@@ -200,255 +104,182 @@ Expected<Handle> init_device(const Api& api) {
     return fail(advice(api, gravest));
 }
 
-std::string string_of(const Api& api, Name name) {
-    const char* said = api.hdGetString(name);
+template <class State>
+Expected<void> start_library(State& s, const std::string& library) {
+    const auto loaded = load(library);
+    if (!loaded) return tl::unexpected(loaded.error());
+    const auto& api = **loaded;
+    s.api = &api;
+    const auto handle = init_device(api);
+    if (!handle) return tl::unexpected(handle.error());
+    s.handle = *handle;
+    api.hdMakeCurrentDevice(*handle);
+    if (const auto code = take_error(api); code != 0) return fail(advice(api, code));
+    s.facts = facts_of(api);
+    for (const auto capability : {force_output, max_force_clamping, force_ramping}) api.hdEnable(capability);
+    api.hdSetSchedulerRate(servo_hz);
+    api.hdStartScheduler();
+    s.running = true;
+    if (const auto code = take_error(api); code != 0) return fail(advice(api, code));
+    if (auto calibrated = calibrate(api, *handle); !calibrated) return calibrated;
+    if (s.facts.spec.peak_force <= 0) return fail("the arm does not say how much force it can give");
+    return {};
+}
+
+/// Where the last tick has not left the arm without force.
+void write_last_zero(const Api& api, Handle handle) {
+    api.hdBeginFrame(handle);
+    write(api, vec3(0));
+    api.hdEndFrame(handle);
     take_error(api);
-    return said != nullptr ? said : "";
 }
 
-double number_of(const Api& api, Name name) {
-    double value = 0;
-    api.hdGetDoublev(name, &value);
-    return take_error(api) == 0 && std::isfinite(value) ? value : 0;
+template <class State>
+void stop_library(State& s) {
+    if (s.running) {
+        s.api->hdStopScheduler();
+        if (s.task != 0 && !s.ticks->ended) {
+            s.api->hdUnschedule(s.task);
+            write_last_zero(*s.api, s.handle);
+        }
+    }
+    if (s.handle != invalid_handle) s.api->hdDisableDevice(s.handle);
+    if (s.api != nullptr) take_error(*s.api);
 }
 
-int integer_of(const Api& api, Name name) {
-    int value = 0;
-    api.hdGetIntegerv(name, &value);
-    return take_error(api) == 0 ? value : 0;
+// ---- watched -----------------------------------------------------------------------------------------------------------
+
+/// Work that hangs, until it returns after all.
+struct LeftBehind {
+    void begins() const { ++hanging; }
+    void ends() const {
+        --hanging;
+        in_use = false;
+    }
+};
+
+template <class State>
+Expected<void> open_watched(const std::shared_ptr<State>& state, const std::string& library) {
+    const auto result = std::make_shared<Expected<void>>();
+    const auto watched = run_watched(
+        state->patience.open_ns, state->patience.enough,
+        [=] {
+            *result = start_library(*state, library);
+            if (!*result) stop_library(*state);
+        },
+        [=] {
+            if (*result) stop_library(*state);
+            LeftBehind().ends();
+        });
+    if (watched.end == Watched::End::in_time && *result) return {};
+    if (watched.end == Watched::End::hangs)
+        LeftBehind().begins();
+    else
+        in_use = false;
+    return watched.end == Watched::End::in_time ? *result : fail(watched.line);
 }
 
-vec3 workspace_of(const Api& api) {
-    std::array<double, 6> mm{};
-    api.hdGetDoublev(usable_workspace, mm.data());
-    const vec3 edges = vec3(mm[3] - mm[0], mm[4] - mm[1], mm[5] - mm[2]) * 1e-3;
-    return take_error(api) == 0 && is_finite(edges) ? edges : vec3(0);
+/// Without force from the next tick on, for as long as ticks come; then nothing calls the step any more.
+void end_ticks(Ticks& ticks) {
+    constexpr std::int64_t patience_ns = 200'000'000, look_ns = 500'000;
+    ticks.ending = true;
+    const auto until = monotonic_ns() + patience_ns;
+    while (!ticks.ended && monotonic_ns() < until) sleep_until_ns(monotonic_ns() + look_ns);
 }
 
-ArmFacts facts_of(const Api& api) {
-    ArmFacts facts;
-    auto& spec = facts.spec;
-    spec.name = string_of(api, model_type);
-    spec.sensed = integer_of(api, input_dof);
-    spec.actuated = integer_of(api, output_dof);
-    spec.peak_force = number_of(api, nominal_max_force);
-    spec.continuous_force = number_of(api, nominal_max_continuous_force);
-    spec.max_stiffness = number_of(api, nominal_max_stiffness) * 1e3;
-    spec.max_damping = number_of(api, nominal_max_damping) * 1e3;
-    spec.workspace = workspace_of(api);
-    spec.update_rate = integer_of(api, update_rate);
-    facts.serial = string_of(api, serial_number);
-    facts.driver = string_of(api, version);
-    return facts;
-}
-
-/// True where the thread now goes before ordinary ones. The library may have seen to that itself.
-bool prefer_this_thread() {
-    constexpr int above_all_ordinary = 50;
-    int policy = 0;
-    sched_param now{};
-    if (::pthread_getschedparam(::pthread_self(), &policy, &now) == 0 && policy != SCHED_OTHER) return true;
-    const sched_param wanted{.sched_priority = above_all_ordinary};
-    return ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted) == 0;
+template <class State>
+void close_watched(const std::shared_ptr<State>& state) {
+    const auto stop = [=] { stop_library(*state); };
+    const auto watched = run_watched(state->patience.close_ns, nullptr, stop, [] { LeftBehind().ends(); });
+    if (watched.end == Watched::End::no_thread) stop();
+    if (watched.end != Watched::End::hangs) {
+        in_use = false;
+        return;
+    }
+    LeftBehind().begins();
+    // The arm may still exert the last force. Its other door may be open, though the scheduler hangs.
+    const auto disable = [=] {
+        if (state->handle != invalid_handle) state->api->hdDisableDevice(state->handle);
+    };
+    run_watched(state->patience.close_ns, nullptr, disable, [] {});
 }
 
 }  // namespace
 
 // ---- the arm -----------------------------------------------------------------------------------------------------------
 
-struct OpenHaptics::State {
-    Api api{};
-    Handle handle = invalid_handle;
-    ArmFacts facts{};
-    ArmTick tick{};
-    unsigned long task = 0;
-    bool running = false;
-    TickTimes times{};
-    std::atomic<unsigned int> code{0};  ///< the error that ended the ticks
-    std::atomic<bool> ending{false};    ///< the next tick is the last
-    std::atomic<bool> ended{false};
-    std::atomic<bool> preferred{false};
+OpenHaptics::OpenHaptics(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
-    static inline std::atomic<bool> in_use{false};
-
-    State() = default;
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-    ~State();
-};
-
-namespace {
-
-/// What a task in the library's thread is to do with the calibration, and what it finds.
-struct Calibration {
-    const Api& api;
-    Handle handle;
-    unsigned int status{};
-    unsigned int code{};
-};
-
-unsigned int check_calibration(void* context) {
-    auto& calibration = *static_cast<Calibration*>(context);
-    const auto& api = calibration.api;
-    api.hdBeginFrame(calibration.handle);
-    calibration.status = api.hdCheckCalibration();
-    api.hdEndFrame(calibration.handle);
-    calibration.code = take_error(api);
-    return callback_done;
-}
-
-unsigned int update_calibration(void* context) {
-    auto& calibration = *static_cast<Calibration*>(context);
-    const auto& api = calibration.api;
-    api.hdBeginFrame(calibration.handle);
-    api.hdUpdateCalibration(api.hdCheckCalibrationStyle());
-    api.hdEndFrame(calibration.handle);
-    calibration.code = take_error(api);
-    return callback_done;
-}
-
-/// An arm that calibrates itself is asked to; others need a hand.
-Expected<void> calibrate(const Api& api, Handle handle) {
-    Calibration calibration{api, handle};
-    api.hdScheduleSynchronous(check_calibration, &calibration, first_priority);
-    if (calibration.code == 0 && calibration.status == calibration_needs_update) {
-        api.hdScheduleSynchronous(update_calibration, &calibration, first_priority);
-        if (calibration.code == 0) api.hdScheduleSynchronous(check_calibration, &calibration, first_priority);
+OpenHaptics::~OpenHaptics() {
+    auto& s = *state_;
+    if (s.started_ns != 0) {
+        if (s.task != 0) end_ticks(*s.ticks);
+        // Ticks in which the library hangs are never freed: it may come back to them.
+        if (!close_ticks(*s.ticks)) static_cast<void>(new std::shared_ptr<State>(state_));
     }
-    if (calibration.code != 0) return fail(advice(api, calibration.code));
-    if (calibration.status == calibration_ok) return {};
-    return fail(
-        "the arm is not calibrated: put the stylus into its inkwell (or the arm into its rest position) "
-        "until "
-        "its light is steady, and start again");
+    close_watched(state_);
 }
 
-/// In a frame.
-ArmReading read(const Api& api, std::int64_t now_ns) {
-    ArmReading reading{.time_ns = now_ns};
-    vec3 mm{};
-    std::array<double, 16> transform{};
-    int buttons = 0;
-    api.hdGetDoublev(current_position, &mm.x);
-    api.hdGetDoublev(current_transform, transform.data());
-    api.hdGetIntegerv(current_buttons, &buttons);
-    mat3 rotation;
-    for (int column = 0; column < 3; ++column) {
-        for (int row = 0; row < 3; ++row)
-            rotation[column][row] =
-                transform[static_cast<std::size_t>(column) * 4 + static_cast<std::size_t>(row)];
-    }
-    const vec3 turned = rotation_vector(rotation);
-    reading.usable = is_finite(mm) && is_finite(turned);
-    if (!reading.usable) return reading;
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
-        reading.position_um[i] = quantised(mm[axis] * 1e3);
-        reading.rotation_urad[i] = quantised(turned[axis] * 1e6);
-    }
-    reading.buttons = static_cast<std::uint32_t>(buttons);
-    return reading;
-}
+bool OpenHaptics::hangs() { return hanging != 0; }
 
-/// In a frame.
-void write(const Api& api, vec3 force) { api.hdSetDoublev(current_force, &force.x); }
-
-/// The frame ends without force, and so do the ticks.
-template <class State>
-unsigned int end_ticks(State& s, unsigned int code) {
-    write(s.api, vec3(0));
-    s.api.hdEndFrame(s.handle);
-    take_error(s.api);
-    s.code = code;
-    s.ended = true;
-    return callback_done;
-}
-
-/// One tick, in the library's thread.
-template <class State>
-unsigned int run_tick(void* context) {
-    auto& s = *static_cast<State*>(context);
-    const auto now = monotonic_ns();
-    if (s.times.newest_ns() == 0) s.preferred = prefer_this_thread();
-    s.times.begins(now);
-    s.api.hdBeginFrame(s.handle);
-    const auto reading = read(s.api, now);
-    if (const auto code = take_error(s.api); code != 0) return end_ticks(s, code);
-    if (s.ending) return end_ticks(s, 0);
-    const vec3 force = s.tick.step(s.tick.context, reading);
-    write(s.api, is_finite(force) ? limited(force, s.facts.spec.peak_force) : vec3(0));
-    s.api.hdEndFrame(s.handle);
-    s.times.ends(monotonic_ns());
-    const auto code = take_error(s.api);
-    if (code == 0) return callback_continue;
-    s.api.hdBeginFrame(s.handle);
-    return end_ticks(s, code);
-}
-
-}  // namespace
-
-OpenHaptics::State::~State() {
-    constexpr std::int64_t patience_ns = 100'000'000, look_ns = 500'000;
-    if (running) {
-        ending = true;
-        const auto until = monotonic_ns() + patience_ns;
-        while (task != 0 && !ended && monotonic_ns() < until) sleep_until_ns(monotonic_ns() + look_ns);
-        api.hdStopScheduler();
-        if (task != 0 && !ended) api.hdUnschedule(task);
-    }
-    if (handle != invalid_handle) api.hdDisableDevice(handle);
-    in_use = false;
-}
-
-OpenHaptics::OpenHaptics(std::unique_ptr<State> state) : state_(std::move(state)) {}
-OpenHaptics::~OpenHaptics() = default;
-
-Expected<std::unique_ptr<OpenHaptics>> OpenHaptics::open(const std::string& library) {
-    if (State::in_use.exchange(true)) return fail("OpenHaptics holds one arm, and that is open already");
-    auto state = std::make_unique<State>();
-    auto api = load(library_name(library));
-    if (!api) return tl::unexpected(api.error());
-    state->api = *api;
-    const auto handle = init_device(state->api);
-    if (!handle) return tl::unexpected(handle.error());
-    state->handle = *handle;
-    api->hdMakeCurrentDevice(*handle);
-    state->facts = facts_of(*api);
-    for (const auto capability : {force_output, max_force_clamping, force_ramping}) api->hdEnable(capability);
-    api->hdSetSchedulerRate(servo_hz);
-    api->hdStartScheduler();
-    if (const auto code = take_error(*api); code != 0) return fail(advice(*api, code));
-    state->running = true;
-    if (auto calibrated = calibrate(*api, *handle); !calibrated) return tl::unexpected(calibrated.error());
-    if (state->facts.spec.peak_force <= 0) return fail("the arm does not say how much force it can give");
+Expected<std::unique_ptr<OpenHaptics>> OpenHaptics::open(const std::string& library,
+                                                         const ArmPatience& patience) {
+    guard_ends();
+    if (in_use.exchange(true))
+        return fail(hangs()
+                        ? "the arm's library still hangs: end this program, switch the arm off and on, and "
+                          "start again"
+                        : "OpenHaptics holds one arm, and that is open already");
+    auto state = std::make_shared<State>();
+    state->patience = patience;
+    if (const auto opened = open_watched(state, library_name(library)); !opened)
+        return tl::unexpected(opened.error());
     return std::unique_ptr<OpenHaptics>(new OpenHaptics(std::move(state)));
 }
 
 const ArmFacts& OpenHaptics::facts() const { return state_->facts; }
 
 Expected<void> OpenHaptics::start(ArmTick tick) {
-    if (state_->task != 0) return fail("the arm was started already");
-    state_->tick = tick;
-    const auto task = state_->api.hdScheduleAsynchronous(run_tick<State>, state_.get(), first_priority);
-    if (const auto code = take_error(state_->api); code != 0) return fail(advice(state_->api, code));
-    state_->task = task;
-    return {};
+    auto& s = *state_;
+    if (s.started_ns != 0) return fail("the arm was started already");
+    s.started_ns = monotonic_ns();
+    auto& ticks = *s.ticks;
+    ticks.api = s.api;
+    ticks.handle = s.handle;
+    ticks.peak_force = s.facts.spec.peak_force;
+    ticks.tick = tick;
+    open_ticks(ticks);
+    const auto result = std::make_shared<Expected<void>>();
+    const auto schedule = [state = state_, result] {
+        const auto& api = *state->api;
+        state->task = api.hdScheduleAsynchronous(run_tick, argument_of(*state->ticks), first_priority);
+        if (const auto code = take_error(api); code != 0) *result = fail(advice(api, code));
+    };
+    const auto watched = run_watched(s.patience.open_ns, s.patience.enough, schedule, [] { --hanging; });
+    if (watched.end == Watched::End::hangs) ++hanging;
+    if (watched.end != Watched::End::in_time) return fail(watched.line);
+    if (*result) s.started_ns = monotonic_ns();
+    return *result;
 }
 
 ArmStatus OpenHaptics::status() const {
     constexpr std::int64_t silence_ns = 500'000'000;
     const auto& s = *state_;
-    const auto newest = s.times.newest_ns();
-    if (const auto code = s.code.load(); code != 0) {
+    const auto newest = s.ticks->times.newest_ns();
+    if (const auto code = s.ticks->code.load(); code != 0) {
         const bool silent = code == comm_error || code == comm_config || code == timer_error;
-        return {silent ? ArmPresence::lost : ArmPresence::fault, advice(s.api, code), newest};
+        return {silent ? ArmPresence::lost : ArmPresence::fault, advice(code, s.ticks->error_said.data()),
+                newest};
     }
-    if (newest != 0 && monotonic_ns() > newest + silence_ns)
-        return {ArmPresence::lost, "the arm's ticks have stopped: plug it in again", newest};
-    return {.newest_ns = newest};
+    if (s.started_ns == 0 || monotonic_ns() <= std::max(newest, s.started_ns) + silence_ns)
+        return {.newest_ns = newest};
+    return {ArmPresence::lost,
+            newest != 0 ? "the arm's ticks have stopped: plug it in again"
+                        : "the arm's ticks do not come: plug it in again; its driver may not be running",
+            newest};
 }
 
-TickReport OpenHaptics::times() const { return state_->times.report(); }
-bool OpenHaptics::preferred() const { return state_->preferred; }
+TickReport OpenHaptics::times() const { return state_->ticks->times.report(); }
+bool OpenHaptics::preferred() const { return state_->ticks->preferred; }
 
 }  // namespace thaum::input

@@ -8,7 +8,11 @@
 //
 // The library has its own thread and calls us: that is the servo thread. It holds one arm; a second `open` while one is open is
 // an error. It is never unloaded: it does not bear to be loaded twice.
+//
+// The library is not trusted. Calls that never return are given up after a limit; ticks that do not come are a loss; ticks that come
+// when they should not do nothing (input/detail/hd_ticks.h); and what it says is checked before it is shown or used.
 #pragma once
+#include <atomic>
 #include <memory>
 #include <string>
 
@@ -18,16 +22,27 @@
 
 namespace thaum::input {
 
+/// How long a library may take before it is said to hang.
+struct ArmPatience {
+    std::int64_t open_ns = 15'000'000'000;  ///< all that is done to find an arm, or to start its ticks
+    std::int64_t close_ns = 3'000'000'000;  ///< all that is done to let go of it
+    const std::atomic<bool>*
+        enough{};  ///< true: somebody wants to end, so waiting to open ends at once; null: nobody
+};
+
 class OpenHaptics {
 public:
     /// Loads the library, opens the default arm, starts its thread and calibrates it. library: file or path; empty: what
     /// $THAUM_LIBHD says, else libHD.so. The error says what to do: no library, one that is too old, no arm, no permission, no
     /// calibration.
-    static Expected<std::unique_ptr<OpenHaptics>> open(const std::string& library = {});
+    static Expected<std::unique_ptr<OpenHaptics>> open(const std::string& library = {},
+                                                       const ArmPatience& patience = {});
+    /// Whether a call of the library has not returned. Then the program must end by _Exit: the library's own clearing up may hang, too.
+    static bool hangs();
 
     OpenHaptics(const OpenHaptics&) = delete;
     OpenHaptics& operator=(const OpenHaptics&) = delete;
-    /// Leaves the arm without force, and ends its thread.
+    /// Leaves the arm without force, and ends its thread. The step of its ticks is never called again.
     ~OpenHaptics();
 
     const ArmFacts& facts() const;
@@ -42,8 +57,8 @@ public:
 
 private:
     struct State;
-    explicit OpenHaptics(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    explicit OpenHaptics(std::shared_ptr<State> state);
+    std::shared_ptr<State> state_;  ///< shared with the threads that call the library
 };
 
 }  // namespace thaum::input

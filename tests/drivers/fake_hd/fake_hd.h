@@ -22,4 +22,13 @@ struct FakeHdReport {
     std::array<double, 3> force;                      ///< N, that the arm exerts now
     double greatest_force;                            ///< N, of any tick
     std::array<double, 3> position;                   ///< m, where the tip is
+    std::uint64_t calls_after_end;  ///< of tasks, after the device was disabled (callback=after_end)
+};
+
+/// The file of the word `live`, which stays behind when the program dies.
+struct FakeHdLive {
+    std::array<double, 3> force;  ///< N, that the arm exerts now and goes on exerting
+    double greatest_force;        ///< N, of any tick
+    std::uint64_t ticks;          ///< of the library's thread
+    std::uint64_t initiated;      ///< 1: a program has the device
 };

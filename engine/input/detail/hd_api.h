@@ -1,0 +1,127 @@
+// input/detail/hd_api.h: the vendor's libHD.so as the driver sees it: constants and functions, by documented values and signatures, and
+// what the library says of itself, checked before anything else sees it.
+#pragma once
+#include <cstddef>
+#include <string>
+
+#include "core/error.h"
+#include "input/arm.h"
+#include "input/detail/watchdog.h"
+
+namespace thaum::input::hd {
+
+using Handle = unsigned int;
+using Callback = unsigned int (*)(void*);
+
+constexpr Handle invalid_handle = 0xffffffff;
+constexpr unsigned int callback_done = 0, callback_continue = 1;
+constexpr unsigned short first_priority = 65535;
+constexpr unsigned long servo_hz = 1000;
+
+enum Name : unsigned int {
+    current_buttons = 0x2000,
+    current_position = 0x2050,   // mm
+    current_transform = 0x2052,  // 16 numbers, column by column
+    version = 0x2500,
+    model_type = 0x2501,
+    serial_number = 0x2504,
+    usable_workspace = 0x2551,  // mm: least x y z, most x y z
+    input_dof = 0x2553,
+    output_dof = 0x2554,
+    update_rate = 0x2600,
+    nominal_max_stiffness = 0x2602,  // N/mm
+    nominal_max_force = 0x2603,      // N
+    nominal_max_continuous_force = 0x2604,
+    nominal_max_damping = 0x2609,  // N/(mm/s)
+    current_force = 0x2700,        // N
+    force_output = 0x4000,
+    max_force_clamping = 0x4001,
+    force_ramping = 0x4002,
+    calibration_ok = 0x5000,
+    calibration_needs_update = 0x5001,
+};
+
+enum Code : unsigned int {
+    warm_motors = 0x0200,
+    last_force_error = 0x02ff,
+    device_fault = 0x0300,
+    already_initiated = 0x0301,
+    comm_error = 0x0302,
+    comm_config = 0x0303,
+    timer_error = 0x0304,
+    invalid_license = 0x0600,
+};
+
+struct ErrorInfo {
+    unsigned int code;
+    int internal;
+    Handle device;
+};
+
+/// A function of the library. A call of it is noted for the thread's watchdog.
+template <class F>
+class Function;
+
+template <class R, class... Arguments>
+class Function<R(Arguments...)> {
+public:
+    R operator()(Arguments... arguments) const {
+        const NotedCall note(name_);
+        return call_(arguments...);
+    }
+    /// Takes the function from the library; false where it has none of that name.
+    bool find(void* library, const char* name);
+
+private:
+    R (*call_)(Arguments...){};
+    const char* name_{};
+};
+
+/// The functions that the driver calls. All are needed: a library without one of them is too old.
+struct Api {
+    Function<Handle(const char*)> hdInitDevice;
+    Function<void(Handle)> hdDisableDevice;
+    Function<void(Handle)> hdMakeCurrentDevice;
+    Function<void(Handle)> hdBeginFrame;
+    Function<void(Handle)> hdEndFrame;
+    Function<void(unsigned int, int*)> hdGetIntegerv;
+    Function<void(unsigned int, double*)> hdGetDoublev;
+    Function<void(unsigned int, const double*)> hdSetDoublev;
+    Function<const char*(unsigned int)> hdGetString;
+    Function<void(unsigned int)> hdEnable;
+    Function<ErrorInfo()> hdGetError;
+    Function<const char*(unsigned int)> hdGetErrorString;
+    Function<void()> hdStartScheduler;
+    Function<void()> hdStopScheduler;
+    Function<void(unsigned long)> hdSetSchedulerRate;
+    Function<void(Callback, void*, unsigned short)> hdScheduleSynchronous;
+    Function<unsigned long(Callback, void*, unsigned short)> hdScheduleAsynchronous;
+    Function<void(unsigned long)> hdUnschedule;
+    Function<unsigned int()> hdCheckCalibration;
+    Function<unsigned int()> hdCheckCalibrationStyle;
+    Function<void(unsigned int)> hdUpdateCalibration;
+};
+
+/// The functions of the library with this file name or path. They live as long as the process: the library is never unloaded.
+Expected<const Api*> load(const std::string& name);
+/// $THAUM_LIBHD, else libHD.so, where `given` is empty.
+std::string library_name(const std::string& given);
+
+/// Takes all that went wrong since the last call from the library's stack; returns the oldest, since the others follow from it. 0: nothing.
+unsigned int take_error(const Api& api);
+/// The library's words for a code, as they are, cut to `size` with a zero at the end. Any thread.
+void copy_error_string(const Api& api, unsigned int code, char* to, std::size_t size);
+/// What to do about the error: one line. said: the library's words for it.
+std::string advice(unsigned int code, std::string_view said);
+/// The same, asking the library for its words.
+std::string advice(const Api& api, unsigned int code);
+
+/// What the library says of the current arm. What it does not say, or says beyond belief, is zero or empty.
+ArmFacts facts_of(const Api& api);
+
+/// One tick's measurement, in a frame.
+ArmReading read(const Api& api, std::int64_t now_ns);
+/// N, device frame; in a frame.
+void write(const Api& api, vec3 force);
+
+}  // namespace thaum::input::hd

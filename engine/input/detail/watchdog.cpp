@@ -1,0 +1,75 @@
+#include "input/detail/watchdog.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <system_error>
+#include <thread>
+
+#include "core/clock.h"
+#include "core/text.h"
+
+namespace thaum::input {
+namespace {
+
+thread_local CallNote* note_of_thread = nullptr;
+
+/// Owned by the thread that works and by the one that waits.
+struct Job {
+    std::function<void()> work, if_late;
+    CallNote in_call{nullptr};
+    std::mutex mutex{};  // of the rest
+    std::condition_variable changed{};
+    bool ended = false, given_up = false;
+};
+
+void do_job(Job& job) {
+    note_of_thread = &job.in_call;
+    job.work();
+    bool late = false;
+    {
+        const std::lock_guard lock(job.mutex);
+        job.ended = true;
+        late = job.given_up;
+    }
+    job.changed.notify_one();
+    if (late) job.if_late();
+    note_of_thread = nullptr;
+}
+
+}  // namespace
+
+NotedCall::NotedCall(const char* name) {
+    if (note_of_thread != nullptr) note_of_thread->store(name, std::memory_order_relaxed);
+}
+
+NotedCall::~NotedCall() {
+    if (note_of_thread != nullptr) note_of_thread->store(nullptr, std::memory_order_relaxed);
+}
+
+Watched run_watched(std::int64_t limit_ns, const std::atomic<bool>* enough, std::function<void()> work,
+                    std::function<void()> if_late) {
+    constexpr std::chrono::milliseconds look(20);
+    const auto job = std::make_shared<Job>();
+    job->work = std::move(work);
+    job->if_late = std::move(if_late);
+    try {
+        std::thread([job] { do_job(*job); }).detach();
+    } catch (const std::system_error& error) {
+        return {Watched::End::no_thread, text("there is no thread for the arm's library: ", error.what())};
+    }
+    const auto until = monotonic_ns() + limit_ns;
+    std::unique_lock lock(job->mutex);
+    while (!job->ended && monotonic_ns() < until && (enough == nullptr || !*enough))
+        job->changed.wait_for(lock, look, [&] { return job->ended; });
+    if (job->ended) return {};
+    job->given_up = true;
+    const char* call = job->in_call.load(std::memory_order_relaxed);
+    return {Watched::End::hangs,
+            text("the arm's library hangs: ", call != nullptr ? call : "it", " has not returned for ",
+                 fixed(static_cast<double>(limit_ns) * 1e-9, 1),
+                 " s; end this program, switch the arm off and on, and start again")};
+}
+
+}  // namespace thaum::input

@@ -1,0 +1,101 @@
+// A program that holds a force of 1 N with an arm for 300 ticks, and says in one line how that went: "played", "lost: ..." or
+// "refused: ...". It waits half a second for calls of the library.
+//     arm_probe LIBRARY [END]
+// END: how it ends instead, after 100 ticks: fault, abort, assertion, exception, exit, overrun (of the stack), divide; the same after
+// "tick_": in the arm's own thread; wait: until it is killed.
+#include <dlfcn.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+#include "core/assert.h"
+#include "core/clock.h"
+#include "drivers/fake_hd/fake_hd.h"
+#include "input/drivers/openhaptics.h"
+
+using namespace thaum;
+using namespace thaum::input;
+
+namespace {
+
+int overrun(volatile int* before) {  // NOLINT(misc-no-recursion): that is the fault
+    volatile int here[1024] = {before == nullptr ? 0 : before[0]};
+    return here[0] == 1 ? 0 : overrun(here) + here[1];
+}
+
+void end_by(const std::string& how) {
+    static volatile int zero = 0;
+    if (how == "fault") std::raise(SIGSEGV);
+    if (how == "abort") std::abort();
+    if (how == "assertion") THAUM_ASSERT(zero != 0, "an assertion that fails");
+    if (how == "exception") throw std::runtime_error("an exception that nobody catches");
+    if (how == "exit") std::exit(3);
+    if (how == "overrun") std::exit(overrun(nullptr));
+    if (how == "divide") std::exit(7 / zero);
+    if (how == "wait") {
+        std::printf("waits\n");
+        std::fflush(stdout);
+        for (;;) sleep_until_ns(monotonic_ns() + 1'000'000'000);
+    }
+}
+
+struct Hand {
+    std::atomic<std::uint64_t> ticks{0};
+    std::string end{};
+
+    static vec3 step(void* context, const ArmReading&) {
+        auto& hand = *static_cast<Hand*>(context);
+        if (++hand.ticks == 100 && hand.end.starts_with("tick_")) end_by(hand.end.substr(5));
+        return {0, 0, 1};
+    }
+};
+
+/// Until enough was played or the arm is gone.
+ArmStatus play(const OpenHaptics& arm, const Hand& hand, std::uint64_t enough) {
+    for (;;) {
+        const auto status = arm.status();
+        if (status.state != ArmPresence::present || hand.ticks >= enough) return status;
+        sleep_until_ns(monotonic_ns() + 2'000'000);
+    }
+}
+
+/// A library that goes on calling: until it has done so for long enough to see what comes of it.
+void outlive_calls_after_end(const char* library) {
+    const char* script = std::getenv("FAKE_HD");
+    if (script == nullptr || std::string(script).find("after_end") == std::string::npos) return;
+    const auto report =
+        reinterpret_cast<FakeHdReport (*)()>(::dlsym(::dlopen(library, RTLD_LAZY), "fakeHdReport"));
+    while (report().calls_after_end < 100) sleep_until_ns(monotonic_ns() + 2'000'000);
+}
+
+std::string run(const char* library, const std::string& end) {
+    constexpr std::int64_t patience_ns = 500'000'000;
+    auto arm = OpenHaptics::open(library, {.open_ns = patience_ns, .close_ns = patience_ns});
+    if (!arm) return "refused: " + arm.error().message;
+    auto hand = std::make_unique<Hand>();
+    hand->end = end;
+    if (const auto started = (*arm)->start({Hand::step, hand.get()}); !started)
+        return "refused: " + started.error().message;
+    const auto status = play(**arm, *hand, end.empty() ? 300 : 100);
+    if (!end.empty()) end_by(end);
+    const auto name = name_of((*arm)->facts()) + " " + (*arm)->facts().driver;
+    arm->reset();
+    const auto ticks = hand->ticks.load();
+    outlive_calls_after_end(library);
+    if (hand->ticks != ticks) return "called after its end";
+    return status.state == ArmPresence::present ? "played with " + name : "lost: " + status.text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) return 2;
+    std::printf("%s\n", run(argv[1], argc > 2 ? argv[2] : "").c_str());
+    if (!OpenHaptics::hangs()) return 0;
+    std::fflush(nullptr);
+    std::_Exit(0);
+}

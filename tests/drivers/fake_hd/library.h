@@ -1,0 +1,112 @@
+// The make-believe library itself: a simulated arm in a simulated hand, the rules that it holds programs to, and its clock.
+#pragma once
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "drivers/fake_hd/fake_hd.h"
+#include "drivers/fake_hd/script.h"
+#include "haptics/simulated.h"
+
+namespace thaum::fake_hd {
+
+using Callback = unsigned int (*)(void*);
+
+constexpr unsigned int only_handle = 7, no_handle = 0xffffffff;
+constexpr double max_force = 3.3;     // N
+constexpr double absurd_force = 100;  // N: a force in mN or a stiffness for N/m was meant
+
+enum Error : unsigned int {
+    invalid_enum = 0x0100,
+    invalid_value = 0x0101,
+    invalid_operation = 0x0102,
+    bad_handle = 0x0104,
+    warm_motors = 0x0200,
+    exceeded_max_force = 0x0201,
+    already_initiated = 0x0301,
+    comm_error = 0x0302,
+    illegal_begin = 0x0400,
+    illegal_end = 0x0401,
+    frame_error = 0x0402,
+    invalid_priority = 0x0500,
+    invalid_licence = 0x0600,
+};
+
+struct Task {
+    unsigned long number;
+    unsigned short priority;
+    Callback run;
+    void* context;
+    bool synchronous;
+};
+
+struct Library {
+    std::mutex mutex{};  // of all below, but while a task runs
+    Script script = read_script();
+    haptics::SimulatedDevice device{};
+    haptics::SimulatedState arm{};
+    bool initiated = false, frame = false, force_output = false, clamping = false, updated = false;
+    vec3 told{};  // N, by the last frame that ended
+    vec3 setting{};
+    std::vector<unsigned int> errors{};
+    std::vector<Task> tasks{};
+    Task newest_ticks{};  // the asynchronous task scheduled last
+    unsigned long next_task = 1;
+    FakeHdReport report{};
+    FakeHdLive* live = nullptr;  // the file's, for ever
+    std::vector<std::array<double, 6>> recorded{};
+    std::map<std::string, std::uint64_t> calls{};  // of functions that misbehave
+    int buttons = 0;
+    bool went_wrong = false, came_back = false;
+    std::uint64_t refused = 0;
+    std::uint64_t felt_at = 0;  // tick of the first force; 0: none yet
+
+    std::thread thread{}, second_thread{};
+    std::atomic<bool> running{false};
+    std::atomic<std::thread::id> own_thread{};
+};
+
+/// It is never destroyed: threads of programs that gave up may still be in it.
+Library& library();
+
+using Lock = std::unique_lock<std::mutex>;
+
+// All but the last section: while the mutex is held.
+
+void push(Library& l, unsigned int code);
+/// A rule was broken: counted, and an error.
+void broken(Library& l, FakeHdRule rule, unsigned int code);
+bool on_own_thread(const Library& l);
+/// Whether state may be asked for or set now.
+bool may(Library& l);
+
+/// A program takes the device.
+void take_device(Library& l);
+/// It lets go of it.
+void let_go(Library& l);
+/// N: what the arm exerts now.
+vec3 exerted(const Library& l);
+/// One ms of the arm.
+void move_arm(Library& l);
+void update_live(Library& l);
+/// Whether it is time to go wrong in that way. Once is enough for an arm that comes back.
+bool goes_wrong(Library& l, const char* word);
+/// An arm that went wrong: true while it is not there.
+bool is_missing(Library& l);
+
+// Without the mutex.
+
+unsigned long schedule(Library& l, Callback run, void* context, unsigned short priority, bool synchronous);
+void start_threads(Library& l);
+void stop_threads(Library& l);
+/// All tasks once. synchronous_only: those of hdScheduleSynchronous.
+void run_tasks(Library& l, bool synchronous_only);
+/// The task of hdScheduleAsynchronous that was scheduled last is called once more, whoever thinks that it has ended.
+void call_ticks(Library& l);
+/// The same again and again, on a thread of its own.
+void call_after_end(Library& l);
+
+}  // namespace thaum::fake_hd

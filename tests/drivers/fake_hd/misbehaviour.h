@@ -1,0 +1,22 @@
+// How the make-believe library goes wrong: by function, and in what it measures and says (script.h has the words).
+#pragma once
+#include "drivers/fake_hd/library.h"
+
+namespace thaum::fake_hd {
+
+/// What the script makes of a call of this function: it may not return. Without the mutex. An error code: the call fails; 0: it goes on.
+unsigned int misbehave(Library& l, const char* call);
+
+// While the mutex is held.
+
+/// mm: where the tip is measured.
+vec3 measured_mm(Library& l);
+/// 16 numbers, column by column. The stylus leans with the place, 10 rad/m, as an arm's does.
+void put_transform(Library& l, double* to);
+/// A limit, told in any place; false where the name is none's.
+bool put_limit(const Library& l, unsigned int name, double* to);
+int degrees_of_freedom(const Library& l, int well);
+/// What is said instead of `well` by a word of the script: strings or error_strings.
+const char* said(const Library& l, const char* word, const char* well);
+
+}  // namespace thaum::fake_hd

@@ -1,0 +1,106 @@
+// Every way in which the make-believe library goes wrong that tests run through, and what must become of a program that holds a force
+// of 1 N meanwhile. The words are script.h's.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace thaum::fake_hd {
+
+enum class Ending {
+    plays,    ///< the program may not mind
+    lost,     ///< it says in one line that the arm is lost or faulty
+    refused,  ///< it says in one line that there is no arm to use
+};
+
+struct Mode {
+    std::string words;
+    Ending wanted{};
+};
+
+/// A function that fails, and one that never returns: from its first call on, or only in play.
+struct CallRow {
+    const char* call;
+    Ending fails, blocks;
+    const char* with = "";  ///< words without which it is not called
+};
+
+inline std::vector<Mode> modes_of_calls() {
+    using enum Ending;
+    constexpr CallRow from_the_start[] = {
+        {"hdInitDevice", refused, refused},
+        {"hdDisableDevice", plays, plays},
+        {"hdMakeCurrentDevice", refused, refused},
+        {"hdBeginFrame", refused, refused},
+        {"hdEndFrame", refused, refused},
+        {"hdGetIntegerv", lost, refused},
+        {"hdGetDoublev", refused, refused},
+        {"hdSetDoublev", lost, lost},
+        {"hdGetString", plays, refused},
+        {"hdEnable", refused, refused},
+        {"hdGetErrorString", refused, refused, ",absent"},
+        {"hdStartScheduler", refused, refused},
+        {"hdStopScheduler", plays, plays},
+        {"hdSetSchedulerRate", refused, refused},
+        {"hdScheduleSynchronous", refused, refused},
+        {"hdScheduleAsynchronous", refused, refused},
+        {"hdUnschedule", lost, lost, ",stop=100"},
+        {"hdCheckCalibration", refused, refused},
+        {"hdCheckCalibrationStyle", refused, refused, ",needs_update"},
+        {"hdUpdateCalibration", refused, refused, ",needs_update"},
+    };
+    std::vector<Mode> modes;
+    for (const auto& row : from_the_start) {
+        modes.push_back({std::string(row.call) + "=0302" + row.with, row.fails});
+        modes.push_back({std::string(row.call) + "=blocks" + row.with, row.blocks});
+    }
+    modes.push_back({"hdGetError=blocks", refused});
+    for (const char* call : {"hdBeginFrame", "hdEndFrame", "hdGetIntegerv", "hdGetDoublev", "hdSetDoublev"}) {
+        modes.push_back({std::string(call) + "=0302,from=200", lost});
+        modes.push_back({std::string(call) + "=0200,from=200", lost});
+        modes.push_back({std::string(call) + "=blocks,from=200", lost});
+        modes.push_back({std::string(call) + "=calls_back,from=20", plays});
+    }
+    modes.push_back({"hdGetError=blocks,from=200", lost});
+    modes.push_back({"hdGetErrorString=blocks,vanish=100", lost});
+    modes.push_back({"hdInitDevice=slow", refused});
+    modes.push_back({"hdStartScheduler=slow", refused});
+    modes.push_back({"hdScheduleAsynchronous=slow", refused});
+    modes.push_back({"hdStopScheduler=slow", plays});
+    return modes;
+}
+
+/// What it measures, says and does, whatever function tells it.
+inline std::vector<Mode> modes_of_answers() {
+    using enum Ending;
+    std::vector<Mode> modes;
+    const auto add = [&](const char* word, std::initializer_list<const char*> hows, Ending wanted,
+                         const char* with = "") {
+        for (const char* how : hows) modes.push_back({std::string(word) + "=" + how + with, wanted});
+    };
+    add("pose", {"nan", "inf", "huge", "stuck", "jumps"}, plays);
+    add("turn", {"nan", "inf", "huge", "zero", "jumps"}, plays);
+    add("buttons", {"all"}, plays);
+    add("limits", {"nan", "inf", "negative", "huge", "zero"}, refused);
+    add("box", {"nan", "inverted", "huge"}, plays);
+    add("dof", {"negative", "huge"}, plays);
+    add("strings", {"null", "empty", "control", "invalid", "long"}, plays);
+    add("error_strings", {"null", "empty", "control", "invalid", "long"}, refused, ",absent");
+    add("error_strings", {"null", "empty", "control", "invalid", "long"}, lost, ",warm=100");
+    add("style", {"garbage"}, refused, ",needs_update");
+    add("calibration", {"garbage"}, refused);
+    add("handle", {"zero", "other"}, plays);
+    add("errors", {"endless"}, refused);
+    add("callback", {"never", "once"}, lost);
+    add("callback", {"twice", "two_threads", "after_end"}, plays);
+    add("sync", {"never", "late", "twice"}, refused);
+    add("rate", {"100", "500", "2000"}, plays);
+    add("hdInitDevice", {"0300", "0301", "0303", "0304", "0600", "ffff"}, refused);
+    for (const char* word : {"absent", "busy", "no_permission", "no_licence", "manual", "mute"})
+        modes.push_back({word, refused});
+    for (const char* word : {"vanish=100", "warm=100", "stop=100", "stop=1"}) modes.push_back({word, lost});
+    for (const char* word : {"late=20", "late=20,burst", "nan=100", "no_null_name", "needs_update"})
+        modes.push_back({word, plays});
+    return modes;
+}
+
+}  // namespace thaum::fake_hd

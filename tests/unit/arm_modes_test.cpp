@@ -1,0 +1,215 @@
+// A program with an arm whose library goes wrong in every way that tests/drivers/fake_hd/modes.h lists, and one that ends in every way:
+// it says one line or plays on, it neither hangs nor dies, and the last force is zero. Each way has a process of its own.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+
+#include "core/clock.h"
+#include "core/one_line.h"
+#include "drivers/fake_hd/fake_hd.h"
+#include "drivers/fake_hd/modes.h"
+
+namespace thaum::input {
+namespace {
+
+using fake_hd::Ending;
+using fake_hd::Mode;
+
+constexpr std::int64_t hangs_after_ns =
+    90'000'000'000;  // a generous limit: it is reached by what hangs, not by what is slow
+
+/// A folder that goes at the end.
+struct Folder {
+    std::filesystem::path path;
+    Folder() {
+        auto name = (std::filesystem::temp_directory_path() / "thaum-modes-XXXXXX").string();
+        path = ::mkdtemp(name.data());
+    }
+    ~Folder() { std::filesystem::remove_all(path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+};
+
+/// arm_probe in a process of its own.
+struct Probe {
+    std::string words{}, end{};
+    pid_t pid = -1;
+    std::optional<int> status{};  ///< as waitpid's; none: it hangs
+    std::string line{};           ///< what it said
+    FakeHdLive arm{};             ///< what the arm did, at the end
+
+    bool has_ended() {
+        int now = 0;
+        if (!status && ::waitpid(pid, &now, WNOHANG) == pid) status = now;
+        return status.has_value();
+    }
+    bool exited_well() const { return status && WIFEXITED(*status) && WEXITSTATUS(*status) == 0; }
+    bool died_by(int signal) const { return status && WIFSIGNALED(*status) && WTERMSIG(*status) == signal; }
+};
+
+void start(Probe& p, const std::filesystem::path& file) {
+    const std::string script = (p.words.empty() ? "" : p.words + ",") + "live=" + file.string() + ".live";
+    std::ofstream(file, std::ios::binary).flush();
+    p.pid = ::fork();
+    if (p.pid != 0) return;
+    ::setenv("FAKE_HD", script.c_str(), 1);
+    ::dup2(::open(file.c_str(), O_WRONLY | O_APPEND), STDOUT_FILENO);
+    ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
+    ::execl(ARM_PROBE, ARM_PROBE, FAKE_HD, p.end.empty() ? nullptr : p.end.c_str(), nullptr);
+    ::_exit(127);
+}
+
+void wait_for_end(Probe& p, const std::filesystem::path& file, std::int64_t until) {
+    while (!p.has_ended() && monotonic_ns() < until) sleep_until_ns(monotonic_ns() + 5'000'000);
+    if (!p.status) {
+        ::kill(p.pid, SIGKILL);
+        ::waitpid(p.pid, nullptr, 0);
+    }
+    std::ifstream said(file, std::ios::binary);
+    p.line.assign(std::istreambuf_iterator<char>(said), {});
+    std::ifstream(file.string() + ".live", std::ios::binary)
+        .read(reinterpret_cast<char*>(&p.arm), sizeof p.arm);
+}
+
+/// Runs them, a few at a time: nearly all of their time they wait.
+void run_all(std::vector<Probe>& probes) {
+    constexpr std::size_t at_once = 8;
+    const Folder folder;
+    const auto file = [&](std::size_t i) { return folder.path / std::to_string(i); };
+    for (std::size_t first = 0; first < probes.size(); first += at_once) {
+        const auto last = std::min(first + at_once, probes.size());
+        for (auto i = first; i < last; ++i) start(probes[i], file(i));
+        const auto until = monotonic_ns() + hangs_after_ns;
+        for (auto i = first; i < last; ++i) wait_for_end(probes[i], file(i), until);
+    }
+}
+
+void expect_no_force(const Probe& p) {
+    for (const double newton : p.arm.force) EXPECT_EQ(newton, 0) << "the arm goes on pushing";
+}
+
+/// One line that a terminal shows as it is.
+void expect_clear_line(const Probe& p) {
+    ASSERT_FALSE(p.line.empty());
+    EXPECT_EQ(p.line.back(), '\n');
+    EXPECT_LT(p.line.size(), 600U);
+    EXPECT_EQ(printable(p.line.substr(0, p.line.size() - 1), 1000), p.line.substr(0, p.line.size() - 1));
+}
+
+void expect_ending(const Probe& p, Ending wanted) {
+    constexpr std::array<std::string_view, 3> begins{"played", "lost: ", "refused: "};
+    EXPECT_TRUE(p.line.starts_with(begins[static_cast<std::size_t>(wanted)])) << p.line;
+}
+
+void expect_modes(const std::vector<Mode>& modes) {
+    std::vector<Probe> probes;
+    for (const auto& mode : modes) probes.push_back({.words = mode.words});
+    run_all(probes);
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        SCOPED_TRACE(modes[i].words + ": " + probes[i].line);
+        EXPECT_TRUE(probes[i].status) << "it hangs";
+        EXPECT_TRUE(!probes[i].status || probes[i].exited_well()) << "it dies, status " << *probes[i].status;
+        expect_clear_line(probes[i]);
+        expect_ending(probes[i], modes[i].wanted);
+        expect_no_force(probes[i]);
+    }
+}
+
+TEST(ArmModes, AFunctionThatFailsHangsOrCallsBack) { expect_modes(fake_hd::modes_of_calls()); }
+TEST(ArmModes, MeasurementsWordsAndTicksThatAreWrong) { expect_modes(fake_hd::modes_of_answers()); }
+
+// ---- ends ----------------------------------------------------------------------------------------------------------------
+
+/// The program holds 1 N and ends like that; signal 0: it exits.
+struct WayToEnd {
+    const char* end;
+    int signal;
+    const char* words = "";
+};
+
+TEST(ArmEnds, HoweverItEndsTheLastForceIsZero) {
+    const std::vector<WayToEnd> ways{
+        {"fault", SIGSEGV},
+        {"abort", SIGABRT},
+        {"assertion", SIGABRT},
+        {"exception", SIGABRT},
+        {"exit", 0},
+        {"overrun", SIGSEGV},
+        {"divide", SIGFPE},
+        {"tick_fault", SIGSEGV},
+        {"tick_abort", SIGABRT},
+        {"tick_exit", 0},
+        {"tick_divide", SIGFPE},
+        {"tick_exception", SIGABRT},
+        {"tick_assertion", SIGABRT},
+        {"", SIGSEGV, "hdStopScheduler=crashes"},
+    };
+    std::vector<Probe> probes;
+    for (const auto& way : ways) probes.push_back({.words = way.words, .end = way.end});
+    run_all(probes);
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        SCOPED_TRACE(std::string(ways[i].end) + ways[i].words);
+        const auto& p = probes[i];
+        ASSERT_TRUE(p.status) << "it hangs";
+        EXPECT_TRUE(ways[i].signal == 0 ? WIFEXITED(*p.status) : p.died_by(ways[i].signal)) << *p.status;
+        EXPECT_GE(p.arm.ticks, 99U);
+        EXPECT_EQ(p.arm.greatest_force, 1);
+        expect_no_force(p);
+    }
+}
+
+/// A program without a handler of its own.
+TEST(ArmEnds, ASignalThatEndsItLeavesNoForce) {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+        const Folder folder;
+        Probe p{.end = "wait"};
+        const auto until = monotonic_ns() + hangs_after_ns;
+        start(p, folder.path / "0");
+        const auto waits = [&] { return std::filesystem::file_size(folder.path / "0") > 0; };
+        while (!waits() && !p.has_ended() && monotonic_ns() < until)
+            sleep_until_ns(monotonic_ns() + 1'000'000);
+        ::kill(p.pid, signal);
+        wait_for_end(p, folder.path / "0", until);
+        EXPECT_TRUE(p.died_by(signal));
+        EXPECT_EQ(p.arm.greatest_force, 1);
+        expect_no_force(p);
+    }
+}
+
+TEST(ArmEnds, StoppedItGivesNoForceAndContinuedItDoes) {
+    const Folder folder;
+    Probe p{.end = "wait"};
+    const auto until = monotonic_ns() + hangs_after_ns;
+    start(p, folder.path / "0");
+    const auto force = [&] {
+        std::ifstream(folder.path / "0.live", std::ios::binary)
+            .read(reinterpret_cast<char*>(&p.arm), sizeof p.arm);
+        return p.arm.force[2];
+    };
+    const auto wait_until = [&](auto holds) {
+        while (!holds() && monotonic_ns() < until) sleep_until_ns(monotonic_ns() + 1'000'000);
+    };
+    wait_until([&] { return std::filesystem::file_size(folder.path / "0") > 0 && force() == 1; });
+    ::kill(p.pid, SIGTSTP);
+    int status = 0;
+    ASSERT_EQ(::waitpid(p.pid, &status, WUNTRACED), p.pid);
+    ASSERT_TRUE(WIFSTOPPED(status));
+    EXPECT_EQ(force(), 0);
+    ::kill(p.pid, SIGCONT);
+    wait_until([&] { return force() == 1; });
+    EXPECT_EQ(force(), 1);
+    ::kill(p.pid, SIGTERM);
+    wait_for_end(p, folder.path / "0", until);
+}
+
+}  // namespace
+}  // namespace thaum::input
