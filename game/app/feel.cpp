@@ -4,12 +4,12 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cstdio>
 
 #include "core/clock.h"
 #include "core/text.h"
 #include "game/app/command.h"
+#include "game/app/end_watch.h"
 #include "game/app/live.h"
 #include "game/components/grip.h"
 #include "input/arm_playback.h"
@@ -24,42 +24,30 @@ constexpr std::int64_t fade_ns = 150'000'000;  ///< in which the last force has 
 
 // ---- whoever wants it to end ------------------------------------------------------------------------------------------
 
-volatile std::sig_atomic_t interrupted = 0;
-
-void note_signal(int) { interrupted = 1; }
-
 /// Ctrl-C, a request to end, and any key on a terminal.
-class EndWatch {
+class StopWatch {
 public:
-    EndWatch() {
-        interrupted = 0;
-        for (std::size_t i = 0; i < signals.size(); ++i) {
-            struct sigaction action {};
-            action.sa_handler = note_signal;
-            ::sigaction(signals[i], &action, &before_[i]);
-        }
+    StopWatch() {
         terminal_ = ::isatty(STDIN_FILENO) != 0 && ::tcgetattr(STDIN_FILENO, &mode_) == 0;
         if (!terminal_) return;
         auto single_keys = mode_;
         single_keys.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
         ::tcsetattr(STDIN_FILENO, TCSANOW, &single_keys);
     }
-    ~EndWatch() {
+    ~StopWatch() {
         if (terminal_) ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &mode_);
-        for (std::size_t i = 0; i < signals.size(); ++i) ::sigaction(signals[i], &before_[i], nullptr);
     }
-    EndWatch(const EndWatch&) = delete;
-    EndWatch& operator=(const EndWatch&) = delete;
+    StopWatch(const StopWatch&) = delete;
+    StopWatch& operator=(const StopWatch&) = delete;
 
     bool asked() const {
-        if (interrupted != 0) return true;
+        if (EndWatch::asked()) return true;
         pollfd keys{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
         return terminal_ && ::poll(&keys, 1, 0) > 0;
     }
 
 private:
-    static constexpr std::array signals{SIGINT, SIGTERM, SIGHUP};
-    std::array<struct sigaction, signals.size()> before_{};
+    EndWatch signals_{};
     termios mode_{};
     bool terminal_ = false;
 };
@@ -146,7 +134,7 @@ void tell(const input::ArmPlayback& hand, const input::OpenHaptics& arm) {
 /// Until all was felt or something ends it: then why.
 std::optional<std::string> play(RecordedForces& forces, input::ArmPlayback& hand,
                                 const input::OpenHaptics& arm) {
-    const EndWatch watch;
+    const StopWatch watch;
     std::int64_t until = 0;  // 0: more will come
     bool more = true;
     while (until == 0 || monotonic_ns() < until) {

@@ -9,6 +9,7 @@
 #include "core/text.h"
 #include "core/threads.h"
 #include "game/app/command.h"
+#include "game/app/end_watch.h"
 #include "game/app/live_desk.h"
 #include "game/bots/bot.h"
 #include "game/match/record.h"
@@ -295,6 +296,7 @@ std::string told(const input::TickReport& arm) {
 }
 
 int run_live(const LivePlan& plan) {
+    const EndWatch watch;
     auto window = render::Window::create({.fullscreen = plan.settings.fullscreen});
     if (!window) return refuse(window.error());
     LiveShared shared(*window);
@@ -310,6 +312,7 @@ int run_live(const LivePlan& plan) {
     if (!played) return refuse(played.error());
     if (shared.render_error) return refuse(*shared.render_error);
     if (shared.simulation_error) return refuse(*shared.simulation_error);
+    if (EndWatch::asked()) std::fprintf(stderr, "ended by a signal\n");
     return done;
 }
 

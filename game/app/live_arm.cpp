@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "core/text.h"
+#include "game/app/end_watch.h"
 
 namespace thaum::app {
 namespace {
@@ -10,8 +11,9 @@ namespace {
 constexpr int look_ms = 50, try_again_ms = 1000;
 
 Expected<std::unique_ptr<input::OpenHaptics>> opened(input::ArmServo& servo,
-                                                     const haptics::DeviceSpec& wanted) {
-    auto arm = input::OpenHaptics::open();
+                                                     const haptics::DeviceSpec& wanted,
+                                                     const std::atomic<bool>& enough) {
+    auto arm = input::OpenHaptics::open({}, {.enough = &enough});
     if (!arm) return arm;
     const auto& spec = (*arm)->facts().spec;
     if (spec.peak_force < wanted.peak_force) {
@@ -27,7 +29,7 @@ Expected<std::unique_ptr<input::OpenHaptics>> opened(input::ArmServo& servo,
 
 Expected<std::unique_ptr<ArmKeeper>> ArmKeeper::open(input::ArmServo& servo,
                                                      const haptics::DeviceSpec& wanted) {
-    auto arm = opened(servo, wanted);
+    auto arm = opened(servo, wanted, EndWatch::asked());
     if (!arm) return tl::unexpected(arm.error());
     return std::unique_ptr<ArmKeeper>(new ArmKeeper(std::move(*arm), servo, wanted));
 }
@@ -64,14 +66,23 @@ int ArmKeeper::losses() const {
 /// False where the session ends.
 bool ArmKeeper::wait_for(int ms) {
     std::unique_lock lock(mutex_);
-    return !stopped_.wait_for(lock, std::chrono::milliseconds(ms), [this] { return stop_; });
+    return !stopped_.wait_for(lock, std::chrono::milliseconds(ms), [this] { return stop_.load(); });
+}
+
+/// An arm that was lost is back with its first tick, not before.
+void ArmKeeper::note(const input::ArmStatus& status, const input::TickReport& times) {
+    const bool lost = status.state != input::ArmPresence::present;
+    const std::lock_guard lock(mutex_);
+    times_ = times;
+    if (lost && status_.state == input::ArmPresence::present) ++losses_;
+    if (lost || status.newest_ns != 0) status_ = status;
 }
 
 /// An arm that is lost is let go of, so that its thread has ended before another one takes its place in the servo.
 void ArmKeeper::watch() {
     while (wait_for(arm_ ? look_ms : try_again_ms)) {
         if (!arm_) {
-            auto again = opened(servo_, wanted_);
+            auto again = opened(servo_, wanted_, stop_);
             if (!again) {
                 const std::lock_guard lock(mutex_);
                 status_.text = again.error().message;  // of what keeps it away now
@@ -82,12 +93,7 @@ void ArmKeeper::watch() {
         const auto status = arm_->status();
         const auto times = arm_->times();
         const bool lost = status.state != input::ArmPresence::present;
-        {
-            const std::lock_guard lock(mutex_);
-            status_ = status;
-            times_ = times;
-            losses_ += lost ? 1 : 0;
-        }
+        note(status, times);
         if (lost) arm_.reset();
     }
     if (!arm_) return;

@@ -1,6 +1,7 @@
 // game/app/live_arm.h: the real arm of a session: watched, and opened anew where it is lost, by a thread of its own, since the
 // vendor's library takes its time. Neither the match nor the window waits for it: the match sees samples or none.
 #pragma once
+#include <atomic>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -17,6 +18,7 @@ public:
     /// would feel another match than the log's.
     static Expected<std::unique_ptr<ArmKeeper>> open(input::ArmServo& servo,
                                                      const haptics::DeviceSpec& wanted);
+    /// Leaves the arm without force. It does not wait for a library that hangs.
     ~ArmKeeper();
     ArmKeeper(const ArmKeeper&) = delete;
     ArmKeeper& operator=(const ArmKeeper&) = delete;
@@ -35,6 +37,8 @@ private:
     void watch();
     bool wait_for(int ms);
 
+    void note(const input::ArmStatus& status, const input::TickReport& times);
+
     input::ArmServo& servo_;
     haptics::DeviceSpec wanted_;
     input::ArmFacts facts_;
@@ -42,7 +46,7 @@ private:
 
     mutable std::mutex mutex_;  // of what follows
     std::condition_variable stopped_;
-    bool stop_ = false;
+    std::atomic<bool> stop_{false};  ///< also without the mutex
     input::ArmStatus status_{};
     input::TickReport times_{};
     int losses_ = 0;

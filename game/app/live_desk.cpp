@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/text.h"
+#include "game/app/end_watch.h"
 
 namespace thaum::app {
 
@@ -420,7 +421,7 @@ void run_desk(Desk& desk) {
             probe(events, next_probe_ns);
         else
             pause_without_focus(desk);
-        if (shared.window.should_close()) shared.stop = true;
+        if (shared.window.should_close() || EndWatch::asked()) shared.stop = true;
         if (pads || menu_open(desk)) follow_pads(desk);
         follow_arm(desk);
         follow_going(desk);
@@ -508,7 +509,8 @@ bool run_start_screen(Desk& desk) {
         const auto wish = std::exchange(desk.menu.wish, MenuWish::none);
         if (wish == MenuWish::start && note_fault(desk, load_chosen(desk))) return true;
         if (wish == MenuWish::range && note_fault(desk, open_range(desk))) return true;
-        if (wish == MenuWish::quit || shared.window.should_close() || out_of_time(desk)) shared.stop = true;
+        const bool closes = shared.window.should_close() || EndWatch::asked() || out_of_time(desk);
+        if (wish == MenuWish::quit || closes) shared.stop = true;
     }
     return false;
 }

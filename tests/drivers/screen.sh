@@ -8,16 +8,32 @@ need() {
     done
 }
 
+# failed WORDS: the test's last word. A test may define at_failure, which shows more.
+failed() {
+    echo "failed: $1"
+    ! declare -F at_failure >/dev/null || at_failure
+    exit 1
+}
+
+# eventually WORDS COMMAND...: waits until the command succeeds. The limit only ends a test that hangs: on a busy machine a thing
+# takes as long as it takes, so no test may count seconds instead of looking for the event.
+eventually() {
+    local what=$1 until=$((SECONDS + 90))
+    shift
+    while ((SECONDS < until)); do
+        "$@" && return
+        sleep 0.05
+    done
+    failed "$what"
+}
+
 # open_screen SIZE: a folder that goes at the end ($folder), and an X server without a screen of glass ($DISPLAY).
 open_screen() {
     folder=$(mktemp -d)
     Xvfb -displayfd 3 -noreset -screen 0 "$1x24" 3>"$folder/display" 2>/dev/null &
     screen_server=$!
     trap 'kill "$screen_server"; rm -rf "$folder"' EXIT
-    for _ in $(seq 100); do
-        [ -s "$folder/display" ] && break
-        sleep 0.05
-    done
+    eventually "no X server" [ -s "$folder/display" ]
     DISPLAY=:$(cat "$folder/display")
     # Under the address sanitizer: X and OpenGL libraries leave a few blocks when they are unloaded, and umockdev wants
     # to be loaded first. Leaks of our own are looked for in the tests without a window.
