@@ -84,7 +84,8 @@ struct LivePlan {
     std::filesystem::path assets{};
     Settings settings{};
     std::filesystem::path settings_file{};  ///< where changes go; empty: they last for this run
-    std::optional<double> seconds{};        ///< then the window closes
+    /// Length of the session, after which the window closes (s): match time, or wall-clock time on the start screen.
+    std::optional<double> seconds{};
     Stall stall{};
     /// Measures itself: moves player 1's mouse as if by events, neither captures the cursor nor minds the focus.
     bool probe = false;

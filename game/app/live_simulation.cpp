@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include "core/text.h"
 #include "game/app/live_practice.h"
@@ -302,17 +301,16 @@ void wait_for_next(Session& s) {
     if (!idle) s.shared.late.add(static_cast<double>(monotonic_ns() - deadline) * 1e-3);
 }
 
-/// When the plan's time is up.
-std::int64_t end_of(const Session& s) {
-    return s.plan.seconds ? s.shared.began_ns + static_cast<std::int64_t>(*s.plan.seconds * 1e9)
-                          : std::numeric_limits<std::int64_t>::max();
+/// Whether the plan's time is up. It is counted in ticks, so that a session on a busy machine, which leaves ticks out, plays as
+/// much of a match as any other.
+bool is_time_up(const Session& s) {
+    return s.plan.seconds && s.shared.report.ticks >= ticks(*s.plan.seconds);
 }
 
 void run_session(Session& s) {
     Staller staller{s.plan.stall};
-    const auto end = end_of(s);
     publish(s);
-    while (!s.shared.stop && !s.shared.end_match && monotonic_ns() < end) {
+    while (!s.shared.stop && !s.shared.end_match && !is_time_up(s)) {
         staller.pass(Stall::Thread::simulation);
         const auto behind = backlog(s);
         if (behind == 0) {
@@ -333,7 +331,7 @@ void run_session(Session& s) {
         ++s.shared.report.ticks;
         if (s.shared.rematch && s.round.over_at) break;
     }
-    if (monotonic_ns() >= end) s.shared.stop = true;
+    if (is_time_up(s)) s.shared.stop = true;
     close_log(s.round);
     tell_score(s.round);
 }

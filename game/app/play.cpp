@@ -35,7 +35,7 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
   --arena NAME     boiling_court (default);  --seed N  of all that is random
   --record FILE    the log; default: a new file in the data folder
   --headless       no window: two bots, faster than real time
-  --seconds S      ends after that; headless: 60
+  --seconds S      ends after that much match time; headless: 60
   --out DIR        where headless leaves duel.png, duel.thaumlog, duel.txt, replacing
                    those of the last time (out)
 

@@ -31,7 +31,7 @@ changes the dummy.
   --headless       no window: a bot practises, faster than real time, and the
                    score is printed; files are read once
   --bot LEVEL      level of that bot: 1, 2 or 3 (default)
-  --seconds S      ends after that; headless: 60
+  --seconds S      ends after that much match time; headless: 60
 )";
 
 constexpr Option range_options[] = {{"--dummy", 1}, {"--hands", 1}, {"--rules", 1}, {"--set", 1, true},

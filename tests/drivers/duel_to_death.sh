@@ -1,32 +1,83 @@
 #!/usr/bin/env bash
 # tests/drivers/duel_to_death.sh THAUM PAD_HARNESS [SCREENSHOTS]: the program as two people use it, under Xvfb: player 2
 # turns with the pad's stick and shoots player 1 dead; player 1 comes back on the pad opposite and shoots back with the
-# mouse. The log must say 1 : 1 and replay to the same bits. Exits 77 where a tool is missing.
+# mouse. The log must say 1 : 1 and replay to the same bits. Like people, the players look before they act: the log that is
+# being written says where they are, so a busy machine makes the duel longer and not another one. Exits 77 where a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2
 need Xvfb xdotool import umockdev-wrapper
-open_screen 1280x720
+open_screen 640x360
 shots=${3:-$folder}
-# A stick so slow that two seconds of it are known to a fifth of a degree, though the machine be late by a hundredth of one.
+# A slow stick, so that a push of it is a small angle.
 mkdir -p "$folder/config/thaum"
 sed 's/^turn_deg_per_s = .*/turn_deg_per_s = 22.5/' "$(dirname "$0")/../../assets/settings.toml" \
     >"$folder/config/thaum/settings.toml"
 
-# Both start 30 m apart, turned 45 degrees away from each other, towards the cauldron.
-script='7 rx 32767; 9 rx 0; 9.5 rt 255; 13 rt 0'
-umockdev-wrapper "$harness" "$script" "$thaum" --vs --seconds 22 --record "$folder/log" \
-    --set bolt.shot.damage=40 --set bolt.shot.spread_deg=0.2 &
+mkfifo "$folder/pad"
+umockdev-wrapper "$harness" "$thaum" --vs --record "$folder/log" \
+    --set bolt.shot.damage=40 --set bolt.shot.spread_deg=0.2 4>&- <"$folder/pad" &
 game=$!
-sleep 13.5
+exec 4>"$folder/pad"
+pad() { echo "$@" >&4; }
+
+# look: the newest state that the log has, and the score; fails while there is no log.
+look() {
+    "$thaum" replay "$folder/log" --state "$folder/state.csv" --every 32 >"$folder/result" 2>/dev/null
+}
+# of_state AWK: evaluates an expression over the newest row s[column name], and the row 256 ticks before it b[column name].
+of_state() {
+    awk -F, -v degrees=57.29577951308232 "
+        NR == 1 { for (i = 1; i <= NF; i++) name[i] = \$i; next }
+        { rows++; for (i = 1; i <= NF; i++) all[rows, name[i]] = \$i }
+        END { for (i in name) { s[name[i]] = all[rows, name[i]]; b[name[i]] = all[(rows > 8 ? rows - 8 : 1), name[i]] }
+              $1 }" "$folder/state.csv"
+}
+ticks() { of_state 'print s["tick"] + 0'; }
+is_written() { look && [ "$(ticks)" -gt "$1" ]; }
+scored() { look && grep -q "score $1" "$folder/result"; }
+alive() { look && of_state 'exit s["p1_dead"] != 0'; }
+stands_still() { is_written "$1" && of_state 'exit s["p2_yaw_rad"] != b["p2_yaw_rad"]'; }
+# How far player 2 must turn to look at player 1, degrees, to the left.
+error() {
+    of_state 'turn = atan2(s["p2_x_m"] - s["p1_x_m"], s["p2_z_m"] - s["p1_z_m"]) * degrees - s["p2_yaw_rad"] * degrees
+              while (turn > 180) turn -= 360
+              while (turn < -180) turn += 360
+              print turn'
+}
+
+# Both start 30 m apart, turned 45 degrees away from each other, towards the cauldron. Blocks of 512 ticks reach the log's file.
+eventually "no match" is_written 0
+for try in $(seq 40); do
+    stopped=$(ticks)
+    eventually "player 2 does not stand still" stands_still $((stopped + 1024))
+    away=$(error)
+    echo "player 2 looks $away degrees past player 1"
+    awk -v a="$away" 'BEGIN { exit !(a < 0.4 && a > -0.4) }' && break
+    [ "$try" -lt 40 ] || failed "player 2 cannot aim"
+    read -r push seconds < <(awk -v a="$away" 'BEGIN {
+        size = a < 0 ? -a : a; print (a < 0 ? 32767 : -32767), size / 22.5 }')
+    pad rx "$push"
+    sleep "$seconds"
+    pad rx 0
+    look
+done
+pad rt 255
+eventually "player 2 does not hit" scored '0 : 1'
 import -window root "$shots/player_1_is_dead.png"
-sleep 3
+pad rt 0
+eventually "player 1 does not come back" alive
 xdotool mousedown 1
-sleep 3
+eventually "player 1 does not hit" scored '1 : 1'
 xdotool mouseup 1
 import -window root "$shots/player_2_is_dead.png"
-wait "$game"
+exec 4>&-
+xdotool key Escape
+# Q leaves as soon as the pause's menu is open, and is nobody's key before.
+leaves() { xdotool key q; ! kill -0 "$game" 2>/dev/null; }
+eventually "the program does not end" leaves
+wait "$game" || failed "the program's exit code"
 
 result=$("$thaum" replay "$folder/log" --verify)
 echo "$result"
-grep -q 'score 1 : 1' <<<"$result" || { echo "failed: not one kill each"; exit 1; }
+grep -q 'score 1 : 1' <<<"$result" || failed "not one kill each"

@@ -7,16 +7,16 @@ set -euo pipefail
 thaum=$1 fake=$2 old=$3
 need Xvfb
 open_screen 640x360
-failed() { echo "failed: $1"; exit 1; }
 
 # The hand: still, then to and fro with the button held, so that each shot kicks.
 awk 'BEGIN {
     print 0, 0, 0, 0, 0; print 300, 0, 0, 0, 1
     for (ms = 320; ms <= 60000; ms += 20) print ms, 20 * sin((ms - 300) / 400), 5 * sin((ms - 300) / 150), 0, 1 }' >"$folder/way"
 
-# play NAME SECONDS FAKE_HD: a match of an arm against a bot, its log, and what it said.
+# play NAME SECONDS FAKE_HD: so much match time of an arm against a bot, its log, and what it said. The arm's clock runs on while a busy
+# machine makes the match slower, so what happens to the arm is counted from the first force that it felt. Nobody dies of the bot's shots.
 play() {
-    THAUM_LIBHD=$fake FAKE_HD=$3 "$thaum" --solo 1 --hands arm --seed 1 --seconds "$2" --set haptics.share=1 \
+    THAUM_LIBHD=$fake FAKE_HD=$3 "$thaum" --solo 1 --hands arm --seed 1 --seconds "$2" --set haptics.share=1 --set bolt.shot.damage=1 \
         --record "$folder/$1.thaumlog" 2>"$folder/$1.txt" || { cat "$folder/$1.txt"; failed "$1 does not play"; }
     cat "$folder/$1.txt"
     grep -q '^arm: [0-9]* ticks' "$folder/$1.txt" || failed "$1: how well time was kept is not said"
@@ -34,11 +34,11 @@ awk -F, 'NR > 1 { if ($8 > most) most = $8; if ($8 > 1 && before <= 1) shots++; 
     "$folder/good.csv" || failed "the forces are not those of shots"
 
 # An arm that goes wrong: the match goes on, and its forces end.
-play vanished 3 "path=$folder/way,vanish=1500,back=1000000"
+play vanished 4 "path=$folder/way,felt,vanish=500,back=1000000"
 grep -q 'plug it in' "$folder/vanished.txt" || failed "nobody says that the arm is lost"
-awk -F, 'END { print "at the end:", $6, $7, $8, $9; exit !($2 > 2 && $6 == 0 && $7 == 0 && $8 == 0) }' "$folder/vanished.csv" ||
-    failed "forces of an arm that is not there"
-play stopped 3 "path=$folder/way,stop=1500,back=1000000"
+awk -F, 'NR > 1 { if ($8 > 1) felt++ } END { print "felt in", felt + 0, "ticks; at the end:", $6, $7, $8, $9
+    exit !(felt > 0 && $2 > 2 && $6 == 0 && $7 == 0 && $8 == 0) }' "$folder/vanished.csv" || failed "forces of an arm that is not there"
+play stopped 4 "path=$folder/way,felt,stop=500,back=1000000"
 play late 3 "path=$folder/way,late=50,burst"
 play numberless 3 "path=$folder/way,nan=1000"
 
@@ -46,7 +46,7 @@ play numberless 3 "path=$folder/way,nan=1000"
 awk 'BEGIN {
     print 0, 0, 0, 0, 0; print 1000, 0, 0, 0, 1
     for (ms = 1020; ms <= 60000; ms += 20) print ms, 20 * sin((ms - 1000) / 400), 5 * sin((ms - 1000) / 150), 0, 1 }' >"$folder/calm"
-play back 7 "path=$folder/calm,vanish=2500,back=1"
+play back 12 "path=$folder/calm,felt,vanish=2000,back=3"
 grep -q 'the arm is back' "$folder/back.txt" || failed "nobody says that it is back"
 grep -q 'lost 1 times' "$folder/back.txt" || failed "it was not lost once"
 awk -F, 'NR > 1 { force = $6 ^ 2 + $7 ^ 2 + $8 ^ 2
@@ -55,7 +55,7 @@ awk -F, 'NR > 1 { force = $6 ^ 2 + $7 ^ 2 + $8 ^ 2
                   shots += force > 1 && last <= 1; last = force }
     END { print before, "shots, nothing for", longest, "ms,", shots - before, "shots"; exit !(before >= 3 && longest > 1500 && shots - before >= 3) }' \
     "$folder/back.csv" || failed "it is not felt again"
-play stopped_and_back 5 "path=$folder/calm,stop=2500,back=0"
+play stopped_and_back 6 "path=$folder/calm,felt,stop=1000,back=0"
 grep -q 'the arm is back' "$folder/stopped_and_back.txt" || failed "nobody says that it is back"
 
 # The range and the start screen know it.
@@ -64,8 +64,11 @@ cat "$folder/range.txt"
 grep -Eq 'range: [0-9]+ of [1-9]' "$folder/range.txt" || failed "its button does not shoot on the range"
 grep -q '; 0 forces differ' "$folder/range.txt" || failed "the range computes other forces than the arm's thread"
 # The range's own start screen line is in the picture; here it must only live with an arm that nobody holds yet, or that goes.
-THAUM_LIBHD=$fake FAKE_HD="path=$folder/way,vanish=1000" "$thaum" --hands arm --seconds 3 >"$folder/start.txt" 2>&1 || failed "no start screen with an arm"
-grep -q 'plug it in' "$folder/start.txt" || failed "the start screen does not see that it goes"
+THAUM_LIBHD=$fake FAKE_HD="path=$folder/way,vanish=1000" "$thaum" --hands arm >"$folder/start.txt" 2>&1 &
+start=$!
+eventually "the start screen does not see that it goes" grep -q 'plug it in' "$folder/start.txt"
+kill -TERM $start
+wait $start || failed "no start screen with an arm"
 
 # An arm whose clock is faster than ours: the match follows it, else samples would pile up until the forces were old ones.
 play faster 5 "path=$folder/way,rate=1008"

@@ -7,15 +7,12 @@ set -euo pipefail
 thaum=$1
 need Xvfb xdotool import
 open_screen 1280x720
-fail() { echo "failed: $1"; cat "$folder/said"; tail -3 "$folder/trace.csv"* || true; import -window root "${SHOTS:-$folder}/failed.png"; exit 1; }
+fail() { failed "$1"; }
+at_failure() { cat "$folder/said"; tail -3 "$folder/trace.csv"* || true; import -window root "${SHOTS:-$folder}/failed.png"; }
 drawn() { [ "$(import -window root -crop 300x200+200+100 -format %k info: 2>/dev/null)" -gt 100 ]; }
 "$thaum" lab --fluid --size 640x360 --cells 24 --trace "$folder/trace.csv" --save "$folder/brew" --seconds 60 >"$folder/said" 2>&1 &
 lab=$!
-for _ in $(seq 200); do
-    drawn && break
-    sleep 0.05
-done
-drawn || fail "no window"
+eventually "no window" drawn
 key() { xdotool key "$1"; sleep 0.3; }
 stir() {
     for i in $(seq 12); do

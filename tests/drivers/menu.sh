@@ -10,18 +10,9 @@ need Xvfb xdotool import convert umockdev-wrapper
 open_screen 1280x720
 settings=$XDG_CONFIG_HOME/thaum/settings.toml
 matches=$XDG_DATA_HOME/thaum/matches
-fail() { echo "failed: $1"; import -window root "${SHOTS:-$folder}/failed.png"; exit 1; }
+fail() { failed "$1"; }
+at_failure() { import -window root "${SHOTS:-$folder}/failed.png"; }
 
-# eventually WHAT COMMAND...: waits until the command succeeds.
-eventually() {
-    local what=$1
-    shift
-    for _ in $(seq 300); do
-        "$@" && return
-        sleep 0.05
-    done
-    fail "$what"
-}
 # bright X Y LOW HIGH: is the mean of this pixel's red, green and blue within LOW to HIGH percent?
 bright() {
     local level
@@ -42,7 +33,7 @@ field() { sed -n "s/^device $1:.* $2 \\(.*\\)/\\1/p" <<<"$seen" | cut -d' ' -f1;
 
 # 1. Keyboard and pad join; the second press of one of them starts.
 mkfifo "$folder/pad"
-umockdev-wrapper "$harness" - "$thaum" 4>&- <"$folder/pad" >"$folder/said" 2>&1 &
+umockdev-wrapper "$harness" "$thaum" 4>&- <"$folder/pad" >"$folder/said" 2>&1 &
 game=$!
 exec 4>"$folder/pad"
 eventually "no start screen" drawn

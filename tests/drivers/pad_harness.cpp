@@ -1,9 +1,10 @@
 // A make-believe Xbox 360 pad (045e:028e) for a program, by umockdev; needs no /dev/uinput:
-//     umockdev-wrapper pad_harness 'SCRIPT' PROGRAM ARGS...
-// SCRIPT is "SECONDS WHAT VALUE; ...": WHAT is a button (a, b, x, y, lb, rb, back, start) with 1 or 0, an axis (lx, ly, rx,
-// ry: -32768 to 32767, down and right +; lt, rt: 0 to 255), or `plugged` with 1 or 0. With "-" for SCRIPT steps come from
-// standard input, one "WHAT VALUE" a line, and happen at once. Returns the program's exit code.
+//     umockdev-wrapper pad_harness PROGRAM ARGS...
+// Steps come from standard input, one "WHAT VALUE" a line, and happen at once: WHAT is a button (a, b, x, y, lb, rb, back, start) with
+// 1 or 0, an axis (lx, ly, rx, ry: -32768 to 32767, down and right +; lt, rt: 0 to 255), `plugged` with 1 or 0, or `signal` with
+// the number of a signal for the program. Returns the program's exit code.
 #include <linux/input.h>
+#include <signal.h>
 #include <sys/wait.h>
 #include <umockdev.h>
 #include <unistd.h>
@@ -11,16 +12,13 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace {
@@ -45,23 +43,6 @@ const std::map<std::string, Part> parts{
     {"ly", {EV_ABS, ABS_Y}},        {"lt", {EV_ABS, ABS_Z}},        {"rx", {EV_ABS, ABS_RX}},
     {"ry", {EV_ABS, ABS_RY}},       {"rt", {EV_ABS, ABS_RZ}},       {"hx", {EV_ABS, ABS_HAT0X}},
     {"hy", {EV_ABS, ABS_HAT0Y}}};
-
-struct Step {
-    double at_s{};
-    std::string what;
-    int value{};
-};
-
-std::vector<Step> parse(const std::string& script) {
-    std::vector<Step> steps;
-    std::istringstream lines(script);
-    for (std::string line; std::getline(lines, line, ';');) {
-        std::istringstream words(line);
-        Step step;
-        if (words >> step.at_s >> step.what >> step.value) steps.push_back(step);
-    }
-    return steps;
-}
 
 // Answers to what a program asks about the pad -------------------------------------------------------------------------------
 
@@ -125,6 +106,7 @@ struct Pad {
     UMockdevTestbed* testbed{};
     int fd = -1;
     std::filesystem::path link{}, target{};
+    pid_t game = 0;  ///< the program that has the pad
 };
 
 void report(const Pad& pad, const Part& part, int value) {
@@ -152,18 +134,12 @@ void plug(const Pad& pad, bool in) {
 void perform(const Pad& pad, const std::string& what, int value) {
     if (what == "plugged")
         plug(pad, value != 0);
+    else if (what == "signal")
+        kill(pad.game, value);
     else if (const auto part = parts.find(what); part != parts.end())
         report(pad, part->second, value);
     else
         std::fprintf(stderr, "pad: no part '%s'\n", what.c_str());
-}
-
-void perform(const Pad& pad, const std::vector<Step>& steps) {
-    const auto start = std::chrono::steady_clock::now();
-    for (const auto& step : steps) {
-        std::this_thread::sleep_until(start + std::chrono::duration<double>(step.at_s));
-        perform(pad, step.what, step.value);
-    }
 }
 
 void perform_as_told(const Pad& pad) {
@@ -189,18 +165,16 @@ Pad make_pad() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 3) return 2;
-    const auto pad = make_pad();
+    if (argc < 2) return 2;
+    auto pad = make_pad();
     const auto child = fork();
+    pad.game = child;
     if (child == 0) {
-        execvp(argv[2], argv + 2);
-        std::perror(argv[2]);
+        execvp(argv[1], argv + 1);
+        std::perror(argv[1]);
         _exit(127);
     }
-    if (std::strcmp(argv[1], "-") == 0)
-        perform_as_told(pad);
-    else
-        perform(pad, parse(argv[1]));
+    perform_as_told(pad);
     int status = 0;
     waitpid(child, &status, 0);
     return WIFEXITED(status) ? WEXITSTATUS(status) : 1;

@@ -10,16 +10,8 @@ open_screen 1280x720
 cp -r "$(dirname "$0")/../../assets" "$folder/assets"
 export THAUM_ASSETS=$folder/assets
 bolt=$folder/assets/wands/bolt.toml
-fail() { echo "failed: $1"; cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; exit 1; }
-eventually() {
-    local what=$1
-    shift
-    for _ in $(seq 200); do
-        "$@" && return
-        sleep 0.05
-    done
-    fail "$what"
-}
+fail() { failed "$1"; }
+at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed.png"; }
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
 said() { grep -q "$1" "$folder/said"; }
 
