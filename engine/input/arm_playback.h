@@ -30,6 +30,9 @@ struct PlaybackReport {
 
 class ArmPlayback {
 public:
+    /// Forces that may wait: 16 s, so that they outlast whatever else the machine is busy with.
+    static constexpr std::size_t most_waiting = 16'384;
+
     explicit ArmPlayback(const haptics::Servo& servo) : servo_(servo) {}
 
     /// For the driver.
@@ -59,7 +62,7 @@ private:
     bool next();
 
     haptics::Servo servo_;
-    Ring<Force, 1024> forces_;
+    Ring<Force, most_waiting> forces_;
     std::atomic<bool> ended_{false}, stopped_{false};
 
     // The arm's thread.

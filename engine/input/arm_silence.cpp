@@ -93,7 +93,7 @@ void guard_ends() {
     if (guarded.exchange(true)) return;
     keep_a_stack_for_faults();
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGHUP})
-        handle(signal, on_end, SA_RESETHAND | SA_NODEFER | SA_ONSTACK);
+        handle(signal, on_end, static_cast<int>(SA_RESETHAND) | SA_NODEFER | SA_ONSTACK);
     handle(SIGTSTP, on_stop, SA_RESTART);
     std::atexit(on_exit);
 }

@@ -18,7 +18,8 @@
 namespace thaum::app {
 namespace {
 
-constexpr std::size_t ahead = 500;             ///< ticks that are computed before they are played
+/// Ticks that are computed before they are played: a busy machine may need longer for a tick than the arm does.
+constexpr std::size_t ahead = 12'000;
 constexpr std::int64_t look_ns = 5'000'000;    ///< between two looks at keys and arm
 constexpr std::int64_t fade_ns = 150'000'000;  ///< in which the last force has gone
 

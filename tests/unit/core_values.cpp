@@ -9,6 +9,7 @@
 
 #include "core/assert.h"
 #include "core/hash.h"
+#include "core/one_line.h"
 #include "core/random.h"
 #include "core/text.h"
 #include "core/units.h"
@@ -179,6 +180,32 @@ TEST(CoreAssert, LeavesAMetConditionAloneAndItsMessageUnbuilt) {
     };
     THAUM_ASSERT(true, message());
     EXPECT_EQ(built, 0);
+}
+
+TEST(Printable, LeavesWhatATerminalShows) {
+    for (const auto* words : {"", "Touch F0000001", "größer", "触覚", "\xf0\x9f\x8e\xae"})
+        EXPECT_EQ(printable(words, 80), words);
+}
+
+TEST(Printable, NamesTheBytesOfWhatATerminalObeys) {
+    EXPECT_EQ(printable("a\x1b[2Jb\r\n\x7f", 80), "a\\x1b[2Jb\\x0d\\x0a\\x7f");
+    EXPECT_EQ(printable("\xc2\x9b 31m", 80), "\\xc2\\x9b 31m") << "a control character of two bytes";
+    EXPECT_EQ(printable("\xe2\x80\xae", 80), "\\xe2\\x80\\xae") << "it turns the direction of writing";
+    EXPECT_EQ(printable(std::string_view("\0", 1), 80), "\\x00");
+}
+
+TEST(Printable, NamesBytesThatAreNoUtf8) {
+    EXPECT_EQ(printable("\xff", 80), "\\xff");
+    EXPECT_EQ(printable("\xc0\xaf", 80), "\\xc0\\xaf") << "longer than it must be";
+    EXPECT_EQ(printable("\xed\xa0\x80", 80), "\\xed\\xa0\\x80") << "half of a pair";
+    EXPECT_EQ(printable("\xf4\x90\x80\x80", 80), "\\xf4\\x90\\x80\\x80") << "beyond the last character";
+    EXPECT_EQ(printable("\xe8\xa7", 80), "\\xe8\\xa7") << "cut off";
+}
+
+TEST(Printable, CutsBetweenCharacters) {
+    EXPECT_EQ(printable(std::string(100, 'x'), 10), "xxxxxxxxxx...");
+    EXPECT_EQ(printable("aaaaaaaaa\x1b", 10), "aaaaaaaaa...");
+    EXPECT_EQ(printable("ab\xe8\xa7\xa6", 4), "ab...");
 }
 
 }  // namespace
