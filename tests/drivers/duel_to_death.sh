@@ -55,8 +55,10 @@ for try in $(seq 40); do
     echo "player 2 looks $away degrees past player 1"
     awk -v a="$away" 'BEGIN { exit !(a < 0.4 && a > -0.4) }' && break
     [ "$try" -lt 40 ] || failed "player 2 cannot aim"
+    # Far: the whole stick, 22.5 degrees/s. Near: 0.207 of it, which are 1.5 degrees/s beyond the dead zone of 0.15.
     read -r push seconds < <(awk -v a="$away" 'BEGIN {
-        size = a < 0 ? -a : a; print (a < 0 ? 32767 : -32767), size / 22.5 }')
+        size = a < 0 ? -a : a; far = size > 8; push = far ? 32767 : 6773
+        print (a < 0 ? push : -push), size / (far ? 22.5 : 1.5) }')
     pad rx "$push"
     sleep "$seconds"
     pad rx 0

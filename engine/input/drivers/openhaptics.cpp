@@ -225,11 +225,10 @@ bool OpenHaptics::hangs() { return hanging != 0; }
 Expected<std::unique_ptr<OpenHaptics>> OpenHaptics::open(const std::string& library,
                                                          const ArmPatience& patience) {
     guard_ends();
-    if (in_use.exchange(true))
-        return fail(hangs()
-                        ? "the arm's library still hangs: end this program, switch the arm off and on, and "
-                          "start again"
-                        : "OpenHaptics holds one arm, and that is open already");
+    if (hangs())
+        return fail(
+            "the arm's library still hangs: end this program, switch the arm off and on, and start again");
+    if (in_use.exchange(true)) return fail("OpenHaptics holds one arm, and that is open already");
     auto state = std::make_shared<State>();
     state->patience = patience;
     if (const auto opened = open_watched(state, library_name(library)); !opened)
