@@ -18,7 +18,8 @@ bool was_touched(const Scene& scene, const SurfaceState& state, std::uint32_t i)
     return false;
 }
 
-/// Whether a flat surface is now before the proxy, which came from in front of it. One that was touched and moved a little more
+/// Whether a flat surface is now before the proxy, which came from in front of it. One that was touched and moved a
+/// little more
 /// than it said counts too.
 bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, vec3 from, vec3 x,
              Wall& wall) {

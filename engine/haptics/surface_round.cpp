@@ -217,7 +217,8 @@ struct Sample {
     double s{}, value{};
 };
 
-/// Place where a function falls to zero between two samples, above and below zero: by the secant of the last two samples, or by
+/// Place where a function falls to zero between two samples, above and below zero: by the secant of the last two
+/// samples, or by
 /// halving where that leads out of the bracket. The value there is at most zero, or within the tolerance.
 template <class Function>
 double fall_to_zero(const Function& function, Sample above, Sample below, double guess, double tolerance) {
@@ -322,7 +323,8 @@ bool alone(const Track& track) {
     return track.scene->flat_count + track.scene->solid_count == track.walls->count;
 }
 
-/// Goes along a path up to a place or to the first obstacle. Where the tangents meet something, the path itself may pass beneath
+/// Goes along a path up to a place or to the first obstacle. Where the tangents meet something, the path itself may
+/// pass beneath
 /// it: so a part of the path is halved until it is free or too short to pass, and doubled after each free part.
 Obstacle travel(const Track& track, double end) {
     constexpr int most_parts = 200;

@@ -1,8 +1,11 @@
 // haptics/surface_scene.h: a patch prepared for one tick, and distances to its surfaces.
 //
-// All distances are to the surface `surface_gap` outside the true one: rounding (1e-16 of a coordinate) then never decides on which
-// side the proxy is. A triangle is hit where the path crosses the triangle itself, not its offset plane: between the offset
-// planes of two triangles that meet in a ridge there would be a slit. So a mesh whose triangles share corners has no holes.
+// All distances are to the surface `surface_gap` outside the true one: rounding (1e-16 of a coordinate) then never
+// decides on which
+// side the proxy is. A triangle is hit where the path crosses the triangle itself, not its offset plane: between the
+// offset
+// planes of two triangles that meet in a ridge there would be a slit. So a mesh whose triangles share corners has no
+// holes.
 #pragma once
 #include "haptics/surface.h"
 

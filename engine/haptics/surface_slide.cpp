@@ -47,7 +47,8 @@ void move_by(Slide& slide, vec3 way) {
 
 enum class Straight : std::uint8_t { met_a_wall, arrived, limited };
 
-/// Surface at which the proxy stands on its way, though the patch's reach leaves it no way to go; without it a force would end where
+/// Surface at which the proxy stands on its way, though the patch's reach leaves it no way to go; without it a force
+/// would end where
 /// the patch ends.
 Hit hit_at_reach(const Scene& scene, const Slide& slide, vec3 way) {
     const Sweep ahead(slide.x, way);
@@ -72,7 +73,8 @@ Straight go_straight(const Scene& scene, Slide& slide, vec3 goal, bool was_slidi
     return slide.limited ? Straight::limited : Straight::arrived;
 }
 
-/// Ends a slide that has used up its moves or its patch. Where no wall is left, the last walls that held the proxy go on doing so:
+/// Ends a slide that has used up its moves or its patch. Where no wall is left, the last walls that held the proxy go
+/// on doing so:
 /// a force never vanishes because the moves are used up.
 void settle(const Scene& scene, Slide& slide, vec3 tip, const Walls& held) {
     if (is_round(scene, slide.walls, slide.x)) {

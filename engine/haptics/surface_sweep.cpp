@@ -39,7 +39,8 @@ void sweep_flat(const Scene& scene, const Facet& flat, const Sweep& path, Hit& f
     first = {at, drop, {normal, offset + flat.gap, 0, flat.surface}};
 }
 
-/// At the nearest point of a convex shape stands a plane that has all of it behind, up to which a point may move at once.
+/// At the nearest point of a convex shape stands a plane that has all of it behind, up to which a point may move at
+/// once.
 void sweep_solid(const Scene& scene, std::uint32_t i, const Sweep& path, Hit& first) {
     if (scene.beyond(i, path.from, path.length)) return;
     const Surface& s = scene.surface(i);

@@ -5,7 +5,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// Of three nodes about a place, `off` from the middle one in cells: weights of the quadratic B-spline, and their slopes.
+/// Of three nodes about a place, `off` from the middle one in cells: weights of the quadratic B-spline, and their
+/// slopes.
 struct Weights {
     std::array<double, 3> value{};
     std::array<double, 3> slope{};

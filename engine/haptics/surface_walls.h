@@ -30,7 +30,8 @@ void add_wall(Walls& walls, const Wall& wall);
 /// Distance of the tip behind a wall (m).
 inline double entered(const Wall& wall, vec3 tip) { return wall.offset - glm::dot(wall.normal, tip); }
 
-/// Depths of two walls that both push: the tip's depth behind them is `a` and `b` (m), their normals have the product g.
+/// Depths of two walls that both push: the tip's depth behind them is `a` and `b` (m), their normals have the product
+/// g.
 struct Depths {
     double a{}, b{};
 };
@@ -43,7 +44,8 @@ struct NearestPlace {
     bool found{};  ///< false where no place is before all walls
 };
 
-/// Finds the only place before all walls that is nearest to the tip, by trying every set of up to three walls. Keeps the walls
+/// Finds the only place before all walls that is nearest to the tip, by trying every set of up to three walls. Keeps
+/// the walls
 /// that push, with their depths.
 NearestPlace nearest_place(Walls& walls, vec3 tip);
 

@@ -1,9 +1,11 @@
 // A tip that slides under the surface of round bodies, at depths of 0.1 to 0.9 of the radius, with friction 0 to 1, at
 // up to 1 m/s: the force must follow the exact solution and never vanish while the tip is inside.
 //
-// Exact solution on a sphere of radius R: let theta be the angle at the centre between the proxy and the tip, which is rho
+// Exact solution on a sphere of radius R: let theta be the angle at the centre between the proxy and the tip, which is
+// rho
 // from the centre. The pull has the normal part R - rho cos(theta) and the tangential part rho sin(theta), so
-// Coulomb's law, tangential = mu normal, reads sin(theta + alpha) = sin(alpha) R / rho with alpha = atan(mu). If the right
+// Coulomb's law, tangential = mu normal, reads sin(theta + alpha) = sin(alpha) R / rho with alpha = atan(mu). If the
+// right
 // side exceeds 1, the proxy sticks wherever it is. A groove round an axis obeys the same law with its own radius
 // and a larger coefficient.
 #include <gtest/gtest.h>
@@ -115,7 +117,8 @@ TEST(RoundBodies, SteadySlidingRoundCapsuleAndCylinderIsTheSame) {
     }
 }
 
-/// Two spheres that overlap have a groove, a circle of radius c < R; the loads of both sum to R / c times the radial pull.
+/// Two spheres that overlap have a groove, a circle of radius c < R; the loads of both sum to R / c times the radial
+/// pull.
 TEST(RoundBodies, SteadySlidingInTheGrooveOfTwoSpheresIsTheClosedForm) {
     for (const double overlap : {0.3, 0.6, 0.9}) {  // half the distance of the centres, over R
         for (const Circle& c : all_circles()) {
@@ -132,7 +135,8 @@ TEST(RoundBodies, SteadySlidingInTheGrooveOfTwoSpheresIsTheClosedForm) {
     }
 }
 
-/// A sphere stands on a floor and the tip is pressed under both: without friction the proxy is on their circle, beside the tip.
+/// A sphere stands on a floor and the tip is pressed under both: without friction the proxy is on their circle, beside
+/// the tip.
 TEST(RoundBodies, BetweenASphereAndTheFloorTheForceIsExact) {
     for (const Circle& c : all_circles()) {
         if (c.friction > 0) continue;
@@ -177,7 +181,8 @@ TEST(RoundBodies, AlongAHelixTheForceIsConstantSeenFromTheTip) {
 
 // ---- transients ---------------------------------------------------------------------------------------------------
 
-/// Exact proxy on a sphere about the origin after the tip has moved (m): along the great circle until Coulomb's law holds.
+/// Exact proxy on a sphere about the origin after the tip has moved (m): along the great circle until Coulomb's law
+/// holds.
 vec3 exact_on_sphere(vec3 proxy, vec3 tip, double friction) {
     const double radius = glm::length(proxy), tip_radius = glm::length(tip);
     const vec3 out = proxy / radius;
@@ -233,7 +238,8 @@ TEST(RoundBodies, WithoutFrictionTheProxyIsTheFootOnTheSideThatWasTouched) {
                 double worst = 0;
                 for (int tick = 0; tick < 2000; ++tick) {
                     const double angle = 0.8 * speed * dt / radius * tick;
-                    // Up and down to a hair before the cap, where the cap is nearer than the side; over both ends of a capsule.
+                    // Up and down to a hair before the cap, where the cap is nearer than the side; over both ends of a
+                    // capsule.
                     const double reach = kind == SurfaceKind::capsule ? half + 0.4 * radius : half - 1e-5;
                     const double up = reach * std::sin(0.6 * speed * dt / reach * tick);
                     vec3 tip((1 - depth_ratio) * radius * std::cos(angle), up,
@@ -251,7 +257,8 @@ TEST(RoundBodies, WithoutFrictionTheProxyIsTheFootOnTheSideThatWasTouched) {
     }
 }
 
-/// Exact proxy on a capsule, or on the side of a cylinder, after the tip has moved: it descends its distance to the tip along the
+/// Exact proxy on a capsule, or on the side of a cylinder, after the tip has moved: it descends its distance to the
+/// tip along the
 /// surface until Coulomb's law holds. Here by Runge and Kutta's method, with the last step halved.
 struct Descent {
     SurfaceKind kind{};

@@ -1,4 +1,5 @@
-// A tip that goes anywhere over and in round bodies, edges and grooves: while it is inside it is felt, within Coulomb's cone, and the
+// A tip that goes anywhere over and in round bodies, edges and grooves: while it is inside it is felt, within
+// Coulomb's cone, and the
 // proxy enters nothing. The places are judged by geometry of their own.
 #include <gtest/gtest.h>
 
@@ -69,7 +70,8 @@ double depth_in(const Surface& s, vec3 p) {
     return depth;
 }
 
-/// Least by which Coulomb's law is broken with the loads that the normals bear (m, of pull); below zero inside the cone.
+/// Least by which Coulomb's law is broken with the loads that the normals bear (m, of pull); below zero inside the
+/// cone.
 double beyond_cone(const std::vector<vec3>& normals, vec3 pull, double friction) {
     double best = glm::length(pull);
     for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -203,7 +205,8 @@ TEST(RoundBodies, SharpAndConcaveEdgesOfAMeshKeepTheForce) {
 
 // ---- attacks ------------------------------------------------------------------------------------------------------
 
-/// A closed box of two-sided triangles, from whose walls round bodies stick out: half spheres on faces, a capsule along an edge, a
+/// A closed box of two-sided triangles, from whose walls round bodies stick out: half spheres on faces, a capsule
+/// along an edge, a
 /// cylinder through a corner.
 SurfacePatch cave(double half, double friction) {
     SurfacePatch patch = rubbing_patch(friction);

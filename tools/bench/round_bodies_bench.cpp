@@ -1,6 +1,7 @@
 // Sliding over round bodies: the time of a servo step beside the error of the force against the closed form.
 //
-// The tip circles at 0.2 m/s under a surface of radius R = 10 mm, at a distance rho from the axis. Coulomb's law puts the proxy an
+// The tip circles at 0.2 m/s under a surface of radius R = 10 mm, at a distance rho from the axis. Coulomb's law puts
+// the proxy an
 // angle theta behind the tip with sin(theta + alpha) = sin(alpha) R / rho, where tan(alpha) is the friction. In the
 // groove of two spheres of radius S both bear the pull, so that the friction counts S / R times.
 #include <algorithm>
