@@ -18,7 +18,7 @@ struct AttackPlan {
 };
 
 /// In a bowl, where the pressure is found in steps.
-inline constexpr double bowl_divergence = 1e-4;
+inline constexpr double bowl_divergence = 1e-6;
 
 /// What must hold after each step.
 struct AttackBounds {
