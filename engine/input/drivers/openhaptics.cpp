@@ -95,6 +95,7 @@ Expected<void> calibrate(const Api& api, Handle handle) {
 /// On some systems only one of the names of the default arm works.
 Expected<Handle> init_device(const Api& api) {
     unsigned int gravest = 0;
+    take_error(api);  // what went wrong before is not this arm's fault
     for (const char* name : {static_cast<const char*>(nullptr), "Default Device", "Default PHANToM"}) {
         const auto handle = api.hdInitDevice(name);
         const auto code = take_error(api);
