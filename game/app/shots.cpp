@@ -75,13 +75,10 @@ Makes the README's pictures from a recorded match; needs no display.
               while player 1 saw the other and something flew
 )";
 
-Expected<Highlight> find_highlight(const std::string& log) {
-    auto playback = game::Playback::open(log, game::find_assets());
-    if (!playback) return tl::unexpected(playback.error());
+/// Plays to the end.
+Highlight find_highlight(game::Playback& playback) {
     Highlight best;
-    while (playback->step()) watch_for_highlight(playback->match(), best);
-    if (playback->divergence()) return fail(text(log, ": ", game::described(*playback->divergence())));
-    if (best.tick == 0) return fail(text(log, ": the two never meet in it; take a longer match"));
+    while (playback.step()) watch_for_highlight(playback.match(), best);
     return best;
 }
 
@@ -97,19 +94,21 @@ int run_shots(const std::vector<std::string>& words) {
     protect_input(log);
     if (const auto made = make_folder(*out); !made) return refuse(made.error());
     if (const auto free = check_output(file); !free) return refuse(free.error());
-    const auto best = find_highlight(log);
-    if (!best) {
-        refuse(best.error());
+    auto playback = game::Playback::open(log, game::find_assets());
+    if (!playback) return refuse(playback.error());
+    const Highlight best = find_highlight(*playback);
+    if (playback->divergence()) {
+        refuse({text(log, ": ", game::described(*playback->divergence()))});
         return does_not_hold;
     }
-    auto playback = game::Playback::open(log, game::find_assets());
-    if (!playback || !playback->play_to(best->tick))
-        return refuse({text(log, ": changed while it was read")});
+    if (best.tick == 0) return refuse({text(log, ": the two never meet in it; take a longer match")});
+    playback = game::Playback::open(log, game::find_assets());
+    if (!playback || !playback->play_to(best.tick)) return refuse({text(log, ": changed while it was read")});
     const auto& match = playback->match();
     auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
     if (!still) return refuse(still.error());
     if (const auto saved = still->save(match, {}, file); !saved) return refuse(saved.error());
-    std::printf("tick %llu in %s\n", static_cast<unsigned long long>(best->tick), file.c_str());
+    std::printf("tick %llu in %s\n", static_cast<unsigned long long>(best.tick), file.c_str());
     return done;
 }
 

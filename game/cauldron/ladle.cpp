@@ -152,7 +152,8 @@ void feel_brew(Stage& stage, const Grip& grip, std::uint32_t player, Ladle& ladl
                haptics::FluidTouch& touch) {
     const auto& cauldron = std::as_const(stage.world).single<Cauldron>();
     const auto& sheet = stage.brew->brew.sheet;
-    if (touch.number == 0) begin_touch(stage, cauldron, ladle, player, touch);
+    const bool begins = touch.number == 0;
+    if (begins) begin_touch(stage, cauldron, ladle, player, touch);
     const HandFrame frame = ladle_frame(*stage.data.cauldron, cauldron, ladle);
     const vec3 place = haptics::held_in(touch.wall, haptics::to_bowl(touch.frame, grip.device.position));
     read_flow(stage, cauldron, place, velocity_of(frame, grip), ladle, touch);
@@ -164,6 +165,9 @@ void feel_brew(Stage& stage, const Grip& grip, std::uint32_t player, Ladle& ladl
                      .cling = sheet.settings.cling,
                      .inside = cauldron.inside[player],
                      .there = 1};
+    // The surface learns of a ladle a tick after it is taken. One that is taken below the surface has not pushed through it.
+    const double depth = touch.surface.height - place.y;
+    if (begins && depth * touch.surface.stiffness >= touch.surface.pop_through) touch.surface.inside = 1;
 }
 
 bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body) {

@@ -16,7 +16,7 @@
 namespace thaum::game {
 
 /// Changes whenever the same input would lead to another state (and says why in the history of this line's file).
-inline constexpr std::uint32_t rules_version = 14;
+inline constexpr std::uint32_t rules_version = 15;
 
 struct MatchSetup {
     std::uint64_t seed = 1;

@@ -18,20 +18,18 @@ wait(1.5)
 me:aim(foe)
 wait(1)
 local energy = me:energy()
--- The kick is half a sine of 2 N in 40 ms, of which 45 % are felt. The spring that is gone was a switch, so the force walks at 40 N/s
--- from what it was until it meets the kick.
+-- The kick is half a sine of 2 N in 40 ms, of which 45 % are felt. The spring that is gone was a switch: what parts the kick's first
+-- tick from the force before fades by 40 N/s, and the kick itself is not delayed.
+local function kick(i)
+    local half = math.pi / 80
+    return i < 40 and 0.45 * 2 * math.sin(half) / half * math.sin((2 * i + 1) * half) or 0
+end
 local function recoil(from)
-    local impulse, x, y, z, walking = 0, from.x, from.y, from.z, true
+    local offset = {from.x, from.y, from.z - kick(0)}
+    local impulse, size = 0, length(offset)
     for i = 0, 60 do
-        local half = math.pi / 80
-        local kick = i < 40 and 0.45 * 2 * math.sin(half) / half * math.sin((2 * i + 1) * half) or 0
-        local gap = length {x, y, kick - z}
-        if walking and gap > 0.04 then
-            x, y, z = x - 0.04 * x / gap, y - 0.04 * y / gap, z + 0.04 * (kick - z) / gap
-        else
-            x, y, z, walking = 0, 0, kick, false
-        end
-        impulse = impulse + z * 0.001
+        local left = math.max(0, size - 0.04 * (i + 1))
+        impulse = impulse + (kick(i) + left * offset[3] / size) * 0.001
     end
     return impulse
 end

@@ -2,27 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
-#include "core/file.h"
 #include "haptics/safety_audit.h"
 #include "haptics/servo.h"
 #include "tools/bench/safety_attack.h"
+#include "unit/shipped_devices.h"
 
 namespace thaum::haptics {
 namespace {
 
 constexpr int attack_ticks = 200'000;
-
-std::vector<DeviceSpec> every_device() {
-    std::vector<DeviceSpec> result;
-    for (const auto& entry : std::filesystem::directory_iterator(THAUM_SOURCE_DIR "/assets/devices")) {
-        const auto toml = read_text_file(entry.path(), 1U << 16U);
-        result.push_back(*read_device(*Config::parse(*toml, entry.path().filename(), 1)));
-    }
-    return result;
-}
 
 void expect_none(const SafetyAudit& audit, const std::string& device) {
     for (std::uint32_t i = 0; i < safety_rules; ++i) {
@@ -32,7 +22,7 @@ void expect_none(const SafetyAudit& audit, const std::string& device) {
 }
 
 TEST(HapticsSafetyHostile, NothingGetsThroughTheSafetyStage) {
-    const auto devices = every_device();
+    const auto devices = shipped_devices();
     EXPECT_EQ(devices.size(), 5U);
     for (const auto& spec : devices) {
         bench::SafetyAttack attack(spec, 5);
@@ -87,7 +77,7 @@ void change_patch(HapticModel& model, vec3 at, Random& random) {
 }
 
 TEST(HapticsSafetyHostile, NothingGetsThroughTheServoStep) {
-    for (const auto& spec : every_device()) {
+    for (const auto& spec : shipped_devices()) {
         bench::SafetyAttack attack(spec, 17);
         Random random{18};
         const Servo servo{safety_limits(spec, 1)};

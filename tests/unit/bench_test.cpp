@@ -236,11 +236,13 @@ TEST(BenchPhysics, TheShippedStepIsOnTheFrontOfError) {
         ASSERT_TRUE(shipped.emplace(row.name, &row).second) << row.name;
     }
     ASSERT_EQ(shipped.size(), 4U);
+    EXPECT_TRUE(report.faults.empty()) << report.faults.front();
     EXPECT_LT(shipped.at("free_fall")->error->value, 1e-9);
     EXPECT_LT(shipped.at("projectile")->error->value, 1e-9);
     for (const auto& row : report.rows) {
-        const Row& ours = *shipped.at(row.name);
         ASSERT_TRUE(std::isfinite(row.error->value)) << row.name;
+        if (!shipped.contains(row.name)) continue;  // measured under the shipped settings alone
+        const Row& ours = *shipped.at(row.name);
         if (setting<std::int64_t>(row, "iterations") > setting<std::int64_t>(ours, "iterations"))
             continue;  // dearer
         EXPECT_LE(ours.error->value, row.error->value + 1e-9)

@@ -407,8 +407,8 @@ TEST(MatchLogs, FoldersAreNeverRelativeToWhereTheProgramWasStarted) {
                 EXPECT_TRUE(path.empty() || path.is_absolute()) << path;
         }
     }
-    const Environment here{{"HOME", "/home/a"}, {"XDG_CONFIG_HOME", "relative"}, {"XDG_DATA_HOME", "/data"}};
-    EXPECT_EQ(settings_file(), "/home/a/.config/thaum/settings.toml");
+    const Environment here{{"HOME", "/abode/a"}, {"XDG_CONFIG_HOME", "relative"}, {"XDG_DATA_HOME", "/data"}};
+    EXPECT_EQ(settings_file(), "/abode/a/.config/thaum/settings.toml");
     EXPECT_EQ(matches_folder(), "/data/thaum/matches");
 }
 

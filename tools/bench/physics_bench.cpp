@@ -338,7 +338,7 @@ void measure_contacts(Report& report) {
     for (const auto& stress : contact_stresses()) {
         const double start = now_us();
         const double worst = stress.worst();
-        Row row{.area = "physics", .name = stress.name, .is_default = true};
+        Row row{.area = "physics", .name = stress.name};
         row.setting = {{"shape", stress.shape}, {"dt_ms", shipped_step_ms}};
         row.time_us = times({now_us() - start});
         row.error = ErrorMeasure{stress.error_name, worst};

@@ -1,9 +1,8 @@
 // Sliding over round bodies: the time of a servo step beside the error of the force against the closed form.
 //
 // The tip circles at 0.2 m/s under a surface of radius R = 10 mm, at a distance rho from the axis. Coulomb's law puts
-// the proxy an
-// angle theta behind the tip with sin(theta + alpha) = sin(alpha) R / rho, where tan(alpha) is the friction. In the
-// groove of two spheres of radius S both bear the pull, so that the friction counts S / R times.
+// the proxy an angle theta behind the tip with sin(theta + alpha) = sin(alpha) R / rho, where tan(alpha) is the friction.
+// In the groove of two spheres of radius S both bear the pull, so that the friction counts S / R times.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,16 +22,16 @@ using haptics::SurfaceKind;
 using haptics::SurfacePatch;
 using haptics::SurfaceState;
 
-constexpr double stiffness = 300;       // N/m
-constexpr double radius = 0.01;         // m
-constexpr double depth_ratio = 0.4;     // depth of the tip over the radius
-constexpr double speed = 0.2;           // m/s
-constexpr double groove_radius = 1.25;  // radius of the two spheres over that of their groove
+constexpr double surface_stiffness = 300;  // N/m
+constexpr double body_radius = 0.01;       // m
+constexpr double depth_ratio = 0.4;        // depth of the tip over the radius
+constexpr double speed = 0.2;              // m/s
+constexpr double groove_radius = 1.25;     // radius of the two spheres over that of their groove
 constexpr int ticks = 4000;
 
 enum class Ground : std::uint8_t { sphere, capsule, cylinder, groove, crowd };
 
-struct Run {
+struct Slide {
     Ground ground{};
     std::string_view name{};
     double friction{};
@@ -53,7 +52,8 @@ void add_body(SurfacePatch& patch, double friction) {
     haptics::SurfaceBody& body = patch.bodies[patch.body_count];
     body.key = patch.body_count++;
     body.orientation = rotation({1, 0, 0}, pi / 2);  // the axes of capsules and cylinders lie along z
-    body.material = {.stiffness = stiffness, .static_friction = friction, .dynamic_friction = friction};
+    body.material = {
+        .stiffness = surface_stiffness, .static_friction = friction, .dynamic_friction = friction};
 }
 
 /// As many round bodies as fit stand about the sphere that is felt.
@@ -68,22 +68,22 @@ void add_crowd(SurfacePatch& patch, double friction) {
     }
 }
 
-SurfacePatch patch_of(const Run& run) {
+SurfacePatch patch_of(const Slide& run) {
     SurfacePatch patch;
     add_body(patch, run.friction);
-    const double aside = radius * std::sqrt(groove_radius * groove_radius - 1);
+    const double aside = body_radius * std::sqrt(groove_radius * groove_radius - 1);
     switch (run.ground) {
-        case Ground::capsule: add(patch, SurfaceKind::capsule, {}, {radius, radius, 0}); break;
-        case Ground::cylinder: add(patch, SurfaceKind::cylinder, {}, {radius, radius, 0}); break;
+        case Ground::capsule: add(patch, SurfaceKind::capsule, {}, {body_radius, body_radius, 0}); break;
+        case Ground::cylinder: add(patch, SurfaceKind::cylinder, {}, {body_radius, body_radius, 0}); break;
         case Ground::groove:
-            add(patch, SurfaceKind::sphere, {0, 0, aside}, {groove_radius * radius, 0, 0});
-            add(patch, SurfaceKind::sphere, {0, 0, -aside}, {groove_radius * radius, 0, 0});
+            add(patch, SurfaceKind::sphere, {0, 0, aside}, {groove_radius * body_radius, 0, 0});
+            add(patch, SurfaceKind::sphere, {0, 0, -aside}, {groove_radius * body_radius, 0, 0});
             break;
         case Ground::crowd:
-            add(patch, SurfaceKind::sphere, {}, {radius, 0, 0});
+            add(patch, SurfaceKind::sphere, {}, {body_radius, 0, 0});
             add_crowd(patch, run.friction);
             break;
-        case Ground::sphere: add(patch, SurfaceKind::sphere, {}, {radius, 0, 0}); break;
+        case Ground::sphere: add(patch, SurfaceKind::sphere, {}, {body_radius, 0, 0}); break;
     }
     return patch;
 }
@@ -92,12 +92,13 @@ vec3 on_circle(double r, double angle) { return {r * det::cos(angle), r * det::s
 
 /// Tip at a tick: it comes from outside.
 vec3 tip_at(int tick) {
-    const double in = (1 - depth_ratio) * radius;
-    return tick == 0 ? vec3(1.5 * radius, 0, 0) : on_circle(in, speed * tick_seconds / radius * tick);
+    const double in = (1 - depth_ratio) * body_radius;
+    return tick == 0 ? vec3(1.5 * body_radius, 0, 0)
+                     : on_circle(in, speed * tick_seconds / body_radius * tick);
 }
 
 /// Compares the forces with the closed form, once the proxy slides.
-void judge(Run& run) {
+void judge(Slide& run) {
     const SurfacePatch patch = patch_of(run);
     const double felt = run.friction * (run.ground == Ground::groove ? groove_radius : 1);
     const double alpha = det::atan2(felt, 1);
@@ -108,12 +109,13 @@ void judge(Run& run) {
         const vec3 tip = tip_at(tick);
         const vec3 force = haptics::touch(patch, state, {tip}, tick_seconds).force;
         if (tick > 0 && force == vec3(0)) ++run.lost;
-        const double angle = speed * tick_seconds / radius * tick;
+        const double angle = speed * tick_seconds / body_radius * tick;
         const vec3 out = on_circle(1, angle), round = on_circle(1, angle + pi / 2);
         const vec3 seen(glm::dot(force, out), glm::dot(force, round), force.z);
         constexpr int steady = 400;
         if (tick > steady) {
-            const vec3 exact = stiffness * (on_circle(radius + haptics::surface_gap, angle - lag) - tip);
+            const vec3 exact =
+                surface_stiffness * (on_circle(body_radius + haptics::surface_gap, angle - lag) - tip);
             run.worst = std::max(run.worst, glm::length(force - exact));
             run.chatter = std::max(run.chatter, glm::length(seen - before));
         }
@@ -121,7 +123,7 @@ void judge(Run& run) {
     }
 }
 
-void play(Run& run, const haptics::Servo& servo, haptics::HapticModel& model) {
+void play(Slide& run, const haptics::Servo& servo, haptics::HapticModel& model) {
     run.state = {};
     for (int tick = 0; tick < ticks; ++tick)
         do_not_optimise(haptics::servo_step(servo, run.state, model, {tip_at(tick), 0}));
@@ -131,7 +133,7 @@ void play(Run& run, const haptics::Servo& servo, haptics::HapticModel& model) {
 
 void round_bodies(const Options& options, Report& report) {
     constexpr double most_chatter = 1e-6;  // N
-    std::vector<Run> runs;
+    std::vector<Slide> runs;
     for (const double friction : {0.0, 0.35}) {
         runs.push_back({Ground::sphere, "sphere", friction});
         runs.push_back({Ground::capsule, "capsule", friction});
@@ -154,7 +156,7 @@ void round_bodies(const Options& options, Report& report) {
     }
     auto samples = measure(contestants, {.seconds = options.quick ? 0.5 : 3.0, .least = 11});
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const Run& run = runs[i];
+        const Slide& run = runs[i];
         for (double& us : samples[i]) us /= ticks;
         report.rows.push_back(
             {.area = "haptics",
