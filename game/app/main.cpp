@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <system_error>
@@ -40,6 +41,13 @@ bool asks_for_help(const std::vector<std::string>& words) {
     return false;
 }
 
+/// No command replaces the data that matches are made of. The pictures beside it are this program's own output.
+void protect_data_files() {
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(game::find_assets(), unreadable))
+        if (entry.path().filename() != "pictures") protect_input(entry.path());
+}
+
 int dispatch(std::vector<std::string> words) {
     if (words.size() == 1 && (words[0] == "--help" || words[0] == "-h" || words[0] == "help")) {
         print_overview();
@@ -60,7 +68,7 @@ int dispatch(std::vector<std::string> words) {
             std::printf("%s", std::string(command.help).c_str());
             return done;
         }
-        protect_input(game::find_assets());
+        protect_data_files();
         return command.run(words);
     }
     return refuse({text("unknown command '", name, "'; `thaum --help` lists them")});

@@ -99,6 +99,7 @@ restore
 refused "exists" --headless --seconds 1 --record log
 bolt=$(cat assets/wands/bolt.toml)
 refused "is read by this command" replay log --events assets/wands/bolt.toml
+refused "is read by this command" replay log --events assets/wands/new.toml
 [[ $(cat assets/wands/bolt.toml) == "$bolt" ]] || fail "a data file was destroyed"
 refused "one file for" replay log --events same --state same
 refused "one file for" lab --fluid --headless --seconds 3 --save same --trace ./same
