@@ -57,11 +57,15 @@ endforeach()
 if(NOT THAUM_SANITIZE)
     # A match that went apart after 140 s while Bullet called the C library's functions.
     set(long_duel ${CMAKE_CURRENT_BINARY_DIR}/long_duel)
+    # A log is never written over, so that of the last run goes first.
+    add_test(NAME replay.long_duel.clear COMMAND ${CMAKE_COMMAND} -E rm -f ${long_duel}.thaumlog)
     add_test(NAME replay.long_duel.record
         COMMAND thaum --headless --seconds 150 --bots 3,3 --seed 7 --match standard --record ${long_duel}.thaumlog
             --out ${long_duel})
     add_test(NAME replay.long_duel.older_libm COMMAND thaum replay ${long_duel}.thaumlog --verify)
-    set_tests_properties(replay.long_duel.record PROPERTIES FIXTURES_SETUP long_duel LABELS slow TIMEOUT 300)
+    set_tests_properties(replay.long_duel.clear PROPERTIES FIXTURES_SETUP no_long_duel LABELS slow)
+    set_tests_properties(replay.long_duel.record PROPERTIES
+        FIXTURES_REQUIRED no_long_duel FIXTURES_SETUP long_duel LABELS slow TIMEOUT 300)
     set_tests_properties(replay.long_duel.older_libm PROPERTIES FIXTURES_REQUIRED long_duel LABELS slow TIMEOUT 300
         ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4)
 

@@ -254,7 +254,8 @@ Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidSh
 vec3 Viscosity::place_of(std::size_t axis, std::size_t at) const {
     const auto from = static_cast<std::ptrdiff_t>(at) - lattice_.at(-ghosts, -ghosts, -ghosts);
     const auto [x, y, z] = lattice_.stride;
-    const vec3 cell(double(from % y / x), double(from % z / y), double(from / z));
+    const std::ptrdiff_t i = from % y / x, j = from % z / y, k = from / z;
+    const vec3 cell(static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
     return lattice_.h * (cell - double(ghosts) + face_place(axis));
 }
 

@@ -23,9 +23,10 @@ enum class PrimitiveKind : std::uint8_t { directed, point, line, plane };
 /// On the kink itself the force is what balance asks for, up to s.
 struct Primitive {
     PrimitiveKind kind{};
-    vec3 position{};    ///< p, m; directed ignores it
-    vec3 direction{};   ///< q, unit; point ignores it
-    double strength{};  ///< s, N, >= 0: a repelling force is no gradient of a convex function; below 1e-300 it counts as 0
+    vec3 position{};   ///< p, m; directed ignores it
+    vec3 direction{};  ///< q, unit; point ignores it
+    double
+        strength{};  ///< s, N, >= 0: a repelling force is no gradient of a convex function; below 1e-300 it counts as 0
 };
 
 inline constexpr std::size_t primitive_capacity = 16;

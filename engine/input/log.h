@@ -34,11 +34,11 @@ struct LogHeader {
     std::string rule_set;           ///< "thaum" or "classic"
     std::string arena;              ///< its name; its content is among `files`
     std::uint64_t seed{};
-    std::uint64_t maths_probe{};         ///< hash of the elementary functions' results
-    std::vector<std::string> players;    ///< "human", "bot 1"; at most 16
-    std::vector<DeviceSpec> devices;     ///< at most max_devices; one column of samples each
-    std::vector<DataFile> files;         ///< at most 1,000
-    std::vector<std::string> overrides;  ///< --set, "key=value", in order; at most 1,000
+    std::uint64_t maths_probe{};          ///< hash of the elementary functions' results
+    std::vector<std::string> players;     ///< "human", "bot 1"; at most 16
+    std::vector<DeviceSpec> devices;      ///< at most max_devices; one column of samples each
+    std::vector<DataFile> files;          ///< at most 1,000
+    std::vector<std::string> overrides;   ///< --set, "key=value", in order; at most 1,000
     std::vector<std::string> parameters;  ///< of the match, "key=value": kills to win, seconds; at most 1,000
     bool operator==(const LogHeader&) const = default;
 };

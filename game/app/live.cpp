@@ -236,7 +236,7 @@ Expected<void> play_matches(Desk& desk) {
         if (!keeping && number == 1 && !desk.plan.log.empty()) return tl::unexpected(keeping.error());
         if (!keeping)
             std::fprintf(stderr, "this match is not recorded: %s\n", keeping.error().message.c_str());
-        const auto played = play_match(desk, {desk.data, seed, keeping ? std::move(*keeping) : Keeping()});
+        auto played = play_match(desk, {desk.data, seed, keeping ? std::move(*keeping) : Keeping()});
         if (!played) return played;
         again = shared.rematch;
         if (!again && !desk.plan.start_screen) break;

@@ -70,7 +70,7 @@ int push_plain(lua_State* lua, std::string_view subject, std::string_view wanted
         return 1;
     }
     lua_pushinteger(lua, static_cast<lua_Integer>(found) + 1);
-    lua_pushinteger(lua, static_cast<lua_Integer>(found + wanted.size()));
+    lua_pushinteger(lua, static_cast<lua_Integer>(found) + static_cast<lua_Integer>(wanted.size()));
     return 2;
 }
 

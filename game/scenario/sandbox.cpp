@@ -44,7 +44,7 @@ void* allocate(void* context, void* block, std::size_t old_size, std::size_t new
     return moved;
 }
 
-constexpr const char* out_of_steps = "the script has spent all its steps: an endless loop?";
+constexpr const char* endless = "the script has spent all its steps: an endless loop?";
 constexpr const char* out_of_time =
     "the script has computed for too long by the wall clock, and was stopped: use shorter texts and lists";
 
@@ -55,7 +55,7 @@ void count_steps(lua_State* lua, lua_Debug*) {
     state.late = state.late || !on_time;
     state.exhausted = true;
     state.trusted = true;
-    lua_pushstring(lua, state.late ? out_of_time : out_of_steps);
+    lua_pushstring(lua, state.late ? out_of_time : endless);
     raise_at_script(lua);
 }
 
@@ -211,7 +211,7 @@ Expected<Sandbox::Progress> Sandbox::resume() {
     }
     auto message = message_of(state_->script);
     // Where the steps ran out in an allocation, Lua knows only that it got no memory.
-    const std::string why = state_->late ? out_of_time : out_of_steps;
+    const std::string why = state_->late ? out_of_time : endless;
     if (state_->exhausted && message.find("steps") == std::string::npos &&
         message.find("wall clock") == std::string::npos)
         message = text(state_->name, ": ", why);

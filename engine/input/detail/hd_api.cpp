@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <list>
+#include <mutex>
 
 #include "core/one_line.h"
 #include "core/text.h"
@@ -96,6 +98,36 @@ std::string library_name(const std::string& given) {
     return set != nullptr && *set != '\0' ? set : "libHD.so";
 }
 
+namespace {
+
+/// Functions of one library, for as long as the program runs: calls that the library made late may still use them.
+struct Loaded {
+    void* library{};
+    Api api{};
+};
+
+/// All that were loaded. Never destroyed.
+struct LoadedLibraries {
+    std::mutex mutex;
+    std::list<Loaded> all;
+};
+
+LoadedLibraries& loaded_libraries() {
+    static auto* libraries = new LoadedLibraries();
+    return *libraries;
+}
+
+/// The functions found at the first loading; with another call of the same library they are the same.
+const Api* keep(void* library, const Api& api) {
+    auto& libraries = loaded_libraries();
+    const std::lock_guard lock(libraries.mutex);
+    for (const Loaded& one : libraries.all)
+        if (one.library == library) return &one.api;
+    return &libraries.all.emplace_back(Loaded{library, api}).api;
+}
+
+}  // namespace
+
 /// libHD takes symbols of libraries that it brings along, hence RTLD_GLOBAL.
 Expected<const Api*> load(const std::string& name) {
     void* library = ::dlopen(name.c_str(), RTLD_LAZY | RTLD_GLOBAL);
@@ -105,11 +137,9 @@ Expected<const Api*> load(const std::string& name) {
             text("no OpenHaptics: ", printable(why != nullptr ? why : name, 400),
                  "; install the arm's driver and OpenHaptics, or say in THAUM_LIBHD where libHD.so is"));
     }
-    // Never freed: calls that the library made late may still use it.
-    auto* api = new Api();
-    const char* missing = find_all(library, *api);
-    if (missing == nullptr) return api;
-    delete api;
+    Api api;
+    const char* missing = find_all(library, api);
+    if (missing == nullptr) return keep(library, api);
     return fail(
         text(printable(name, 400), " is too old: it lacks ", missing, "; install OpenHaptics 3.4 or newer"));
 }

@@ -1,6 +1,8 @@
 #include "input/drivers/openhaptics.h"
 
 #include <algorithm>
+#include <mutex>
+#include <vector>
 
 #include "core/clock.h"
 #include "core/text.h"
@@ -205,6 +207,15 @@ void close_watched(const std::shared_ptr<State>& state) {
     run_watched(state->patience.close_ns, nullptr, disable, [] {});
 }
 
+/// Ticks in which the library hangs are never freed: it may come back to them.
+template <class State>
+void keep_for_ever(const std::shared_ptr<State>& state) {
+    static auto* mutex = new std::mutex();
+    static auto* kept = new std::vector<std::shared_ptr<State>>();
+    const std::lock_guard lock(*mutex);
+    kept->push_back(state);
+}
+
 }  // namespace
 
 // ---- the arm -----------------------------------------------------------------------------------------------------------
@@ -215,8 +226,7 @@ OpenHaptics::~OpenHaptics() {
     auto& s = *state_;
     if (s.started_ns != 0) {
         if (s.task != 0) end_ticks(*s.ticks);
-        // Ticks in which the library hangs are never freed: it may come back to them.
-        if (!close_ticks(*s.ticks)) static_cast<void>(new std::shared_ptr<State>(state_));
+        if (!close_ticks(*s.ticks)) keep_for_ever(state_);
     }
     close_watched(state_);
 }
