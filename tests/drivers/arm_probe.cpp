@@ -57,7 +57,7 @@ struct Hand {
 /// Until enough was played or the arm is gone.
 ArmStatus play(const OpenHaptics& arm, const Hand& hand, std::uint64_t enough) {
     for (;;) {
-        const auto status = arm.status();
+        auto status = arm.status();
         if (status.state != ArmPresence::present || hand.ticks >= enough) return status;
         sleep_until_ns(monotonic_ns() + 2'000'000);
     }

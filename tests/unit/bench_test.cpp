@@ -111,7 +111,7 @@ TEST(BenchReport, ARowThatBreaksItsInvariantIsMarkedAndIsAFault) {
     EXPECT_EQ(report.rows[5].fault, "rms is no finite number");
     ASSERT_EQ(report.faults.size(), 5U);
     EXPECT_EQ(report.faults[0], "replay verify: mismatches is 78, must be 0");
-    EXPECT_NE(to_table(report).find("!"), std::string::npos);
+    EXPECT_NE(to_table(report).find('!'), std::string::npos);
     const auto read = from_json(to_json(report));
     ASSERT_TRUE(read) << read.error().message;
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(read->rows[i].fault, report.rows[i].fault);

@@ -7,6 +7,7 @@
 #include <regex>
 #include <thread>
 
+#include "core/text.h"
 #include "game/scenario/sandbox.h"
 
 namespace thaum::game {
@@ -273,10 +274,23 @@ std::string plain_lua(const std::string& source) {
     std::size_t size = 0;
     const bool ok = luaL_dostring(lua, chunk.c_str()) == LUA_OK;
     const char* const chars = lua_tolstring(lua, -1, &size);
-    const auto result = (ok ? "" : "?") + std::string(chars, size);
+    std::string result = (ok ? "" : "?") + std::string(chars, size);
     lua_close(lua);
     return result;
 }
+
+/// Prints what each matching function makes of the subject s, the pattern p and the start i.
+constexpr std::string_view every_match = R"(
+    local function show(ok, ...) if ok then print(ok, ...) else print(ok) end end
+    show(pcall(string.find, s, p, i))
+    show(pcall(string.match, s, p, i))
+    show(pcall(string.gsub, s, p, '<%0>'))
+    show(pcall(string.gsub, s, p, '%1-', 2))
+    show(pcall(string.gsub, s, p, {a = 'A', b = false}))
+    show(pcall(string.gsub, s, p, string.upper))
+    show(pcall(string.find, s, p, i, true))
+    show(pcall(function() local n = 0 for a, b in s:gmatch(p) do n = n + 1 print(a, b) end return n end))
+)";
 
 /// Random patterns give what Lua's own functions give, errors included, but for their words.
 TEST(Sandbox, PatternsMatchAsLuasOwn) {
@@ -292,20 +306,9 @@ TEST(Sandbox, PatternsMatchAsLuasOwn) {
         std::string subject, pattern;
         for (auto n = random() % 9; n > 0; --n) subject += any_of(letters);
         for (auto n = random() % 6; n > 0; --n) pattern += any_of(parts);
-        const auto init = std::to_string(static_cast<int>(random() % 8) - 3);
-        const auto source = "local s, p = '" + subject + "', '" + pattern + "' " +
-                            "local function show(ok, ...) if ok then print(ok, ...) else print(ok) end end "
-                            "show(pcall(string.find, s, p, " +
-                            init + ")) show(pcall(string.match, s, p, " + init +
-                            ")) "
-                            "show(pcall(string.gsub, s, p, '<%0>')) show(pcall(string.gsub, s, p, '%1-', 2)) "
-                            "show(pcall(string.gsub, s, p, {a = 'A', b = false})) show(pcall(string.gsub, s, "
-                            "p, string.upper)) "
-                            "show(pcall(string.find, s, p, " +
-                            init +
-                            ", true)) "
-                            "show(pcall(function() local n = 0 for a, b in s:gmatch(p) do n = n + 1 print(a, "
-                            "b) end return n end))";
+        const int init = static_cast<int>(random() % 8) - 3;
+        const auto source =
+            text("local s, p, i = '", subject, "', '", pattern, "', ", init, '\n', every_match);
         const auto ours = run(source);
         ASSERT_TRUE(ours.ok) << ours.message << "\n" << source;
         ASSERT_EQ(ours.output, plain_lua(source)) << source;

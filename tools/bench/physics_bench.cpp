@@ -144,7 +144,8 @@ Outcome stacks(Run& run) {
     run.physics.add(0, {.size = {20, 1, 20}}, {.position = {0, -1, 0}});
     const auto key = [](Key stack, Key level) { return 1 + stack * boxes + level; };
     const auto place = [](Key stack, Key level) {
-        return vec3(3.0 * (stack % 4), half + 2 * half * level, 3.0 * (stack / 4));
+        const Key column = stack % 4, row = stack / 4;
+        return vec3(3.0 * column, half + 2 * half * level, 3.0 * row);
     };
     for (Key s = 0; s < stacks; ++s) {
         for (Key i = 0; i < boxes; ++i) {
