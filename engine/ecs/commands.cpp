@@ -9,6 +9,12 @@
 
 namespace thaum::ecs {
 
+Commands::Commands() {
+    constexpr std::size_t bytes_of_a_busy_tick = 16384, entities_of_a_busy_tick = 128;
+    bytes_.reserve(bytes_of_a_busy_tick);
+    made_.reserve(entities_of_a_busy_tick);
+}
+
 Commands::Pending Commands::create_empty() {
     const Pending pending{pending_++};
     put(Kind::create, {pending.number, pending_generation}, 0, {});

@@ -13,6 +13,9 @@ class World;
 
 class Commands {
 public:
+    /// Room for a busy tick's commands, so that the first one of a match asks the heap for nothing.
+    Commands();
+
     /// An entity that will exist once the commands are applied; good for later calls on the same Commands until then.
     struct Pending {
         std::uint32_t number{};

@@ -248,6 +248,8 @@ vec3 keep_books(const Servo& servo, ServoState& state, const HapticModel& model,
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.brought);
     if (tip.switched) state.energy.created = -stored;
     sources.active = within_budget(state.energy, sources.active, tip.velocity);
+    if (!(state.energy.created > 0))
+        return vec3(0);  // and the velocity, which takes half of a quiet step, is not asked for
     return passivity_control(state.energy, prompt_velocity(state, servo.quantum), servo.most_damping);
 }
 
