@@ -101,8 +101,13 @@ TEST(BenchReport, ARowThatBreaksItsInvariantIsMarkedAndIsAFault) {
                    {.area = "replay", .name = "verify", .metrics = {{"compared", 78}, {"mismatches", 0}}},
                    {.area = "tick", .name = "alloc", .metrics = {{"allocations", 178}, {"shots", 9}}},
                    {.area = "made_up", .name = "nan", .metrics = {{"us", std::nan("")}}},
-                   row("infinite", 1, 1, std::numeric_limits<double>::infinity())};
+                   row("infinite", 1, 1, std::numeric_limits<double>::infinity()),
+                   {.area = "fluid",
+                    .name = "gaussian_turn",
+                    .setting = {{"solver", "classic"}},
+                    .metrics = {{"amount_change", -0.4}}}};
     check_invariants(report);
+    EXPECT_EQ(report.rows[6].fault, "") << "the baseline loses what it carries";
     EXPECT_EQ(report.rows[0].fault, "mismatches is 78, must be 0");
     EXPECT_EQ(report.rows[1].fault, "compared is 0, must be at least 1");
     EXPECT_EQ(report.rows[2].fault, "");
