@@ -1,5 +1,6 @@
-# Real arms without one: a libHD.so of our own, with a simulated arm behind it. It is loaded as the vendor's would be, so it must
-# bring along what it needs and show no more than its functions. The second one lacks a function, as an old version does.
+# Tests of real arms without an arm: our own libHD.so with a simulated arm. It is loaded like the vendor's, so
+# it must bring its own libraries and export only its functions. fake_hd_old lacks a function, as an old
+# version does.
 foreach(name fake_hd fake_hd_old)
     add_library(${name} SHARED
         drivers/fake_hd/calls.cpp drivers/fake_hd/library.cpp drivers/fake_hd/misbehaviour.cpp
@@ -14,7 +15,7 @@ foreach(name fake_hd fake_hd_old)
 endforeach()
 target_compile_definitions(fake_hd_old PRIVATE FAKE_HD_OLD)
 
-# Holds a force with an arm that goes wrong, in a process that may hang or die.
+# Holds a force on a faulty arm, in a process that may hang or die.
 add_executable(arm_probe drivers/arm_probe.cpp)
 target_include_directories(arm_probe PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
 target_link_libraries(arm_probe PRIVATE thaum_flags thaum_input ${CMAKE_DL_LIBS})
@@ -22,7 +23,7 @@ target_link_libraries(arm_probe PRIVATE thaum_flags thaum_input ${CMAKE_DL_LIBS}
 thaum_test(test_arm
     SOURCES unit/arm_modes_test.cpp unit/arm_test.cpp unit/openhaptics_test.cpp
     LINK thaum_input ${CMAKE_DL_LIBS}
-    NOT_SANITIZED ArmEnds.*)  # sanitizers end a program that faults in their own way
+    NOT_SANITIZED ArmEnds.*)  # sanitizers end a faulty program in their own way
 target_compile_definitions(test_arm PRIVATE
     ARM_PROBE="$<TARGET_FILE:arm_probe>" FAKE_HD="$<TARGET_FILE:fake_hd>" FAKE_HD_OLD="$<TARGET_FILE:fake_hd_old>")
 add_dependencies(test_arm arm_probe fake_hd fake_hd_old)

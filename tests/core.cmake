@@ -2,15 +2,16 @@ thaum_test(test_core
     SOURCES accuracy/maths.cpp unit/core_bytes.cpp unit/core_config.cpp unit/core_file.cpp unit/core_file_watch.cpp unit/core_jobs.cpp
             unit/core_memory.cpp unit/core_values.cpp
     LINK thaum_core
-    NOT_SANITIZED CoreMemoryDeathTest.*)  # sanitizers bring an allocator of their own
+    NOT_SANITIZED CoreMemoryDeathTest.*)  # sanitizers replace the allocator
 
-# The tree's own rules: arrows between the folders, no paths of one machine, no test that is never built.
+# Rules of the source tree: dependencies between folders, no paths of one machine, no test left out of the
+# build.
 thaum_test(test_structure
     SOURCES structure/rules.cpp structure/check_rules.cpp structure/check_tree.cpp
     NOT_SANITIZED *)
 
-# The launcher's ways with missing packages, on a copy of it with make-believe tools.
+# The launcher with missing packages: a copy of it runs with stand-ins for apt-get and the other tools.
 if(NOT THAUM_SANITIZE)
     add_test(NAME structure.launcher COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/structure/launcher.sh ${PROJECT_SOURCE_DIR})
-    set_tests_properties(structure.launcher PROPERTIES TIMEOUT 120)
+    set_tests_properties(structure.launcher PROPERTIES TIMEOUT 900)
 endif()

@@ -1,5 +1,5 @@
-# Every scenario is a test of its own, run by the program as anybody would.
-# The sanitizers have seen all of it after one run; and the brew in scenarios that stir it for a shorter time.
+# Every scenario is a test of its own, run by the program itself. Sanitizer builds run each scenario once, and
+# stir the brew for a shorter time: more would show them no other code.
 set(scenario_runs "")
 set(long_scenarios "")
 if(THAUM_SANITIZE)
@@ -12,26 +12,27 @@ foreach(script ${scenarios})
     add_test(NAME scenario.${name}
         COMMAND thaum scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios ${scenario_runs})
     if(name IN_LIST long_scenarios)
-        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 300 LABELS "scenario;slow")
+        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 900 LABELS "scenario;slow")
     else()
-        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 300 LABELS scenario FIXTURES_SETUP scenarios)
+        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 900 LABELS scenario FIXTURES_SETUP scenarios)
     endif()
 endforeach()
 
-# The tables of forces that they leave, summed by somebody else: what passive sources created.
+# Sums the tables of forces that the scenarios write: the energy that passive sources created.
 add_executable(passivity drivers/passivity.cpp)
 target_include_directories(passivity PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(passivity PRIVATE thaum_flags thaum_core)
 add_test(NAME haptics.passivity COMMAND passivity ${CMAKE_CURRENT_BINARY_DIR}/scenarios 0.02)
 set_tests_properties(haptics.passivity PROPERTIES FIXTURES_REQUIRED scenarios)
 
-# The force traces beside them (replays/forces) are exact within one rules version. After a change of rules, data or
-# haptic scenarios: THAUM_KEEP_FORCES=tests/replays/forces ./thaum scenario, and say why they changed.
+# The force traces of the scenarios (replays/forces) are exact within one rules version. After a change of
+# rules, data or haptic scenarios run THAUM_KEEP_FORCES=tests/replays/forces ./thaum scenario, and say in the
+# commit why the traces changed.
 
-# Every log in the folder is a test. Its name says under which rules version it was recorded: NAME_rules_VERSION.thaumlog.
-# Those of this version must still come to the same bits, in this build too; those of older ones must be refused politely.
-# After a change of rules or data: thaum --headless --seed 9 --seconds 30 --record tests/replays/bots_rules_N.thaumlog, and
-# say why it changed. Logs of older versions stay.
+# Every log in the folder is a test. Its name NAME_rules_VERSION.thaumlog has the rules version that recorded
+# it. Logs of this version must give the same bits, in this build too. Logs of older versions must be rejected
+# with a clear message. After a change of rules or data run thaum --headless --seed 9 --seconds 30 --record
+# tests/replays/bots_rules_N.thaumlog, and say in the commit why it changed. Logs of older versions stay.
 file(STRINGS ${PROJECT_SOURCE_DIR}/game/match/simulation.h rules_line REGEX "rules_version = [0-9]+;")
 string(REGEX MATCH "rules_version = ([0-9]+)" rules_line "${rules_line}")
 set(rules_version ${CMAKE_MATCH_1})
@@ -43,7 +44,7 @@ foreach(log ${replays})
     add_test(NAME replay.${name} COMMAND thaum replay ${log} --verify)
     if(version EQUAL rules_version)
         if(NOT THAUM_SANITIZE)
-            # The C library then takes the functions that it has for processors without AVX2 and FMA.
+            # Makes the C library use its functions for processors without AVX2 and FMA.
             add_test(NAME replay.${name}.older_libm COMMAND thaum replay ${log} --verify)
             set_tests_properties(replay.${name}.older_libm PROPERTIES
                 ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4)
@@ -55,9 +56,9 @@ foreach(log ${replays})
 endforeach()
 
 if(NOT THAUM_SANITIZE)
-    # A match that went apart after 140 s while Bullet called the C library's functions.
+    # This match diverged after 140 s when Bullet called the C library's functions.
     set(long_duel ${CMAKE_CURRENT_BINARY_DIR}/long_duel)
-    # A log is never written over, so that of the last run goes first.
+    # A log is never overwritten, so the log of the last run is deleted first.
     add_test(NAME replay.long_duel.clear COMMAND ${CMAKE_COMMAND} -E rm -f ${long_duel}.thaumlog)
     add_test(NAME replay.long_duel.record
         COMMAND thaum --headless --seconds 150 --bots 3,3 --seed 7 --match standard --record ${long_duel}.thaumlog
@@ -65,11 +66,12 @@ if(NOT THAUM_SANITIZE)
     add_test(NAME replay.long_duel.older_libm COMMAND thaum replay ${long_duel}.thaumlog --verify)
     set_tests_properties(replay.long_duel.clear PROPERTIES FIXTURES_SETUP no_long_duel LABELS slow)
     set_tests_properties(replay.long_duel.record PROPERTIES
-        FIXTURES_REQUIRED no_long_duel FIXTURES_SETUP long_duel LABELS slow TIMEOUT 300)
-    set_tests_properties(replay.long_duel.older_libm PROPERTIES FIXTURES_REQUIRED long_duel LABELS slow TIMEOUT 300
+        FIXTURES_REQUIRED no_long_duel FIXTURES_SETUP long_duel LABELS slow TIMEOUT 900)
+    set_tests_properties(replay.long_duel.older_libm PROPERTIES FIXTURES_REQUIRED long_duel LABELS slow TIMEOUT 900
         ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4)
 
-    # An ordinary build on older processors: one line and no illegal instruction. Each lacks at least the feature named first.
+    # An ordinary build on older processors: prints one line, without an illegal instruction. Each processor
+    # lacks at least the feature named first.
     find_program(qemu qemu-x86_64)
     if(qemu)
         foreach(processor avx:Nehalem avx2:Haswell,-avx2 movbe:Haswell,-movbe abm:Haswell,-abm bmi1:Haswell,-bmi1

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # tools/tidy.sh BUILD: clang-tidy over every source of ours in BUILD/compile_commands.json.
 #
-# clang-tidy is slow, so a source that passed is remembered under a key made of all it depends on: the settings, the
-# compiler's command, and the text of the source and of every header of ours that it includes (ninja knows them).
+# clang-tidy is slow, so a source that passed is remembered under a key. The key is a hash of everything the
+# source depends on: the settings, the compiler's command, and the text of the source and of every header of
+# ours that it includes (known to ninja).
 set -euo pipefail
 
 root=$(dirname "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")")
@@ -10,28 +11,29 @@ build=$(readlink -f "$1")
 cache=$root/build/tidy
 mkdir -p "$cache"
 
-# Lines "SOURCE TAB FILE": each file of ours that a source's object was made from, itself among them.
+# Prints lines "SOURCE TAB FILE": each file of ours that a source's object was made from, the source included.
 dependencies() {
     ninja -C "$build" -t deps | awk -v root="$root/" -v build="$build/" '
         /^[^ ]/ { source = ""; next }
         NF == 0 { next }
         {
             sub(/^ +/, "")
-            # A compiler cache may have made them relative to the build folder, which is two below the root.
+            # A compiler cache may have made paths relative to the build folder, which is two levels below the
+            # root.
             if (!sub(/^\.\.\/\.\.\//, root) && $0 !~ /^\//) $0 = build $0
             if (source == "") source = $0
             if (index($0, root) == 1 && index(source, root) == 1) print source "\t" $0
         }'
 }
 
-# Lines "KEY TAB SOURCE".
+# Prints lines "KEY TAB SOURCE".
 keys() {
     local common
     common=$({ clang-tidy --version && cat "$root/.clang-tidy" && grep -h '"command"' "$build/compile_commands.json" |
         sed 's/.*"command": "\(.*\) -o .*/\1/' | sort -u; } | sha256sum | cut -c1-16)
     dependencies | sort -u >"$cache/dependencies"
-    # One hash per file, then per source a hash of the hashes.
-    # Objects of sources that are gone still lie in the build folder.
+    # One hash per file, then per source a hash of its hashes. Objects of deleted sources may still be in the
+    # build folder.
     cut -f2 "$cache/dependencies" | sort -u | while IFS= read -r file; do
         if [[ -f $file ]]; then printf '%s\n' "$file"; fi
     done |
@@ -64,5 +66,5 @@ while IFS=$'\t' read -r key source; do
 done <"$cache/keys" >"$cache/todo"
 echo "clang-tidy: $(wc -l <"$cache/keys") sources, $(wc -l <"$cache/todo") of them new or changed"
 find "$cache" -type f -mtime +30 -delete
-# shellcheck disable=SC2016  # $1 is the inner shell's
+# shellcheck disable=SC2016  # $1 belongs to the inner shell
 xargs -r -d '\n' -n 1 -P "$(nproc)" bash -c 'check_one "$1"' check_one <"$cache/todo"

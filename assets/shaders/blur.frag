@@ -1,5 +1,5 @@
 #version 330 core
-// Half of a Gaussian blur: along `way`, one texel long.
+// One direction of a Gaussian blur; `way` is a step of one texel in that direction.
 in vec2 at;
 
 uniform sampler2D picture;

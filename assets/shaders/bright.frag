@@ -1,5 +1,5 @@
 #version 330 core
-// What is brighter than the screen can show, from 4 x 4 pixels.
+// Light beyond the screen's range, reduced from 4 x 4 pixels to one.
 in vec2 at;
 
 uniform sampler2D picture;
@@ -10,7 +10,7 @@ out vec4 pixel;
 void main() {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
-        // Between four texels: the filter takes their mean.
+        // Samples between four texels: the texture filter returns their mean.
         sum += texture(picture, at + texel * (2.0 * vec2(i & 1, i >> 1) - 1.0)).rgb;
     }
     vec3 light = 0.25 * sum;

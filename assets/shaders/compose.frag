@@ -1,5 +1,5 @@
 #version 330 core
-// One view's light to pixels: bloom on top, then the tone curve.
+// Final pass: the light of one view plus bloom, through the tone curve.
 in vec2 at;
 in vec2 within;
 
@@ -13,7 +13,7 @@ out vec4 pixel;
 vec3 tone_mapped(vec3 light);
 
 void main() {
-    // Half a texel from the edge, so that filtering takes nothing from the view beside this one.
+    // Stays half a texel inside the edge, so that filtering reads nothing of the neighbouring view.
     vec2 edge = 0.5 / vec2(textureSize(picture, 0));
     vec2 place = clamp(at, part.xy + edge, part.xy + part.zw - edge);
     vec3 light = texture(picture, place).rgb + bloom_strength * texture(bloom, within).rgb;

@@ -1,20 +1,21 @@
 #version 330 core
-// Light at a surface from everywhere but the sun: hemisphere ambient, where the sky is open, and point lights. Linear.
+// Light at a surface from all sources but the sun: hemisphere ambient under the open sky, and point lights.
+// Linear colours.
 uniform vec3 ambient_above;
 uniform vec3 ambient_below;
-// What there are fewer of is black.
-uniform vec4 light_position[8];  // w: 1 / radius^2
+// Point lights; unused ones are black.
+uniform vec4 light_position[8];  // xyz: position (m, world); w: 1 / radius^2
 uniform vec3 light_colour[8];
 
-// As many as that for certain: up to a number that is known only as it draws, a software rasteriser takes each light for
-// each vertex by itself, and those beyond it too.
+// Fixed number of lights. With a number known only while drawing, a software rasteriser computes each light
+// for each vertex one at a time, and the unused lights too.
 #ifdef FEW_LIGHTS
 const int lights = 4;
 #else
 const int lights = 8;
 #endif
 
-// Inverse square close by, and exactly 0 at the radius.
+// Inverse square near the light, and exactly 0 at its radius.
 float falloff(float square) {
     float window = max(1.0 - square * square, 0.0);
     return window * window / (1.0 + 12.0 * square);
@@ -25,7 +26,7 @@ vec3 light_at(vec3 place, vec3 n, float open) {
     for (int i = 0; i < lights; ++i) {
         vec3 to = light_position[i].xyz - place;
         float square = dot(to, to);
-        // Some of the light wraps around, so that low-poly shapes do not turn black at one edge.
+        // Lets some light wrap around, so that low-poly shapes do not turn black at one edge.
         float facing = max(0.7 * dot(n, to) * inversesqrt(square + 1e-6) + 0.3, 0.0);
         light += light_colour[i] * (facing * falloff(square * light_position[i].w));
     }

@@ -1,5 +1,5 @@
 #version 330 core
-// Light for each pixel; the tone curve is left to the last pass.
+// Meshes lit in each pixel. The last pass applies the tone curve.
 in vec3 from_eye;
 in vec3 normal_there;
 in vec3 surface;

@@ -1,14 +1,14 @@
 #version 330 core
-// A mesh in the court. Colours are linear. Variants:
-//   PER_PIXEL  the fragment shader does light, fog and tone curve; without it, all that is done here for each vertex, so that
-//              a pixel costs next to nothing
-//   SHADOW     the sun's light is kept apart, so that the shadow map can take it away
-//   ALONE      one instance: a software rasteriser would fetch what belongs to it anew for each vertex
+// Meshes of the court. Colours are linear. Variants:
+//   PER_PIXEL  the fragment shader computes light, fog and tone curve. Without PER_PIXEL this shader computes
+//              them for each vertex, so that a pixel costs almost nothing.
+//   SHADOW     the sun's light is kept apart, so that the shadow map can remove it.
+//   ALONE      one instance. A software rasteriser would fetch instance attributes again for each vertex.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec3 colour;
-layout(location = 8) in vec4 baked;   // rgb: light of lamps that never change; a: how open the sky is
-layout(location = 9) in vec2 detail;  // share of the sun; what the colour is multiplied by far off
+layout(location = 8) in vec4 baked;   // rgb: light of the lamps that never change; a: openness of the sky
+layout(location = 9) in vec2 detail;  // x: share of the sun; y: factor on the colour far away
 #ifdef ALONE
 uniform mat4 model;
 uniform vec4 tint_glow;
@@ -23,7 +23,7 @@ uniform mat4 view_projection;
 uniform vec3 eye;
 uniform vec3 sun_direction;
 uniform vec3 sun_colour;
-uniform vec2 detail_range;  // m: where fine lines begin to fade, and 1 / the way until they are gone
+uniform vec2 detail_range;  // x: distance (m) where fine lines begin to fade; y: 1 / length of the fade
 
 #ifdef PER_PIXEL
 out vec3 from_eye;
@@ -39,13 +39,13 @@ uniform float fog_rate;  // 1/m^2
 vec3 tone_mapped(vec3 light);
 #endif
 #ifdef SHADOW
-uniform mat4 shadow_matrix;  // to the map, all three in [0, 1]
-uniform float shadow_lift;   // m along the normal, against a surface's shadow on itself
+uniform mat4 shadow_matrix;  // from the world to the map's coordinates, all three in [0, 1]
+uniform float shadow_lift;   // offset along the normal (m) against a surface's shadow on itself
 out vec3 sunlight;
 out vec3 in_map;
 #endif
 
-// What a full glow gives, as a multiple of the surface's colour.
+// Light of a full glow, as a multiple of the surface's colour.
 const float glow_strength = 2.2;
 
 vec3 light_at(vec3 place, vec3 n, float open);
@@ -77,7 +77,7 @@ void main() {
     vec3 radiance = own + paint * matt * light_at(world.xyz, n, baked.a);
     float clear = exp2(-fog_rate * dot(from_eye, from_eye));
 #ifdef SHADOW
-    // As pixels, in the shade and in the sun: what the map tells lies between the two.
+    // Shade without and with the sun, both after the tone curve. The shadow map blends between the two.
     shade = tone_mapped(mix(fog_colour, radiance, clear));
     sunlight = tone_mapped(mix(fog_colour, radiance + sun, clear)) - shade;
 #else

@@ -1,5 +1,5 @@
 #version 330 core
-// Densest where its skin faces the eye, and nothing at its outline, so that no edge is seen.
+// Mist: densest where the surface faces the eye, and transparent at the outline, so that no edge is seen.
 in vec3 to_eye;
 in vec3 normal_there;
 flat in vec4 mist;

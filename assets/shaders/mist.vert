@@ -1,6 +1,6 @@
 #version 330 core
-// What is soft and seen through: the tint is its light, and the share of `glow` of what is behind it hides at most. LINEAR leaves
-// the tone curve to the last pass.
+// Soft, transparent meshes. The tint is their light; `glow` is the largest share of the background that they
+// hide. LINEAR leaves the tone curve to the last pass.
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 3) in mat4 model;
@@ -20,7 +20,7 @@ void main() {
     to_eye = eye - there.xyz;
     normal_there = mat3(model) * normal;
 #ifdef LINEAR
-    // Over what is dark the same share of light is seen as more.
+    // In front of a dark background the same share of light looks like more.
     mist = vec4(tint_glow.rgb, 0.45 * tint_glow.a);
 #else
     mist = vec4(tone_mapped(tint_glow.rgb), tint_glow.a);

@@ -7,6 +7,6 @@ uniform sampler2D atlas;
 out vec4 colour;
 
 void main() {
-    // Texels, not parts of the atlas: a glyph is drawn pixel for pixel.
+    // texelFetch reads by texel, so a glyph is drawn pixel for pixel.
     colour = vec4(shade.rgb, shade.a * texelFetch(atlas, ivec2(at), 0).r);
 }

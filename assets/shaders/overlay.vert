@@ -1,9 +1,9 @@
 #version 330 core
-layout(location = 0) in vec2 position;  // px from the top left
+layout(location = 0) in vec2 position;  // px from the top left corner
 layout(location = 1) in vec2 texel;
 layout(location = 2) in vec4 colour;
 
-uniform vec2 pixel;  // size of a pixel where the window is 2 x 2
+uniform vec2 pixel;  // size of a pixel in a window of 2 x 2
 
 out vec2 at;
 out vec4 shade;

@@ -1,5 +1,6 @@
 #version 330 core
-// Shade and sun come as pixels from each vertex; the shadow map says how much of the sun there is.
+// Shade and sunlight arrive as tone-mapped colours from each vertex. The shadow map gives the share of the
+// sunlight.
 in vec3 shade;
 in vec3 sunlight;
 in vec3 in_map;

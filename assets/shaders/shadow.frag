@@ -1,3 +1,3 @@
 #version 330 core
-// Depth is all that is kept.
+// Only depth is written.
 void main() {}

@@ -1,6 +1,6 @@
 #version 330 core
-// How much of the sun a place gets, by the shadow map. The map compares and blends four texels by itself; SOFT looks
-// at nine such places (percentage-closer filtering, Reeves et al. 1987).
+// Share of the sun that reaches a place, by the shadow map. The map's hardware filter compares and blends
+// four texels. SOFT averages nine such lookups (percentage-closer filtering, Reeves et al. 1987).
 uniform sampler2DShadow shadow_map;
 #ifdef SOFT
 uniform float shadow_texel;

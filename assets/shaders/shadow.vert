@@ -1,5 +1,5 @@
 #version 330 core
-// What the sun sees.
+// Depth of the scene as seen from the sun.
 layout(location = 0) in vec3 position;
 layout(location = 3) in mat4 model;
 

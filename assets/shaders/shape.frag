@@ -1,5 +1,6 @@
 #version 330 core
-// As overlay.frag, for what is no text: a look into the atlas is what costs a software rasteriser most.
+// Overlay shapes without text. They skip the atlas lookup of overlay.frag, which costs a software rasteriser
+// most.
 in vec4 shade;
 
 out vec4 colour;

@@ -1,7 +1,7 @@
 #version 330 core
-// Shows what was marched.
+// Copies the marched volume into the view.
 uniform sampler2D picture;
-uniform vec4 to_picture;  // from pixels of the view's target to it: factor, shift
+uniform vec4 to_picture;  // from the view's pixels to the picture: xy factor, zw offset
 
 out vec4 pixel;
 

@@ -1,5 +1,5 @@
 #version 330 core
-// The skin of a volume as the view has it; from INSIDE, all of the view.
+// Area of the view that a volume's skin covers; with INSIDE the whole view.
 #ifdef INSIDE
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
 #else

@@ -1,5 +1,7 @@
-// core/assert.h: wrong use of our own code. On in every build, since a wrong handle in a match must stop there
-// and not ten minutes later; so the condition must be cheap.
+// core/assert.h: assertions against wrong use of our own code.
+//
+// Assertions are on in every build: a wrong handle must stop the match at once, not ten minutes later. Every
+// condition must therefore be cheap.
 #pragma once
 #include <string_view>
 
@@ -10,7 +12,7 @@ namespace thaum {
 
 }  // namespace thaum
 
-/// THAUM_ASSERT(condition, message): message is evaluated only on failure; core/text.h's text() builds it.
+/// THAUM_ASSERT(condition, message) evaluates its message only on failure. `text()` (core/text.h) builds one.
 #define THAUM_ASSERT(condition, message)                            \
     do {                                                            \
         if (!(condition)) [[unlikely]] {                            \

@@ -1,5 +1,7 @@
-// core/bytes.h: little-endian bytes out and in. The reader never reads past its end: after a failed read
-// it returns zeros and `ok()` is false, so a parser checks once at the end of each record.
+// core/bytes.h: writes and reads little-endian bytes.
+//
+// The reader never reads past its end. After a failed read it returns zeros and `ok()` is false, so a parser
+// checks once at the end of each record.
 #pragma once
 #include <bit>
 #include <cstddef>
@@ -26,24 +28,25 @@ public:
         put_bytes(std::as_bytes(std::span(&value, 1)));
     }
 
-    /// Not inlined: where GCC 12 sees the whole story of a vector, it warns of an overflow that cannot be.
+    /// Kept out of line: when GCC 12 inlines the whole vector insertion, it warns of an overflow that cannot
+    /// happen.
     [[gnu::noinline]] void put_bytes(std::span<const std::byte> bytes) {
         out_.insert(out_.end(), bytes.begin(), bytes.end());
     }
 
-    /// Length as 32 bits, then the characters.
+    /// Writes the length as 32 bits, then the characters.
     void put_string(std::string_view s) {
         put(static_cast<std::uint32_t>(s.size()));
         put_bytes(std::as_bytes(std::span(s.data(), s.size())));
     }
 
-    /// LEB128, 7 bits a byte.
+    /// Writes an unsigned integer as LEB128, 7 bits per byte.
     void put_varint(std::uint64_t value) {
         for (; value >= 0x80U; value >>= 7U) put(static_cast<std::uint8_t>(value | 0x80U));
         put(static_cast<std::uint8_t>(value));
     }
 
-    /// Zigzag, so that small negative numbers stay small.
+    /// Zigzag-encodes the value first, so that small negative numbers stay short.
     void put_signed_varint(std::int64_t value) {
         put_varint((static_cast<std::uint64_t>(value) << 1U) ^ static_cast<std::uint64_t>(value >> 63));
     }
@@ -64,7 +67,7 @@ public:
     requires(std::is_arithmetic_v<T> || std::is_enum_v<T>) T get() {
         if constexpr (std::is_same_v<T, bool>) {
             const auto byte = get<std::uint8_t>();
-            ok_ = ok_ && byte <= 1;  // a bool of any other byte would be undefined
+            ok_ = ok_ && byte <= 1;  // any other byte in a bool would be undefined
             return ok_ && byte == 1;
         } else {
             T value{};
@@ -74,7 +77,7 @@ public:
         }
     }
 
-    /// A view into the input, or empty and `ok()` false.
+    /// Returns a view into the input. On failure the view is empty and `ok()` is false.
     std::span<const std::byte> get_bytes(std::size_t n) {
         if (!ok_ || n > left()) {
             ok_ = false;
@@ -94,7 +97,7 @@ public:
         std::uint64_t value = 0;
         for (unsigned shift = 0; shift < 64; shift += 7) {
             const auto byte = get<std::uint8_t>();
-            if (shift == 63 && byte > 1) break;  // more than 64 bits
+            if (shift == 63 && byte > 1) break;  // the value has more than 64 bits
             value |= static_cast<std::uint64_t>(byte & 0x7fU) << shift;
             if ((byte & 0x80U) == 0) return value;
         }

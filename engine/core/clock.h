@@ -1,12 +1,16 @@
-// core/clock.h: the monotonic clock of this machine, for pacing and measuring. Nothing that decides a match may ask it.
+// core/clock.h: the monotonic clock of this machine, for pacing and measuring. Code that decides a match must
+// not read the clock.
 #pragma once
 #include <cstdint>
 
 namespace thaum {
 
-/// ns, since some moment that stays the same while the machine runs.
+/// Time since a fixed but unspecified moment while the machine runs (ns).
 std::int64_t monotonic_ns();
-/// Until that moment of the same clock, whatever signals come; at once where it is past.
+/// Processor time used by the calling thread (ns).
+std::int64_t thread_cpu_ns();
+/// Sleeps until `monotonic_ns()` reaches `when`, even if signals arrive. Returns at once if `when` has
+/// passed.
 void sleep_until_ns(std::int64_t when);
 
 }  // namespace thaum

@@ -1,10 +1,12 @@
 #include "core/config.h"
 
+#include <bit>
 #include <cmath>
 #include <set>
+#include <span>
 
-// Some broken files (such as "x = 1:.2") fail an assertion inside toml++ 3.3. For us they are faults like any other, so
-// its assertions throw, in every build, and Config::parse catches.
+// Some broken files (such as "x = 1:.2") fail an assertion inside toml++ 3.3. We report them like any other
+// fault: in every build the library's assertions throw, and Config::parse catches the exception.
 namespace {
 struct ParserLost {};
 }  // namespace
@@ -18,8 +20,8 @@ struct ParserLost {};
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wterminate"
-// Its tables of white space and letters call "cannot happen" (undefined behaviour) what a letter such as U+00E9 does where
-// white space may stand. There it means no.
+// The white-space and letter tables of toml++ mark a letter such as U+00E9 in place of white space as
+// unreachable, which is undefined behaviour. The correct answer there is false.
 #include <toml++/impl/preprocessor.h>
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false
@@ -29,6 +31,7 @@ struct ParserLost {};
 #include <toml++/toml.h>
 #pragma GCC diagnostic pop
 
+#include "core/hash.h"
 #include "core/one_line.h"
 #include "core/text.h"
 
@@ -52,7 +55,7 @@ namespace {
 
 const toml::table* as_table(const void* table) { return static_cast<const toml::table*>(table); }
 
-/// The first key, depth first, that nobody asked for.
+/// Reports the first key, depth first, that no reader asked for.
 void find_unknown(Config::State& state, const toml::table& table, const std::string& path) {
     for (const auto& [key, node] : table) {
         const auto full = path + std::string(key.str());
@@ -70,13 +73,65 @@ void find_unknown(Config::State& state, const toml::table& table, const std::str
     }
 }
 
-/// toml++ destroys nested tables by recursion, and a key such as a.a.a... nests one per dot; so a line may have only
-/// so many, decimal points aside.
+/// Serialises a value so that equal values give equal bytes. A value is its kind, then its content; each text
+/// is preceded by its length.
+class CanonicalForm {
+public:
+    void add(const toml::node& node) {
+        if (const auto* table = node.as_table()) return add_table(*table);
+        if (const auto* list = node.as_array()) return add_list(*list);
+        if (const auto* word = node.as_string()) return add_text('s', word->get());
+        if (const auto* flag = node.as_boolean()) return add_bits('b', flag->get() ? 1 : 0);
+        if (const auto* whole = node.as_integer()) return add_whole(whole->get());
+        if (const auto* real = node.as_floating_point())
+            return add_bits('n', std::bit_cast<std::uint64_t>(real->get()));
+        add_bits('d', 0);  // a date or time, which no reader accepts
+    }
+
+    std::uint64_t hash() const { return hash_bytes(std::as_bytes(std::span(bytes_.data(), bytes_.size()))); }
+
+private:
+    void add_table(const toml::table& table) {
+        add_bits('t', table.size());
+        for (const auto& [key, node] : table) {  // sorted by key in toml++
+            add_text('k', key.str());
+            add(node);
+        }
+    }
+
+    void add_list(const toml::array& list) {
+        add_bits('l', list.size());
+        for (const auto& node : list) add(node);
+    }
+
+    /// Hashes a whole number as a double if a double represents it exactly, since readers treat 1 and 1.0 as
+    /// equal.
+    void add_whole(std::int64_t value) {
+        constexpr std::int64_t exact = std::int64_t{1} << 53;
+        if (value < -exact || value > exact) return add_bits('i', static_cast<std::uint64_t>(value));
+        add_bits('n', std::bit_cast<std::uint64_t>(static_cast<double>(value)));
+    }
+
+    void add_text(char kind, std::string_view words) {
+        add_bits(kind, words.size());
+        bytes_ += words;
+    }
+
+    void add_bits(char kind, std::uint64_t bits) {
+        bytes_ += kind;
+        for (int i = 0; i < 8; ++i) bytes_ += static_cast<char>((bits >> (8 * i)) & 0xffU);
+    }
+
+    std::string bytes_;
+};
+
+/// Most dots in one line, decimal points not counted. toml++ destroys nested tables recursively, and a key
+/// such as a.a.a... nests one table per dot.
 constexpr std::size_t most_dots = 200;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The digits before the dot belong to a number, not to a key such as 1.1.1.
+/// Returns true if the digits around the dot are a number, not part of a key such as 1.1.1.
 bool is_decimal_point(std::string_view line, std::size_t dot) {
     if (dot == 0 || dot + 1 >= line.size() || !is_digit(line[dot - 1]) || !is_digit(line[dot + 1]))
         return false;
@@ -93,7 +148,7 @@ bool has_too_many_dots(std::string_view line) {
     return dots > most_dots;
 }
 
-/// The number of the first line with too many dots, from 1; 0 where there is none.
+/// Number of the first line with too many dots, counted from 1; 0 if there is none.
 std::size_t overdotted_line(std::string_view source) {
     std::size_t number = 1;
     while (!source.empty()) {
@@ -121,14 +176,14 @@ Expected<toml::table> parse_toml(std::string_view source, const std::string& nam
 
 std::string range_text(Range range) { return text("from ", range.low, " to ", range.high); }
 
-/// The low end as a whole number; an open range has one that no integer can hold.
+/// The low end of the range as a whole number; 0 if the low end does not fit an integer.
 std::int64_t low_end(Range range) {
     return range.low > -9e18 && range.low < 9e18 ? static_cast<std::int64_t>(range.low) : 0;
 }
 
 bool in_range(double value, Range range) { return value >= range.low && value <= range.high; }
 
-/// The node at a key, marked as asked for; null where there is none.
+/// Returns the node at a key and marks it as asked for. Returns null if there is none.
 const toml::node* ask(Config::State& state, const void* table, std::string_view key) {
     if (table == nullptr) return nullptr;
     const auto* node = as_table(table)->get(key);
@@ -147,7 +202,7 @@ std::optional<double> number_in(Config::State& state, const toml::node& node, st
         state.report(&node, text("'", key, "' must be a number"));
         return std::nullopt;
     }
-    if (!in_range(*value, range)) {  // NaN is in no range
+    if (!in_range(*value, range)) {  // NaN is outside every range
         state.report(&node, text("'", key, "' is ", *value, ", must be ", range_text(range)));
         return std::nullopt;
     }
@@ -235,6 +290,12 @@ Expected<void> Config::check() const {
     if (!state_->fault) find_unknown(*state_, state_->root, "");
     if (state_->fault) return fail(*state_->fault);
     return {};
+}
+
+std::uint64_t Config::value_hash() const {
+    CanonicalForm form;
+    form.add(state_->root);
+    return form.hash();
 }
 
 bool ConfigTable::has(std::string_view key) const {

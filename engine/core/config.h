@@ -1,6 +1,8 @@
-// core/config.h: strict reading of TOML data files. Every key that a file has must be asked for, every value must be
-// in its range; the first fault is kept with file, line and key, and `check` returns it. So a reader asks for all it
-// needs, as if the file were right, and checks once at the end.
+// core/config.h: strict reading of TOML data files.
+//
+// A reader must ask for every key of a file, and every value must be in its range. A Config keeps the first
+// fault with file, line and key, and `check` returns it. A reader asks for all values as if the file were
+// correct, then checks once at the end.
 #pragma once
 #include <limits>
 #include <memory>
@@ -24,16 +26,21 @@ class ConfigTable;
 /// One parsed file.
 class Config {
 public:
-    /// name is used in messages. The file must have an integer `version` equal to the given one.
+    /// `name` is used in messages. The file must have an integer `version` equal to the given one.
     static Expected<Config> parse(std::string_view toml, std::string name, std::int64_t version);
 
     ConfigTable root() const;
-    /// Replaces the value of a key that the file has: path "shot.damage", value as TOML writes it.
+    /// Replaces the value of an existing key. The path has the form "shot.damage"; the value is written as in
+    /// TOML.
     Expected<void> replace(std::string_view path, std::string_view value);
-    /// A fault that the caller found itself, such as two entries that contradict each other.
+    /// Reports a fault found by the caller, such as two entries that contradict each other.
     void report(std::string_view message) const;
-    /// The first fault of all reads so far; then any key that nobody asked for.
+    /// Returns the first fault of all reads so far. If there is none, reports the first key that no reader
+    /// asked for.
     Expected<void> check() const;
+    /// Hash of all keys and values. It ignores comments, spaces, the order of keys and the spelling of a
+    /// number (1 or 1.0).
+    std::uint64_t value_hash() const;
 
     struct State;
 
@@ -42,7 +49,7 @@ private:
     std::shared_ptr<State> state_;
 };
 
-/// One table of a Config. After a fault reads return the fallback or the low end of the range.
+/// One table of a Config. After a fault, reads return the fallback or the low end of the range.
 class ConfigTable {
 public:
     bool has(std::string_view key) const;
@@ -54,21 +61,21 @@ public:
     bool boolean(std::string_view key, bool fallback) const;
     std::string string(std::string_view key) const;
     std::string string(std::string_view key, std::string fallback) const;
-    /// Three numbers, each in the range.
+    /// Reads an array of three numbers, each within the range.
     vec3 vector(std::string_view key, Range range) const;
     vec3 vector(std::string_view key, Range range, vec3 fallback) const;
-    /// One of the names; the index of it.
+    /// Reads a string that must be one of `names`. Returns its index.
     std::size_t choice(std::string_view key, const std::vector<std::string_view>& names) const;
     std::size_t choice(std::string_view key, const std::vector<std::string_view>& names,
                        std::size_t fallback) const;
 
-    /// A sub-table; an empty one where the key is missing.
+    /// Returns a sub-table, which is empty if the key is missing.
     ConfigTable table(std::string_view key) const;
-    /// An array of tables; none where the key is missing.
+    /// Returns an array of tables, which is empty if the key is missing.
     std::vector<ConfigTable> tables(std::string_view key) const;
-    /// The keys, sorted; they count as asked for.
+    /// Returns all keys in sorted order and marks them as asked for.
     std::vector<std::string> keys() const;
-    /// A fault at this key (or at the table, with an empty key).
+    /// Reports a fault at this key, or at the table if the key is empty.
     void report(std::string_view key, std::string_view message) const;
 
 private:
@@ -76,7 +83,7 @@ private:
     ConfigTable(std::shared_ptr<Config::State> state, const void* table)
         : state_(std::move(state)), table_(table) {}
     std::shared_ptr<Config::State> state_;
-    const void* table_;  // toml::table, or null for one that is missing
+    const void* table_;  // a toml::table; null if the table is missing
 };
 
 }  // namespace thaum

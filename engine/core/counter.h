@@ -1,11 +1,11 @@
-// core/counter.h: counts of one thread that others may read.
+// core/counter.h: counters that one thread increments and other threads may read.
 #pragma once
 #include <atomic>
 #include <cstdint>
 
 namespace thaum {
 
-/// One more. Only one thread counts.
+/// Increments a counter. Only one thread may call this for a given counter.
 inline void count(std::atomic<std::uint64_t>& counter) {
     counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 }

@@ -1,4 +1,4 @@
-// core/error.h: how a wrong file, device or option travels: as a value with one clear line.
+// core/error.h: errors as values, one clear line each, for a wrong file, device or option.
 #pragma once
 #include <string>
 #include <tl/expected.hpp>
@@ -6,12 +6,13 @@
 
 namespace thaum {
 
-/// One line for the user: what is wrong, where, and what to do. No trailing newline.
+/// One line for the user: what is wrong, where, and what to do. It has no trailing newline.
 struct Error {
     std::string message;
 };
 
-/// What loading returns. Our own mistakes are assertions (core/assert.h), the world's are Errors.
+/// Return type of functions that may fail. Faults from outside (files, devices, options) are Errors; our own
+/// mistakes are assertions (core/assert.h).
 template <class T>
 using Expected = tl::expected<T, Error>;
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
 #include "core/file_writer.h"
@@ -77,6 +78,17 @@ Expected<void> make_folder(const std::filesystem::path& folder) {
         return fail(text(folder.string(), ": cannot create: not a folder"));
     if (::access(folder.c_str(), W_OK | X_OK) != 0) return system_error(folder, "write");
     return {};
+}
+
+TemporaryFolder::TemporaryFolder() {
+    std::error_code failed;
+    auto name = (std::filesystem::temp_directory_path(failed) / "thaum-XXXXXX").string();
+    if (!failed && ::mkdtemp(name.data()) != nullptr) path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
 }
 
 Expected<void> check_output(const std::filesystem::path& path) {

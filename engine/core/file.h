@@ -1,4 +1,5 @@
-// core/file.h: whole files in and out. Reading refuses what is no ordinary file; writing never leaves half a file.
+// core/file.h: reads and writes whole files. Reading rejects anything but an ordinary file; writing never
+// leaves half a file.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -9,25 +10,41 @@
 
 namespace thaum {
 
-/// The whole file. The error names the path: missing, not an ordinary file (directory, fifo, device), larger
-/// than `limit` bytes, not readable.
+/// Reads a whole file. The error names the path and the fault: missing, not an ordinary file (directory,
+/// fifo, device), larger than `limit` bytes, or not readable.
 Expected<Bytes> read_file(const std::filesystem::path& path, std::size_t limit);
 
-/// As read_file, as text.
+/// Reads a whole file, as `read_file` does, and returns it as text.
 Expected<std::string> read_text_file(const std::filesystem::path& path, std::size_t limit);
 
-/// All bytes to an open descriptor; false with errno set, and then part of them may have been written.
+/// Writes all bytes to an open descriptor. On failure returns false with errno set; some of the bytes may
+/// have been written.
 bool write_all(int fd, std::span<const std::byte> bytes);
 
-/// Makes the folder and those above it, where they are missing. The error names it: it cannot be made, or nothing can
-/// be written in it.
+/// Creates the folder and any missing parent folders. The error names the folder, which cannot be created or
+/// is not writable.
 Expected<void> make_folder(const std::filesystem::path& folder);
 
-/// Tells before long work whether a file can be written there, by the rule of write_rule.h. Leaves nothing.
+/// A new empty folder in the system's temporary directory. The destructor removes it with all its contents.
+class TemporaryFolder {
+public:
+    TemporaryFolder();
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    /// Path of the folder; empty if none could be created.
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// Checks before long work whether a file can be written at `path` (rules: write_rule.h). Leaves no file
+/// behind.
 Expected<void> check_output(const std::filesystem::path& path);
 
-/// Writes beside the target and renames over it, so that the target is the old or the new file, whole. An input and a
-/// recording are never replaced (write_rule.h).
+/// Writes a temporary file beside the target, then renames it over the target. The target is always either
+/// the old or the new file, complete. Inputs and recordings are never replaced (write_rule.h).
 Expected<void> write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 Expected<void> write_text_file(const std::filesystem::path& path, std::string_view text);
 

@@ -1,10 +1,10 @@
-// core/file_watch.h: which of a few files have changed on disk, by asking for their size and time now and then.
+// core/file_watch.h: reports which of a few files have changed on disk. It polls their size and time.
 //
 //     FileWatch watch({"a.toml", "b.toml"});
 //     for (;; sleep(0.2)) if (auto changed = watch.look(); !changed.empty()) read_again(changed);
 //
-// Editors write in several steps, or write another file and rename it. So a change is told only once every file is as it
-// was at the look before, and two changes between two looks are one.
+// Editors write in several steps, or write another file and rename it. A change is therefore reported only
+// once every file is the same as at the previous look. Two changes between two looks count as one.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -14,17 +14,17 @@ namespace thaum {
 
 class FileWatch {
 public:
-    /// Files that are missing are watched as well: they may come.
+    /// Also watches files that are missing, since they may appear later.
     explicit FileWatch(std::vector<std::filesystem::path> files);
 
-    /// The files that are not what they were when last told of, or at the beginning; none while one is still being
-    /// written. A file that is gone has changed, too.
+    /// Returns the files that differ from the last report, or from the start. Returns none while any file is
+    /// still changing. A removed file counts as changed.
     std::vector<std::filesystem::path> look();
 
 private:
-    /// What tells one content of a file from the next without reading it.
+    /// Metadata that distinguishes one content of a file from the next without reading it.
     struct Stamp {
-        std::uint64_t device{}, number{}, mode{}, size{};  ///< all 0: there is nothing
+        std::uint64_t device{}, number{}, mode{}, size{};  ///< all 0 if the file does not exist
         std::int64_t written_s{}, written_ns{};
         bool operator==(const Stamp&) const = default;
     };

@@ -21,8 +21,9 @@ tl::unexpected<Error> fault(const std::filesystem::path& path, std::string_view 
     return fail(text(path.string(), ": cannot ", doing, ": ", std::strerror(why)));
 }
 
-/// A new file beside the target, never one that lies there already: its name could lead to a file of somebody else.
-/// A name may be taken by a program that was killed. -1 and errno where none can be made.
+/// Creates a new file beside the target. It never opens an existing file, whose name could be a link to
+/// another user's file. A killed program may have left a file with the same name, so several names are tried.
+/// Returns -1 with errno set on failure.
 int create_part(const std::filesystem::path& target, std::string& part) {
     constexpr int most_tries = 100;
     for (int i = 0; i < most_tries; ++i) {
@@ -33,7 +34,8 @@ int create_part(const std::filesystem::path& target, std::string& part) {
     return -1;
 }
 
-/// The new file has the rights of the one that it replaces. A file system without rights keeps its own.
+/// Gives the new file the permissions of the file that it replaces. File systems without permissions ignore
+/// this.
 void take_rights_of(const std::filesystem::path& target, int fd) {
     struct stat info {};
     if (::stat(target.c_str(), &info) == 0 && ::fchmod(fd, info.st_mode & 0777U) != 0) errno = 0;
@@ -95,10 +97,10 @@ tl::unexpected<Error> FileWriter::give_up(std::string_view doing, int why) {
 Expected<void> FileWriter::close() {
     flush();
     if (fault_ != 0) return give_up("write", fault_);
-    // A disk may find only here that it has no place. EINVAL: a file system without a disk.
+    // Some disks report only here that they are full. EINVAL means a file system without a disk.
     if (::fdatasync(fd_) != 0 && errno != EINVAL) return give_up("write", errno);
     if (::close(std::exchange(fd_, -1)) != 0) return give_up("write", errno);
-    // The target may have become an input or a recording since the file was begun.
+    // The target may have become an input or a recording since the file was started.
     const auto still = writable_target(target_);
     if (!still) {
         ::unlink(part_.c_str());

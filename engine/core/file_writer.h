@@ -1,6 +1,8 @@
-// core/file_writer.h: a file of any length, written piece by piece. It is written beside the target and renamed over it
-// at the end, so that the target is the old or the new file, whole, and a writer that is given up leaves nothing. What
-// may be replaced is decided in one place for all writers: write_rule.h.
+// core/file_writer.h: writes a file of any length piece by piece.
+//
+// The bytes go to a temporary file beside the target, which is renamed over the target at the end. The target
+// is always either the old or the new file, complete. A writer destroyed without `close` leaves no file. One
+// place decides for all writers which files they may replace: write_rule.h.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -14,16 +16,17 @@ namespace thaum {
 
 class FileWriter {
 public:
-    /// The error names the path: it cannot be created, or what lies there must stay.
+    /// Starts a file. The error names the path: it cannot be created, or an existing file must not be
+    /// replaced.
     static Expected<FileWriter> create(std::filesystem::path path);
     FileWriter(FileWriter&& other) noexcept;
     FileWriter& operator=(FileWriter&&) = delete;
     ~FileWriter();
 
-    /// After a failure (a full disk) nothing more is written; `close` tells it.
+    /// Appends bytes. After a failure (a full disk) writes nothing more; `close` reports the failure.
     void write(std::span<const std::byte> bytes);
     void write(std::string_view text);
-    /// Forces the bytes onto the disk and puts the file in its place. The error names the path.
+    /// Flushes the bytes to the disk and renames the file to its target. The error names the path.
     Expected<void> close();
 
 private:
@@ -31,9 +34,9 @@ private:
     void flush();
     tl::unexpected<Error> give_up(std::string_view doing, int why);
 
-    std::filesystem::path name_;    ///< as the caller gave it, for messages
-    std::filesystem::path target_;  ///< the file that is replaced: symbolic links followed
-    std::string part_;              ///< temporary name, in the target's folder
+    std::filesystem::path name_;    ///< path as given by the caller, for messages
+    std::filesystem::path target_;  ///< path of the file to replace, with symbolic links resolved
+    std::string part_;              ///< path of the temporary file, in the target's folder
     int fd_;
     int fault_ = 0;  ///< errno of the first write that failed
     Bytes buffer_;

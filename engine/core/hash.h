@@ -1,4 +1,4 @@
-// core/hash.h: the one 64-bit hash of the project (XXH3), for states, files and blocks.
+// core/hash.h: the only 64-bit hash of the project (XXH3), for states, files and blocks.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -9,14 +9,14 @@ namespace thaum {
 
 std::uint64_t hash_bytes(std::span<const std::byte> bytes, std::uint64_t seed = 0);
 
-/// Order-dependent combination of two hashes, or of small numbers.
+/// Combines two hashes or small numbers. The order of the arguments matters.
 constexpr std::uint64_t hash_combine(std::uint64_t a, std::uint64_t b) {
-    std::uint64_t z = (a + 0x9e3779b97f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;  // spread a before b meets it
+    std::uint64_t z = (a + 0x9e3779b97f4a7c15ULL) * 0xbf58476d1ce4e5b9ULL;  // mixes a before b is added
     z = ((z ^ (z >> 32U)) + b) * 0xd6e8feb86659fd93ULL;
     return z ^ (z >> 32U);
 }
 
-/// Hash of a value without padding.
+/// Hash of the bytes of a value, which must have no padding.
 template <class T>
 requires std::is_trivially_copyable_v<T> std::uint64_t hash_value(const T& value, std::uint64_t seed = 0) {
     return hash_bytes(std::as_bytes(std::span(&value, 1)), seed);

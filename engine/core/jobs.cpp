@@ -26,7 +26,7 @@ bool Jobs::Ticket::ended() const { return !job_ || job_->done.load(std::memory_o
 
 Jobs::Jobs(unsigned threads) {
     threads_.reserve(threads);
-    // With fewer threads, or none, the same work is done more slowly.
+    // If the system starts fewer threads, or none, the same work runs more slowly.
     for (unsigned i = 0; i < threads; ++i) {
         auto started = start_thread([this] { work(); });
         if (!started) break;

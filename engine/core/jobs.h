@@ -1,7 +1,8 @@
-// core/jobs.h: a few threads for large work beside the simulation (log blocks, pictures, later the fluid).
+// core/jobs.h: a few threads for large work beside the simulation, such as the fluid step.
 //
-// A job's result is taken where the code says so (Ticket::wait), never when it happens to be ready; so what is computed
-// does not depend on the number of threads. Jobs start in the order in which they were given.
+// The caller collects a job's result at a fixed place (Ticket::wait), not when the job happens to end.
+// Results therefore do not depend on the number of threads. Jobs start in the order in which they were
+// submitted.
 #pragma once
 #include <condition_variable>
 #include <deque>
@@ -18,9 +19,9 @@ public:
     class Ticket {
     public:
         Ticket() = default;
-        /// Returns when the job has ended; at once where there is none.
+        /// Returns when the job has ended, or at once if the ticket has no job.
         void wait() const;
-        /// True when the job has ended or there is none.
+        /// Returns true if the job has ended or the ticket has no job.
         bool ended() const;
 
     private:
@@ -30,14 +31,14 @@ public:
         std::shared_ptr<Job> job_;
     };
 
-    /// threads = 0: a job runs inside `run`, on the caller's thread.
+    /// Starts `threads` threads. With 0, `run` executes each job at once on the caller's thread.
     explicit Jobs(unsigned threads);
-    /// Ends every job that was given.
+    /// Waits until every submitted job has ended.
     ~Jobs();
     Jobs(const Jobs&) = delete;
     Jobs& operator=(const Jobs&) = delete;
 
-    /// The job must not throw. It may wait for jobs given before it.
+    /// Submits a job. The job must not throw. It may wait for jobs submitted before it.
     Ticket run(std::function<void()> job);
 
 private:

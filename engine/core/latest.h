@@ -1,5 +1,7 @@
-// core/latest.h: hands the newest of a stream of values from one thread to another. Neither ever waits: the
-// writer has a value of its own to fill, the reader one to look at, and the third lies between them.
+// core/latest.h: passes the newest of a stream of values from one thread to another (a triple buffer).
+//
+// Neither thread ever waits: the writer fills one value, the reader reads another, and the third is exchanged
+// between them.
 #pragma once
 #include <array>
 #include <atomic>
@@ -12,12 +14,12 @@ class Latest {
 public:
     explicit Latest(const T& start) : values_{start, start, start} {}
 
-    // The writer.
+    // Called by the writer.
     T& to_fill() { return values_[back_]; }
     void publish() { back_ = middle_.exchange(back_ | fresh, std::memory_order_acq_rel) & index; }
 
-    // The reader.
-    /// True where there is a newer value than the one it had.
+    // Called by the reader.
+    /// Takes the newest value. Returns false if no newer value was published since the last call.
     bool take() {
         if ((middle_.load(std::memory_order_relaxed) & fresh) == 0) return false;
         front_ = middle_.exchange(front_, std::memory_order_acq_rel) & index;

@@ -9,8 +9,8 @@
 #include "core/double2.h"
 #include "core/sin_cos.h"
 
-// Each function reduces its argument to a small interval and sums a Taylor series there. The number of terms makes the
-// first one left out smaller than half an ulp. powers.cpp has exp, log and pow.
+// Each function reduces its argument to a small interval and sums a Taylor series there. The number of terms
+// is chosen so that the first omitted term is below half an ulp. exp, log and pow are in powers.cpp.
 namespace thaum::det {
 namespace {
 
@@ -18,14 +18,14 @@ __extension__ using Wide = unsigned __int128;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// pi/2 in parts whose product with an integer below 2^20 is exact.
+// pi/2 in three parts. The product of each of the first two with an integer below 2^20 is exact.
 constexpr double half_pi_high = 0x1.921fb544p+0;
 constexpr double half_pi_middle = 0x1.0b4611a6p-34;
 constexpr double half_pi_low = 0x1.3198a2e037073p-69;
 
-/// sin(x + rest) for |x| <= pi/4 and |rest| below an ulp of x.
+/// Computes sin(x + rest) for |x| <= pi/4 and |rest| below an ulp of x.
 double sin_near_zero(double x, double rest) {
-    if (std::abs(x) < 0x1p-27) return rest == 0 ? x : x + rest;  // -0 keeps its sign
+    if (std::abs(x) < 0x1p-27) return rest == 0 ? x : x + rest;  // x + 0 would lose the sign of -0
     const double q = x * x;
     const double q2 = q * q;
     const double low = (-1.0 / 6 + q / 120) + q2 * (-1.0 / 5040 + q / 362880);
@@ -44,21 +44,21 @@ double cos_near_zero(double x, double rest) {
     return top + (((1 - top) - half) + (q2 * (low + q2 * q2 * high) - x * rest));
 }
 
-/// An angle less a whole number of quarter turns.
+/// An angle after a whole number of quarter turns was subtracted.
 struct Reduced {
-    double x;      ///< in [-pi/4, pi/4], a little more where the last place decides (rad)
-    double rest;   ///< what rounding has taken from x (rad)
-    int quadrant;  ///< 0..3
+    double x;      ///< remaining angle in [-pi/4, pi/4], up to rounding of the last place (rad)
+    double rest;   ///< rounding error of x; the angle is x + rest (rad)
+    int quadrant;  ///< number of quarter turns modulo 4
 };
 
-/// Bits of 2/pi after the point.
+/// Bits of 2/pi after the binary point.
 constexpr std::uint64_t two_over_pi[19] = {
     0xa2f9836e4e441529, 0xfc2757d1f534ddc0, 0xdb6295993c439041, 0xfe5163abdebbc561, 0xb7246e3a424dd2e0,
     0x06492eea09d1921c, 0xfe1deb1cb129a73e, 0xe88235f52ebb4484, 0xe99c7026b45f7e41, 0x3991d639835339f4,
     0x9c845f8bbdf9283b, 0x1ff897ffde05980f, 0xef2f118b5a0a6d1f, 0x6d367ecf27cb09b7, 0x4f463f669e5fea2d,
     0x7527bac7ebe5f17b, 0x3d0739f78a5292ea, 0x6bfb5fb11f8d5d08, 0x56033046fc7b6bab};
 
-/// The 64 bits of 2/pi from the bit of weight 2^-first on; those before the point are 0.
+/// Returns the 64 bits of 2/pi from the bit of weight 2^-first on. Bits before the binary point are 0.
 std::uint64_t bits_of_two_over_pi(int first) {
     if (first <= -63) return 0;
     if (first <= 0) return two_over_pi[0] >> static_cast<unsigned>(1 - first);
@@ -68,11 +68,11 @@ std::uint64_t bits_of_two_over_pi(int first) {
     return two_over_pi[word] << shift | two_over_pi[word + 1] >> (64 - shift);
 }
 
-/// Integer of 192 bits, lowest word first.
+/// An integer of 192 bits, lowest word first.
 using Long = std::array<std::uint64_t, 3>;
 
-/// (x 2/pi) mod 4 in units of 2^-190, x > 0. Payne and Hanek: bits of 2/pi that only add whole turns are left out, and those
-/// too small to matter; the error is below 2^-137.
+/// Returns (x 2/pi) mod 4 in units of 2^-190, for x > 0 (Payne and Hanek). It omits the bits of 2/pi that
+/// only add whole turns, and those too small to matter. The error is below 2^-137.
 Long quarter_turns(double x) {
     const auto bits = std::bit_cast<std::uint64_t>(x);
     const std::uint64_t mantissa = (bits & 0xfffffffffffffULL) | 0x10000000000000ULL;
@@ -96,10 +96,11 @@ Long negated(Long value) {
     return value;
 }
 
-/// For |x| of any size, to the last bit.
+/// Reduces x of any size, accurate to the last bit.
 Reduced reduce_exactly(double x) {
     Long turns = quarter_turns(std::abs(x));
-    // The upper two bits are the quadrant; half a quarter turn and more belongs to the next one.
+    // The upper two bits are the quadrant. A remainder of half a quarter turn or more counts as the next
+    // quadrant.
     int quadrant = static_cast<int>(turns[2] >> 62U);
     turns[2] &= 0x3fffffffffffffffULL;
     const bool beyond = (turns[2] & 0x2000000000000000ULL) != 0;
@@ -108,7 +109,7 @@ Reduced reduce_exactly(double x) {
         turns[2] |= 0xc000000000000000ULL;
         turns = negated(turns);
     }
-    int weight = 2;  // exponent of the highest bit of the top word, and one more
+    int weight = 2;  // exponent of the highest bit of the top word, plus one
     while (turns[2] < 0x8000000000000000ULL && weight > -190) {
         turns = {turns[0] << 1U, turns[1] << 1U | turns[0] >> 63U, turns[2] << 1U | turns[1] >> 63U};
         --weight;
@@ -126,10 +127,12 @@ Reduced reduce_exactly(double x) {
 Reduced reduce(double x) {
     if (std::abs(x) <= 0x1.921fb54442d18p-1) return {x, 0, 0};
     if (std::abs(x) > 1e6) return reduce_exactly(x);
-    constexpr double to_integer = 0x1.8p52;  // added and taken away again, it leaves the nearest integer
+    // adding and then subtracting this rounds to the nearest integer
+    constexpr double to_integer = 0x1.8p52;
     const double k = (x * 0x1.45f306dc9c883p-1 + to_integer) - to_integer;
     const Double2 near = sum_of(x - k * half_pi_high, -(k * half_pi_middle));
-    if (std::abs(near.high) < 0x1p-20) return reduce_exactly(x);  // the parts are too short for this
+    // the parts of pi/2 are too short near a multiple of pi/2
+    if (std::abs(near.high) < 0x1p-20) return reduce_exactly(x);
     const Double2 sum = sum_of(near.high, near.low - k * half_pi_low);
     return {sum.high, sum.low, static_cast<int>(static_cast<std::int64_t>(k) & 3)};
 }
@@ -147,7 +150,7 @@ double cos_of(const Reduced& r) {
 constexpr double tan_16th = 0.198912367379658;     // tan(pi/16)
 constexpr double tan_3_16ths = 0.668178637919299;  // tan(3 pi/16)
 
-// |x| <= 1.001 tan(pi/16)
+// Computes atan x for |x| <= 1.001 tan(pi/16).
 double atan_near_zero(double x) {
     const double q = x * x;
     const double q2 = q * q;
@@ -158,7 +161,8 @@ double atan_near_zero(double x) {
     return x + x * (q * (low + q4 * (middle + q4 * high)));
 }
 
-// x in [0, 1]. atan x = atan t + atan((x - t) / (1 + x t)); t near tan(pi/8) has few bits, so that it is exact.
+// Computes atan x for x in [0, 1] by atan x = atan t + atan((x - t) / (1 + x t)). The constant t, near
+// tan(pi/8), has few bits and is therefore exact.
 double atan_unit(double x) {
     if (x <= tan_16th) return atan_near_zero(x);
     if (x > tan_3_16ths) return pi / 4 + (atan_near_zero((x - 1) / (x + 1)) + 0x1.1a62633145c07p-55);

@@ -1,12 +1,15 @@
-// core/memory.h: what the allocator does with memory that is freed.
+// core/memory.h: keeps freed memory in the process, so that the simulation and the renderer avoid page
+// faults.
 #pragma once
 
 namespace thaum {
 
-/// Makes the allocator keep what is freed, for the whole process; for `main`, before anything else. By default glibc gives large
-/// blocks back to the kernel, which must clear each page anew when they are asked for again, at whatever tick that is. A
-/// software rasteriser's pictures came to 900 page faults each, a tenth of their time; a World that grows by doubling took 13 or 36 ns an
-/// entity, as the heap's last block happened to lie. Without effect where the allocator is not glibc's.
+/// Makes the allocator keep freed memory for the whole process. `main` calls this before anything else.
+///
+/// By default glibc returns large blocks to the kernel. The kernel must clear each page again when the memory
+/// is next requested, at an unpredictable tick. Without this call a picture of a software rasteriser caused
+/// 900 page faults, a tenth of its time. A World that grows by doubling took either 13 or 36 ns an entity,
+/// depending on the position of the heap's last block. Allocators other than glibc's are not affected.
 void keep_freed_memory();
 
 }  // namespace thaum

@@ -1,16 +1,16 @@
-// core/one_line.h: what a message quotes from a file may hold line breaks, codes that a terminal obeys, or a
-// megabyte.
+// core/one_line.h: makes text from files safe for one-line messages. Such text may hold line breaks, terminal
+// control codes, or a megabyte.
 #pragma once
 #include <string>
 #include <string_view>
 
 namespace thaum {
 
-/// Every control character becomes a blank; what is beyond 1,000 bytes is left out, and dots say so.
+/// Replaces every control character by a blank. Text beyond 1,000 bytes is replaced by "...".
 std::string in_one_line(std::string_view message);
 
-/// Text from outside that a terminal can show: control characters, marks that turn the direction of writing and bytes that are not UTF-8
-/// become "\\x1b" and the like. What is beyond `most` bytes is left out, and dots say so.
+/// Escapes text from outside for display in a terminal. Control characters, bidirectional marks and bytes
+/// that are not UTF-8 become "\x1b" and the like. Text beyond `most` bytes is replaced by "...".
 std::string printable(std::string_view outside, std::size_t most);
 
 }  // namespace thaum

@@ -1,4 +1,4 @@
-// core/maths.h's exp, log and pow.
+// core/powers.cpp: exp, log and pow of core/maths.h.
 #include <cmath>
 #include <limits>
 
@@ -11,11 +11,11 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// ln 2 in parts: the product of the first with an integer below 2^11 is exact.
+// ln 2 in two parts. The product of the first part with an integer below 2^11 is exact.
 constexpr double ln2_high = 0x1.62e42fee00000p-1;
 constexpr double ln2_low = 0x1.a39ef35793c76p-33;
 
-/// x = mantissa 2^exponent, mantissa in [sqrt(1/2), sqrt(2)); x > 0 and finite.
+/// The form x = mantissa 2^exponent with mantissa in [sqrt(1/2), sqrt(2)), for x > 0 and finite.
 struct Split {
     double mantissa;
     int exponent;
@@ -31,8 +31,9 @@ Split split(double x) {
     return parts;
 }
 
-/// log x for x > 0 and finite, with a relative error below 2^-63. log m = 2 atanh s with s = (m - 1)/(m + 1), |s| <= 0.172; the
-/// first two terms of its series 2 s + 2/3 s^3 + 2/5 s^5 + ... need both doubles.
+/// Computes log x for x > 0 and finite, with a relative error below 2^-63. It uses log m = 2 atanh s with s =
+/// (m - 1)/(m + 1) and |s| <= 0.172. The first two terms of the series 2 s + 2/3 s^3 + 2/5 s^5 + ... need
+/// both doubles.
 Double2 long_log(double x) {
     const auto [m, exponent] = split(x);
     const double f = m - 1;
@@ -50,7 +51,7 @@ Double2 long_log(double x) {
     return (turns + Double2{2 * s.high, 2 * s.low}) + (cubic + Double2{tail, 0});
 }
 
-/// exp(x.high + x.low), |x.high| <= 1100: within 0.8 ulp.
+/// Computes exp(x.high + x.low) for |x.high| <= 1100, within 0.8 ulp.
 double long_exp(Double2 x) {
     const double k = std::floor(x.high / (ln2_high + ln2_low) + 0.5);
     const Double2 r = sum_of(x.high - k * ln2_high, x.low - k * ln2_low);
@@ -62,13 +63,13 @@ double long_exp(Double2 x) {
 
 bool is_odd(double y) { return std::abs(y) < 0x1p53 && std::fmod(y, 2) != 0 && std::floor(y) == y; }
 
-/// |x|^y where one of them is 0 or infinite, y not 0.
+/// Computes |x|^y if x or y is 0 or infinite; y must not be 0.
 double pow_at_the_ends(double x, double y) {
     if (x == 1) return 1;
     return (x > 1) == (y > 0) ? infinity : 0;
 }
 
-/// x^y for x > 0 and both finite.
+/// Computes x^y for x > 0, both finite.
 double pow_of_positive(double x, double y) {
     if (x == 1 || std::abs(y) < 0x1p-70) return 1;
     if (std::abs(y) > 0x1p65) return (x > 1) == (y > 0) ? infinity : 0;
@@ -98,12 +99,12 @@ double log(double x) {
     if (x == 0) return -infinity;
     if (std::isinf(x)) return x;
     int exponent = 0;
-    double mantissa = std::frexp(x, &exponent);  // [0.5, 1)
+    double mantissa = std::frexp(x, &exponent);  // in [0.5, 1)
     if (mantissa < 0.70710678118654752) {
         mantissa *= 2;
         --exponent;
     }
-    // log m = 2 atanh((m - 1) / (m + 1)), |s| <= 0.172
+    // log m = 2 atanh s with s = (m - 1) / (m + 1) and |s| <= 0.172.
     const double s = (mantissa - 1) / (mantissa + 1);
     const double q = s * s;
     double sum = 0;

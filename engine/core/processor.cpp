@@ -5,11 +5,11 @@
 namespace thaum {
 namespace {
 
-/// A feature and where CPUID tells of it.
+/// A processor feature and the CPUID bit that reports it.
 struct Feature {
     const char* name;
     unsigned leaf;
-    bool in_ebx;  ///< else in ecx
+    bool in_ebx;  ///< true: the bit is in EBX; false: in ECX
     unsigned bit;
 };
 
@@ -26,9 +26,9 @@ bool has(const Feature& feature) {
     return ((feature.in_ebx ? ebx : ecx) >> feature.bit & 1U) != 0;
 }
 
-/// Whether the system saves the registers of AVX when it switches threads.
+/// Returns true if the operating system saves the AVX registers when it switches threads.
 bool system_keeps_wide_registers() {
-    if (!has({"", 1, false, 27})) return false;  // OSXSAVE: XGETBV may be asked
+    if (!has({"", 1, false, 27})) return false;  // OSXSAVE: the XGETBV instruction is available
     unsigned low = 0, high = 0;
     __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
     return (low & 6U) == 6U;

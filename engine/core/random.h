@@ -1,6 +1,8 @@
-// core/random.h: the only source of randomness in a match. One generator per subsystem, its state in the World.
+// core/random.h: the only source of randomness in a match. Each subsystem has one generator, whose state is
+// in the World.
 //
-// SplitMix64 (Steele, Lea, Flood 2014): one 64-bit word of state, so that it is a component like any other.
+// SplitMix64 (Steele, Lea, Flood 2014). Its state is one 64-bit word, so a generator is an ordinary
+// component.
 #pragma once
 #include <cstdint>
 
@@ -17,20 +19,21 @@ struct Random {
         return z ^ (z >> 31U);
     }
 
-    /// Uniform in [0, 1), 53 bits.
+    /// Uniform in [0, 1), with 53 random bits.
     double uniform() { return static_cast<double>(next() >> 11U) * 0x1.0p-53; }
 
     /// Uniform in [low, high).
     double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-    /// Uniform in [0, n), n > 0. The bias of the multiply is below n / 2^64.
+    /// Uniform in [0, n), for n > 0. The bias of the multiplication is below n / 2^64.
     std::uint64_t below(std::uint64_t n) {
         __extension__ using Wide = unsigned __int128;
         return static_cast<std::uint64_t>((static_cast<Wide>(next()) * n) >> 64U);
     }
 };
 
-/// A generator for one subsystem: streams of different numbers never share a start.
+/// Creates a generator for one subsystem. With the same seed, different stream numbers never give the same
+/// initial state.
 constexpr Random random_stream(std::uint64_t seed, std::uint64_t stream) {
     return Random{seed ^ (stream * 0xd1342543de82ef95ULL + 0x632be59bd9b4e019ULL)};
 }

@@ -1,5 +1,5 @@
-// core/ring.h: a queue of fixed length from one thread to one other. Neither ever waits; what finds no room is left out, and the
-// writer is told.
+// core/ring.h: a queue of fixed capacity from one thread to another. Neither thread ever waits. If the queue
+// is full, `push` drops the value and returns false.
 #pragma once
 #include <array>
 #include <atomic>
@@ -10,8 +10,8 @@ namespace thaum {
 template <class T, std::size_t N>
 class Ring {
 public:
-    // The writer.
-    /// False where there is no room.
+    // Called by the writer.
+    /// Returns false if the queue is full.
     bool push(const T& value) {
         const auto end = end_.load(std::memory_order_relaxed);
         if (end - begin_.load(std::memory_order_acquire) == N) return false;
@@ -20,13 +20,13 @@ public:
         return true;
     }
 
-    // The reader.
-    /// The oldest, until it is popped; null where there is none.
+    // Called by the reader.
+    /// Returns the oldest value, valid until `pop`; null if the queue is empty.
     const T* front() const {
         const auto begin = begin_.load(std::memory_order_relaxed);
         return begin == end_.load(std::memory_order_acquire) ? nullptr : &values_[begin % N];
     }
-    /// Only where there is a front.
+    /// Removes the oldest value. The queue must not be empty.
     void pop() { begin_.store(begin_.load(std::memory_order_relaxed) + 1, std::memory_order_release); }
     std::size_t size() const {
         return static_cast<std::size_t>(end_.load(std::memory_order_acquire) -

@@ -1,4 +1,4 @@
-// core/sin_cos.h: sine and cosine of one angle for little more than the price of one.
+// core/sin_cos.h: sine and cosine of one angle, for little more than the cost of one of them.
 #pragma once
 
 namespace thaum::det {
@@ -8,7 +8,7 @@ struct SinCos {
     double cosine;
 };
 
-/// The same bits as core/maths.h's sin and cos (rad).
+/// Sine and cosine of x (rad), with the same bits as `sin` and `cos` of core/maths.h.
 SinCos sin_cos(double x);
 
 }  // namespace thaum::det

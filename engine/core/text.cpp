@@ -34,7 +34,8 @@ std::string in_one_line(std::string_view message) {
 
 namespace {
 
-/// Number of bytes of the UTF-8 character that `s` begins with, and its code point; 0 bytes where it begins with none.
+/// Returns the length in bytes and the code point of the first UTF-8 character of `s`. The length is 0 if the
+/// bytes are not valid UTF-8.
 std::pair<std::size_t, char32_t> first_character(std::string_view s) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
     const auto lead = byte(0);
@@ -52,10 +53,11 @@ std::pair<std::size_t, char32_t> first_character(std::string_view s) {
                                                                : std::pair{bytes, code};
 }
 
-/// Whether a terminal does something else with it than show it.
+/// Returns true if a terminal would act on the character instead of showing it.
 bool is_command(char32_t code) {
     const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
-    const bool turns_writing = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+    const bool turns_writing = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069) ||
+                               code == 0x200e || code == 0x200f || code == 0x61c;
     const bool breaks_line = code == 0x2028 || code == 0x2029;
     return control || turns_writing || breaks_line;
 }

@@ -1,4 +1,4 @@
-// core/text.h: building one line of text. No locale ever: the same bytes on every machine.
+// core/text.h: builds one line of text. It never uses a locale, so every machine produces the same bytes.
 #pragma once
 #include <charconv>
 #include <concepts>
@@ -9,10 +9,11 @@ namespace thaum {
 
 inline void append_text(std::string& out, std::string_view s) { out.append(s); }
 inline void append_text(std::string& out, char c) { out.push_back(c); }
-/// Exactly bool: a pointer must not become one.
+/// Accepts only bool itself. A plain bool parameter would accept pointers, too.
 inline void append_text(std::string& out, std::same_as<bool> auto b) { out.append(b ? "true" : "false"); }
 
-/// Integers in decimal, floating point in the shortest form that reads back to the same value.
+/// Writes integers in decimal and floating-point numbers in the shortest form that reads back to the same
+/// value.
 template <class T>
 requires((std::integral<T> && !std::same_as<T, bool> && !std::same_as<T, char>) ||
          std::floating_point<T>) void append_text(std::string& out, T value) {
@@ -29,10 +30,10 @@ std::string text(const Parts&... parts) {
     return out;
 }
 
-/// value with `digits` (0 to 60) places after the point: fixed(1.25, 1) -> "1.2".
+/// Formats `value` with `digits` (0 to 60) decimal places: fixed(1.25, 1) -> "1.2".
 std::string fixed(double value, int digits);
 
-/// 16 hexadecimal digits, lower case.
+/// Formats `value` as 16 lower-case hexadecimal digits.
 std::string hex(unsigned long long value);
 
 }  // namespace thaum

@@ -1,4 +1,5 @@
-// core/units.h: the clock of the simulation. One tick is one haptic sample, 1 ms (architecture.md, "One tick").
+// core/units.h: the time units of the simulation. One tick is one haptic sample, 1 ms (architecture.md, "One
+// tick").
 #pragma once
 #include <cstdint>
 
@@ -8,12 +9,12 @@ using Tick = std::uint64_t;
 
 inline constexpr double tick_seconds = 0.001;
 inline constexpr Tick ticks_per_second = 1000;
-inline constexpr Tick hash_interval = 128;       ///< ticks between state hashes in the log
-inline constexpr Tick keyframe_interval = 2048;  ///< ticks between canonical rebuilds of physics
+inline constexpr Tick hash_interval = 128;       ///< interval between state hashes in the log (ticks)
+inline constexpr Tick keyframe_interval = 2048;  ///< interval between canonical rebuilds of physics (ticks)
 
 constexpr double seconds(Tick ticks) { return static_cast<double>(ticks) * tick_seconds; }
 
-/// Ticks in a duration, rounded to the nearest; s must not be negative.
+/// Converts a duration (s, >= 0) to the nearest number of ticks.
 constexpr Tick ticks(double s) {
     const double exact = s * static_cast<double>(ticks_per_second);
     const auto whole = static_cast<Tick>(exact);  // std::lround is not constexpr

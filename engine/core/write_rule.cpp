@@ -37,7 +37,7 @@ bool is_file(const fs::path& path, const struct stat& info) {
     return ::stat(path.c_str(), &found) == 0 && same_file(found, info);
 }
 
-/// Does a file below the folder have this inode? Only a file with several names needs the walk.
+/// Returns true if a file below `folder` has this inode. Only files with several hard links need this search.
 bool has_other_name_in(const fs::path& folder, const struct stat& info) {
     std::error_code error;
     for (fs::recursive_directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
@@ -46,7 +46,7 @@ bool has_other_name_in(const fs::path& folder, const struct stat& info) {
     return false;
 }
 
-/// `path` is absolute and without symbolic links.
+/// Returns true if `path` is inside `folder`. `path` must be absolute and free of symbolic links.
 bool lies_below(const fs::path& folder, const fs::path& path) {
     struct stat info {};
     if (::stat(folder.c_str(), &info) != 0 || !S_ISDIR(info.st_mode)) return false;
@@ -56,7 +56,7 @@ bool lies_below(const fs::path& folder, const fs::path& path) {
     return false;
 }
 
-/// `info` is null where nothing lies at the path yet.
+/// Returns true if `path` is a declared input. `info` is null if no file exists at the path yet.
 bool is_input(const fs::path& path, const struct stat* info) {
     const std::lock_guard lock(inputs().mutex);
     const auto& paths = inputs().paths;
@@ -75,7 +75,7 @@ bool is_standard_stream(const struct stat& info) {
     return false;
 }
 
-/// Empty, or why the file that lies there stays.
+/// Returns why the existing file must not be replaced; empty if it may be.
 std::string why_kept(const fs::path& path, const struct stat& info) {
     if (!S_ISREG(info.st_mode)) return "not an ordinary file";
     if (is_standard_stream(info)) return "it is this program's own standard input or output";

@@ -1,4 +1,5 @@
-// ecs/commands.h: structural changes asked for during iteration and made afterwards, in the order they were given.
+// ecs/commands.h: structural changes requested during iteration. They are applied afterwards, in the order of
+// the requests.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,10 +14,12 @@ class World;
 
 class Commands {
 public:
-    /// Room for a busy tick's commands, so that the first one of a match asks the heap for nothing.
+    /// Reserves room for the commands of a busy tick, so that the first such tick of a match allocates
+    /// nothing.
     Commands();
 
-    /// An entity that will exist once the commands are applied; good for later calls on the same Commands until then.
+    /// An entity that will exist once the commands are applied. Until then it is valid in later calls on the
+    /// same Commands.
     struct Pending {
         std::uint32_t number{};
     };

@@ -1,4 +1,5 @@
-// ecs/component.h: what a type must be to be a component, and what the World knows about it at run time.
+// ecs/component.h: the requirements on a component type, and the description of it that the World has at run
+// time.
 //
 // A component is a trivially copyable struct without padding that names itself and its fields:
 //
@@ -8,9 +9,9 @@
 //         static constexpr auto fields() { return std::tuple(field("linear", &Velocity::linear)); }
 //     };
 //
-// The names make snapshots self-describing (ecs/diff.h prints them); the absence of padding, checked at compile time,
-// makes the bytes of a component a function of its value, so that they can be hashed. An empty struct with a
-// name is a tag: it costs one bit an entity, and adding or removing it moves nothing.
+// The names make snapshots self-describing; ecs/diff.h prints them. The absence of padding is checked at
+// compile time. It makes the bytes of a component a function of its value, so the bytes can be hashed. An
+// empty struct with a name is a tag. A tag costs one bit per entity, and adding or removing it moves no data.
 #pragma once
 #include <array>
 #include <atomic>
@@ -57,18 +58,19 @@ constexpr Field<C, M> field(std::string_view name, M C::*member) {
     return {name, member};
 }
 
-/// The scalar kinds that a snapshot can hold.
+/// The scalar types that a snapshot can hold.
 enum class Scalar : std::uint8_t { f32, f64, i8, i16, i32, i64, u8, u16, u32, u64 };
 constexpr std::array<std::uint8_t, 10> scalar_sizes{4, 8, 1, 2, 4, 8, 1, 2, 4, 8};
 
-/// One scalar of a component: "position.x" at byte 0.
+/// One scalar of a component, such as "position.x" at byte 0.
 struct FieldInfo {
     std::string name;
     std::uint32_t offset{};
     Scalar scalar{};
 };
 
-/// Names its fields itself, or a function beside it does: what belongs to a part that knows nothing of components.
+/// A type that lists its own fields. A type from a part that does not use components has a free function
+/// `fields_of` instead; Described accepts both.
 template <class T>
 concept NamesFields = requires {
     T::fields();
@@ -111,7 +113,7 @@ constexpr Scalar scalar_of() {
     }
 }
 
-/// Calls visit(name suffix, offset, Scalar) for every scalar of T, and returns the sum of their sizes.
+/// Calls visit(name, offset, Scalar) for every scalar of T and returns the sum of their sizes.
 template <class T, class Visit>
 constexpr std::size_t for_each_scalar(const std::string& prefix, std::size_t offset, Visit&& visit);
 
@@ -168,7 +170,7 @@ constexpr std::size_t for_each_scalar(const std::string& prefix, std::size_t off
     }
 }
 
-/// The sum of the sizes of all scalars: equal to sizeof(T) where there is no padding.
+/// Sum of the sizes of all scalars. It equals sizeof(T) if T has no padding.
 template <class T>
 constexpr std::size_t packed_size() {
     if constexpr (is_array<T>) {
@@ -185,10 +187,10 @@ constexpr std::size_t packed_size() {
     }
 }
 
-/// How many types have a number; `closed` once a World has arrays of that size.
+/// Number of types that have a type number. `closed` is set once a World has arrays of that size.
 struct TypeNumbers {
     std::uint32_t count = 0;
-    std::atomic<bool> closed = false;  // Worlds may be made on several threads
+    std::atomic<bool> closed = false;  // atomic, since Worlds may be created on several threads
 };
 inline TypeNumbers& type_numbers() {
     static TypeNumbers numbers;
@@ -200,13 +202,14 @@ inline std::uint32_t next_type_number() {
     return type_numbers().count++;
 }
 
-/// A number per type for this process, given before main; only ever a way to the World's own numbers.
+/// Number of a type in this process, assigned before main. It is only an index to the World's own component
+/// numbers.
 template <class T>
 inline const std::uint32_t type_number = next_type_number();
 
 }  // namespace detail
 
-/// What may be a component.
+/// A type that may be a component.
 template <class T>
 concept Component = std::is_trivially_copyable_v<T> && requires {
     std::string_view(T::name);
@@ -214,7 +217,7 @@ concept Component = std::is_trivially_copyable_v<T> && requires {
 
 struct ComponentInfo {
     std::string_view name;
-    std::uint32_t size{};  ///< bytes; 0 for a tag
+    std::uint32_t size{};  ///< size; 0 for a tag (bytes)
     std::vector<FieldInfo> fields;
 };
 

@@ -9,7 +9,8 @@
 #include "ecs/component.h"
 #include "ecs/table.h"
 
-// A snapshot is read here without a World, by its own description, so that dumps of other builds can be compared.
+// Snapshots are read by their own description and without a World, so that dumps of other builds can be
+// compared.
 namespace thaum::ecs {
 namespace {
 
@@ -19,7 +20,7 @@ struct Described {
     std::vector<FieldInfo> fields;
 };
 
-/// Component name -> bytes (empty for a tag).
+/// Component name -> bytes, which are empty for a tag.
 using Parts = std::map<std::string, std::span<const std::byte>>;
 
 struct Parsed {
@@ -56,7 +57,7 @@ bool get_table(ByteReader& in, const std::vector<Described>& components, Parsed&
     std::vector<Parts*> parts;
     for (std::uint32_t row = 0; row < rows && in.ok(); ++row) {
         parts.push_back(&out.entities[in.get<std::uint32_t>()]);
-        in.get<std::uint32_t>();  // generation: in the records too
+        in.get<std::uint32_t>();  // generation, which is in the records too
     }
     for (std::uint32_t c = 0; c < max_components && in.ok(); ++c) {
         if (!mask.test(c)) continue;

@@ -1,4 +1,4 @@
-// ecs/diff.h: what differs between two snapshots, in words: how every desync is found.
+// ecs/diff.h: lists the differences between two snapshots in words. Every desync is found this way.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,15 +9,15 @@
 namespace thaum::ecs {
 
 struct Difference {
-    std::string component;  ///< empty where the entity itself is on one side only
+    std::string component;  ///< empty if the entity exists on one side only
     std::uint32_t entity{};
-    std::string field;  ///< "position.x"; empty where the component is on one side only
-    std::string a, b;   ///< both values; "-" where there is none
+    std::string field;  ///< such as "position.x"; empty if the component exists on one side only
+    std::string a, b;   ///< both values; "-" if there is none
 };
 
-/// At most `limit` differences, by entity, then component, then field. Entities and components are matched by number
-/// and name. Where only the order of iteration or the free numbers differ, one Difference with field "order" says so.
-/// The error says which snapshot cannot be read.
+/// Returns at most `limit` differences, sorted by entity, then component, then field. Entities are matched by
+/// number and components by name. If only the order of iteration or the free list differs, one Difference has
+/// the field "order". The error says which snapshot cannot be read.
 Expected<std::vector<Difference>> diff(std::span<const std::byte> a, std::span<const std::byte> b,
                                        std::size_t limit = 100);
 

@@ -1,4 +1,4 @@
-// ecs/entity.h: a handle of something in a World. The generation makes a stale handle recognisable.
+// ecs/entity.h: a handle to an entity in a World. The generation makes a stale handle recognisable.
 #pragma once
 #include <cstdint>
 
@@ -9,7 +9,7 @@ struct Entity {
     std::uint32_t generation = 0;
 
     bool operator==(const Entity&) const = default;
-    /// False for the default value, which is no entity.
+    /// Returns false for the default value, which is not an entity.
     explicit operator bool() const { return index != 0xffffffffU; }
 };
 

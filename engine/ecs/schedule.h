@@ -1,7 +1,9 @@
-// ecs/schedule.h: systems run one after another, in the order in which they were added, each at its own period.
+// ecs/schedule.h: runs systems one after another, in the order in which they were added, each at its own
+// period.
 //
-// A system declares what it reads and writes (checked on every access while it runs) and which components it needs: while
-// any of those has no entity, it is not called at all. After each system the World's commands are applied.
+// A system declares which components it reads and writes. Every access is checked against this while the
+// system runs. It also declares which components it needs, and is skipped while any of them has no entity.
+// After each system the World's commands are applied.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -15,24 +17,25 @@ namespace thaum::ecs {
 
 struct System {
     std::string_view name;
-    Tick period = 1;  ///< ticks, > 0
-    Tick phase = 0;   ///< it runs at ticks t with t % period == phase
+    Tick period = 1;  ///< interval between runs, > 0 (ticks)
+    Tick phase = 0;   ///< the system runs at every tick t with t % period == phase (ticks)
     Mask reads{};
     Mask writes{};
-    Mask needs{};  ///< skipped while one of these is empty
+    Mask needs{};  ///< the system is skipped while no entity has one of these
     std::function<void(World&, Tick)> run{};
 };
 
 struct SystemCount {
     std::uint64_t calls = 0;
-    std::uint64_t skipped = 0;  ///< due, but something it needs was empty
-    std::int64_t time_ns = 0;   ///< only while timing
+    std::uint64_t skipped = 0;  ///< times the system was due, but a component it needs had no entity
+    std::int64_t time_ns = 0;   ///< time spent in `run`, counted only while `timing` is set (ns)
 };
 
 class Schedule {
 public:
     void add(System system);
-    /// Runs what is due at this tick. `skip_idle` false calls every due system: results must not change.
+    /// Runs the systems that are due at this tick. With `skip_idle` false, calls every due system; the
+    /// results must be the same.
     void run(World& world, Tick tick);
 
     std::size_t size() const { return systems_.size(); }

@@ -39,7 +39,7 @@ void put_components(ByteWriter& out, const World& world) {
 
 }  // namespace
 
-/// The part of World that only snapshots touch.
+/// Functions with access to the private parts of a World. Only snapshots use them.
 struct SnapshotAccess {
     static std::size_t size_of_state(const World& world) {
         std::size_t bytes = world.records_.size() * sizeof(World::Record) + 64;
@@ -116,7 +116,7 @@ struct SnapshotAccess {
         return in.ok() && std::memcmp(theirs.data(), head.data() + (head.size() - rest), rest) == 0;
     }
 
-    /// False where the bytes are cut off or contradict themselves.
+    /// Returns false if the bytes are cut off or contradict each other.
     static bool get_state(ByteReader& in, World& world) {
         const auto records = in.get<std::uint32_t>();
         const auto bytes = in.get_bytes(std::size_t{records} * sizeof(World::Record));
@@ -139,7 +139,8 @@ struct SnapshotAccess {
         for (std::uint32_t c = 0; c < max_components; ++c) {
             if (mask.test(c) && (c >= world.infos_.size() || world.infos_[c].size == 0)) return false;
         }
-        if (world.table_with(mask) != number) return false;  // a duplicate, or not the empty one first
+        // a duplicate, or the first table has components
+        if (world.table_with(mask) != number) return false;
         auto& table = *world.tables_[number];
         if (in.left() < std::size_t{rows} * sizeof(Entity)) return false;
         table.reserve(rows);
@@ -177,7 +178,8 @@ struct SnapshotAccess {
         return in.ok();
     }
 
-    /// Every row's entity points back at its row, every living record is a row, the free list is a list.
+    /// Returns true if the tables and the records agree: every row's entity points back to its row and every
+    /// living record has a row. The free list must be a proper list.
     static bool consistent(World& world) {
         std::size_t rows = 0;
         for (std::uint32_t t = 0; t < world.tables_.size(); ++t) {

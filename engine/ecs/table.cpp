@@ -32,60 +32,61 @@ void Table::reserve(std::uint32_t rows_wanted) {
     for (auto* edge : incident) edge->aim();
 }
 
-void Edge::aim() {
-    for (auto* list : {&lanes, &more_lanes, &odd_lanes}) {
-        for (auto& lane : *list) {
-            lane.from = from->cells[lane.component];
-            lane.to = to->cells[lane.component];
+void TableEdge::aim() {
+    for (auto* list : {&pairs, &more_pairs, &odd_pairs}) {
+        for (auto& pair : *list) {
+            pair.from = from->cells[pair.component];
+            pair.to = to->cells[pair.component];
         }
     }
 }
 
 void Table::join(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component) {
-    auto edge = make_pooled<Edge>(*memory);
+    auto edge = make_pooled<TableEdge>(*memory);
     edge->key = edge_key(number, component, !mask.test(component));
     edge->from = this;
     edge->to = &other;
     edge->to_number = other_number;
     for (const auto& column : columns) {
         if (column.component == component) continue;
-        auto& list = column.size == lane_size         ? edge->lanes
-                     : through_registers(column.size) ? edge->more_lanes
-                                                      : edge->odd_lanes;
+        auto& list = column.size == pair_size         ? edge->pairs
+                     : through_registers(column.size) ? edge->more_pairs
+                                                      : edge->odd_pairs;
         list.push_back({nullptr, nullptr, column.size, column.component});
     }
-    edge->only_lanes = edge->more_lanes.empty() && edge->odd_lanes.empty();
+    edge->only_pairs = edge->more_pairs.empty() && edge->odd_pairs.empty();
     edge->aim();
     incident.push_back(edge.get());
     other.incident.push_back(edge.get());
     edges[component] = std::move(edge);
 }
 
-// Comparisons instead of a jump table, which makes every address wait for the jump.
-void Table::move_other_cells(const Edge& edge, std::uint32_t row, std::uint32_t last, std::uint32_t to_row) {
-    for (const auto& lane : edge.more_lanes) {
-        if (lane.size == 24) {
-            move_cell<24>(lane, row, last, to_row);
-        } else if (lane.size == 8) {
-            move_cell<8>(lane, row, last, to_row);
-        } else if (lane.size == 4) {
-            move_cell<4>(lane, row, last, to_row);
-        } else if (lane.size == 16) {
-            move_cell<16>(lane, row, last, to_row);
+// Compares sizes instead of using a jump table, since every address would have to wait for the jump.
+void Table::move_other_cells(const TableEdge& edge, std::uint32_t row, std::uint32_t last,
+                             std::uint32_t to_row) {
+    for (const auto& pair : edge.more_pairs) {
+        if (pair.size == 24) {
+            move_cell<24>(pair, row, last, to_row);
+        } else if (pair.size == 8) {
+            move_cell<8>(pair, row, last, to_row);
+        } else if (pair.size == 4) {
+            move_cell<4>(pair, row, last, to_row);
+        } else if (pair.size == 16) {
+            move_cell<16>(pair, row, last, to_row);
         } else {
-            move_cell<32>(lane, row, last, to_row);
+            move_cell<32>(pair, row, last, to_row);
         }
     }
-    move_odd_cells(edge.odd_lanes, row, last, to_row);
+    move_odd_cells(edge.odd_pairs, row, last, to_row);
 }
 
-void Table::move_odd_cells(std::span<const Lane> lanes, std::uint32_t row, std::uint32_t last,
+void Table::move_odd_cells(std::span<const ColumnPair> pairs, std::uint32_t row, std::uint32_t last,
                            std::uint32_t to_row) {
-    for (const auto& lane : lanes) {
-        const std::size_t size = lane.size;
-        auto* hole = lane.from + row * size;
-        copy_cell(lane.to + to_row * size, hole, size);
-        copy_cell(hole, lane.from + last * size, size);
+    for (const auto& pair : pairs) {
+        const std::size_t size = pair.size;
+        auto* hole = pair.from + row * size;
+        copy_cell(pair.to + to_row * size, hole, size);
+        copy_cell(hole, pair.from + last * size, size);
     }
 }
 
@@ -95,7 +96,7 @@ TagColumn& Table::new_tag_column(std::uint32_t component) {
     return tags.back();
 }
 
-/// The tags of `row` become those of a fresh row of another table; the last row's tags take their place.
+/// Copies the tags of `row` to a fresh row of another table. The last row's tags take their place.
 void Table::move_tags(std::uint32_t row, Table& to, std::uint32_t to_row) {
     for (const auto& tag : tags) {
         if (tag.test(row)) to.tag_column(tag.component).set(to_row);
@@ -103,7 +104,7 @@ void Table::move_tags(std::uint32_t row, Table& to, std::uint32_t to_row) {
     close_tags(row);
 }
 
-/// The last row's tags take the place of those of `row`.
+/// Replaces the tags of `row` by those of the last row.
 void Table::close_tags(std::uint32_t row) {
     const std::uint32_t last = rows - 1;
     for (auto& tag : tags) {

@@ -1,13 +1,17 @@
-// ecs/table.h: all entities with one set of data components, as plain arrays (an archetype).
+// ecs/table.h: stores all entities that have the same set of data components as plain arrays (an archetype).
 //
-// Measured (thaum bench ecs): arrays of one table iterate at the speed of raw arrays, sparse sets at a quarter of it and
-// less. The price of tables is that adding a component moves the entity to another table. What keeps it low lies
-// beside the arrays and not in them, so that iteration knows nothing of it: an edge joins two tables that differ in one
-// component and knows the arrays between which a row moves, so that it moves in one pass without any look-up; cells of
-// common sizes move through registers; and one capacity for all arrays makes "is there room" one question. Tags, which
-// change most often, are columns of bits: they never move an entity, and a view over them walks 64 rows at a time.
+// Measured with `thaum bench ecs`: the arrays of one table iterate at the speed of raw arrays; sparse sets
+// reach a quarter of that speed or less. The price is that adding a component moves the entity to another
+// table. Four measures keep this cheap, and iteration over the arrays is unaffected by them:
+// - A table edge joins two tables that differ in one component. It lists the arrays between which a row
+//   moves, so a row moves in one pass without any look-up.
+// - Cells of common sizes move through registers.
+// - All arrays of a table share one capacity, so one comparison shows whether there is room.
+// - Tags, which change most often, are columns of bits. They never move an entity, and a view reads 64 rows
+//   of them at a time.
 //
-// A row is removed by moving the last row into it, so the order of rows follows from the history of the world alone.
+// A row is removed by moving the last row into its place. The order of rows therefore depends only on the
+// history of the World.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -27,12 +31,13 @@ namespace thaum::ecs {
 
 inline constexpr std::uint32_t none = 0xffffffffU;
 
-/// Memory for tables and edges, taken from the system in one piece and given back with the World or by a restore. A table
-/// that first appears in the middle of a match, when somebody dies with a new wand in hand, then costs no allocation.
+/// Memory for tables and table edges. It comes from the system in one piece and is released with the World or
+/// by a restore. A table that first appears in the middle of a match, as when a wizard dies holding a new
+/// wand, then needs no allocation.
 using TableMemory = std::pmr::monotonic_buffer_resource;
 inline constexpr std::size_t table_memory_bytes = std::size_t{4} << 20U;
 
-/// Destroys what lies in TableMemory, whose bytes stay there.
+/// Deleter for objects in TableMemory. It runs the destructor and does not free the bytes.
 struct DestroyOnly {
     template <class T>
     void operator()(T* object) const {
@@ -46,8 +51,8 @@ Pooled<T> make_pooled(TableMemory& memory) {
     return Pooled<T>(new (memory.allocate(sizeof(T), alignof(T))) T(memory));
 }
 
-/// 64-byte aligned memory that is not initialised. Small arrays lie in TableMemory; large ones would fill it with the
-/// arrays that they have outgrown, and are given back to the system.
+/// Uninitialised memory, aligned to 64 bytes. Small arrays are in TableMemory. Large arrays come from the
+/// system and are freed when outgrown; in TableMemory their old copies would use up the space.
 class RawArray {
 public:
     RawArray() = default;
@@ -62,7 +67,7 @@ public:
         if (!pooled_) ::operator delete (bytes_, std::align_val_t{64});
     }
     std::byte* data() const { return bytes_; }
-    /// Keeps the first `keep` bytes.
+    /// Enlarges the array and copies its first `keep` bytes.
     void grow(std::size_t bytes, std::size_t keep, TableMemory& memory);
 
 private:
@@ -72,16 +77,16 @@ private:
 
 struct Column {
     std::uint32_t component{};
-    std::uint32_t size{};  ///< bytes per row
+    std::uint32_t size{};  ///< size of one row (bytes)
     RawArray array;
 
     std::byte* cell(std::uint32_t row) const { return array.data() + std::size_t{row} * size; }
 };
 
-/// Words of a bit column with that many rows.
+/// Number of 64-bit words that a bit column of `rows` rows needs.
 constexpr std::size_t words_for(std::uint32_t rows) { return (std::size_t{rows} + 63) / 64; }
 
-/// One bit a row; bits at and beyond `rows` are zero.
+/// One bit per row. Bits at and beyond `rows` are zero.
 struct TagColumn {
     std::uint32_t component{};
     std::pmr::vector<std::uint64_t> words;
@@ -91,65 +96,68 @@ struct TagColumn {
     void clear(std::uint32_t row) { words[row / 64] &= ~(std::uint64_t{1} << (row % 64)); }
 };
 
-/// A table's number for a tag that no row of it has had.
+/// Marks a tag that no row of the table has ever had.
 inline constexpr std::uint8_t no_tag = 0xff;
 static_assert(max_components < no_tag);
 
 struct Table;
 
-/// Whether cells of so many bytes are copied by a few moves instead of a call.
+/// Returns true if cells of this size are copied by a few moves instead of a call (bytes).
 constexpr bool through_registers(std::uint32_t size) {
     return size == 4 || size == 8 || size == 12 || size == 16 || size == 24 || size == 32;
 }
 
-/// bytes: three floats, of which most of what is added and removed while a game runs is made.
-inline constexpr std::uint32_t lane_size = 12;
+/// Cell size with a loop of its own in `move_cells` (bytes): three floats, the most common size of moved
+/// cells.
+inline constexpr std::uint32_t pair_size = 12;
 
-/// Two arrays of one component, between which its cells move.
-struct Lane {
+/// The arrays of one component in two tables, between which its cells move.
+struct ColumnPair {
     std::byte* from;
     std::byte* to;
-    std::uint32_t size;  ///< of a cell, bytes
+    std::uint32_t size;  ///< size of a cell (bytes)
     std::uint32_t component;
 };
 
-/// From one table to that with one component more, or less.
-struct Edge {
-    std::uint64_t key = ~std::uint64_t{0};  ///< edge_key; no table has the number in this one
+/// Leads from one table to the table with one component more or less.
+struct TableEdge {
+    std::uint64_t key = ~std::uint64_t{0};  ///< result of edge_key; the default matches no table
     Table* from = nullptr;
     Table* to = nullptr;
     std::uint32_t to_number = none;
-    std::pmr::vector<Lane> lanes;       ///< of what both have; those of `lane_size` bytes
-    std::pmr::vector<Lane> more_lanes;  ///< those of other sizes whose cells go through registers
-    std::pmr::vector<Lane> odd_lanes;   ///< and the others
-    bool only_lanes = true;             ///< there are no more and no odd ones
+    std::pmr::vector<ColumnPair> pairs;  ///< columns of both tables with cells of `pair_size` bytes
+    /// Columns of both tables with other cells that go through registers.
+    std::pmr::vector<ColumnPair> more_pairs;
+    std::pmr::vector<ColumnPair> odd_pairs;  ///< all other columns of both tables
+    bool only_pairs = true;                  ///< more_pairs and odd_pairs are empty
 
-    explicit Edge(TableMemory& memory) : lanes(&memory), more_lanes(&memory), odd_lanes(&memory) {}
+    explicit TableEdge(TableMemory& memory) : pairs(&memory), more_pairs(&memory), odd_pairs(&memory) {}
 
-    /// Finds the arrays anew.
+    /// Refreshes the array pointers after a reallocation.
     void aim();
 };
 
-/// What a change of one entity asks for, in one word: from which table, which component, more or less of it.
+/// Packs a change of one entity into one word: its table, the component, and whether the component is added.
 constexpr std::uint64_t edge_key(std::uint32_t table, std::uint32_t component, bool more) {
     return (std::uint64_t{table} << 32U) | (component << 1U) | (more ? 1U : 0U);
 }
 
 struct Table {
-    Mask mask;  ///< data components
+    Mask mask;  ///< set of data components
     TableMemory* memory;
-    std::pmr::vector<Column> columns;  ///< in the order of their components
-    std::pmr::vector<TagColumn> tags;  ///< only those that a row here has had
+    std::pmr::vector<Column> columns;  ///< sorted by component
+    std::pmr::vector<TagColumn> tags;  ///< only tags that a row of this table has ever had
     RawArray entity_array;
     std::uint32_t rows = 0;
-    std::uint32_t capacity = 0;  ///< of every array; above 0 where there are columns
+    /// Capacity of every array; above 0 if there are columns (rows).
+    std::uint32_t capacity = 0;
 
-    std::array<std::byte*, max_components> cells;     ///< a data component's array; null: no such column
-    std::array<std::uint8_t, max_components> tag_of;  ///< a tag's index into tags; no_tag
-    /// The way to the table with this component more, or less; null: not known yet.
-    std::array<Pooled<Edge>, max_components> edges;
-    std::pmr::vector<Edge*>
-        incident;  ///< from here or to here: they hold the addresses of this table's arrays
+    std::array<std::byte*, max_components> cells;     ///< array of each data component; null: no such column
+    std::array<std::uint8_t, max_components> tag_of;  ///< index of each tag in `tags`; no_tag: none
+    /// Edge to the table with this component more or less. Null: not known yet.
+    std::array<Pooled<TableEdge>, max_components> edges;
+    /// Edges from or to this table, which hold the addresses of its arrays.
+    std::pmr::vector<TableEdge*> incident;
 
     explicit Table(TableMemory& table_memory)
         : memory(&table_memory), columns(memory), tags(memory), incident(memory) {
@@ -162,11 +170,11 @@ struct Table {
     C* cells_of(std::uint32_t component) const {
         return reinterpret_cast<C*>(cells[component]);
     }
-    /// Once, for a table without rows.
+    /// Adds a column, once per component, to a table without rows.
     void add_column(std::uint32_t component, std::uint32_t size);
     void reserve(std::uint32_t rows_wanted);
     void grow() { reserve(capacity == 0 ? 16 : capacity * 2); }
-    /// A new last row with uninitialised cells and no tags.
+    /// Appends a row with uninitialised cells and no tags.
     std::uint32_t append(Entity entity) {
         if (rows == capacity) [[unlikely]] {
             grow();
@@ -176,21 +184,25 @@ struct Table {
         rows = row + 1;
         return row;
     }
-    /// The last row takes the place of `row`; returns the entity that moved (the removed one if it was the last).
+    /// Moves the last row into the place of `row`. Returns the entity that moved, or the removed entity if
+    /// `row` was the last.
     Entity remove(std::uint32_t row);
-    /// The entity's row becomes a new last row of the neighbour at the end of one of this table's edges, and the last row here
-    /// takes its place; but for the cells, which `move_cells` moves.
+    /// Moves the entity's row to the end of the table at the other end of `edge`. The last row of this table
+    /// takes its place. The cells are left to `move_cells`.
     struct Moved {
-        std::uint32_t to_row{}, last{};  ///< over there; here, which is no row any more
-        Entity filler;                   ///< that is in the old row now
+        /// the new row in the other table; the row of this table that no longer exists
+        std::uint32_t to_row{}, last{};
+        Entity filler;  ///< entity that is in the old row now
     };
-    Moved move(std::uint32_t row, Entity entity, const Edge& edge);
-    /// Only cells that both have are touched: where `to` has one column less, the caller fills the hole in it, whose type he may
-    /// know.
-    static void move_cells(const Edge& edge, std::uint32_t row, std::uint32_t last, std::uint32_t to_row);
-    /// Once, for two tables that differ in this component.
+    Moved move(std::uint32_t row, Entity entity, const TableEdge& edge);
+    /// Moves only the cells that both tables have. If `to` has one column less, the caller fills the hole in
+    /// that column, since only the caller may know its type.
+    static void move_cells(const TableEdge& edge, std::uint32_t row, std::uint32_t last,
+                           std::uint32_t to_row);
+    /// Creates the edge to `other`, which differs from this table in `component` only. Called once per pair
+    /// and direction.
     void join(std::uint32_t number, Table& other, std::uint32_t other_number, std::uint32_t component);
-    /// The column of bits of a tag, made when it is first needed.
+    /// Returns the bit column of a tag and creates it on first use.
     TagColumn& tag_column(std::uint32_t component) {
         const auto at = tag_of[component];
         if (at == no_tag) [[unlikely]] {
@@ -201,9 +213,9 @@ struct Table {
 
 private:
     TagColumn& new_tag_column(std::uint32_t component);
-    static void move_other_cells(const Edge& edge, std::uint32_t row, std::uint32_t last,
+    static void move_other_cells(const TableEdge& edge, std::uint32_t row, std::uint32_t last,
                                  std::uint32_t to_row);
-    static void move_odd_cells(std::span<const Lane> lanes, std::uint32_t row, std::uint32_t last,
+    static void move_odd_cells(std::span<const ColumnPair> pairs, std::uint32_t row, std::uint32_t last,
                                std::uint32_t to_row);
     void move_tags(std::uint32_t row, Table& to, std::uint32_t to_row);
     void close_tags(std::uint32_t row);
@@ -214,7 +226,7 @@ private:
     }
 };
 
-/// Calls f(size), with a constant where cells of that size go through registers.
+/// Calls f(size). The size is a compile-time constant if cells of that size go through registers.
 template <class F>
 [[gnu::always_inline]] inline void with_size(std::uint32_t size, F&& f) {
     switch (size) {
@@ -235,7 +247,7 @@ template <class Word>
     std::memcpy(to, &word, sizeof word);
 }
 
-/// Word by word, so that `from` may be `to`.
+/// Copies word by word, so that `from` may equal `to`.
 template <std::size_t size>
 [[gnu::always_inline]] inline void copy_cell(std::byte* to, const std::byte* from,
                                              std::integral_constant<std::size_t, size>) {
@@ -261,17 +273,18 @@ inline void copy_cell(std::byte* to, const std::byte* from, std::size_t size) {
     return close(row);
 }
 
-/// The cell of `row` goes to `to_row` over there, the last into the hole.
+/// Copies the cell of `row` to `to_row` of the other table, then the cell of `last` into the hole.
 template <std::size_t size>
-[[gnu::always_inline]] inline void move_cell(const Lane& lane, std::size_t row, std::size_t last,
+[[gnu::always_inline]] inline void move_cell(const ColumnPair& pair, std::size_t row, std::size_t last,
                                              std::size_t to_row) {
     constexpr std::integral_constant<std::size_t, size> constant{};
-    auto* hole = lane.from + row * size;
-    copy_cell(lane.to + to_row * size, hole, constant);
-    copy_cell(hole, lane.from + last * size, constant);
+    auto* hole = pair.from + row * size;
+    copy_cell(pair.to + to_row * size, hole, constant);
+    copy_cell(hole, pair.from + last * size, constant);
 }
 
-[[gnu::always_inline]] inline Table::Moved Table::move(std::uint32_t row, Entity entity, const Edge& edge) {
+[[gnu::always_inline]] inline Table::Moved Table::move(std::uint32_t row, Entity entity,
+                                                       const TableEdge& edge) {
     auto& to = *edge.to;
     if (to.rows == to.capacity) [[unlikely]] {
         to.grow();
@@ -289,12 +302,13 @@ template <std::size_t size>
     return {to_row, last, filler};
 }
 
-// One size of cells in the loop, since the places in arrays of every size would be worked out before it and kept on the stack.
-[[gnu::always_inline]] inline void Table::move_cells(const Edge& edge, std::uint32_t row, std::uint32_t last,
-                                                     std::uint32_t to_row) {
-    for (const auto *lane = edge.lanes.data(), *end = lane + edge.lanes.size(); lane != end; ++lane)
-        move_cell<lane_size>(*lane, row, last, to_row);
-    if (!edge.only_lanes) [[unlikely]] {
+// The loop handles one cell size only. With several sizes the compiler would compute the addresses for each
+// of them before the loop and keep them on the stack.
+[[gnu::always_inline]] inline void Table::move_cells(const TableEdge& edge, std::uint32_t row,
+                                                     std::uint32_t last, std::uint32_t to_row) {
+    for (const auto *pair = edge.pairs.data(), *end = pair + edge.pairs.size(); pair != end; ++pair)
+        move_cell<pair_size>(*pair, row, last, to_row);
+    if (!edge.only_pairs) [[unlikely]] {
         move_other_cells(edge, row, last, to_row);
     }
 }

@@ -3,8 +3,9 @@
 //     world.view<Pose, const Velocity, Maybe<const Health>, Wizard, Without<Dead>>()
 //         .each([](Entity e, Pose& p, const Velocity& v, const Health* h) { ... });
 //
-// The entity argument may be left out. Tags (here Wizard) and Without only filter. The order is: tables in the order of their
-// creation, rows from first to last. Inside `each` nothing may be created, destroyed, added or removed: use commands().
+// The entity argument may be left out. Tags (here Wizard) and Without only filter. Tables are visited in the
+// order of their creation, rows from first to last. Inside `each` no entity may be created or destroyed, and
+// no component added or removed: use commands() instead.
 #pragma once
 #include <bit>
 #include <type_traits>
@@ -13,11 +14,11 @@
 
 namespace thaum::ecs {
 
-/// In a view: a pointer to the component, or null.
+/// View term: a pointer to the component, or null if the entity lacks it.
 template <class C>
 struct Maybe {};
 
-/// In a view: only entities without this component or tag.
+/// View term: only entities without this component or tag.
 template <class C>
 struct Without {};
 
@@ -50,7 +51,7 @@ struct Term<Without<T>> {
 template <class T>
 inline constexpr bool passed = !Term<T>::tag && !Term<T>::excluded;
 
-/// What a term gives for one row, as a tuple of one or no element.
+/// The argument of one term for one row, as a tuple of one or no element.
 template <class T>
 auto argument(typename Term<T>::value* base, std::size_t row) {
     if constexpr (!passed<T>) {
@@ -78,14 +79,14 @@ public:
         }
     }
 
-    /// How many entities match.
+    /// Number of entities that match.
     std::size_t count() const {
         std::size_t n = 0;
         each([&](Entity, const auto&...) { ++n; });
         return n;
     }
 
-    /// The first match, or `nobody`.
+    /// Returns the first match, or `nobody` if there is none.
     Entity first() const {
         for (const auto t : query_.tables) {
             const auto& table = *world_.tables_[t];
@@ -120,7 +121,7 @@ private:
         }
     }
 
-    /// The matching rows of the 64 from `row` on, as bits.
+    /// The rows that match among the 64 from `row` on, one bit each.
     std::uint64_t matching(const Table& table, std::uint32_t row) const {
         const auto left = table.rows - row;
         std::uint64_t word = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;

@@ -67,19 +67,19 @@ std::uint32_t World::table_with(const Mask& mask) {
     return static_cast<std::uint32_t>(tables_.size() - 1);
 }
 
-const Edge& World::edge_to_more(std::uint32_t table, std::uint32_t component, Entity entity) {
+const TableEdge& World::edge_to_more(std::uint32_t table, std::uint32_t component, Entity entity) {
     THAUM_ASSERT(tables_[table]->cells[component] == nullptr,
                  component_message("already has", component, entity));
     return edge_from(table, component);
 }
 
-const Edge& World::edge_to_less(std::uint32_t table, std::uint32_t component, Entity entity) {
+const TableEdge& World::edge_to_less(std::uint32_t table, std::uint32_t component, Entity entity) {
     THAUM_ASSERT(tables_[table]->cells[component] != nullptr,
                  component_message("has no component", component, entity));
     return edge_from(table, component);
 }
 
-const Edge& World::edge_from(std::uint32_t table, std::uint32_t component) {
+const TableEdge& World::edge_from(std::uint32_t table, std::uint32_t component) {
     auto& from = *tables_[table];
     if (from.edges[component] == nullptr) [[unlikely]] {
         Mask mask = from.mask;

@@ -1,14 +1,15 @@
-// ecs/world.h: entities and their components. See ecs/table.h for how they lie in memory, and why.
+// ecs/world.h: entities and their components. ecs/table.h describes their layout in memory and the reasons
+// for it.
 //
 //     World world;
 //     world.declare<Pose>();  world.declare<Velocity>();          // once, in a fixed order
 //     const Entity e = world.create(Pose{}, Velocity{{1, 0, 0}});
 //     world.view<Pose, const Velocity>().each([](Pose& p, const Velocity& v) { p.position += v.linear; });
 //
-// All that happens is a function of the calls made: the order of iteration, the numbers of new entities, the bytes
-// of a snapshot and the state hash follow from the history of this World alone, never from addresses or from other Worlds.
-// Wrong use (a stale entity, a component added twice, a structural change inside a view) is an assertion that names the
-// component. One thread at a time.
+// All results are a function of the calls made. The order of iteration, the numbers of new entities, the
+// bytes of a snapshot and the state hash depend only on the history of this World, never on addresses or
+// other Worlds. Wrong use fails an assertion that names the component: a stale entity, a component added
+// twice, a structural change inside a view. Only one thread may use a World at a time.
 #pragma once
 #include <span>
 #include <utility>
@@ -27,17 +28,17 @@ namespace thaum::ecs {
 template <class... Terms>
 class View;
 
-/// Called with the component's bytes right after it was added, or right before it is removed (or its entity destroyed).
-/// It may read the World and change components, but not add, remove, create or destroy.
+/// Called with the component's bytes right after it was added, or right before it is removed (or its entity
+/// destroyed). A hook may read the World and change components, but must not add, remove, create or destroy.
 struct Hook {
     void (*call)(void* context, Entity entity, const void* component) = nullptr;
     void* context = nullptr;
 };
 
-/// Tables for which lists have room from the start.
+/// Number of tables for which lists reserve room at the start.
 inline constexpr std::size_t usual_tables = 256;
 
-/// Which components a running system said it reads and writes.
+/// Components that the running system declared to read and write.
 struct Access {
     Mask reads;
     Mask writes;
@@ -50,10 +51,12 @@ public:
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    /// Declares a component; all are declared before the first entity. Their order is part of the state's format.
+    /// Declares a component. All components are declared before the first entity. Their order is part of the
+    /// snapshot format.
     template <Component C>
     void declare();
-    /// Memory for that many entities and for that many rows of this set of components, so that the loop need not allocate.
+    /// Reserves memory for `count` entities, or for `rows` rows of one set of components. The main loop then
+    /// need not allocate.
     void reserve_entities(std::uint32_t count) { records_.reserve(count); }
     template <Component... Cs>
     void reserve(std::uint32_t rows) {
@@ -63,17 +66,18 @@ public:
     template <Component... Cs>
     Entity create(Cs... components);
     void destroy(Entity entity);
-    /// Every entity, in order of their numbers; hooks are called. The history goes on: numbers are not used anew.
+    /// Destroys every entity in the order of their numbers and calls the hooks. The history goes on:
+    /// generations and free entity numbers are kept.
     void clear();
     bool alive(Entity entity) const {
-        // In bytes, since a number of records would be a division by their size.
+        // Compares bytes, since counting the records would need a division by their size.
         const auto bytes = records_.size() * sizeof(Record);
         return std::size_t{entity.index} * sizeof(Record) < bytes &&
                records_[entity.index].generation == entity.generation && records_[entity.index].table != none;
     }
-    /// How many entities there are; a sum over the tables.
+    /// Number of entities, summed over the tables.
     std::size_t size() const;
-    /// The living entity with this number; nobody where there is none.
+    /// Returns the living entity with this number, or `nobody` if there is none.
     Entity entity(std::uint32_t index) const {
         const bool lives = index < records_.size() && records_[index].table != none;
         return lives ? Entity{index, records_[index].generation} : nobody;
@@ -89,18 +93,18 @@ public:
     C& get(Entity entity);
     template <Component C>
     const C& get(Entity entity) const;
-    /// Null where the entity has none (or is no entity any more).
+    /// Returns null if the entity lacks the component or no longer exists.
     template <Component C>
     C* find(Entity entity);
     template <Component C>
     const C* find(Entity entity) const;
-    /// The component of which there is exactly one, such as the match.
+    /// Returns a component that exactly one entity has, such as the match.
     template <Component C>
     C& single();
     template <Component C>
     const C& single() const;
 
-    /// How many entities have C.
+    /// Number of entities that have C.
     template <Component C>
     std::uint32_t count() const {
         return counts_[id<C>()];
@@ -115,7 +119,7 @@ public:
     template <Component C>
     void on_add(Hook hook) {
         added_[id<C>()] = hook;
-        forget_packs();  // they know whether there is a hook
+        forget_packs();  // packs record whether there is a hook
     }
     template <Component C>
     void on_remove(Hook hook) {
@@ -123,11 +127,11 @@ public:
         has_remove_hooks_ |= hook.call != nullptr;
     }
 
-    /// Changes asked for during iteration; `apply_commands` makes them, in the order in which they were given.
+    /// Changes requested during iteration. `apply_commands` makes them, in the order of the requests.
     Commands& commands() { return commands_; }
     void apply_commands();
 
-    // What the schedule, snapshots and tools need.
+    // Access for the schedule, snapshots and tools.
     template <Component C>
     std::uint32_t id() const;
     template <Component... Cs>
@@ -139,7 +143,7 @@ public:
     std::span<const ComponentInfo> components() const { return infos_; }
     std::span<const Pooled<Table>> tables() const { return tables_; }
     std::uint32_t count(std::uint32_t component) const { return counts_[component]; }
-    /// While set, every access is checked against what the system declared; null turns the check off.
+    /// Checks every later access against what the system declared. Null turns the check off.
     void set_access(const Access* access) { access_ = access; }
 
 private:
@@ -150,12 +154,12 @@ private:
 
     struct Record {
         std::uint32_t generation = 0;
-        std::uint32_t table = none;  // none: free, and row is the next free one
+        std::uint32_t table = none;  // none: the record is free, and row is the next free one
         std::uint32_t row = none;
     };
-    /// What `create` knows of one of its instances. Half a cache line.
+    /// Cached data of one instantiation of `create`. It fills half a cache line.
     struct Pack {
-        std::uint32_t table = none;  // none: not known yet
+        std::uint32_t table = none;  // table of the new entity; none: not known yet
         bool hooked = false;         // one of the components has an `added_` hook
         std::array<std::uint8_t, 27> components{};
     };
@@ -164,11 +168,12 @@ private:
         std::byte* array;
         std::uint32_t row;
     };
-    /// A cell whose entity went, and the cell that must take its place: perhaps itself.
+    /// A cell whose entity moved away, and the row (`filler`) whose cell must take its place.
     struct Hole {
         std::byte* array;
         std::uint32_t row, filler;
     };
+    /// The tables that match one kind of view, updated when new tables appear.
     struct Query {
         Mask required, excluded;
         std::uint32_t tables_seen = 0;
@@ -200,14 +205,15 @@ private:
         }
     }
     void check_access(std::uint32_t component, bool write) const;
-    // Assertions of what is called most. Calls of their own, since a message made in place costs the way past it registers.
+    // Assertions of the most frequent calls. They are separate functions because building a message in place
+    // costs registers on the normal path.
     [[noreturn, gnu::cold]] void fail_stale(Entity entity, std::uint32_t component) const;
     [[noreturn, gnu::cold]] void fail_locked(std::uint32_t component) const;
     [[noreturn, gnu::cold]] void fail_undeclared(std::string_view name) const;
     [[noreturn, gnu::cold]] void fail(const char* what, std::uint32_t component, Entity entity) const;
     std::string component_message(std::string_view what, std::uint32_t component, Entity entity) const;
 
-    /// id() where it is known that C was declared.
+    /// Same as id(), for components that are known to be declared.
     template <Component C>
     std::uint32_t known_id() const {
         return id_of_type_[detail::type_number<C>];
@@ -220,12 +226,13 @@ private:
     }
     std::uint32_t new_number();
     std::uint32_t table_with(const Mask& mask);
-    /// The edge to the table with this component more (less); the entity is for the assertion that it has none (one).
-    const Edge& edge_to_more(std::uint32_t table, std::uint32_t component, Entity entity);
-    const Edge& edge_to_less(std::uint32_t table, std::uint32_t component, Entity entity);
-    const Edge& edge_from(std::uint32_t table, std::uint32_t component);
-    /// Moves the entity along the edge; returns its new row.
-    std::uint32_t follow(const Edge& edge, Record& record, Entity entity);
+    /// The edge to the table with this component more (less). An assertion checks that the entity has none
+    /// (one).
+    const TableEdge& edge_to_more(std::uint32_t table, std::uint32_t component, Entity entity);
+    const TableEdge& edge_to_less(std::uint32_t table, std::uint32_t component, Entity entity);
+    const TableEdge& edge_from(std::uint32_t table, std::uint32_t component);
+    /// Moves the entity along the edge and returns its new row.
+    std::uint32_t follow(const TableEdge& edge, Record& record, Entity entity);
     void forget_packs();
     void call(const Hook& hook, std::uint32_t component, Entity entity);
     void added(std::uint32_t component, Entity entity) {
@@ -235,13 +242,15 @@ private:
         if (removed_[component].call != nullptr) call(removed_[component], component, entity);
     }
     void removing_all(const Table& table, std::uint32_t row);
-    /// Moves the entity to the table with this component more; returns the cell, not yet written.
+    /// Moves the entity to the table with this component more. Returns the new cell, which is not written
+    /// yet.
     Cell extend(Entity entity, std::uint32_t component);
-    /// Calls the hook and moves the entity to the table with this component less; the hole in its column is still to be filled.
+    /// Calls the hook and moves the entity to the table with this component less. The caller must still fill
+    /// the hole in the component's column.
     Hole narrow(Entity entity, std::uint32_t component);
     void mark(Entity entity, std::uint32_t tag);
     void unmark(Entity entity, std::uint32_t tag);
-    /// By number, with the component's bytes: what commands and the typed calls share.
+    /// Access by component number and bytes, shared by commands and the typed calls.
     void add_bytes(Entity entity, std::uint32_t component, const void* bytes);
     void remove_by_id(Entity entity, std::uint32_t component);
     const void* find_bytes(Entity entity, std::uint32_t component) const;
@@ -255,27 +264,29 @@ private:
     void note_pack(std::uint32_t type, std::span<const std::uint32_t> components);
 
     std::vector<ComponentInfo> infos_;
-    std::vector<std::uint32_t> id_of_type_;  // type number of this process -> component of this World
+    // Maps a type number of this process to a component of this World.
+    std::vector<std::uint32_t> id_of_type_;
     std::array<Hook, max_components> added_{}, removed_{};
     bool has_remove_hooks_ = false;
     std::array<std::uint32_t, max_components> counts_{};
     TableMemory memory_{table_memory_bytes};
-    std::vector<Pooled<Table>> tables_;  // the first one has no components
-    const Edge no_edge_{memory_};
-    // The one that was last taken, since the same change often follows for many entities: then what it leads to is known before
-    // the entity is.
-    const Edge* last_edge_ = &no_edge_;
+    std::vector<Pooled<Table>> tables_;  // the first table has no components
+    const TableEdge no_edge_{memory_};
+    // The edge that was used last. The same change often follows for many entities, so the target is known
+    // before the next entity is.
+    const TableEdge* last_edge_ = &no_edge_;
     std::vector<Record> records_;
     std::uint32_t free_ = none;
     Commands commands_;
-    // A cache, by type number of the view; each stays where it is, since views refer to it.
+    // Cache of queries, by the type number of the view. Each query keeps its address, since views refer to
+    // it.
     mutable std::vector<std::unique_ptr<Query>> queries_;
     std::vector<Pack> packs_;  // cache, by type number of a pack of components
     mutable std::uint32_t locks_ = 0;
     const Access* access_ = nullptr;
 };
 
-// ---------------------------------------------------------------------------------------------------------------------
+// Implementation of the templates.
 
 namespace detail {
 template <class... Cs>
@@ -313,8 +324,8 @@ template <class... Cs>
     note_pack(type, components);
 }
 
-// Inlined, so that components go from registers into their cells. They come by value, since a reference might be to a cell of
-// the table that grows here.
+// Inlined, so that components go from registers into their cells. They are passed by value, since a reference
+// could point to a cell of the table that grows here.
 template <Component... Cs>
 [[gnu::always_inline]] inline Entity World::create(Cs... components) {
     const Pack& pack = pack_of<Cs...>();
@@ -364,8 +375,10 @@ inline void World::unmark(Entity entity, std::uint32_t tag) {
     table.tags[at].clear(r.row);
 }
 
-// Cells last: a byte's address may be anything's, so whatever is needed after them would have to be read anew.
-[[gnu::always_inline]] inline std::uint32_t World::follow(const Edge& edge, Record& record, Entity entity) {
+// The cells are moved last. A write through a byte pointer may alias anything, so values used after it would
+// be loaded again.
+[[gnu::always_inline]] inline std::uint32_t World::follow(const TableEdge& edge, Record& record,
+                                                          Entity entity) {
     const auto row = record.row;
     const auto [to_row, last, filler] = edge.from->move(row, entity, edge);
     records_[filler.index].row = row;
@@ -401,7 +414,7 @@ inline void World::unmark(Entity entity, std::uint32_t tag) {
     return {edge->from->cells[component], row, edge->from->rows};
 }
 
-// Inlined, as `create` is.
+// Inlined for the same reason as `create`.
 template <Component C>
 [[gnu::always_inline]] inline void World::add(Entity entity, const C& component) {
     const auto c = id<C>();
@@ -409,7 +422,7 @@ template <Component C>
     if constexpr (Tag<C>) {
         mark(entity, c);
     } else {
-        const C value = component;  // which may lie in a table that changes now
+        const C value = component;  // a copy, since the argument may be in a table that changes now
         const auto [array, row] = extend(entity, c);
         reinterpret_cast<C*>(array)[row] = value;
     }

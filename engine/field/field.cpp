@@ -6,14 +6,14 @@
 namespace thaum::field {
 namespace {
 
-/// Up to four samples along an axis, and what their values and slopes weigh.
+/// Up to four samples along an axis, with their weights for the value and the slope.
 struct Taps {
     std::array<std::ptrdiff_t, 4> offset{};
     std::array<double, 4> value{}, slope{};
     std::size_t count{};
 };
 
-/// Of the samples at -1, 0, 1, 2 at t within [0, 1].
+/// Weights of the samples at -1, 0, 1 and 2, for a position t within [0, 1].
 struct Weights {
     std::array<double, 4> value, slope;
 };
@@ -26,7 +26,8 @@ Weights catmull_rom(double t) {
          0.5 * (3 * t2 - 2 * t)}};
 }
 
-/// The tap `from` is beyond the samples; the parabola through the next three, in this order, stands for it.
+/// Replaces the tap `from`, which is beyond the samples, by the parabola through the next three taps in the
+/// order `to`.
 void fold(Taps& taps, std::size_t from, std::array<std::size_t, 3> to) {
     constexpr std::array<double, 3> parabola{3, -3, 1};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -37,7 +38,7 @@ void fold(Taps& taps, std::size_t from, std::array<std::size_t, 3> to) {
     taps.offset[from] = taps.offset[to[0]];
 }
 
-/// x in samples from the first one; per_metre samples.
+/// Computes the taps at x, counted in samples from the first one. `per_metre` is the sample density (1/m).
 Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kernel kernel) {
     Taps taps;
     if (count == 1) {
@@ -63,7 +64,7 @@ Taps taps_at(double x, int count, std::ptrdiff_t stride, double per_metre, Kerne
         taps.slope[i] = weights.slope[i] * per_metre;
     }
     const bool low_edge = low == 0, high_edge = low == count - 2;
-    // Of three samples both edges may be near, but never in one cell.
+    // With three samples both edges may be near, but never in the same cell.
     if (low_edge) fold(taps, 0, {1, 2, 3});
     if (high_edge) fold(taps, 3, {2, 1, 0});
     return taps;

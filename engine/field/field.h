@@ -1,22 +1,24 @@
-// field/field.h: quantities that have a value at every place: how they are read by the hand and by pictures.
+// field/field.h: quantities that have a value at every place, as forces and pictures read them.
 //
-//     Grid, StaggeredGrid (samples, here) --.
-//     a formula (anything that can be called) --+--> Field: place -> value and derivatives -> curl, divergence
+//     Grid, StaggeredGrid (samples, here) ------.
+//     a formula (anything that can be called) --+--> Field: place -> value, derivatives -> curl, divergence
 //
-// Between samples a kernel, the same along each axis, weights the nearest two or four. What it promises, along each axis:
+// Between samples a kernel weights the nearest two or four, in the same way along each axis. Its order along
+// each axis:
 //
 //     kernel        exact for     error of value, gradient    gradient
 //     linear        degree 1      h^2, h                      jumps between cells
 //     catmull_rom   degree 2      h^3, h^2                    continuous
 //
-// (Keys 1981, "Cubic convolution interpolation", for the second. A cubic B-spline over the same four samples takes the same
-// time; at 32 samples a wave its gradient was 7 times as wrong and its value 100 times, so there is none.)
+// The second kernel is from Keys 1981, "Cubic convolution interpolation". A cubic B-spline over the same four
+// samples takes the same time. At 32 samples a wave its gradient was 7 times and its value 100 times as
+// wrong, so it is not offered.
 //
-// This holds up to the outermost samples: where the four lack one, the parabola through the nearest three stands for it.
-// Beyond, all is as at the nearest place within, so a reader who crosses an edge never reads a jump to nothing. A grid without
-// samples and a place that is not finite give zeros.
+// The orders hold up to the outermost samples. If one of the four samples is missing there, the parabola
+// through the nearest three replaces it. Outside the samples the value is that of the nearest place inside,
+// so it does not jump at the edge. A grid without samples and a place that is not finite give zeros.
 //
-// Views: nothing here owns samples. Plain functions, no allocation. Lengths in m.
+// All types are views: none owns samples. Functions are plain and do not allocate. Lengths are in m.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -26,16 +28,16 @@
 
 namespace thaum::field {
 
-/// Of a scalar at a place.
+/// A scalar quantity at a place.
 struct Scalar {
     double value{};
-    vec3 gradient{};  ///< per m
+    vec3 gradient{};  ///< derivative along x, y and z (1/m)
 };
 
-/// Of a vector at a place.
+/// A vector quantity at a place.
 struct Vector {
     vec3 value{};
-    std::array<vec3, 3> gradient{};  ///< per m, of each component
+    std::array<vec3, 3> gradient{};  ///< gradient of each component (1/m)
 };
 
 inline double divergence(const Vector& v) { return v.gradient[0].x + v.gradient[1].y + v.gradient[2].z; }
@@ -45,7 +47,7 @@ inline vec3 curl(const Vector& v) {
             v.gradient[1].x - v.gradient[0].y};
 }
 
-/// Something to be read at a place: a sampled field or a formula, which must outlive this.
+/// A quantity that can be read at any place. Refers to a sampled field or a formula, which must outlive it.
 template <class Sample>
 struct Field {
     const void* what{};
@@ -57,7 +59,7 @@ struct Field {
 using ScalarField = Field<Scalar>;
 using VectorField = Field<Vector>;
 
-/// Of anything that can be called with a place and gives a Sample.
+/// Makes a field from any object that maps a place to a Sample when called.
 template <class Sample, class Source>
 Field<Sample> field_of(const Source& source) {
     return {&source, [](const void* what, vec3 place) -> Sample {
@@ -67,19 +69,21 @@ Field<Sample> field_of(const Source& source) {
 
 enum class Kernel : std::uint8_t { linear, catmull_rom };
 
-/// Samples in memory: sample (i, j, k) is first[i stride[0] + j stride[1] + k stride[2]] and stands at origin + spacing (i, j, k).
+/// Samples in memory. Sample (i, j, k) is first[i stride[0] + j stride[1] + k stride[2]]. Its place is origin
+/// + spacing (i, j, k).
 struct Grid {
     const float* first{};
     std::array<int, 3> count{};
     std::array<std::ptrdiff_t, 3> stride{};
-    vec3 origin{};      ///< m
-    double spacing{1};  ///< m, > 0
+    vec3 origin{};      ///< place of the first sample (m)
+    double spacing{1};  ///< distance between samples, > 0 (m)
     Kernel kernel{Kernel::catmull_rom};
 
     Scalar operator()(vec3 place) const;
 };
 
-/// A vector whose components stand each in a grid of its own: on the faces of cells, as a flow's do, or all at the same places.
+/// A vector field with one grid per component. The grids may be staggered on cell faces, as in a flow, or
+/// coincide.
 struct StaggeredGrid {
     std::array<Grid, 3> component{};
 

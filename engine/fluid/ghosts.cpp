@@ -12,48 +12,52 @@ struct Mirror {
     float factor;
 };
 
-using Mirrors = std::array<Mirror, 2 * ghosts + 1>;
+struct Mirrors {
+    std::array<Mirror, 2 * ghosts + 1> all{};
+    std::size_t count{};
 
-Mirrors round_about(int n) {
-    Mirrors result{};
-    std::size_t count = 0;
-    for (int layer = 1; layer <= ghosts; ++layer) {
+    void add(const Mirror& mirror) { all[count++] = mirror; }
+    const Mirror* begin() const { return all.data(); }
+    const Mirror* end() const { return all.data() + count; }
+};
+
+Mirrors round_about(int n, int depth) {
+    Mirrors result;
+    for (int layer = 1; layer <= depth; ++layer) {
         // Of few cells the same one stands in several layers.
-        result[count++] = {-layer, (n - layer % n) % n, 1};
-        result[count++] = {n - 1 + layer, (layer - 1) % n, 1};
+        result.add({-layer, (n - layer % n) % n, 1});
+        result.add({n - 1 + layer, (layer - 1) % n, 1});
     }
-    result[count] = {0, 0, 1};
     return result;
 }
 
-Mirrors about_walls(int n, float factor) {
-    Mirrors result{};
-    std::size_t count = 0;
-    for (int layer = 1; layer <= ghosts; ++layer) {
+Mirrors about_walls(int n, float factor, int depth) {
+    Mirrors result;
+    for (int layer = 1; layer <= depth; ++layer) {
         const int inward = std::min(layer, n) - 1;
-        result[count++] = {-layer, inward, factor};
-        result[count++] = {n - 1 + layer, n - 1 - inward, factor};
+        result.add({-layer, inward, factor});
+        result.add({n - 1 + layer, n - 1 - inward, factor});
     }
-    result[count] = {0, 0, 1};
     return result;
 }
 
 /// The walls themselves are layers 0 and n.
-Mirrors through_walls(int n) {
-    Mirrors result{{{0, 0, 0}, {n, n, 0}}};
-    std::size_t count = 2;
-    for (int layer = 1; layer <= ghosts; ++layer) {
+Mirrors through_walls(int n, int depth) {
+    Mirrors result;
+    result.add({0, 0, 0});
+    result.add({n, n, 0});
+    for (int layer = 1; layer <= depth; ++layer) {
         const int inward = std::min(layer, n);
-        result[count++] = {-layer, inward, -1};
-        if (layer < ghosts) result[count++] = {n + layer, n - inward, -1};
+        result.add({-layer, inward, -1});
+        if (layer < ghosts) result.add({n + layer, n - inward, -1});
     }
     return result;
 }
 
-Mirrors mirrors(int n, Edge edge, Beyond beyond) {
-    if (edge == Edge::periodic) return round_about(n);
-    if (beyond == Beyond::through_wall) return through_walls(n);
-    return about_walls(n, beyond == Beyond::even ? 1.0F : -1.0F);
+Mirrors mirrors(int n, Edge edge, Beyond beyond, int depth) {
+    if (edge == Edge::periodic) return round_about(n, depth);
+    if (beyond == Beyond::through_wall) return through_walls(n, depth);
+    return about_walls(n, beyond == Beyond::even ? 1.0F : -1.0F, depth);
 }
 
 void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float factor) {
@@ -94,19 +98,55 @@ void fill_z(const Lattice& lattice, const Mirrors& all, float* cells) {
     for (const Mirror& m : all) copy_scaled(first + m.from * plane, first + m.to * plane, plane, m.factor);
 }
 
+/// Row j of layer k, ghosts included, from another one.
+void copy_row(const Lattice& lattice, int from_j, int from_k, int j, int k, float factor, float* cells) {
+    copy_scaled(cells + lattice.at(-ghosts, from_j, from_k), cells + lattice.at(-ghosts, j, k),
+                lattice.stride[1], factor);
+}
+
+bool holds_fluid(const Rows& rows, int j, int k) {
+    return j >= 0 && j < rows.lattice.cells[1] && rows.at(j, k).count > 0;
+}
+
+void fill_y(const Rows& rows, const Mirrors& all, float* cells) {
+    for (int k = 0; k < rows.lattice.cells[2]; ++k)
+        for (const Mirror& m : all)
+            if (holds_fluid(rows, m.from, k)) copy_row(rows.lattice, m.from, k, m.to, k, m.factor, cells);
+}
+
+void fill_z(const Rows& rows, const Mirrors& all, float* cells) {
+    const auto [nx, ny, nz] = rows.lattice.cells;
+    for (const Mirror& m : all) {
+        if (m.from >= nz) continue;
+        const auto copy = [&](int j) { copy_row(rows.lattice, j, m.from, j, m.to, m.factor, cells); };
+        // What stands beyond the sides across y mirrors rows beside them.
+        bool low = false, high = false;
+        for (int j = 0; j < ny; ++j) {
+            if (!holds_fluid(rows, j, m.from)) continue;
+            copy(j);
+            low = low || j <= ghosts;
+            high = high || j >= ny - ghosts;
+        }
+        const bool round = rows.lattice.edges[1] == Edge::periodic;
+        for (int layer = 1; layer <= ghosts; ++layer) {
+            if (low || (round && high)) copy(-layer);
+            if (high || (round && low)) copy(ny - 1 + layer);
+        }
+    }
+}
+
 }  // namespace
 
 void fill_ghosts_across(const Lattice& lattice, std::size_t axis, Beyond beyond, Samples& samples) {
     constexpr std::array<void (*)(const Lattice&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
-    fill[axis](lattice, mirrors(lattice.cells[axis], lattice.edges[axis], beyond), samples.data());
+    fill[axis](lattice, mirrors(lattice.cells[axis], lattice.edges[axis], beyond, ghosts), samples.data());
 }
 
-void fill_ghosts_across(const Rows& rows, std::size_t axis, Beyond beyond, Samples& samples) {
+void fill_ghosts_across(const Rows& rows, std::size_t axis, Beyond beyond, Samples& samples, int depth) {
     const Lattice& lattice = rows.lattice;
-    if (axis == 0)
-        fill_x(rows, mirrors(lattice.cells[0], lattice.edges[0], beyond), samples.data());
-    else
-        fill_ghosts_across(lattice, axis, beyond, samples);
+    if (rows.all) return fill_ghosts_across(lattice, axis, beyond, samples);
+    constexpr std::array<void (*)(const Rows&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
+    fill[axis](rows, mirrors(lattice.cells[axis], lattice.edges[axis], beyond, depth), samples.data());
 }
 
 // One axis after another, so that edges and corners follow from what was filled before.
@@ -114,8 +154,8 @@ void fill_ghosts(const Lattice& lattice, const std::array<Beyond, 3>& beyond, Sa
     for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(lattice, axis, beyond[axis], samples);
 }
 
-void fill_ghosts(const Rows& rows, const std::array<Beyond, 3>& beyond, Samples& samples) {
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(rows, axis, beyond[axis], samples);
+void fill_ghosts(const Rows& rows, const std::array<Beyond, 3>& beyond, Samples& samples, int depth) {
+    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(rows, axis, beyond[axis], samples, depth);
 }
 
 std::array<Beyond, 3> beyond_of_velocity(const Lattice& lattice, std::size_t axis) {

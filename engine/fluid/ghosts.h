@@ -16,9 +16,10 @@ inline constexpr std::array evenly{Beyond::even, Beyond::even, Beyond::even};
 /// Writes the ghosts; `beyond` counts at walls only. `across`: those beyond the sides across one axis, rows without corners.
 void fill_ghosts_across(const Lattice& lattice, std::size_t axis, Beyond beyond, Samples& samples);
 void fill_ghosts(const Lattice& lattice, const std::array<Beyond, 3>& beyond, Samples& samples);
-/// Of samples that are 0 outside the rows, and were from the first on.
-void fill_ghosts_across(const Rows& rows, std::size_t axis, Beyond beyond, Samples& samples);
-void fill_ghosts(const Rows& rows, const std::array<Beyond, 3>& beyond, Samples& samples);
+/// The same, `depth` cells deep, of samples that outside the rows are 0, and were from the first on, or not read.
+void fill_ghosts_across(const Rows& rows, std::size_t axis, Beyond beyond, Samples& samples,
+                        int depth = ghosts);
+void fill_ghosts(const Rows& rows, const std::array<Beyond, 3>& beyond, Samples& samples, int depth = ghosts);
 
 /// Of component `axis` of the velocity.
 std::array<Beyond, 3> beyond_of_velocity(const Lattice& lattice, std::size_t axis);

@@ -12,20 +12,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "fluid/eight.h"
+#include "fluid/samples.h"
 
 namespace thaum::fluid {
 
-/// One value for each cell, ghosts included, as Lattice::at counts.
-using Samples = std::vector<float>;
 using Cells = std::array<int, 3>;
 
 enum class Edge : std::uint8_t { periodic, free_slip, no_slip };
 using Edges = std::array<Edge, 3>;
 
-inline constexpr int ghosts = 3;
 inline constexpr int cells_most = 256;  ///< along one axis
 
 struct Lattice {

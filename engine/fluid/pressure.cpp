@@ -33,22 +33,17 @@ void divergence_of(const Lattice& lattice, const std::array<Samples, 3>& velocit
 }
 
 template <bool fourth>
-void subtract_gradient_of(const Lattice& lattice, const Samples& potential,
-                          std::array<Samples, 3>& velocity) {
-    const std::ptrdiff_t nx = lattice.cells[0];
-    const auto per_h = static_cast<float>(1 / lattice.h);
-    for (int k = 0; k < lattice.cells[2]; ++k) {
-        for (int j = 0; j < lattice.cells[1]; ++j) {
-            const auto at = lattice.at(0, j, k);
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                const auto s = lattice.stride[axis];
-                const float* before = potential.data() + at - s;
-                float* u = velocity[axis].data() + at;
+void subtract_gradient_of(const Rows& rows, const Samples& potential, std::array<Samples, 3>& velocity) {
+    const auto per_h = static_cast<float>(1 / rows.lattice.h);
+    each_row(rows, [&](Row row) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto s = rows.lattice.stride[axis];
+            const float* before = potential.data() + row.at - s;
+            float* u = velocity[axis].data() + row.at;
 #pragma GCC ivdep
-                for (std::ptrdiff_t i = 0; i < nx; ++i) u[i] -= per_h * difference<fourth>(before, i, s);
-            }
+            for (std::ptrdiff_t i = 0; i < row.count; ++i) u[i] -= per_h * difference<fourth>(before, i, s);
         }
-    }
+    });
 }
 
 }  // namespace
@@ -61,12 +56,12 @@ void divergence(const Lattice& lattice, int order, const std::array<Samples, 3>&
         divergence_of<false>(lattice, velocity, out.data());
 }
 
-void subtract_gradient(const Lattice& lattice, int order, const Samples& potential,
+void subtract_gradient(const Rows& rows, int order, const Samples& potential,
                        std::array<Samples, 3>& velocity) {
     if (order == 4)
-        subtract_gradient_of<true>(lattice, potential, velocity);
+        subtract_gradient_of<true>(rows, potential, velocity);
     else
-        subtract_gradient_of<false>(lattice, potential, velocity);
+        subtract_gradient_of<false>(rows, potential, velocity);
 }
 
 }  // namespace thaum::fluid

@@ -7,7 +7,7 @@
 #include <array>
 #include <span>
 
-#include "fluid/lattice.h"
+#include "fluid/rows.h"
 
 namespace thaum::fluid {
 
@@ -15,8 +15,9 @@ namespace thaum::fluid {
 void divergence(const Lattice& lattice, int order, const std::array<Samples, 3>& velocity,
                 std::span<float> out);
 
-/// velocity -= grad potential, whose ghosts are filled evenly. Ghosts of the velocity are left as they are.
-void subtract_gradient(const Lattice& lattice, int order, const Samples& potential,
+/// In the rows, velocity -= grad potential, whose ghosts are filled evenly. Ghosts of the velocity are left as they
+/// are.
+void subtract_gradient(const Rows& rows, int order, const Samples& potential,
                        std::array<Samples, 3>& velocity);
 
 }  // namespace thaum::fluid

@@ -5,7 +5,7 @@
 namespace thaum::fluid {
 
 Rows whole_rows(const Lattice& lattice) {
-    Rows result{.lattice = lattice};
+    Rows result{.lattice = lattice, .all = true};
     each_row(lattice, [&](std::ptrdiff_t at) {
         result.rows.push_back({at, lattice.cells[0]});
         result.at_sides.push_back(at);
@@ -25,6 +25,7 @@ Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open) {
 Rows rows_above_zero(const Lattice& lattice, const Samples& values) {
     Rows result = whole_rows(lattice);
     result.at_sides.clear();
+    result.all = false;
     for (Row& row : result.rows) {
         const float* value = values.data() + row.at;
         std::ptrdiff_t first = 0, end = row.count;

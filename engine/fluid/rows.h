@@ -16,6 +16,7 @@ struct Rows {
     std::vector<Row> rows{};  ///< row j of layer k at k * lattice.cells[1] + j
     /// Where the lattice's rows begin that have fluid so near to one of their ends that ghosts mirror it.
     std::vector<std::ptrdiff_t> at_sides{};
+    bool all{};  ///< every row is whole
 
     Row at(int j, int k) const {
         const auto across = static_cast<std::size_t>(lattice.cells[1]);

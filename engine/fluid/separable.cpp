@@ -225,6 +225,45 @@ void change(const Tables& by, float* from, float* to, std::ptrdiff_t width) {
     change_columns<way, false>(by, {from + c, width, left}, {to + c, width, left});
 }
 
+/// How an equation in the Laplacian is solved for one product of three waves: times scale / ((along + outer) + inner).
+struct Division {
+    float scale;
+    const float* along;          ///< by the wave along the columns
+    const float *outer, *inner;  ///< by the column
+};
+
+template <bool whole>
+void divide_columns(const Waves& waves, const Division& by, const Block& block, std::ptrdiff_t column) {
+    Eight given[2 * cells_most];
+    Eight found[2 * cells_most];
+    for (int i = 0; i < waves.count; ++i) load_row<whole>(block, i, given + 2 * i);
+    for (const Places& places : waves.folds) fold(places, given);
+    for (std::size_t d = 0; d < waves.dense.size(); ++d) {
+        const Places& places = waves.dense[d];
+        multiply(waves.forth[d].data(), places.count, given + 2 * places.first, found + 2 * places.first);
+    }
+    for (std::ptrdiff_t v = 0; v < 2; ++v) {
+        const Eight outer = load(by.outer + column + 8 * v), inner = load(by.inner + column + 8 * v);
+        for (int i = 0; i < waves.count; ++i) found[2 * i + v] *= by.scale / ((by.along[i] + outer) + inner);
+    }
+    // The mean comes first of all.
+    if (column == 0) found[0][0] = 0;
+    for (std::size_t d = 0; d < waves.dense.size(); ++d) {
+        const Places& places = waves.dense[d];
+        multiply(waves.back[d].data(), places.count, found + 2 * places.first, given + 2 * places.first);
+    }
+    for (auto places = waves.folds.rbegin(); places != waves.folds.rend(); ++places) unfold(*places, given);
+    for (int i = 0; i < waves.count; ++i) store_row<whole>(block, i, given + 2 * i);
+}
+
+/// To waves along the outer index of values[count][width], the division, and back.
+void divide(const Waves& waves, const Division& by, float* values, std::ptrdiff_t width) {
+    std::ptrdiff_t c = 0;
+    for (; c + wide <= width; c += wide) divide_columns<true>(waves, by, {values + c, width, wide}, c);
+    if (c < width)
+        divide_columns<false>(waves, by, {values + c, width, static_cast<std::size_t>(width - c)}, c);
+}
+
 Tables forth(const Waves& waves) { return {waves, waves.forth}; }
 Tables back(const Waves& waves) { return {waves, waves.back}; }
 
@@ -274,11 +313,19 @@ double laplace_symbol(double angle, int order) {
 PressureSolver::PressureSolver(const Lattice& lattice, int order)
     : scale_(static_cast<float>(-lattice.h * lattice.h)),
       scratch_(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1])) {
+    std::array<std::vector<float>, 3> symbols;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         waves_[axis] = make_waves(lattice.cells[axis], lattice.edges[axis], Beyond::even);
         for (const double angle : waves_[axis].angle)
-            symbols_[axis].push_back(static_cast<float>(pressure_symbol(angle, order)));
+            symbols[axis].push_back(static_cast<float>(pressure_symbol(angle, order)));
     }
+    for (const float x : symbols[0]) {
+        by_x_.insert(by_x_.end(), symbols[1].size(), x);
+        by_y_.insert(by_y_.end(), symbols[1].begin(), symbols[1].end());
+    }
+    // The last columns may be read past.
+    for (auto* by : {&by_x_, &by_y_}) by->resize(by->size() + wide, 1.0F);
+    along_z_ = symbols[2];
 }
 
 void PressureSolver::solve(std::span<float> field) {
@@ -294,19 +341,7 @@ void PressureSolver::solve(std::span<float> field) {
         transpose({here, nx}, {turned, ny}, ny, nx);
         change<Way::to_waves>(forth(waves_[0]), turned, here, ny);
     }
-    change<Way::to_waves>(forth(waves_[2]), values, values, plane);
-    for (std::ptrdiff_t k = 0; k < nz; ++k) {
-        for (std::ptrdiff_t i = 0; i < nx; ++i) {
-            const float outer =
-                symbols_[2][static_cast<std::size_t>(k)] + symbols_[0][static_cast<std::size_t>(i)];
-            float* row = values + k * plane + i * ny;
-            const float* symbols = symbols_[1].data();
-            // The mean comes first of all.
-            for (std::ptrdiff_t j = k + i == 0 ? 1 : 0; j < ny; ++j) row[j] *= scale_ / (outer + symbols[j]);
-        }
-    }
-    values[0] = 0;
-    change<Way::from_waves>(back(waves_[2]), values, values, plane);
+    divide(waves_[2], {scale_, along_z_.data(), by_x_.data(), by_y_.data()}, values, plane);
     for (std::ptrdiff_t k = 0; k < nz; ++k) {
         float* here = values + k * plane;
         change<Way::from_waves>(back(waves_[0]), here, turned, ny);

@@ -51,7 +51,8 @@ public:
 
 private:
     std::array<Waves, 3> waves_;
-    std::array<std::vector<float>, 3> symbols_;
+    std::vector<float> along_z_;      ///< symbols by the wave along z
+    std::vector<float> by_x_, by_y_;  ///< symbols of the waves across z, in the order of a plane: [x][y]
     float scale_;
     std::vector<float> scratch_;
 };

@@ -49,7 +49,10 @@ public:
     Found project(std::array<Samples, 3>& velocity, Samples& potential, double share, int iterations_most);
 
 private:
-    void divergence(const std::array<Samples, 3>& velocity);
+    struct Largest {
+        double divergence, velocity;  ///< 1/s; m/s, of all components
+    };
+    Largest divergence(const std::array<Samples, 3>& velocity);
     double apply_to_direction();
     double precondition();
     std::optional<double> step_along_direction(double slope);

@@ -51,12 +51,6 @@ double sum_of_largest(const Rows& rows, const std::array<Samples, 3>& velocity) 
     return sum;
 }
 
-double half_square(const Rows& rows, const std::array<Samples, 3>& velocity) {
-    double sum = 0;
-    for (const Samples& component : velocity) sum += dot(rows, component, component);
-    return 0.5 * sum;
-}
-
 }  // namespace
 
 Staggered::Staggered(const Settings& settings, const Lattice& lattice)
@@ -73,6 +67,7 @@ Staggered::Staggered(const Settings& settings, const Lattice& lattice)
       potential_(make_samples(lattice)),
       mixed_(make_samples(lattice)) {
     if (solids_) openings_ = make_openings(lattice, solids_->open());
+    pushed_.fill(rows_);
     for (auto* velocity : {&force_, &stage_, &other_, &sum_}) velocity->fill(make_samples(lattice));
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
                    static_cast<std::size_t>(lattice.cells[2]));
@@ -83,9 +78,9 @@ void Staggered::fill(const Settings& settings, Velocity& velocity) const {
     fill_sides(settings, velocity);
 }
 
-void Staggered::fill_sides(const Settings& settings, Velocity& velocity) const {
+void Staggered::fill_sides(const Settings& settings, Velocity& velocity, int depth) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-        fill_ghosts(rows_, beyond_of_velocity(lattice_, axis), velocity[axis]);
+        fill_ghosts(rows_, beyond_of_velocity(lattice_, axis), velocity[axis], depth);
     if (settings.lid == 0 || lattice_.edges[1] != Edge::no_slip) return;
     // Odd about the wall's own speed.
     const auto twice = static_cast<float>(2 * settings.lid);
@@ -108,8 +103,8 @@ bool Staggered::weighs(const Settings& settings) {
 }
 
 /// Of equal length, so that none carries too far.
-double Staggered::steps_wanted(const Settings& settings, const State& now, double dt) const {
-    double carried = sum_of_largest(rows_, now.velocity) + std::abs(settings.lid);
+double Staggered::steps_wanted(const Settings& settings, double dt) const {
+    double carried = before_.sum_of_largest + std::abs(settings.lid);
     if (forced_) carried += dt * sum_of_largest(rows_, force_);
     return std::ceil(carried * dt / (lattice_.h * carried_most));
 }
@@ -117,34 +112,33 @@ double Staggered::steps_wanted(const Settings& settings, const State& now, doubl
 /// share: 1/s, of what was pushed.
 void Staggered::gather_forces(const Settings& settings, const State& now, double share) {
     forced_ = now.pushed || solids_ != nullptr;
+    const auto factor = static_cast<float>(share);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        if (!now.pushed) {
-            std::fill(force_[axis].begin(), force_[axis].end(), 0.0F);
-            continue;
-        }
-        const auto factor = static_cast<float>(share);
-        std::transform(now.push[axis].begin(), now.push[axis].end(), force_[axis].begin(),
-                       [=](float push) { return factor * push; });
+        each_row(rows_, [&](Row row) { std::fill_n(force_[axis].data() + row.at, row.count, 0.0F); });
+        if (!now.pushed) continue;
+        const float* push = now.push[axis].data();
+        each_row(pushed_[axis], [&](Row row) {
+            for (std::ptrdiff_t i = row.at; i < row.at + row.count; ++i)
+                force_[axis][static_cast<std::size_t>(i)] = factor * push[i];
+        });
     }
     add_buoyancy(settings, now);
-    if (solids_) subtract_gradient(lattice_, 2, now.pressure, force_);
+    if (solids_) subtract_gradient(rows_, 2, now.pressure, force_);
 }
 
-/// mixed_ = base + sum over substances of what they have by density
+/// mixed_ = base + sum over substances of what they have by density, in the rows and beyond the sides.
 void Staggered::mix(const Settings& settings, const State& now, double base, double Substance::*part) {
-    // As much at once as stays in the nearest cache.
-    constexpr std::size_t at_once = 2048;
-    for (std::size_t first = 0; first < mixed_.size(); first += at_once) {
-        const std::size_t count = std::min(at_once, mixed_.size() - first);
-        float* to = mixed_.data() + first;
-        std::fill_n(to, count, static_cast<float>(base));
+    each_row(rows_, [&](Row row) {
+        float* to = mixed_.data() + row.at;
+        std::fill_n(to, row.count, static_cast<float>(base));
         for (std::size_t s = 0; s < now.substances.size(); ++s) {
             const auto factor = static_cast<float>(settings.substances[s].*part);
-            const float* density = now.substances[s].data() + first;
+            const float* density = now.substances[s].data() + row.at;
 #pragma GCC ivdep
-            for (std::size_t i = 0; i < count; ++i) to[i] += factor * density[i];
+            for (std::ptrdiff_t i = 0; i < row.count; ++i) to[i] += factor * density[i];
         }
-    }
+    });
+    fill_ghosts(rows_, evenly, mixed_);
 }
 
 /// What is heavier sinks. The mean of every level is a pressure's and left out, so that what is layered stays at rest exactly.
@@ -155,10 +149,10 @@ void Staggered::add_buoyancy(const Settings& settings, const State& now) {
     pull_mixed(settings);
 }
 
-/// Replaces the buoyancy of the densities at the start of a sub-step by that half the sub-step later.
+/// Replaces the buoyancy of the densities at the start of a sub-step, which gather_forces left in mixed_, by that
+/// half the sub-step later.
 void Staggered::predict_buoyancy(const Settings& settings, const State& now, double dt) {
     if (!weighs(settings)) return;
-    mix(settings, now, 0, &Substance::weight);
     predict_weight(rows_, now.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt, mixed_, potential_);
     each_row(rows_, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
@@ -258,9 +252,10 @@ void Staggered::end_stage(const Settings& settings, Velocity& velocity) {
             packed += lattice_.cells[0];
         });
         fill_ghosts(rows_, evenly, potential_);
-        subtract_gradient(lattice_, order_, potential_, velocity);
+        subtract_gradient(rows_, order_, potential_, velocity);
     }
-    fill_sides(settings, velocity);
+    // At order 2, as it is where there are solids, a stage reads no farther.
+    fill_sides(settings, velocity, solids_ ? 1 : ghosts);
 }
 
 /// sum_ becomes the velocity.
@@ -279,11 +274,25 @@ void Staggered::end_step(const Settings& settings, State& now, double dt, StepRe
     std::swap(now.velocity, sum_);
 }
 
+/// Where pushes stand: rows of the fluid in which one is not 0.
+void Staggered::find_pushes(const State& now) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
+            const Row row = rows_.rows[r];
+            const float* push = now.push[axis].data() + row.at;
+            bool any = false;
+            if (now.pushed)
+                for (std::ptrdiff_t i = 0; i < row.count; ++i) any |= push[i] != 0;
+            pushed_[axis].rows[r] = {row.at, any ? row.count : 0};
+        }
+    }
+}
+
 /// Work of the pushes at the velocity given: their force times that (m^2/s^2, summed over cells, for the whole step).
 double Staggered::work_of_pushes(const State& now, const Velocity& velocity) const {
     if (!now.pushed) return 0;
     double work = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) work += dot(rows_, now.push[axis], velocity[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) work += dot(pushed_[axis], now.push[axis], velocity[axis]);
     return work;
 }
 
@@ -292,13 +301,17 @@ double Staggered::work_of_pushes(const State& now, const Velocity& velocity) con
 /// where there are solids, and differences between the force on a substance and its flux. `share`: of the pushes, in this sub-step;
 /// `sunk`: potential energy given (m^2/s^2, summed over cells).
 void Staggered::keep_energy(const Settings& settings, State& now, double share, double sunk,
-                            StepReport& report) const {
+                            StepReport& report) {
+    moving_.reset();
     if (settings.lid != 0 || (!solids_ && !weighs(settings))) return;
-    const double is = half_square(rows_, now.velocity);
-    const double most =
-        std::max(0.0, half_square(rows_, sum_) + sunk + 0.5 * share * work_of_pushes(now, sum_));
+    const Motion found = motion(rows_, now.velocity);
+    const double is = found.half_square;
+    const double most = std::max(0.0, before_.half_square + sunk + 0.5 * share * work_of_pushes(now, sum_));
     const double by_pushes = 0.5 * share * work_of_pushes(now, now.velocity);
-    if (is <= most + by_pushes) return;
+    if (is <= most + by_pushes) {
+        moving_ = found;
+        return;
+    }
     // Slower by a factor f, the pushes do less work too: f^2 is = most + f by_pushes.
     const double root = std::sqrt(std::max(0.0, by_pushes * by_pushes + 4 * is * most));
     const double factor = std::clamp((by_pushes + root) / (2 * is), 0.0, 1.0);
@@ -340,7 +353,6 @@ void Staggered::spread(const Settings& settings, const State& now, double dt) {
     // What is thicker than that is as rigid within a step; but float would lose what couples it to the rest.
     const auto thickest = static_cast<float>(rigid * lattice_.h * lattice_.h / dt);
     for (float& viscosity : mixed_) viscosity = std::min(viscosity, thickest);
-    fill_ghosts(lattice_, evenly, mixed_);
     const double ratio = settings.viscosity * dt / (lattice_.h * lattice_.h);
     viscosity_.take({.viscosity = &mixed_,
                      .force = forced_ ? &force_ : nullptr,
@@ -384,10 +396,10 @@ double Staggered::carry_along(const Settings& settings, State& now, double dt, i
 /// Whatever dt is: each place takes what came from where its flow was. Energy that the interpolation made is taken away again.
 void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt, double whole,
                                 StepReport& report) {
-    const double before = half_square(rows_, now.velocity);
+    const double before = before_.half_square;
     for (std::size_t axis = 0; axis < 3; ++axis) carry_back(lattice_, now.velocity, axis, dt, sum_[axis]);
     if (solids_) solids_->close(sum_);
-    const double after = half_square(rows_, sum_);
+    const double after = motion(rows_, sum_).half_square;
     const auto factor = static_cast<float>(after > before ? std::sqrt(before / after) : 1);
     const auto step = static_cast<float>(dt);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -441,16 +453,19 @@ void Staggered::clear_divergence(const Settings& settings, State& now, StepRepor
 StepReport Staggered::step(const Settings& settings, State& now, double dt) {
     StepReport report;
     double left = dt;
+    moving_.reset();
+    find_pushes(now);
     while (left > 0) {
+        before_ = moving_ ? *moving_ : motion(rows_, now.velocity);
         gather_forces(settings, now, 1 / dt);
-        double wanted = std::max(1.0, steps_wanted(settings, now, left));
+        double wanted = std::max(1.0, steps_wanted(settings, left));
         const int allowed = substeps_most - report.substeps;
         if (solids_ && wanted > allowed) {
             // What struck in a shorter step left its pressure; over a longer one it would strike much harder. Without it a step is of first
             // order, and stable.
             std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
             gather_forces(settings, now, 1 / dt);
-            wanted = std::max(1.0, steps_wanted(settings, now, left));
+            wanted = std::max(1.0, steps_wanted(settings, left));
         }
         if (wanted > allowed) {
             // At once, for the sub-steps that are allowed would hardly come forward. Twenty steps after a push for which four would be
@@ -470,8 +485,9 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
         for (auto& push : now.push) std::fill(push.begin(), push.end(), 0.0F);
     now.pushed = false;
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
-    report.energy = half_square(rows_, now.velocity) * lattice_.h * lattice_.h * lattice_.h;
-    report.speed = largest(rows_, now.velocity);
+    const Motion is = moving_ ? *moving_ : motion(rows_, now.velocity);
+    report.energy = is.half_square * lattice_.h * lattice_.h * lattice_.h;
+    report.speed = is.largest;
     if (!solids_) clear_divergence(settings, now, report);
     if (report.speed > 0) report.divergence *= lattice_.h / report.speed;
     if (report.speed < rest_speed) come_to_rest(settings, now, dt, report.speed);

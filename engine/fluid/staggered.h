@@ -6,11 +6,13 @@
 // take the pressure of the step before and the last one is projected (Le and Moin 1991): one solve for each sub-step.
 #pragma once
 #include <memory>
+#include <optional>
 
 #include "fluid/fluid.h"
 #include "fluid/momentum.h"
 #include "fluid/separable.h"
 #include "fluid/solids.h"
+#include "fluid/sums.h"
 #include "fluid/transport.h"
 #include "fluid/viscosity.h"
 
@@ -32,10 +34,10 @@ public:
 private:
     using Velocity = std::array<Samples, 3>;
 
-    void fill_sides(const Settings& settings, Velocity& velocity) const;
+    void fill_sides(const Settings& settings, Velocity& velocity, int depth = ghosts) const;
     bool viscosity_varies(const Settings& settings) const;
     static bool weighs(const Settings& settings);
-    double steps_wanted(const Settings& settings, const State& now, double dt) const;
+    double steps_wanted(const Settings& settings, double dt) const;
     void come_to_rest(const Settings& settings, State& now, double dt, double speed) const;
     void gather_forces(const Settings& settings, const State& now, double share);
     void mix(const Settings& settings, const State& now, double base, double Substance::*part);
@@ -48,9 +50,9 @@ private:
     void end_stage(const Settings& settings, Velocity& velocity);
     void clear_divergence(const Settings& settings, State& now, StepReport& report);
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
+    void find_pushes(const State& now);
     double work_of_pushes(const State& now, const Velocity& velocity) const;
-    void keep_energy(const Settings& settings, State& now, double share, double sunk,
-                     StepReport& report) const;
+    void keep_energy(const Settings& settings, State& now, double share, double sunk, StepReport& report);
     void spread(const Settings& settings, const State& now, double dt);
     double carry_along(const Settings& settings, State& now, double dt,
                        int most_substeps = TransportSettings{}.most_substeps);
@@ -69,6 +71,9 @@ private:
     Openings openings_;  ///< of the solids
     Currents currents_;
     TransportScratch transport_;
+    std::array<Rows, 3> pushed_;    ///< where this step's pushes are not 0
+    Motion before_{};               ///< of the velocity before a sub-step
+    std::optional<Motion> moving_;  ///< of the velocity that stands, where it is known
     Velocity force_, stage_, other_, sum_;
     bool forced_ = false;    ///< force_ is not all zero
     bool explicit_ = false;  ///< viscosity is in the stages of this step

@@ -66,4 +66,20 @@ double largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     return most;
 }
 
+Motion motion(const Rows& rows, const std::array<Samples, 3>& velocity) {
+    Motion result;
+    double sum = 0;
+    for (const Samples& component : velocity) {
+        std::uint32_t most = 0;
+        sum += sum_over(rows, [&, u = component.data()](std::ptrdiff_t i) {
+            most = std::max(most, size_of(u[i]));
+            return static_cast<double>(u[i]) * static_cast<double>(u[i]);
+        });
+        result.largest = std::max(result.largest, of_size(most));
+        result.sum_of_largest += of_size(most);
+    }
+    result.half_square = 0.5 * sum;
+    return result;
+}
+
 }  // namespace thaum::fluid

@@ -13,4 +13,13 @@ double largest(const Rows& rows, const Samples& samples);
 /// Of all components.
 double largest(const Rows& rows, const std::array<Samples, 3>& velocity);
 
+/// What a velocity comes to.
+struct Motion {
+    double half_square{};     ///< summed over cells (m^2/s^2)
+    double largest{};         ///< component (m/s)
+    double sum_of_largest{};  ///< over the components (m/s)
+};
+
+Motion motion(const Rows& rows, const std::array<Samples, 3>& velocity);
+
 }  // namespace thaum::fluid

@@ -336,19 +336,24 @@ vec3 substep(const Lattice& lattice, const Currents& currents, Pace pace, const 
     take_stage<Stage::first, kind>(c, density, 1, first);
     take_stage<Stage::second, kind>(c, first, 0.25F, second);
     Samples& left = first;  // the stages' fields have served
-    each_layer<Stage::third, kind>(c, second, [](int) {});
-    Samples& part = second;
+    Samples& part = scratch.part;
     Samples& room = scratch.room;
     const float ceiling = density_ceiling(
         currents.rows(), currents.openings != nullptr ? &currents.openings->aperture : nullptr, density);
-    each_row(c.rows(), [&](Row row) {
-        const std::ptrdiff_t at = row.at;
-        afford_row<kind>(pace, {c.face(0, at), c.face(1, at), c.face(2, at)}, c.fluxes(at),
-                         density.data() + at, ceiling, whole_eights(row.count), left.data() + at,
-                         part.data() + at, room.data() + at);
+    each_layer<Stage::third, kind>(c, second, [&](int k) {
+        each_row(c.rows(), k, [&](Row row) {
+            const std::ptrdiff_t at = row.at;
+            afford_row<kind>(pace, {c.face(0, at), c.face(1, at), c.face(2, at)}, c.fluxes(at),
+                             density.data() + at, ceiling, whole_eights(row.count), left.data() + at,
+                             part.data() + at, room.data() + at);
+        });
     });
-    fill_ghosts(c.rows(), evenly, part);
-    fill_ghosts(c.rows(), evenly, room);
+    // Beyond walls they meet no difference.
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (lattice.edges[axis] != Edge::periodic) continue;
+        fill_ghosts_across(c.rows(), axis, Beyond::even, part);
+        fill_ghosts_across(c.rows(), axis, Beyond::even, room);
+    }
     vec3 moved(0);
     for (int axis = 0; axis < 3; ++axis)
         if (along[axis] != 0) moved[axis] = crossed<kind>(c, static_cast<std::size_t>(axis), part, room);
@@ -387,12 +392,12 @@ Schedule schedule(double outflow, double diffusion, int most) {
 }
 
 bool is_empty(const Rows& rows, const Samples& density) {
-    std::uint32_t bits = 0;
-    each_row(rows, [&](Row row) {
+    return std::ranges::all_of(rows.rows, [&](Row row) {
         const float* value = density.data() + row.at;
+        std::uint32_t bits = 0;
         for (std::ptrdiff_t i = 0; i < row.count; ++i) bits |= std::bit_cast<std::uint32_t>(value[i]);
+        return bits == 0;
     });
-    return bits == 0;
 }
 
 /// What can leave each cell of a row, kept where it is more than before.
@@ -451,8 +456,10 @@ Currents make_currents(const Lattice& lattice) {
 }
 
 TransportScratch make_transport_scratch(const Lattice& lattice) {
-    TransportScratch scratch{
-        .first = make_samples(lattice), .second = make_samples(lattice), .room = make_samples(lattice)};
+    TransportScratch scratch{.first = make_samples(lattice),
+                             .second = make_samples(lattice),
+                             .part = make_samples(lattice),
+                             .room = make_samples(lattice)};
     for (Samples& samples : scratch.flux) samples = make_samples(lattice);
     return scratch;
 }
@@ -471,7 +478,14 @@ void set_currents(const Lattice& lattice, const std::array<Samples, 3>& before,
                 to[i] = factor * (mean(i) * (26.0F / 24) - (mean(i - s) + mean(i + s)) * (1.0F / 24));
         } else if (openings != nullptr) {
             const Floats aperture = openings->aperture[axis].data();
-            for (std::size_t i = 0; i < lattice.size; ++i) to[i] = mean(i) * factor * aperture[i];
+            each_row(openings->rows, [&](Row row) {
+                const auto end = static_cast<std::size_t>(row.at + row.count);
+                for (auto i = static_cast<std::size_t>(row.at); i < end; ++i)
+                    to[i] = mean(i) * factor * aperture[i];
+            });
+            // The last faces of a periodic lattice are the first ones.
+            if (lattice.edges[axis] == Edge::periodic)
+                fill_ghosts_across(openings->rows, axis, Beyond::even, currents.courant[axis]);
         } else {
             for (std::size_t i = 0; i < lattice.size; ++i) to[i] = mean(i) * factor;
         }

@@ -59,7 +59,7 @@ void set_currents(const Lattice& lattice, const std::array<Samples, 3>& before,
 
 /// Kept from call to call, for any substances of one lattice between the same openings. Zero where nothing is open.
 struct TransportScratch {
-    Samples first{}, second{}, room{};
+    Samples first{}, second{}, part{}, room{};
     std::array<Samples, 3> flux{};
 };
 

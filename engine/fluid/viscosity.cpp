@@ -32,13 +32,14 @@ Slabs slabs_along(const Lattice& lattice, std::size_t across) {
     return {beside, 3 - across - beside, whole_eights(lattice.cells[beside])};
 }
 
-/// How lines are laid out in the samples, and how they end.
+/// Lines side by side, how they are laid out and how they end. Row r holds place r of each, `row` behind that of
+/// place r - 1.
 struct Lines {
+    float* value;
+    const float* coefficient;  ///< as nodal_
+    std::ptrdiff_t row;
     std::ptrdiff_t count;  ///< places along a line
-    std::ptrdiff_t width;  ///< lines side by side
-    std::ptrdiff_t pitch;  ///< the same in whole eights
-    std::ptrdiff_t place;  ///< from a place to the next one, in the samples
-    std::ptrdiff_t line;   ///< from a line to the next one
+    std::ptrdiff_t pitch;  ///< lines side by side, in whole eights
     Edge edge;
     bool through;  ///< the component goes along the line: it is 0 on the walls at both ends
     bool solid_holds;
@@ -50,34 +51,10 @@ struct Lines {
 inline Eight larger(const Eight& a, const Eight& b) { return a > b ? a : b; }
 
 /// Coefficient of the link between two places; closed ones count below 0.
-template <bool holds>
-inline Eight link(const Eight& a, const Eight& b) {
+inline Eight link(bool holds, const Eight& a, const Eight& b) {
     const Eight both = 0.5F * (a + b);
     const Eight one = holds ? larger(larger(a, b), none) : none;
     return (a < none) | (b < none) ? one : both;
-}
-
-inline Eight link(const Lines& lines, const float* a, const float* b) {
-    return lines.solid_holds ? link<true>(load(a), load(b)) : link<false>(load(a), load(b));
-}
-
-/// Rows of lines side by side, in whole eights. Before the first row of values, links and uppers stands one of zeros.
-struct Slab {
-    float* value;
-    float* coefficient;
-    float* link;   ///< to the next place
-    float* upper;  ///< what elimination leaves of that
-    float* corner;
-    std::array<float*, 2> end;  ///< the links to the walls at both ends; a row each
-};
-
-void find_links(const Lines& lines, const Slab& slab) {
-    const auto last = (lines.count - 1) * lines.pitch;
-    for (std::ptrdiff_t i = 0; i < last; i += 8)
-        store(slab.link + i, link(lines, slab.coefficient + i, slab.coefficient + i + lines.pitch));
-    std::fill_n(slab.link + last, lines.pitch, 0.0F);
-    if (lines.solid_holds)
-        for (const CutLink& cut : lines.cuts) slab.link[cut.at - lines.skipped * lines.pitch] *= cut.nearer;
 }
 
 /// The part of a link that is taken by the velocity before the step: half of it, which makes the step of second order in time.
@@ -86,146 +63,169 @@ inline Eight explicit_part(const Eight& whole, const Eight& most) {
     return half < most ? half : most;
 }
 
-inline Eight explicit_part_to_wall(const float* link) {
-    return explicit_part(load(link), none + explicit_most_to_wall);
-}
-
-/// Of the link from a place to the next one.
-inline Eight explicit_part(const Lines& lines, const Slab& slab, std::ptrdiff_t at) {
-    const Eight a = load(slab.coefficient + at), b = load(slab.coefficient + at + lines.pitch);
+/// Of the link between two places.
+inline Eight explicit_part(const Eight& whole, const Eight& a, const Eight& b) {
     const Eight most = (a < none) | (b < none) ? none + explicit_most_to_wall : none + explicit_most;
-    return explicit_part(load(slab.link + at), most);
+    return explicit_part(whole, most);
 }
 
-/// The explicit half of the step.
-void take_explicit_half(const Lines& lines, const Slab& slab) {
-    const auto w = lines.pitch;
-    const auto last = (lines.count - 1) * w;
-    for (std::ptrdiff_t i = 0; i < w; i += 8) {
-        Eight from_before = -explicit_part_to_wall(slab.end[0] + i) * load(slab.value + i);
-        for (std::ptrdiff_t at = i; at < last; at += w) {
-            const Eight value = load(slab.value + at);
-            const Eight to_next = explicit_part(lines, slab, at) * (value - load(slab.value + at + w));
-            store(slab.value + at, value + (from_before - to_next));
-            from_before = to_next;
+/// One value for each of the lines.
+struct RowBuffers {
+    float* closed;   ///< coefficients of closed places
+    float* none;     ///< zeros
+    float* link;     ///< to the next place
+    float* below;    ///< the implicit part of the link from the place before
+    float* flux;     ///< from the place before to this one, by the explicit half
+    float* to_wall;  ///< the implicit part of the link to the wall at the low end
+    float* ring;     ///< flux through the link between the ends, by the explicit half
+};
+
+/// What elimination leaves of each place's link to the next one, and of the ends of periodic lines.
+struct Eliminated {
+    float* upper;   ///< a row of zeros stands before the first one
+    float* corner;  ///< likewise
+};
+
+/// The links to the walls at the low and high end, as multiples of the coefficient beside them.
+std::array<float, 2> links_to_walls(const Lines& lines) {
+    const float wall = lines.edge == Edge::no_slip ? 2.0F : 0.0F;
+    if (lines.edge == Edge::periodic) return {};
+    // The first place is the wall.
+    if (lines.through) return {0, 1};
+    return {wall, wall};
+}
+
+const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r) {
+    const bool wall = r == 0 && lines.through && lines.edge != Edge::periodic;
+    return wall ? buffers.closed : lines.coefficient + r * lines.row;
+}
+
+/// Of place r to the next one, with those that a wall cuts.
+void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r,
+                std::span<const CutLink>& cuts) {
+    const bool holds = lines.solid_holds || (lines.through && lines.edge != Edge::periodic);
+    const float* own = coefficients_at(lines, buffers, r);
+    const float* next = lines.coefficient + (r + 1) * lines.row;
+    for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
+        store(buffers.link + i, link(holds, load(own + i), load(next + i)));
+    if (!holds) return;
+    const std::ptrdiff_t first = (r + lines.skipped) * lines.pitch;
+    std::size_t taken = 0;
+    for (; taken < cuts.size() && cuts[taken].at < first + lines.pitch; ++taken)
+        buffers.link[cuts[taken].at - first] *= cuts[taken].nearer;
+    cuts = cuts.subspan(taken);
+}
+
+/// What the explicit and implicit half take through the walls at the low end, and through the link between the ends
+/// of a ring.
+template <bool ring>
+void begin(const Lines& lines, const RowBuffers& buffers, const Eliminated& left) {
+    const auto last = (lines.count - 1) * lines.row;
+    const float multiple = links_to_walls(lines)[0];
+    const float* own = coefficients_at(lines, buffers, 0);
+    for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8) {
+        const Eight whole = multiple * larger(load(own + i), none);
+        const Eight part = explicit_part(whole, none + explicit_most_to_wall);
+        const Eight value = load(lines.value + i);
+        store(buffers.below + i, none);
+        store(buffers.flux + i, -part * value);
+        store(buffers.to_wall + i, whole - part);
+        if constexpr (ring) {
+            const Eight ends = link(lines.solid_holds, load(lines.coefficient + last + i), load(own + i));
+            const Eight half = explicit_part(ends, none + explicit_most);
+            store(buffers.ring + i, half * (value - load(lines.value + last + i)));
+            // The matrix is that of open ends plus ends * (e0 - en)(e0 - en)^T.
+            for (std::ptrdiff_t r = 1; r + 1 < lines.count; ++r)
+                store(left.corner + r * lines.pitch + i, none);
+            store(left.corner + i, ends - half);
+            store(left.corner + (lines.count - 1) * lines.pitch + i, half - ends);
         }
-        const Eight value = load(slab.value + last + i);
-        const Eight to_wall = explicit_part_to_wall(slab.end[1] + i) * value;
-        store(slab.value + last + i, value + (from_before - to_wall));
     }
 }
 
-/// Leaves in the links what the implicit half takes.
-void leave_implicit_half(const Lines& lines, const Slab& slab) {
-    const auto last = (lines.count - 1) * lines.pitch;
-    for (std::ptrdiff_t i = 0; i < last; i += 8)
-        store(slab.link + i, load(slab.link + i) - explicit_part(lines, slab, i));
-    for (float* end : slab.end)
-        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
-            store(end + i, load(end + i) - explicit_part_to_wall(end + i));
+/// The explicit half of one place on each line, and its elimination from what the implicit half asks for.
+template <bool ring, bool last>
+void take_place(const Lines& lines, const RowBuffers& buffers, const Eliminated& left, std::ptrdiff_t r) {
+    const auto w = lines.pitch;
+    const float multiple = last ? links_to_walls(lines)[1] : 0;
+    const float* own = coefficients_at(lines, buffers, r);
+    const float* next = last ? nullptr : lines.coefficient + (r + 1) * lines.row;
+    float* value = lines.value + r * lines.row;
+    // Before the first place nothing stands.
+    const float* before = r == 0 ? buffers.none : value - lines.row;
+    const float* low_end = r == 0 ? buffers.to_wall : buffers.none;
+    for (std::ptrdiff_t i = 0; i < w; i += 8) {
+        const Eight here = load(value + i), coefficient = load(own + i);
+        Eight whole, part, to_next, more = load(low_end + i);
+        if constexpr (last) {
+            whole = multiple * larger(coefficient, none);
+            part = explicit_part(whole, none + explicit_most_to_wall);
+            to_next = part * here;
+        } else {
+            whole = load(buffers.link + i);
+            part = explicit_part(whole, coefficient, load(next + i));
+            to_next = part * (here - load(value + lines.row + i));
+        }
+        Eight given = here + (load(buffers.flux + i) - to_next);
+        if constexpr (last)
+            if (lines.lid != 0) given += lines.lid * whole;
+        if constexpr (ring) {
+            if (r == 0) given -= load(buffers.ring + i);
+            if constexpr (last) given += load(buffers.ring + i);
+        }
+        const Eight to_wall = whole - part;
+        const Eight above = last ? none : to_wall;
+        if constexpr (last) more = more + to_wall;
+        const Eight below = load(buffers.below + i);
+        const Eight kept = 1.0F - load(left.upper + (r - 1) * w + i);
+        const Eight per = 1.0F / (1.0F + below * kept + above + more);
+        const Eight open = coefficient < none ? none : per;
+        const Eight found = (given + below * load(before + i)) * open;
+        store(value + i, coefficient < none ? none : found);
+        store(left.upper + r * w + i, above * open);
+        store(buffers.flux + i, to_next);
+        store(buffers.below + i, above);
+        if constexpr (ring) {
+            float* corner = left.corner + r * w + i;
+            const Eight second = (load(corner) + below * load(corner - w)) * open;
+            store(corner, coefficient < none ? none : second);
+        }
+    }
 }
 
-/// Forward elimination and back substitution of every line at once.
-void eliminate(const Lines& lines, const Slab& slab, float* value) {
+/// Both halves of the step for every line at once: tridiagonal systems by elimination, from the low end to the high
+/// one and back.
+template <bool ring>
+void solve(const Lines& lines, const RowBuffers& buffers, const Eliminated& left) {
     const auto n = lines.count;
     const auto w = lines.pitch;
-    for (std::ptrdiff_t r = 0; r < n; ++r) {
-        for (std::ptrdiff_t i = r * w; i < (r + 1) * w; i += 8) {
-            const auto lane = i - r * w;
-            const Eight low = r == 0 ? load(slab.end[0] + lane) : none;
-            const Eight more = r == n - 1 ? low + load(slab.end[1] + lane) : low;
-            const Eight own = load(slab.coefficient + i);
-            const Eight above = load(slab.link + i);
-            const Eight below = load(slab.link + i - w);
-            const Eight kept = 1.0F - load(slab.upper + i - w);
-            const Eight per = 1.0F / (1.0F + below * kept + above + more);
-            const Eight open = own < none ? none : per;
-            store(slab.upper + i, above * open);
-            const Eight found = (load(value + i) + below * load(value + i - w)) * open;
-            store(value + i, own < none ? none : found);
+    std::span<const CutLink> cuts = lines.cuts;
+    begin<ring>(lines, buffers, left);
+    for (std::ptrdiff_t r = 0; r + 1 < n; ++r) {
+        find_links(lines, buffers, r, cuts);
+        take_place<ring, false>(lines, buffers, left, r);
+    }
+    take_place<ring, true>(lines, buffers, left, n - 1);
+    for (std::ptrdiff_t r = n - 2; r >= 0; --r) {
+        float* value = lines.value + r * lines.row;
+        float* corner = left.corner + r * w;
+        for (std::ptrdiff_t i = 0; i < w; i += 8) {
+            const Eight upper = load(left.upper + r * w + i);
+            store(value + i, load(value + i) + upper * load(value + lines.row + i));
+            if constexpr (ring) store(corner + i, load(corner + i) + upper * load(corner + w + i));
         }
     }
-    for (std::ptrdiff_t i = (n - 1) * w - 8; i >= 0; i -= 8)
-        store(value + i, load(value + i) + load(slab.upper + i) * load(value + i + w));
-}
-
-/// The link between the ends of periodic lines, of two places at least, in the explicit half.
-void take_explicit_ring(const Lines& lines, const Slab& slab) {
-    const auto last = (lines.count - 1) * lines.pitch;
-    float* flux = slab.corner;
-    for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8) {
-        const Eight whole = link(lines, slab.coefficient + last + i, slab.coefficient + i);
-        const Eight half = explicit_part(whole, none + explicit_most);
-        store(flux + i, half * (load(slab.value + i) - load(slab.value + last + i)));
-    }
-    take_explicit_half(lines, slab);
-    for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8) {
-        store(slab.value + i, load(slab.value + i) - load(flux + i));
-        store(slab.value + last + i, load(slab.value + last + i) + load(flux + i));
-    }
-}
-
-/// Such lines in the implicit half: Sherman and Morrison's correction by a second solution.
-void solve_ring(const Lines& lines, const Slab& slab) {
-    const auto w = lines.pitch;
-    const auto last = (lines.count - 1) * w;
-    // The matrix is that of open ends plus ends * (e0 - en)(e0 - en)^T.
-    std::fill_n(slab.corner, last + w, 0.0F);
+    if constexpr (!ring) return;
+    // Sherman and Morrison's correction by the second solution.
+    const auto end = (n - 1) * w;
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
-        const Eight whole = link(lines, slab.coefficient + last + i, slab.coefficient + i);
-        const Eight ends = whole - explicit_part(whole, none + explicit_most);
-        store(slab.corner + i, ends);
-        store(slab.corner + last + i, -ends);
+        const Eight by = (load(lines.value + i) - load(lines.value + (n - 1) * lines.row + i)) /
+                         (1.0F + load(left.corner + i) - load(left.corner + end + i));
+        for (std::ptrdiff_t r = 0; r < n; ++r) {
+            float* value = lines.value + r * lines.row + i;
+            store(value, load(value) - by * load(left.corner + r * w + i));
+        }
     }
-    eliminate(lines, slab, slab.value);
-    eliminate(lines, slab, slab.corner);
-    for (std::ptrdiff_t i = 0; i < w; i += 8) {
-        const Eight by = (load(slab.value + i) - load(slab.value + last + i)) /
-                         (1.0F + load(slab.corner + i) - load(slab.corner + last + i));
-        for (std::ptrdiff_t at = i; at <= last + i; at += w)
-            store(slab.value + at, load(slab.value + at) - by * load(slab.corner + at));
-    }
-}
-
-/// The links to the walls at both ends, by multiples of the first and last place's own coefficient.
-void set_ends(const Lines& lines, const Slab& slab, const std::array<float, 2>& multiples) {
-    const std::array<std::ptrdiff_t, 2> row{0, (lines.count - 1) * lines.pitch};
-    for (std::size_t end = 0; end < 2; ++end)
-        for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
-            store(slab.end[end] + i, multiples[end] * larger(load(slab.coefficient + row[end] + i), none));
-}
-
-/// The links of all places, to each other and to the walls at both ends.
-void find_all_links(const Lines& lines, const Slab& slab) {
-    const float wall = lines.edge == Edge::no_slip ? 2.0F : 0.0F;
-    Lines to_wall = lines;
-    if (lines.edge == Edge::periodic) {
-        set_ends(lines, slab, {});
-    } else if (lines.through) {
-        // The first place is the wall.
-        std::fill_n(slab.coefficient, lines.pitch, -1.0F);
-        to_wall.solid_holds = true;
-        set_ends(lines, slab, {0, 1});
-    } else {
-        set_ends(lines, slab, {wall, wall});
-    }
-    find_links(to_wall, slab);
-}
-
-/// What a moving wall at the high end draws along, in the implicit half.
-void add_lid(const Lines& lines, const Slab& slab) {
-    const auto last = (lines.count - 1) * lines.pitch;
-    for (std::ptrdiff_t i = 0; i < lines.width; ++i) slab.value[last + i] += lines.lid * slab.end[1][i];
-}
-
-void solve(const Lines& lines, const Slab& slab) {
-    const bool ring = lines.edge == Edge::periodic;
-    if (ring && lines.count == 1) return;
-    find_all_links(lines, slab);
-    ring ? take_explicit_ring(lines, slab) : take_explicit_half(lines, slab);
-    if (lines.lid != 0) add_lid(lines, slab);
-    leave_implicit_half(lines, slab);
-    ring ? solve_ring(lines, slab) : eliminate(lines, slab, slab.value);
 }
 
 }  // namespace
@@ -236,10 +236,11 @@ Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidSh
       rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)),
       nodal_(lattice.size, -1.0F) {
     const auto [nx, ny, nz] = lattice.cells;
-    const auto width = whole_eights(std::max(nx, ny));
-    const auto most = static_cast<std::size_t>(width * (1 + std::max({nx, ny, nz})));
-    for (auto* slab : {&value_, &coefficient_, &link_, &upper_, &corner_}) slab->assign(most, 0.0F);
-    for (auto* row : {&low_end_, &high_end_}) row->assign(static_cast<std::size_t>(width), 0.0F);
+    const auto width = static_cast<std::size_t>(whole_eights(std::max(nx, ny)));
+    const auto most = width * static_cast<std::size_t>(1 + std::max({nx, ny, nz}));
+    for (auto* slab : {&value_, &coefficient_, &upper_, &corner_}) slab->assign(most, 0.0F);
+    for (auto& row : rows_of_lines_) row.assign(width, 0.0F);
+    closed_.assign(width, -1.0F);
     if (solids_ == nullptr) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         find_faces(solid, axis);
@@ -362,30 +363,31 @@ void Viscosity::component(const Spread& spread, std::size_t axis, Samples& u) {
             const Eight both = half * (load(nu + i - s) + load(nu + i));
             const Eight closed = none - 1.0F;
             const Eight share = open == nullptr ? closed + 2.0F : load(open + i);
-            store(nodal_.data() + i, share > none ? both : closed);
+            const Eight nodal = share > none ? both : closed;
+            store(nodal_.data() + i, nodal);
+            if (spread.force != nullptr) add_force(spread, axis, -1, nodal, i, u);
         }
     });
-    if (spread.force != nullptr) add_force(spread, axis, -1, u);
     if (holds) put_onto_lines(axis, u);
     for (int pass = 0; pass < spread.passes; ++pass)
         for (std::size_t across = 0; across < 3; ++across)
             along(spread, axis, pass % 2 == 0 ? across : 2 - across, u);
     if (holds) put_onto_faces(spread, axis, u);
-    if (spread.force != nullptr) add_force(spread, axis, 1, u);
+    if (spread.force == nullptr) return;
+    each_row(rows_, [&](Row row) {
+        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
+            add_force(spread, axis, 1, load(nodal_.data() + i), i, u);
+    });
 }
 
-/// The part of what a force gave in this step that the explicit half would have seen, had it been there from the start.
-void Viscosity::add_force(const Spread& spread, std::size_t axis, float sign, Samples& u) const {
-    const float* force = (*spread.force)[axis].data();
+/// To eight places, of coefficients `nodal`: the part of what a force gave in this step that the explicit half would
+/// have seen, had it been there from the start.
+void Viscosity::add_force(const Spread& spread, std::size_t axis, float sign, const Eight& nodal,
+                          std::ptrdiff_t at, Samples& u) {
     const auto half = 0.5F * sign * static_cast<float>(spread.dt);
-    each_row(rows_, [&](Row row) {
-        for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
-            const Eight r = load(nodal_.data() + i);
-            const Eight share = 2 * explicit_most < r ? 2 * explicit_most / r : none + 1.0F;
-            const Eight more = half * share * load(force + i);
-            store(u.data() + i, load(u.data() + i) + (r < none ? none : more));
-        }
-    });
+    const Eight share = 2 * explicit_most < nodal ? 2 * explicit_most / nodal : none + 1.0F;
+    const Eight more = half * share * load((*spread.force)[axis].data() + at);
+    store(u.data() + at, load(u.data() + at) + (nodal < none ? none : more));
 }
 
 /// From the speeds in the middles of the open parts to those in the middles of the faces; dragged ones are set aside.
@@ -417,20 +419,27 @@ void Viscosity::put_onto_faces(const Spread& spread, std::size_t axis, Samples& 
 
 void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across, Samples& u) {
     const auto [beside, outer, w] = slabs_along(lattice_, across);
-    Lines lines{.count = lattice_.cells[across],
-                .width = lattice_.cells[beside],
+    const auto place = lattice_.stride[across], line = lattice_.stride[beside];
+    const std::ptrdiff_t width = lattice_.cells[beside];
+    Lines lines{.value = nullptr,
+                .coefficient = nullptr,
+                .row = line == 1 ? place : w,
+                .count = lattice_.cells[across],
                 .pitch = w,
-                .place = lattice_.stride[across],
-                .line = lattice_.stride[beside],
                 .edge = lattice_.edges[across],
                 .through = axis == across,
                 .solid_holds = spread.solid_holds,
                 .lid = axis == 0 && across == 1 ? static_cast<float>(spread.lid) : 0.0F,
                 .cuts = {},
                 .skipped = 0};
-    const Slab slab{value_.data() + w, coefficient_.data() + w, link_.data() + w,
-                    upper_.data() + w, corner_.data() + w,      {low_end_.data(), high_end_.data()}};
-    for (auto* rows : {&value_, &link_, &upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
+    const bool ring = lines.edge == Edge::periodic;
+    if (ring && lines.count == 1) return;
+    auto& [none, link, below, flux, to_wall, ends] = rows_of_lines_;
+    const RowBuffers buffers{closed_.data(), none.data(),    link.data(), below.data(),
+                             flux.data(),    to_wall.data(), ends.data()};
+    const Eliminated left{upper_.data() + w, corner_.data() + w};
+    // Slabs of other widths have left something there.
+    for (auto* rows : {&upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
     for (int o = 0; o < lattice_.cells[outer]; ++o) {
         if (solids_ != nullptr) {
             const Places wet = wet_[axis][across][static_cast<std::size_t>(o)];
@@ -438,24 +447,18 @@ void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across
             lines.skipped = wet.first;
             lines.count = wet.count;
         }
-        const auto first = lattice_.first + o * lattice_.stride[outer] + lines.skipped * lines.place;
+        const auto first = lattice_.first + o * lattice_.stride[outer] + lines.skipped * place;
         float* values = u.data() + first;
         const float* nodal = nodal_.data() + first;
         lines.cuts = cuts_of(axis, across, o);
-        if (lines.line == 1) {
-            for (std::ptrdiff_t r = 0; r < lines.count; ++r) {
-                copy_eights(values + r * lines.place, slab.value + r * w, w);
-                copy_eights(nodal + r * lines.place, slab.coefficient + r * w, w);
-            }
-            solve(lines, slab);
-            for (std::ptrdiff_t r = 0; r < lines.count; ++r)
-                copy_eights(slab.value + r * w, values + r * lines.place, w);
-        } else {
-            transpose({values, lines.line}, {slab.value, w}, lines.width, lines.count);
-            transpose({nodal, lines.line}, {slab.coefficient, w}, lines.width, lines.count);
-            solve(lines, slab);
-            transpose({slab.value, w}, {values, lines.line}, lines.count, lines.width);
+        lines.value = line == 1 ? values : value_.data();
+        lines.coefficient = line == 1 ? nodal : coefficient_.data();
+        if (line != 1) {
+            transpose({values, line}, {value_.data(), w}, width, lines.count);
+            transpose({nodal, line}, {coefficient_.data(), w}, width, lines.count);
         }
+        ring ? solve<true>(lines, buffers, left) : solve<false>(lines, buffers, left);
+        if (line != 1) transpose({value_.data(), w}, {values, line}, lines.count, width);
     }
 }
 

@@ -64,7 +64,8 @@ private:
     void component(const Spread& spread, std::size_t axis, Samples& u);
     void along(const Spread& spread, std::size_t axis, std::size_t across, Samples& u);
 
-    void add_force(const Spread& spread, std::size_t axis, float sign, Samples& u) const;
+    static void add_force(const Spread& spread, std::size_t axis, float sign, const Eight& nodal,
+                          std::ptrdiff_t at, Samples& u);
     void put_onto_lines(std::size_t axis, Samples& u);
     void put_onto_faces(const Spread& spread, std::size_t axis, Samples& u);
 
@@ -86,8 +87,11 @@ private:
         cuts_;  ///< by component and direction, in order of slabs
     std::array<std::array<std::vector<Places>, 3>, 3> wet_;  ///< by component, direction and slab
     Samples nodal_;  ///< dt nu / h^2 where the component stands; below 0 where it does not
-    // Of the lines that stand side by side, [place along a line][line].
-    std::vector<float> value_, coefficient_, link_, upper_, corner_, low_end_, high_end_;
+    // Of the lines that stand side by side, [place along a line][line]; value_ and coefficient_ of lines along x alone.
+    std::vector<float> value_, coefficient_, upper_, corner_;
+    // One value for each of the lines.
+    std::array<std::vector<float>, 6> rows_of_lines_;
+    std::vector<float> closed_;
 };
 
 }  // namespace thaum::fluid

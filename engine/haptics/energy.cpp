@@ -34,10 +34,22 @@ void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, in
     book.open = 1;
 }
 
-vec3 passivity_control(const EnergyBook& book, vec3 velocity, double most) {
+double surplus(const EnergyBook& book, double held) {
+    return std::max(book.created, book.created + held - energy_slack);
+}
+
+vec3 passivity_control(double energy, vec3 velocity, double most) {
     const double speed = glm::length(velocity);
-    if (!(book.created > 0) || !(speed > still) || !std::isfinite(speed)) return vec3(0);
-    return -std::min(book.created / (speed * speed * tick_seconds), most) * velocity;
+    if (!(energy > 0) || !(speed > still) || !std::isfinite(speed)) return vec3(0);
+    return -std::min(energy / (speed * speed * tick_seconds), most) * velocity;
+}
+
+double work_on_the_way(const EnergyBook& book, vec3 step, int latency) {
+    double work = 0;
+    for (int back = 0; back < std::min(latency, most_latency); ++back)
+        work += glm::dot(book.forces[(book.newest + kept - static_cast<std::uint32_t>(back)) % kept].passive,
+                         step);
+    return work;
 }
 
 vec3 within_budget(const EnergyBook& book, vec3 active, vec3 velocity) {

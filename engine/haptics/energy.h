@@ -47,8 +47,19 @@ inline constexpr double active_budget = 0.5;
 void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, int latency,
              double brought = 0);
 
-/// N: against the velocity (m/s), as much as takes out what was created within the next tick, at most `most` N s/m.
-vec3 passivity_control(const EnergyBook& book, vec3 velocity, double most);
+/// Energy that a spring may have created while it still holds more (J). Whatever is beyond it is taken out at once.
+inline constexpr double energy_slack = 0.003;
+
+/// Energy that the controller has to take out (J); 0 or less: none. held: energy that springs hold, and what they will create before
+/// the next force acts (J). A controller that waits until springs have given back all they hold begins too late: a damper at the
+/// device's limit takes out less than a stretched spring gives back.
+double surplus(const EnergyBook& book, double held);
+
+/// Force against the velocity (m/s) that takes out `energy` (J) within the next tick, with at most `most` N s/m (N).
+vec3 passivity_control(double energy, vec3 velocity, double most);
+
+/// Work of the passive forces that were commanded and have not acted yet, if the tip moves by `step` (m) in every tick (J).
+double work_on_the_way(const EnergyBook& book, vec3 step, int latency);
 
 /// The active force as its budget allows: beyond it nothing that pushes along the velocity.
 vec3 within_budget(const EnergyBook& book, vec3 active, vec3 velocity);

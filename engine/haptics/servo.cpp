@@ -210,24 +210,51 @@ double within_cap(double energy, double stretch, double cap) {
     return cap * stretch * (1 - cap / (2 * pull));
 }
 
-/// J, that the passive sources hold and may give back: what lies beyond the cap was never put in.
-double stored_energy(const ServoState& state, const HapticModel& model, const Tether& tether, vec3 tip,
-                     const SurfaceFeel& surfaces, double cap) {
-    double stored = surfaces.active ? 0 : within_cap(surfaces.stored, surfaces.stretch, cap);
-    if (tether.stiffness > 0) {
-        const vec3 off = tip - tether.anchor;
-        stored += within_cap(tether.stiffness * glm::dot(off, off) / 2, glm::length(off), cap) +
-                  tether.detents.depth * tether.detents.width / pi;
-    }
+/// Energy of the tether's spring, without its detents (J).
+double tether_energy(const Tether& tether, vec3 tip, double cap) {
+    if (!(tether.stiffness > 0)) return 0;
+    const vec3 off = tip - tether.anchor;
+    return within_cap(tether.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
+}
+
+/// Energy that tether and primitives hold (J): what lies beyond the cap was never put in.
+double spring_energy(const ServoState& state, const HapticModel& model, const Tether& tether, vec3 tip,
+                     double cap) {
+    double held = tether_energy(tether, tip, cap);
     if (state.primitives != 0 && conservative(model.primitives)) {
         const vec3 off = tip - state.proxy;
-        stored += within_cap(model.coupling.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
+        held += within_cap(model.coupling.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
         for (Primitive primitive : model.primitives.items()) {
             primitive.strength = std::min(primitive.strength, cap);
-            stored += potential(primitive, state.proxy);
+            held += potential(primitive, state.proxy);
         }
     }
-    return stored;
+    return held;
+}
+
+/// Most energy that surfaces and detents hold (J).
+double other_energy(const Tether& tether, const SurfaceFeel& surfaces, double cap) {
+    const double notches = tether.stiffness > 0 ? tether.detents.depth * tether.detents.width / pi : 0;
+    return notches + (surfaces.active ? 0 : within_cap(surfaces.stored, surfaces.stretch, cap));
+}
+
+/// Largest force that a spring has at the device now (N): less than the cap while the device is warm, none while nothing is felt. A
+/// spring stretched meanwhile holds less than its potential, and the difference was not created.
+double most_felt(const Servo& servo, const SafetyState& safety) {
+    const bool whole = safety.cause <= static_cast<std::uint32_t>(SafetyCause::capped);
+    return whole ? servo.limits.cap : glm::length(safety.output);
+}
+
+/// Energy that the tether will create until the force of this tick has acted (J). The device holds every force for a tick, and brings it
+/// late; meanwhile the spring relaxes. A hand of 2 m/s crosses the whole spring of a Falcon in that time.
+double expected_creation(const Servo& servo, const EnergyBook& book, const Tether& tether, const Tip& tip) {
+    if (!(tether.stiffness > 0)) return 0;
+    const double cap = servo.limits.cap;
+    const vec3 step = (tip.velocity - tether.anchor_velocity) * tick_seconds;
+    const vec3 pull = limited(tether.stiffness * (tether.anchor - tip.position), cap);
+    const double work = work_on_the_way(book, step, servo.latency) + glm::dot(pull, step);
+    const double ahead = tether_energy(tether, tip.position + (servo.latency + 1.0) * step, cap);
+    return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
 }
 
 /// A thing that moves goes on: where it is now, by a model that is `age` ticks old. By one that is too old nothing is felt, so it stays
@@ -241,16 +268,19 @@ Tether moved_on(Tether tether, std::uint32_t age) {
 /// energy that a source holds when it comes is not its own creation: whoever stretched it put it there.
 vec3 keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
                 const Tip& tip, const SurfaceFeel& surfaces, const FluidFeel& fluid, Sources& sources) {
-    const double stored =
-        stored_energy(state, model, tether, tip.position, surfaces, servo.limits.cap) + fluid.stored;
+    const double felt = most_felt(servo, state.safety);
+    const double springs = spring_energy(state, model, tether, tip.position, servo.limits.cap);
+    const double held =
+        felt < servo.limits.cap ? spring_energy(state, model, tether, tip.position, felt) : springs;
+    const double stored = springs + other_energy(tether, surfaces, servo.limits.cap) + fluid.stored;
     // Who is tethered touches nothing else.
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.brought);
     if (tip.switched) state.energy.created = -stored;
     sources.active = within_budget(state.energy, sources.active, tip.velocity);
-    if (!(state.energy.created > 0))
-        return vec3(0);  // and the velocity, which takes half of a quiet step, is not asked for
-    return passivity_control(state.energy, prompt_velocity(state, servo.quantum), servo.most_damping);
+    const double taken = surplus(state.energy, held + expected_creation(servo, state.energy, tether, tip));
+    if (!(taken > 0)) return vec3(0);  // and the velocity, which takes half of a quiet step, is not asked for
+    return passivity_control(taken, prompt_velocity(state, servo.quantum), servo.most_damping);
 }
 
 }  // namespace

@@ -21,13 +21,14 @@ Felt felt(const Scene& scene, const Wall& wall, vec3 x) {
     return {std::max(0.0, depth + relief.height), way / length};
 }
 
-double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding) {
+double friction_reach(const Scene& scene, std::span<const Wall> walls, vec3 x, bool sliding) {
     double reach = 0;
-    for (std::size_t i = 0; i < walls.count; ++i) {
-        const Wall& wall = walls.items[i];
+    for (const Wall& wall : walls) {
         const SurfaceMaterial& m = scene.body_of(wall.surface).material;
         const double friction = sliding ? m.dynamic_friction : m.static_friction;
-        if (friction > 0) reach += friction * felt(scene, wall, x).depth;
+        if (!(friction > 0)) continue;
+        const bool smooth = top_of(m.texture) == 0;
+        reach += friction * (smooth ? wall.depth : felt(scene, wall, x).depth);
     }
     return reach;
 }

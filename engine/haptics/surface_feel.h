@@ -1,5 +1,7 @@
 // haptics/surface_feel.h: how deep the tip feels to be behind a wall, and how far friction holds the proxy.
 #pragma once
+#include <span>
+
 #include "haptics/surface_walls.h"
 
 namespace thaum::haptics {
@@ -13,6 +15,10 @@ struct Felt {
 Felt felt(const Scene& scene, const Wall& wall, vec3 x);
 
 /// Pull along the walls up to which friction holds a proxy at x: the sum of the depths times the friction (m).
-double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding);
+double friction_reach(const Scene& scene, std::span<const Wall> walls, vec3 x, bool sliding);
+
+inline double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding) {
+    return friction_reach(scene, std::span(walls.items).first(walls.count), x, sliding);
+}
 
 }  // namespace thaum::haptics

@@ -1,6 +1,7 @@
 #include "haptics/surface_round.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "haptics/surface_feel.h"
 #include "haptics/surface_sweep.h"
@@ -80,6 +81,8 @@ struct Path {
     std::array<Piece, 2> pieces{};
     std::size_t count{};
     vec3 from{}, way{};  ///< two pieces: the straight line that is projected onto both
+    bool has_end{};      ///< two pieces: its last place is known
+    vec3 end{};          ///< that place (m)
     vec3 core{};         ///< one piece, from here on: the core's place nearest to the tip (m)
     vec3 out{};          ///< direction from there to the tip (unit)
     vec3 side{};         ///< direction at right angles to `out`, to the proxy's side (unit)
@@ -161,8 +164,10 @@ Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 directio
     const double pull = glm::dot(tip - x, tangent);
     const double step = pull / std::max(flattest, 1 - glm::dot(tip - x, curvature));
     path.way = step / std::max(1.0, step * glm::length(curvature)) * tangent;
-    vec3 end;
-    for (int n = 0; n < 8 && !place_on(path, 1, end); ++n) path.way *= 0.5;
+    for (int n = 0; n < 8 && !path.has_end; ++n) {
+        path.has_end = place_on(path, 1, path.end);
+        if (!path.has_end) path.way *= 0.5;
+    }
     return path;
 }
 
@@ -183,33 +188,47 @@ struct Track {
     Path path{};
     vec3 tip{};
 
+    mutable double known_s{-1};  ///< where the path's place was asked for last
+    mutable vec3 known{};        ///< place there (m); its loads, its pieces and its end ask for the same one
+
     vec3 at(double s) const {
+        if (s == known_s) return known;
+        if (s == 1 && path.has_end) return path.end;
         vec3 y = path.from;
         place_on(path, s, y);
+        known_s = s;
+        known = y;
         return y;
     }
 };
 
+/// Depths of the walls of a path at its place y: for two walls, of the push that both have together.
+void set_depths(std::span<Wall> walls, const Path& path, vec3 y, vec3 pull) {
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        walls[i].normal = distance_to(path.pieces[i], y).normal;
+        walls[i].depth = -glm::dot(pull, walls[i].normal);
+    }
+    if (walls.size() < 2) return;
+    const vec3 a = walls[0].normal, b = walls[1].normal, cross = glm::cross(a, b);
+    const Depths depths =
+        depths_of_two(walls[0].depth, walls[1].depth, glm::dot(a, b), glm::dot(cross, cross));
+    walls[0].depth = depths.a;
+    walls[1].depth = depths.b;
+}
+
 Loads loads_at(const Track& track, double s) {
     const vec3 y = track.at(s), pull = track.tip - y;
-    Walls walls = *track.walls;
-    for (std::size_t i = 0; i < walls.count; ++i) {
-        walls.items[i].normal = distance_to(track.path.pieces[i], y).normal;
-        walls.items[i].depth = -glm::dot(pull, walls.items[i].normal);
+    std::array<Wall, 2> both{track.walls->items[0], track.walls->items[1]};
+    const auto walls = std::span(both).first(track.walls->count);
+    set_depths(walls, track.path, y, pull);
+    vec3 along = pull;
+    double least = walls[0].depth;
+    for (const Wall& wall : walls) {
+        along += wall.depth * wall.normal;
+        least = std::min(least, wall.depth);
     }
-    Wall &a = walls.items[0], &b = walls.items[1];
-    if (walls.count == 2) {
-        const vec3 cross = glm::cross(a.normal, b.normal);
-        const Depths depths =
-            depths_of_two(a.depth, b.depth, glm::dot(a.normal, b.normal), glm::dot(cross, cross));
-        a.depth = depths.a;
-        b.depth = depths.b;
-    }
-    vec3 along = pull + a.depth * a.normal;
-    if (walls.count == 2) along += b.depth * b.normal;
     const double length = glm::length(along);
-    return {walls.count == 2 ? std::min(a.depth, b.depth) : a.depth, length,
-            length - friction_reach(*track.scene, walls, y, true)};
+    return {least, length, length - friction_reach(*track.scene, walls, y, true)};
 }
 
 /// A value of a function of the path.
@@ -249,21 +268,49 @@ double fails_at(const Condition& condition, double end) {
     return first;
 }
 
-/// Place where the walls let go or friction holds, or the end.
-double hold_at(const Track& track, const Loads& start) {
+/// Place between two where the walls let go or friction holds, or the second one. They do neither at the first one.
+double hold_between(const Track& track, double from, const Loads& start, double to) {
     constexpr double exact = 1e-16;
-    double end = 1;
+    double end = to;
     Loads loads = loads_at(track, end);
     if (loads.least <= 0) {
-        const double even = start.least / (start.least - loads.least);
-        end = fall_to_zero([&](double s) { return loads_at(track, s).least; }, {0, start.least},
+        const double even = from + (end - from) * (start.least / (start.least - loads.least));
+        end = fall_to_zero([&](double s) { return loads_at(track, s).least; }, {from, start.least},
                            {end, loads.least}, even, exact);
         loads = loads_at(track, end);
     }
     if (loads.excess >= -0.5 * tight) return end;
-    const double if_straight = start.excess / start.pull;
-    return fall_to_zero([&](double s) { return loads_at(track, s).excess; }, {0, start.excess},
+    const double if_straight = from + (to - from) * (start.excess / start.pull);
+    return fall_to_zero([&](double s) { return loads_at(track, s).excess; }, {from, start.excess},
                         {end, loads.excess}, if_straight, 0.5 * tight);
+}
+
+/// Whether a path turns so far up to a place that its walls may let go on the way and hold again there, or friction
+/// likewise.
+bool is_long(const Path& path, double end) {
+    constexpr double far = 0.1;  // rad
+    if (path.count == 1) return path.half_tan > 1 && path.axial != 0;
+    const double length2 = end * end * glm::dot(path.way, path.way);
+    return std::any_of(path.pieces.begin(), path.pieces.end(), [&](const Piece& piece) {
+        return piece.kind != Piece::Kind::plane && length2 > far * far * piece.radius * piece.radius;
+    });
+}
+
+/// First place where the walls let go or friction holds, or the end. A long path is looked at again, in parts.
+double hold_at(const Track& track, const Loads& start) {
+    constexpr int parts = 8;
+    const double last = hold_between(track, 0, start, 1);
+    if (!is_long(track.path, last)) return last;
+    Loads loads = start;
+    double from = 0;
+    for (int part = 1; part < parts; ++part) {
+        const double to = last * part / parts, end = hold_between(track, from, loads, to);
+        if (end < to) return end;
+        from = to;
+        loads = loads_at(track, to);
+        if (loads.least <= 0 || loads.excess <= 0) return to;
+    }
+    return last;
 }
 
 /// Whether all walls have the same piece at a place as at the path's start.
@@ -277,6 +324,18 @@ bool on_its_pieces(const Track& track, double s) {
             return false;
     }
     return true;
+}
+
+/// Place where a path leaves its pieces. The rounding of an edge is as wide as the gap: a path that begins on it goes
+/// on beyond it, along tangent planes that have the whole of each body behind them. Otherwise the proxy would hang on
+/// the edge.
+double end_of_pieces(const Track& track, double end) {
+    constexpr double over_an_edge = 5 * surface_gap;  // m
+    const double last = fails_at([&](double s) { return on_its_pieces(track, s); }, end);
+    const vec3 start = track.at(0);
+    if (glm::length(track.at(last) - start) > tight) return last;
+    const double length = glm::length(track.at(end) - start);
+    return length > over_an_edge ? end * (over_an_edge / length) : end;
 }
 
 bool within_reach(const Track& track, double s) {
@@ -303,51 +362,79 @@ struct Obstacle {
     Wall wall{};
 };
 
-Obstacle obstacle_on(const Track& track, const Sweep& way) {
-    const Hit hit = first_hit(*track.scene, way, track.own);
+Obstacle obstacle_on(const Scene& scene, const Sweep& way, SurfaceSet passed_over) {
+    const Hit hit = first_hit(scene, way, passed_over);
     return {hit.at <= 1, way.from + std::min(hit.at, 1.0) * way.step, hit.wall};
 }
 
-/// First obstacle between two places of a path, along two tangents that lie outside of the path's own surfaces.
-Obstacle obstacle_between(const Track& track, double from, double to) {
+/// Two tangents between places of a path, that lie outside of the path's own surfaces.
+struct Tangents {
+    vec3 from{}, apex{}, to{};
+    double reach{};  ///< no place of them is farther from the first one (m)
+};
+
+/// The tangents between two places of a path, of which the first one, a, is known.
+Tangents tangents_between(const Track& track, double from, vec3 a, double to) {
     constexpr double above_tangents = 1.2;
-    const vec3 a = track.at(from), b = track.at(to), middle = track.at(0.5 * (from + to));
+    const vec3 b = track.at(to), middle = track.at(0.5 * (from + to));
     const double sagitta = glm::length(middle - 0.5 * (a + b));
     const vec3 apex = middle + above_tangents * sagitta * outward(track.path, middle);
-    const Obstacle first = obstacle_on(track, Sweep(a, apex - a));
-    return first.met ? first : obstacle_on(track, Sweep(apex, b - apex));
+    return {a, apex, b, std::max(glm::length(apex - a), glm::length(b - a))};
 }
 
-/// Whether the patch holds no surfaces but the path's own.
-bool alone(const Track& track) {
-    return track.scene->flat_count + track.scene->solid_count == track.walls->count;
+/// First obstacle on two tangents.
+Obstacle obstacle_on(const Scene& scene, const Tangents& tangents, SurfaceSet passed_over) {
+    const vec3 apex = tangents.apex;
+    const Obstacle first = obstacle_on(scene, Sweep(tangents.from, apex - tangents.from), passed_over);
+    return first.met ? first : obstacle_on(scene, Sweep(apex, tangents.to - apex), passed_over);
+}
+
+/// Whether the patch holds no surfaces but those of the walls.
+bool alone(const Scene& scene, const Walls& walls) {
+    return scene.flat_count + scene.solid_count == walls.count;
 }
 
 /// Goes along a path up to a place or to the first obstacle. Where the tangents meet something, the path itself may
-/// pass beneath
-/// it: so a part of the path is halved until it is free or too short to pass, and doubled after each free part.
-Obstacle travel(const Track& track, double end) {
-    constexpr int most_parts = 200;
+/// pass beneath it: so a part of the path is halved until it is free or too short to pass, and doubled after each free
+/// part. From the second part on, only surfaces that are near enough are swept. Where no sweeps are left, the way
+/// ends there.
+Obstacle travel(const Track& track, double end, int& sweeps_left) {
     constexpr double shortest = 1e-9;  // m; on a radius of 1 mm the tangents are then nowhere 1e-15 m outside
-    if (alone(track)) return {.place = track.at(end)};
+    constexpr int most_parts = 200;
+    constexpr int per_part = 2;  // sweeps that cost as much as the places of a part
+    const Scene& scene = *track.scene;
+    const int surfaces = static_cast<int>(scene.flat_count + scene.solid_count);
+    if (alone(scene, *track.walls)) return {.place = track.at(end)};
+    Clearances near;
+    vec3 here = track.at(0);
     double done = 0, part = end;
-    for (int n = 0; n < most_parts && done < end; ++n) {
+    for (int n = 0; n < most_parts && sweeps_left > 0 && done < end; ++n) {
         const double to = std::min(done + part, end);
-        const Obstacle obstacle = obstacle_between(track, done, to);
+        const Tangents tangents = tangents_between(track, done, here, to);
+        const SurfaceSet far = part < end ? near.beyond(scene, here, tangents.reach) : 0;
+        const SurfaceSet passed_over = track.own | far;
+        const Obstacle obstacle = obstacle_on(scene, tangents, passed_over);
+        sweeps_left -= per_part + surfaces - std::popcount(passed_over);
         if (!obstacle.met) {
             done = to;
+            here = tangents.to;
             part *= 2;
             continue;
         }
-        if (glm::length(track.at(to) - track.at(done)) < shortest) return obstacle;
+        if (glm::length(tangents.to - here) < shortest) return obstacle;
         part *= 0.5;
     }
-    return {.place = track.at(done)};
+    return {.place = here};
+}
+
+SurfaceSet surfaces_of(const Walls& walls) {
+    SurfaceSet own = 0;
+    for (std::size_t i = 0; i < walls.count; ++i) own |= only(walls.items[i].surface);
+    return own;
 }
 
 Track track_of(const Scene& scene, const Walls& walls, vec3 x, const RoundGoal& goal) {
-    Track track{.scene = &scene, .walls = &walls, .tip = goal.tip};
-    for (std::size_t i = 0; i < walls.count; ++i) track.own |= only(walls.items[i].surface);
+    Track track{.scene = &scene, .walls = &walls, .own = surfaces_of(walls), .tip = goal.tip};
     const Piece a = piece_at(scene, walls.items[0], x);
     track.path = walls.count == 1
                      ? path_on_one(a, x, goal.tip)
@@ -371,10 +458,10 @@ RoundEnd step_to_corner(const Scene& scene, Slide& slide, vec3 corner) {
 }
 
 /// Adds a surface against which the proxy stands already. Its wall counts before the path's end is sought.
-bool add_blocking(const Scene& scene, Slide& slide, const Track& track, vec3 tangent) {
-    if (alone(track)) return false;
+bool add_blocking(const Scene& scene, Slide& slide, vec3 tangent) {
+    if (alone(scene, slide.walls)) return false;
     const Sweep ahead(slide.x, tangent - slide.x);
-    const Hit hit = first_hit(scene, ahead, track.own);
+    const Hit hit = first_hit(scene, ahead, surfaces_of(slide.walls));
     if (hit.at * ahead.length > tight) return false;
     add_wall(slide.walls, hit.wall);
     return true;
@@ -390,15 +477,19 @@ bool is_round(const Scene& scene, const Walls& walls, vec3 x) {
     return false;
 }
 
-void refresh_round(const Scene& scene, Walls& walls, vec3 x) {
+void refresh_round(const Scene& scene, Walls& walls, vec3 x, bool moved) {
     constexpr double slack = 10 * tight;
+    for (std::size_t i = 0; i < walls.count; ++i) {
+        Wall& wall = walls.items[i];
+        wall.met_here = wall.depth == 0 || (wall.met_here && !moved);
+    }
     if (!is_round(scene, walls, x)) return;
     std::size_t kept = 0;
     for (std::size_t i = 0; i < walls.count; ++i) {
         const Wall wall = walls.items[i];
         const Surface& s = scene.surface(wall.surface);
         if (is_flat(s.kind) || zone_of(scene, wall.surface, x) == not_round) {
-            if (stands(scene, wall, x)) walls.items[kept++] = wall;
+            if (wall.met_here || stands(scene, wall, x)) walls.items[kept++] = wall;
             continue;
         }
         const Distance here = to_solid(s, scene.body_of(wall.surface).orientation, x);
@@ -413,9 +504,9 @@ RoundEnd slide_round(const Scene& scene, Slide& slide, const RoundGoal& goal) {
     if (pull <= friction_reach(scene, slide.walls, slide.x, goal.was_sliding || slide.slid) + tight)
         return RoundEnd::rests;
     if (slide.walls.count > 2) return step_to_corner(scene, slide, goal.tangent);
+    if (add_blocking(scene, slide, goal.tangent)) return RoundEnd::moved;
     const Walls walls = slide.walls;
     const Track track = track_of(scene, walls, slide.x, goal);
-    if (add_blocking(scene, slide, track, goal.tangent)) return RoundEnd::moved;
     const Loads start = loads_at(track, 0);
     if (start.least <= 0) {
         drop_least(slide.walls);
@@ -423,10 +514,10 @@ RoundEnd slide_round(const Scene& scene, Slide& slide, const RoundGoal& goal) {
     }
     if (start.excess <= 0) return RoundEnd::rests;
     double end = hold_at(track, start);
-    if (!on_its_pieces(track, end)) end = fails_at([&](double s) { return on_its_pieces(track, s); }, end);
+    if (!on_its_pieces(track, end)) end = end_of_pieces(track, end);
     const bool limited = scene.patch->reach < HUGE_VAL && !within_reach(track, end);
     if (limited) end = fails_at([&](double s) { return within_reach(track, s); }, end);
-    const Obstacle obstacle = travel(track, end);
+    const Obstacle obstacle = travel(track, end, slide.sweeps_left);
     const bool moved = glm::length(obstacle.place - slide.x) > tight;
     slide.slid = slide.slid || moved;
     slide.x = obstacle.place;

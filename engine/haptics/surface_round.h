@@ -28,8 +28,8 @@ namespace thaum::haptics {
 bool is_round(const Scene& scene, const Walls& walls, vec3 x);
 
 /// Turns the walls of round surfaces to their tangent planes at x. Where there are some, drops the walls that do not
-/// reach to x.
-void refresh_round(const Scene& scene, Walls& walls, vec3 x);
+/// reach to x, unless the proxy met them there. `moved`: whether the last move brought the proxy to x.
+void refresh_round(const Scene& scene, Walls& walls, vec3 x, bool moved);
 
 enum class RoundEnd : std::uint8_t { rests, moved, limited };
 

@@ -78,7 +78,7 @@ Straight go_straight(const Scene& scene, Slide& slide, vec3 goal, bool was_slidi
 /// a force never vanishes because the moves are used up.
 void settle(const Scene& scene, Slide& slide, vec3 tip, const Walls& held) {
     if (is_round(scene, slide.walls, slide.x)) {
-        refresh_round(scene, slide.walls, slide.x);
+        refresh_round(scene, slide.walls, slide.x, false);
         if (!nearest_place(slide.walls, tip).found) slide.walls = held;
     }
     if (slide.walls.count == 0) slide.walls = held;
@@ -100,14 +100,15 @@ bool stands(const Scene& scene, const Wall& wall, vec3 x) {
 Slide slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
     Slide slide{.x = start};
     Walls held;
-    vec3 cleared{};
+    vec3 cleared{}, last = start;
     bool first = true;
     for (int move = 0; move < most_moves; ++move) {
-        refresh_round(scene, slide.walls, slide.x);
+        refresh_round(scene, slide.walls, slide.x, glm::length(slide.x - last) > tight);
+        last = slide.x;
         const Walls before = slide.walls;
         const NearestPlace goal = nearest_place(slide.walls, tip);
         if (!goal.found) {  // no room: stays, held by those that were there before
-            slide.walls = before;
+            slide.walls = held.count != 0 ? held : before;
             return slide;
         }
         if (slide.walls.count != 0) held = slide.walls;

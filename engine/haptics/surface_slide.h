@@ -6,8 +6,10 @@ namespace thaum::haptics {
 
 /// The proxy on its way to the tip.
 struct Slide {
-    vec3 x{};        ///< place of the proxy (m)
-    Walls walls{};   ///< walls that hold it there
+    vec3 x{};       ///< place of the proxy (m)
+    Walls walls{};  ///< walls that hold it there
+    /// Sweeps against a surface that round paths may still make in this tick, so that it ends in time.
+    int sweeps_left{2400};
     bool slid{};     ///< it has moved along a wall
     bool limited{};  ///< it was held at the end of the patch's reach
 };

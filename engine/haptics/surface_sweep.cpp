@@ -72,4 +72,31 @@ Hit first_hit(const Scene& scene, const Sweep& path, SurfaceSet passed_over) {
     return first;
 }
 
+SurfaceSet Clearances::beyond(const Scene& scene, vec3 from, double distance) {
+    constexpr double stale = 4;  // distances known so many times farther away no longer tell much
+    double off = glm::length(from - place_);
+    if (!(off <= stale * distance)) {
+        measure(scene, from);
+        off = 0;
+    }
+    SurfaceSet far = 0;
+    for (std::uint32_t i = 0; i < scene.patch->count && i < surface_capacity; ++i)
+        if (free_[i] > off + distance + tight) far |= only(i);
+    return far;
+}
+
+void Clearances::measure(const Scene& scene, vec3 place) {
+    place_ = place;
+    for (std::uint32_t i = 0; i < scene.flat_count; ++i) {
+        const Facet& flat = scene.flats[i];
+        const double height = glm::dot(flat.normal, place) - flat.offset;
+        free_[flat.surface] = (flat.kind == SurfaceKind::plane ? height : std::abs(height)) - flat.gap;
+    }
+    for (std::uint32_t i = 0; i < scene.solid_count; ++i) {
+        const std::uint32_t solid = scene.solids[i];
+        const Distance d = to_solid(scene.surface(solid), scene.body_of(solid).orientation, place);
+        free_[solid] = d.value - scene.gap[solid];
+    }
+}
+
 }  // namespace thaum::haptics

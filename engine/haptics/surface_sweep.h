@@ -29,4 +29,16 @@ void sweep_solid(const Scene& scene, std::uint32_t solid, const Sweep& path, Hit
 /// First hit of all surfaces but those passed over.
 Hit first_hit(const Scene& scene, const Sweep& path, SurfaceSet passed_over = 0);
 
+/// Tells which surfaces are too far to be met, from their distances at one place, which serve for the paths near it.
+class Clearances {
+public:
+    /// Surfaces that no path meets which stays within a distance of a place.
+    SurfaceSet beyond(const Scene& scene, vec3 from, double distance);
+
+private:
+    vec3 place_{HUGE_VAL};
+    std::array<double, surface_capacity> free_{};  ///< distances that a point may go from there (m)
+    void measure(const Scene& scene, vec3 place);
+};
+
 }  // namespace thaum::haptics

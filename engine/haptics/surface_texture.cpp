@@ -43,11 +43,6 @@ Relief bumps_at(const Texture& t, const BumpMap& map, double u, double v) {
 }
 }  // namespace
 
-double top_of(const Texture& texture) {
-    return texture.kind != TextureKind::none && texture.amplitude > 0 && texture.wavelength > 0
-               ? 2 * texture.amplitude
-               : 0;
-}
 Relief relief_at(const Texture& t, const BumpMap& bumps, vec3 place) noexcept {
     if (top_of(t) == 0) return {};
     const vec3 arm = place - t.origin;

@@ -5,6 +5,10 @@
 namespace thaum::haptics {
 
 /// Greatest height of a texture (m); 0 where there is none.
-double top_of(const Texture& texture);
+inline double top_of(const Texture& texture) {
+    return texture.kind != TextureKind::none && texture.amplitude > 0 && texture.wavelength > 0
+               ? 2 * texture.amplitude
+               : 0;
+}
 
 }  // namespace thaum::haptics

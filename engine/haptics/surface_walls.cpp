@@ -1,7 +1,5 @@
 #include "haptics/surface_walls.h"
 
-#include <algorithm>
-
 namespace thaum::haptics {
 namespace {
 
@@ -18,13 +16,14 @@ struct ActiveSet {
 /// Whether all walls of the set push and no other wall is entered.
 bool holds(const Walls& walls, const ActiveSet& active, vec3 tip, double slack, vec3& place) {
     place = tip;
+    unsigned used = 0;  // a bit each
     for (std::size_t i = 0; i < active.count; ++i) {
         if (!(active.depths[i] > 0)) return false;
         place += active.depths[i] * walls.items[active.walls[i]].normal;
+        used |= 1U << active.walls[i];
     }
     for (std::size_t i = 0; i < walls.count; ++i) {
-        const auto used = active.walls.begin() + static_cast<std::ptrdiff_t>(active.count);
-        if (std::find(active.walls.begin(), used, i) != used) continue;
+        if ((used >> i & 1U) != 0) continue;
         if (glm::dot(walls.items[i].normal, place) < walls.items[i].offset - slack) return false;
     }
     return true;

@@ -9,9 +9,10 @@ inline constexpr std::size_t most_walls = 4;
 /// Plane through the place where the proxy touches a surface: x is free where normal.x >= offset.
 struct Wall {
     vec3 normal{};
-    double offset{};          ///< m
-    double depth{};           ///< how far it pushes the proxy from the tip (m)
+    double offset{};  ///< m
+    double depth{};   ///< how far it pushes the proxy from the tip (m); 0 until the next place is sought
     std::uint32_t surface{};  ///< index in the patch
+    bool met_here{};          ///< the proxy has not moved since it met the wall
 };
 
 struct Walls {

@@ -2,12 +2,13 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <ctime>
 
+#include "core/threads.h"
 #include "input/detail/silence.h"
 
 namespace thaum::input {
@@ -15,65 +16,97 @@ namespace {
 
 /// The signal that ends the process; for the alarm that ends a handler which hangs in the vendor's library.
 volatile std::sig_atomic_t ends_by = 0;
+/// Whether this thread is in on_end.
+thread_local volatile std::sig_atomic_t ends_here = 0;
 
-void die(int signal) noexcept {
-    std::signal(signal, SIG_DFL);
-    ::kill(::getpid(), signal);
+void hung(int) {
+    std::signal(ends_by, SIG_DFL);
+    ::kill(::getpid(), ends_by);
 }
 
-void hung(int) { die(ends_by); }
-
-/// A fault within the arm's own tick: nobody else can say the last word. The library may hang or fail again; the alarm ends that.
-void leave_tick(int signal) noexcept {
+/// A fault of the arm's own thread: nobody else can say the last word. The library may hang or fail again; the alarm ends
+/// that.
+void end_as_arms_thread(int signal) noexcept {
     ends_by = signal;
     std::signal(SIGALRM, hung);
     ::alarm(1);
-    hd::end_broken_step();
+    hd::end_broken_tick();
     ::alarm(0);
+}
+
+void wait_for_silence() noexcept {
+    constexpr int looks = 200;
+    const timespec between{.tv_sec = 0, .tv_nsec = 1'000'000};
+    for (int look = 0; look < looks && !hd::ticks_are_silent(); ++look) ::nanosleep(&between, nullptr);
+}
+
+/// The thread cannot go on: after its handler the same instruction would fail again, or abort() would end the process.
+bool is_fault(int signal) {
+    switch (signal) {
+        case SIGSEGV:
+        case SIGBUS:
+        case SIGFPE:
+        case SIGILL:
+        case SIGTRAP:
+        case SIGSYS:
+        case SIGABRT: return true;
+        default: return false;
+    }
+}
+
+/// The arm's thread must go on ticking to say the last word, so another thread gets the signal. From now on this one
+/// blocks it.
+void hand_on(int signal, void* context) {
+    sigset_t one;
+    ::sigemptyset(&one);
+    ::sigaddset(&one, signal);
+    ::pthread_sigmask(SIG_BLOCK, &one, nullptr);
+    ::sigaddset(&static_cast<ucontext_t*>(context)->uc_sigmask,
+                signal);  // is restored when the handler returns
+    ::kill(::getpid(), signal);
 }
 
 /// exit() may be called anywhere, too.
 void on_exit() {
-    if (hd::is_in_tick())
-        hd::end_broken_step();
+    if (hd::is_arms_thread())
+        hd::end_broken_tick();
     else
         silence_arms_and_wait();
 }
 
-/// The handler is reset when it is called (SA_RESETHAND): a second signal, or a fault in here, ends the process at once.
-void on_end(int signal) {
-    if (hd::is_in_tick())
-        leave_tick(signal);
-    else
-        silence_arms_and_wait();
+/// Other threads may be in here at the same time: each waits for the silence. Only a fault in here ends the process at
+/// once.
+void on_end(int signal, siginfo_t*, void* context) {
+    const bool arms = hd::is_arms_thread(), nested = ends_here != 0;
+    if (!is_fault(signal)) {
+        if (arms) return hand_on(signal, context);
+        if (nested) return;  // the outer handler ends the process
+    }
+    ends_here = 1;
+    if (!nested && arms) end_as_arms_thread(signal);
+    if (!nested && !arms) silence_arms_and_wait();
+    std::signal(signal, SIG_DFL);
     ::raise(signal);
 }
 
-void on_stop(int) {
-    silence_arms_and_wait();
+void on_stop(int signal, siginfo_t*, void* context) {
+    if (hd::is_arms_thread()) return hand_on(signal, context);
+    const int error = errno;
+    hd::begin_stop();
+    wait_for_silence();
     ::raise(SIGSTOP);
-    end_silence();
+    hd::end_stop();
+    errno = error;
 }
 
 /// Where nobody else has a handler.
-void handle(int signal, void (*handler)(int), int flags) {
+void handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
     struct sigaction before {};
     if (::sigaction(signal, nullptr, &before) != 0 || before.sa_handler != SIG_DFL) return;
     struct sigaction action {};
-    action.sa_handler = handler;
-    action.sa_flags = flags;
+    action.sa_sigaction = handler;
+    action.sa_flags = SA_SIGINFO | flags;
     ::sigaction(signal, &action, nullptr);
-}
-
-/// A stack that has run over is a fault, too.
-void keep_a_stack_for_faults() {
-    static std::array<char, 65536> memory;
-    stack_t stack{};
-    stack_t before{};
-    if (::sigaltstack(nullptr, &before) != 0 || (before.ss_flags & SS_DISABLE) == 0) return;
-    stack.ss_sp = memory.data();
-    stack.ss_size = memory.size();
-    ::sigaltstack(&stack, nullptr);
 }
 
 }  // namespace
@@ -83,18 +116,19 @@ void end_silence() noexcept { hd::silence_ticks(false); }
 
 void silence_arms_and_wait() noexcept {
     silence_arms();
-    constexpr int looks = 200;
-    const timespec between{.tv_sec = 0, .tv_nsec = 1'000'000};
-    for (int look = 0; look < looks && !hd::ticks_are_silent(); ++look) ::nanosleep(&between, nullptr);
+    wait_for_silence();
 }
 
 void guard_ends() {
     static std::atomic<bool> guarded{false};
     if (guarded.exchange(true)) return;
-    keep_a_stack_for_faults();
-    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGHUP})
-        handle(signal, on_end, static_cast<int>(SA_RESETHAND) | SA_NODEFER | SA_ONSTACK);
-    handle(SIGTSTP, on_stop, SA_RESTART);
+    static FaultStack stack;
+    stack.begin_use();
+    for (const int signal :
+         {SIGHUP,  SIGINT,  SIGQUIT, SIGILL,  SIGTRAP, SIGABRT,   SIGBUS,  SIGFPE, SIGUSR1, SIGSEGV, SIGUSR2,
+          SIGPIPE, SIGALRM, SIGTERM, SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF, SIGIO,  SIGPWR,  SIGSYS})
+        handle(signal, on_end, SA_NODEFER | SA_ONSTACK);
+    for (const int signal : {SIGTSTP, SIGTTIN, SIGTTOU}) handle(signal, on_stop, SA_RESTART);
     std::atexit(on_exit);
 }
 

@@ -23,7 +23,7 @@ namespace thaum::input {
 /// A data file that the match depends on.
 struct DataFile {
     std::string name;      ///< path below assets/
-    std::uint64_t hash{};  ///< hash_bytes of its content
+    std::uint64_t hash{};  ///< hash of its keys and values
     bool operator==(const DataFile&) const = default;
 };
 

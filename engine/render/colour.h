@@ -1,5 +1,5 @@
-// render/colour.h: colours are linear light everywhere, so that lights add up as they do in the world. People write
-// and read colours as sRGB hex, so the way in is colour(0xRRGGBB).
+// render/colour.h: colours are linear light everywhere, so that lights add up physically. People write and
+// read colours as sRGB hex, so code enters colours with colour(0xRRGGBB).
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace thaum::render {
 
-/// One sRGB channel in [0, 1] to linear light (IEC 61966-2-1).
+/// Converts one sRGB channel in [0, 1] to linear light (IEC 61966-2-1).
 inline float linear_from_srgb(float s) {
     return s <= 0.04045F ? s / 12.92F : std::pow((s + 0.055F) / 1.055F, 2.4F);
 }
@@ -17,7 +17,7 @@ inline float srgb_from_linear(float l) {
     return l <= 0.0031308F ? l * 12.92F : 1.055F * std::pow(l, 1 / 2.4F) - 0.055F;
 }
 
-/// colour(0xFF8A2A): an sRGB hex colour as linear light.
+/// Converts an sRGB hex colour to linear light: colour(0xFF8A2A).
 inline fvec3 colour(std::uint32_t hex) {
     const auto channel = [hex](int shift) {
         return linear_from_srgb(static_cast<float>((hex >> shift) & 0xFFU) / 255);
@@ -25,7 +25,7 @@ inline fvec3 colour(std::uint32_t hex) {
     return {channel(16), channel(8), channel(0)};
 }
 
-/// As above with opacity in [0, 1], for overlays.
+/// The same, with an opacity in [0, 1], for overlays.
 inline fvec4 colour(std::uint32_t hex, float alpha) { return {colour(hex), alpha}; }
 
 }  // namespace thaum::render

@@ -1,15 +1,15 @@
-// render/context.h: where pictures go. Two kinds of OpenGL 3.3 core context with the same face:
+// render/context.h: the targets of drawing. Two kinds of OpenGL 3.3 core context share one interface:
 //
-//   Window     on the desktop (GLFW), with keys, mouse and pads
-//   Offscreen  in memory (EGL), for tests and films; needs no display
+//     Window     on the desktop (GLFW), with keys, mouse and pads
+//     Offscreen  in memory (EGL), for tests and films; needs no display
 //
-//   make_current()     the calling thread owns OpenGL from here (no other thread may at that time)
-//   release_current()  it no longer does
-//   present()          shows what was drawn; on the thread that owns OpenGL
-//   size()             of the framebuffer, px; any thread
+//     make_current()     gives OpenGL to the calling thread (no other thread may hold it)
+//     release_current()  takes OpenGL from the calling thread
+//     present()          shows the drawn picture; called on the thread that holds OpenGL
+//     size()             size of the framebuffer (px); any thread
 //
-// A Window is created, polled and destroyed on the main thread; pictures are made on the render thread, which must
-// have released the context before the Window goes. A Renderer must go before its context does.
+// The main thread creates, polls and destroys a Window. The render thread draws, and must release the context
+// before the Window is destroyed. A Renderer must be destroyed before its context.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -24,27 +24,28 @@
 namespace thaum::render {
 
 struct Size {
-    int width{}, height{};  ///< px
+    int width{}, height{};  ///< size (px)
     bool operator==(const Size&) const = default;
 };
 
 struct WindowSpec {
     std::string title = "Thaum";
-    Size size{1280, 720};  ///< ignored when full-screen
+    Size size{1280, 720};  ///< size on the desktop, ignored in full screen (px)
     bool fullscreen = false;
-    bool vsync = true;  ///< a wish: under Xvfb present() does not block; use render/pace.h as well
+    bool vsync = true;  ///< only a request: under Xvfb present() does not block; use render/pace.h as well
 };
 
-/// Called from Window::poll, on the main thread. An empty function ignores its event.
+/// Callbacks of Window::poll, on the main thread. An empty function ignores its event.
 struct WindowEvents {
-    /// key: a code as key_name takes it, -1 if the key has none; scancode: the platform's number of the physical
-    /// key. Repeats are not reported.
+    /// `key` is a code as for key_name, or -1 if the key has none. `scancode` is the platform's number of the
+    /// physical key. Repeats are not reported.
     std::function<void(int key, int scancode, bool pressed)> key;
-    std::function<void(char32_t character)> character;           ///< typed text
-    std::function<void(int button, bool pressed)> mouse_button;  ///< 0 left, 1 right, 2 middle, ...
-    std::function<void(double dx, double dy)> mouse_move;        ///< counts, while the cursor is captured
-    std::function<void(double x, double y)> cursor;              ///< px from the top left, while it is not
-    std::function<void(double steps)> wheel;                     ///< away from the user is positive
+    std::function<void(char32_t character)> character;           ///< one character of typed text
+    std::function<void(int button, bool pressed)> mouse_button;  ///< button 0 left, 1 right, 2 middle, ...
+    std::function<void(double dx, double dy)> mouse_move;  ///< motion while the cursor is captured (counts)
+    /// Position from the top left, while not captured (px).
+    std::function<void(double x, double y)> cursor;
+    std::function<void(double steps)> wheel;  ///< positive away from the user
     std::function<void(bool focused)> focus;
     std::function<void(Size)> resize;
 };
@@ -59,37 +60,37 @@ struct PadState {
 
 class Window {
 public:
-    /// Errors: no display, no OpenGL 3.3. One Window at a time.
+    /// Opens the window; only one may exist at a time. Errors: no display, no OpenGL 3.3.
     static Expected<Window> create(const WindowSpec& spec);
     Window(Window&&) noexcept;
     Window& operator=(Window&&) noexcept;
     ~Window();
 
-    // Main thread.
-    /// Waits up to timeout_s for an event (0: does not wait), then tells all that have come.
+    // Called on the main thread.
+    /// Waits up to `timeout_s` for an event (0: does not wait), then reports all events that have arrived.
     void poll(const WindowEvents& events, double timeout_s = 0);
-    /// Ends a waiting poll; any thread.
+    /// Ends a waiting poll. Any thread may call it.
     void wake();
-    /// Hides the cursor and reports motion without bounds, unaccelerated where the system can.
+    /// Hides the cursor and reports unbounded motion, unaccelerated if the system supports it.
     void capture_cursor(bool capture);
     void set_fullscreen(bool fullscreen);
     void set_title(const std::string& title);
-    /// A pad keeps its place until it is unplugged.
+    /// State of up to four pads. A pad keeps its index until it is unplugged.
     std::array<PadState, 4> pads();
 
-    // Any thread.
+    // Called on any thread.
     Size size() const;
-    bool minimised() const;  ///< nothing need be drawn
+    bool minimised() const;  ///< the window is minimised, so drawing may be skipped
     bool focused() const;
     bool should_close() const;
     void request_close();
 
-    // Render thread.
+    // Called on the render thread.
     void make_current();
     void release_current();
     void present();
 
-    struct State;  // of window.cpp
+    struct State;  // defined in window.cpp
 
 private:
     explicit Window(std::unique_ptr<State> state);
@@ -98,7 +99,7 @@ private:
 
 class Offscreen {
 public:
-    /// Error: no EGL or no OpenGL 3.3 through it. Not current on return.
+    /// Creates a context, which is not current on return. Error: no EGL, or EGL without OpenGL 3.3.
     static Expected<Offscreen> create(int width, int height);
     Offscreen(Offscreen&&) noexcept;
     Offscreen& operator=(Offscreen&&) noexcept;
@@ -115,10 +116,10 @@ private:
     std::unique_ptr<State> state_;
 };
 
-/// Names for settings files: "W", "Space", "KP_8", "Left", "Esc". They name places on a US keyboard, whatever is
-/// printed on the key. Empty for a code that is no key.
+/// Name of a key for settings files: "W", "Space", "KP_8", "Left", "Esc". Names refer to positions on a US
+/// keyboard, whatever is printed on the key. Returns an empty string for an unknown code.
 std::string_view key_name(int code);
-/// The name in any case; nothing if no key is called so.
+/// Code of a key name, in upper or lower case. Returns std::nullopt if no key has this name.
 std::optional<int> key_code(std::string_view name);
 
 }  // namespace thaum::render

@@ -16,7 +16,7 @@ namespace thaum::render {
 struct Font::State {
     FT_Library library = nullptr;
     FT_Face face = nullptr;
-    Bytes file;  // FreeType reads from it for as long as the face lives
+    Bytes file;  // must live as long as the face, since FreeType reads from it
     int size = 0;
     std::map<std::pair<char32_t, int>, Glyph> glyphs;
     std::map<int, Extent> extents;
@@ -40,7 +40,7 @@ namespace {
 
 constexpr std::size_t largest_font = 32U << 20U;  // bytes
 
-/// 26.6 fixed point to whole pixels.
+/// Rounds 26.6 fixed point to whole pixels.
 int pixels(FT_Pos fixed) { return static_cast<int>((fixed + 32) >> 6); }
 int pixels_up(FT_Pos fixed) { return static_cast<int>((fixed + 63) >> 6); }
 
@@ -56,7 +56,8 @@ std::vector<std::uint8_t> copied(const FT_Bitmap& bitmap) {
 
 Glyph rendered(FT_Face face, char32_t character) {
     Glyph out;
-    // The automatic hinter fits stems to the pixel grid both ways; the font's own hints do so in height only.
+    // The automatic hinter fits stems to the pixel grid in both directions; the font's own hints do so in
+    // height only.
     if (FT_Load_Char(face, character, FT_LOAD_RENDER | FT_LOAD_FORCE_AUTOHINT) != 0) return out;
     const auto& slot = *face->glyph;
     out.advance = pixels(slot.advance.x);
@@ -78,7 +79,7 @@ int kerning(FT_Face face, char32_t left, char32_t right) {
     return pixels(k.x);
 }
 
-/// Extra bytes that follow a leading byte of UTF-8, -1 if it leads nothing.
+/// Number of bytes that follow a leading byte of UTF-8; -1 if the byte is not a leading one.
 int tail_length(unsigned char lead) {
     if (lead < 0x80) return 0;
     if (lead >= 0xC2 && lead < 0xE0) return 1;
@@ -92,7 +93,7 @@ struct Decoded {
     std::size_t bytes = 1;
 };
 
-/// The character at the start of `text`, which is not empty.
+/// Decodes the first character of `text`, which must not be empty.
 Decoded decode_one(std::string_view text) {
     constexpr char32_t least[] = {0, 0x80, 0x800, 0x10000};
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
@@ -185,7 +186,7 @@ int Font::line_height(int size) {
     return extent.above + extent.below;
 }
 
-/// The face's own figures, and more where hinting lifts an accent above them.
+/// Uses the face's own metrics, or more if hinting lifts an accent above them.
 Font::Extent Font::extent_of(int size) {
     if (const auto found = state_->extents.find(size); found != state_->extents.end()) return found->second;
     state_->use_size(size);
@@ -216,7 +217,7 @@ Line Font::lay_out(std::u32string_view line, int size) {
         high = std::max({high, pen, out.glyphs.back().x + g.width});
         before = c;
     }
-    // Some letters lean out to the left of the pen: the box holds them too.
+    // Some letters reach left of the pen. The box includes them.
     for (auto& g : out.glyphs) g.x -= low;
     out.width = high - low;
     return out;

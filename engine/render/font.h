@@ -1,5 +1,6 @@
-// render/font.h: the one type face of the game, laid out and drawn to grey pixels on the CPU. The Renderer has one
-// of its own; code that lays out a HUD on another thread makes another. Not to be shared between threads.
+// render/font.h: the only typeface of the game. Lays out text and draws glyphs to grey pixels on the CPU. The
+// Renderer has one Font; code that lays out a HUD on another thread creates another. A Font must not be
+// shared between threads.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -14,18 +15,19 @@ namespace thaum::render {
 
 /// One character at one size: grey coverage, rows from the top.
 struct Glyph {
-    int width{}, height{};  ///< px of the picture
-    int left{}, top{};      ///< px from the pen on the base line: right to its left edge, up to its top
-    int advance{};          ///< px to the next pen
+    int width{}, height{};  ///< size of the coverage picture (px)
+    /// Offset from the pen on the base line: right to the left edge, up to the top (px).
+    int left{}, top{};
+    int advance{};  ///< distance to the next pen position (px)
     std::vector<std::uint8_t> coverage;
 };
 
 struct PlacedGlyph {
     char32_t character{};
-    int x{}, y{};  ///< px of the top-left pixel, from the top-left corner of the line's box
+    int x{}, y{};  ///< top-left pixel, from the top-left corner of the line's box (px)
 };
 
-/// One line of text. Every pixel lies in a box of width x height px.
+/// One line of text. All its pixels are inside a box of `width` x `height` (px).
 struct Line {
     std::vector<PlacedGlyph> glyphs;
     int width{}, height{};
@@ -33,39 +35,40 @@ struct Line {
 
 class Font {
 public:
-    /// DejaVu Sans Bold from where systems keep it; the error names the package to install.
+    /// Loads DejaVu Sans Bold from the usual system folders. The error names the package to install.
     static Expected<Font> load();
-    /// The first of these files that exists.
+    /// Loads the first of these files that exists.
     static Expected<Font> load(const std::vector<std::filesystem::path>& candidates);
     Font(Font&&) noexcept;
     Font& operator=(Font&&) noexcept;
     ~Font();
 
-    /// Sizes are the em in px, 4 to 400; characters the face lacks become its empty box.
+    /// Lays out one line. `size` is the em, 4 to 400 (px). Characters missing from the face become its empty
+    /// box.
     Line lay_out(std::u32string_view line, int size);
     const Glyph& glyph(char32_t character, int size);
-    /// Size of the box of UTF-8 text in px; '\n' starts a new line.
+    /// Size of the box of UTF-8 text (px). '\n' starts a new line.
     fvec2 measure(std::string_view text, float size);
-    /// px from one line's top to the next one's.
+    /// Distance from the top of one line to the top of the next (px).
     int line_height(int size);
 
-    /// The em used for a size asked for: whole pixels within 4 to 400.
+    /// Rounds a requested em to whole pixels within 4 to 400.
     static int whole_size(float size);
 
 private:
     struct State;
     struct Extent {
-        int above{}, below{};  // px from the base line
+        int above{}, below{};  // distance from the base line (px)
     };
     Extent extent_of(int size);
     explicit Font(std::unique_ptr<State> state);
     std::unique_ptr<State> state_;
 };
 
-/// Code points of UTF-8 text; each faulty byte becomes U+FFFD.
+/// Decodes UTF-8 to code points. Each invalid byte becomes U+FFFD.
 std::u32string decode_utf8(std::string_view text);
 
-/// The lines of text that '\n' separates; one, maybe empty, if there is none.
+/// Splits text at '\n' and decodes it. Always returns at least one line, which may be empty.
 std::vector<std::u32string> lines_of(std::string_view text);
 
 }  // namespace thaum::render

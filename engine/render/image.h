@@ -8,13 +8,13 @@
 
 namespace thaum::render {
 
-/// Rows from the top, three bytes a pixel: red, green, blue, as displays take them (sRGB).
+/// Rows from the top, three bytes per pixel: red, green, blue (sRGB).
 struct Image {
     int width{}, height{};
     std::vector<std::uint8_t> rgb;
 };
 
-/// The error names the path; no half-written file is left.
+/// Writes a PNG file. The error names the path; no half-written file remains.
 Expected<void> write_png(const std::filesystem::path& path, const Image& image);
 
 }  // namespace thaum::render

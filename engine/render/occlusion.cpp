@@ -7,13 +7,13 @@
 namespace thaum::render {
 namespace {
 
-/// A convex polygon; a face of four corners gains at most one where it is cut.
+/// A convex polygon. A face of four corners gains at most one corner when clipped.
 struct Polygon {
     std::array<vec3, 5> at{};
     std::size_t count{};
 };
 
-/// The face across `axis` on that side, relative to the point.
+/// The face across `axis` on the given side, relative to the point.
 Polygon face(const Block& block, int axis, bool high_side, vec3 point) {
     constexpr int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -28,7 +28,7 @@ Polygon face(const Block& block, int axis, bool high_side, vec3 point) {
     return out;
 }
 
-/// What of it is above the horizon (Sutherland and Hodgman 1974).
+/// Clips a polygon at the horizon (Sutherland and Hodgman 1974).
 Polygon above_horizon(const Polygon& in, vec3 normal) {
     Polygon out;
     for (std::size_t i = 0; i < in.count; ++i) {
@@ -40,7 +40,7 @@ Polygon above_horizon(const Polygon& in, vec3 normal) {
     return out;
 }
 
-/// Lambert's sum; the sign is that of the way around.
+/// Lambert's sum. Its sign depends on the winding of the polygon.
 double lambert(const Polygon& p, vec3 normal) {
     double sum = 0;
     for (std::size_t i = 0; i < p.count; ++i) {
@@ -58,7 +58,8 @@ double form_factor(const Block& block, vec3 point, vec3 normal) {
     double sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const bool above = point[axis] > block.high[axis];
-        if (!above && !(point[axis] < block.low[axis])) continue;  // neither of the two faces is seen
+        if (!above && !(point[axis] < block.low[axis]))
+            continue;  // the point sees neither face across this axis
         sum += std::abs(lambert(above_horizon(face(block, axis, above, point), normal), normal));
     }
     return std::min(sum, 1.0);

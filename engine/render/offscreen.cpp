@@ -1,7 +1,7 @@
-// An OpenGL context in memory. Mesa's surfaceless platform needs no display and no graphics card; where the EGL
-// library has none, its default display may still do.
+// An OpenGL context in memory. Mesa's surfaceless platform needs no display and no graphics card. If the EGL
+// library lacks this platform, its default display is tried.
 #include <epoxy/egl.h>
-// epoxy/egl.h must come first.
+// epoxy/egl.h must come before epoxy/gl.h.
 #include <epoxy/gl.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ struct Offscreen::State {
         }
         if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
         if (surface != EGL_NO_SURFACE) eglDestroySurface(display, surface);
-        // No eglTerminate: all contexts on a platform share one display, another may still be in use.
+        // No eglTerminate: all contexts of a platform share one display, and another may still be in use.
     }
 };
 
@@ -76,8 +76,8 @@ EGLConfig choose_config(EGLDisplay display) {
         EGL_TRUE) {
         return nullptr;
     }
-    // EGL sorts deeper colours first, and 10 bits take a software rasteriser twice as long as 8. With alpha a pixel is laid
-    // out as windows have it, and read_pixels has only to copy.
+    // EGL sorts deeper colours first, but 10 bits take a software rasteriser twice as long as 8. With alpha
+    // the pixel layout is that of windows, so read_pixels only copies.
     const auto has = [&](EGLConfig config, EGLint name, EGLint wanted_value) {
         EGLint value = 0;
         return eglGetConfigAttrib(display, config, name, &value) == EGL_TRUE && value == wanted_value;

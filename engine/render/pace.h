@@ -1,19 +1,20 @@
-// render/pace.h: pictures at an even rate. A swap interval does not block everywhere (under Xvfb it never does), so
-// the render thread sleeps to an absolute deadline: errors of one sleep do not add up.
+// render/pace.h: draws pictures at an even rate. A swap interval does not block everywhere (under Xvfb it
+// never does). The render thread therefore sleeps until an absolute deadline, so the errors of single sleeps
+// do not add up.
 #pragma once
 #include <cstdint>
 
 namespace thaum::render {
 
-/// The deadline after `previous` at `period` from it; from `now` when that has passed by more than a period, so
-/// that a stall is not made up for by a burst. All in ns.
+/// Returns the next deadline, one `period` after `previous` (ns). If that is more than a period in the past,
+/// returns `now`, so that no burst of pictures follows a stall.
 std::int64_t next_deadline(std::int64_t previous, std::int64_t now, std::int64_t period);
 
 class Pacer {
 public:
-    /// frames_per_second 0 never waits.
+    /// A rate of 0 never waits.
     explicit Pacer(double frames_per_second);
-    /// Sleeps until the next picture is due; returns the s since the last call's return (0 at first).
+    /// Sleeps until the next picture is due. Returns the time since the last call returned, 0 at first (s).
     double wait();
 
 private:

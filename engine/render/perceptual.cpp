@@ -10,9 +10,9 @@
 namespace thaum::render {
 namespace {
 
-constexpr int tile = 16;  // px
+constexpr int tile = 16;  // side of a tile (px)
 
-/// Linear light, three floats a pixel, as Image has its bytes.
+/// Linear light, three floats per pixel, in the layout of Image.
 struct Light {
     int width{}, height{};
     std::vector<float> rgb;
@@ -42,7 +42,7 @@ std::vector<float> gaussian(double sigma) {
     return weights;
 }
 
-/// Beyond the edge the edge goes on.
+/// Blurs along one axis. Outside the picture, the pixels of its edge repeat.
 Light blurred_along(const Light& in, const std::vector<float>& weights, int dx, int dy) {
     const int reach = static_cast<int>(weights.size() / 2);
     Light out{in.width, in.height, std::vector<float>(in.rgb.size())};
@@ -74,7 +74,7 @@ double delta_e(const float* a, const float* b) {
 }  // namespace
 
 Lab lab_of(double red, double green, double blue) {
-    // IEC 61966-2-1 to XYZ, over the white that red = green = blue = 1 gives.
+    // IEC 61966-2-1 to XYZ, relative to the white of red = green = blue = 1.
     const double x = (0.4124 * red + 0.3576 * green + 0.1805 * blue) / 0.9505;
     const double y = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
     const double z = (0.0193 * red + 0.1192 * green + 0.9505 * blue) / 1.0890;

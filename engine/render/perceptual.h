@@ -1,9 +1,10 @@
-// render/perceptual.h: how different two pictures look, as the eye counts and not as bytes do.
+// render/perceptual.h: measures how different two pictures look to the eye, rather than byte by byte.
 //
-// Both pictures are blurred a little in linear light, since nobody sees single pixels from where one sits, and then
-// compared pixel by pixel in CIELAB (CIE 15:2004, 8.2; white D65), where the distance dE*ab = |Lab1 - Lab2| is about
-// even to the eye: 1 is hardly seen, black and white are 100 apart. A blur followed by CIELAB is the scheme of S-CIELAB
-// (Zhang and Wandell 1997) with one filter for all three channels.
+// Both pictures are blurred slightly in linear light, since the eye does not resolve single pixels at a
+// normal distance. They are then compared pixel by pixel in CIELAB (CIE 15:2004, 8.2; white D65). There the
+// distance dE*ab = |Lab1 - Lab2| is about even to the eye: 1 is hardly visible, black and white are 100
+// apart. A blur followed by CIELAB is the scheme of S-CIELAB (Zhang and Wandell 1997), here with one filter
+// for all three channels.
 #pragma once
 #include "render/image.h"
 
@@ -13,15 +14,16 @@ struct Lab {
     double l{}, a{}, b{};
 };
 
-/// CIELAB of linear light with sRGB's primaries.
+/// Converts linear light with the sRGB primaries to CIELAB.
 Lab lab_of(double red, double green, double blue);
 
 struct PictureDistance {
-    double mean{};   ///< dE*ab over all pixels
-    double worst{};  ///< the greatest mean of a tile of 16 x 16 pixels: something small is missing
+    double mean{};  ///< mean over all pixels (dE*ab)
+    /// Greatest mean of any tile of 16 x 16 pixels, which shows a small missing object (dE*ab).
+    double worst{};
 };
 
-/// Both must be of one size. The blur is Gaussian, of `sigma` px.
+/// Distance of two pictures of equal size. `sigma` is the width of the Gaussian blur (px).
 PictureDistance distance(const Image& a, const Image& b, double sigma = 1);
 
 }  // namespace thaum::render

@@ -1,10 +1,11 @@
-// render/priority.h: on software OpenGL drawing takes every core it can get; what must keep time goes first.
+// render/priority.h: lowers the priority of drawing. Software OpenGL takes every core it can get, so threads
+// with deadlines must come first.
 #pragma once
 
 namespace thaum::render {
 
-/// Lowers the priority of the calling thread, which draws, and of the rasteriser's own threads in this process. A wish: where
-/// the system does not let it, nothing changes.
+/// Lowers the priority of the calling thread, which draws, and of the rasteriser's own threads in this
+/// process. Has no effect if the system refuses.
 void draw_behind_others();
 
 }  // namespace thaum::render

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double slow_ms = 1000.0 / 30;
 constexpr double quick_ms = 9;
-constexpr int settling = 8;  // pictures after a change that do not count: shaders and memory are new then
+constexpr int settling = 8;  // pictures after a change that are ignored, since shaders and memory are new
 constexpr int judged = 60;
 constexpr int nearly_all = 57;
 
@@ -26,7 +26,8 @@ AutoQuality decided(const AutoQuality& state) {
 }  // namespace
 
 float internal_scale_of(Quality quality, int height) {
-    // Drawing so many at once takes a software rasteriser no longer than drawing a quarter of the pixels and enlarging them.
+    // A software rasteriser draws this many lines as fast as it draws a quarter of the pixels and enlarges
+    // them.
     constexpr float lines = 720;
     if (quality == Quality::high || height <= 0) return 1;
     return std::clamp(lines / static_cast<float>(height), 0.25F, 1.0F);

@@ -50,7 +50,7 @@ int scaled_length(int length, float scale) {
     return std::max(1, static_cast<int>(std::lround(static_cast<float>(length) * scale)));
 }
 
-/// Edges that touch before touch after, since edges are scaled and not sizes.
+/// Scales the edges rather than the size, so that adjacent rectangles stay adjacent.
 Rect scaled_rect(const Rect& r, float scale) {
     const auto edge = [&](int at) { return static_cast<int>(std::lround(static_cast<float>(at) * scale)); };
     const int x = edge(r.x), y = edge(r.y);
@@ -61,9 +61,10 @@ float aspect_of(const Rect& r) {
     return r.height > 0 ? static_cast<float>(r.width) / static_cast<float>(r.height) : 1;
 }
 
-constexpr int rows_at_once = 32;  // of read_pixels: what is packed is still in the cache
+constexpr int rows_at_once = 32;  // rows per block of read_pixels, so that packing finds them in the cache
 
-/// From blue, green, red and whatever to red, green and blue; in fours as long as what is written too much of is overwritten.
+/// Converts blue, green, red and an unused byte to red, green, blue. Converts four pixels at a time as long
+/// as the surplus bytes written are overwritten afterwards.
 void pack_rgb(std::span<const std::uint32_t> pixels, std::uint8_t* to) {
     using Four [[gnu::vector_size(16)]] = std::uint8_t;
     std::size_t i = 0;
@@ -78,36 +79,37 @@ void pack_rgb(std::span<const std::uint32_t> pixels, std::uint8_t* to) {
     }
 }
 
-/// True where no pixel of the window is left over by the views.
+/// Returns true if the views cover every pixel of the window.
 bool cover_window(const Frame& frame) {
     int covered = 0;
     for (const auto& view : frame.views) covered += view.viewport.width * view.viewport.height;
     return covered == frame.width * frame.height;
 }
 
-/// Whether the views cover the window and have fog of one colour: then the window is cleared to it.
+/// Returns true if the views cover the window and their fog has the same colour. The window is then cleared
+/// to that colour.
 bool share_fog(const Frame& frame) {
     for (const auto& view : frame.views)
         if (view.environment.fog.colour != frame.views[0].environment.fog.colour) return false;
     return !frame.views.empty() && cover_window(frame);
 }
 
-/// The same rectangle with its y counted from the bottom of a target `height` px high, as OpenGL counts.
+/// Converts y to count from the bottom of a target `height` px high, as in OpenGL.
 Rect from_below(const Rect& r, int height) { return {r.x, height - r.y - r.height, r.width, r.height}; }
 
-/// Stretches one view from the framebuffer that is read into the one that is drawn.
+/// Stretches one view from the read framebuffer into the draw framebuffer.
 void stretch(const ViewPlace& view) {
     const auto &from = view.drawn, &to = view.shown;
     glBlitFramebuffer(from.x, from.y, from.x + from.width, from.y + from.height, to.x, to.y, to.x + to.width,
                       to.y + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
-/// What one view draws, and from where: batches of the frame's, from `first` on.
+/// The batches that one view draws, from `first` on in the frame's Batches.
 struct ViewBatches {
     Sight sight;
-    Rect at{};  // px inside
+    Rect at{};  // viewport inside the target (px)
     std::size_t first{}, solid{}, shades{}, mists{};
-    std::size_t patchworks{};  // of `solid`, the last ones
+    std::size_t patchworks{};  // number of patchworks, the last of `solid`
     SeenVolume volume{};
 };
 
@@ -118,24 +120,24 @@ struct Renderer::State {
     Font font;
     Atlas atlas;
     std::vector<GpuMesh> meshes;
-    std::vector<Bounds> mesh_bounds;       // by mesh, as `meshes`
-    std::vector<Levels> mesh_levels;       // by mesh
-    std::vector<PatchTable> mesh_patches;  // by mesh
-    std::uint64_t mesh_revision{};         // counts changes of meshes
+    std::vector<Bounds> mesh_bounds;       // bounds of each mesh
+    std::vector<Levels> mesh_levels;       // coarser copies of each mesh
+    std::vector<PatchTable> mesh_patches;  // patches of each mesh
+    std::uint64_t mesh_revision{};         // number of mesh changes
     Buffer instance_buffer, patch_buffer;
     VertexArray no_attributes;
     OverlayBuffers overlay;
-    Target pixels, light;       // smaller than the window; for Quality::high
-    std::vector<Bloom> blooms;  // by view
+    Target pixels, light;       // smaller than the window; linear light for Quality::high
+    std::vector<Bloom> blooms;  // one per view
     ShadowMap shadow_map;
     Volumes volumes;
     Batches batches;
     DrawStatistics statistics;
-    int drawn_width{}, drawn_height{};  // what read_pixels reads
-    bool cleared_to_fog{};              // this frame
-    SkyCells sky;                       // kept for its memory
-    std::vector<Hidden> hidden;         // from the view that is collected
-    std::vector<Instance> dipped;       // into its volume
+    int drawn_width{}, drawn_height{};  // size that read_pixels reads (px)
+    bool cleared_to_fog{};              // this frame was cleared to the fog's colour
+    SkyCells sky;                       // scratch memory, kept between frames
+    std::vector<Hidden> hidden;         // regions hidden in the view being collected
+    std::vector<Instance> dipped;       // instances that stand in its volume
 
     void draw_views(const Frame& frame);
     std::vector<ViewBatches> collect_views(const Frame& frame, float scale, int height);
@@ -268,10 +270,11 @@ Image Renderer::read_pixels() {
     image.rgb.reserve(row * static_cast<std::size_t>(image.height));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    // As a software rasteriser has them, so that it only copies: three bytes a pixel took it four times as long.
+    // The rasteriser's own format, so that it only copies. Reading three bytes per pixel took it four times
+    // as long.
     std::vector<std::uint32_t> band(width * rows_at_once);
     std::vector<std::uint8_t> packed(row);
-    // OpenGL counts rows from below.
+    // OpenGL counts rows from the bottom.
     for (int above = image.height; above > 0; above -= rows_at_once) {
         const int rows = std::min(rows_at_once, above);
         glReadPixels(0, above - rows, image.width, rows, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV, band.data());
@@ -303,7 +306,8 @@ void Renderer::State::draw_views(const Frame& frame) {
 
     for (std::size_t i = 0; i < frame.views.size(); ++i) {
         draw_view(frame.views[i], of_views[i], frame.quality, shadow, height);
-        // A software rasteriser fills this view on its threads while this one works out the corners of the next.
+        // A software rasteriser fills this view on its threads while this thread processes the vertices of
+        // the next one.
         glFlush();
     }
     show_volumes(of_views, height);
@@ -312,8 +316,8 @@ void Renderer::State::draw_views(const Frame& frame) {
     show_views(frame, of_views, target);
 }
 
-/// From the target that all views were drawn into to the window, each view by itself: else what is bright, or
-/// stretched, would spread into the view beside it.
+/// Copies each view separately from the shared target to the window. Otherwise bright or stretched light
+/// would spread to the adjacent view.
 void Renderer::State::show_views(const Frame& frame, std::span<const ViewBatches> of_views,
                                  const Target& target) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -347,12 +351,12 @@ std::vector<ViewBatches> Renderer::State::collect_views(const Frame& frame, floa
     for (std::size_t i = 0; i < frame.views.size(); ++i)
         collect_volume(frame.views[i], height, frame.quality, out[i]);
     fill_buffer(GL_ARRAY_BUFFER, instance_buffer, batches.instances, GL_STREAM_DRAW);
-    // Not as what it is: that would belong to some mesh's vertex array.
+    // Bound as GL_ARRAY_BUFFER, since an index buffer would become part of a mesh's vertex array.
     fill_buffer(GL_ARRAY_BUFFER, patch_buffer, batches.patch_indices, GL_STREAM_DRAW);
     return out;
 }
 
-/// The view is in a target `height` px high.
+/// Collects the volume of a view that is in a target `height` px high.
 void Renderer::State::collect_volume(const ViewScene& view, int height, Quality quality, ViewBatches& its) {
     const auto& at = its.at;
     if (view.volume == nullptr || at.width <= 0 || at.height <= 0 || !drawable(*view.volume)) return;
@@ -367,7 +371,7 @@ void Renderer::State::collect_volume(const ViewScene& view, int height, Quality 
     its.volume.count = collect(dipped, {mesh_bounds, mesh_levels}, its.sight, batches);
 }
 
-/// Before the views are drawn: what is marched needs nothing of them, so nobody waits for them.
+/// Runs before the views are drawn. The march needs no result of them, so it does not wait for them.
 void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatches> of_views, int width,
                                     int height) {
     const auto is_seen = [](const ViewBatches& its) { return its.volume.volume != nullptr; };
@@ -375,7 +379,7 @@ void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatc
     const auto before = volumes.sent();
     const int share = march_share(frame.quality);
     volumes.begin((width + share - 1) / share, (height + share - 1) / share, frame.quality);
-    // By target and not by view: each change of target is a pass of its own over all of its tiles.
+    // Ordered by target, not by view: each change of target is a separate pass over all of its tiles.
     for (const auto& its : of_views) {
         if (!is_seen(its)) continue;
         volumes.begin_depth(its.volume, its.sight, programs.shadow);
@@ -390,7 +394,8 @@ void Renderer::State::march_volumes(const Frame& frame, std::span<const ViewBatc
     statistics.volumes_sent = volumes.sent() - before;
 }
 
-/// After all views, so that the corners of the last are worked out before anything waits for the march.
+/// Runs after all views, so that the vertices of the last one are processed before anything waits for the
+/// march.
 void Renderer::State::show_volumes(std::span<const ViewBatches> of_views, int height) {
     for (const auto& its : of_views) {
         if (its.volume.volume == nullptr) continue;
@@ -399,7 +404,7 @@ void Renderer::State::show_volumes(std::span<const ViewBatches> of_views, int he
         glEnable(GL_DEPTH_TEST);
         glEnable(GL_CULL_FACE);
         volumes.show(its.volume, its.sight, at, no_attributes);
-        statistics.draws += 2;  // and the march
+        statistics.draws += 2;  // the skin and the march
     }
 }
 
@@ -458,7 +463,7 @@ void Renderer::State::draw_batches(std::size_t first, std::size_t count) {
     statistics.draws += count;
 }
 
-/// The program is in use.
+/// Draws one range of each patchwork. The program must be in use.
 void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatches& its,
                                       IndexRange (*which)(const ChosenPatches&)) {
     const auto end = its.first + its.solid;
@@ -472,7 +477,8 @@ void Renderer::State::draw_patchworks(const MeshProgram& program, const ViewBatc
     }
 }
 
-/// At medium, what the sun never reaches is drawn as low does, which has no shadow map, but with all lights.
+/// Draws the patchworks. At medium, patches without sun use the program of low, which has no shadow map, but
+/// with all lights.
 void Renderer::State::draw_stone(const ViewScene& view, const ViewBatches& its, Quality quality,
                                  const ShadowView& shadow) {
     const auto& program = programs.alone[static_cast<std::size_t>(quality)];
@@ -499,7 +505,7 @@ void Renderer::State::draw_view(const ViewScene& view, const ViewBatches& its, Q
     use_mesh_program(programs.mesh[static_cast<std::size_t>(quality)], view, its.sight, quality, shadow);
     draw_batches(its.first, its.solid - its.patchworks);
     if (its.patchworks > 0) draw_stone(view, its, quality, shadow);
-    // After all that is solid, so that only pixels that nothing covers are paid for.
+    // Drawn after all solid objects, so that only uncovered pixels are shaded.
     glBindVertexArray(no_attributes.get());
     use_sky_program(quality == Quality::high ? programs.sky_of_light : programs.sky, view,
                     aspect_of(view.viewport), cleared_to_fog);
@@ -517,7 +523,7 @@ void Renderer::State::draw_shades(const ViewBatches& its) {
     draw_batches(its.first + its.solid, its.shades);
 }
 
-/// Only where no block is known to stand before it.
+/// Draws the sky only in cells that no block is known to cover.
 void Renderer::State::draw_open_sky(const ViewScene& view) {
     open_sky_cells(view.camera, aspect_of(view.viewport), view.blocks, sky);
     if (sky.firsts.empty()) return;
@@ -541,7 +547,7 @@ void Renderer::State::send_atlas() {
     }
 }
 
-/// In order, by turns what is text and what is not.
+/// Draws the items in order, alternating between text and other shapes.
 void Renderer::State::draw_overlay_runs() {
     const auto is_text = [&](const OverlayVertex& v) { return v.texel != atlas.solid(); };
     const auto& all = overlay.built;

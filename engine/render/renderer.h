@@ -1,8 +1,9 @@
 // render/renderer.h: draws a Frame (render/scene.h) with OpenGL 3.3 on the thread that owns the context.
 //
-// One forward shader in three variants (render/quality.h): sun, hemisphere ambient, up to 8 point lights, fog, filmic
-// tone curve. On a software rasteriser pixels are what costs, so all but the highest light each vertex. Instances of one
-// mesh are one draw call; those out of view are none. The sun's shadows are kept from frame to frame (Casters).
+// One forward shader has three variants (render/quality.h): sun, hemisphere ambient light, up to 8 point
+// lights, fog, filmic tone curve. On a software rasteriser the pixels are the cost, so all variants but the
+// highest compute light at each vertex. All instances of one mesh are one draw call; instances out of view
+// are not drawn. The sun's shadows are kept from frame to frame (Casters).
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -17,48 +18,50 @@
 
 namespace thaum::render {
 
-/// What the last draw did, over all views.
+/// Counts of the last draw, over all views.
 struct DrawStatistics {
-    std::size_t draws{};  ///< OpenGL draw calls, sky and overlay included
+    std::size_t draws{};  ///< OpenGL draw calls, including sky and overlay
     std::size_t instances_drawn{};
-    std::size_t instances_culled{};  ///< out of view or not finite
-    std::size_t triangles{};         ///< of the instances drawn
-    std::size_t shadow_draws{};      ///< into the shadow map; 0 where nothing that casts has moved
+    std::size_t instances_culled{};  ///< instances out of view or not finite
+    std::size_t triangles{};         ///< triangles of the drawn instances
+    std::size_t shadow_draws{};      ///< draw calls into the shadow map; 0 if no caster has moved
     std::size_t shadow_triangles{};
     std::size_t volumes_drawn{};
-    std::size_t volumes_sent{};  ///< those whose texels and skin were another version's
+    /// Volumes whose texels and skin were sent anew, since their version changed.
+    std::size_t volumes_sent{};
 };
 
 class Renderer {
 public:
-    /// `assets` is the folder that holds shaders/. A context must be current, and stay until the Renderer is gone.
-    /// Takes up to a second: each shader variant is used once, which is when drivers compile. Errors: a shader file (named,
-    /// with the driver's line), no font.
+    /// Loads the shaders; `assets` is the folder that holds shaders/. A context must be current, and must
+    /// outlive the Renderer. Takes up to a second, since drivers compile a shader variant at its first use
+    /// and each variant is used once here. Errors: a shader file (with its name and the driver's line), no
+    /// font.
     static Expected<Renderer> create(const std::filesystem::path& assets);
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
     ~Renderer();
 
     MeshId upload(const MeshData& mesh);
-    /// With coarser copies (render/simplify.h) for where it is small.
+    /// Uploads a mesh with coarser copies (render/simplify.h), which replace it if it is small on the screen.
     MeshId upload_with_copies(const MeshData& mesh);
-    /// An instance of it stands in one place for each view.
+    /// Uploads a patchwork. Each view draws one instance of it at most.
     MeshId upload(const Patchwork& patchwork);
-    /// New triangles for a mesh that changes, such as a surface; may be empty.
+    /// Replaces the triangles of a mesh that changes, such as a surface. The new mesh may be empty.
     void replace(MeshId id, const MeshData& mesh);
-    /// A place for texels and skin, which views hand over (ViewScene::volume).
+    /// Reserves a volume. Views supply its texels and skin (ViewScene::volume).
     VolumeId make_volume();
 
-    /// Draws into the context's framebuffer; the caller presents it. A frame of no size draws nothing.
+    /// Draws into the context's framebuffer; the caller presents it. A frame of size zero draws nothing.
     void draw(const Frame& frame);
     const DrawStatistics& statistics() const;
-    /// What draws, as OpenGL calls it (GL_RENDERER); for first_quality.
+    /// Name of the device that draws (GL_RENDERER), for first_quality.
     std::string device() const;
 
-    /// What the last draw made; call before present(), which may throw it away.
+    /// Returns the picture of the last draw. Must be called before present(), which may discard the picture.
     Image read_pixels();
 
-    /// Box of a TextItem in px.
+    /// Size of the box of a TextItem (px).
     fvec2 measure(std::string_view text, float size);
 
 private:

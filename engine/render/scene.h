@@ -1,8 +1,8 @@
-// render/scene.h: one picture as plain data. Game code fills a Frame; Renderer::draw shows it. Nothing here touches
-// OpenGL, so a frame can be built on any thread; what its spans point to must live until draw returns.
+// render/scene.h: one picture as plain data. Game code fills a Frame; Renderer::draw shows it. Nothing here
+// uses OpenGL, so any thread can build a frame. The data behind its spans must live until draw returns.
 //
-// World: m, right-handed, +y up; a camera looks along its -z. Colours are linear light (render/colour.h). Pixels
-// count from the top-left corner of the window, x right, y down.
+// The world frame is in m, right-handed, +y up; a camera looks along its -z. Colours are linear light
+// (render/colour.h). Pixels count from the top-left corner of the window, x right, y down.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -19,34 +19,34 @@
 
 namespace thaum::render {
 
-/// What Renderer::upload gave.
+/// Handle of a mesh, returned by Renderer::upload.
 using MeshId = std::uint32_t;
 
 struct Camera {
     fvec3 position{0, 1.7F, 0};
-    fquat orientation{1, 0, 0, 0};  ///< turns camera axes into world axes
-    float fov_y = 1.2F;             ///< rad, whole angle from bottom to top
-    float near_plane = 0.05F;       ///< m
-    float far_plane = 400;          ///< m
+    fquat orientation{1, 0, 0, 0};  ///< rotation from camera axes to world axes
+    float fov_y = 1.2F;             ///< whole angle from bottom to top (rad)
+    float near_plane = 0.05F;       ///< distance of the near plane (m)
+    float far_plane = 400;          ///< distance of the far plane (m)
 };
 
-/// A mesh at a place. The matrix is rotation, scale and translation, without shear. An instance whose matrix is not
-/// finite is not drawn.
+/// A mesh at a place. The matrix consists of rotation, scale and translation, without shear. An instance with
+/// a matrix that is not finite is not drawn.
 struct Instance {
     MeshId mesh{};
     fmat4 model{1};
-    fvec3 tint{1};  ///< multiplies the mesh's colours
-    float glow{};   ///< 0: lit by the scene; 1: shines by itself, in its own colour
-    float sun = 1;  ///< share of the sun that reaches it, where no shadow map tells
+    fvec3 tint{1};  ///< factor of the mesh's colours
+    float glow{};   ///< 0: lit by the scene; 1: emits its own colour
+    float sun = 1;  ///< share of the sun that arrives; ignored if a shadow map decides
 };
 
 struct PointLight {
     fvec3 position{0};
     fvec3 colour{1};
-    float radius = 8;  ///< m; nothing is lit beyond
+    float radius = 8;  ///< distance beyond which nothing is lit (m)
 };
 
-/// Lights a view may have; draw uses the first ones, at Quality::low the first four.
+/// Most lights of a view. Draw uses the first ones, at Quality::low the first four.
 inline constexpr std::size_t max_lights = 8;
 
 struct Sun {
@@ -57,22 +57,22 @@ struct Sun {
 struct Sky {
     fvec3 zenith = render::colour(0x231B45);
     fvec3 horizon = render::colour(0x8A5C8C);
-    fvec3 sun_glow = render::colour(0xC8683A);  ///< added around the sun
+    fvec3 sun_glow = render::colour(0xC8683A);  ///< colour added around the sun
 };
 
-/// Far things fade into the colour: half of it at 0.83 / density.
+/// Fades far objects into a colour, by half at the distance 0.83 / density.
 struct Fog {
     fvec3 colour = render::colour(0x5C4470);
-    float density = 0.012F;  ///< 1/m
+    float density = 0.012F;  ///< density (1/m)
 };
 
-/// Light from everywhere: from above and from the ground.
+/// Light from all directions: from above and from the ground.
 struct Ambient {
     fvec3 above = 0.9F * render::colour(0x8078B8);
     fvec3 below = 0.9F * render::colour(0x4A3A48);
 };
 
-/// What surrounds the court. The defaults are dusk: violet sky, low warm sun.
+/// Surroundings of the arena. The defaults are dusk: violet sky, low warm sun.
 struct Environment {
     Sun sun;
     Sky sky;
@@ -81,12 +81,12 @@ struct Environment {
 };
 
 struct Rect {
-    int x{}, y{}, width{}, height{};  ///< px
+    int x{}, y{}, width{}, height{};  ///< position and size (px)
 };
 
 enum class Split : std::uint8_t { none, side_by_side, top_bottom };
 
-/// Where the two players' views stand: they touch, cover the window and do not overlap. Split::none gives the
+/// Viewports of the two players. They touch, cover the window and do not overlap. Split::none returns the
 /// whole window and an empty one.
 std::array<Rect, 2> split_window(int width, int height, Split split);
 
@@ -97,24 +97,27 @@ struct ViewScene {
     std::span<const Instance> instances;
     std::span<const PointLight> lights;  ///< up to max_lights
     Environment environment;
-    /// Flat shade over the ground, drawn last: what is there is multiplied by the mesh's colour. tint.r from 0 (not at
-    /// all) to 1 says how strongly.
+    /// Flat shade on the ground, drawn after all solid objects. It multiplies the colour below by the mesh's
+    /// colour. tint.r from 0 (no effect) to 1 sets the strength.
     std::span<const Instance> shades{};
-    /// Soft and seen through, drawn after all else in the world, without order: round meshes, densest where they face the eye. The
-    /// tint is their light, and `glow` the share of what is behind them that they hide at most.
+    /// Soft translucent objects, drawn after everything else in the world and in no order. They are round
+    /// meshes, densest where they face the eye. The tint is their light. `glow` is the greatest share of the
+    /// background that they hide.
     std::span<const Instance> mists{};
-    /// Blocks that `instances` fill, or a little more: what one of them hides is not drawn. For the sky up to 64 count.
+    /// Blocks filled by `instances`, or slightly larger ones. Objects hidden by one of these blocks are not
+    /// drawn. The first 64 also hide the sky.
     std::span<const Block> blocks{};
-    const Volume* volume{};  ///< none where it is null; drawn after all that is solid
+    const Volume* volume{};  ///< volume to draw after all solid objects; null: none
 };
 
-/// What keeps the sun away, in all views. `fixed` never changes from frame to frame: its shadow is drawn once and kept.
+/// Objects that cast the sun's shadow, in all views. `fixed` never changes from frame to frame, so its shadow
+/// is drawn once and kept.
 struct Casters {
     std::span<const Instance> fixed, moving;
 };
 
-// The overlay: flat shapes and text over the views, in order, blended by alpha. Edges that are not along pixels are
-// smoothed. Lengths in px.
+// The overlay: flat shapes and text over the views, drawn in order and blended by alpha. Slanted edges are
+// smoothed. Lengths are in px.
 
 struct RectItem {
     fvec2 low, high;  ///< top-left and bottom-right corner
@@ -127,8 +130,8 @@ struct TriangleItem {
     fvec4 colour{1};
 };
 
-/// A piece of a ring, from `start` over `sweep` rad; 0 is up and positive is clockwise, as on a clock. An inner
-/// radius of 0 gives a slice of pie.
+/// A piece of a ring, from `start` over `sweep` (rad). 0 is up and positive is clockwise, as on a clock. An
+/// inner radius of 0 gives a slice of pie.
 struct ArcItem {
     fvec2 centre;
     float inner{}, outer{};
@@ -144,8 +147,8 @@ struct LineItem {
 
 enum class Align : std::uint8_t { left, centre, right };
 
-/// UTF-8; '\n' starts a new line. `position` is the top of the text's box (Font::measure) at its left, middle or
-/// right. `size` is the em, rounded to whole pixels.
+/// UTF-8 text; '\n' starts a new line. `position` is the top of the text's box (Font::measure) at its left,
+/// middle or right. `size` is the em, rounded to whole pixels.
 struct TextItem {
     std::string text;
     fvec2 position;
@@ -162,13 +165,13 @@ struct Overlay {
 
 /// The whole picture.
 struct Frame {
-    int width{}, height{};         ///< px, of the window's framebuffer
-    std::vector<ViewScene> views;  ///< one, or two that do not overlap; what they leave is black
+    int width{}, height{};         ///< size of the window's framebuffer (px)
+    std::vector<ViewScene> views;  ///< one view, or two that do not overlap; the rest is black
     Overlay overlay;
-    float internal_scale = 1;  ///< 0.25 to 1: views are drawn at this part of the window's size and stretched
+    float internal_scale = 1;  ///< scale of the views' resolution, 0.25 to 1; the result is stretched
     Quality quality = Quality::low;
-    bool bloom = true;  ///< at Quality::high
-    Casters casters{};  ///< the sun is that of the first view
+    bool bloom = true;  ///< used at Quality::high only
+    Casters casters{};  ///< lit by the sun of the first view
 };
 
 }  // namespace thaum::render

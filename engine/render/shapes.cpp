@@ -1,5 +1,5 @@
-// The generators of render/mesh.h. All that is round is one surface of revolution; all that is flat is made of
-// convex faces which are turned outwards by a point known to lie inside.
+// The generators of render/mesh.h. Every round shape is one surface of revolution. Every flat shape consists
+// of convex faces, which are turned outwards with the help of a point inside.
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -21,7 +21,7 @@ void triangle(MeshData& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c)
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-/// A convex polygon of vertices that are there already, in either order around, as a fan facing away from `inside`.
+/// Adds a convex polygon of existing vertices, in either winding, as a fan that faces away from `inside`.
 void convex_face(MeshData& mesh, std::span<const std::uint32_t> corners, fvec3 inside) {
     const auto at = [&](std::size_t i) { return mesh.vertices[corners[i]].position; };
     const bool outwards = glm::dot(glm::cross(at(1) - at(0), at(2) - at(0)), at(0) - inside) > 0;
@@ -33,7 +33,7 @@ void convex_face(MeshData& mesh, std::span<const std::uint32_t> corners, fvec3 i
     }
 }
 
-/// A flat convex polygon, counter-clockwise from outside, with vertices of its own.
+/// Adds a flat convex polygon, counter-clockwise seen from outside, with its own vertices.
 void flat_face(MeshData& mesh, std::span<const fvec3> corners, fvec3 colour) {
     const fvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -41,7 +41,8 @@ void flat_face(MeshData& mesh, std::span<const fvec3> corners, fvec3 colour) {
     for (std::uint32_t i = 1; i + 1 < corners.size(); ++i) triangle(mesh, first, first + i, first + i + 1);
 }
 
-// A box. Its 24 vertices are (corner, axis): the corner of the face across that axis, pulled in by the bevel.
+// A box. Each of its 24 vertices is a pair (corner, axis): the corner of the face across that axis, moved
+// inwards by the bevel.
 
 using Corner = std::array<int, 3>;  // -1 or +1 along each axis
 
@@ -86,7 +87,7 @@ void add_box_faces(MeshData& mesh) {
     }
 }
 
-/// The strip along each of the 12 edges and the triangle at each of the 8 corners.
+/// Adds the strip along each of the 12 edges and the triangle at each of the 8 corners.
 void add_box_bevels(MeshData& mesh) {
     for (std::size_t along = 0; along < 3; ++along) {
         const std::size_t u = (along + 1) % 3, v = (along + 2) % 3;
@@ -110,11 +111,11 @@ void add_box_bevels(MeshData& mesh) {
     }
 }
 
-// Revolution. Each edge of the profile is a band of its own between two rings.
+// Revolution. Each edge of the profile becomes a separate band between two rings.
 
 struct Band {
     fvec2 low, high;                // (radius, y)
-    fvec2 low_normal, high_normal;  // in the same plane
+    fvec2 low_normal, high_normal;  // in the plane of the profile
 };
 
 fvec2 edge_normal(fvec2 from, fvec2 to) {
@@ -122,7 +123,7 @@ fvec2 edge_normal(fvec2 from, fvec2 to) {
     return {along.y, -along.x};
 }
 
-/// The normal where two edges meet: shared when the turn is gentle, else `own`.
+/// Normal at the point where two edges meet: shared if the turn is gentle, else `own`.
 fvec2 shared_normal(fvec2 own, fvec2 other, float crease) {
     if (glm::dot(own, other) < std::cos(crease)) return own;
     return glm::normalize(own + other);
@@ -153,13 +154,14 @@ std::vector<Band> bands(std::span<const fvec2> profile, float crease) {
     return out;
 }
 
-/// A point (radius, y) of the profile turned by `step` of `segments`, whole or half.
+/// A point (radius, y) of the profile, turned by `step` of `segments`. `step` may be a half.
 fvec3 turned(fvec2 p, float step, int segments) {
     const float angle = turn * step / static_cast<float>(segments);
     return {p.x * std::cos(angle), p.y, -p.x * std::sin(angle)};
 }
 
-/// One vertex for each side of the band; on the axis each side has its own, turned to its middle.
+/// Adds one vertex for each side of the band. On the axis the vertices have separate normals, each turned to
+/// the middle of its side.
 std::uint32_t add_ring(MeshData& mesh, fvec2 point, fvec2 normal, int segments, fvec3 colour) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     const float middle = point.x == 0 ? 0.5F : 0.0F;
@@ -182,7 +184,7 @@ void add_band(MeshData& mesh, const Band& band, int segments, fvec3 colour) {
     }
 }
 
-/// Points of a half circle from straight down to straight up, `lift` above and below the origin.
+/// Points of a half circle from the bottom to the top, the halves moved apart by `lift` from the origin.
 std::vector<fvec2> half_circle(float radius, float lift, int stacks) {
     std::vector<fvec2> out{{0, -radius - lift}};
     for (int i = 1; i < stacks; ++i) {
@@ -228,7 +230,7 @@ MeshData sphere(float radius, int segments, fvec3 colour) {
 
 MeshData capsule(float radius, float height, int segments, fvec3 colour) {
     const int stacks = std::max(2, segments / 2);
-    // An even number, so that there is a ring where each half sphere meets the cylinder.
+    // An even number puts a ring where each half sphere meets the cylinder.
     return revolve(half_circle(radius, height / 2, stacks + stacks % 2), segments, colour, 1.6F);
 }
 

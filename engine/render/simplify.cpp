@@ -15,7 +15,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 struct Placed {
     CellAt cell{};
-    float inwards{};  // minus the distance from the middle: the outermost comes first
+    float inwards{};  // negative distance from the middle, so that the outermost sorts first
     std::uint32_t vertex{};
     auto operator<=>(const Placed&) const = default;
 };
@@ -28,7 +28,7 @@ CellAt cell_of(fvec3 from_middle, float cell) {
     return at;
 }
 
-/// By vertex: the one whose place it takes.
+/// For each vertex, the vertex that gives its place.
 std::vector<std::uint32_t> stand_ins(const MeshData& mesh, float cell) {
     const fvec3 middle = bounds(mesh).centre;
     std::vector<Placed> placed;
@@ -46,13 +46,13 @@ std::vector<std::uint32_t> stand_ins(const MeshData& mesh, float cell) {
     return out;
 }
 
-/// The same for the same three corners in the same sense.
+/// Rotates the corners to a canonical order that keeps the winding.
 Triangle from_least(Triangle t) {
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
     return t;
 }
 
-/// Its vertices in the order in which triangles ask for them; each at its stand-in's place.
+/// Collects the vertices in the order in which the triangles use them, each at the place of its stand-in.
 MeshData gathered(const MeshData& mesh, std::span<const std::uint32_t> indices,
                   std::span<const std::uint32_t> stand_in) {
     constexpr std::uint32_t not_yet = 0xffffffffU;
@@ -91,7 +91,7 @@ Simplified clustered(const MeshData& mesh, float cell) {
 }
 
 std::vector<Simplified> coarser_copies(const MeshData& mesh) {
-    constexpr std::size_t simple = 3 * 12;  // indices of a box
+    constexpr std::size_t simple = 3 * 12;  // number of indices of a box
     constexpr float finest = 1.0F / 64, step = 1.3F;
     std::vector<Simplified> out;
     const float radius = bounds(mesh).radius;

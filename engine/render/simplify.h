@@ -1,8 +1,8 @@
-// render/simplify.h: the same shape with fewer triangles, for where it is small on the screen.
+// render/simplify.h: copies of a mesh with fewer triangles, for objects that are small on the screen.
 //
-// Vertices that lie in one cell of a grid become one, and triangles that lose a corner so are gone (Rossignac and Borrel 1993).
-// How far the surface moved is known exactly, so a renderer can say in pixels what is lost, and take the coarsest copy
-// of which nobody sees that it is one.
+// Vertices in the same cell of a grid are merged, and triangles that thereby lose a corner are removed
+// (Rossignac and Borrel 1993). The displacement of the surface is known exactly. A renderer can therefore
+// convert it to pixels and use the coarsest copy that looks the same.
 #pragma once
 #include "render/mesh.h"
 
@@ -10,14 +10,16 @@ namespace thaum::render {
 
 struct Simplified {
     MeshData mesh;
-    float error{};  ///< m: no vertex moved farther
+    float error{};  ///< greatest displacement of a vertex (m)
 };
 
-/// Cells are cubes, `cell` m wide (> 0), around the middle of the mesh. Of the vertices in one, the place of the outermost
-/// stands for all, so that outlines stay; each keeps its normal and colours.
+/// Merges the vertices within each cell of a grid around the middle of the mesh. Cells are cubes of width
+/// `cell`, > 0 (m). The outermost vertex gives the place for all, so that outlines stay. Each vertex keeps
+/// its normal and colours.
 Simplified clustered(const MeshData& mesh, float cell);
 
-/// Ever coarser copies, each with at most three quarters of the triangles of the one before; none of a mesh that is simple.
+/// Returns increasingly coarse copies, each with at most three quarters of the triangles of the one before. A
+/// simple mesh has none.
 std::vector<Simplified> coarser_copies(const MeshData& mesh);
 
 }  // namespace thaum::render

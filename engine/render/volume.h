@@ -1,12 +1,18 @@
-// render/volume.h: what glows and hides all through, such as the cauldron's brew: a box of texels that tell the light each
-// place gives and how much it swallows, in a round vessel, under a skin that the eye looks in through.
+// render/volume.h: a translucent body that emits and absorbs light, such as the cauldron's brew. A box of
+// texels gives the emission and absorption at each place. A round vessel bounds it, and the eye looks in
+// through a skin.
 //
-//        skin (triangles)           A ray begins where it meets the skin, or at the eye where that is inside; it ends where it
-//     \~~~~~~~~~~~~~~~/             leaves the round or meets something opaque. Between, light is emitted and absorbed
-//      \   texels    /              (Max 1995, "Optical models for direct volume rendering", section 4). From outside nothing
-//       `-._____.-'  round          is seen but through the skin: the vessel must hide the rest.
+//        skin (triangles)
+//     \~~~~~~~~~~~~~~~/
+//      \   texels    /
+//       `-._____.-'  round
 //
-// Where the box ends, its outermost texels go on, so that neither skin nor round need fit it.
+// A ray starts where it meets the skin, or at the eye if the eye is inside. It ends where it leaves the round
+// or meets an opaque object. In between, light is emitted and absorbed (Max 1995, "Optical models for direct
+// volume rendering", section 4). From outside the volume is visible only through the skin, so the vessel must
+// hide the rest.
+//
+// Outside the box its outermost texels continue, so neither the skin nor the round need fit the box.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,10 +22,10 @@
 
 namespace thaum::render {
 
-/// What Renderer::make_volume gave.
+/// Handle of a volume, returned by Renderer::make_volume.
 using VolumeId = std::uint32_t;
 
-/// rgb: square root of the light, of Volume::brightness; a: share of Volume::thickness.
+/// r, g, b: square root of the light, as a share of Volume::brightness. a: share of Volume::thickness.
 struct Texel {
     std::uint8_t r{}, g{}, b{}, a{};
     bool operator==(const Texel&) const = default;
@@ -27,23 +33,27 @@ struct Texel {
 
 struct SkinVertex {
     fvec3 position{0};
-    fvec3 normal{0, 1, 0};  ///< unit, out of the volume
-    float foam{};           ///< 0 to 1: how much of it is covered
+    fvec3 normal{0, 1, 0};  ///< unit, pointing out of the volume
+    float foam{};           ///< share covered by foam, 0 to 1
 };
 
 struct Volume {
     VolumeId id{};
-    /// Of texels and skin: they are sent only where it is another than at the id's last drawing.
+    /// Version of texels and skin. They are sent only if the version differs from the last drawing of this
+    /// id.
     std::uint64_t version{};
     std::array<int, 3> cells{};       ///< texels along x, y, z; x is contiguous
-    std::span<const Texel> texels{};  ///< as many; else the volume is not drawn
-    fvec3 origin{0}, size{1};         ///< m, the box of texels
-    fvec3 centre{0}, radii{1};        ///< m, the round: an ellipsoid; its centre is on the level of the skin
-    float brightness = 1;             ///< light of a place whose texel is 255
-    float thickness = 4;              ///< 1/m: light falls to 1/e over 1 / thickness where alpha is 255
+    std::span<const Texel> texels{};  ///< one per cell; otherwise the volume is not drawn
+    /// Corner and size of the box of texels (m).
+    fvec3 origin{0}, size{1};
+    /// Round: an ellipsoid, whose centre is at the level of the skin (m).
+    fvec3 centre{0}, radii{1};
+    float brightness = 1;  ///< light emitted by a texel of 255
+    /// Absorption where alpha is 255: light falls to 1/e over 1 / thickness (1/m).
+    float thickness = 4;
     std::span<const SkinVertex> skin{};
-    std::span<const std::uint32_t> skin_indices{};  ///< triangles, counter-clockwise from outside
-    fvec3 foam{0.8F};                               ///< colour of foam, linear
+    std::span<const std::uint32_t> skin_indices{};  ///< triangles, counter-clockwise seen from outside
+    fvec3 foam{0.8F};                               ///< colour of the foam, linear light
 };
 
 }  // namespace thaum::render

@@ -1,5 +1,5 @@
 #include <epoxy/gl.h>
-// epoxy/gl.h must come before GLFW, which would bring its own.
+// epoxy/gl.h must come before GLFW, which would include its own OpenGL header.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -16,12 +16,12 @@ struct Window::State {
     GLFWwindow* handle = nullptr;
     WindowSpec spec;
 
-    // Read by any thread.
+    // Readable by any thread.
     std::atomic<Size> size{Size{}};
     std::atomic<bool> minimised = false, focused = false, closing = false;
 
-    // Main thread only.
-    const WindowEvents* events = nullptr;  // during poll
+    // Used by the main thread only.
+    const WindowEvents* events = nullptr;  // set during poll
     bool captured = false;
     double last_x = 0, last_y = 0;
     std::array<int, 4> pad_ids{-1, -1, -1, -1};
@@ -36,9 +36,9 @@ struct Window::State {
 
 namespace {
 
-bool alive = false;  // a Window is there; main thread only
+bool alive = false;  // a Window exists; main thread only
 
-// GLFW tells what went wrong through a callback only, on the thread that asked.
+// GLFW reports errors only through a callback, on the calling thread.
 thread_local std::string last_glfw_error;
 void keep_glfw_error(int, const char* what) { last_glfw_error = what; }
 
@@ -69,7 +69,7 @@ GLFWwindow* open_window(const WindowSpec& spec) {
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_DEPTH_BITS, 24);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    // A lost focus must not change the screen's mode: the other player may be in a menu of their own.
+    // A lost focus must not change the screen's mode, since the other player may be in a menu.
     glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
     GLFWmonitor* monitor = full_screen_monitor(spec);
     Size size = spec.size;
@@ -84,7 +84,7 @@ GLFWwindow* open_window(const WindowSpec& spec) {
 
 namespace {
 
-// GLFW calls back with a bare pointer to what it was given.
+// GLFW passes a bare pointer to its callbacks.
 Window::State& state_of(GLFWwindow* w) { return *static_cast<Window::State*>(glfwGetWindowUserPointer(w)); }
 
 const WindowEvents& events_of(GLFWwindow* w) {
@@ -121,7 +121,7 @@ void on_mouse_button(GLFWwindow* w, int button, int action, int) {
 
 void on_wheel(GLFWwindow* w, double, double steps) { tell(events_of(w).wheel, steps); }
 
-/// px of the framebuffer per unit of the window's coordinates; not 1 on some dense screens.
+/// Framebuffer pixels per unit of the window's coordinates; not 1 on some dense screens.
 double pixels_per_unit(GLFWwindow* w) {
     int width = 0, height = 0;
     glfwGetWindowSize(w, &width, &height);
@@ -205,7 +205,8 @@ void Window::capture_cursor(bool capture) {
     if (glfwRawMouseMotionSupported() != 0) {
         glfwSetInputMode(state_->handle, GLFW_RAW_MOUSE_MOTION, capture ? GLFW_TRUE : GLFW_FALSE);
     }
-    // The cursor jumps when it is caught or freed: that is no motion of the hand.
+    // The cursor jumps when captured or freed. Reading its position here keeps the jump out of the reported
+    // motion.
     glfwGetCursorPos(state_->handle, &state_->last_x, &state_->last_y);
     state_->captured = capture;
 }
@@ -231,7 +232,7 @@ void Window::set_title(const std::string& title) { glfwSetWindowTitle(state_->ha
 
 namespace {
 
-/// Frees the places of pads that went and gives the free ones to pads that came.
+/// Frees the places of removed pads and gives free places to new pads.
 void seat_pads(std::array<int, 4>& ids) {
     for (int& id : ids) {
         if (id >= 0 && glfwJoystickIsGamepad(id) == 0) id = -1;

@@ -36,14 +36,15 @@ bool is(Slot slot, SessionKey key) {
     return slot.sheet == session_sheet && slot.action == static_cast<std::size_t>(key);
 }
 
-/// These act after the round only, when no other action of a hand does.
+/// Actions that act only after the round, when no other action of a hand acts.
 bool acts_after_round(Slot slot) {
     return is(slot, Action::confirm) || is(slot, SessionKey::again) || is(slot, SessionKey::leave);
 }
 bool acts_in_round(Slot slot) { return !acts_after_round(slot); }
 bool acts_always(Slot slot) { return slot.sheet == session_sheet && acts_in_round(slot); }
 
-/// May one control do both? The same thing for two players, or things that never happen at the same time.
+/// Tests whether one control may do both: the same action for two players, or actions that never act at the
+/// same time.
 bool may_share(Slot a, Slot b) {
     const bool hands = a.sheet != session_sheet && b.sheet != session_sheet;
     if (hands && a.action == b.action)
@@ -55,7 +56,8 @@ bool may_share(Slot a, Slot b) {
     return acts_after_round(a) != acts_after_round(b) && !acts_always(a) && !acts_always(b);
 }
 
-/// Two pads are two people's: a control of the pad sheet is never one of another sheet.
+/// Tests whether two slots may not share a control. Two pads belong to two people, so a control of the pad
+/// sheet never conflicts with one of another sheet.
 bool conflict(Slot a, Slot b) { return is_pad_sheet(a.sheet) == is_pad_sheet(b.sheet) && !may_share(a, b); }
 
 std::string label_of_key(int code) {

@@ -1,5 +1,5 @@
-// game/app/bindings.h: the settings' bindings as sheets of actions: what a control is called, which hand can reach it, and what loses
-// it when something else gets it.
+// game/app/bindings.h: the settings' bindings as sheets of actions. Functions here name sheets, actions and
+// controls, test which controls a hand can reach, and move a control from one action to another.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace thaum::app {
 
-/// One action of one sheet of bindings: sheet 0 to 2 is settings_hands, 3 the session's keys.
+/// One action of one sheet of bindings. Sheets 0 to 2 are settings_hands; sheet 3 holds the session's keys.
 struct Slot {
     std::size_t sheet{}, action{};
     bool operator==(const Slot&) const = default;
@@ -19,24 +19,25 @@ inline constexpr std::size_t session_sheet = settings_hands.size();
 std::size_t size_of_sheet(std::size_t sheet);
 bool is_pad_sheet(std::size_t sheet);
 
-/// Is it shown to be changed? The other actions have no control by default, and nothing listens to them.
+/// Tests whether the controls page lists the action. The other actions have no control by default, and
+/// nothing listens to them.
 bool is_listed(Slot slot);
-/// Is it what opens the pause?
+/// Tests whether the action opens the pause.
 bool pauses(Slot slot);
-/// Can a hand of this sheet reach the control?
+/// Tests whether a hand of this sheet can reach the control.
 bool fits(std::size_t sheet, const input::Control& control);
 
 const std::vector<input::Control>& controls_of(const Settings& settings, Slot slot);
 
-/// Gives the slot this control and nothing else; it is taken from whatever else it would do at the same time. Returns
-/// what lost it.
+/// Makes `control` the only control of the slot. Removes it from every action that could happen at the same
+/// time, and returns those actions.
 std::vector<Slot> assign(Settings& settings, Slot slot, const input::Control& control);
 
-/// "Half of the keyboard", "Keys for everybody".
+/// Label of a sheet: "Half of the keyboard", "Keys for everybody".
 std::string label_of_sheet(std::size_t sheet);
-/// "Use wand".
+/// Label of an action: "Use wand".
 std::string label_of(Slot slot);
-/// "Space", "Left mouse button", "RT", "Left stick up".
+/// Label of a control: "Space", "Left mouse button", "RT", "Left stick up".
 std::string label_of(const input::Control& control);
 
 }  // namespace thaum::app

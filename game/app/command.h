@@ -1,4 +1,5 @@
-// game/app/command.h: what `thaum WORD ...` can be. Each command is one .cpp of this folder.
+// game/app/command.h: the commands of the program, `thaum WORD ...`. Each command is one .cpp file of this
+// folder.
 #pragma once
 #include <string>
 #include <vector>
@@ -9,13 +10,13 @@ namespace thaum::app {
 
 /// Exit codes of every command.
 inline constexpr int done = 0;
-inline constexpr int does_not_hold = 1;  ///< the thing checked does not hold
+inline constexpr int does_not_hold = 1;  ///< the checked thing failed its check
 inline constexpr int wrong_use = 2;      ///< wrong usage or input
 
 struct Command {
     std::string_view name;
     std::string_view summary;  ///< one line for the list of commands
-    std::string_view help;     ///< fits a screen
+    std::string_view help;     ///< text of `thaum WORD --help`; fits a screen
     int (*run)(const std::vector<std::string>& words);
 };
 
@@ -31,10 +32,10 @@ Command doctor_command();
 Command plot_command();
 Command lab_command();
 
-/// Is there a desktop to open a window on?
+/// Tests whether a desktop is there to open a window on.
 bool display_there();
 
-/// Prints "thaum: message" to standard error; returns wrong_use.
+/// Prints "thaum: message" to standard error and returns wrong_use.
 int refuse(const Error& error);
 
 }  // namespace thaum::app

@@ -1,4 +1,4 @@
-// thaum diff: where two states, or two replays of one log, part.
+// thaum diff: the first difference between two states, or between two replays of one log.
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -25,15 +25,15 @@ constexpr std::string_view diff_help =
        thaum diff LOG --exe OTHER_THAUM
        thaum diff LOG --threads N,M
 
-Prints component, entity, field and both values of what differs.
+Prints every difference: component, entity, field and both values.
 
   A.dump B.dump    two states, as `thaum replay LOG --dump TICK FILE` writes them
   --exe OTHER      replay the log here and with another build, and bisect to the
                    first tick whose state differs
-  --threads N,M    replay it N times and M times at once, each on its own
-                   thread, and bisect likewise
+  --threads N,M    run N replays at once, then M at once, each on its own
+                   thread, and bisect in the same way
 
-Exit 0: nothing differs; 1: something does.
+Exit code 0: no difference; 1: a difference.
 )";
 
 constexpr std::size_t max_dump = std::size_t{1} << 30U;
@@ -61,7 +61,7 @@ int compare_files(const std::string& a, const std::string& b) {
     return compare(*left, *right);
 }
 
-/// The state of a replay at a tick.
+/// Function that computes the state of a replay at a tick.
 using StateAt = std::function<Expected<Bytes>(Tick)>;
 
 Expected<Bytes> state_here(const std::string& log, Tick tick) {
@@ -73,33 +73,18 @@ Expected<Bytes> state_here(const std::string& log, Tick tick) {
     return state;
 }
 
-/// The first of several replays that run at once.
+/// State of a replay at a tick, computed while `threads` - 1 other replays run beside it.
 Expected<Bytes> state_among(const std::string& log, Tick tick, std::uint64_t threads) {
     Jobs jobs(static_cast<unsigned>(threads - 1));
     for (std::uint64_t i = 1; i < threads; ++i) jobs.run([&] { (void)state_here(log, tick); });
     return state_here(log, tick);
 }
 
-/// A new folder that goes with its contents; an empty path where none could be made.
-struct TemporaryFolder {
-    std::string path = (std::filesystem::temp_directory_path() / "thaum-diff-XXXXXX").string();
-
-    TemporaryFolder() {
-        if (::mkdtemp(path.data()) == nullptr) path.clear();
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        if (!path.empty()) std::filesystem::remove_all(path, ignored);
-    }
-};
-
-/// Runs PROGRAM replay LOG --dump TICK FILE.
+/// Runs PROGRAM replay LOG --dump TICK FILE and reads the dumped state.
 Expected<Bytes> state_elsewhere(const std::string& program, const std::string& log, Tick tick) {
     const TemporaryFolder folder;
-    if (folder.path.empty()) return fail("diff: cannot create a temporary folder");
-    const auto file = std::filesystem::path(folder.path) / "state.dump";
+    if (folder.path().empty()) return fail("diff: cannot create a temporary folder");
+    const auto file = folder.path() / "state.dump";
     const auto tick_text = text(tick);
     const std::vector<std::string> words{program, "replay", log, "--dump", tick_text, file.string()};
     std::vector<char*> argv;
@@ -115,7 +100,7 @@ Expected<Bytes> state_elsewhere(const std::string& program, const std::string& l
     if (spawned != 0) return fail(text(program, ": cannot be started"));
     int status = 0;
     waitpid(child, &status, 0);
-    // The state of a replay that differs from its log, which is what we look for, comes with does_not_hold.
+    // A replay that differs from its log exits with does_not_hold. Its state is just what we look for.
     if (!WIFEXITED(status) || WEXITSTATUS(status) > does_not_hold)
         return fail(text(program, ": could not replay ", log));
     return read_file(file, max_dump);
@@ -125,7 +110,7 @@ struct Sides {
     StateAt a, b;
 };
 
-/// Do they differ at this tick?
+/// Tests whether the two states differ at this tick.
 Expected<bool> differ(const Sides& sides, Tick tick) {
     const auto a = sides.a(tick);
     if (!a) return tl::unexpected(a.error());
@@ -134,7 +119,7 @@ Expected<bool> differ(const Sides& sides, Tick tick) {
     return *a != *b;
 }
 
-/// Once states differ they stay different, so the first such tick is found by halving.
+/// Finds the first tick with different states by bisection: states that differ once stay different.
 int bisect(const Sides& sides, Tick length) {
     auto at_end = differ(sides, length);
     if (!at_end) return refuse(at_end.error());
@@ -142,7 +127,7 @@ int bisect(const Sides& sides, Tick length) {
         std::printf("no difference in %llu ticks\n", static_cast<unsigned long long>(length));
         return done;
     }
-    Tick same = 0;  // ticks done after which they agree, unless the very start differs
+    Tick same = 0;  // last tick known to have equal states, unless the states differ at tick 0
     Tick different = length;
     if (const auto at_start = differ(sides, 0); !at_start) {
         return refuse(at_start.error());
@@ -172,8 +157,7 @@ int run_diff(const std::vector<std::string>& words) {
         return compare_files(files[0], files[1]);
     }
     if (files.size() != 1 || arguments->has("--exe") == arguments->has("--threads")) {
-        return refuse(
-            {"diff needs two dumps, or one log and --exe or --threads; `thaum diff --help` tells more"});
+        return refuse({"diff needs two dumps, or one log and --exe or --threads; see `thaum diff --help`"});
     }
     const auto log = files[0];
     const auto playback = game::Playback::open(log, game::find_assets());
@@ -198,6 +182,8 @@ int run_diff(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command diff_command() { return {"diff", "say where two states or two replays part", diff_help, run_diff}; }
+Command diff_command() {
+    return {"diff", "find the first difference of two states or two replays", diff_help, run_diff};
+}
 
 }  // namespace thaum::app

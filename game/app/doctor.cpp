@@ -1,4 +1,4 @@
-// thaum doctor: what this machine has, what is missing, and what to do about it.
+// thaum doctor: the parts of this machine that the game uses, which of them are missing, and how to get them.
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,17 +26,17 @@ namespace {
 constexpr std::string_view doctor_help =
     R"(usage: thaum doctor [--json FILE]
 
-Says what is there and what is missing: processor, data files, OpenGL, display,
-what hands hold, pads and their permissions, how well a 1 kHz clock is kept,
-where settings and logs go. Sound is not used by this version. Where there is a
-display, a match is shown for three seconds, and how long a movement takes to be
-in a picture is measured. A force feedback arm (OpenHaptics; THAUM_LIBHD says
-where libHD.so is) is held still for two seconds, without force: how evenly its
-ticks come, and how long from a pose to the force that answers it.
+Checks this machine and reports what is missing: processor, data files, OpenGL,
+display, the hands' devices, pads and their permissions, the accuracy of a 1 kHz
+clock, and the folders of settings and logs. This version uses no sound. If there
+is a display, a match is shown for three seconds to measure the delay from a
+movement to its picture. A force feedback arm (OpenHaptics; THAUM_LIBHD is the
+path of libHD.so) is used for two seconds without force, to measure how evenly
+its ticks come and the delay from a pose to its force. Hold the arm still.
 
   --json FILE   the findings as JSON, replacing an older file; - for stdout
 
-Exit 0: a match can be played here; 1: something that it needs is missing.
+Exit code 0: a match can be played here; 1: a needed part is missing.
 )";
 
 enum class State { good, note, missing };
@@ -45,8 +45,9 @@ struct Finding {
     std::string what;
     State state{};
     std::string detail;
-    std::string advice;                                     ///< what to do; empty: nothing
-    std::vector<std::pair<std::string, double>> metrics{};  ///< the names carry the unit
+    std::string advice;  ///< what the user can do; empty: nothing
+    /// pairs of name and value; the name ends with the unit
+    std::vector<std::pair<std::string, double>> metrics{};
 };
 
 using Data = std::shared_ptr<const game::MatchData>;
@@ -95,7 +96,7 @@ Finding hands(const Expected<Data>& data) {
             ""};
 }
 
-/// The arm's servo without a match: it measures and gives no force.
+/// Report on the real arm: measures the arm's servo without a match and without a force.
 Finding real_arm() {
     const std::string what = "arm";
     const auto arm = input::OpenHaptics::open();
@@ -127,7 +128,7 @@ Finding opengl(const std::filesystem::path& assets, const Expected<Data>& data) 
     return {"OpenGL", State::missing, still.error().message, "apt-get install libgl1-mesa-dri"};
 }
 
-/// A short match in a window, with a mouse that moves by itself.
+/// Report on the input delay: plays a short match in a window with a mouse that moves by itself.
 Finding input_to_picture(const std::filesystem::path& assets, const Expected<Data>& data) {
     const std::string what = "input delay";
     if (!data || !display_there())
@@ -158,7 +159,7 @@ Finding display() {
             "start it in a desktop session"};
 }
 
-/// Names of /proc/bus/input/devices whose handlers include a joystick, with their event node.
+/// Device names and event nodes in /proc/bus/input/devices whose handlers include a joystick.
 std::vector<std::pair<std::string, std::string>> pads() {
     std::vector<std::pair<std::string, std::string>> found;
     std::ifstream in("/proc/bus/input/devices");
@@ -186,7 +187,7 @@ void add_pads(std::vector<Finding>& findings) {
     }
 }
 
-/// How late 1 kHz wake-ups come, in microseconds, sorted.
+/// Delays of `count` wake-ups at 1 kHz (us), sorted.
 std::vector<double> wake_up_delays(int count) {
     std::vector<double> late;
     auto due = monotonic_ns();
@@ -223,7 +224,8 @@ Finding folder(const std::string& what, const std::filesystem::path& path, const
             writable ? "" : text("make it writable, or set ", variable)};
 }
 
-/// Whether a game would go by the file. None yet is as good: the first game writes it.
+/// Report on the settings file: tests whether a match can use it. A missing file is good, because the first
+/// match writes one.
 Finding settings(const std::filesystem::path& assets) {
     const auto file = settings_file();
     auto found = folder("settings", file.parent_path(), "XDG_CONFIG_HOME");
@@ -231,7 +233,7 @@ Finding settings(const std::filesystem::path& assets) {
     if (found.state != State::good || !std::filesystem::exists(file, ignored)) return found;
     if (const auto read = load_settings(file, assets); !read)
         return {"settings", State::note, text(read.error().message, "; the defaults hold"),
-                "mend it, or put it away: a new one is written then"};
+                "correct the file, or move it away: then a new one is written"};
     found.detail = file.string();
     return found;
 }
@@ -299,7 +301,7 @@ int run_doctor(const std::vector<std::string>& words) {
 }  // namespace
 
 Command doctor_command() {
-    return {"doctor", "say what this machine has and what is missing", doctor_help, run_doctor};
+    return {"doctor", "check this machine and report what is missing", doctor_help, run_doctor};
 }
 
 }  // namespace thaum::app

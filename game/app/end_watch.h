@@ -1,5 +1,6 @@
-// game/app/end_watch.h: SIGINT (Ctrl-C), SIGTERM and SIGHUP as a wish to end, so that logs are closed and arms let go of. The forces end at
-// once, whatever the program does meanwhile. The second signal of a kind ends the process as if nobody watched.
+// game/app/end_watch.h: SIGINT (Ctrl-C), SIGTERM and SIGHUP as requests to end, so that the program can close
+// logs and release force-feedback arms. The signal handler ends the forces at once, whatever the program does
+// meanwhile. The second signal of a kind ends the process as if there were no watch.
 #pragma once
 #include <array>
 #include <atomic>
@@ -14,7 +15,7 @@ public:
     EndWatch(const EndWatch&) = delete;
     EndWatch& operator=(const EndWatch&) = delete;
 
-    /// Whether a signal has come since the newest watch began. Any thread.
+    /// Flag that is true once a signal has come since the newest watch began. Any thread may read the flag.
     static const std::atomic<bool>& asked();
 
 private:

@@ -1,5 +1,5 @@
-// game/app/faders.h: how much of what the cauldron's brew gives a player's hand wants to feel, by source. What the brew gets of the hand
-// does not depend on it.
+// game/app/faders.h: share of the cauldron's forces that a player's hand feels, one fader for each source.
+// The hand acts on the brew with full strength whatever the faders say.
 #pragma once
 #include <array>
 #include <string>
@@ -12,28 +12,29 @@
 namespace thaum::app {
 
 struct Fader {
-    double share = 1;  ///< 0 to 1, of what the data files say
-    bool on = true;    ///< off, nothing is felt, and the fader stays where it is
+    double share = 1;  ///< share of the force that the data files give (0 to 1)
+    bool on = true;    ///< false: nothing of this source is felt, and `share` keeps its value
     bool operator==(const Fader&) const = default;
 };
-/// By haptics::fluid_modes.
+/// One fader for each mode, in the order of haptics::fluid_modes.
 using Faders = std::array<Fader, haptics::fluid_modes.size()>;
 
-/// "Viscosity"; and what it does, in a few words.
+/// Name of the fader's source ("Viscosity"), and its effect in a few words.
 std::string_view label_of_fader(std::size_t source);
 std::string_view told_of_fader(std::size_t source);
 
-/// "75 %", "off (75 %)".
+/// Text of a fader's value: "75 %", "off (75 %)".
 std::string shown(const Fader& fader);
-/// `steps` of 5 % up or down, on or off.
+/// Moves the fader up or down by `steps` of 5 %, or switches it on or off.
 void change(Fader& fader, int steps);
 
-/// The table of settings: a number for each source that is told, and `off`, a list of names. What is not told stays.
+/// Reads one player's table of the settings file: a number for each source, and `off`, a list of names.
+/// Sources without a line keep their value from `faders`.
 Faders read_faders(const ConfigTable& table, Faders faders);
-/// The value of `off`.
+/// Value of the key `off` in the settings file: the names of the sources that are off.
 std::string off_words(const Faders& faders);
 
-/// For the log's header.
+/// Writes the faders into the DeviceSpec that the log's header keeps.
 void ask_for(const Faders& faders, input::DeviceSpec& device);
 
 }  // namespace thaum::app

@@ -11,21 +11,22 @@
 #include "game/app/command.h"
 #include "game/app/end_watch.h"
 #include "game/app/live.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "input/arm_playback.h"
 #include "input/drivers/openhaptics.h"
 
 namespace thaum::app {
 namespace {
 
-/// Ticks that are computed before they are played: a busy machine may need longer for a tick than the arm does.
+/// Number of ticks computed ahead of the arm. A busy machine may need longer to compute a tick than the arm
+/// needs to play one.
 constexpr std::size_t ahead = 12'000;
-constexpr std::int64_t look_ns = 5'000'000;    ///< between two looks at keys and arm
-constexpr std::int64_t fade_ns = 150'000'000;  ///< in which the last force has gone
+constexpr std::int64_t look_ns = 5'000'000;    ///< longest time between two looks at keys and arm (ns)
+constexpr std::int64_t fade_ns = 150'000'000;  ///< time in which the last force fades to zero (ns)
 
-// ---- whoever wants it to end ------------------------------------------------------------------------------------------
+// ---- requests to end -----------------------------------------------------------------------------------
 
-/// Ctrl-C, a request to end, and any key on a terminal.
+/// Requests to end: Ctrl-C, a termination signal, or any key on a terminal.
 class StopWatch {
 public:
     StopWatch() {
@@ -53,19 +54,28 @@ private:
     bool terminal_ = false;
 };
 
-// ---- the log's forces -------------------------------------------------------------------------------------------------
+// ---- the log's forces -------------------------------------------------------------------------------------
 
-/// The ticks of play of a log, one after the other.
+/// Forces of one player's hand in the log's ticks of play, in order.
 class RecordedForces {
 public:
     RecordedForces(game::Playback playback, std::uint32_t player)
         : playback_(std::move(playback)), player_(player), felt_(playback_.match().match().played) {}
 
-    /// Computes ahead; false where the log ends, or the replay is no longer the recorded match.
-    bool fill(input::ArmPlayback& hand) {
-        while (hand.waiting() < ahead) {
+    /// Computes ahead until enough ticks wait, or for about `budget_ns`. Returns false if the log has ended
+    /// or the replay has diverged from the recorded match.
+    bool fill(input::ArmPlayback& hand, std::int64_t budget_ns) {
+        const auto end_ns = monotonic_ns() + budget_ns;
+        while (hand.waiting() < ahead && monotonic_ns() < end_ns) {
             if (!playback_.step() || playback_.divergence()) return false;
             put(hand);
+        }
+        return true;
+    }
+    /// Computes ahead until enough ticks wait. Returns false as above.
+    bool fill(input::ArmPlayback& hand) {
+        while (hand.waiting() < ahead) {
+            if (!fill(hand, look_ns)) return false;
         }
         return true;
     }
@@ -73,7 +83,8 @@ public:
     const std::optional<game::Divergence>& divergence() const { return playback_.divergence(); }
 
 private:
-    /// A pause, a round's end: there nothing was felt, and nothing is played.
+    /// Queues the force of the current tick. Ticks in a pause or after a round's end had no force and are
+    /// left out.
     void put(input::ArmPlayback& hand) {
         const auto& match = playback_.match();
         const auto& state = match.match();
@@ -84,7 +95,7 @@ private:
         felt_ = state.played;
         if (!played) return;
         const auto& world = match.world();
-        hand.push(world.get<game::Grip>(game::wizard_of(world, player_)).servo.safety.output, jumps);
+        hand.push(world.get<game::HandState>(game::wizard_of(world, player_)).servo.safety.output, jumps);
     }
 
     game::Playback playback_;
@@ -94,7 +105,7 @@ private:
     bool followed_ = false;
 };
 
-// ---- the arm ----------------------------------------------------------------------------------------------------------
+// ---- the arm ----------------------------------------------------------------------------------------------
 
 using Arm = std::unique_ptr<input::OpenHaptics>;
 
@@ -103,18 +114,18 @@ Expected<Arm> open_named(const std::string& name) {
     if (!arm) return fail(text("--feel ", name, ": ", arm.error().message));
     const auto& facts = (*arm)->facts();
     if (input::is_called(facts, name)) return std::move(*arm);
-    return fail(text("--feel '", name, "': there is no such device; there is ", input::name_of(facts),
+    return fail(text("--feel '", name, "': this device was not found; found ", input::name_of(facts),
                      " (or: phantom)"));
 }
 
-/// Share of the arm's peak that who sits here wants at most; 0: no forces.
+/// Largest share of the arm's peak force in this machine's settings; 0: no forces.
 double wished_share() {
     const auto settings = settings_to_play_with(settings_file(), game::find_assets());
     const auto percent = force_wishes[settings.force[0]].percent;
     return percent ? *percent / 100.0 : haptics::gentle_share;
 }
 
-/// "warm 12, capped 3": why the arm was told less than was recorded, in ticks.
+/// Text with the ticks in which the arm got less force than recorded, by cause: "warm 12, capped 3".
 std::string held_back(const input::PlaybackReport& report) {
     std::string out;
     for (std::size_t i = 1; i < report.causes.size(); ++i) {
@@ -132,19 +143,21 @@ void tell(const input::ArmPlayback& hand, const input::OpenHaptics& arm) {
                 told(arm.times()).c_str());
 }
 
-/// Until all was felt or something ends it: then why.
+/// Plays until all forces were felt or playing must end early. Returns the reason for an early end.
 std::optional<std::string> play(RecordedForces& forces, input::ArmPlayback& hand,
                                 const input::OpenHaptics& arm) {
     const StopWatch watch;
-    std::int64_t until = 0;  // 0: more will come
+    std::int64_t until = 0;  // end of the fade after the last force (ns); 0: more forces will come
     bool more = true;
     while (until == 0 || monotonic_ns() < until) {
-        if (more) more = forces.fill(hand);
+        if (more) more = forces.fill(hand, look_ns);
         if (!more) hand.end();
         if (watch.asked()) return "ended by hand: no force any more";
         if (const auto status = arm.status(); status.state != input::ArmPresence::present) return status.text;
         if (!more && hand.waiting() == 0 && until == 0) until = monotonic_ns() + fade_ns;
-        sleep_until_ns(monotonic_ns() + look_ns);
+        // Computing ahead goes before sleeping: a machine that slept as long as it computes would fall
+        // behind.
+        if (!more || hand.waiting() >= ahead) sleep_until_ns(monotonic_ns() + look_ns);
     }
     return {};
 }
@@ -159,8 +172,12 @@ int feel(game::Playback playback, const FeelPlan& plan) {
     const auto& spec = (*arm)->facts().spec;
     input::ArmPlayback hand(haptics::servo_of(spec, share));
     RecordedForces forces(std::move(playback), plan.player);
-    if (!forces.fill(hand) && hand.waiting() == 0)
-        return refuse({"--feel: the log has no tick of play there"});
+    if (!forces.fill(hand) && hand.waiting() == 0) {
+        if (!forces.divergence())
+            return refuse({"--feel: the log has no tick of play after --at; choose an earlier second"});
+        std::printf("%s\n", game::described(*forces.divergence()).c_str());
+        return does_not_hold;
+    }
     std::printf("player %u's forces on %s, at most %s of %s N: any key or Ctrl-C ends them\n",
                 plan.player + 1, input::name_of((*arm)->facts()).c_str(),
                 fixed(share * spec.peak_force, 2).c_str(), fixed(spec.peak_force, 1).c_str());
@@ -170,7 +187,7 @@ int feel(game::Playback playback, const FeelPlan& plan) {
     const bool fault = (*arm)->status().state != input::ArmPresence::present;
     hand.stop();
     tell(hand, **arm);
-    arm->reset();  // its thread, before what that calls
+    arm->reset();  // ends the arm's thread before `hand`, which that thread uses, is destroyed
     if (why) std::printf("%s\n", why->c_str());
     if (forces.divergence()) std::printf("%s\n", game::described(*forces.divergence()).c_str());
     return fault || forces.divergence() ? does_not_hold : done;

@@ -1,4 +1,4 @@
-// game/app/feel.h: the forces of a log, felt by an arm in somebody's hand.
+// game/app/feel.h: playing the recorded forces of a log on a real force-feedback arm.
 #pragma once
 #include <string>
 
@@ -7,12 +7,13 @@
 namespace thaum::app {
 
 struct FeelPlan {
-    std::string device;        ///< as `thaum doctor` lists it, or "phantom"
-    std::uint32_t player = 0;  ///< whose forces
+    std::string device;        ///< name of the arm in the list of `thaum doctor`, or "phantom"
+    std::uint32_t player = 0;  ///< player whose recorded forces are played
 };
 
-/// Plays what that player's hand was told from where the playback is to its end, in real time and without its pauses, until a
-/// key, Ctrl-C or a fault ends it. The cap is that of who sits here (settings), not that of the log. Returns an exit code.
+/// Plays the forces of plan.player's hand from the playback's tick to the log's end, in real time and without
+/// pauses. A key, Ctrl-C or a fault ends it early. The force cap comes from this machine's settings, not from
+/// the log. Returns an exit code.
 int feel(game::Playback playback, const FeelPlan& plan);
 
 }  // namespace thaum::app

@@ -3,9 +3,10 @@
 namespace thaum::app {
 namespace {
 
-constexpr Tick opening = 2000;    ///< ticks in which they only begin to move
-constexpr double too_close = 3;   ///< m
-constexpr double in_view = 0.95;  ///< cosine
+constexpr Tick opening = 2000;   ///< ticks after the start in which the wizards only begin to move
+constexpr double too_close = 3;  ///< smallest distance of the wizards (m)
+/// cosine of the largest angle between player 1's gaze and the other wizard
+constexpr double in_view = 0.95;
 
 bool something_flies(const game::Simulation& match) {
     std::size_t missiles = 0;

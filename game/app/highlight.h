@@ -1,19 +1,20 @@
-// game/app/highlight.h: the moment of a match that is worth a picture.
+// game/app/highlight.h: the moment of a match that makes the best picture.
 #pragma once
 #include "game/match/simulation.h"
 
 namespace thaum::app {
 
-/// The closest that the two have come to each other while both lived, player 1 saw the other and something flew.
+/// Tick at which the two wizards were closest, among ticks when both lived, player 1 saw the other and
+/// something flew.
 struct Highlight {
-    double distance = 1e9;  ///< m
-    Tick tick = 0;          ///< 0: there was none
+    double distance = 1e9;  ///< distance between the wizards at that tick (m)
+    Tick tick = 0;          ///< 0: no such moment
 };
 
-/// Looks at the match every so many ticks.
+/// Number of ticks between two looks at the match.
 inline constexpr Tick highlight_interval = 50;
 
-/// Call after every tick.
+/// Updates `best` from the match; call this after every tick.
 void watch_for_highlight(const game::Simulation& match, Highlight& best);
 
 }  // namespace thaum::app

@@ -1,4 +1,4 @@
-// thaum lab: the cauldron's brew alone.
+// thaum lab: explores the cauldron's brew alone.
 #include "game/app/lab.h"
 
 #include <algorithm>
@@ -29,23 +29,23 @@ constexpr std::string_view lab_help =
 The cauldron's brew alone, to stir and to measure: in a window, which lists its
 keys, or with --headless faster than real time.
 
-  --solver NAME    thaum (default); classic: the paper's method, it knows no bowl
-  --cells N        from wall to wall: 15, 16, 24, 32 (default), 48 or 64
-  --order N        4 (default) or 2; a bowl is always computed by 2
+  --solver NAME    thaum (default), or classic: the paper's method, without a bowl
+  --cells N        cells from wall to wall: 15, 16, 24, 32 (default), 48 or 64
+  --order N        order of accuracy: 4 (default) or 2; with a bowl always 2
   --bowl, --box    the match's bowl (default), or the box round it
-  --edges NAME     no_slip (default), or free_slip: what walls do to the flow
-  --viscosity X    m^2/s, of the base fluid;  --gravity X  m/s^2, down (9.81)
+  --edges NAME     flow at the walls: no_slip (default) or free_slip
+  --viscosity X    of the base fluid (m^2/s);  --gravity X  downwards (m/s^2, 9.81)
   --substance S    an ingredient, or NAME,VISCOSITY,WEIGHT,DIFFUSION; three at most
   --pour S,AT,L    at second AT, L litres of that substance (name or number); repeats
   --stir PATH      circle, figure8, none, or FILE.csv with time_s,x_m,y_m,z_m
                    (headless: circle; the window: the mouse)
-  --load FILE      goes on from a saved state;  --save FILE  saves it at the end,
-                   replacing an older file, but not the loaded one; so --trace
-  --trace FILE     CSV, a row a step of 16 ms;  --times  adds microseconds
-  --shots DIR      pictures, --every N steps (25)
-  --size WxH       of them, or of the window, in px (1280x720)
-  --headless       no window;  --seconds S  ends after that (headless: 10)
-  --threads N      1 (default) or 2, which gives the same bits
+  --load FILE      continues a saved state;  --save FILE  saves the state at the end,
+                   replacing an older file, but not the loaded one; --trace too
+  --trace FILE     CSV, one row a step of 16 ms;  --times  adds computing times (us)
+  --shots DIR      pictures;  --every N  steps from picture to picture (25)
+  --size WxH       size of the pictures or of the window in px (1280x720)
+  --headless       no window;  --seconds S  length of the session (headless: 10)
+  --threads N      1 (default) or 2; both give the same bits
 )";
 
 constexpr Option lab_options[] = {
@@ -55,7 +55,7 @@ constexpr Option lab_options[] = {
     {"--times"},      {"--shots", 1},      {"--every", 1},     {"--size", 1},    {"--headless"},
     {"--seconds", 1}, {"--threads", 1}};
 
-/// Those of the options that are settings of the lab.
+/// Options that change settings of the lab.
 constexpr std::array<std::string_view, 9> setting_words{"--solver",    "--cells",   "--order",
                                                         "--bowl",      "--box",     "--edges",
                                                         "--viscosity", "--gravity", "--substance"};
@@ -70,7 +70,7 @@ std::vector<std::string> split(std::string_view words) {
     return parts;
 }
 
-/// The index of the word among the names.
+/// Index of the option's word in `names`; `fallback` if the option was not given.
 Expected<std::size_t> one_of(const Arguments& arguments, std::string_view option,
                              std::array<std::string_view, 2> names, std::size_t fallback) {
     const auto word = arguments.value(option);
@@ -81,7 +81,7 @@ Expected<std::size_t> one_of(const Arguments& arguments, std::string_view option
     return static_cast<std::size_t>(found - names.begin());
 }
 
-// ---- settings ----------------------------------------------------------------------------------------------------------
+// ---- settings ---------------------------------------------------------------------------------------------
 
 Expected<game::Ingredient> read_substance(const std::string& words, const game::CauldronRules& rules) {
     const auto parts = split(words);
@@ -135,7 +135,7 @@ Expected<void> read_cells(const Arguments& arguments, LabSettings& settings) {
                      "': must be 15, 16, 24, 32, 48 or 64, the number from wall to wall; cells are cubes"));
 }
 
-/// What the words change of the settings.
+/// Settings after the changes of the command line.
 Expected<LabSettings> read_settings(const Arguments& arguments, const game::CauldronRules& rules,
                                     LabSettings settings) {
     const auto solver =
@@ -162,7 +162,7 @@ Expected<LabSettings> read_settings(const Arguments& arguments, const game::Caul
     return settings;
 }
 
-/// A new session, or a saved one with what the words change.
+/// State of a new or loaded session after the changes of the command line.
 Expected<LabState> read_lab(const Arguments& arguments, const game::LabData& data) {
     const auto file = arguments.value("--load");
     if (!file) {
@@ -180,7 +180,7 @@ Expected<LabState> read_lab(const Arguments& arguments, const game::LabData& dat
     return lab;
 }
 
-// ---- script ------------------------------------------------------------------------------------------------------------
+// ---- script -----------------------------------------------------------------------------------------------
 
 Expected<std::size_t> read_slot(const std::string& word, const LabSettings& settings) {
     const auto& all = settings.substances;
@@ -217,7 +217,7 @@ Expected<game::LabScript> read_script(const Arguments& arguments, const LabState
     return script;
 }
 
-// ---- the whole wish ----------------------------------------------------------------------------------------------------
+// ---- the whole plan ------------------------------------------------------------------------------------
 
 std::optional<std::filesystem::path> path_of(const Arguments& arguments, std::string_view option) {
     const auto word = arguments.value(option);
@@ -267,7 +267,7 @@ Expected<LabPlan> read_plan(const Arguments& arguments) {
     return plan;
 }
 
-// ---- without a window --------------------------------------------------------------------------------------------------
+// ---- without a window -------------------------------------------------------------------------------------
 
 void tell_end(const LabState& lab, const game::LabFigures& last, std::int64_t steps, double took_s) {
     const auto& s = lab.settings;

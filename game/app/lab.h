@@ -1,4 +1,4 @@
-// game/app/lab.h: what `thaum lab --fluid` was asked for, and how it runs in a window.
+// game/app/lab.h: the options of `thaum lab --fluid`, its trace and pictures, and its window.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -11,19 +11,20 @@
 
 namespace thaum::app {
 
-/// A session that begins: a new one or a loaded one, with what the command line changed.
+/// Options of one lab session: a new or loaded state with the command line's changes.
 struct LabPlan {
     game::LabState lab;
     game::LabScript script{};
-    std::optional<double> seconds{};  ///< of the session's own time; none: until the window is closed
+    /// length of the session in simulated time (s); std::nullopt: until the window is closed
+    std::optional<double> seconds{};
     std::optional<std::filesystem::path> save{}, trace{}, shots{};
-    std::int64_t every = 25;  ///< steps from picture to picture
+    std::int64_t every = 25;  ///< number of steps between two pictures
     render::Size size{1280, 720};
-    bool times = false;  ///< in the trace
+    bool times = false;  ///< true: the trace has columns with computing times
     unsigned threads = 1;
 };
 
-/// Rows of the trace, if one was asked for.
+/// Rows of the CSV trace; writes nothing if the plan names no trace.
 class LabTrace {
 public:
     static Expected<LabTrace> open(const LabPlan& plan);
@@ -36,7 +37,7 @@ private:
     std::string rows_;
 };
 
-/// Pictures without a window, if any were asked for: FOLDER/lab_STEP.png.
+/// Pictures drawn without a window, saved as FOLDER/lab_STEP.png; none if the plan names no folder.
 class LabShots {
 public:
     /// The error is one line: the folder cannot be made, or there is no OpenGL.
@@ -45,23 +46,23 @@ public:
     LabShots& operator=(LabShots&&) noexcept;
     ~LabShots();
 
-    /// Takes one where it is due after this step.
+    /// Saves a picture if one is due after this step.
     Expected<void> follow(const game::LabState& lab, const game::LabFigures& figures);
 
 private:
     struct State;
     LabShots();
-    std::unique_ptr<State> state_;  ///< null: none are asked for
+    std::unique_ptr<State> state_;  ///< null: no pictures are wanted
     std::filesystem::path folder_;
     std::int64_t every_ = 1;
 };
 
-/// The folder for pictures, where some were asked for.
+/// Makes the folder for pictures if the plan names one.
 Expected<void> make_lab_folder(const LabPlan& plan);
 Expected<void> write_lab_shot(const std::filesystem::path& folder, std::int64_t step,
                               const render::Image& image);
 
-/// Until the window is closed. The exit code.
+/// Runs the lab in a window until the window is closed. Returns an exit code.
 int run_lab_window(LabPlan plan);
 
 }  // namespace thaum::app

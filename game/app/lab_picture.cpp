@@ -10,17 +10,17 @@ namespace thaum::app {
 namespace {
 
 constexpr double pitch_least = -0.1, pitch_most = 1.5, away_least = 1.5, away_most = 12;
-constexpr double eye_middle = -0.25;  // m, below the level, what it looks at
-constexpr double handle = 1.3;        // m, of the ladle
-constexpr double hand_newtons = 3.3;  // of the device that the match's hands hold
+constexpr double eye_middle = -0.25;  // height of the camera's target above the level surface (m)
+constexpr double handle = 1.3;        // length of the ladle's handle (m)
+constexpr double hand_newtons = 3.3;  // peak force of the device in the match's hands (N)
 
-/// It leans away from the middle.
+/// Picture of the ladle; its handle leans away from the middle of the bowl.
 game::LadlePicture ladle_picture(const game::LabState& lab, double newtons) {
     const vec3 at = *lab.ladle;
     const vec3 out =
         glm::length(at) > 1e-6 ? glm::normalize(vec3(at.x, 0, at.z) + vec3(1e-6, 0, 0)) : vec3(1, 0, 0);
     return {.bowl = at,
-            .grip = at + handle * glm::normalize(0.45 * out + vec3(0, 1, 0)),
+            .hand_state = at + handle * glm::normalize(0.45 * out + vec3(0, 1, 0)),
             .force_share = newtons * lab.rules.ladle.newtons_per_newton / hand_newtons};
 }
 
@@ -66,7 +66,7 @@ const render::Frame& LabPicture::frame(const game::LabState& lab, const game::La
     }
     game::show_brew(picture_, {.arrows = page.hands.arrows, .streamlines = page.hands.streamlines}, look_);
     const auto& room = lab.settings.room;
-    const double middle = -room.size.height * (room.filled - 0.5);  // of the vessel
+    const double middle = -room.size.height * (room.filled - 0.5);  // height of the vessel's middle (m)
     instances_.clear();
     instances_.push_back({.mesh = vessel_, .model = at_height(middle)});
     instances_.push_back({.mesh = floor_, .model = at_height(middle - room.size.height / 2 - 0.05)});

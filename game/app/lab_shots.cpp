@@ -1,4 +1,4 @@
-// Pictures of the lab, drawn in memory.
+// Pictures of the lab, drawn without a window.
 #include "core/file.h"
 #include "core/text.h"
 #include "game/app/lab.h"
@@ -9,7 +9,7 @@ namespace thaum::app {
 
 struct LabShots::State {
     render::Offscreen context;
-    render::Renderer renderer;  // goes before its context
+    render::Renderer renderer;  // destroyed before its context
     LabPicture picture;
     LabPage page{};
 };

@@ -1,10 +1,12 @@
-// The lab in a window. One thread: what people do, steps of 16 ms as the clock has them, a picture. Where a step takes longer than
-// it lasts the brew goes on more slowly, and says so; nothing here must be on time.
+// The lab in a window. One thread handles input, computes the steps of 16 ms that are due by the clock, and
+// draws a picture. If a step takes longer than 16 ms to compute, the brew flows more slowly and the screen
+// shows the speed. Nothing in the lab must be on time.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "core/clock.h"
+#include "core/file.h"
 #include "core/one_line.h"
 #include "core/text.h"
 #include "game/app/command.h"
@@ -20,42 +22,45 @@ namespace {
 
 using game::LabState;
 
-constexpr int steps_of_a_frame = 4;  // beyond that time is let go
+constexpr int steps_of_a_frame = 4;  // most steps for one picture; time beyond them is dropped
 constexpr double note_s = 4, rate_s = 0.5;
-constexpr double pour_m3 = 2e-3;  // in a step, while the key is held; at least once for each press
-constexpr double above = 0.15;    // m, where a ladle is out of the brew
-constexpr double dip_m = 0.04;    // in a step, up and down
-constexpr double follow = 0.5, way_most = 0.12;  // m, in a step: how a ladle follows the mouse
-constexpr double depth_step = 0.08;              // m
-constexpr double within_walls = 0.93;            // of the basin's width
+// volume poured in a step while the key is held; at least one such step for each press (m^3)
+constexpr double pour_m3 = 2e-3;
+constexpr double above = 0.15;  // height of a lifted ladle above the level surface (m)
+constexpr double dip_m = 0.04;  // speed of the ladle up and down (m per step)
+// how a ladle follows the mouse: share of the way per step, and most of it (m)
+constexpr double follow = 0.5, way_most = 0.12;
+constexpr double depth_step = 0.08;    // change of the ladle's depth by one step of the wheel (m)
+constexpr double within_walls = 0.93;  // reach of the ladle from the middle (share of the basin's width)
 constexpr double turn_per_px = 0.008, nearer = 0.9;
-constexpr double flat_view = 0.2;  // rad: seen from so low, the ladle goes up and down with the mouse
+constexpr double flat_view = 0.2;  // pitch below which the mouse lifts and sinks the ladle (rad)
 constexpr double frames_per_second = 60;
 
-struct LabDesk {
+struct LabSession {
     LabPlan plan;
     LabTrace trace;
     LabPage page{};
     game::LabFigures figures{};
-    std::filesystem::path file{};  ///< to save to and load from
+    std::filesystem::path file{};  ///< file that keys save to and load from
 
-    std::optional<fvec2> cursor{};  ///< px
+    std::optional<fvec2> cursor{};  ///< position of the mouse (px); std::nullopt: outside of the window
     bool stirring = false, turning = false, pouring = false;
-    bool pour_is_due = false;                                ///< pressed since the last step
-    bool wants_reset = false, leaves = false, anew = false;  ///< anew: the picture's bowl is another one
-    double height{};                                         ///< m, of a ladle that stirs, below the level
-    std::optional<vec3> ladle{};  ///< as the mouse leads it; also while it is lifted out
+    bool pour_is_due = false;  ///< true: the pour key was pressed since the last step
+    /// anew: the bowl has changed, so the picture must be made again
+    bool wants_reset = false, leaves = false, anew = false;
+    double height{};              ///< height of a stirring ladle above the level (m), <= 0
+    std::optional<vec3> ladle{};  ///< place of the ladle, also while it is lifted out (m, basin frame)
     std::int64_t note_until_ns = 0;
 };
 
-void note(LabDesk& desk, std::string_view words) {
-    desk.page.note = in_one_line(words);
-    desk.note_until_ns = monotonic_ns() + std::llround(note_s * 1e9);
+void note(LabSession& session, std::string_view words) {
+    session.page.note = in_one_line(words);
+    session.note_until_ns = monotonic_ns() + std::llround(note_s * 1e9);
 }
 
-// ---- the ladle ---------------------------------------------------------------------------------------------------------
+// ---- the ladle --------------------------------------------------------------------------------------------
 
-/// Inside of the walls.
+/// Nearest place inside the walls.
 vec3 in_basin(const LabState& lab, vec3 place) {
     place.y = std::clamp(place.y, -0.95 * lab.basin.depth, above);
     const double width = within_walls * game::width_at(lab.basin, std::min(place.y, 0.0));
@@ -64,101 +69,108 @@ vec3 in_basin(const LabState& lab, vec3 place) {
     return place;
 }
 
-/// Where the mouse points: in the level plane that the ladle is in; seen from the side, in the upright one through the middle.
-std::optional<vec3> pointed_at(const LabDesk& desk, render::Size size) {
-    if (!desk.cursor || size.height <= 0) return std::nullopt;
-    const auto camera = camera_of(desk.page.eye);
+/// Place that the mouse points at, in the horizontal plane of the wanted height. In a flat view: in the
+/// vertical plane through the middle. std::nullopt if the mouse points at none.
+std::optional<vec3> pointed_at(const LabSession& session, render::Size size) {
+    if (!session.cursor || size.height <= 0) return std::nullopt;
+    const auto camera = camera_of(session.page.eye);
     const double tall = std::tan(double{camera.fov_y} / 2);
     const double half = 0.5 * size.height;
     const vec3 ray =
-        quat(camera.orientation) * vec3(tall * (double{desk.cursor->x} - 0.5 * size.width) / half,
-                                        tall * (half - double{desk.cursor->y}) / half, -1);
+        quat(camera.orientation) * vec3(tall * (double{session.cursor->x} - 0.5 * size.width) / half,
+                                        tall * (half - double{session.cursor->y}) / half, -1);
     const vec3 eye(camera.position);
-    const bool flat = desk.page.eye.pitch < flat_view;
+    const bool flat = session.page.eye.pitch < flat_view;
     const vec3 normal = flat ? quat(camera.orientation) * vec3(0, 0, 1) : vec3(0, 1, 0);
     const double slope = glm::dot(ray, normal);
-    const double way = glm::dot(vec3(0, desk.height, 0) - eye, normal) / slope;
+    const double way = glm::dot(vec3(0, session.height, 0) - eye, normal) / slope;
     if (!(std::abs(slope) > 1e-6) || !(way > 0)) return std::nullopt;
-    return in_basin(desk.plan.lab, eye + way * ray);
+    return in_basin(session.plan.lab, eye + way * ray);
 }
 
-/// One step further: it comes down where the mouse is, follows it, and is lifted out again.
-void move_ladle(LabDesk& desk, render::Size size) {
-    const auto target = desk.stirring ? pointed_at(desk, size) : std::nullopt;
-    if (target && !desk.ladle) desk.ladle = vec3(target->x, above, target->z);
-    if (!desk.ladle) return;
-    vec3& at = *desk.ladle;
+/// Moves the ladle by one step: down at the mouse's place, after the mouse, and up again when the stirring
+/// ends.
+void move_ladle(LabSession& session, render::Size size) {
+    const auto target = session.stirring ? pointed_at(session, size) : std::nullopt;
+    if (target && !session.ladle) session.ladle = vec3(target->x, above, target->z);
+    if (!session.ladle) return;
+    vec3& at = *session.ladle;
     if (target) {
         const vec3 way = limited(follow * vec3(target->x - at.x, 0, target->z - at.z), way_most);
         const double down = std::clamp(target->y - at.y, -dip_m, dip_m);
-        at = in_basin(desk.plan.lab, at + way + vec3(0, down, 0));
-    } else if (!desk.stirring) {
+        at = in_basin(session.plan.lab, at + way + vec3(0, down, 0));
+    } else if (!session.stirring) {
         at.y += dip_m;
-        if (at.y > above) desk.ladle.reset();
+        if (at.y > above) session.ladle.reset();
     }
 }
 
-// ---- keys and mouse ----------------------------------------------------------------------------------------------------
+// ---- keys and mouse ---------------------------------------------------------------------------------------
 
-void save_now(LabDesk& desk) {
-    if (desk.file.empty()) return note(desk, "there is no home folder: --save FILE says where");
-    std::error_code failed;
-    if (desk.file.has_parent_path()) std::filesystem::create_directories(desk.file.parent_path(), failed);
-    const auto saved = game::save_lab(desk.plan.lab, desk.file);
-    note(desk, saved ? text("saved: ", desk.file.string()) : saved.error().message);
-}
-
-void load_now(LabDesk& desk) {
-    auto lab = game::load_lab(desk.file, desk.plan.lab.rules);
-    if (!lab) return note(desk, lab.error().message);
-    desk.anew = lab->settings.room != desk.plan.lab.settings.room;
-    desk.plan.lab = std::move(*lab);
-    desk.page.hands.settings = desk.plan.lab.settings;
-    desk.figures = game::figures_of(desk.plan.lab);
-    note(desk, text("loaded: ", desk.file.string()));
-}
-
-void press(LabDesk& desk, std::string_view key) {
-    if (game::turn_control(key, desk.page.hands, desk.plan.lab.rules)) return;
-    if (key == "Esc") desk.leaves = true;
-    if (key == "Space") desk.pour_is_due = true;
-    if (key == "Backspace") desk.wants_reset = true;
-    if (key == "F5") save_now(desk);
-    if (key == "F9") load_now(desk);
-    if (key == "PageUp") desk.height = std::min(0.0, desk.height + depth_step);
-    if (key == "PageDown") desk.height = std::max(-0.9 * desk.plan.lab.basin.depth, desk.height - depth_step);
-}
-
-void cursor_moved(LabDesk& desk, fvec2 to) {
-    if (desk.turning && desk.cursor) {
-        const fvec2 way = to - *desk.cursor;
-        desk.page.eye = turned(desk.page.eye, -turn_per_px * double{way.x}, turn_per_px * double{way.y}, 1);
+void save_now(LabSession& session) {
+    if (session.file.empty())
+        return note(session, "there is no home folder to save to; start with --save FILE");
+    if (session.file.has_parent_path()) {
+        if (auto made = make_folder(session.file.parent_path()); !made)
+            return note(session, made.error().message);
     }
-    desk.cursor = to;
+    const auto saved = game::save_lab(session.plan.lab, session.file);
+    note(session, saved ? text("saved: ", session.file.string()) : saved.error().message);
 }
 
-render::WindowEvents lab_events(LabDesk& desk) {
+void load_now(LabSession& session) {
+    auto lab = game::load_lab(session.file, session.plan.lab.rules);
+    if (!lab) return note(session, lab.error().message);
+    session.anew = lab->settings.room != session.plan.lab.settings.room;
+    session.plan.lab = std::move(*lab);
+    session.page.hands.settings = session.plan.lab.settings;
+    session.figures = game::figures_of(session.plan.lab);
+    note(session, text("loaded: ", session.file.string()));
+}
+
+void press(LabSession& session, std::string_view key) {
+    if (game::turn_control(key, session.page.hands, session.plan.lab.rules)) return;
+    if (key == "Esc") session.leaves = true;
+    if (key == "Space") session.pour_is_due = true;
+    if (key == "Backspace") session.wants_reset = true;
+    if (key == "F5") save_now(session);
+    if (key == "F9") load_now(session);
+    if (key == "PageUp") session.height = std::min(0.0, session.height + depth_step);
+    if (key == "PageDown")
+        session.height = std::max(-0.9 * session.plan.lab.basin.depth, session.height - depth_step);
+}
+
+void cursor_moved(LabSession& session, fvec2 to) {
+    if (session.turning && session.cursor) {
+        const fvec2 way = to - *session.cursor;
+        session.page.eye =
+            turned(session.page.eye, -turn_per_px * double{way.x}, turn_per_px * double{way.y}, 1);
+    }
+    session.cursor = to;
+}
+
+render::WindowEvents lab_events(LabSession& session) {
     render::WindowEvents events;
     events.key = [&](int key, int, bool pressed) {
         const auto name = render::key_name(key);
-        if (name == "Space") desk.pouring = pressed;
-        if (pressed) press(desk, name);
+        if (name == "Space") session.pouring = pressed;
+        if (pressed) press(session, name);
     };
     events.mouse_button = [&](int button, bool pressed) {
-        if (button == 0) desk.stirring = pressed;
-        if (button == 1) desk.turning = pressed;
+        if (button == 0) session.stirring = pressed;
+        if (button == 1) session.turning = pressed;
     };
-    events.cursor = [&](double x, double y) { cursor_moved(desk, fvec2(vec2(x, y))); };
+    events.cursor = [&](double x, double y) { cursor_moved(session, fvec2(vec2(x, y))); };
     events.wheel = [&](double steps) {
-        desk.page.eye = turned(desk.page.eye, 0, 0, std::pow(nearer, steps));
+        session.page.eye = turned(session.page.eye, 0, 0, std::pow(nearer, steps));
     };
     events.focus = [&](bool focused) {
-        if (!focused) desk.stirring = desk.turning = desk.pouring = false;
+        if (!focused) session.stirring = session.turning = session.pouring = false;
     };
     return events;
 }
 
-// ---- steps -------------------------------------------------------------------------------------------------------------
+// ---- steps ------------------------------------------------------------------------------------------------
 
 bool same_settings(const game::LabSettings& a, const game::LabSettings& b) {
     const auto same = [](const game::Ingredient& i, const game::Ingredient& j) {
@@ -170,31 +182,31 @@ bool same_settings(const game::LabSettings& a, const game::LabSettings& b) {
            std::ranges::equal(a.substances, b.substances, same);
 }
 
-/// The script's, unless a hand does something.
-game::LabInput input_now(LabDesk& desk, render::Size size) {
-    auto& lab = desk.plan.lab;
-    game::LabInput input = game::scripted_input(desk.plan.script, lab);
-    move_ladle(desk, size);
-    if (desk.ladle) input.ladle = desk.ladle;
-    const bool pours = std::exchange(desk.pour_is_due, false) || desk.pouring;
-    if (pours && desk.page.hands.chosen < lab.settings.substances.size())
-        input.pours.push_back({desk.page.hands.chosen, pour_m3, game::place_to_pour(lab, input.ladle)});
-    if (!same_settings(desk.page.hands.settings, lab.settings)) input.change = desk.page.hands.settings;
-    input.reset = std::exchange(desk.wants_reset, false);
+/// Input of the next step: the hand's if a hand does something, else the script's.
+game::LabInput input_now(LabSession& session, render::Size size) {
+    auto& lab = session.plan.lab;
+    game::LabInput input = game::scripted_input(session.plan.script, lab);
+    move_ladle(session, size);
+    if (session.ladle) input.ladle = session.ladle;
+    const bool pours = std::exchange(session.pour_is_due, false) || session.pouring;
+    if (pours && session.page.hands.chosen < lab.settings.substances.size())
+        input.pours.push_back({session.page.hands.chosen, pour_m3, game::place_to_pour(lab, input.ladle)});
+    if (!same_settings(session.page.hands.settings, lab.settings)) input.change = session.page.hands.settings;
+    input.reset = std::exchange(session.wants_reset, false);
     return input;
 }
 
-void step_desk(LabDesk& desk, render::Size size, Jobs& jobs) {
-    const auto input = input_now(desk, size);
-    desk.figures = game::step_lab(desk.plan.lab, input, jobs);
-    if (!desk.figures.refused.empty()) {
-        note(desk, desk.figures.refused);
-        desk.page.hands.settings = desk.plan.lab.settings;
+void step_session(LabSession& session, render::Size size, Jobs& jobs) {
+    const auto input = input_now(session, size);
+    session.figures = game::step_lab(session.plan.lab, input, jobs);
+    if (!session.figures.refused.empty()) {
+        note(session, session.figures.refused);
+        session.page.hands.settings = session.plan.lab.settings;
     }
-    desk.trace.add(desk.plan.lab, desk.figures);
+    session.trace.add(session.plan.lab, session.figures);
 }
 
-/// Which steps are due, by the clock; and how many there are in a second.
+/// Clock of the lab: number of steps that are due, and steps computed per second.
 struct LabClock {
     std::int64_t last_ns = monotonic_ns();
     double owed_s{}, counted_s{};
@@ -218,31 +230,34 @@ struct LabClock {
     }
 };
 
-bool over(const LabDesk& desk, const render::Window& window, std::int64_t end) {
-    return desk.leaves || window.should_close() || desk.plan.lab.steps >= end;
+bool over(const LabSession& session, const render::Window& window, std::int64_t end) {
+    return session.leaves || window.should_close() || session.plan.lab.steps >= end;
 }
 
-Expected<void> run(LabDesk& desk, render::Window& window, render::Renderer& renderer) {
-    const auto events = lab_events(desk);
-    std::optional<LabPicture> picture(std::in_place, renderer, desk.plan.lab);
-    Jobs jobs(desk.plan.threads - 1);
+Expected<void> run(LabSession& session, render::Window& window, render::Renderer& renderer) {
+    const auto events = lab_events(session);
+    std::optional<LabPicture> picture(std::in_place, renderer, session.plan.lab);
+    Jobs jobs(session.plan.threads - 1);
     render::Pacer pacer(frames_per_second);
     LabClock clock;
-    const auto end = desk.plan.seconds ? desk.plan.lab.steps + std::llround(*desk.plan.seconds / game::lab_dt)
-                                       : std::numeric_limits<std::int64_t>::max();
-    while (!over(desk, window, end)) {
+    const auto end = session.plan.seconds
+                         ? session.plan.lab.steps + std::llround(*session.plan.seconds / game::lab_dt)
+                         : std::numeric_limits<std::int64_t>::max();
+    while (!over(session, window, end)) {
         window.poll(events);
         const auto size = window.size();
-        const auto before = desk.plan.lab.steps;
-        const int due = clock.due(desk.page.steps_per_s);
-        for (int i = 0; i < due && !desk.page.hands.paused && desk.plan.lab.steps < end; ++i)
-            step_desk(desk, size, jobs);
-        if (desk.note_until_ns < monotonic_ns()) desk.page.note.clear();
-        if (std::exchange(desk.anew, false)) picture.emplace(renderer, desk.plan.lab);
+        const auto before = session.plan.lab.steps;
+        const int due = clock.due(session.page.steps_per_s);
+        for (int i = 0; i < due && !session.page.hands.paused && session.plan.lab.steps < end; ++i)
+            step_session(session, size, jobs);
+        if (session.note_until_ns < monotonic_ns()) session.page.note.clear();
+        if (std::exchange(session.anew, false)) picture.emplace(renderer, session.plan.lab);
         if (!window.minimised() && size.width > 0 && size.height > 0) {
-            renderer.draw(picture->frame(desk.plan.lab, desk.figures, desk.page, size));
-            if (desk.plan.shots && before / desk.plan.every != desk.plan.lab.steps / desk.plan.every) {
-                if (auto put = write_lab_shot(*desk.plan.shots, desk.plan.lab.steps, renderer.read_pixels());
+            renderer.draw(picture->frame(session.plan.lab, session.figures, session.page, size));
+            if (session.plan.shots &&
+                before / session.plan.every != session.plan.lab.steps / session.plan.every) {
+                if (auto put =
+                        write_lab_shot(*session.plan.shots, session.plan.lab.steps, renderer.read_pixels());
                     !put)
                     return put;
             }
@@ -253,9 +268,9 @@ Expected<void> run(LabDesk& desk, render::Window& window, render::Renderer& rend
     return {};
 }
 
-Expected<void> end(LabDesk& desk) {
-    if (auto closed = desk.trace.close(); !closed) return closed;
-    return desk.plan.save ? game::save_lab(desk.plan.lab, *desk.plan.save) : Expected<void>();
+Expected<void> end(LabSession& session) {
+    if (auto closed = session.trace.close(); !closed) return closed;
+    return session.plan.save ? game::save_lab(session.plan.lab, *session.plan.save) : Expected<void>();
 }
 
 }  // namespace
@@ -270,20 +285,20 @@ int run_lab_window(LabPlan plan) {
     if (!trace) return refuse(trace.error());
     if (auto made = make_lab_folder(plan); !made) return refuse(made.error());
     window->make_current();
-    LabDesk desk{.plan = std::move(plan), .trace = std::move(*trace)};
-    desk.file = desk.plan.save.value_or(
+    LabSession session{.plan = std::move(plan), .trace = std::move(*trace)};
+    session.file = session.plan.save.value_or(
         matches_folder().empty() ? std::filesystem::path() : matches_folder().parent_path() / "lab.brew");
-    desk.page.hands.settings = desk.plan.lab.settings;
-    desk.page.text_scale = settings.text_scale;
-    desk.height = -0.35 * desk.plan.lab.basin.depth;
+    session.page.hands.settings = session.plan.lab.settings;
+    session.page.text_scale = settings.text_scale;
+    session.height = -0.35 * session.plan.lab.basin.depth;
     Expected<void> went;
     {
         auto renderer = render::Renderer::create(assets);
-        went = renderer ? run(desk, *window, *renderer) : tl::unexpected(renderer.error());
+        went = renderer ? run(session, *window, *renderer) : tl::unexpected(renderer.error());
     }
     window->release_current();
     if (!went) return refuse(went.error());
-    if (auto ended = end(desk); !ended) return refuse(ended.error());
+    if (auto ended = end(session); !ended) return refuse(ended.error());
     return done;
 }
 

@@ -1,4 +1,4 @@
-// What stands beside the brew in the lab: which key does what, and how the flow is.
+// Panels beside the brew in the lab: the keys with their actions, and the figures of the flow.
 #include <algorithm>
 #include <cstdio>
 
@@ -18,10 +18,10 @@ const fvec4 lab_bright = render::colour(0xF6F0FF, 1.0F);
 const fvec4 lab_soft = render::colour(0xD8CCE8, 0.9F);
 const fvec4 lab_gold = render::colour(0xE8C070, 1.0F);
 
-constexpr float row = 19;  // units, of 720 lines
+constexpr float row = 19;  // height of a line (1/720 of the picture's height)
 constexpr float key_width = 108, left_width = 350, right_width = 280, edge = 10;
 
-/// What is printed on a key.
+/// Sign that is printed on a key.
 std::string sign_of(std::string_view key) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 6> signs{{{"Minus", "-"},
                                                                                   {"Equal", "="},
@@ -58,7 +58,7 @@ std::vector<Line> keys_of(const game::LabState& lab, const game::LabHands& hands
     return lines;
 }
 
-/// Of any size, by two digits: 2.3e-05.
+/// Number of any size in two digits: 2.3e-05.
 std::string short_number(double value) {
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.1e", value);
@@ -87,7 +87,8 @@ std::vector<Line> figures_of(const game::LabState& lab, const game::LabFigures& 
     return lines;
 }
 
-/// A panel with its upper left corner there; `keys`: how wide these stand, 0: none.
+/// Adds a panel of lines with its upper left corner at `low`. `keys` is the width of the column of keys; 0:
+/// no such column.
 void add_lines(Overlay& out, const std::vector<Line>& lines, fvec2 low, float width, float keys, float u) {
     const float high = static_cast<float>(lines.size()) * row * u;
     out.items.emplace_back(render::RectItem{low, low + fvec2(width * u, high + 12 * u), lab_panel, 8 * u});
@@ -109,7 +110,7 @@ void add_lab_words(Overlay& out, const game::LabState& lab, const game::LabFigur
                    const LabPage& page, render::Size size) {
     const auto keys = keys_of(lab, page.hands);
     const auto tall = static_cast<float>(size.height), wide = static_cast<float>(size.width);
-    // As large as is wished, and as fits.
+    // Units of the text: as large as the settings ask for, but no larger than fits.
     const float fits =
         std::min(tall / (static_cast<float>(keys.size()) * row + 60), wide / (left_width + right_width + 60));
     const float u = std::min(static_cast<float>(page.text_scale) * tall / 720, fits);

@@ -1,5 +1,6 @@
-// thaum league: bots of all levels against each other, to see whether a higher level is a better one and whether matches
-// are as long as they should be. A match is a function of its data and seed, so it does not matter which process plays it.
+// thaum league: matches between bots of all levels. The results show whether a higher level plays better and
+// whether matches have the wanted length. A match is a function of its data and seed, so any process may play
+// it.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,23 +23,23 @@ using game::LeagueMatch;
 constexpr std::string_view league_help =
     R"(usage: thaum league [OPTIONS]
 
-Every two of the levels play matches; each seed twice, with the sides swapped.
+Plays matches between every two levels; each seed twice, with the sides swapped.
 
-  --levels A,B,..  (1,2,3)
-  --matches N      of each two levels (20)
+  --levels A,B,..  levels of the bots (1,2,3)
+  --matches N      matches of each two levels (20)
   --rules NAME, --match NAME, --arena NAME, --set KEY=VALUE   as in `thaum play`
-  --seed N         of the first match (1)
-  --jobs N         processes; default: the processor's cores
+  --seed N         seed of the first match (1)
+  --jobs N         number of processes; default: number of processor cores
   --json FILE      the table as JSON, replacing an older one; - for stdout
   --check          exit code 1 unless each level wins 60 to 85 % against the next
                    lower one and the median round takes 100 to 240 s
 
-Same options, same table, whatever the number of processes. The JSON:
+The same options give the same table with any number of processes. The JSON:
 {"league": {rules, match, seed}, "pairs": [{low, high, matches, low_wins,
 high_wins, draws, high_share}], "levels": [{level, shots, hits, kills, deaths,
 dry_share}], "rounds": {count, median_s, p10_s, p90_s, time_out_share},
-"kills": {bolt, blast, lob, blow, fall, own}}: counts, shares of 1; a draw is half a win
-for each; dry: alive without the energy for a shot; own: nobody's kill.
+"kills": {bolt, blast, lob, blow, fall, own}}. Shares are 0 to 1; a draw is half a win for
+each. dry: alive without energy for a shot; own: a death that is nobody's kill.
 )";
 
 constexpr Option league_options[] = {{"--levels", 1}, {"--matches", 1},   {"--rules", 1}, {"--match", 1},
@@ -95,7 +96,7 @@ Expected<Plan> read_plan(const std::vector<std::string>& words) {
     return plan;
 }
 
-// Playing ----------------------------------------------------------------------------------------------------------------
+// Playing ---------------------------------------------------------------------------------------------------
 
 struct Fixture {
     std::array<int, game::players> levels{};
@@ -138,7 +139,7 @@ bool read_all(int from, LeagueMatch& match) {
 
 using Data = std::shared_ptr<const game::MatchData>;
 
-/// A child process: every `jobs`-th match, sent to the parent one after another.
+/// Body of a child process: plays every `jobs`-th match and sends the results to the parent.
 [[noreturn]] void work(const Plan& plan, const Data& data, const std::vector<Fixture>& fixtures,
                        std::size_t job, int to) {
     const auto assets = game::find_assets();
@@ -171,7 +172,7 @@ Expected<Worker> start(const Plan& plan, const Data& data, const std::vector<Fix
 Expected<std::vector<LeagueMatch>> play(const Plan& plan, const Data& data) {
     const auto fixtures = fixtures_of(plan);
     const auto jobs = std::min<std::size_t>(plan.jobs, fixtures.size());
-    std::fflush(nullptr);  // else each process would write what waits here
+    std::fflush(nullptr);  // otherwise each process would write the buffered output again
     std::vector<Worker> workers;
     std::optional<Error> error;
     Plan shared = plan;
@@ -196,7 +197,7 @@ Expected<std::vector<LeagueMatch>> play(const Plan& plan, const Data& data) {
     return matches;
 }
 
-// Telling ----------------------------------------------------------------------------------------------------------------
+// Results ------------------------------------------------------------------------------------------------
 
 double at_share(const std::vector<double>& sorted, double share) {
     return sorted.empty() ? 0
@@ -265,7 +266,7 @@ nlohmann::ordered_json json_of(const Plan& plan, const game::LeagueSummary& s) {
     return json;
 }
 
-/// What is not as it should be; empty: nothing.
+/// Faults of the results in words; empty: none.
 std::string complaint(const Plan& plan, const game::LeagueSummary& s) {
     std::string words;
     for (const auto& p : s.pairs) {
@@ -287,7 +288,8 @@ int run_league(const std::vector<std::string>& words) {
     if (!plan) return refuse(plan.error());
     auto loaded = game::load_match_data(game::find_assets(), plan->choice);
     if (!loaded) return refuse(loaded.error());
-    for (const int level : plan->levels) {  // so that it is said here, and not in a process
+    // so that a missing level is reported here and not in a child process
+    for (const int level : plan->levels) {
         if (const auto skill = game::load_bot_skill(game::find_assets(), level); !skill)
             return refuse(skill.error());
     }

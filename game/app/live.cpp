@@ -10,7 +10,7 @@
 #include "core/threads.h"
 #include "game/app/command.h"
 #include "game/app/end_watch.h"
-#include "game/app/live_desk.h"
+#include "game/app/live_session.h"
 #include "game/bots/bot.h"
 #include "game/match/record.h"
 
@@ -18,7 +18,7 @@ namespace thaum::app {
 
 using input::DeviceKind;
 
-// Shared -------------------------------------------------------------------------------------------------------------------
+// Shared ----------------------------------------------------------------------------------------------------
 
 void Staller::pass(Stall::Thread thread) {
     if (stall.thread != thread) return;
@@ -35,7 +35,7 @@ double Timings::at(double share) {
     return values_[static_cast<std::size_t>(share * static_cast<double>(values_.size() - 1))];
 }
 
-// Seats --------------------------------------------------------------------------------------------------------------------
+// Seats -----------------------------------------------------------------------------------------------------
 
 Expected<Seat> hand_named(std::string_view word) {
     if (word == "mouse") return Seat{.kind = SeatKind::keyboard_mouse};
@@ -107,22 +107,22 @@ Seat seat_of(const Device& device) {
     }
 }
 
-std::array<Seat, game::players> joined_seats(const Desk& desk) {
+std::array<Seat, game::players> joined_seats(const LiveSession& session) {
     std::array<Seat, game::players> seats;
     for (std::size_t p = 0; p < seats.size(); ++p) {
-        const auto& device = desk.menu.seats[p];
+        const auto& device = session.menu.seats[p];
         seats[p] = device ? seat_of(*device)
-                          : Seat{.kind = SeatKind::bot, .level = desk.facts.levels[desk.menu.level]};
+                          : Seat{.kind = SeatKind::bot, .level = session.facts.levels[session.menu.level]};
     }
-    for (auto& seat : seats) seat.arm = desk.shared.arm && seat.kind == SeatKind::keyboard_mouse;
-    if (desk.range) seats[game::dummys] = {.kind = SeatKind::dummy};
+    for (auto& seat : seats) seat.arm = session.shared.arm && seat.kind == SeatKind::keyboard_mouse;
+    if (session.range) seats[game::dummys] = {.kind = SeatKind::dummy};
     return seats;
 }
 
-/// The plan's seats, where each pad goes to the first who wants one.
-std::array<Seat, game::players> planned_seats(Desk& desk) {
-    auto seats = desk.plan.seats;
-    const auto pads = desk.shared.window.pads();
+/// Seats of the plan; each pad goes to the first seat that wants one.
+std::array<Seat, game::players> planned_seats(LiveSession& session) {
+    auto seats = session.plan.seats;
+    const auto pads = session.shared.window.pads();
     int free_pad = 0;
     for (auto& seat : seats) {
         if (seat.kind == SeatKind::pad_or_half) {
@@ -134,16 +134,16 @@ std::array<Seat, game::players> planned_seats(Desk& desk) {
     return seats;
 }
 
-// Matches ------------------------------------------------------------------------------------------------------------------
+// Matches ---------------------------------------------------------------------------------------------------
 
-/// "match.thaumlog" -> "match-2.thaumlog".
+/// Path with a number before the extension: "match.thaumlog" -> "match-2.thaumlog".
 std::filesystem::path numbered(const std::filesystem::path& path, std::uint64_t number) {
     auto next = path;
     return next.replace_filename(text(path.stem().string(), "-", number, path.extension().string()));
 }
 
-/// Under that name, or with the next number that is free. Only creating a file tells whether its name is: another program may
-/// look for one at the same time.
+/// Creates the log under `path` or, if that name is taken, with the next free number. Only creating a file
+/// shows whether its name is free, because another program may look for a name at the same time.
 Expected<input::LogWriter> create_beside(const std::filesystem::path& path, const input::LogHeader& header) {
     constexpr std::uint64_t last_try = 1000;
     auto log = input::LogWriter::create(path, header);
@@ -157,98 +157,100 @@ Expected<input::LogWriter> create_beside(const std::filesystem::path& path, cons
     return log;
 }
 
-/// Where a match goes; empty: nowhere.
-Expected<std::filesystem::path> log_path(const Desk& desk) {
-    const auto& plan = desk.plan;
+/// Path of the next match's log; empty: the match is not recorded.
+Expected<std::filesystem::path> log_path(const LiveSession& session) {
+    const auto& plan = session.plan;
     if (!plan.log.empty()) return plan.log;
     if (plan.logs_folder.empty()) return std::filesystem::path();
-    return new_match_log(plan.logs_folder, desk.menu.settings.logs_kept);
+    return new_match_log(plan.logs_folder, session.menu.settings.logs_kept);
 }
 
-Expected<std::optional<input::LogWriter>> open_log(const Desk& desk, std::uint64_t seed,
+Expected<std::optional<input::LogWriter>> open_log(const LiveSession& session, std::uint64_t seed,
                                                    std::uint64_t number) {
-    const auto path = log_path(desk);
+    const auto path = log_path(session);
     if (!path) return tl::unexpected(path.error());
     if (path->empty()) return std::nullopt;
     std::vector<std::string> names;
-    for (const auto& seat : desk.shared.seats)
+    for (const auto& seat : session.shared.seats)
         names.push_back(seat.seat.kind == SeatKind::bot ? text("bot ", seat.seat.level) : "human");
-    const game::MatchSetup setup{seed, devices_of(desk.shared)};
-    const auto header = game::log_header(*desk.data, setup, std::move(names));
-    // A file that was asked for by name has this name or is an error.
-    const bool named = !desk.plan.log.empty() && number == 1;
+    const game::MatchSetup setup{seed, devices_of(session.shared)};
+    const auto header = game::log_header(*session.data, setup, std::move(names));
+    // A log that the user named gets this name, or opening it is an error.
+    const bool named = !session.plan.log.empty() && number == 1;
     auto log = named ? input::LogWriter::create(*path, header) : create_beside(*path, header);
     if (!log) return tl::unexpected(log.error());
     return std::move(*log);
 }
 
-/// The range's files go along with its one match: no log is opened beside them.
-Expected<Keeping> keeping_of(Desk& desk, std::uint64_t seed, std::uint64_t number) {
-    if (desk.range) {
-        Keeping files(std::move(*desk.range));
-        desk.range.reset();
+/// Record of the next match. The range's files belong to its only match, and no log is opened beside them.
+Expected<Recording> recording_of(LiveSession& session, std::uint64_t seed, std::uint64_t number) {
+    if (session.range) {
+        Recording files(std::move(*session.range));
+        session.range.reset();
         return files;
     }
-    auto log = open_log(desk, seed, number);
+    auto log = open_log(session, seed, number);
     if (!log) return tl::unexpected(log.error());
-    if (!*log) return Keeping();
-    return Keeping(std::move(**log));
+    if (!*log) return Recording();
+    return Recording(std::move(**log));
 }
 
-void take_seats(Desk& desk) {
-    if (desk.plan.replay != nullptr) return;  // nobody sits there
-    const auto seats = desk.plan.start_screen ? joined_seats(desk) : planned_seats(desk);
+void take_seats(LiveSession& session) {
+    if (session.plan.replay != nullptr) return;  // a replay has no players at the devices
+    const auto seats = session.plan.start_screen ? joined_seats(session) : planned_seats(session);
     for (std::uint32_t p = 0; p < game::players; ++p)
-        desk.shared.seats[p] = take_seat(desk.menu.settings, seats[p], p);
+        session.shared.seats[p] = take_seat(session.menu.settings, seats[p], p);
     const auto armed = std::find_if(seats.begin(), seats.end(), [](const Seat& seat) { return seat.arm; });
-    desk.shared.arm_player =
+    session.shared.arm_player =
         armed == seats.end() ? game::no_player : static_cast<std::uint32_t>(armed - seats.begin());
 }
 
-/// The error: no thread for the simulation.
-Expected<void> play_match(Desk& desk, MatchStart start) {
-    auto& shared = desk.shared;
+/// Plays one match. The error: the simulation thread could not be started.
+Expected<void> play_match(LiveSession& session, MatchStart start) {
+    auto& shared = session.shared;
     shared.ended = shared.end_match = shared.rematch = false;
     shared.going = Going::playing;
     shared.wants_pause = shared.wants_to_go_on = game::no_player;
     for (auto& lost : shared.pad_lost) lost = false;
-    auto simulating = start_thread([&] { run_simulation(desk.plan, shared, std::move(start)); });
+    auto simulating = start_thread([&] { run_simulation(session.plan, shared, std::move(start)); });
     if (!simulating) return tl::unexpected(simulating.error());
-    run_desk(desk);
+    run_session(session);
     simulating->join();
     return {};
 }
 
-/// Match after match, until nobody wants another.
-Expected<void> play_matches(Desk& desk) {
-    auto& shared = desk.shared;
-    auto seed = desk.plan.seed;
+/// Plays match after match until nobody wants another.
+Expected<void> play_matches(LiveSession& session) {
+    auto& shared = session.shared;
+    auto seed = session.plan.seed;
     bool again = false;
-    if (desk.plan.practice) {
-        if (auto opened = open_range(desk); !opened) return opened;
+    if (session.plan.practice) {
+        if (auto opened = open_range(session); !opened) return opened;
     }
     for (std::uint64_t number = 1; !shared.stop; ++number) {
-        if (desk.plan.start_screen && !again && !run_start_screen(desk)) break;
-        take_seats(desk);
-        desk.facts.practice = desk.range.has_value();
-        auto keeping = keeping_of(desk, seed, number);
-        // A name that was asked for must be had; without the data folder a match is played all the same.
-        if (!keeping && number == 1 && !desk.plan.log.empty()) return tl::unexpected(keeping.error());
-        if (!keeping)
-            std::fprintf(stderr, "this match is not recorded: %s\n", keeping.error().message.c_str());
-        auto played = play_match(desk, {desk.data, seed, keeping ? std::move(*keeping) : Keeping()});
+        if (session.plan.start_screen && !again && !run_start_screen(session)) break;
+        take_seats(session);
+        session.facts.practice = session.range.has_value();
+        auto recording = recording_of(session, seed, number);
+        // A log that the user named must be opened. If the default folder fails, the match is played without
+        // a log.
+        if (!recording && number == 1 && !session.plan.log.empty()) return tl::unexpected(recording.error());
+        if (!recording)
+            std::fprintf(stderr, "this match is not recorded: %s\n", recording.error().message.c_str());
+        auto played =
+            play_match(session, {session.data, seed, recording ? std::move(*recording) : Recording()});
         if (!played) return played;
         again = shared.rematch;
-        if (!again && !desk.plan.start_screen) break;
+        if (!again && !session.plan.start_screen) break;
         Random next = random_stream(seed, number);
         seed = next.next() >> 1U;
     }
     return {};
 }
 
-// Arms ---------------------------------------------------------------------------------------------------------------------
+// Arms ------------------------------------------------------------------------------------------------------
 
-/// The arm of the seat that wants one; forces come with the first match.
+/// Opens the arm of the seat that wants one. The arm gives forces from the first match on.
 Expected<void> open_arm(LiveShared& shared, const LivePlan& plan) {
     const bool wanted =
         std::any_of(plan.seats.begin(), plan.seats.end(), [](const Seat& s) { return s.arm; });
@@ -296,15 +298,17 @@ std::string told(const input::TickReport& arm) {
 }
 
 int run_live(const LivePlan& plan) {
-    const EndWatch watch;
+    // Nothing is open yet. So a signal before the window exists ends the program, even if OpenGL's library
+    // hangs.
     auto window = render::Window::create({.fullscreen = plan.settings.fullscreen});
     if (!window) return refuse(window.error());
+    const EndWatch watch;
     LiveShared shared(*window);
     if (const auto opened = open_arm(shared, plan); !opened) return refuse(opened.error());
-    Desk desk(shared, plan);
+    LiveSession session(shared, plan);
     auto drawing = start_thread([&] { run_render(plan, shared); });
     if (!drawing) return refuse(drawing.error());
-    const auto played = play_matches(desk);
+    const auto played = play_matches(session);
     shared.stop = true;
     drawing->join();
     if (plan.report != nullptr) fill_report(shared, *plan.report);

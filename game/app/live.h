@@ -1,10 +1,13 @@
 // game/app/live.h: a match in a window, in real time.
 //
-// Three threads (architecture.md, "One tick"). The main thread waits for events and polls pads. The simulation thread takes
-// sample t of each device at t ms and publishes pictures; when late it runs faster until it has caught up, and a backlog
-// beyond 250 ms is cut by leaving samples out, which is logged as input. The render thread owns OpenGL and draws the
-// newest pictures. None waits for another, so whatever holds one of them up cannot change what is in the log's frames
-// but for when they were taken: a replay of the log gives the same hashes.
+// Three threads share the work (architecture.md, "One tick"):
+//   - The main thread waits for window events and polls pads.
+//   - The simulation thread takes sample t of each device at t ms and publishes pictures. When it is late it
+//     runs faster until it has caught up. It cuts a backlog beyond 250 ms by leaving samples out, and logs
+//     the cut as input.
+//   - The render thread owns OpenGL and draws the newest pictures.
+// No thread waits for another. A delay of one thread can only change when the log's input frames were taken,
+// so a replay of the log gives the same state hashes.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -23,22 +26,22 @@ enum class SeatKind : std::uint8_t {
     keyboard_mouse,
     keyboard_half,
     pad,
-    pad_or_half,  ///< a pad where one is plugged in that nobody has, else half a keyboard
+    pad_or_half,  ///< a free pad if one is plugged in, else half a keyboard
     bot,
-    dummy,  ///< of the range
+    dummy,  ///< practice dummy of the range
 };
 
 struct Seat {
     SeatKind kind{};
-    int pad = 0;       ///< which of the window's pads
-    int level = 1;     ///< of a bot
-    bool arm = false;  ///< the hand holds a real force feedback arm besides
+    int pad = 0;       ///< index of the pad in the window's list
+    int level = 1;     ///< level of the bot (1 to 3)
+    bool arm = false;  ///< true: the hand also holds a real force-feedback arm
 };
 
-/// What --hands calls mouse, half, pad or arm.
+/// Seat for a word of --hands: mouse, half, pad or arm.
 Expected<Seat> hand_named(std::string_view word);
 
-/// Holds a thread up on purpose, for tests.
+/// Delays one thread on purpose, for tests: `ms` of sleep every `every_ms`.
 struct Stall {
     enum class Thread : std::uint8_t { none, main, simulation, render };
     Thread thread{};
@@ -46,53 +49,61 @@ struct Stall {
     int ms = 40;
 };
 
-/// How well time was kept.
+/// Timing of a live session.
 struct LiveReport {
     std::uint64_t ticks{}, frames{}, skipped{}, matches{};
     double late_us_median{}, late_us_p99{},
-        late_us_worst{};                       ///< wake-ups of the simulation thread after their deadline
-    double tick_us_median{}, tick_us_p99{};    ///< one tick, its record and picture
-    double frame_ms_median{}, frame_ms_p99{};  ///< building, drawing and presenting one picture
-    render::Quality quality{};                 ///< at the end; `auto` may have changed it on the way
-    /// From an event's arrival in this program to the end of presenting the first picture that contains the tick which took
-    /// it, while playing. What mouse, keyboard and display add is not in it.
+        late_us_worst{};  ///< delay of the simulation thread's wake-ups after their deadline
+    double tick_us_median{}, tick_us_p99{};    ///< time of one tick with its record and picture
+    double frame_ms_median{}, frame_ms_p99{};  ///< time to build, draw and present one picture
+    render::Quality quality{};                 ///< quality at the end; `auto` may have changed it on the way
+    /// Time from an event's arrival in this program until the picture with its effect is presented, while
+    /// playing (ms). That picture is the first one that contains the tick which took the event. The delays of
+    /// mouse, keyboard and display are not included.
     double input_ms_median{}, input_ms_p99{};
-    std::uint64_t inputs{};  ///< that were timed: of several events in one tick the first
-    /// Where somebody holds a real arm.
+    /// number of timed events; only the first of several events in one tick is timed
+    std::uint64_t inputs{};
+    /// Timing of the real arm's thread; std::nullopt if no player holds a real arm.
     std::optional<input::TickReport> arm{};
     input::ArmTroubles arm_troubles{};
     int arm_losses{};
 };
 
-/// One line: how well a real arm's thread kept time.
+/// One line on how well a real arm's thread kept time.
 std::string told(const input::TickReport& arm);
 
 struct LivePlan {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
-    std::array<Seat, 2> seats{};  ///< at most one with an arm
-    bool start_screen = false;    ///< asks who plays with what instead of `seats`, and again after each match
-    /// The range instead of a match: the first seat practises on such a dummy, nothing is recorded, and data files that
-    /// change are read again.
+    std::array<Seat, 2> seats{};  ///< at most one seat has an arm
+    /// true: the start screen assigns the seats instead of `seats`, and returns after each match
+    bool start_screen = false;
+    /// Kind of the dummy if the session is the range instead of a match. The first seat practises, nothing is
+    /// recorded, and data files are read again when they change.
     std::optional<game::DummyKind> practice{};
-    /// A replay instead of a match: nobody plays, nothing is recorded, and the window closes soon after its end.
+    /// Replay to show instead of a match; null: a match. Nobody plays, nothing is recorded, and the window
+    /// closes soon after the replay's end.
     game::Playback* replay = nullptr;
-    double speed = 1;             ///< of the replay, in times real time
-    std::filesystem::path log{};  ///< of the first match; the next go beside it, with a number
+    double speed = 1;             ///< pace of the replay (multiple of real time)
+    std::filesystem::path log{};  ///< log of the first match; later logs lie beside it, with a number
     std::filesystem::path
-        logs_folder{};  ///< without `log`: where each match gets a file; empty: not recorded
+        logs_folder{};  ///< folder for one log per match if `log` is empty; empty: matches are not recorded
     std::filesystem::path assets{};
     Settings settings{};
-    std::filesystem::path settings_file{};  ///< where changes go; empty: they last for this run
-    /// Length of the session, after which the window closes (s): match time, or wall-clock time on the start screen.
+    /// file that receives changed settings; empty: changes last for this run only
+    std::filesystem::path settings_file{};
+    /// Length of the session, after which the window closes (s): match time, or wall-clock time on the start
+    /// screen.
     std::optional<double> seconds{};
     Stall stall{};
-    /// Measures itself: moves player 1's mouse as if by events, neither captures the cursor nor minds the focus.
+    /// true: the session measures itself. It moves player 1's mouse by synthetic events, leaves the cursor
+    /// free and plays on without the focus.
     bool probe = false;
-    LiveReport* report = nullptr;  ///< filled at the end
+    LiveReport* report = nullptr;  ///< receives the timing at the end; null: not wanted
 };
 
-/// Plays until the window is closed or the players quit. Errors go to standard error in one line. Returns an exit code.
+/// Plays until the window is closed or the players quit. Prints errors to standard error in one line. Returns
+/// an exit code.
 int run_live(const LivePlan& plan);
 
 }  // namespace thaum::app

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "core/text.h"
+#include "core/threads.h"
 #include "game/app/end_watch.h"
 
 namespace thaum::app {
@@ -31,13 +32,15 @@ Expected<std::unique_ptr<ArmKeeper>> ArmKeeper::open(input::ArmServo& servo,
                                                      const haptics::DeviceSpec& wanted) {
     auto arm = opened(servo, wanted, EndWatch::asked());
     if (!arm) return tl::unexpected(arm.error());
-    return std::unique_ptr<ArmKeeper>(new ArmKeeper(std::move(*arm), servo, wanted));
+    std::unique_ptr<ArmKeeper> keeper(new ArmKeeper(std::move(*arm), servo, wanted));
+    auto watching = start_thread([&keeper = *keeper] { keeper.watch(); });
+    if (!watching) return tl::unexpected(watching.error());
+    keeper->thread_ = std::move(*watching);
+    return keeper;
 }
 
 ArmKeeper::ArmKeeper(Arm arm, input::ArmServo& servo, const haptics::DeviceSpec& wanted)
-    : servo_(servo), wanted_(wanted), facts_(arm->facts()), arm_(std::move(arm)), thread_([this] {
-          watch();
-      }) {}
+    : servo_(servo), wanted_(wanted), facts_(arm->facts()), arm_(std::move(arm)) {}
 
 ArmKeeper::~ArmKeeper() {
     {
@@ -45,7 +48,7 @@ ArmKeeper::~ArmKeeper() {
         stop_ = true;
     }
     stopped_.notify_one();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
 }
 
 input::ArmStatus ArmKeeper::status() const {
@@ -63,13 +66,13 @@ int ArmKeeper::losses() const {
     return losses_;
 }
 
-/// False where the session ends.
+/// Waits for `ms`. Returns false if the session ends.
 bool ArmKeeper::wait_for(int ms) {
     std::unique_lock lock(mutex_);
     return !stopped_.wait_for(lock, std::chrono::milliseconds(ms), [this] { return stop_.load(); });
 }
 
-/// An arm that was lost is back with its first tick, not before.
+/// Stores the arm's status. A lost arm counts as present again from its first tick on, not before.
 void ArmKeeper::note(const input::ArmStatus& status, const input::TickReport& times) {
     const bool lost = status.state != input::ArmPresence::present;
     const std::lock_guard lock(mutex_);
@@ -78,14 +81,15 @@ void ArmKeeper::note(const input::ArmStatus& status, const input::TickReport& ti
     if (lost || status.newest_ns != 0) status_ = status;
 }
 
-/// An arm that is lost is let go of, so that its thread has ended before another one takes its place in the servo.
+/// Watches the arm until the session ends. A lost arm is closed first, so that its thread has ended before
+/// another arm uses the servo.
 void ArmKeeper::watch() {
     while (wait_for(arm_ ? look_ms : try_again_ms)) {
         if (!arm_) {
             auto again = opened(servo_, wanted_, stop_);
             if (!again) {
                 const std::lock_guard lock(mutex_);
-                status_.text = again.error().message;  // of what keeps it away now
+                status_.text = again.error().message;  // the reason why the arm cannot be opened now
                 continue;
             }
             arm_ = std::move(*again);

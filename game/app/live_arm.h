@@ -1,5 +1,6 @@
-// game/app/live_arm.h: the real arm of a session: watched, and opened anew where it is lost, by a thread of its own, since the
-// vendor's library takes its time. Neither the match nor the window waits for it: the match sees samples or none.
+// game/app/live_arm.h: the real arm of a live session. A thread of its own watches the arm and opens a lost
+// arm again, because the vendor's library may block for long. Neither the match nor the window waits for this
+// thread: the match sees samples or none.
 #pragma once
 #include <atomic>
 #include <condition_variable>
@@ -14,21 +15,22 @@ namespace thaum::app {
 
 class ArmKeeper {
 public:
-    /// Opens the arm and starts its ticks. wanted: what the match's forces are made for: an arm that can give less is refused, since it
-    /// would feel another match than the log's.
+    /// Opens the arm, starts its servo ticks and the thread that watches it. The match computes forces for the
+    /// device `wanted`. An arm that can give less force is rejected, because its player would feel another
+    /// match than the log records.
     static Expected<std::unique_ptr<ArmKeeper>> open(input::ArmServo& servo,
                                                      const haptics::DeviceSpec& wanted);
-    /// Leaves the arm without force. It does not wait for a library that hangs.
+    /// Leaves the arm without force. Does not wait for a library that hangs.
     ~ArmKeeper();
     ArmKeeper(const ArmKeeper&) = delete;
     ArmKeeper& operator=(const ArmKeeper&) = delete;
 
-    /// Of the arm that was opened first.
+    /// Facts about the arm that was opened first.
     const input::ArmFacts& facts() const { return facts_; }
     input::ArmStatus status() const;
-    /// Of the arm that is there, or of the last one.
+    /// Timing of the present arm, or of the last one if the arm is lost.
     input::TickReport times() const;
-    /// Times it was lost.
+    /// Number of times the arm was lost.
     int losses() const;
 
 private:
@@ -42,15 +44,15 @@ private:
     input::ArmServo& servo_;
     haptics::DeviceSpec wanted_;
     input::ArmFacts facts_;
-    Arm arm_;  ///< the watching thread's, once that runs
+    Arm arm_;  ///< owned by the watching thread once that thread runs
 
-    mutable std::mutex mutex_;  // of what follows
+    mutable std::mutex mutex_;  // guards the members below
     std::condition_variable stopped_;
-    std::atomic<bool> stop_{false};  ///< also without the mutex
+    std::atomic<bool> stop_{false};  ///< also read without the mutex
     input::ArmStatus status_{};
     input::TickReport times_{};
     int losses_ = 0;
-    std::thread thread_;  ///< last: begins when the rest is there
+    std::thread thread_;  ///< watches the arm; not joinable if the system refused it
 };
 
 }  // namespace thaum::app

@@ -1,12 +1,12 @@
-// What keys, mouse and pads mean while a menu is open. These keys are not bound: a menu must be reachable whatever somebody did
-// to the bindings.
+// Keys, mouse and pads while a menu is open. The menu's keys cannot be bound: a menu must work whatever the
+// bindings are.
 #include <algorithm>
 #include <cmath>
 
 #include "core/config.h"
 #include "core/file.h"
 #include "core/text.h"
-#include "game/app/live_desk.h"
+#include "game/app/live_session.h"
 #include "game/bots/bot.h"
 
 namespace thaum::app {
@@ -44,7 +44,8 @@ constexpr MenuKey menu_keys[] = {
     {"kp_multiply", Kind::back, half},
 };
 
-/// Keys that a hand on its way to another window presses, and those of the other half.
+/// Keys without a meaning in the menu: modifiers that people press to change windows, and the keypad, which
+/// belongs to the other half of the keyboard.
 bool means_nothing(const std::string& name) {
     for (const auto* start : {"kp_", "left_", "right_", "caps", "scroll", "num", "print", "menu", "pause"}) {
         if (name.starts_with(start)) return true;
@@ -52,7 +53,7 @@ bool means_nothing(const std::string& name) {
     return name.empty();
 }
 
-/// Nothing for a key that does nothing in a menu.
+/// Event of a key; std::nullopt for a key without a meaning in a menu.
 std::optional<MenuEvent> event_of(int key) {
     const auto name = key_name_of(key);
     for (const auto& one : menu_keys) {
@@ -64,66 +65,66 @@ std::optional<MenuEvent> event_of(int key) {
 
 bool repeats(Kind kind) { return kind <= Kind::right; }
 
-void start_repeat(Desk& desk, const MenuEvent& event, int key, int pad) {
-    desk.repeat = {event, key, pad, monotonic_ns() + repeat_after_ns};
+void start_repeat(LiveSession& session, const MenuEvent& event, int key, int pad) {
+    session.repeat = {event, key, pad, monotonic_ns() + repeat_after_ns};
 }
 
-void control_event(Desk& desk, const Device& device, const Control& control) {
-    menu_event(desk, {.kind = Kind::control, .device = device, .control = control});
+void control_event(LiveSession& session, const Device& device, const Control& control) {
+    menu_event(session, {.kind = Kind::control, .device = device, .control = control});
 }
 
-void settings_changed(Desk& desk, const Settings& before) {
-    auto& now = desk.menu.settings;
-    if (now.fullscreen != before.fullscreen) desk.shared.window.set_fullscreen(now.fullscreen);
-    rebind_hands(desk);
-    if (desk.plan.settings_file.empty()) return;
-    if (const auto saved = save_changes(desk.plan.settings_file, before, now); !saved)
-        desk.menu.note = text("for this run only: ", saved.error().message);
+void settings_changed(LiveSession& session, const Settings& before) {
+    auto& now = session.menu.settings;
+    if (now.fullscreen != before.fullscreen) session.shared.window.set_fullscreen(now.fullscreen);
+    rebind_hands(session);
+    if (session.plan.settings_file.empty()) return;
+    if (const auto saved = save_changes(session.plan.settings_file, before, now); !saved)
+        session.menu.note = text("for this run only: ", saved.error().message);
 }
 
 }  // namespace
 
-void menu_event(Desk& desk, const MenuEvent& event) {
-    const auto before = desk.menu.settings;
-    desk.menu = step(std::move(desk.menu), event, desk.facts);
-    if (!(desk.menu.settings == before)) settings_changed(desk, before);
-    desk.shared.dummy = static_cast<game::DummyKind>(desk.menu.dummy);
-    desk.stale = true;
+void menu_event(LiveSession& session, const MenuEvent& event) {
+    const auto before = session.menu.settings;
+    session.menu = step(std::move(session.menu), event, session.facts);
+    if (!(session.menu.settings == before)) settings_changed(session, before);
+    session.shared.dummy = static_cast<game::DummyKind>(session.menu.dummy);
+    session.stale = true;
 }
 
-// Keys and mouse -----------------------------------------------------------------------------------------------------------
+// Keys and mouse --------------------------------------------------------------------------------------------
 
-void menu_key(Desk& desk, int key, bool pressed) {
-    if (key == desk.repeat.key) desk.repeat = {};
+void menu_key(LiveSession& session, int key, bool pressed) {
+    if (key == session.repeat.key) session.repeat = {};
     if (!pressed) return;
     const auto event = event_of(key);
-    if (desk.menu.waiting && !(event && event->kind == Kind::back && esc_ends_waiting(desk.menu))) {
-        if (!key_name_of(key).empty()) control_event(desk, keyboard, {Control::Source::key, key, 0});
+    if (session.menu.waiting && !(event && event->kind == Kind::back && esc_ends_waiting(session.menu))) {
+        if (!key_name_of(key).empty()) control_event(session, keyboard, {Control::Source::key, key, 0});
         return;
     }
-    // In the pause the key that leaves does so at once, as after the round.
-    const bool pause = desk.menu.pages.back().page == Page::pause;
-    if (pause && is_bound(desk.menu.settings.of(SessionKey::leave), key)) return leave_match(desk);
+    // In the pause the leave key acts at once, as it does after the round.
+    const bool pause = session.menu.pages.back().page == Page::pause;
+    if (pause && is_bound(session.menu.settings.of(SessionKey::leave), key)) return leave_match(session);
     if (!event) return;
-    menu_event(desk, *event);
-    if (repeats(event->kind)) start_repeat(desk, *event, key, -1);
+    menu_event(session, *event);
+    if (repeats(event->kind)) start_repeat(session, *event, key, -1);
 }
 
 namespace {
 
-std::optional<game::MenuPlace> place_of_mouse(const Desk& desk) {
-    if (!desk.mouse) return {};
-    return game::place_at(picture_of(desk.menu, desk.facts), desk.shared.window.size(),
-                          desk.menu.settings.text_scale, *desk.mouse);
+std::optional<game::MenuPlace> place_of_mouse(const LiveSession& session) {
+    if (!session.mouse) return {};
+    return game::place_at(picture_of(session.menu, session.facts), session.shared.window.size(),
+                          session.menu.settings.text_scale, *session.mouse);
 }
 
 }  // namespace
 
-void menu_cursor(Desk& desk, double x, double y) {
-    desk.mouse = fvec2(x, y);
-    const auto place = place_of_mouse(desk);
-    if (place && !desk.menu.waiting && place->row != desk.menu.pages.back().cursor)
-        menu_event(desk, {.kind = Kind::point, .device = keyboard, .row = place->row});
+void menu_cursor(LiveSession& session, double x, double y) {
+    session.mouse = fvec2(x, y);
+    const auto place = place_of_mouse(session);
+    if (place && !session.menu.waiting && place->row != session.menu.pages.back().cursor)
+        menu_event(session, {.kind = Kind::point, .device = keyboard, .row = place->row});
 }
 
 namespace {
@@ -138,25 +139,26 @@ Kind click_of(const game::MenuPlace& place) {
 
 }  // namespace
 
-void menu_mouse_button(Desk& desk, int button, bool pressed) {
+void menu_mouse_button(LiveSession& session, int button, bool pressed) {
     constexpr int left = 0, buttons = 5;
     if (!pressed || button >= buttons) return;
-    if (desk.menu.waiting) return control_event(desk, keyboard, {Control::Source::mouse_button, button, 0});
-    const auto place = place_of_mouse(desk);
+    if (session.menu.waiting)
+        return control_event(session, keyboard, {Control::Source::mouse_button, button, 0});
+    const auto place = place_of_mouse(session);
     if (button == left && place)
-        return menu_event(desk, {.kind = click_of(*place), .device = keyboard, .row = place->row});
-    const bool below = desk.menu.pages.size() > 1;
-    menu_event(desk, {.kind = button != left && below ? Kind::back : Kind::other, .device = keyboard});
+        return menu_event(session, {.kind = click_of(*place), .device = keyboard, .row = place->row});
+    const bool below = session.menu.pages.size() > 1;
+    menu_event(session, {.kind = button != left && below ? Kind::back : Kind::other, .device = keyboard});
 }
 
-void menu_wheel(Desk& desk, double steps) {
+void menu_wheel(LiveSession& session, double steps) {
     if (steps == 0) return;
     const int way = steps > 0 ? 1 : -1;
-    if (desk.menu.waiting) return control_event(desk, keyboard, {Control::Source::wheel, 0, way});
-    menu_event(desk, {.kind = way > 0 ? Kind::up : Kind::down, .device = keyboard});
+    if (session.menu.waiting) return control_event(session, keyboard, {Control::Source::wheel, 0, way});
+    menu_event(session, {.kind = way > 0 ? Kind::up : Kind::down, .device = keyboard});
 }
 
-// Pads ---------------------------------------------------------------------------------------------------------------------
+// Pads ------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -164,7 +166,7 @@ double axis_of(const render::PadState& pad, PadAxis axis) {
     return static_cast<double>(pad.axes[static_cast<std::size_t>(axis)]);
 }
 
-/// Which way a pad points in a menu: its cross, or its left stick.
+/// Direction that a pad's cross or left stick points to in a menu.
 std::optional<Kind> way_of(const render::PadState& pad) {
     const auto down = [&](PadButton b) { return (pad.buttons >> static_cast<unsigned>(b) & 1U) != 0; };
     const double x = axis_of(pad, PadAxis::left_x), y = axis_of(pad, PadAxis::left_y);
@@ -176,7 +178,7 @@ std::optional<Kind> way_of(const render::PadState& pad) {
     return {};
 }
 
-/// Every control of the pad that was pressed since `before`.
+/// All controls of the pad that were pressed since `before`.
 std::vector<Control> pressed_controls(const render::PadState& before, const render::PadState& now) {
     std::vector<Control> controls;
     for (unsigned b = 0; b <= static_cast<unsigned>(PadButton::left); ++b) {
@@ -186,7 +188,7 @@ std::vector<Control> pressed_controls(const render::PadState& before, const rend
     for (std::size_t a = 0; a < input::pad_axes; ++a) {
         const double from = static_cast<double>(before.axes[a]), to = static_cast<double>(now.axes[a]);
         if (std::abs(from) >= stick_press || std::abs(to) < stick_press) continue;
-        // The window's sticks are positive downwards.
+        // Stick axes of the window are positive downwards.
         const bool upright =
             a == static_cast<std::size_t>(PadAxis::left_y) || a == static_cast<std::size_t>(PadAxis::right_y);
         controls.push_back({Control::Source::pad_axis, static_cast<int>(a), (to > 0) != upright ? 1 : -1});
@@ -194,7 +196,7 @@ std::vector<Control> pressed_controls(const render::PadState& before, const rend
     return controls;
 }
 
-/// Nothing for what moves the choice, which way_of tells.
+/// Event of a pad's control; std::nullopt for controls that move the choice, which way_of handles.
 std::optional<Kind> kind_of(const Control& control, bool start_page) {
     if (control.source == Control::Source::pad_axis)
         return control.code >= static_cast<int>(PadAxis::left_trigger) ? std::optional(Kind::other)
@@ -213,59 +215,59 @@ std::optional<Kind> kind_of(const Control& control, bool start_page) {
     }
 }
 
-void point_by_pad(Desk& desk, const Device& device, const render::PadState& before,
+void point_by_pad(LiveSession& session, const Device& device, const render::PadState& before,
                   const render::PadState& now) {
     const auto way = way_of(now);
     if (way == way_of(before)) return;
-    if (desk.repeat.pad == device.pad) desk.repeat = {};
+    if (session.repeat.pad == device.pad) session.repeat = {};
     if (!way) return;
     const MenuEvent event{.kind = *way, .device = device};
-    menu_event(desk, event);
-    start_repeat(desk, event, -1, device.pad);
+    menu_event(session, event);
+    start_repeat(session, event, -1, device.pad);
 }
 
 }  // namespace
 
-void menu_pad(Desk& desk, int place, const render::PadState& before) {
-    const auto now = desk.pads[static_cast<std::size_t>(place)];
+void menu_pad(LiveSession& session, int place, const render::PadState& before) {
+    const auto now = session.pads[static_cast<std::size_t>(place)];
     if (!now.present) {
-        if (desk.repeat.pad == place) desk.repeat = {};
+        if (session.repeat.pad == place) session.repeat = {};
         return;
     }
     const Device device{DeviceKind::pad, place};
     for (const auto& control : pressed_controls(before, now)) {
-        if (desk.menu.pages.empty()) return;
-        if (desk.menu.waiting) {
-            control_event(desk, device, control);
-            return;  // what else was pressed with it is for nothing
+        if (session.menu.pages.empty()) return;
+        if (session.menu.waiting) {
+            control_event(session, device, control);
+            return;  // other controls pressed at the same time are ignored
         }
-        const bool start_page = desk.menu.pages.back().page == Page::start;
+        const bool start_page = session.menu.pages.back().page == Page::start;
         if (const auto kind = kind_of(control, start_page))
-            menu_event(desk, {.kind = *kind, .device = device});
+            menu_event(session, {.kind = *kind, .device = device});
     }
-    if (!desk.menu.waiting && !desk.menu.pages.empty()) point_by_pad(desk, device, before, now);
+    if (!session.menu.waiting && !session.menu.pages.empty()) point_by_pad(session, device, before, now);
 }
 
-void repeat_menu(Desk& desk) {
-    auto& repeat = desk.repeat;
-    if (desk.menu.pages.empty() || desk.menu.waiting) repeat = {};
+void repeat_menu(LiveSession& session) {
+    auto& repeat = session.repeat;
+    if (session.menu.pages.empty() || session.menu.waiting) repeat = {};
     if (!repeat.event || monotonic_ns() < repeat.next_ns) return;
     repeat.next_ns = monotonic_ns() + repeat_every_ns;
-    menu_event(desk, *repeat.event);
+    menu_event(session, *repeat.event);
 }
 
-// The pause ----------------------------------------------------------------------------------------------------------------
+// The pause -------------------------------------------------------------------------------------------------
 
-void open_pause(Desk& desk) {
-    desk.menu = opened(std::move(desk.menu), Page::pause);
-    desk.mouse.reset();  // it was caught: where it is now is not known yet
-    desk.stale = true;
+void open_pause(LiveSession& session) {
+    session.menu = opened(std::move(session.menu), Page::pause);
+    session.mouse.reset();  // position unknown: the cursor was captured during play
+    session.stale = true;
 }
 
-void tell_pause(Desk& desk) {
+void tell_pause(LiveSession& session) {
     constexpr std::array<std::string_view, game::players> pad_lost_heads{"Player 1: pad lost",
                                                                          "Player 2: pad lost"};
-    const auto& shared = desk.shared;
+    const auto& shared = session.shared;
     const auto by = shared.paused_by.load();
     auto head = text("Paused"), line = by < game::players ? text("by player ", by + 1) : std::string();
     for (std::uint32_t p = 0; p < game::players; ++p) {
@@ -273,13 +275,13 @@ void tell_pause(Desk& desk) {
         head = pad_lost_heads[p];
         line = text(how_to_rejoin, ", or keypad 0 for half of the keyboard");
     }
-    if (desk.menu.head == head && desk.menu.line == line) return;
-    desk.menu.head = head;
-    desk.menu.line = line;
-    desk.stale = true;
+    if (session.menu.head == head && session.menu.line == line) return;
+    session.menu.head = head;
+    session.menu.line = line;
+    session.stale = true;
 }
 
-// Facts --------------------------------------------------------------------------------------------------------------------
+// Menu context -------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -288,12 +290,12 @@ std::string clock_of(Tick length) {
     return text(whole / 60, whole % 60 < 10 ? ":0" : ":", whole % 60);
 }
 
-MenuFacts::Rules told(const std::string& name, const game::RoundRules& rules) {
+MenuContext::Rules told(const std::string& name, const game::RoundRules& rules) {
     const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, ", ") : std::string();
     return {name, text(name, ": ", rounds, "first to ", rules.kills, ", ", clock_of(rules.length))};
 }
 
-std::optional<MenuFacts::Rules> rules_of(const std::filesystem::path& file) {
+std::optional<MenuContext::Rules> rules_of(const std::filesystem::path& file) {
     const auto source = read_text_file(file, max_rules_file);
     if (!source) return {};
     const auto config = Config::parse(*source, file.string(), 1);
@@ -303,8 +305,8 @@ std::optional<MenuFacts::Rules> rules_of(const std::filesystem::path& file) {
     return told(file.stem().string(), rules);
 }
 
-std::vector<MenuFacts::Rules> all_rules(const LivePlan& plan) {
-    std::vector<MenuFacts::Rules> all;
+std::vector<MenuContext::Rules> all_rules(const LivePlan& plan) {
+    std::vector<MenuContext::Rules> all;
     std::error_code error;
     for (std::filesystem::directory_iterator it(plan.assets / "rules", error), end; !error && it != end;
          it.increment(error)) {
@@ -314,7 +316,7 @@ std::vector<MenuFacts::Rules> all_rules(const LivePlan& plan) {
     std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
     auto choice = plan.data->choice;
     const auto& chosen = length_of(choice);
-    // The chosen ones are loaded, with what --set changes in them.
+    // Rules that were chosen on the command line, with the changes of --set.
     const auto row = std::find_if(all.begin(), all.end(), [&](const auto& r) { return r.name == chosen; });
     (row == all.end() ? all.emplace_back() : *row) = told(chosen, plan.data->round);
     return all;
@@ -322,12 +324,13 @@ std::vector<MenuFacts::Rules> all_rules(const LivePlan& plan) {
 
 }  // namespace
 
-MenuFacts find_facts(const LivePlan& plan) {
-    MenuFacts facts{.rules = all_rules(plan), .ends_match = plan.start_screen};
+MenuContext find_menu_context(const LivePlan& plan) {
+    MenuContext facts{.rules = all_rules(plan), .ends_match = plan.start_screen};
     for (int level = 1; level <= most_levels; ++level) {
         if (game::load_bot_skill(plan.assets, level)) facts.levels.push_back(level);
     }
-    if (facts.levels.empty()) facts.levels.push_back(1);  // the match will say what is wrong with it
+    // level 1 stands in; the match will report the missing file
+    if (facts.levels.empty()) facts.levels.push_back(1);
     return facts;
 }
 

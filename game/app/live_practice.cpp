@@ -18,7 +18,7 @@ constexpr Tick until_next_reading = std::numeric_limits<Tick>::max() / 2;
 }  // namespace
 
 DataWatcher::DataWatcher(game::RangeFiles files) : files_(std::move(files)) {
-    // Without it data files are read once only, and practice goes on.
+    // Without this thread data files are read only once, and practice goes on.
     if (auto started = start_thread([this] { watch(); })) thread_ = std::move(*started);
 }
 

@@ -1,5 +1,5 @@
-// game/app/live_practice.h: the range in a live session: its match and dummy, the scores, and data files that are read again
-// when they change.
+// game/app/live_practice.h: the range in a live session: its match and dummy, the scores, and data files that
+// are read again when they change.
 #pragma once
 #include <condition_variable>
 #include <mutex>
@@ -11,7 +11,8 @@
 
 namespace thaum::app {
 
-/// Looks after the files in a thread of its own, so that neither the match nor the window waits for the disk.
+/// Watches the data files in a thread of its own, so that neither the match nor the window waits for the
+/// disk.
 class DataWatcher {
 public:
     explicit DataWatcher(game::RangeFiles files);
@@ -19,7 +20,7 @@ public:
     DataWatcher(const DataWatcher&) = delete;
     DataWatcher& operator=(const DataWatcher&) = delete;
 
-    /// The newest that was read since the last call, or null; it stays until the next call. Does not wait.
+    /// Newest data read since the last call, or null. The data stay valid until the next call. Never waits.
     const game::Reload* take();
 
 private:
@@ -35,14 +36,16 @@ private:
 
 class Practice {
 public:
-    /// devices: of who practises: hands, and an arm if they hold one.
+    /// `devices` are those of the practising player: the hands first, then the real arm if the player holds
+    /// one.
     Practice(game::RangeFiles files, const std::vector<input::DeviceSpec>& devices, game::DummyKind kind,
              std::uint64_t seed);
 
     game::Simulation& match() { return *range_.match; }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
     void set_dummy(game::DummyKind kind);
-    /// Goes on by data that was read since the last call, and returns it; match() is then another.
+    /// Continues with data read since the last call and returns them; match() is then a new match. Returns
+    /// null if no new data were read, or if a file was faulty; a caption then names the fault.
     std::shared_ptr<const game::RangeData> adopt_reload();
     void show(game::Picture& picture);
     std::string score() { return words_of(scorer_.score(*range_.match)); }
@@ -53,8 +56,8 @@ private:
     game::RangeMatch range_;
     game::RangeScorer scorer_{};
     game::Caption caption_{};
-    Tick caption_until_{};                  ///< of play, so that a pause does not hide it
-    std::unique_ptr<DataWatcher> watcher_;  ///< last: begins when the rest is there
+    Tick caption_until_{};  ///< end of the caption in ticks of play, so that a pause does not use up its time
+    std::unique_ptr<DataWatcher> watcher_;  ///< last member: its thread starts when all other members exist
 };
 
 }  // namespace thaum::app

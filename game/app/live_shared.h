@@ -1,4 +1,4 @@
-// game/app/live_shared.h: what the three threads of a live session share. All of it is lock-free.
+// game/app/live_shared.h: data that the three threads of a live session share without locks.
 #pragma once
 #include <atomic>
 #include <string_view>
@@ -19,35 +19,35 @@ namespace thaum::app {
 
 enum class Going : std::uint8_t { playing, paused, over };
 
-/// What brings a lost pad back.
+/// Words that tell a player how to bring a lost pad back.
 inline constexpr std::string_view how_to_rejoin = "press a button on it to rejoin";
 
-/// A player's arm comes after the hands of both.
+/// Index of the real arm among the match's devices: after the hands of both players.
 inline constexpr std::size_t arm_device = game::players;
 
-/// One player's place; its DeviceSpec goes into the log.
+/// One player's seat with its devices. The DeviceSpec goes into the log's header.
 struct TakenSeat {
     Seat seat;
     input::DeviceSpec spec;
-    std::unique_ptr<input::HandsCollector> hands;  ///< null for a bot
+    std::unique_ptr<input::HandsCollector> hands;  ///< collector of the player's input; null for a bot
 };
 
-/// An event that a tick has taken, ns of the monotonic clock.
+/// Times of one event that a tick has taken (ns, monotonic clock).
 struct InputStamp {
-    std::int64_t came_ns{};  ///< when it arrived
-    std::int64_t due_ns{};   ///< Picture::due_ns of the tick that took it
+    std::int64_t came_ns{};  ///< arrival of the event
+    std::int64_t due_ns{};   ///< Picture::due_ns of the tick that took the event
 };
 
-/// What the main thread wants shown besides the match itself.
+/// Everything the main thread wants shown besides the match itself.
 struct Screen {
-    game::HudSettings hud{};                   ///< but for its quality
-    std::optional<render::Quality> quality{};  ///< nothing: by measured times
+    game::HudSettings hud{};                   ///< settings of the views; `quality` below replaces theirs
+    std::optional<render::Quality> quality{};  ///< std::nullopt: chosen by measured times
     game::MenuPicture menu{};
-    bool court = false;  ///< there is no match: the court alone, from above
+    bool arena_scene = false;  ///< true: there is no match, and the arena is shown alone, from above
     double frames_per_second = 60;
 };
 
-/// Times as they come, for the report; keeps the newest.
+/// Collected times for the report; keeps the newest values.
 class Timings {
 public:
     Timings() { values_.reserve(most); }
@@ -58,7 +58,7 @@ public:
             values_[count_ % most] = value;
         ++count_;
     }
-    /// share 0.5: the median; 0 where there is nothing.
+    /// Quantile of the values: share 0.5 is the median. 0 if there are no values.
     double at(double share);
 
 private:
@@ -72,38 +72,41 @@ struct LiveShared {
 
     render::Window& window;
     std::array<TakenSeat, game::players> seats;  ///< changed only while no simulation thread runs
-    input::ArmServo servo;                       ///< of `arm`: between its thread and the simulation's
-    std::unique_ptr<ArmKeeper> arm;              ///< main's; null: none was asked for
-    std::uint32_t arm_player = game::no_player;  ///< whose hand holds it in this match, if anybody's
-    Latest<game::Picture> pictures;  ///< filled by the simulation thread, by main while there is none
-    Latest<Screen> screen;           ///< filled by main
-    /// Where the pictures are; filled by the simulation thread.
+    input::ArmServo servo;           ///< servo between the thread of `arm` and the simulation thread
+    std::unique_ptr<ArmKeeper> arm;  ///< owned by the main thread; null: no arm was asked for
+    std::uint32_t arm_player = game::no_player;  ///< player who holds the arm in this match; no_player: none
+    /// filled by the simulation thread, and by the main thread while no simulation runs
+    Latest<game::Picture> pictures;
+    Latest<Screen> screen;  ///< filled by the main thread
+    /// Data of the match that the pictures show; filled by the simulation thread.
     Latest<std::shared_ptr<const game::MatchData>> scene{nullptr};
-    std::atomic<std::int64_t> input_came_ns{0};  ///< of the first event that no tick has taken yet; 0: none
-    Ring<InputStamp, 256> stamps;                ///< from the simulation to the render thread
+    /// arrival of the first event that no tick has taken yet; 0: none
+    std::atomic<std::int64_t> input_came_ns{0};
+    Ring<InputStamp, 256> stamps;  ///< from the simulation thread to the render thread
 
-    std::atomic<bool> ready{false};      ///< pictures can be drawn: the match may begin
-    std::atomic<bool> stop{false};       ///< all threads end
-    std::atomic<bool> end_match{false};  ///< the simulation thread ends
-    std::atomic<bool> ended{false};      ///< it has
-    std::atomic<bool> rematch{false};    ///< asked for on the result screen; then the match ends by itself
+    std::atomic<bool> ready{false};      ///< true: pictures can be drawn, and the match may begin
+    std::atomic<bool> stop{false};       ///< true: all threads must end
+    std::atomic<bool> end_match{false};  ///< true: the simulation thread must end
+    std::atomic<bool> ended{false};      ///< true: the simulation thread has ended its match
+    /// set on the result screen; then the match ends by itself and another follows
+    std::atomic<bool> rematch{false};
     std::atomic<Going> going{Going::playing};
     std::atomic<std::uint32_t> paused_by{game::no_player};
-    std::atomic<std::uint32_t> marks{0};                         ///< presses of the session's mark key
-    std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< what the range's is to be
-    /// A player for whom the session presses pause (or presses it again) once, if the match is not so already;
-    /// game::no_player: nobody.
+    std::atomic<std::uint32_t> marks{0};  ///< number of presses of the session's mark key
+    std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< wanted kind of the range's dummy
+    /// Player for whom the session presses the pause button: to pause (wants_pause), or to go on. Ignored if
+    /// the match is in that state already. game::no_player: none.
     std::atomic<std::uint32_t> wants_pause{game::no_player}, wants_to_go_on{game::no_player};
     std::array<std::atomic<bool>, game::players> pad_lost{};
 
-    // Each written by one thread, read after it has ended.
+    // Each of the following is written by one thread, and read after that thread has ended.
     std::optional<Error> simulation_error, render_error;
-    std::int64_t began_ns = 0;  ///< when the first match, or the start screen, began; 0: not yet
+    std::int64_t began_ns = 0;  ///< time when the start screen opened (ns, monotonic clock); 0: not yet
     LiveReport report;
-    Timings late, ticks;  ///< us; of the simulation thread
+    Timings late, ticks;  ///< delays and durations of the simulation thread's ticks (us)
 };
 
-/// Sleeps when a stall of that thread is due.
+/// Delays its thread on purpose: sleeps when the stall of that thread is due.
 struct Staller {
     Stall stall;
     std::int64_t next_ns = 0;
@@ -111,25 +114,26 @@ struct Staller {
 };
 
 std::vector<input::DeviceSpec> devices_of(const LiveShared& shared);
-/// The devices beyond the hands of both: the arm, if somebody holds it.
+/// Devices beyond the hands of both players: the real arm, if a player holds one.
 std::vector<input::DeviceSpec> arms_of(const LiveShared& shared);
 
-/// A match is recorded, or it is practice by data that may change on the way, or neither. No value is both: what a log's
-/// header says of the data stays true.
-using Keeping = std::variant<std::monostate, input::LogWriter, game::RangeFiles>;
+/// Record of the session's match: none, a log, or the data files of the range. The range's data may change
+/// during the match, so a range is never logged: a log's header must stay true.
+using Recording = std::variant<std::monostate, input::LogWriter, game::RangeFiles>;
 
-/// One match, as the simulation thread takes it over.
+/// Everything the simulation thread takes over to play one match.
 struct MatchStart {
-    std::shared_ptr<const game::MatchData> data;  ///< but for practice, which has its own
+    /// data of the match; practice uses the data of `recording` instead
+    std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
-    Keeping keeping;
+    Recording recording;
 };
 
-/// The simulation thread: plays one match, until shared.stop, shared.end_match or a rematch; then it sets shared.ended. Where
-/// the plan's time is up, or a replay, it sets shared.stop as well.
+/// Body of the simulation thread: plays one match until shared.stop, shared.end_match or a rematch, then sets
+/// shared.ended. Sets shared.stop as well when the plan's time is up or its replay has ended.
 void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start);
 
-/// The render thread, until shared.stop.
+/// Body of the render thread: draws until shared.stop.
 void run_render(const LivePlan& plan, LiveShared& shared);
 
 }  // namespace thaum::app

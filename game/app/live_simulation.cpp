@@ -18,47 +18,49 @@ namespace {
 
 constexpr std::int64_t ns_per_tick = 1'000'000;
 constexpr Tick most_behind = 250;
-constexpr Tick publish_period = 4;  ///< in real time
-// In a pause and after the end, when less than that is to be seen:
-constexpr Tick idle_wake = 8;             ///< ticks at once
-constexpr Tick idle_publish_period = 32;  ///< half as long as one picture stays
-constexpr Tick log_after_end = 500;       ///< ticks of the result that are still recorded
-constexpr Tick rematch_not_before = 800;  ///< ticks, so that who was just shooting does not ask for one
-constexpr Tick mark_shown = 1500;         ///< ticks
+constexpr Tick publish_period = 4;  ///< period of published pictures in real time (ticks)
+// Periods for a pause and the time after the end, when little moves:
+constexpr Tick idle_wake = 8;             ///< ticks computed at once
+constexpr Tick idle_publish_period = 32;  ///< half as long as the render thread shows one picture (ticks)
+constexpr Tick log_after_end = 500;       ///< ticks of the result screen that are still recorded
+/// delay after the end before a rematch counts, because players may still be shooting (ticks)
+constexpr Tick rematch_not_before = 800;
+constexpr Tick mark_shown = 1500;  ///< time for which the screen shows a mark (ticks)
 constexpr std::int64_t notice_ns = 3'000'000'000;
-constexpr std::int64_t last_look_ns = 2'000'000'000;  ///< at the last picture of a replay
-/// Of a bot match; a person's own look is not foreseeable anyway.
+constexpr std::int64_t last_look_ns = 2'000'000'000;  ///< time for which a replay's last picture stays (ns)
+/// Difference between the seeds of a match's bots. A person in the match makes the random numbers
+/// unpredictable anyway.
 constexpr std::uint64_t bot_seed_step = 0x9e3779b97f4a7c15ULL;
 
-/// One match with its bots, and its log or what the range has instead.
+/// One match with its bots, and its log or the range's data.
 struct Round {
     std::unique_ptr<Simulation> own;
-    Simulation* match = nullptr;  ///< `own`, the practice's or the replay's
+    Simulation* match = nullptr;  ///< `own`, or the match of the practice or the replay
     game::Bots bots;
-    std::variant<std::monostate, input::LogWriter, Practice> kept;  ///< as Keeping
+    std::variant<std::monostate, input::LogWriter, Practice> kept;  ///< record of the match, as in Recording
     std::optional<Tick> over_at;
     std::uint32_t buttons_before = 0;
     std::uint32_t marks = 0;
     Tick marked_at = 0;
 };
 
-struct Session {
+struct SimulationThread {
     const LivePlan& plan;
     LiveShared& shared;
     Round round{};
-    std::int64_t start_ns = 0;  ///< the deadline of the round's tick 0
+    std::int64_t start_ns = 0;  ///< deadline of the match's tick 0 (ns)
     std::int64_t tick_ns = ns_per_tick;
     Tick publish_every = publish_period, patience = most_behind;
     Tick skips_to_log = 0;
     std::int64_t skipped_at_ns = 0;
-    std::uint32_t marks_seen = 0;  ///< of shared.marks
+    std::uint32_t marks_seen = 0;  ///< value of shared.marks at the last look
 };
 
-/// Null: it is not recorded.
+/// Log of the match; null if the match is not recorded.
 input::LogWriter* log_of(Round& round) { return std::get_if<input::LogWriter>(&round.kept); }
-/// In a pause and after the end.
-bool is_idle(const Session& s) { return s.shared.going.load() != Going::playing; }
-bool holds_arm(const Session& s) { return s.shared.arm && s.shared.arm_player < game::players; }
+/// Tests whether the match is paused or over.
+bool is_idle(const SimulationThread& s) { return s.shared.going.load() != Going::playing; }
+bool holds_arm(const SimulationThread& s) { return s.shared.arm && s.shared.arm_player < game::players; }
 Practice* practice_of(Round& round) { return std::get_if<Practice>(&round.kept); }
 
 void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data) {
@@ -66,7 +68,7 @@ void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data)
     shared.scene.publish();
 }
 
-void start_practice(Session& s, game::RangeFiles files, std::uint64_t seed) {
+void start_practice(SimulationThread& s, game::RangeFiles files, std::uint64_t seed) {
     show_scene(s.shared, files.data().match);
     auto devices = arms_of(s.shared);
     devices.insert(devices.begin(), s.shared.seats[game::practising].spec);
@@ -74,7 +76,7 @@ void start_practice(Session& s, game::RangeFiles files, std::uint64_t seed) {
     s.round.match = &practice.match();
 }
 
-bool add_bots(Session& s, std::uint64_t seed) {
+bool add_bots(SimulationThread& s, std::uint64_t seed) {
     for (std::uint32_t p = 0; p < game::players; ++p) {
         const auto& seat = s.shared.seats[p].seat;
         if (seat.kind != SeatKind::bot) continue;
@@ -88,7 +90,7 @@ bool add_bots(Session& s, std::uint64_t seed) {
     return true;
 }
 
-bool start_round(Session& s, MatchStart start) {
+bool start_round(SimulationThread& s, MatchStart start) {
     s.marks_seen = s.shared.marks;
     s.shared.servo.begin_match();
     if (s.plan.replay != nullptr) {
@@ -96,7 +98,7 @@ bool start_round(Session& s, MatchStart start) {
         s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * s.tick_ns;
         return true;
     }
-    if (auto* files = std::get_if<game::RangeFiles>(&start.keeping)) {
+    if (auto* files = std::get_if<game::RangeFiles>(&start.recording)) {
         start_practice(s, std::move(*files), start.seed);
     } else {
         show_scene(s.shared, start.data);
@@ -105,7 +107,7 @@ bool start_round(Session& s, MatchStart start) {
             game::MatchSetup{.seed = start.seed, .devices = devices_of(s.shared), .workers = 1});
         s.round.match = s.round.own.get();
     }
-    if (auto* log = std::get_if<input::LogWriter>(&start.keeping)) s.round.kept = std::move(*log);
+    if (auto* log = std::get_if<input::LogWriter>(&start.recording)) s.round.kept = std::move(*log);
     s.start_ns = monotonic_ns();
     return add_bots(s, start.seed);
 }
@@ -122,8 +124,8 @@ void tell_score(Round& round) {
     if (auto* practice = practice_of(round)) std::printf("range: %s\n", practice->score().c_str());
 }
 
-/// What the menu and the data files say takes effect between two ticks.
-void follow_practice(Session& s) {
+/// Applies the menu's dummy and reloaded data files to the range, between two ticks.
+void follow_practice(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
     practice->set_dummy(s.shared.dummy);
@@ -138,7 +140,8 @@ Going going_of(const game::Match& match) {
     return match.paused != 0 ? Going::paused : Going::playing;
 }
 
-/// Main asked for a pause (or for its end): the button is pressed like any other, until it has worked.
+/// Presses the pause button for the main thread, which asked for a pause or for its end. The button is
+/// pressed in every input frame until the pause has begun or ended.
 void press_for_main(LiveShared& shared, Going going, input::InputFrame& frame) {
     const auto press = [&](std::atomic<std::uint32_t>& wish, Going unless) {
         const auto player = wish.load();
@@ -152,15 +155,16 @@ void press_for_main(LiveShared& shared, Going going, input::InputFrame& frame) {
     press(shared.wants_to_go_on, Going::playing);
 }
 
-/// Which tick takes the input that has come; asked before the hands are, so that it holds all of it.
-void stamp_input(Session& s) {
+/// Stamps the newest input with the tick that takes it. Must run before the hands are sampled: then the tick
+/// has all of the stamped input.
+void stamp_input(SimulationThread& s) {
     const auto came = s.shared.input_came_ns.exchange(0);
     const auto tick = static_cast<std::int64_t>(s.round.match->now() + 1);
     if (came != 0 && going_of(s.round.match->match()) == Going::playing)
         s.shared.stamps.push({came, s.start_ns + tick * s.tick_ns});
 }
 
-input::InputFrame take_frame(Session& s) {
+input::InputFrame take_frame(SimulationThread& s) {
     stamp_input(s);
     input::InputFrame frame;
     s.round.bots.sample(*s.round.match, frame);
@@ -174,29 +178,30 @@ input::InputFrame take_frame(Session& s) {
         frame.devices[0].press(Button::mark);
         s.marks_seen = marks;
     }
-    // Between two rounds of a match what would ask for another match asks for the next round.
+    // Between two rounds of a match the rematch key starts the next round.
     if (s.shared.rematch && s.round.match->match().phase == game::Phase::between)
         frame.devices[0].press(Button::confirm);
-    // All devices lose the same samples; the first one's column says so.
+    // All devices lose the same samples. Only the first device's column records the number.
     const auto skips = std::min<Tick>(s.skips_to_log, 0xffff);
     frame.devices[0].skips = static_cast<std::uint16_t>(skips);
     s.skips_to_log -= skips;
     return frame;
 }
 
-/// The arm's ticks are a clock of their own, and a sample of it belongs to each of the match's: so the match's clock follows, by
-/// at most 4 %. behind: ticks that are due, this one included.
-void keep_pace_with_arm(Session& s, Tick behind) {
+/// Adjusts the match's clock to the arm's by at most 4 %. The arm ticks by a clock of its own, and each of
+/// the match's ticks needs one of its samples. `behind` is the number of ticks that are due, this one
+/// included.
+void keep_pace_with_arm(SimulationThread& s, Tick behind) {
     constexpr std::int64_t in_reserve = 2, most = 10, step_ns = 4000;
     if (!holds_arm(s) || going_of(s.round.match->match()) != Going::playing) return;
     const auto waiting = static_cast<std::int64_t>(s.shared.servo.waiting());
-    if (waiting == 0) return;  // it may have stopped
+    if (waiting == 0) return;  // the arm may have stopped
     const auto ahead = waiting - static_cast<std::int64_t>(behind - 1) - in_reserve;
     s.start_ns -= step_ns * std::clamp(ahead, -most, most);
 }
 
-/// Buttons of any device that act on the session and not on the match.
-void watch_buttons(Session& s, const input::InputFrame& frame) {
+/// Handles buttons of any device that act on the session and not on the match.
+void watch_buttons(SimulationThread& s, const input::InputFrame& frame) {
     auto& round = s.round;
     std::uint32_t buttons = 0;
     for (const auto& device : frame.devices) buttons |= device.buttons;
@@ -219,8 +224,9 @@ void tell_going(LiveShared& shared, const game::Match& match) {
     if (shared.going.exchange(going) != going) shared.window.wake();
 }
 
-/// The number of a mark made just now, or found there in the log that is replayed; 0: none.
-std::uint32_t recent_mark(const Session& s) {
+/// Number of a mark that was made within the last mark_shown ticks, in this match or in the replayed log; 0:
+/// none.
+std::uint32_t recent_mark(const SimulationThread& s) {
     const auto now = s.round.match->now();
     if (s.plan.replay == nullptr)
         return s.round.marks > 0 && now < s.round.marked_at + mark_shown ? s.round.marks : 0;
@@ -233,7 +239,7 @@ std::uint32_t recent_mark(const Session& s) {
     return 0;
 }
 
-void publish(Session& s) {
+void publish(SimulationThread& s) {
     auto& picture = s.shared.pictures.to_fill();
     game::take_picture(*s.round.match, picture);
     picture.due_ns = s.start_ns + static_cast<std::int64_t>(picture.tick) * s.tick_ns;
@@ -245,22 +251,23 @@ void publish(Session& s) {
     s.shared.pictures.publish();
 }
 
-/// Pictures come as often as in real time, so that slow motion is smooth and a fast replay no dearer.
-void play_at(Session& s, double speed) {
+/// Sets the pace. Pictures are published as often as in real time, so slow motion stays smooth and a fast
+/// replay costs no more.
+void play_at(SimulationThread& s, double speed) {
     s.tick_ns = std::llround(static_cast<double>(ns_per_tick) / speed);
     s.publish_every = static_cast<Tick>(std::max(1.0, std::round(publish_period * speed)));
     s.patience = static_cast<Tick>(most_behind * std::max(1.0, speed));
 }
 
-/// One tick of a replay; false at its end.
-bool replay_tick(Session& s) {
+/// Computes one tick of a replay. Returns false at the replay's end.
+bool replay_tick(SimulationThread& s) {
     if (!s.plan.replay->step()) return false;
     tell_going(s.shared, s.round.match->match());
     if (s.round.match->now() % s.publish_every == 0) publish(s);
     return true;
 }
 
-void run_tick(Session& s) {
+void run_tick(SimulationThread& s) {
     auto& round = s.round;
     follow_practice(s);
     const auto frame = take_frame(s);
@@ -276,24 +283,24 @@ void run_tick(Session& s) {
         publish(s);
 }
 
-/// Ticks whose deadline has passed and that are not done.
-Tick backlog(const Session& s) {
+/// Number of ticks whose deadline has passed and that have not been computed.
+Tick backlog(const SimulationThread& s) {
     const auto due = (monotonic_ns() - s.start_ns) / s.tick_ns;
     const auto done = static_cast<std::int64_t>(s.round.match->now());
     return due > done ? static_cast<Tick>(due - done) : 0;
 }
 
-/// Too far behind: what came in meanwhile goes into one sample, and time goes on from here.
-void skip(Session& s, Tick behind) {
+/// Skips a backlog: the input of the skipped ticks goes into one sample, and the clock continues from now.
+void skip(SimulationThread& s, Tick behind) {
     const auto skipped = behind - 1;
     s.start_ns += static_cast<std::int64_t>(skipped) * s.tick_ns;
-    if (s.plan.replay != nullptr) return;  // it is just shown later
+    if (s.plan.replay != nullptr) return;  // a replay loses no ticks: it is only shown later
     s.skips_to_log += skipped;
     s.shared.report.skipped += skipped;
     s.skipped_at_ns = monotonic_ns();
 }
 
-void wait_for_next(Session& s) {
+void wait_for_next(SimulationThread& s) {
     const bool idle = is_idle(s);
     const auto tick = s.round.match->now() + (idle ? idle_wake : 1);
     const auto deadline = s.start_ns + static_cast<std::int64_t>(tick) * s.tick_ns;
@@ -301,13 +308,13 @@ void wait_for_next(Session& s) {
     if (!idle) s.shared.late.add(static_cast<double>(monotonic_ns() - deadline) * 1e-3);
 }
 
-/// Whether the plan's time is up. It is counted in ticks, so that a session on a busy machine, which leaves ticks out, plays as
-/// much of a match as any other.
-bool is_time_up(const Session& s) {
+/// Tests whether the plan's time is up. Time is counted in computed ticks. So a session on a busy machine,
+/// which skips ticks, plays as much of a match as any other.
+bool is_time_up(const SimulationThread& s) {
     return s.plan.seconds && s.shared.report.ticks >= ticks(*s.plan.seconds);
 }
 
-void run_session(Session& s) {
+void run_session(SimulationThread& s) {
     Staller staller{s.plan.stall};
     publish(s);
     while (!s.shared.stop && !s.shared.end_match && !is_time_up(s)) {
@@ -340,8 +347,7 @@ void run_session(Session& s) {
 
 void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start) {
     while (!shared.ready && !shared.stop) sleep_until_ns(monotonic_ns() + ns_per_tick);
-    if (shared.began_ns == 0) shared.began_ns = monotonic_ns();
-    Session session{.plan = plan, .shared = shared};
+    SimulationThread session{.plan = plan, .shared = shared};
     if (plan.replay != nullptr) play_at(session, plan.speed);
     if (start_round(session, std::move(start)))
         run_session(session);

@@ -1,5 +1,7 @@
-// thaum: the program. The first word names the command; without one it is `play`.
+// thaum: the program. The first word names the command; without a command word it is `play`.
 #include <cerrno>
+#include <cfenv>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -13,6 +15,7 @@
 #include "core/text.h"
 #include "core/write_rule.h"
 #include "game/app/command.h"
+#include "game/app/settings.h"
 #include "game/match/data.h"
 #include "input/drivers/openhaptics.h"
 
@@ -31,7 +34,7 @@ void print_overview() {
     for (const auto& command : commands()) {
         std::printf("  %-9s %s\n", std::string(command.name).c_str(), std::string(command.summary).c_str());
     }
-    std::printf("\n`thaum COMMAND --help` tells the rest. Without a command: play.\n");
+    std::printf("\n`thaum COMMAND --help` explains a command. Without a command: play.\n");
 }
 
 bool asks_for_help(const std::vector<std::string>& words) {
@@ -41,8 +44,13 @@ bool asks_for_help(const std::vector<std::string>& words) {
     return false;
 }
 
-/// No command replaces the data that matches are made of. The pictures beside it are this program's own output.
-void protect_data_files() {
+/// Protects the data files of matches and the program from being overwritten by any command. The pictures beside
+/// the data stay writable, because this program makes them. The settings are protected from commands without a
+/// menu, which is where they are changed.
+void protect_inputs(std::string_view command) {
+    protect_input("/proc/self/exe");
+    const bool has_menu = command == "play" || command == "range" || command == "replay";
+    if (const auto settings = settings_file(); !has_menu && !settings.empty()) protect_input(settings);
     std::error_code unreadable;
     for (const auto& entry : std::filesystem::directory_iterator(game::find_assets(), unreadable))
         if (entry.path().filename() != "pictures") protect_input(entry.path());
@@ -68,24 +76,25 @@ int dispatch(std::vector<std::string> words) {
             std::printf("%s", std::string(command.help).c_str());
             return done;
         }
-        protect_data_files();
+        protect_inputs(name);
         return command.run(words);
     }
     return refuse({text("unknown command '", name, "'; `thaum --help` lists them")});
 }
 
-/// What nothing nearer could deal with ends here, in a line.
+/// Runs a command. Reports an exception that no other code handled in one line.
 int dispatch_guarded(std::vector<std::string> words) {
     try {
         return dispatch(std::move(words));
     } catch (const std::system_error& refused) {
-        return refuse({text("the system refused what the program needs: ", refused.what())});
+        return refuse({text("the system refused a resource that the program needs: ", refused.what())});
     } catch (const std::bad_alloc&) {
         return refuse({"out of memory"});
     }
 }
 
-/// What was printed may not have arrived: a full disk, a closed pipe. A command that said nothing cannot say so.
+/// Tests whether all printed text was written: a disk may be full, or a pipe closed. Without that a command
+/// would succeed silently.
 int with_output_checked(int code) {
     const bool failed = std::ferror(stdout) != 0;
     if (std::fflush(stdout) == 0 && !failed) return code;
@@ -97,10 +106,16 @@ int with_output_checked(int code) {
 }  // namespace thaum::app
 
 int main(int argc, char** argv) {
+    // Resets the rounding mode, which a parent process may have changed; no result may depend on it. Threads
+    // inherit the mode.
+    std::fesetenv(FE_DFL_ENV);
+    // Without this signal a file beyond the shell's size limit is a failed write, as on a full disk, and does
+    // not end the program.
+    std::signal(SIGXFSZ, SIG_IGN);
     thaum::keep_freed_memory();
     const int code = thaum::app::with_output_checked(thaum::app::dispatch_guarded({argv + 1, argv + argc}));
     if (!thaum::input::OpenHaptics::hangs()) return code;
-    // The clearing up of a library that hangs would hang, too.
+    // Skips all clean-up at exit, because a library that hangs would hang there too.
     std::fflush(nullptr);
     std::_Exit(code);
 }

@@ -11,7 +11,7 @@ using input::Control;
 using input::DeviceKind;
 using Kind = MenuEvent::Kind;
 
-std::string name_of(const Device& device, const MenuFacts& facts) {
+std::string name_of(const Device& device, const MenuContext& facts) {
     if (device.kind == DeviceKind::keyboard_mouse)
         return facts.arm.empty() ? "Mouse and keyboard" : text("Mouse, keys and ", facts.arm);
     if (device.kind == DeviceKind::keyboard_half) return "Half of the keyboard";
@@ -24,7 +24,7 @@ bool esc_ends_waiting(const MenuState& state) {
     return is_pad_sheet(state.waiting->sheet) || !pauses(*state.waiting);
 }
 
-// Rows ---------------------------------------------------------------------------------------------------------------------
+// Rows ------------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -71,7 +71,7 @@ std::string duel_label(const MenuState& s) {
     }
 }
 
-void add_start_rows(const MenuState& s, const MenuFacts& facts, std::vector<Row>& rows) {
+void add_start_rows(const MenuState& s, const MenuContext& facts, std::vector<Row>& rows) {
     rows.push_back({RowKind::duel, 0, {.label = duel_label(s)}});
     const bool alone = joined(s) < game::players;
     rows.push_back({RowKind::level,
@@ -90,7 +90,7 @@ void add_start_rows(const MenuState& s, const MenuFacts& facts, std::vector<Row>
     rows.push_back({RowKind::quit, 0, {.label = "Quit"}});
 }
 
-void add_pause_rows(const MenuState& s, const MenuFacts& facts, std::vector<Row>& rows) {
+void add_pause_rows(const MenuState& s, const MenuContext& facts, std::vector<Row>& rows) {
     rows.push_back({RowKind::go_on, 0, {.label = "Go on"}});
     if (facts.practice) {
         rows.push_back(
@@ -167,7 +167,7 @@ void add_cauldron_rows(const MenuState& s, std::vector<Row>& rows) {
     rows.push_back({RowKind::back, 0, {.label = "Back"}});
 }
 
-std::vector<Row> rows_of(const MenuState& s, const MenuFacts& facts) {
+std::vector<Row> rows_of(const MenuState& s, const MenuContext& facts) {
     std::vector<Row> rows;
     switch (s.pages.back().page) {
         case Page::start: add_start_rows(s, facts, rows); break;
@@ -184,7 +184,7 @@ std::vector<Row> rows_of(const MenuState& s, const MenuFacts& facts) {
     return rows;
 }
 
-// Steps --------------------------------------------------------------------------------------------------------------------
+// Steps -----------------------------------------------------------------------------------------------------
 
 std::optional<std::size_t> seat_of(const MenuState& s, const Device& device) {
     for (std::size_t i = 0; i < s.seats.size(); ++i) {
@@ -202,18 +202,18 @@ void join(MenuState& s, const Device& device) {
     s.note = "both seats are taken";
 }
 
-/// A device's first press joins, its second one starts.
+/// Joins with a device's first press, and starts the match with its second one.
 void join_or_start(MenuState& s, const Device& device) {
     if (seat_of(s, device))
-        s.wish = MenuWish::start;
+        s.wish = MenuRequest::start;
     else
         join(s, device);
 }
 
-/// Whoever asks for the range is alone there.
+/// Requests the range for one player; the other seat stays empty.
 void practise(MenuState& s, const Device& device) {
     s.seats = {device};
-    s.wish = MenuWish::range;
+    s.wish = MenuRequest::range;
 }
 
 void leave_seat(MenuState& s, const Device& device) {
@@ -228,7 +228,7 @@ void turn(std::size_t& index, const List& list, int way) {
     index = (index + size + static_cast<std::size_t>(way + static_cast<int>(size))) % size;
 }
 
-void adjust(MenuState& s, const Row& row, const MenuFacts& facts, int way) {
+void adjust(MenuState& s, const Row& row, const MenuContext& facts, int way) {
     switch (row.kind) {
         case RowKind::level: turn(s.level, facts.levels, way); break;
         case RowKind::rules: turn(s.rules, facts.rules, way); break;
@@ -255,7 +255,7 @@ void set_defaults(MenuState& s) {
     s.note = text(label_of_sheet(s.sheet), ": all controls as at first");
 }
 
-/// The page of the player whose device asks for it.
+/// Opens the cauldron's page with the faders of the player whose device asked for it.
 void open_cauldron(MenuState& s, const Device& device) {
     s.whose = seat_of(s, device).value_or(s.whose);
     open(s, Page::cauldron);
@@ -266,7 +266,7 @@ void switch_fader(MenuState& s, std::size_t source) {
     fader.on = !fader.on;
 }
 
-/// Brings back the bindings, not what was set elsewhere since.
+/// Restores the bindings before their last change. Other settings keep their newest values.
 void undo(MenuState& s) {
     if (!s.undo) return;
     s.settings.bindings = s.undo->bindings;
@@ -275,15 +275,15 @@ void undo(MenuState& s) {
     s.note = "undone";
 }
 
-void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuFacts& facts) {
+void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuContext& facts) {
     switch (row.kind) {
         case RowKind::duel: join_or_start(s, event.device); break;
         case RowKind::range: practise(s, event.device); break;
         case RowKind::controls: open(s, Page::sheets); break;
         case RowKind::settings: open(s, Page::settings); break;
-        case RowKind::quit: s.wish = MenuWish::quit; break;
-        case RowKind::go_on: s.wish = MenuWish::go_on; break;
-        case RowKind::leave: s.wish = MenuWish::leave; break;
+        case RowKind::quit: s.wish = MenuRequest::quit; break;
+        case RowKind::go_on: s.wish = MenuRequest::go_on; break;
+        case RowKind::leave: s.wish = MenuRequest::leave; break;
         case RowKind::sheet:
             s.sheet = row.index;
             open(s, Page::bindings);
@@ -301,15 +301,15 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuFac
 
 void go_back(MenuState& s, const MenuEvent& event, const std::vector<Row>& rows) {
     if (s.pages.back().page == Page::pause) {
-        s.wish = MenuWish::go_on;
+        s.wish = MenuRequest::go_on;
     } else if (s.pages.back().page != Page::start) {
         s.pages.pop_back();
     } else if (seat_of(s, event.device)) {
         leave_seat(s, event.device);
     } else if (event.device.kind == DeviceKind::pad) {
-        join(s, event.device);  // any button does
+        join(s, event.device);  // any button of a pad joins
     } else {
-        s.pages.back().cursor = rows.size() - 1;  // Quit
+        s.pages.back().cursor = rows.size() - 1;  // Quit is the last row
     }
 }
 
@@ -331,7 +331,7 @@ void take_control(MenuState& s, const MenuEvent& event) {
     }
 }
 
-/// While a control is waited for, nothing else happens.
+/// Handles an event while the menu waits for a control; all other events are ignored.
 void wait_for_control(MenuState& s, const MenuEvent& event) {
     if (event.kind == Kind::control) take_control(s, event);
     if (event.kind == Kind::back) s.waiting.reset();
@@ -349,7 +349,7 @@ void move(std::size_t& cursor, std::size_t count, Kind kind) {
     }
 }
 
-void act(MenuState& s, const MenuEvent& event, const MenuFacts& facts) {
+void act(MenuState& s, const MenuEvent& event, const MenuContext& facts) {
     const auto rows = rows_of(s, facts);
     auto& cursor = s.pages.back().cursor;
     cursor = std::min(event.row.value_or(cursor), rows.size() - 1);
@@ -371,13 +371,13 @@ void act(MenuState& s, const MenuEvent& event, const MenuFacts& facts) {
 MenuState opened(MenuState state, Page page) {
     state.pages = {{page, 0}};
     state.note.clear();
-    state.wish = MenuWish::none;
+    state.wish = MenuRequest::none;
     return state;
 }
 
-MenuState step(MenuState state, const MenuEvent& event, const MenuFacts& facts) {
-    state.wish = MenuWish::none;
-    // A mouse that just moves hides nothing that should be read.
+MenuState step(MenuState state, const MenuEvent& event, const MenuContext& facts) {
+    state.wish = MenuRequest::none;
+    // Mouse movements must not hide a note before it was read.
     if (event.kind != Kind::point && event.kind != Kind::gone) state.note.clear();
     if (event.kind == Kind::gone) {
         leave_seat(state, event.device);
@@ -391,7 +391,7 @@ MenuState step(MenuState state, const MenuEvent& event, const MenuFacts& facts) 
     return state;
 }
 
-// Looks --------------------------------------------------------------------------------------------------------------------
+// Looks -----------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -415,7 +415,7 @@ std::string start_line(const MenuState& s) {
     }
 }
 
-/// What the chosen fader is of.
+/// Line about the chosen fader, or about the whole page.
 std::string cauldron_line(const MenuState& s, const Row& row) {
     if (row.kind == RowKind::fader) return std::string(told_of_fader(row.index));
     return text("what player ", s.whose + 1, "'s hand feels while it stirs");
@@ -441,7 +441,7 @@ std::string hint_of(const MenuState& s) {
     }
 }
 
-std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuFacts& facts) {
+std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuContext& facts) {
     std::vector<game::MenuSeat> seats;
     for (std::size_t i = 0; i < s.seats.size(); ++i) {
         const auto& seat = s.seats[i];
@@ -457,7 +457,7 @@ std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuFacts& facts)
 
 }  // namespace
 
-game::MenuPicture picture_of(const MenuState& s, const MenuFacts& facts) {
+game::MenuPicture picture_of(const MenuState& s, const MenuContext& facts) {
     game::MenuPicture picture;
     if (s.pages.empty()) return picture;
     const auto page = s.pages.back().page;

@@ -1,6 +1,6 @@
-// game/app/menu.h: the start screen, the pause and the pages below them: plain data and one pure step, (state, event) ->
-// state. Nothing here knows a window or the match; who runs it (live_menu.cpp) looks at `wish` and at what became of the
-// settings.
+// game/app/menu.h: the start screen, the pause and the pages below them, as plain data and one pure function:
+// (state, event) -> state. The menu depends on neither the window nor the match. Its caller (live_menu.cpp)
+// acts on MenuState::wish and on changed settings.
 #pragma once
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace thaum::app {
 
-/// What a player has in hand: the keyboard and mouse, half of the keyboard, or one of the window's pads.
+/// Device that a player uses: the keyboard and mouse, half of the keyboard, or one of the window's pads.
 struct Device {
     input::DeviceKind kind{};
     int pad = 0;
@@ -21,10 +21,10 @@ struct Device {
 enum class Page : std::uint8_t {
     start,
     pause,
-    sheets,    ///< whose controls?
-    bindings,  ///< those of one sheet
+    sheets,    ///< list of the sheets of bindings
+    bindings,  ///< bindings of one sheet
     settings,
-    cauldron,  ///< what a hand feels of it
+    cauldron,  ///< faders for the cauldron's forces on one hand
 };
 
 struct MenuEvent {
@@ -36,65 +36,66 @@ struct MenuEvent {
         left,
         right,
         confirm,
-        other,  ///< a press that means nothing in a menu: it joins, and starts
+        other,  ///< a press without a meaning in menus: joins, and starts the match
         back,
-        point,    ///< at a row, with the mouse
-        control,  ///< any control at all, while one is waited for
+        point,    ///< the mouse points at a row
+        control,  ///< any control, while the menu waits for one
         gone,     ///< the device was unplugged
     };
     Kind kind{};
     Device device{};
     std::optional<std::size_t>
-        row{};  ///< of confirm, left, right and point: the row instead of the chosen one
+        row{};  ///< row of confirm, left, right and point; std::nullopt: the chosen row
     input::Control control{};
 };
 
-/// What there is to choose from. `levels` and `rules` are not empty.
-struct MenuFacts {
+/// Choices that the menu offers. `levels` and `rules` are never empty.
+struct MenuContext {
     struct Rules {
         std::string name, label;
     };
     std::vector<int> levels{};
     std::vector<Rules> rules{};
-    std::array<std::string, 4> pads{};  ///< names; empty: not plugged in
-    std::string arm{};                  ///< that who plays by mouse holds, and how it is; empty: none
-    bool practice = false;              ///< the pause is one of the range
-    bool ends_match = false;  ///< leaving the pause goes to the start screen, not out of the program
+    std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
+    std::string arm{};                  ///< name and state of the arm held by the mouse player; empty: no arm
+    bool practice = false;              ///< true: the pause belongs to the range
+    bool ends_match = false;  ///< true: leaving the pause opens the start screen; false: it ends the program
 };
 
-enum class MenuWish : std::uint8_t { none, start, range, go_on, leave, quit };
+enum class MenuRequest : std::uint8_t { none, start, range, go_on, leave, quit };
 
 struct MenuState {
     struct Open {
         Page page{};
         std::size_t cursor = 0;
     };
-    std::vector<Open> pages;  ///< the last one shows; empty: no menu
+    std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
     std::array<std::optional<Device>, game::players> seats;
-    std::size_t level = 0, rules = 0;  ///< indices of the facts' lists
-    std::size_t dummy = 0;             ///< game::DummyKind of the range
-    std::size_t sheet = 0;             ///< of the bindings page
-    std::size_t whose = 0;             ///< player of the cauldron's page
-    std::optional<Slot> waiting;       ///< for its new control
+    std::size_t level = 0, rules = 0;  ///< indices into MenuContext::levels and MenuContext::rules
+    std::size_t dummy = 0;             ///< game::DummyKind of the range's dummy
+    std::size_t sheet = 0;             ///< sheet on the bindings page
+    std::size_t whose = 0;             ///< player whose faders the cauldron's page shows
+    std::optional<Slot> waiting;       ///< slot that waits for a new control; std::nullopt: none
     Settings settings;
-    std::optional<Settings> undo;  ///< the settings before the last change of bindings
-    std::string head, line;        ///< of the pause: who, and why
-    std::string note;              ///< what the last event did, or why it could not
-    MenuWish wish{};               ///< what the last event asks for
+    std::optional<Settings> undo;  ///< settings before the last change of bindings
+    std::string head, line;        ///< title and reason of the pause: who paused, and why
+    std::string note;              ///< result of the last event, or the reason why it had none
+    MenuRequest wish{};            ///< request of the last event to the caller
 };
 
 /// Opens a page on a menu that is closed.
 MenuState opened(MenuState state, Page page);
 
-MenuState step(MenuState state, const MenuEvent& event, const MenuFacts& facts);
+MenuState step(MenuState state, const MenuEvent& event, const MenuContext& facts);
 
-/// Does Esc end the wait for a control? Not where it may be the very key that is wanted: to pause.
+/// Tests whether Esc ends the wait for a control. Esc does not end the wait for the pause's control, because
+/// Esc may be the wanted key.
 bool esc_ends_waiting(const MenuState& state);
 
-/// What it looks like.
-game::MenuPicture picture_of(const MenuState& state, const MenuFacts& facts);
+/// Picture of the menu.
+game::MenuPicture picture_of(const MenuState& state, const MenuContext& facts);
 
-/// "Mouse and keyboard", "Half of the keyboard", "Pad 2 (Xbox 360 Controller)".
-std::string name_of(const Device& device, const MenuFacts& facts);
+/// Name of a device: "Mouse and keyboard", "Half of the keyboard", "Pad 2 (Xbox 360 Controller)".
+std::string name_of(const Device& device, const MenuContext& facts);
 
 }  // namespace thaum::app

@@ -18,7 +18,7 @@ struct Played {
     game::BotDuel duel;
     std::vector<input::InputFrame> frames;
     Highlight highlight;
-    std::optional<Error> log_fault;  ///< why the log is not whole
+    std::optional<Error> log_fault;  ///< reason why the log is not complete
 };
 
 Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const game::MatchData>& data,
@@ -42,7 +42,8 @@ Expected<Played> play(const OffscreenDuel& plan, const std::shared_ptr<const gam
     return played;
 }
 
-/// The moment is found again by playing up to it: a match is a function of its frames.
+/// Draws the highlight. Plays a new match up to that tick with the same input frames, which gives the same
+/// state.
 Expected<void> picture(const OffscreenDuel& duel, const std::shared_ptr<const game::MatchData>& data,
                        const Played& played) {
     auto still = Still::create(*data, duel.assets, {1280, 720});
@@ -70,7 +71,8 @@ std::string report(const OffscreenDuel& duel, const Played& played, const std::f
                   match.physics().counters().skipped, " skipped asleep\n");
     lines += text("world    ", world.size(), " entities in ", world.tables().size(), " tables\n");
     lines += text("picture  ", picture_line, "\n");
-    lines += text("log      ", log.string(), "\n");
+    lines += text("log      ", log.string(),
+                  played.log_fault ? text(" is not whole: ", played.log_fault->message) : "", "\n");
     lines += text("check    thaum replay ", log.string(), " --verify\n");
     lines += "play     on a machine with a display: thaum --vs, or thaum --solo 1\n";
     return lines;
@@ -95,11 +97,10 @@ int play_offscreen_duel(const OffscreenDuel& duel) {
     const auto lines = report(
         duel, *played, log, drawn ? (duel.out / "duel.png").string() : text("none: ", drawn.error().message));
     std::printf("%s", lines.c_str());
+    if (played->log_fault) std::fprintf(stderr, "thaum: %s\n", played->log_fault->message.c_str());
     if (const auto written = write_text_file(duel.out / "duel.txt", lines); !written)
         return refuse(written.error());
-    if (!played->log_fault) return done;
-    std::fprintf(stderr, "thaum: %s\n", played->log_fault->message.c_str());
-    return does_not_hold;
+    return played->log_fault ? does_not_hold : done;
 }
 
 }  // namespace thaum::app

@@ -1,4 +1,4 @@
-// thaum play: a match.
+// thaum play: plays a match.
 #include <algorithm>
 #include <cstdio>
 #include <random>
@@ -20,26 +20,26 @@ A duel in a window. Every match is recorded; `thaum replay` plays it again.
 Without --vs, --solo or --demo it begins with the start screen: press to join.
 
   --vs             two players: mouse and keyboard against a pad, or against the
-                   keypad where there is no pad
+                   keypad if there is no pad
   --solo LEVEL     against a bot of level 1, 2 or 3
   --demo           two bots
-  --hands A[,B]    what players hold: mouse, half (the keypad), pad, or arm: a force
-                   feedback arm (OpenHaptics) with mouse and keyboard beside it; alone it
-                   goes with the start screen too: who plays by mouse holds the arm
+  --hands A[,B]    the players' devices: mouse, half (the keypad), pad, or arm: a force
+                   feedback arm (OpenHaptics) with mouse and keyboard. `--hands arm` also
+                   works with the start screen: the player with the mouse holds the arm
   --bots A,B       levels of the bots of --demo and --headless (1,1)
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
   --match NAME     quick (default): first to 3, 4 min; standard: best of 3 rounds,
                    each first to 5, 6 min; a tied round counts for nobody
-  --set KEY=VALUE  another value for one number, such as bolt.shot.damage=12
-  --arena NAME     boiling_court (default);  --seed N  of all that is random
-  --record FILE    the log; default: a new file in the data folder
+  --set KEY=VALUE  changes one number of the data files, such as bolt.shot.damage=12
+  --arena NAME     boiling_court (default);  --seed N  seed of all random numbers
+  --record FILE    file for the log; default: a new file in the data folder
   --headless       no window: two bots, faster than real time
-  --seconds S      ends after that much match time; headless: 60
-  --out DIR        where headless leaves duel.png, duel.thaumlog, duel.txt, replacing
-                   those of the last time (out)
+  --seconds S      ends after S seconds of match time; headless: 60
+  --out DIR        folder for the files of --headless: duel.png, duel.thaumlog, duel.txt;
+                   older ones are replaced (out)
 
-With no display it says so and plays headless.
+Without a display two bots play as with --headless, and a line says so.
 )";
 
 constexpr Option play_options[] = {{"--vs"},           {"--solo", 1},  {"--demo"},      {"--hands", 1},
@@ -47,14 +47,14 @@ constexpr Option play_options[] = {{"--vs"},           {"--solo", 1},  {"--demo"
                                    {"--set", 1, true}, {"--seed", 1},  {"--record", 1}, {"--headless"},
                                    {"--seconds", 1},   {"--out", 1}};
 
-/// What the words ask for, checked.
+/// Checked options of the command line.
 struct Wish {
     game::DataChoice data;
     std::optional<std::uint64_t> seed;
     std::optional<double> seconds;
     std::filesystem::path record, out = "out";
     bool headless = false, demo = false, vs = false;
-    std::optional<int> solo;  ///< level of the bot
+    std::optional<int> solo;  ///< level of the bot; std::nullopt: not --solo
     std::vector<Seat> hands;
     std::array<int, game::players> bots{1, 1};
 
@@ -78,7 +78,7 @@ Expected<std::vector<Seat>> hands_of(std::string_view words) {
     return hands;
 }
 
-/// "2,3": the levels of two bots.
+/// Levels of two bots: "2,3".
 Expected<std::array<int, game::players>> read_bots(std::string_view words) {
     const auto comma = words.find(',');
     if (comma == std::string_view::npos) return fail("--bots needs two levels, such as 2,3");

@@ -1,4 +1,4 @@
-// thaum range: practice on a dummy.
+// thaum range: practice against a dummy.
 #include <algorithm>
 #include <cstdio>
 #include <random>
@@ -15,23 +15,22 @@ namespace {
 constexpr std::string_view range_help =
     R"(usage: thaum range [OPTIONS]
 
-The range: you and a dummy in the court, every wand at hand. No round ends and
-nothing can be lost: who dies comes back. Nothing is recorded, so data files
-(wands, wizard, rules, arena, range.toml) that change on disk are read again
-while it runs; a wrong one is named, and the old numbers stay. The pause (Esc)
-changes the dummy.
+Practice with every wand against a dummy in the court. No round ends, and a dead
+wizard comes back. Nothing is recorded. So data files (wands, wizard, rules,
+arena, range.toml) that change on disk are read again during practice. A faulty
+file is reported, and its old numbers stay. The pause (Esc) can change the dummy.
 
   --dummy KIND     still (default), strafing: to and fro, shooting: at you
-  --hands HAND     what you hold: mouse (default), half (the keypad), pad, or arm: a force
-                   feedback arm with mouse and keyboard beside it
+  --hands HAND     your device: mouse (default), half (the keypad), pad, or arm: a force
+                   feedback arm with mouse and keyboard
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
-  --set KEY=VALUE  another value for one number, such as bolt.shot.damage=12
-  --seed N         of all that is random
+  --set KEY=VALUE  changes one number of the data files, such as bolt.shot.damage=12
+  --seed N         seed of all random numbers
   --headless       no window: a bot practises, faster than real time, and the
                    score is printed; files are read once
   --bot LEVEL      level of that bot: 1, 2 or 3 (default)
-  --seconds S      ends after that much match time; headless: 60
+  --seconds S      ends after S seconds of match time; headless: 60
 )";
 
 constexpr Option range_options[] = {{"--dummy", 1}, {"--hands", 1}, {"--rules", 1}, {"--set", 1, true},

@@ -1,4 +1,4 @@
-// thaum replay: a log played again: checked, watched, or told as tables and pictures.
+// thaum replay: plays a log again, to check it, to watch it, or to write tables and pictures.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -20,19 +20,19 @@ namespace {
 constexpr std::string_view replay_help =
     R"(usage: thaum replay LOG [OPTIONS]
 
-Replays a recorded match. The log holds what came from the devices; everything
-else is computed again, without bots and devices.
+Replays a recorded match. The log holds the input of the devices; everything else
+is computed again, without bots and devices.
 
-  (nothing)           watch it in a window
-  --at S --speed X    from second S on; 0.25 to 16 times as fast. With no display:
+  (no option)         watch the match in a window
+  --at S --speed X    start at second S; 0.25 to 16 times as fast. Without a display:
                       one picture of second S and its state in --out DIR (out)
   --verify            compare every state hash; exit 1 at the first that differs
-  --events FILE.csv   everything that happened, a row each
+  --events FILE.csv   all events, one row each
   --state FILE.csv    place, speed, health, energy and gaze of both players
   --every N             at every Nth tick (1)
-  --forces FILE.csv   each hand's device, a row a tick of play: where, what force
-  --feel DEVICE       plays these forces to a force feedback arm, in real time; what
-                      `thaum doctor` lists as arm, or phantom. --player N whose (1)
+  --forces FILE.csv   both hands' devices, one row a tick of play: position and force
+  --feel DEVICE       plays the forces of --player N (1) on a force feedback arm, in real
+                      time. DEVICE: the arm's name in `thaum doctor`, or phantom
   --shots DIR         pictures (PNG), by default every 10 s
   --shot-every S        every S seconds
   --shot-at S           at second S; may be repeated
@@ -40,13 +40,13 @@ else is computed again, without bots and devices.
   --size WxH            in px (1280x720)
   --dump TICK FILE    write the whole state at a tick, for `thaum diff`
 
---verify, --events, --state, --forces and --shots go together in one pass.
-Every replay is compared with the log's hashes. One that differs says at which
-tick, leaves no tables, and exits 1. A FILE that is there is replaced, but never
-LOG, a data file or another recording.
+--verify, --events, --state, --forces and --shots can be combined. Every replay is
+compared with the log's hashes. At a difference it prints the tick, leaves no
+tables, and exits with code 1. An existing FILE is replaced, but never LOG, a data
+file or another recording.
 )";
 
-/// What one pass over the log is to give.
+/// Wanted results of one pass over the log.
 struct Pass {
     bool verify = false;
     std::optional<std::filesystem::path> events{}, state{}, forces{};
@@ -60,7 +60,7 @@ void warn(const std::string& line) {
     if (!line.empty()) std::fprintf(stderr, "thaum: %s\n", line.c_str());
 }
 
-/// A CSV file that a pass writes; its rows are gathered in memory first.
+/// A CSV file that a pass writes; rows are collected in memory first.
 struct Table {
     std::optional<FileWriter> file;
     std::string rows;
@@ -82,7 +82,7 @@ struct Table {
 
 struct Outputs {
     Table events{}, state{}, forces{};
-    Tick felt = 0;  ///< ticks of play of which the forces are written
+    Tick felt = 0;  ///< number of ticks of play whose forces have been written
     game::EventTable what_happened{};
     std::optional<Shots> shots{};
 };
@@ -103,7 +103,7 @@ Expected<Outputs> open_outputs(const Pass& pass, const game::Playback& playback)
     return out;
 }
 
-/// What the state now is worth in tables and pictures.
+/// Writes the rows and pictures that are due in the playback's state now.
 Expected<void> put_outputs(const Pass& pass, const game::Playback& playback, Outputs& out) {
     if (out.events.file) out.what_happened.follow(playback, out.events.rows);
     out.events.put();
@@ -125,21 +125,21 @@ Expected<void> close_outputs(const game::Playback& playback, Outputs& out) {
     return out.forces.close();
 }
 
-/// True where the replay is not the recorded match; says so.
+/// Tests whether the replay has diverged from the recorded match, and prints the difference.
 bool has_diverged(const game::Playback& playback) {
     if (!playback.divergence()) return false;
     std::printf("%s\n", game::described(*playback.divergence()).c_str());
     return true;
 }
 
-/// Prints the line, if there is one.
+/// Prints the line unless it is empty. Returns whether it was printed.
 bool says(const std::string& line) {
     if (!line.empty()) std::printf("%s\n", line.c_str());
     return !line.empty();
 }
 
-/// From the first tick to the last. Where the replay turns out wrong the files are not written: what they would say did
-/// not happen.
+/// Plays the log from the first tick to the last. If the replay diverges, no table is written, and pictures
+/// after the last equal hash are deleted: they would show what never happened.
 int run_pass(const Pass& pass, game::Playback& playback) {
     const auto start = std::chrono::steady_clock::now();
     if (pass.verify && says(playback.missing_hashes())) return does_not_hold;
@@ -152,8 +152,12 @@ int run_pass(const Pass& pass, game::Playback& playback) {
         if (playback.log().hash_at(playback.match().now())) {
             ++compared;
             last_compared = playback.match().now();
+            if (out->shots && !playback.divergence()) out->shots->confirm();
         }
-        if (has_diverged(playback)) return does_not_hold;
+        if (has_diverged(playback)) {
+            if (out->shots) out->shots->remove_unconfirmed();
+            return does_not_hold;
+        }
     } while (playback.step());
     const bool damaged = playback.log().ending() == input::LogEnding::damaged;
     if (pass.verify && damaged && says(playback.log().ending_reason())) return does_not_hold;
@@ -170,7 +174,8 @@ int run_pass(const Pass& pass, game::Playback& playback) {
     return done;
 }
 
-/// A replay that is not the recorded match leaves its state all the same: `thaum diff` says in what it differs.
+/// Writes the state at a tick. The state of a diverged replay is written as well, because `thaum diff` can
+/// show the difference.
 int dump(game::Playback& playback, const std::vector<std::string>& values) {
     const auto tick = parse_whole(values[0], "--dump", 0, ~std::uint64_t{0});
     if (!tick) return refuse(tick.error());
@@ -226,7 +231,7 @@ Expected<ShotPlan> read_shots(const Arguments& arguments, Tick log_ticks) {
     return plan;
 }
 
-/// Two tables in one file would be one table.
+/// Rejects two tables with the same file, which would overwrite each other.
 Expected<void> check_distinct(const Pass& pass) {
     const auto same = [](const auto& a, const auto& b) { return a && b && same_target(*a, *b); };
     if (same(pass.events, pass.state) || same(pass.events, pass.forces) || same(pass.state, pass.forces))
@@ -234,7 +239,7 @@ Expected<void> check_distinct(const Pass& pass) {
     return {};
 }
 
-/// Options that mean nothing without another one are mistakes.
+/// Rejects options that need another option which is missing.
 Expected<void> check_company(const Arguments& arguments, const Pass& pass) {
     for (const auto* word : {"--shot-every", "--shot-at", "--shot-on", "--size"}) {
         if (arguments.has(word) && !pass.shots) return fail(text(word, " needs --shots"));
@@ -267,7 +272,7 @@ Expected<Pass> read_pass(const Arguments& arguments, Tick log_ticks) {
     return pass;
 }
 
-/// The tick at which --at begins, within the log.
+/// Tick for --at, checked against the length of the log.
 Expected<Tick> start_of(const Arguments& arguments, const game::Playback& playback) {
     const auto at = arguments.number("--at", 0, 1e6, 0);
     if (!at) return tl::unexpected(at.error());
@@ -283,13 +288,14 @@ int watch_from(const Arguments& arguments, game::Playback playback) {
     return watch(std::move(playback), {*start, *speed, arguments.value("--out").value_or("out")});
 }
 
-/// A kick that lasts twice as long pushes a hand twice as far, and one of half the time is another kick: so only real time.
+/// Plays the forces of a log on an arm, in real time only. A slower push would move a hand farther, and a
+/// faster one would feel like another push.
 int feel_from(const Arguments& arguments, game::Playback playback) {
     if (arguments.has("--speed"))
         return refuse(
             {"--feel plays in real time only: at another --speed each push would last longer or "
              "shorter than it was made for"});
-    if (arguments.has("--out")) return refuse({"--feel leaves nothing in --out"});
+    if (arguments.has("--out")) return refuse({"--feel writes no files; leave --out away"});
     const auto player = arguments.whole("--player", 1, game::players, 1);
     if (!player) return refuse(player.error());
     const auto start = start_of(arguments, playback);
@@ -307,8 +313,7 @@ int run_replay(const std::vector<std::string>& words) {
         {"--player", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
-    if (arguments->plain().size() != 1)
-        return refuse({"replay needs one log; `thaum replay --help` tells more"});
+    if (arguments->plain().size() != 1) return refuse({"replay needs one log; see `thaum replay --help`"});
     protect_input(arguments->plain()[0]);
     auto playback = game::Playback::open(arguments->plain()[0], game::find_assets());
     if (!playback) return refuse(playback.error());

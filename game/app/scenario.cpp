@@ -1,4 +1,4 @@
-// thaum scenario: gameplay scenarios, each run twice.
+// thaum scenario: runs gameplay scenarios, each one twice.
 #include <cstdio>
 #include <cstdlib>
 
@@ -17,30 +17,30 @@ constexpr std::string_view scenario_help =
     R"(usage: thaum scenario [NAME|FILE ...] [--json FILE] [--out DIR] [--once]
 
 Plays scenarios (Lua scripts) through the players' own devices, faster than real
-time. Each runs twice, with equal state hashes. Without a name: all of them.
+time. Each runs twice and must give equal state hashes. Without a name: all of them.
 
-  --json FILE   the results as JSON, in place of older ones; - for standard output
-  --out DIR     where logs, traces and pictures go, replacing those of the last
-                run (default: out/scenarios)
-  --once        without the second run: in half the time, and no hashes compared
+  --json FILE   the results as JSON, replacing an older file; - for standard output
+  --out DIR     folder for logs, traces and pictures; older ones are replaced
+                (default: out/scenarios)
+  --once        one run only: half the time, without comparing hashes
 
-What hands feel is compared with the force traces in tests/replays/forces, to the
-bit; THAUM_KEEP_FORCES=tests/replays/forces records them anew.
+The hands' forces are compared with the traces in tests/replays/forces, to the
+bit; THAUM_KEEP_FORCES=tests/replays/forces records new traces.
 
-Exit 0: all passed; 1: one failed.
+Exit code 0: all passed; 1: one failed.
 )";
 
 render::Split split_of(game::Split split) {
     return split == game::Split::side_by_side ? render::Split::side_by_side : render::Split::top_bottom;
 }
 
-/// One context and renderer for all pictures of a run of scenarios; matches of other data get their own court.
+/// OpenGL context and renderer shared by all pictures of a run. Matches with other data need a new pair.
 class Painter {
 public:
     Expected<game::Pixels> take(const game::Simulation& match, game::Split split,
                                 const std::filesystem::path& file) {
         if (!still_ || painted_ != &match.data()) {
-            still_.reset();  // a context must go before the next one comes
+            still_.reset();  // the old context must be destroyed before the next one is created
             auto still = Still::create(match.data(), game::find_assets(), {640, 360});
             if (!still) return tl::unexpected(still.error());
             still_ = std::make_unique<Still>(std::move(*still));
@@ -84,7 +84,12 @@ int run_scenario(const std::vector<std::string>& words) {
     if (const char* keep = std::getenv("THAUM_KEEP_FORCES"); keep != nullptr) chosen.keep_forces = keep;
     const auto scripts = game::find_scenarios(arguments->plain(), chosen);
     if (!scripts) return refuse(scripts.error());
-    for (const auto& script : *scripts) protect_input(script);
+    for (const auto& script : *scripts) {
+        protect_input(script);
+        if (const auto forces = game::forces_folder(script, chosen);
+            chosen.keep_forces.empty() && !forces.empty())
+            protect_input(forces);
+    }
     if (const auto made = make_folder(chosen.out); !made) return refuse(made.error());
     if (const auto free = json && json != "-" ? check_output(*json) : Expected<void>(); !free)
         return refuse(free.error());

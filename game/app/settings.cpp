@@ -1,7 +1,6 @@
 #include "game/app/settings.h"
 
 #include <pwd.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -27,7 +26,8 @@ constexpr std::array<std::string_view, session_keys> session_names{"pause",     
 constexpr std::array<std::string_view, session_keys> session_defaults{
     "key escape", "key enter, key kp_enter", "key q", "key f6", "key f11", "key f10", "key f3"};
 
-/// The user's home folder; empty: there is none. A relative HOME would lead to another folder in each place.
+/// The user's home folder; empty if there is none. A relative HOME is ignored, because its meaning would
+/// change with the working folder.
 std::filesystem::path home_folder() {
     const char* home = std::getenv("HOME");
     if (home != nullptr && std::filesystem::path(home).is_absolute()) return home;
@@ -37,8 +37,8 @@ std::filesystem::path home_folder() {
     return listed.is_absolute() ? listed : std::filesystem::path();
 }
 
-/// An XDG folder: an absolute path in the variable (the specification says that others are ignored), else the usual place
-/// below the home folder; empty where there is none.
+/// An XDG folder: the absolute path in the variable, else the usual place below the home folder. The
+/// specification says that relative paths are ignored. Empty if there is no home folder.
 std::filesystem::path base_folder(const char* variable, const char* usual) {
     const char* set = std::getenv(variable);
     if (set != nullptr && std::filesystem::path(set).is_absolute()) return set;
@@ -91,7 +91,7 @@ void read(const ConfigTable& root, const Setting& setting, Settings& s) {
 
 std::string two_digits(int n) { return text(n < 10 ? "0" : "", n); }
 
-/// "2026-03-01_18-05-59": sorts as time goes.
+/// Date and time in a form that sorts by time: "2026-03-01_18-05-59".
 std::string date_and_time(std::time_t when) {
     std::tm t{};
     ::localtime_r(&when, &t);
@@ -104,53 +104,63 @@ bool is_number(std::string_view word) {
            std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// Is it a name that new_match_log or a rematch made ("..._01.thaumlog", "..._01-2.thaumlog")? Only such files are ever deleted.
-bool is_own_name(std::string_view name) {
-    constexpr std::string_view pattern = "dddd-dd-dd_dd-dd-dd_dd";
-    if (!name.ends_with(log_ending) || name.size() < pattern.size() + log_ending.size()) return false;
-    name.remove_suffix(log_ending.size());
-    const auto dated = name.substr(0, pattern.size()), rest = name.substr(pattern.size());
-    return std::equal(dated.begin(), dated.end(), pattern.begin(),
-                      [](char c, char p) { return p == 'd' ? c >= '0' && c <= '9' : c == p; }) &&
-           (rest.empty() || (rest[0] == '-' && is_number(rest.substr(1))));
+/// Length of the pattern if `name` begins with it, else 0. In the pattern, d stands for a digit.
+std::size_t fitted(std::string_view name, std::string_view pattern) {
+    const bool fits = name.size() >= pattern.size() &&
+                      std::equal(pattern.begin(), pattern.end(), name.begin(),
+                                 [](char p, char c) { return p == 'd' ? c >= '0' && c <= '9' : c == p; });
+    return fits ? pattern.size() : 0;
 }
 
-/// A recorded match as it sorts: the oldest first.
-struct AgedLog {
-    bool after_now;  ///< recorded before the clock was set back, so before all that is dated in the past
-    std::string dated, name;  ///< date and counter; with the number of a rematch
+/// A recorded match with a name of this program. Names contain a counter, because clocks may run backwards.
+struct MatchLog {
+    std::uint64_t number{};  ///< 0: the name is from an earlier version and has only the date
+    std::string name;        ///< file name without ".thaumlog"
     std::filesystem::path path;
 
-    /// Rematches go by number: the tenth comes after the second.
+    /// Sort key, oldest first. Of two names with the same beginning the shorter comes first: "-2" before
+    /// "-10".
     auto key() const {
-        return std::tuple(!after_now, std::string_view(dated), name.size(), std::string_view(name));
+        return std::tuple(number, std::string_view(name).substr(0, dated), name.size(), name);
     }
+
+private:
+    static constexpr std::size_t dated = std::string_view("dddd-dd-dd_dd-dd-dd_dd").size();
 };
 
-/// Names are in local time, which summer time and journeys move by up to a day, and a clock that is kept right steps by
-/// seconds: what is further ahead than that was recorded under another clock.
-AgedLog aged(const std::filesystem::path& path, std::time_t now) {
-    constexpr std::time_t journeys_s = 26 * 3600, steps_s = 120;
-    AgedLog log{false, {}, path.stem().string(), path};
-    log.dated = log.name.substr(0, log.name.find('-', 20));
-    struct stat info {};
-    const bool written_later = ::stat(path.c_str(), &info) == 0 && info.st_mtime > now + steps_s;
-    log.after_now = written_later || log.dated > date_and_time(now + journeys_s);
-    return log;
+/// Counter in the name of a log; std::nullopt if this program did not give the name. Names look like
+/// "000012_2026-03-01_18-05-59.thaumlog", in earlier versions like "2026-03-01_18-05-59_01.thaumlog". A
+/// suffix "-2" follows if the name was taken. Only files with such names are ever deleted.
+std::optional<std::uint64_t> number_of_own(std::string_view name) {
+    const auto digits = std::min(name.find('_'), name.size());
+    const bool numbered = digits >= 6 && digits <= 18 && is_number(name.substr(0, digits));
+    const auto matched = numbered ? fitted(name.substr(digits), "_dddd-dd-dd_dd-dd-dd") + digits
+                                  : fitted(name, "dddd-dd-dd_dd-dd-dd_dd");
+    if (matched <= (numbered ? digits : 0)) return std::nullopt;
+    const auto rest = name.substr(matched);
+    if (!rest.empty() && (rest[0] != '-' || !is_number(rest.substr(1)))) return std::nullopt;
+    return numbered ? std::stoull(std::string(name.substr(0, digits))) : 0;
 }
 
-/// Another program may be recording into one of them.
-void delete_oldest(const std::filesystem::path& folder, int kept) {
-    std::vector<AgedLog> logs;
-    const auto now = std::time(nullptr);
+/// Logs in the folder with names of this program, oldest first.
+std::vector<MatchLog> match_logs(const std::filesystem::path& folder) {
+    std::vector<MatchLog> logs;
     std::error_code error;
     for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
          it.increment(error)) {
-        if (it->is_regular_file(error) && is_own_name(it->path().filename().string()))
-            logs.push_back(aged(it->path(), now));
+        const auto& path = it->path();
+        if (path.extension() != log_ending || !it->is_regular_file(error)) continue;
+        const auto name = path.stem().string();
+        if (const auto number = number_of_own(name)) logs.push_back({*number, name, path});
     }
     std::sort(logs.begin(), logs.end(), [](const auto& a, const auto& b) { return a.key() < b.key(); });
+    return logs;
+}
+
+/// Deletes the oldest logs until there is room for one more. Keeps logs that a program is recording.
+void delete_oldest(const std::vector<MatchLog>& logs, int kept) {
     const auto room = static_cast<std::size_t>(std::max(kept - 1, 0));
+    std::error_code error;
     for (std::size_t i = 0; i + room < logs.size(); ++i) {
         if (!input::log_in_use(logs[i].path)) std::filesystem::remove(logs[i].path, error);
     }
@@ -245,7 +255,8 @@ std::string shown(const Setting& setting, const Settings& s) {
 
 void change(const Setting& setting, Settings& s, int steps) {
     if (const auto* n = std::get_if<NumberSetting>(&setting.kind)) {
-        // To a whole number of steps, divided and not multiplied: 0.3, not 0.30000000000000004.
+        // Rounds to a whole number of steps. Dividing instead of multiplying gives 0.3 and not
+        // 0.30000000000000004.
         const double per_unit = std::round(1 / n->step);
         const double whole = std::round(s.*n->value / n->step) + steps;
         const double value = n->step < 1 ? whole / per_unit : whole * n->step;
@@ -265,7 +276,7 @@ void change(const Setting& setting, Settings& s, int steps) {
 std::optional<int> key_code_of(std::string_view name) {
     if (name == "escape") return render::key_code("esc");
     if (const auto code = render::key_code(name)) return code;
-    // The window layer writes "LeftAlt", settings "left_alt"; "left_control" is its "LeftCtrl".
+    // The window layer's names differ: "LeftAlt" for "left_alt", and "LeftCtrl" for "left_control".
     std::string plain(name);
     std::erase(plain, '_');
     if (plain.ends_with("control")) plain.replace(plain.size() - 7, 7, "ctrl");
@@ -303,12 +314,12 @@ Expected<Settings> parse_settings(std::string_view toml, std::string name) {
 Expected<Settings> load_settings(const std::filesystem::path& file, const std::filesystem::path& assets) {
     if (file.empty()) return Settings{};
     std::error_code error;
-    // A link that leads nowhere is there as well.
+    // symlink_status: a dangling link counts as an existing file.
     if (!std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
         const auto defaults = read_text_file(assets / "settings.toml", max_settings_file);
         if (!defaults) return tl::unexpected(defaults.error());
         std::filesystem::create_directories(file.parent_path(), error);
-        // A home folder that cannot be written to is no reason not to play.
+        // Players can play even if the home folder is not writable.
         if (!write_text_file(file, *defaults)) return Settings{};
     }
     const auto source = read_text_file(file, max_settings_file);
@@ -334,14 +345,11 @@ std::filesystem::path matches_folder() {
 
 Expected<std::filesystem::path> new_match_log(const std::filesystem::path& folder, int kept) {
     if (auto made = make_folder(folder); !made) return tl::unexpected(made.error());
-    delete_oldest(folder, kept);
-    std::error_code error;
-    const auto now = date_and_time(std::time(nullptr));
-    for (int i = 1; i < 100; ++i) {
-        const auto path = folder / text(now, "_", two_digits(i), log_ending);
-        if (!std::filesystem::exists(path, error)) return path;
-    }
-    return fail(text(folder.string(), ": has 99 logs of this second already"));
+    const auto logs = match_logs(folder);
+    delete_oldest(logs, kept);
+    const auto number = text(logs.empty() ? 1 : logs.back().number + 1);
+    const auto padding = std::string(number.size() < 6 ? 6 - number.size() : 0, '0');
+    return folder / text(padding, number, "_", date_and_time(std::time(nullptr)), log_ending);
 }
 
 }  // namespace thaum::app

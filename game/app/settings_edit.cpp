@@ -1,6 +1,6 @@
-// Changes of values in the text of a settings file, line by line, so that what people wrote around them stays. A line
-// editor does not know all of TOML; so what it made is read again, and only a text that says what was asked for, and
-// differs in nothing else, is used.
+// Changes of values in the text of a settings file, line by line, so that comments and layout stay. A line
+// editor does not cover all of TOML. So the edited text is parsed again, and it is used only if it has
+// exactly the requested changes.
 #include <algorithm>
 
 #include "core/file.h"
@@ -33,7 +33,7 @@ void add_faders(std::string_view table, const Faders& faders, std::vector<Settin
     values.push_back({std::string(table), "off", in_quotes(off_words(faders))});
 }
 
-/// All that a file can say, as it says it.
+/// All values of a settings file, as text.
 std::vector<SettingEdit> all_values(const Settings& settings) {
     std::vector<SettingEdit> values;
     for (const auto& setting : all_settings())
@@ -49,7 +49,7 @@ std::vector<SettingEdit> all_values(const Settings& settings) {
     return values;
 }
 
-// The text -----------------------------------------------------------------------------------------------------------------
+// The text --------------------------------------------------------------------------------------------------
 
 std::vector<std::string> lines_of(std::string_view source) {
     std::vector<std::string> lines;
@@ -68,7 +68,7 @@ std::string_view without_spaces(std::string_view s) {
     return s.substr(first, s.find_last_not_of(spaces) - first + 1);
 }
 
-/// The name in "[name]  # comment"; nothing where the line is no header of a table.
+/// Name in a table's header "[name]  # comment"; std::nullopt for any other line.
 std::optional<std::string> header_of(std::string_view line) {
     line = without_spaces(line);
     const auto end = line.find(']');
@@ -76,7 +76,7 @@ std::optional<std::string> header_of(std::string_view line) {
     return std::string(without_spaces(line.substr(1, end - 1)));
 }
 
-/// Where the value in `key = value` begins; nothing where the line is of another key.
+/// Position of the value in `key = value`; std::nullopt if the line has another key.
 std::optional<std::size_t> value_in(std::string_view line, std::string_view key) {
     const auto equals = line.find('=');
     if (equals == std::string_view::npos || without_spaces(line.substr(0, equals)) != key) return {};
@@ -99,7 +99,7 @@ std::size_t end_of_value(std::string_view line, std::size_t at) {
     return last == std::string_view::npos || last < at ? at : last + 1;
 }
 
-/// A comment behind the value stays in its column while there is room.
+/// Replaces a value. A comment behind the value stays in its column if there is room.
 void replace_value(std::string& line, std::size_t at, const std::string& value) {
     const auto end = end_of_value(line, at);
     const auto next = line.find_first_not_of(" \t", end);
@@ -112,7 +112,7 @@ void replace_value(std::string& line, std::size_t at, const std::string& value) 
 
 void apply(const SettingEdit& edit, std::vector<std::string>& lines) {
     std::string table;
-    std::optional<std::size_t> last;  // of the table's lines that are not empty and no comments
+    std::optional<std::size_t> last;  // one past the table's last line with a key or header
     if (edit.table.empty()) last = 0;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (const auto header = header_of(lines[i])) table = *header;
@@ -134,7 +134,7 @@ bool names(const std::vector<SettingEdit>& edits, const SettingEdit& one) {
                        [&](const SettingEdit& e) { return e.table == one.table && e.key == one.key; });
 }
 
-/// Has `now` what the edits ask for, and otherwise what `old` had?
+/// Tests whether `now` has the edits' values, and otherwise the values of `old`.
 bool says(const Settings& old, const Settings& now, const std::vector<SettingEdit>& edits) {
     const auto differences = changes(old, now);
     const auto values = all_values(now);
@@ -164,7 +164,7 @@ Expected<std::string> edit_settings(std::string_view toml, const std::string& na
     for (const auto& line : lines) edited += line + '\n';
     const auto now = parse_settings(edited, name);
     if (now && says(*old, *now, edits)) return edited;
-    return fail(text(name, ": is written in a way that cannot be changed here"));
+    return fail(text(name, ": the game cannot change a file written in this way; edit the file by hand"));
 }
 
 Expected<void> save_changes(const std::filesystem::path& file, const Settings& before,
@@ -173,7 +173,7 @@ Expected<void> save_changes(const std::filesystem::path& file, const Settings& b
     if (edits.empty()) return {};
     if (file.empty()) return fail("there is no home folder for the settings: set HOME or XDG_CONFIG_HOME");
     std::error_code error;
-    // A link to a file elsewhere stays a link.
+    // Writes through a symbolic link, so that the link stays a link.
     const auto real = std::filesystem::weakly_canonical(file, error);
     const auto& target = error ? file : real;
     const auto source = read_text_file(target, max_edited_file);

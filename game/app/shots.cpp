@@ -1,4 +1,4 @@
-// thaum shots: the README's pictures, from a replay; and what `replay --shots` is made of.
+// thaum shots: makes the README's pictures from a replay. Also implements `replay --shots`.
 #include "game/app/shots.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace thaum::app {
 namespace {
 
-/// Ticks as they sort: ten hours have eight digits.
+/// Tick with eight digits, so that file names sort by time; ten hours have eight digits.
 std::string padded(Tick tick) {
     const auto digits = text(tick);
     return std::string(digits.size() < 8 ? 8 - digits.size() : 0, '0') + digits;
@@ -37,14 +37,14 @@ Expected<Shots> Shots::create(ShotPlan plan, const game::MatchData& data,
     return Shots(std::move(plan), std::move(*still));
 }
 
-/// What is behind the picture's number; nothing where none is due.
+/// Suffix of the due picture's file name; std::nullopt if no picture is due.
 std::optional<std::string> Shots::due(const game::Playback& playback) {
     const auto& match = playback.match();
     const auto now = match.now();
     std::optional<std::string> what;
     if (plan_.every != 0 && now % plan_.every == 0) what = "";
     for (; next_at_ < plan_.at.size() && plan_.at[next_at_] <= now; ++next_at_) what = "";
-    game::each_new_event(match.world().single<game::Chronicle>(), seen_, [&](const game::Event& event) {
+    game::each_new_event(match.world().single<game::EventLog>(), seen_, [&](const game::Event& event) {
         const auto kind = static_cast<std::size_t>(event.kind);
         if (plan_.on[kind]) what = text("_", game::event_names[kind]);
     });
@@ -61,7 +61,14 @@ Expected<void> Shots::follow(const game::Playback& playback) {
     if (!what) return {};
     ++taken_;
     const auto& match = playback.match();
-    return still_.save(match, {}, plan_.folder / text("shot_", padded(match.now()), *what, ".png"));
+    unconfirmed_.push_back(plan_.folder / text("shot_", padded(match.now()), *what, ".png"));
+    return still_.save(match, {}, unconfirmed_.back());
+}
+
+void Shots::remove_unconfirmed() {
+    std::error_code ignored;
+    for (const auto& picture : unconfirmed_) std::filesystem::remove(picture, ignored);
+    unconfirmed_.clear();
 }
 
 namespace {
@@ -71,11 +78,11 @@ constexpr std::string_view shots_help =
 
 Makes the README's pictures from a recorded match; needs no display.
 
-  --out DIR   where they go, in place of older ones: duel.png, the moment at which the two came closest
-              while player 1 saw the other and something flew
+  --out DIR   folder for duel.png, which replaces an older one: the moment at which the two
+              wizards were closest while player 1 saw the other and something flew
 )";
 
-/// Plays to the end.
+/// Plays the replay to its end and returns its highlight.
 Highlight find_highlight(game::Playback& playback) {
     Highlight best;
     while (playback.step()) watch_for_highlight(playback.match(), best);
@@ -88,7 +95,7 @@ int run_shots(const std::vector<std::string>& words) {
     if (!arguments) return refuse(arguments.error());
     const auto out = arguments->value("--out");
     if (arguments->plain().size() != 1 || !out)
-        return refuse({"shots needs one log and --out; `thaum shots --help` tells more"});
+        return refuse({"shots needs one log and --out; see `thaum shots --help`"});
     const auto& log = arguments->plain()[0];
     const auto file = std::filesystem::path(*out) / "duel.png";
     protect_input(log);
@@ -101,9 +108,11 @@ int run_shots(const std::vector<std::string>& words) {
         refuse({text(log, ": ", game::described(*playback->divergence()))});
         return does_not_hold;
     }
-    if (best.tick == 0) return refuse({text(log, ": the two never meet in it; take a longer match")});
+    if (best.tick == 0)
+        return refuse({text(log, ": the two wizards never meet in this log; take a longer match")});
     playback = game::Playback::open(log, game::find_assets());
-    if (!playback || !playback->play_to(best.tick)) return refuse({text(log, ": changed while it was read")});
+    if (!playback || !playback->play_to(best.tick))
+        return refuse({text(log, ": the file changed while it was read; start again")});
     const auto& match = playback->match();
     auto still = Still::create(match.data(), game::find_assets(), {1280, 720});
     if (!still) return refuse(still.error());

@@ -1,4 +1,4 @@
-// game/app/shots.h: pictures of chosen moments of a replay, drawn in memory.
+// game/app/shots.h: pictures of chosen moments of a replay, drawn without a window.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -10,26 +10,31 @@
 
 namespace thaum::app {
 
-/// Which moments, and where the pictures go.
+/// Chosen moments of a replay, and the folder for their pictures.
 struct ShotPlan {
     std::filesystem::path folder{};
-    Tick every = 0;                                   ///< 0: not by time
-    std::vector<Tick> at{};                           ///< sorted
-    std::array<bool, game::event_names.size()> on{};  ///< by game::EventKind
+    Tick every = 0;                                   ///< ticks between two pictures; 0: no regular pictures
+    std::vector<Tick> at{};                           ///< single ticks with a picture, sorted
+    std::array<bool, game::event_names.size()> on{};  ///< true for each game::EventKind that gets a picture
     bool on_marks = false;
     render::Size size{1280, 720};
 
     bool any() const;
 };
 
-/// Follows a playback and leaves FOLDER/shot_TICK.png, or shot_TICK_WHAT.png for an event or a mark.
+/// Follows a playback and saves FOLDER/shot_TICK.png, or shot_TICK_WHAT.png for an event or a mark.
 class Shots {
 public:
-    /// Makes the folder. The error is one line: it cannot be made, or there is no OpenGL.
+    /// Makes the folder. The error is one line: the folder cannot be made, or there is no OpenGL.
     static Expected<Shots> create(ShotPlan plan, const game::MatchData& data,
                                   const std::filesystem::path& assets);
-    /// Takes the pictures that are due in the playback's state now; at most one a tick.
+    /// Saves the picture that is due in the playback's state now; at most one per tick.
     Expected<void> follow(const game::Playback& playback);
+    /// Marks all pictures so far as true to the record; call this when a state hash has agreed.
+    void confirm() { unconfirmed_.clear(); }
+    /// Deletes the pictures taken since the last confirmation, which show moments that never happened in the
+    /// recorded match.
+    void remove_unconfirmed();
     std::size_t taken() const { return taken_; }
 
 private:
@@ -39,7 +44,8 @@ private:
     ShotPlan plan_;
     Still still_;
     std::size_t next_at_ = 0, next_mark_ = 0, taken_ = 0;
-    std::uint64_t seen_ = 0;  ///< of Chronicle::count
+    std::uint64_t seen_ = 0;  ///< value of EventLog::count at the last look
+    std::vector<std::filesystem::path> unconfirmed_{};
 };
 
 }  // namespace thaum::app

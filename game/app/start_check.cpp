@@ -1,5 +1,6 @@
-// Runs before every constructor of the program and of its libraries: those are compiled for x86-64-v3 and would die of an illegal
-// instruction on an older processor, without a word. This file is not (game/CMakeLists.txt).
+// Processor check that runs before every constructor of the program and its libraries. Those are compiled for
+// x86-64-v3 and would die of an illegal instruction on an older processor, without a message. This file is
+// compiled for older processors (game/CMakeLists.txt).
 #include <unistd.h>
 
 #include "core/processor.h"
@@ -7,7 +8,7 @@
 
 namespace {
 
-/// Standard error is all there is yet.
+/// Writes to standard error, the only output that works this early.
 void say(const char* text) {
     unsigned length = 0;
     while (text[length] != '\0') ++length;

@@ -1,6 +1,6 @@
 #include "game/app/still.h"
 
-#include "game/hud/court.h"
+#include "game/hud/arena_scene.h"
 #include "game/hud/picture.h"
 #include "render/context.h"
 #include "render/renderer.h"
@@ -9,8 +9,8 @@ namespace thaum::app {
 
 struct Still::State {
     render::Offscreen context;
-    std::optional<render::Renderer> renderer;  // goes before its context
-    game::Court court;
+    std::optional<render::Renderer> renderer;  // destroyed before its context
+    game::ArenaScene arena_scene;
     game::Picture picture = game::make_picture();
     game::FrameMemory memory;
 };
@@ -29,14 +29,14 @@ Expected<Still> Still::create(const game::MatchData& data, const std::filesystem
     if (!renderer) return tl::unexpected(renderer.error());
     auto state = std::unique_ptr<State>(
         new State{std::move(*context), std::move(*renderer), {}, game::make_picture(), {}});
-    state->court = game::make_court(*state->renderer, data);
+    state->arena_scene = game::make_arena_scene(*state->renderer, data);
     return Still(std::move(state));
 }
 
 render::Image Still::draw(const game::Simulation& match, const game::HudSettings& settings) {
     auto& s = *state_;
     game::take_picture(match, s.picture);
-    s.renderer->draw(game::make_frame(s.court, s.picture, settings, s.context.size(), s.memory));
+    s.renderer->draw(game::make_frame(s.arena_scene, s.picture, settings, s.context.size(), s.memory));
     return s.renderer->read_pixels();
 }
 

@@ -11,7 +11,8 @@ namespace thaum::app {
 
 class Still {
 public:
-    /// The error is one line: no OpenGL, no font, a broken shader. All pictures are of matches with this data.
+    /// All pictures are of matches with this data. The error is one line: no OpenGL, no font, or a broken
+    /// shader.
     static Expected<Still> create(const game::MatchData& data, const std::filesystem::path& assets,
                                   render::Size size);
     Still(Still&&) noexcept;
@@ -19,7 +20,7 @@ public:
     ~Still();
 
     render::Image draw(const game::Simulation& match, const game::HudSettings& settings);
-    /// As a PNG.
+    /// Draws the match and saves the picture as a PNG file.
     Expected<void> save(const game::Simulation& match, const game::HudSettings& settings,
                         const std::filesystem::path& file);
 

@@ -12,7 +12,7 @@ namespace thaum::app {
 
 namespace {
 
-/// Exit code of what was shown: was it the recorded match?
+/// Exit code of a shown replay: does_not_hold, with a message, if the replay diverged from the record.
 int verdict(const game::Playback& playback) {
     if (!playback.divergence()) return done;
     std::printf("%s\n", game::described(*playback.divergence()).c_str());

@@ -1,4 +1,4 @@
-// game/app/watch.h: looking at a replay.
+// game/app/watch.h: a replay shown in a window.
 #pragma once
 #include <filesystem>
 
@@ -9,11 +9,11 @@ namespace thaum::app {
 struct WatchPlan {
     Tick start = 0;               ///< first tick that is shown
     double speed = 1;             ///< ratio of the replay's pace to real time
-    std::filesystem::path out{};  ///< folder for the picture, without a display
+    std::filesystem::path out{};  ///< folder for the picture if there is no display
 };
 
-/// Plays the rest of the log in a window; Esc leaves. Without a display it leaves one picture of the moment and its
-/// state in the folder, and says so in a line. Returns an exit code.
+/// Plays the rest of the log in a window; Esc leaves. Without a display, saves one picture of the moment and
+/// its state in the folder, and prints a line about them. Returns an exit code.
 int watch(game::Playback playback, const WatchPlan& plan);
 
 }  // namespace thaum::app

@@ -17,7 +17,7 @@ Surface read_surface(const ConfigTable& table) {
     return static_cast<Surface>(table.choice("surface", names));
 }
 
-/// Shape and size of a box, cylinder or sphere.
+/// Reads shape and size of a box, cylinder or sphere.
 void read_shape(const ConfigTable& table, std::string_view shape, Body& body) {
     if (shape == "box") {
         body.shape = physics::Shape::box;
@@ -51,7 +51,7 @@ void read_mesh(const ConfigTable& table, std::string_view shape, Arena& arena, B
 void add_mirrored(const ConfigTable& table, Arena& arena, const Thing& thing) {
     arena.things.push_back(thing);
     if (!table.boolean("mirror", false)) return;
-    Thing twin = thing;  // every shape we have is its own mirror image in z
+    Thing twin = thing;  // every shape is its own mirror image in z
     twin.position.z = -twin.position.z;
     arena.things.push_back(twin);
 }
@@ -73,7 +73,8 @@ void read_solids(const ConfigTable& root, Arena& arena) {
     }
 }
 
-/// Masses of props (kg). A stack carries up to 200 times the mass of its lightest body (physics/physics.h).
+/// Range of a prop's mass (kg). A stack carries up to 200 times the mass of its lightest body
+/// (physics/physics.h).
 constexpr Range prop_mass{1, 200};
 
 void read_props(const ConfigTable& root, Arena& arena) {

@@ -1,4 +1,4 @@
-// game/arena/arena.h: the place of a match, as its file describes it (assets/arenas).
+// game/arena/arena.h: an arena as described by its data file in assets/arenas.
 #pragma once
 #include <optional>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace thaum::game {
 
-/// One thing of the arena: a body and its look. Ramps and the bowl are static meshes.
+/// A body of the arena and its look. Ramps and the bowl are static meshes.
 struct Thing {
     Body body;
     Surface surface{};
@@ -20,38 +20,41 @@ struct Thing {
     bool operator==(const Thing&) const = default;
 };
 
-/// The first bowl among the solids: a cauldron stands in it where the rule set has one.
+/// The first bowl among the solids. It holds a cauldron if the rule set has one.
 struct BowlPlace {
     vec3 centre{};
     BowlSize size{};
     bool operator==(const BowlPlace&) const = default;
 };
 
+/// Place where an ingredient is picked up.
 struct NichePlace {
     std::string ingredient;
-    vec3 position{};  ///< m, on the ground
+    vec3 position{};  ///< position on the ground (m, world)
     bool operator==(const NichePlace&) const = default;
 };
 
 struct PowerUpPlace {
     PowerUpKind kind{};
-    vec3 position{};  ///< m, on the ground
+    vec3 position{};  ///< position on the ground (m, world)
     bool operator==(const PowerUpPlace&) const = default;
 };
 
 struct Arena {
     std::string name;
-    std::vector<physics::TriangleMesh> meshes;  ///< Body::mesh counts in here
-    std::vector<Thing> things;                  ///< static ones and props, in the order of the file
+    /// Meshes of ramps and bowls; Body::mesh is an index into this list.
+    std::vector<physics::TriangleMesh> meshes;
+    std::vector<Thing> things;  ///< static bodies and props, in the order of the file
     std::vector<vec3> anchors;
     std::vector<Pad> pads;
     std::vector<PowerUpPlace> power_ups;
     std::optional<BowlPlace> bowl;
-    std::vector<NichePlace> niches;  ///< of ingredients for it
+    std::vector<NichePlace> niches;  ///< places to pick up ingredients for the cauldron
     bool operator==(const Arena&) const = default;
 };
 
-/// Reads `[[solid]]`, `[[anchor]]`, `[[pad]]`, `[[prop]]`, `[[power_up]]` and `[[niche]]`; faults stay in the Config (core/config.h).
+/// Reads the tables `[[solid]]`, `[[anchor]]`, `[[pad]]`, `[[prop]]`, `[[power_up]]` and `[[niche]]`. Errors
+/// are kept in the Config (core/config.h).
 Arena read_arena(const Config& file);
 
 }  // namespace thaum::game

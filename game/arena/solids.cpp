@@ -16,15 +16,16 @@ physics::TriangleMesh ramp(vec3 size, bool rises_east) {
     const vec3 h = size * 0.5;
     const double high = rises_east ? h.x : -h.x;
     physics::TriangleMesh mesh;
-    // 0..3: the base, counter-clockwise from above, starting at the low edge; 4, 5: the high edge.
+    // Vertices 0 to 3 are the base, counter-clockwise from above, starting at the low edge. 4 and 5 are the
+    // high edge.
     mesh.vertices = {{-high, -h.y, -h.z}, {-high, -h.y, h.z}, {high, -h.y, h.z},
                      {high, -h.y, -h.z},  {high, h.y, h.z},   {high, h.y, -h.z}};
-    quad(mesh, 0, 3, 2, 1);  // base, seen from below
+    quad(mesh, 0, 3, 2, 1);  // base; its front side faces down
     quad(mesh, 0, 1, 4, 5);  // slope
     quad(mesh, 3, 5, 4, 2);  // back
     mesh.triangles.push_back({1, 2, 4});
     mesh.triangles.push_back({0, 5, 3});
-    if (!rises_east) {  // mirrored in x: what was counter-clockwise is not any more
+    if (!rises_east) {  // mirroring in x turned counter-clockwise triangles clockwise
         for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
     }
     return mesh;
@@ -53,7 +54,7 @@ std::vector<vec2> bowl_profile(const BowlSize& size) {
 physics::TriangleMesh bowl(const BowlSize& size) {
     const auto profile = bowl_profile(size);
     physics::TriangleMesh mesh;
-    // One vertex for each end on the axis, a ring for every other point.
+    // A profile point on the axis is one vertex. Every other profile point is a ring of vertices.
     std::vector<std::uint32_t> first;
     for (const auto& p : profile) {
         first.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));

@@ -1,23 +1,25 @@
-// game/arena/solids.h: the arena's shapes that are not primitives, as closed triangle meshes for Bullet.
+// game/arena/solids.h: closed triangle meshes of ramps and bowls, shapes for which Bullet has no primitives.
 #pragma once
 #include "physics/physics.h"
 
 namespace thaum::game {
 
-/// Half a box of that size (m), centred on it: a wedge that rises towards +x (east) or -x.
+/// A wedge, half of a box of that size (m), centred on the box. It rises towards +x (east) or -x (west).
 physics::TriangleMesh ramp(vec3 size, bool rises_east);
 
 struct BowlSize {
-    double radius{};     ///< m, of the rim
-    double height{};     ///< m
-    double thickness{};  ///< m, of the wall
+    double radius{};     ///< radius of the rim (m)
+    double height{};     ///< height of the whole bowl (m)
+    double thickness{};  ///< thickness of the wall (m)
     bool operator==(const BowlSize&) const = default;
 };
 
-/// A solid of revolution about y, centred at half its height: a foot, a belly, an open top.
+/// A solid of revolution about the y axis with a foot, a belly and an open top. The origin is on the axis at
+/// half the height.
 physics::TriangleMesh bowl(const BowlSize& size);
 
-/// The bowl's profile, (radius, y), outside from the foot's centre up, then inside down to the middle of the floor.
+/// Profile of the bowl as points (radius, y) in m: first the outside from the middle of the foot up to the
+/// rim, then the inside down to the middle of the floor.
 std::vector<vec2> bowl_profile(const BowlSize& size);
 
 }  // namespace thaum::game

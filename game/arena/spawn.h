@@ -1,4 +1,4 @@
-// game/arena/spawn.h: an arena's things become entities.
+// game/arena/spawn.h: turns the description of an arena into entities.
 #pragma once
 #include "ecs/world.h"
 #include "game/arena/arena.h"
@@ -7,7 +7,7 @@ namespace thaum::game {
 
 void spawn_arena(ecs::World& world, const Arena& arena);
 
-/// One thing, at its place; how scenarios set a scene.
+/// Creates one body of the arena at its position. Scenarios also use it to set a scene.
 ecs::Entity spawn_thing(ecs::World& world, const Thing& thing);
 
 }  // namespace thaum::game

@@ -6,10 +6,10 @@
 namespace thaum::game {
 namespace {
 
-constexpr double close_to = 0.15;   ///< rad; an eye so near to where it wants to be is there
-constexpr double near_share = 0.7;  ///< of the distance it likes: there it spares no energy
+constexpr double close_to = 0.15;   ///< angle below which the eye has reached its aim (rad)
+constexpr double near_share = 0.7;  ///< share of the preferred distance below which a bot spares no energy
 
-/// A number with mean 0 and standard deviation 1 (the sum of twelve uniform ones).
+/// Random number with mean 0 and standard deviation 1 (the sum of twelve uniform ones).
 double normal(Random& random) {
     double sum = -6;
     for (int i = 0; i < 12; ++i) sum += random.uniform();
@@ -22,7 +22,7 @@ bool worth_a_shot(const Self& self, const Seat& seat, const Mind& mind) {
     return self.can_shoot && distance < seat.skill.range && (near || self.energy_share > seat.skill.reserve);
 }
 
-/// A fair share of what is left to turn.
+/// Returns this tick's equal share of the counts still to be given, and subtracts it from them.
 std::int32_t take_share(std::int32_t& left, Tick ticks_left) {
     const auto part = left / static_cast<std::int32_t>(ticks_left);
     left -= part;
@@ -53,7 +53,7 @@ void wander_aim(const Seat& seat, Mind& mind) {
 vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind, double lead) {
     const double flight = self.shot.speed > 0 ? glm::distance(self.eye, mind.foe) / self.shot.speed : 0;
     vec3 moved = mind.foe_velocity * (lead * (seconds(seat.skill.reaction) + flight));
-    moved.y = 0;  // jumps end soon
+    moved.y = 0;  // a jump ends soon, so it is not extrapolated
     return mind.foe + moved;
 }
 
@@ -64,7 +64,8 @@ Aim aim_of_shot(const Self& self, vec3 target) {
     const double v2 = self.shot.speed * self.shot.speed, g = self.shot.fall;
     const double root = v2 * v2 - g * (g * flat * flat + 2 * to.y * v2);
     Aim aim = aim_at(self.eye, target);
-    aim.pitch = root > 0 ? det::atan2(v2 - std::sqrt(root), g * flat) : pi / 4;  // too far: as far as it goes
+    // Target out of reach: throw as far as possible.
+    aim.pitch = root > 0 ? det::atan2(v2 - std::sqrt(root), g * flat) : pi / 4;
     return aim;
 }
 
@@ -84,9 +85,9 @@ bool seen_within(const Mind& mind, double duration, Tick tick) {
     return mind.foe_seen_at != 0 && tick - mind.foe_seen_at <= ticks(duration);
 }
 
-/// Fire held until the wand is ready and the eye where it wants to be.
+/// Holds fire until the wand is ready and the eye has reached its aim, then releases fire.
 void ready_and_let_go(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick) {
-    constexpr double enough = 0.04;  // of the readiness that is still missing
+    constexpr double enough = 0.04;  // readiness that may be missing
     const bool arc = self.shot.fall > 0;
     const bool knows = seen_within(mind, arc ? 1.4 : 0.3, tick);
     const bool aimed = std::abs(angle_between(self.yaw, wanted.yaw)) < close_to &&

@@ -1,37 +1,42 @@
-// game/bots/aim.h: how whatever plays by itself turns its eye on the foe and decides to shoot. Bots and dummies share it.
+// game/bots/aim.h: how bots and dummies turn their view to the foe and decide when to shoot.
 #pragma once
 #include "game/bots/mind.h"
 
 namespace thaum::game {
 
-inline constexpr double rad_per_count = 0.001;  ///< of a bot's mouse
+inline constexpr double rad_per_count = 0.001;  ///< rotation per count of a bot's mouse
 
+/// Direction of view.
 struct Aim {
-    double yaw{}, pitch{};  ///< rad
+    double yaw{}, pitch{};  ///< yaw to the left of -z, pitch upwards (rad)
 };
 
+/// Direction from the eye to a position.
 Aim aim_at(vec3 eye, vec3 target);
 
-/// rad, the shorter way round.
+/// Signed angle from one direction to the other, the shorter way round (rad).
 double angle_between(double from, double to);
 
-/// The aim wanders slowly, with the skill's standard deviation.
+/// Changes the random aiming error slowly. Its standard deviation is given by the skill.
 void wander_aim(const Seat& seat, Mind& mind);
 
-/// Where the foe will be when the shot is there, as far as `lead` of the foe's motion is allowed for.
+/// Position at which to shoot: the foe's expected position when the shot arrives. `lead` is the share of the
+/// foe's motion that is taken into account.
 vec3 aim_point(const Self& self, const Seat& seat, const Mind& mind, double lead);
 
-/// So that the next shot comes down there; what flies in an arc takes the lower of its two ways.
+/// Aim with which the next shot hits the target. A shot on a parabola takes the lower of the two possible
+/// directions.
 Aim aim_of_shot(const Self& self, vec3 target);
 
-/// Counts for the ticks until the next look, into the mind; at most what the wrist can do.
+/// Plans the mouse counts until the next gameplay tick in `mind`, limited by the skill's turning speed.
 void turn_towards(const Self& self, const Seat& seat, Aim aim, Mind& mind);
 
-/// Bursts of fire at a foe who is in sight and near enough, while the eye is `wanted` or close to it; what is readied first is held
-/// until it is ready and the eye is there. What flies in an arc may go over what hides the foe.
+/// Decides about fire while the eye is near `wanted` and the foe is in sight and near enough. A rapid wand
+/// fires in bursts. A wand that is readied first keeps fire held until the wand is ready and the eye has
+/// reached its aim. Shots on a parabola may go over what hides the foe.
 void choose_fire(const Self& self, const Seat& seat, Aim wanted, Mind& mind, Tick tick);
 
-/// The part of the planned turn that belongs to this tick, of `ticks_left` until the next look.
+/// Takes the part of the planned turn for this tick. `ticks_left` ticks remain until the next gameplay tick.
 void turn_hand(Mind& mind, Tick ticks_left, input::DeviceSample& sample);
 
 }  // namespace thaum::game

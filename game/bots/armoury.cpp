@@ -9,11 +9,14 @@ namespace {
 using input::bit;
 using input::Button;
 
-constexpr double clear_of_burst = 1.4;  ///< of its reach: nearer, it would hurt oneself
-constexpr double throw_within = 14;     ///< m; farther, the fuse is over before
+/// Least distance as a multiple of the burst's radius; a nearer burst would hurt the bot.
+constexpr double clear_of_burst = 1.4;
+/// Largest distance of a throw (m); farther away the stone bursts before it arrives.
+constexpr double throw_within = 14;
 constexpr auto wand_keys = bit(Button::wand_1) | bit(Button::wand_2) | bit(Button::wand_3) |
                            bit(Button::wand_4) | bit(Button::wand_5);
 
+/// How a wand's shots fly and how fire is used.
 enum class Way : std::uint8_t { rapid, charged, arc };
 
 Way way_of(const ShotKind& shot) {
@@ -21,11 +24,12 @@ Way way_of(const ShotKind& shot) {
     return shot.fall > 0 ? Way::arc : Way::charged;
 }
 
+/// Situation in which a wand is chosen.
 struct Prospect {
     const Self& self;
     const Seat& seat;
-    double distance;  ///< m, to the foe
-    double up;        ///< m, how far the foe is above
+    double distance;  ///< distance to the foe (m)
+    double up;        ///< height of the foe above the bot's eye (m)
     bool hidden;      ///< the foe has just gone out of sight
 };
 
@@ -34,7 +38,8 @@ bool hidden(const Mind& mind, Tick tick) {
            tick < mind.foe_seen_at + ticks(1.2);
 }
 
-/// How far to draw: half as fast again as the slowest throw that reaches, so that it is flat; over cover hardly faster.
+/// Draw of a throw, 0 to 1. The throw is half as fast again as the slowest one that reaches the foe, so that
+/// it is flat. A throw over cover is hardly faster than the slowest one.
 double draw_for(const LoadedWand& wand, const Prospect& prospect) {
     const double reach =
         prospect.up + std::sqrt(prospect.up * prospect.up + prospect.distance * prospect.distance);
@@ -45,7 +50,7 @@ double draw_for(const LoadedWand& wand, const Prospect& prospect) {
     return range > 0 ? std::clamp((speed - slow.speed) / range, 0.1, 1.0) : 1;
 }
 
-/// To which share it would ready this wand; negative where it is of no use now.
+/// Readiness to which the bot would ready this wand; negative if the wand is of no use now.
 double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospect& prospect, Random& random) {
     const auto shot = [&](double share) { return wand.kind->shot(wand.data.get(), share); };
     const double energy = belt.energy[wand.stats.energy_slot];
@@ -61,7 +66,7 @@ double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospec
     return std::max(share, 0.0);
 }
 
-/// The first wand of that kind that is of use; its slot and readiness into the mind.
+/// Chooses the first useful wand of that kind and writes its slot and readiness to `mind`.
 bool take(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Way way, Mind& mind) {
     for (const auto& wand : data.wands) {
         if (wand.kind->shot == nullptr || way_of(wand.kind->shot(wand.data.get(), 0)) != way) continue;
@@ -84,7 +89,7 @@ void choose_anew(const MatchData& data, const WandBelt& belt, const Prospect& pr
     if (take(data, belt, prospect, Way::rapid, mind) || take(data, belt, prospect, Way::charged, mind))
         return;
     if (take(data, belt, prospect, Way::arc, mind)) return;
-    // All are empty: rather one that shoots than one for other things, so that it knows what it lacks.
+    // No wand has enough energy. The bot chooses one that shoots, so that it notices the missing energy.
     const auto shoots = [](const LoadedWand& wand) { return wand.kind->shot != nullptr; };
     const auto in_mind = [&](const LoadedWand& wand) { return shoots(wand) && wand.stats.slot == mind.wand; };
     if (std::any_of(data.wands.begin(), data.wands.end(), in_mind)) return;

@@ -16,18 +16,19 @@
 #include "game/bots/senses.h"
 #include "game/bots/stirring.h"
 
-// Every gameplay tick a bot looks, chooses an aim and a way, and spreads its turn over the ticks until the next look.
+// Bots act in every gameplay tick: a bot looks, chooses an aim and a way, and spreads its turn over the ticks
+// until the next gameplay tick.
 namespace thaum::game {
 namespace {
 
 using input::Button;
 namespace hand = input::hand;
 
-constexpr double reached = 1.2;      ///< m from a goal
-constexpr double stuck_speed = 0.4;  ///< m/s
+constexpr double reached = 1.2;      ///< distance at which a goal counts as reached (m)
+constexpr double stuck_speed = 0.4;  ///< speed below which a walking bot is stuck (m/s)
 constexpr Tick forget_after = ticks(4.0);
 
-/// A walkable place anywhere in the court.
+/// A random walkable place in the arena.
 vec3 random_place(const WalkGrid& grid, Random& random) {
     for (int tries = 0; tries < 50; ++tries) {
         const int cell = static_cast<int>(random.below(WalkGrid::side * WalkGrid::side));
@@ -47,14 +48,14 @@ void set_move(const Self& self, vec3 direction, Mind& mind) {
     mind.move_forward = static_cast<std::int32_t>(std::lround(-127 * local.z / length));
 }
 
-/// Something stands in the way: after a while jump and go sideways.
+/// Frees a bot that something blocks: after a while it jumps and perhaps steps sideways.
 void unstick(const Self& self, Mind& mind, Tick tick) {
     mind.buttons &= ~static_cast<std::uint32_t>(Button::jump);
     const bool slow = glm::length(vec2(self.velocity.x, self.velocity.z)) < stuck_speed;
     if (!slow || mind.wishes_to_move == 0) mind.slow_since = tick;
     if (tick - mind.slow_since < ticks(0.4)) return;
     mind.slow_since = tick;
-    if (mind.random.below(2) == 0) {  // else straight on: it may be a ledge that one can jump onto
+    if (mind.random.below(2) == 0) {  // else it jumps straight on, perhaps onto a ledge
         mind.dodge_until = tick + ticks(0.5);
         mind.strafe = mind.random.below(2) == 0 ? -1 : 1;
     }
@@ -78,7 +79,7 @@ vec3 unit_or_zero(vec3 v) {
     return length > 1e-6 ? v / length : vec3(0);
 }
 
-/// To the middle of the next cell on the way; zero at its end, or where there is none.
+/// Displacement to the middle of the next cell on the way to `goal`. Zero at the goal, or if there is no way.
 vec3 next_step(const Self& self, const WalkGrid& grid, vec3 goal, WalkGrid::Ways& ways) {
     const int to = WalkGrid::cell_at(goal);
     if (ways.goal != to) grid.find_ways(to, ways);
@@ -87,17 +88,18 @@ vec3 next_step(const Self& self, const WalkGrid& grid, vec3 goal, WalkGrid::Ways
     return next == cell ? vec3(0) : WalkGrid::centre_of(next) - vec3(self.centre.x, 0, self.centre.z);
 }
 
-/// The next piece of the way to mind.goal; nothing where there is none.
+/// Direction of the next step to mind.goal; zero at the goal, or if there is no way.
 vec3 way_to_goal(const Self& self, const WalkGrid& grid, Mind& mind, WalkGrid::Ways& ways, Tick tick) {
     const vec3 step = next_step(self, grid, mind.goal, ways);
     if (glm::length(step) > 0) return step;
-    mind.goal_until = tick;  // there, or no way to it
+    mind.goal_until = tick;  // the goal is reached, or there is no way to it
     const vec3 last = vec3(mind.goal.x, 0, mind.goal.z) - vec3(self.centre.x, 0, self.centre.z);
     const bool same_cell = WalkGrid::cell_at(mind.goal) == WalkGrid::cell_at(self.centre);
     return same_cell && glm::length(last) > 0.3 ? last : vec3(0, 0, 0);
 }
 
-/// Comes nearer by the ways there are, keeps its distance, steps sideways; never over an edge.
+/// Direction of walking in a fight: comes nearer along walkable cells, keeps its distance, steps sideways,
+/// never over an edge.
 vec3 way_in_a_fight(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& mind,
                     WalkGrid::Ways& ways) {
     const vec3 to_foe = vec3(mind.foe.x - self.centre.x, 0, mind.foe.z - self.centre.z);
@@ -116,11 +118,12 @@ vec3 way_in_a_fight(const Self& self, const Seat& seat, const WalkGrid& grid, Mi
         mind.strafe = -mind.strafe;
         return way - right;
     }
-    // The next cell of a way is safe, though what lies beyond it may not be.
+    // The next cell of a way is safe, even if the ground beyond the cell is not.
     return safe(way) ? way : next;
 }
 
-/// What it needs comes first; in sight of the foe it fights; else it goes where the foe was, then anywhere.
+/// Direction of walking. An errand comes first. In sight of the foe the bot fights. Otherwise it goes to the
+/// foe's last known place, then to random places.
 vec3 choose_way(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& mind, WalkGrid::Ways& ways,
                 Tick tick) {
     if (mind.errand != Errand::none) return way_to_goal(self, grid, mind, ways, tick);
@@ -131,42 +134,44 @@ vec3 choose_way(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& 
     if (there || tick >= mind.goal_until) {
         mind.goal = knows ? mind.foe : random_place(grid, mind.random);
         mind.goal_until = tick + ticks(8.0);
-        if (knows) mind.foe_seen_at = tick - std::min(tick, forget_after);  // looked for once
+        // The last known place is searched only once.
+        if (knows) mind.foe_seen_at = tick - std::min(tick, forget_after);
     }
     return way_to_goal(self, grid, mind, ways, tick);
 }
 
-/// The ways that a bot has in mind: to its goal, and from where it is.
+/// Ways kept for a bot: to its goal, and from its position.
 struct BotWays {
     WalkGrid::Ways to_goal, from_here;
 };
 
-/// What a bot remembers and is at.
+/// All state of one bot that changes while it plays.
 struct Thoughts {
     Eyes& eyes;
     Mind& mind;
-    Porter& porter;
-    Climber& climber;
+    LiftPlan& lift_plan;
+    SwingPlan& swing_plan;
     Stirrer& stirrer;
 };
 
-/// What all bots know of the court: a cache.
-struct Court {
+/// Knowledge of the arena, shared by all bots. It depends on the arena alone and is kept as a cache.
+struct BotSurroundings {
     const WalkGrid& grid;
     const std::vector<Crossing>& crossings;
 };
 
-/// Nothing of what it knew is true any more.
+/// Forgets everything at the beginning of a round.
 void begin_anew(const Match& match, const Thoughts& own) {
     own.eyes.looks = 0;
     own.eyes.back_at = {};
     own.eyes.things = {};
     own.mind = {.random = own.mind.random, .round = match.round};
-    own.porter = {};
-    own.climber = {};
+    own.lift_plan = {};
+    own.swing_plan = {};
     own.stirrer = {};
 }
 
+/// Releases all buttons and ends all plans while the wizard is dead.
 void rest(const Thoughts& own) {
     auto& mind = own.mind;
     own.eyes.looks = 0;
@@ -174,12 +179,13 @@ void rest(const Thoughts& own) {
     mind.buttons = 0;
     mind.foe_seen_at = 0;
     mind.errand = Errand::none;
-    own.porter = {};
-    own.climber = {};
+    own.lift_plan = {};
+    own.swing_plan = {};
     own.stirrer = {};
 }
 
-/// Where the eye wants to be, and the trigger, while it shoots or looks for whom to shoot.
+/// Aims and shoots at a known foe. Returns the wanted direction of view; std::nullopt if the bot has nothing
+/// to look at.
 std::optional<Aim> shoot(const Simulation& match, const Self& self, const Seat& seat, vec3 way, Mind& mind,
                          Tick tick) {
     const bool watches = mind.foe_seen_at != 0 && tick - mind.foe_seen_at < ticks(1.5);
@@ -190,16 +196,17 @@ std::optional<Aim> shoot(const Simulation& match, const Self& self, const Seat& 
     return watches || glm::length(way) > 0 ? std::optional(aim) : std::nullopt;
 }
 
-/// What the hands do.
+/// Uses the hands for a rope, a held thing or a shot. Returns the wanted direction of view.
 std::optional<Aim> use_hands(const Simulation& match, const Self& self, const Seat& seat, vec3 way,
                              const Thoughts& own, Tick tick) {
-    if (hands_full(own.climber)) return aim_on_rope(self, own.climber);
-    if (hands_full(own.porter)) return handle_thing(match, self, seat, own.mind, own.porter, tick);
+    if (hands_full(own.swing_plan)) return aim_on_rope(self, own.swing_plan);
+    if (hands_full(own.lift_plan)) return handle_thing(match, self, seat, own.mind, own.lift_plan, tick);
     return shoot(match, self, seat, way, own.mind, tick);
 }
 
-void think(const Simulation& match, const Seat& seat, const Thoughts& own, const Court& court,
-           BotWays& ways) {
+/// One gameplay tick of a bot: senses, plans, then the device's controls until the next gameplay tick.
+void think(const Simulation& match, const Seat& seat, const Thoughts& own,
+           const BotSurroundings& surroundings, BotWays& ways) {
     auto& mind = own.mind;
     const Tick tick = match.match().played;
     if (mind.round != match.match().round) begin_anew(match.match(), own);
@@ -209,15 +216,17 @@ void think(const Simulation& match, const Seat& seat, const Thoughts& own, const
     see_power_ups(match, self, seat, own.eyes);
     if (seat.skill.lift.share > 0) see_things(match, self, seat, own.eyes);
     wander_aim(seat, mind);
-    choose_errand(match, self, seat, own.eyes, court.grid, ways.from_here, mind, tick);
-    if (!roped(own.climber)) plan_to_lift(match, self, seat, own.eyes, court.grid, mind, own.porter, tick);
-    if (!roped(own.climber) && own.porter.what == Porting::none)
+    choose_errand(match, self, seat, own.eyes, surroundings.grid, ways.from_here, mind, tick);
+    if (!roped(own.swing_plan))
+        plan_to_lift(match, self, seat, own.eyes, surroundings.grid, mind, own.lift_plan, tick);
+    if (!roped(own.swing_plan) && own.lift_plan.what == Porting::none)
         plan_to_stir(match, self, seat, mind, own.stirrer, tick);
     choose_step(match, self, seat, mind, tick);
-    vec3 way = choose_way(self, seat, court.grid, mind, ways.to_goal, tick);
-    if (own.porter.what == Porting::none)
-        plan_to_swing(match, self, seat, court.grid, court.crossings, ways.to_goal, mind, own.climber, tick);
-    if (roped(own.climber)) way = swing_over(match, self, seat, mind, own.climber, tick);
+    vec3 way = choose_way(self, seat, surroundings.grid, mind, ways.to_goal, tick);
+    if (own.lift_plan.what == Porting::none)
+        plan_to_swing(match, self, seat, surroundings.grid, surroundings.crossings, ways.to_goal, mind,
+                      own.swing_plan, tick);
+    if (roped(own.swing_plan)) way = swing_over(match, self, seat, mind, own.swing_plan, tick);
     if (auto aim = use_hands(match, self, seat, way, own, tick)) {
         aim->yaw += mind.error_right;
         aim->pitch += mind.error_up;
@@ -225,7 +234,7 @@ void think(const Simulation& match, const Seat& seat, const Thoughts& own, const
     }
     set_move(self, way, mind);
     mind.wishes_to_move = glm::length(way) > 0 ? 1 : 0;
-    if (hands_full(own.climber)) return;
+    if (hands_full(own.swing_plan)) return;
     unstick(self, mind, tick);
     if (tick < mind.dodge_until) mind.move_strafe = mind.strafe > 0 ? 127 : -127;
 }
@@ -314,14 +323,14 @@ struct Bots::Inside {
     ecs::World minds;
     std::unique_ptr<WalkGrid> grid;
     std::vector<Crossing> crossings;
-    std::vector<BotWays> ways;  // a cache, by the bot's entity number
+    std::vector<BotWays> ways;  // a cache, indexed by the entity of the bot
 
     Inside() {
         minds.declare<Seat>();
         minds.declare<Eyes>();
         minds.declare<Mind>();
-        minds.declare<Porter>();
-        minds.declare<Climber>();
+        minds.declare<LiftPlan>();
+        minds.declare<SwingPlan>();
         minds.declare<Stirrer>();
     }
 };
@@ -339,11 +348,12 @@ void Bots::add(const Simulation& match, std::size_t device, std::uint32_t player
         in.crossings = find_crossings(match, *in.grid);
     }
     const Seat seat{.device = device, .player = player, .skill = skill};
-    in.minds.create(seat, Eyes{}, Mind{.random = random_stream(seed, 100 + player)}, Porter{}, Climber{},
+    in.minds.create(seat, Eyes{}, Mind{.random = random_stream(seed, 100 + player)}, LiftPlan{}, SwingPlan{},
                     Stirrer{});
     in.ways.emplace_back();
     in.grid->find_ways(0, in.ways.back().from_here);
-    in.grid->find_ways(0, in.ways.back().to_goal);  // so that no memory is asked for during the match
+    // Reserves the memory, so that nothing is allocated during the match.
+    in.grid->find_ways(0, in.ways.back().to_goal);
 }
 
 bool Bots::empty() const { return inside_->minds.size() == 0; }
@@ -352,11 +362,11 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
     if (match.match().paused != 0 || match.match().phase != Phase::playing) return;
     const Tick phase = match.match().played % gameplay_period;
     auto& in = *inside_;
-    in.minds.view<const Seat, Eyes, Mind, Porter, Climber, Stirrer>().each(
-        [&](ecs::Entity e, const Seat& seat, Eyes& eyes, Mind& mind, Porter& porter, Climber& climber,
-            Stirrer& stirrer) {
+    in.minds.view<const Seat, Eyes, Mind, LiftPlan, SwingPlan, Stirrer>().each(
+        [&](ecs::Entity e, const Seat& seat, Eyes& eyes, Mind& mind, LiftPlan& lift_plan,
+            SwingPlan& swing_plan, Stirrer& stirrer) {
             if (phase == 0) {
-                think(match, seat, {eyes, mind, porter, climber, stirrer}, {*in.grid, in.crossings},
+                think(match, seat, {eyes, mind, lift_plan, swing_plan, stirrer}, {*in.grid, in.crossings},
                       in.ways[e.index]);
             }
             auto& sample = frame.devices[seat.device];

@@ -1,8 +1,9 @@
 // game/bots/bot.h: an opponent that plays through a device, as a person does.
 //
-// A bot sees what a player could see (things in its field of view and not behind others, with a delay), decides, and emits
-// one device sample a tick. It belongs to the devices, not to the match: the log holds its samples, and a replay runs
-// without it. Its mind lives in a World of its own, so that a match with bots can be saved and continued whole.
+// A bot sees what a player could see: things in its field of view that nothing hides, with a delay. It
+// decides and gives one device sample a tick. Bots belong to the devices, not to the match: the log holds
+// their samples, and a replay runs without them. Their state is kept in a World of its own, so that a match
+// with bots can be saved and continued.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -13,19 +14,19 @@
 
 namespace thaum::game {
 
-/// Levels go from 1 to this.
+/// Highest level. Levels start at 1.
 inline constexpr int bot_levels = 3;
 
-/// How it uses what takes loose things up.
+/// Skill in the use of a wand that takes up loose things.
 struct LiftSkill {
-    double share{};          ///< of its chances to take something up; 0: it never does
-    double seek{};           ///< m that it walks to a thing
-    double largest{};        ///< m, from the middle of a thing to its corners
-    double lead{};           ///< share of the foe's motion that a throw allows for
-    double within{};         ///< rad: it throws when its aim is that close
-    Tick hold{};             ///< ticks that it waits for the right moment
-    Tick rest{};             ///< ticks between two things, about
-    std::uint32_t guards{};  ///< 1: holds it before itself while shots come
+    double share{};          ///< share of opportunities at which the bot takes something up; 0: never
+    double seek{};           ///< largest walk to a thing (m)
+    double largest{};        ///< largest distance from a thing's middle to its corners (m)
+    double lead{};           ///< share of the foe's motion that a throw takes into account
+    double within{};         ///< angle between present and wanted throw below which the bot throws (rad)
+    Tick hold{};             ///< ticks for which the bot waits for a good throw
+    Tick rest{};             ///< mean ticks between two things
+    std::uint32_t guards{};  ///< 1: holds a thing as a shield while shots come
     std::uint32_t spare{};
     static constexpr auto fields() {
         using S = LiftSkill;
@@ -36,12 +37,12 @@ struct LiftSkill {
     }
 };
 
-/// How it stirs.
+/// Skill in stirring the cauldron.
 struct StirSkill {
-    double share{};  ///< of its chances to go to the cauldron; 0: it never does
-    double seek{};   ///< m that it walks there
-    Tick hold{};     ///< ticks that it stirs at most
-    Tick rest{};     ///< ticks between two times
+    double share{};  ///< share of opportunities at which the bot goes to the cauldron; 0: never
+    double seek{};   ///< largest walk to the cauldron (m)
+    Tick hold{};     ///< largest time of stirring (ticks)
+    Tick rest{};     ///< time between two visits (ticks)
     static constexpr auto fields() {
         using S = StirSkill;
         return std::tuple(ecs::field("share", &S::share), ecs::field("seek", &S::seek),
@@ -49,32 +50,32 @@ struct StirSkill {
     }
 };
 
-/// From assets/bots/level_N.toml, which says what each number does.
+/// Skill of a bot, from assets/bots/level_N.toml, which describes each number.
 struct BotSkill {
     std::uint32_t level{};
     std::uint32_t dodges{};  ///< 1: steps out of the way of bolts that it sees coming
-    std::uint32_t arcs{};    ///< 1: throws what flies in an arc
+    std::uint32_t arcs{};    ///< 1: throws missiles that fly on a parabola
     std::uint32_t spare{};
-    Tick reaction{};         ///< ticks from light to hand
-    double aim_error{};      ///< rad, one standard deviation
-    double turn_speed{};     ///< rad/s
+    Tick reaction{};         ///< ticks from seeing to acting
+    double aim_error{};      ///< standard deviation of the aim (rad)
+    double turn_speed{};     ///< largest turning speed (rad/s)
     double view_cos{};       ///< cosine of half its field of view
-    Tick burst{}, rest{};    ///< ticks of fire, and between
-    double keep{}, range{};  ///< m: the distance it likes, and up to which it shoots
-    double lead{};           ///< share of the foe's motion that its aim allows for
-    double strafe{};         ///< share of a fight in which it steps sideways
-    Tick strafe_step{};      ///< ticks after which it may change its step
-    double vial_below{};     ///< HP: health is worth a walk below that
-    double spark_below{};    ///< share of the wand's energy: a spark is worth a walk below that
-    double reserve{};        ///< share of the energy that it keeps for a foe who is near
-    double cover_below{};    ///< HP: it hides below that, where there is nothing to fetch
-    double variety{};        ///< share of its choices that fall on a wand that is readied first
-    double charge{};         ///< how far it readies one at most, 0 to 1
-    double throws{};         ///< share of these that fly in an arc
-    double over_cover{};     ///< chance at a look to throw over what hides the foe
+    Tick burst{}, rest{};    ///< ticks of fire in a burst, and ticks between bursts
+    double keep{}, range{};  ///< preferred distance to the foe, and largest distance of shots (m)
+    double lead{};           ///< share of the foe's motion that the aim takes into account
+    double strafe{};         ///< share of a fight in which the bot steps sideways
+    Tick strafe_step{};      ///< ticks after which the bot may change its step
+    double vial_below{};     ///< health below which the bot walks to power-ups that give health (HP)
+    double spark_below{};    ///< share of the wand's energy below which the bot walks to a spark
+    double reserve{};        ///< share of the energy that the bot keeps for a near foe
+    double cover_below{};    ///< health below which the bot hides if there is nothing to fetch (HP)
+    double variety{};        ///< share of choices that are a wand which is readied first
+    double charge{};         ///< largest readiness of such a wand, 0 to 1
+    double throws{};         ///< share of these choices that are a wand which throws on a parabola
+    double over_cover{};     ///< chance in each gameplay tick to throw over what hides the foe
     LiftSkill lift{};
     StirSkill stir{};
-    double swing_gain{};  ///< m of way that a rope over a gap must save; 0: it never swings
+    double swing_gain{};  ///< length of way that a rope over a gap must save (m); 0: never swings
     static constexpr auto fields() {
         using S = BotSkill;
         return std::tuple(
@@ -93,15 +94,16 @@ struct BotSkill {
     }
 };
 
-/// How it aims and shoots, of a level's file or of the range's: reaction_s, aim_error_deg, turn_deg_per_s, view_deg, burst_s,
-/// rest_s, range_m.
+/// Reads the part of a skill that concerns aiming and shooting, from a level's file or the range's:
+/// reaction_s, aim_error_deg, turn_deg_per_s, view_deg, burst_s, rest_s, range_m.
 BotSkill read_marksmanship(const ConfigTable& table);
-/// The error is one line: a level that does not exist, or what is wrong with its file.
+/// Loads the skill of a level. The error is one line: a level that does not exist, or a fault in its file.
 Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level);
 
-/// How a bot's device counts: as a mouse's.
+/// Device of a bot. Its counts are those of a mouse.
 input::DeviceSpec bot_device(std::uint32_t player, int level);
 
+/// All bots of a match.
 class Bots {
 public:
     Bots();
@@ -109,7 +111,8 @@ public:
     Bots(Bots&&) noexcept;
     Bots& operator=(Bots&&) noexcept;
 
-    /// Device number `device` of the match's frames is played by a bot for `player`.
+    /// Adds a bot for `player`, which fills the samples of device number `device` in the match's input
+    /// frames.
     void add(const Simulation& match, std::size_t device, std::uint32_t player, const BotSkill& skill,
              std::uint64_t seed);
     bool empty() const;

@@ -1,4 +1,5 @@
-// game/bots/duel.h: the standard scene: a match of two bots. Tests, benchmarks and the off-screen duel use this one.
+// game/bots/duel.h: a match of two bots. Tests, benchmarks and the off-screen duel use it as the standard
+// scene.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -11,13 +12,13 @@ struct BotDuel {
     std::unique_ptr<Simulation> match;
     Bots bots;
 
-    /// What both bots do in the next tick.
+    /// Input frame of both bots for the next tick.
     input::InputFrame next_frame();
     /// Plays that many ticks.
     void run(Tick count);
 };
 
-/// The error is one line: a level that does not exist, or its file.
+/// Creates a duel. The error is one line: a level that does not exist, or a fault in its file.
 Expected<BotDuel> make_bot_duel(const std::filesystem::path& assets, std::shared_ptr<const MatchData> data,
                                 std::array<int, players> levels, std::uint64_t seed);
 

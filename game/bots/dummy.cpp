@@ -8,11 +8,11 @@
 namespace thaum::game {
 namespace {
 
-constexpr double step_ahead = 1.2;     ///< m in front of the feet that must be safe to walk on
-constexpr double held_up_below = 0.3;  ///< m/s; who wishes to walk and is slower has met something
+constexpr double step_ahead = 1.2;     ///< distance ahead of the feet that must be safe to walk on (m)
+constexpr double held_up_below = 0.3;  ///< speed below which a walking dummy has met an obstacle (m/s)
 constexpr Tick held_up_for = ticks(0.25);
-constexpr Tick turns_not_before =
-    ticks(0.4);  ///< since the last turn, so that it does not tremble at an obstacle
+/// Least time between two turns, so that the dummy does not tremble at an obstacle.
+constexpr Tick turns_not_before = ticks(0.4);
 constexpr std::int32_t full = 127;
 
 }  // namespace
@@ -38,7 +38,7 @@ void Dummy::adopt(const Simulation& match, const DummyRules& rules) {
     grid_ = WalkGrid(match.physics());
 }
 
-/// Turns back at the end of its stride, where the ground ends, and at what stands in its way.
+/// Walks sideways and turns back at the end of the stride, at an edge and at an obstacle.
 void Dummy::walk_to_and_fro(const Self& self, Tick tick) {
     const vec3 right = look_rotation(self.yaw, 0) * vec3(1, 0, 0);
     const auto safe = [&] { return grid_.straight(self.centre, self.centre + right * (way_ * step_ahead)); };

@@ -1,5 +1,5 @@
-// game/bots/dummy.h: whom one practises on. A dummy plays through a device, as bots do, and sees no more than they; but it
-// has one thing to do and nothing else in mind.
+// game/bots/dummy.h: a target for practice. A dummy plays through a device and sees no more than a bot does,
+// but it only stands, walks to and fro or shoots.
 #pragma once
 #include "game/bots/mind.h"
 #include "game/bots/nav.h"
@@ -8,28 +8,29 @@ namespace thaum::game {
 
 enum class DummyKind : std::uint8_t {
     still,
-    strafing,  ///< walks sideways to and fro about the place where it came to life; turns at walls, edges and obstacles
-    shooting,  ///< stands, turns to whom it sees and shoots
+    /// Walks sideways to and fro about the place where it came to life; turns at walls, edges and obstacles.
+    strafing,
+    shooting,  ///< stands, turns to a foe in sight and shoots
 };
 inline constexpr std::array<std::string_view, 3> dummy_names{"still", "strafing", "shooting"};
 
 struct DummyRules {
-    double stride{};   ///< m to each side of where it came to life; of the strafing one
-    BotSkill skill{};  ///< of the shooting one
+    double stride{};   ///< distance that a strafing dummy walks to each side (m)
+    BotSkill skill{};  ///< skill of a shooting dummy
 };
 
 class Dummy {
 public:
-    /// Plays for `player`.
+    /// Creates a dummy that plays for `player`.
     Dummy(const Simulation& match, std::uint32_t player, DummyKind kind, const DummyRules& rules,
           std::uint64_t seed);
 
     DummyKind kind() const { return kind_; }
     void become(DummyKind kind);
-    /// The match goes on by other data, or these are other rules.
+    /// Continues with changed match data or changed rules.
     void adopt(const Simulation& match, const DummyRules& rules);
 
-    /// What its device does in the next tick of the match.
+    /// Device sample for the next tick of the match.
     input::DeviceSample sample(const Simulation& match);
 
 private:
@@ -44,10 +45,10 @@ private:
     Eyes eyes_{};
     Mind mind_{};
     WalkGrid grid_;
-    bool begins_ = true;          ///< has forgotten what it did
-    std::optional<vec3> home_{};  ///< where it came to life; nothing while it is dead
-    std::int32_t way_ = 1;        ///< 1: to its right, -1: to its left
-    Tick walked_at_{};            ///< when it last got on
+    bool begins_ = true;          ///< true: the next gameplay tick starts with a new memory
+    std::optional<vec3> home_{};  ///< place where the dummy came to life; std::nullopt while it is dead
+    std::int32_t way_ = 1;        ///< direction of walking: 1 to its right, -1 to its left
+    Tick walked_at_{};            ///< when the dummy last moved on
     Tick turned_at_{};
 };
 

@@ -3,25 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
-// What a power-up is worth to a bot: how badly it needs what it gives, over the time to get there. Who sees the foe and
-// can shoot at it goes only for what is worth twice as much.
+// The worth of a power-up to a bot is the need for what it gives, divided by the time to get there. A bot
+// that sees the foe and can shoot multiplies the worth by `in_a_fight`. So it then goes only for a power-up
+// worth about twice as much.
 namespace thaum::game {
 namespace {
 
-constexpr Tick choice_period = 256;   ///< ticks; a multiple of gameplay_period
-constexpr double least_worth = 0.05;  ///< of full need, per second
-constexpr double in_a_fight = 0.45;   ///< what is fetched is worth so much less while one could shoot
-constexpr double time_lost = 2;       ///< s, for turning away and back
-constexpr double walk_speed = 4;      ///< m/s along a way, corners included
+constexpr Tick choice_period = 256;   ///< ticks between two choices; a multiple of gameplay_period
+constexpr double least_worth = 0.05;  ///< least worth of an errand (full needs per second)
+constexpr double in_a_fight = 0.45;   ///< factor on the worth of a power-up while the bot could shoot
+constexpr double time_lost = 2;       ///< time for turning away and back (s)
+constexpr double walk_speed = 4;      ///< walking speed along a way, corners included (m/s)
 constexpr int hiding_places_tried = 10;
-constexpr double hiding_within = 9;  ///< m
+constexpr double hiding_within = 9;  ///< largest distance of a hiding place (m)
 constexpr Tick hiding_time = ticks(2.5);
 
 bool sees_foe(const Mind& mind, Tick tick) {
     return mind.foe_seen_at != 0 && tick - mind.foe_seen_at < ticks(0.5);
 }
 
-/// 0: no need; 1: nothing left of it.
+/// Need: 0 if `have` reaches `below`, 1 if nothing is left.
 double need(double have, double below) {
     return below > 0 ? std::clamp((below - have) / below, 0.0, 1.0) : 0;
 }
@@ -60,7 +61,7 @@ Choice best_to_fetch(const Simulation& match, const Self& self, const Seat& seat
     return best;
 }
 
-/// A place near by that the foe does not see from where it is believed to be.
+/// A near place that the foe cannot see from its presumed position.
 Choice hiding_place(const Simulation& match, const Self& self, const WalkGrid& grid, Mind& mind) {
     Choice best;
     double nearest = hiding_within;
@@ -82,7 +83,7 @@ Choice hiding_place(const Simulation& match, const Self& self, const WalkGrid& g
 
 void choose_errand(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
                    const WalkGrid& grid, WalkGrid::Ways& from_here, Mind& mind, Tick tick) {
-    // The two players' bots choose at different ticks, so that their work does not fall together.
+    // The two players' bots choose in different ticks, so that their work does not fall into the same tick.
     if (tick % choice_period / gameplay_period != seat.player * (choice_period / gameplay_period / 2)) return;
     const bool fights = sees_foe(mind, tick) && self.can_shoot && self.energy_share > seat.skill.reserve;
     const auto fetch = best_to_fetch(match, self, seat, eyes, grid, from_here, fights, tick);

@@ -13,7 +13,7 @@ void note_round_end(const Match& match, LeagueMatch& result) {
     ++result.rounds;
 }
 
-/// Who lives, and who cannot shoot; each look stands for a gameplay tick.
+/// Adds one gameplay tick to the times alive and without energy for a shot.
 void note_energy(const Simulation& match, LeagueMatch& result) {
     match.world().view<const Wizard, const WandBelt, ecs::Without<Dead>>().each(
         [&](const Wizard& wizard, const WandBelt& belt) {
@@ -37,7 +37,7 @@ void add_to_pair(const LeagueMatch& match, LeagueSummary& summary) {
                         [&](const LeaguePair& p) { return p.low == low && p.high == high; });
     ++pair.matches;
     if (match.winner >= players) return;
-    // Of two equal ones the first counts as the low one.
+    // If both levels are equal, player 0 counts as the lower one.
     const bool high_won = low == high ? match.winner == 1 : match.levels[match.winner] == high;
     high_won ? ++pair.high_wins : ++pair.low_wins;
 }
@@ -49,11 +49,11 @@ void add_to_level(const LeagueMatch& match, std::uint32_t player, LeagueSummary&
     row.alive += match.alive[player];
     row.dry += match.dry[player];
     for (std::size_t cause = 0; cause < causes.size(); ++cause) {
-        const auto& own = match.deeds[player][cause];
+        const auto& own = match.match_stats[player][cause];
         row.shots += own.shots;
         row.hits += own.shots > 0 ? own.hits : 0;
         row.kills += own.kills;
-        row.deaths += own.own_deaths + match.deeds[1 - player][cause].kills;
+        row.deaths += own.own_deaths + match.match_stats[1 - player][cause].kills;
         summary.kills[cause] += own.kills;
         summary.own_deaths += own.own_deaths;
     }
@@ -76,7 +76,7 @@ Expected<LeagueMatch> play_league_match(const std::filesystem::path& assets,
         if (match.match().played % gameplay_period == 0) note_energy(match, result);
     }
     result.winner = ahead(match.match());
-    result.deeds = match.world().single<Chronicle>().deeds;
+    result.match_stats = match.world().single<EventLog>().match_stats;
     return result;
 }
 

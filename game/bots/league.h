@@ -1,4 +1,4 @@
-// game/bots/league.h: bots of different levels against each other: one match of a league, and what many of them come to.
+// game/bots/league.h: matches between bots of different levels, and a summary of many such matches.
 #pragma once
 #include <span>
 
@@ -7,37 +7,38 @@
 
 namespace thaum::game {
 
-/// Rounds of a match that a league can tell of; rules have no more (rules.cpp).
+/// Largest number of rounds in a result; rules allow no more (rules.cpp).
 inline constexpr std::size_t most_rounds = 99;
 
-/// Plain bytes, so that it can be sent from one process to another.
+/// Result of one match of a league. It holds plain bytes, so that it can be sent between processes.
 struct LeagueMatch {
     std::array<std::int32_t, players> levels{};
     std::uint64_t seed{};
-    std::uint32_t winner{no_player};  ///< of the match
+    std::uint32_t winner{no_player};  ///< winner of the match; no_player: a draw
     std::uint32_t rounds{};
-    std::array<Tick, most_rounds> lengths{};  ///< ticks of each round
+    std::array<Tick, most_rounds> lengths{};  ///< length of each round (ticks)
     std::array<std::uint8_t, most_rounds> timed_out{};
-    DeedsOfAll deeds{};
-    std::array<Tick, players> alive{};  ///< ticks of play
-    std::array<Tick, players> dry{};    ///< of those, without the energy for a shot
+    AllMatchStats match_stats{};
+    std::array<Tick, players> alive{};  ///< time alive (ticks of play)
+    std::array<Tick, players> dry{};    ///< part of `alive` without energy for a shot (ticks)
 };
 
-/// The error is one line: a level that does not exist, or its file.
+/// Plays a match of two bots. The error is one line: a level that does not exist, or a fault in its file.
 Expected<LeagueMatch> play_league_match(const std::filesystem::path& assets,
                                         std::shared_ptr<const MatchData> data,
                                         std::array<int, players> levels, std::uint64_t seed);
 
-/// Two levels, low < high, over all their matches.
+/// Results of all matches between two levels, low <= high.
 struct LeaguePair {
     std::int32_t low{}, high{};
     std::uint32_t matches{}, low_wins{}, high_wins{};
-    /// A draw counts half for each.
+    /// Share of matches won by the higher level. A draw counts half for each.
     double high_share() const {
         return matches == 0 ? 0 : (high_wins + 0.5 * (matches - low_wins - high_wins)) / matches;
     }
 };
 
+/// Results of one level over all its matches.
 struct LeagueLevel {
     std::int32_t level{};
     std::uint32_t shots{}, hits{}, kills{}, deaths{};
@@ -47,14 +48,14 @@ struct LeagueLevel {
 struct LeagueSummary {
     std::vector<LeaguePair> pairs;
     std::vector<LeagueLevel> levels;
-    std::vector<double> round_s;                       ///< lengths of all rounds, sorted
-    std::uint32_t timed_out{};                         ///< of these rounds
-    std::array<std::uint32_t, causes.size()> kills{};  ///< by cause
-    std::uint32_t own_deaths{};                        ///< that are nobody's kill
+    std::vector<double> round_s;                       ///< lengths of all rounds, sorted (s)
+    std::uint32_t timed_out{};                         ///< number of rounds that ended on time
+    std::array<std::uint32_t, causes.size()> kills{};  ///< kills by cause
+    std::uint32_t own_deaths{};                        ///< deaths that are a kill of no player
     double median_round_s() const;
 };
 
-/// Pairs and levels in order.
+/// Summarises matches. Pairs and levels are sorted.
 LeagueSummary summarise(std::span<const LeagueMatch> matches);
 
 }  // namespace thaum::game

@@ -7,27 +7,28 @@
 #include "game/bots/senses.h"
 #include "game/match/bodies.h"
 
-// What a thing is worth is the harm that it would do over the time that it takes to throw it.
+// The worth of a thing is the harm that it would do, divided by the time to throw it.
 namespace thaum::game {
 namespace {
 
 using input::bit;
 using input::Button;
 
-constexpr double handy = 0.8;        ///< of the wand's reach: from there it takes a thing up
-constexpr double too_near = 1.8;     ///< m along the ground; it would touch who holds it
-constexpr double near_foe = 3;       ///< m; one does not turn away from a foe who is nearer
-constexpr double far_foe = 15;       ///< m; too far for a throw
-constexpr double least_harm = 8;     ///< HP
-constexpr double carrying_cost = 8;  ///< of energy, about, until it is thrown
-constexpr double cost_per_kg = 0.3;  ///< likewise
-constexpr double walk_pace = 4;      ///< m/s
-constexpr double turn_pace = 1.5;    ///< rad/s, with a thing in hand
-constexpr double time_to_take = 1;   ///< s
+constexpr double handy = 0.8;  ///< share of the wand's reach from which the bot takes a thing up
+/// Distance along the ground below which a held thing would hit its holder (m).
+constexpr double too_near = 1.8;
+constexpr double near_foe = 3;       ///< distance of the foe below which the bot does not turn away (m)
+constexpr double far_foe = 15;       ///< distance of the foe above which a throw does not arrive (m)
+constexpr double least_harm = 8;     ///< least harm of a throw (HP)
+constexpr double carrying_cost = 8;  ///< estimated energy of carrying a thing until it is thrown
+constexpr double cost_per_kg = 0.3;  ///< estimated additional energy per mass (1/kg)
+constexpr double walk_pace = 4;      ///< walking speed (m/s)
+constexpr double turn_pace = 1.5;    ///< turning speed with a thing in hand (rad/s)
+constexpr double time_to_take = 1;   ///< time to take a thing up (s)
 constexpr Tick come_time = ticks(3.0), take_time = ticks(1.4), press_time = ticks(0.03);
 constexpr Tick last_chance = ticks(1.0);
 constexpr Tick lull = ticks(0.3);
-constexpr double shield_height = 0.2;  ///< m above the body's middle
+constexpr double shield_height = 0.2;  ///< height of the guarded point above the body's middle (m)
 
 struct Lifter {
     const LoadedWand& wand;
@@ -44,13 +45,13 @@ std::optional<Lifter> lifter_of(const Simulation& match, const Seat& seat) {
     return {};
 }
 
-/// HP, of one who is struck squarely.
+/// Harm of a thing that hits a wizard squarely (HP).
 double harm_of(const WizardRules& rules, double mass, double speed) {
     const double impulse = mass * rules.mass / (mass + rules.mass) * speed;
     return harm_of_blow(rules, impulse);
 }
 
-/// m, from the middle to the farthest point.
+/// Distance from a body's middle to its farthest point (m).
 double size_of(const physics::BodyDesc& body) {
     switch (body.shape) {
         case physics::Shape::box: return glm::length(body.size);
@@ -61,7 +62,7 @@ double size_of(const physics::BodyDesc& body) {
 
 double along_ground(vec3 from, vec3 to) { return glm::length(vec2(to.x - from.x, to.z - from.z)); }
 
-/// HP a second; 0 where it is of no use.
+/// Worth of a thing (HP/s); 0 if the thing is of no use.
 double worth_of(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
                 const Mind& mind, const Lifter& lifter, const Sighting& seen) {
     const auto key = seen.thing.index;
@@ -94,72 +95,72 @@ const Sighting* best_thing(const Simulation& match, const Self& self, const Seat
     return best;
 }
 
-void end(const Seat& seat, Mind& mind, Porter& porter, Tick tick) {
-    if (hands_full(porter)) {
+void end(const Seat& seat, Mind& mind, LiftPlan& lift_plan, Tick tick) {
+    if (hands_full(lift_plan)) {
         mind.buttons &= ~(bit(Button::fire) | bit(Button::throw_));
-        mind.wand_until = tick;  // another wand
+        mind.wand_until = tick;  // choose another wand at once
     }
-    porter.what = Porting::none;
-    porter.not_before = tick + ticks(seconds(seat.skill.lift.rest) * mind.random.uniform(0.6, 1.4));
+    lift_plan.what = Porting::none;
+    lift_plan.not_before = tick + ticks(seconds(seat.skill.lift.rest) * mind.random.uniform(0.6, 1.4));
     if (mind.errand == Errand::lift) mind.errand = Errand::none;
 }
 
 void consider(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
-              const WalkGrid& grid, Mind& mind, Porter& porter, Tick tick) {
+              const WalkGrid& grid, Mind& mind, LiftPlan& lift_plan, Tick tick) {
     const double distance = glm::distance(self.eye, mind.foe);
     const bool knows = mind.foe_seen_at != 0 && tick <= mind.foe_seen_at + ticks(2.0);
     if (!knows || distance < near_foe || distance > far_foe || mind.errand != Errand::none) return;
-    if (tick < porter.not_before) return;
-    porter.not_before = tick + ticks(0.5);
+    if (tick < lift_plan.not_before) return;
+    lift_plan.not_before = tick + ticks(0.5);
     const bool readying = self.shot.held && (mind.buttons & bit(Button::fire)) != 0;
     if (readying || mind.random.uniform() >= seat.skill.lift.share) return;
     const auto lifter = lifter_of(match, seat);
     if (!lifter) return;
     const auto* found = best_thing(match, self, seat, eyes, grid, mind, *lifter);
     if (found == nullptr) return;
-    porter.thing = found->thing;
-    porter.place = found->place;
-    porter.what = Porting::approach;
-    porter.until = tick + come_time;
+    lift_plan.thing = found->thing;
+    lift_plan.place = found->place;
+    lift_plan.what = Porting::approach;
+    lift_plan.until = tick + come_time;
 }
 
 void come_nearer(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes, Mind& mind,
-                 Porter& porter, Tick tick) {
+                 LiftPlan& lift_plan, Tick tick) {
     for (const auto& seen : eyes.things) {
-        if (seen.thing == porter.thing) porter.place = seen.place;
+        if (seen.thing == lift_plan.thing) lift_plan.place = seen.place;
     }
     const auto lifter = lifter_of(match, seat);
     const bool wanted = mind.errand == Errand::none || mind.errand == Errand::lift;
-    if (!wanted || !lifter || tick >= porter.until || along_ground(self.eye, porter.place) < too_near)
-        return end(seat, mind, porter, tick);
+    if (!wanted || !lifter || tick >= lift_plan.until || along_ground(self.eye, lift_plan.place) < too_near)
+        return end(seat, mind, lift_plan, tick);
     mind.errand = Errand::lift;
-    mind.goal = porter.place;
-    if (glm::distance(self.eye, porter.place) > handy * lifter->grasp.reach) return;
-    const auto hit = match.physics().ray(self.eye, porter.place, physics::all_layers, self.key);
-    if (!hit || hit->key != porter.thing.index) return;
+    mind.goal = lift_plan.place;
+    if (glm::distance(self.eye, lift_plan.place) > handy * lifter->grasp.reach) return;
+    const auto hit = match.physics().ray(self.eye, lift_plan.place, physics::all_layers, self.key);
+    if (!hit || hit->key != lift_plan.thing.index) return;
     mind.errand = Errand::none;
     mind.buttons &= ~bit(Button::fire);
     mind.wand = lifter->wand.stats.slot;
-    porter.what = Porting::take;
-    porter.until = tick + take_time;
+    lift_plan.what = Porting::take;
+    lift_plan.until = tick + take_time;
 }
 
-/// Presses fire when the crosshair is on it; where that took nothing, lets go and tries again.
+/// Presses fire when the crosshair is on the thing. If the wand took nothing, releases fire and tries again.
 Aim take_up(const Simulation& match, const Self& self, const Seat& seat, const Lifter& lifter, Mind& mind,
-            Porter& porter, Tick tick) {
+            LiftPlan& lift_plan, Tick tick) {
     const auto fire = bit(Button::fire);
-    const vec3 place = match.world().get<Motion>(porter.thing).position;
+    const vec3 place = match.world().get<Motion>(lift_plan.thing).position;
     const Aim aim = aim_at(self.eye, place);
     if (in_hand(self, mind) && self.held) {
-        porter.what = Porting::hold;
-        porter.until = tick + seat.skill.lift.hold;
+        lift_plan.what = Porting::hold;
+        lift_plan.until = tick + seat.skill.lift.hold;
         mind.buttons |= fire;
-    } else if (tick >= porter.until) {
-        end(seat, mind, porter, tick);
+    } else if (tick >= lift_plan.until) {
+        end(seat, mind, lift_plan, tick);
     } else if (mind.wand == self.wand && (mind.buttons & fire) == 0) {
-        if (!crosshair_on(match, self, porter.thing, lifter.grasp.reach)) return aim;
-        porter.off_left = angle_between(self.yaw, aim.yaw);
-        porter.off_up = aim.pitch - self.pitch;
+        if (!crosshair_on(match, self, lift_plan.thing, lifter.grasp.reach)) return aim;
+        lift_plan.off_left = angle_between(self.yaw, aim.yaw);
+        lift_plan.off_up = aim.pitch - self.pitch;
         mind.buttons |= fire;
         mind.fire_from = tick;
     } else if (tick >= mind.fire_from + press_time) {
@@ -168,42 +169,44 @@ Aim take_up(const Simulation& match, const Self& self, const Seat& seat, const L
     return aim;
 }
 
-void note_shots(const Simulation& match, const Self& self, const Seat& seat, Porter& porter, Tick tick) {
+void note_shots(const Simulation& match, const Self& self, const Seat& seat, LiftPlan& lift_plan, Tick tick) {
     if (!sees_a_shot_come(match, self, seat)) return;
-    if (tick >= porter.shot_at + 2 * lull) porter.shots_from = tick;
-    porter.shot_at = tick;
+    if (tick >= lift_plan.shot_at + 2 * lull) lift_plan.shots_from = tick;
+    lift_plan.shot_at = tick;
 }
 
-/// It knows a reaction time later, and believes it for a moment after the last one.
-bool under_fire(const Seat& seat, const Porter& porter, Tick tick) {
+/// Whether the bot knows that it is under fire. It knows after its reaction time, and until a moment after
+/// the last shot.
+bool under_fire(const Seat& seat, const LiftPlan& lift_plan, Tick tick) {
     const Tick later = seat.skill.reaction;
-    return porter.shot_at != 0 && tick >= porter.shots_from + later && tick < porter.shot_at + later + lull;
+    return lift_plan.shot_at != 0 && tick >= lift_plan.shots_from + later &&
+           tick < lift_plan.shot_at + later + lull;
 }
 
-/// So that the thing, as far away as it is, stands in the way of what comes from the foe.
-Aim aim_to_guard(const Self& self, const Mind& mind, const Porter& porter) {
+/// Aim at which the held thing, at its present distance, stands between the foe and the bot.
+Aim aim_to_guard(const Self& self, const Mind& mind, const LiftPlan& lift_plan) {
     const vec3 chest = self.centre + vec3(0, shield_height, 0);
     const vec3 way = mind.foe - chest;
     const double share = glm::distance(self.eye, *self.held) / std::max(1e-6, glm::length(way));
     Aim aim = aim_at(self.eye, chest + way * std::min(1.0, share));
-    aim.yaw -= porter.off_left;
-    aim.pitch -= porter.off_up;
+    aim.yaw -= lift_plan.off_left;
+    aim.pitch -= lift_plan.off_up;
     return aim;
 }
 
-/// What a throw from where the thing is would have to be, and what it would be now.
+/// A throw from the thing's position: the wanted direction and the present one.
 struct Throw {
-    vec3 target{};  ///< m
-    vec3 wanted{};  ///< unit
-    vec3 now{};     ///< unit
-    double harm{};  ///< HP
+    vec3 target{};  ///< target (m, world)
+    vec3 wanted{};  ///< wanted direction (unit, world)
+    vec3 now{};     ///< present direction (unit, world)
+    double harm{};  ///< harm of a hit (HP)
 };
 
 vec3 along(Aim aim) { return look_rotation(aim.yaw, aim.pitch) * vec3(0, 0, -1); }
 
 Throw plan_throw(const Simulation& match, const Self& self, const Seat& seat, const Mind& mind,
-                 const Lifter& lifter, const Porter& porter) {
-    const double mass = match.physics().desc(porter.thing.index).mass;
+                 const Lifter& lifter, const LiftPlan& lift_plan) {
+    const double mass = match.physics().desc(lift_plan.thing.index).mass;
     const vec3 thing = *self.held;
     Self from_there = self;
     from_there.eye = from_there.tip = thing;
@@ -217,21 +220,21 @@ Throw plan_throw(const Simulation& match, const Self& self, const Seat& seat, co
     return t;
 }
 
-/// Holds it up until the throw is right, or before itself while shots come.
+/// Holds the thing until the throw is right, or as a shield while shots come.
 Aim hold_and_throw(const Simulation& match, const Self& self, const Seat& seat, const Lifter& lifter,
-                   Mind& mind, Porter& porter, Tick tick) {
+                   Mind& mind, LiftPlan& lift_plan, Tick tick) {
     const Aim as_it_is{self.yaw, self.pitch};
-    if (!in_hand(self, mind) || !self.held || tick >= porter.until + last_chance) {
-        end(seat, mind, porter, tick);
+    if (!in_hand(self, mind) || !self.held || tick >= lift_plan.until + last_chance) {
+        end(seat, mind, lift_plan, tick);
         return as_it_is;
     }
-    const bool waits = tick < porter.until;
-    const bool guards = seat.skill.lift.guards != 0 && under_fire(seat, porter, tick);
-    if (guards && waits) return aim_to_guard(self, mind, porter);
+    const bool waits = tick < lift_plan.until;
+    const bool guards = seat.skill.lift.guards != 0 && under_fire(seat, lift_plan, tick);
+    if (guards && waits) return aim_to_guard(self, mind, lift_plan);
     const vec3 thing = *self.held;
-    const auto t = plan_throw(match, self, seat, mind, lifter, porter);
-    if (t.harm < least_harm) {  // it has cost too much so far
-        end(seat, mind, porter, tick);
+    const auto t = plan_throw(match, self, seat, mind, lifter, lift_plan);
+    if (t.harm < least_harm) {  // holding has cost too much energy
+        end(seat, mind, lift_plan, tick);
         return as_it_is;
     }
     const bool sees = mind.foe_seen_at != 0 && tick <= mind.foe_seen_at + ticks(0.4);
@@ -246,22 +249,23 @@ Aim hold_and_throw(const Simulation& match, const Self& self, const Seat& seat, 
 }  // namespace
 
 void plan_to_lift(const Simulation& match, const Self& self, const Seat& seat, const Eyes& eyes,
-                  const WalkGrid& grid, Mind& mind, Porter& porter, Tick tick) {
+                  const WalkGrid& grid, Mind& mind, LiftPlan& lift_plan, Tick tick) {
     if (seat.skill.lift.share <= 0) return;
-    if (seat.skill.lift.guards != 0) note_shots(match, self, seat, porter, tick);
-    if (porter.what == Porting::none) consider(match, self, seat, eyes, grid, mind, porter, tick);
-    if (porter.what == Porting::approach) come_nearer(match, self, seat, eyes, mind, porter, tick);
+    if (seat.skill.lift.guards != 0) note_shots(match, self, seat, lift_plan, tick);
+    if (lift_plan.what == Porting::none) consider(match, self, seat, eyes, grid, mind, lift_plan, tick);
+    if (lift_plan.what == Porting::approach) come_nearer(match, self, seat, eyes, mind, lift_plan, tick);
 }
 
-Aim handle_thing(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Porter& porter,
+Aim handle_thing(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, LiftPlan& lift_plan,
                  Tick tick) {
     const auto lifter = lifter_of(match, seat);
-    if (!lifter || !match.world().alive(porter.thing)) {
-        end(seat, mind, porter, tick);
+    if (!lifter || !match.world().alive(lift_plan.thing)) {
+        end(seat, mind, lift_plan, tick);
         return {self.yaw, self.pitch};
     }
-    return porter.what == Porting::take ? take_up(match, self, seat, *lifter, mind, porter, tick)
-                                        : hold_and_throw(match, self, seat, *lifter, mind, porter, tick);
+    return lift_plan.what == Porting::take
+               ? take_up(match, self, seat, *lifter, mind, lift_plan, tick)
+               : hold_and_throw(match, self, seat, *lifter, mind, lift_plan, tick);
 }
 
 }  // namespace thaum::game

@@ -1,32 +1,32 @@
-// game/bots/mind.h: what a bot knows, wants and is about to do, as components of the bots' own World.
+// game/bots/mind.h: memory, goals and plans of a bot, as components of the bots' own World.
 #pragma once
 #include "game/bots/bot.h"
 
 namespace thaum::game {
 
-inline constexpr std::size_t bot_memory = 128;     ///< glimpses; at 8 ms one second
-inline constexpr std::size_t most_power_ups = 16;  ///< that a bot can keep in mind
-inline constexpr std::size_t most_things = 32;     ///< loose ones, likewise
+inline constexpr std::size_t bot_memory = 128;     ///< number of glimpses; one second at 8 ms each
+inline constexpr std::size_t most_power_ups = 16;  ///< number of power-ups that a bot remembers
+inline constexpr std::size_t most_things = 32;     ///< number of loose things that a bot remembers
 
-/// What the eye saw at one look.
+/// Observation of the foe in one gameplay tick.
 struct Glimpse {
-    vec3 chest{};  ///< of the foe, m
+    vec3 chest{};  ///< position of the foe's chest (m, world)
     std::uint64_t seen{};
     static constexpr auto fields() {
         return std::tuple(ecs::field("chest", &Glimpse::chest), ecs::field("seen", &Glimpse::seen));
     }
 };
 
-/// A loose thing, where it saw it last.
+/// A loose thing and the position at which the bot saw it last.
 struct Sighting {
     ecs::Entity thing{};
-    vec3 place{};  ///< m
+    vec3 place{};  ///< position (m, world)
     static constexpr auto fields() {
         return std::tuple(ecs::field("thing", &Sighting::thing), ecs::field("place", &Sighting::place));
     }
 };
 
-/// Who it is and how good.
+/// Player, device and skill of a bot.
 struct Seat {
     std::uint64_t device{};
     std::uint32_t player{};
@@ -39,10 +39,11 @@ struct Seat {
     }
 };
 
+/// Visual memory of a bot.
 struct Eyes {
     std::uint64_t looks{};
     std::array<Glimpse, bot_memory> glimpses{};
-    std::array<Tick, most_power_ups> back_at{};  ///< of each power-up, as it looked last
+    std::array<Tick, most_power_ups> back_at{};  ///< when each power-up is available again, as last seen
     std::array<Sighting, most_things> things{};
     static constexpr std::string_view name = "Eyes";
     static constexpr auto fields() {
@@ -51,33 +52,34 @@ struct Eyes {
     }
 };
 
-/// Where a bot goes when it does not just fight.
+/// Reason for which a bot walks to mind.goal instead of fighting.
 enum class Errand : std::uint32_t { none, fetch, hide, lift, stir };
 
+/// Present beliefs, goals and controls of a bot.
 struct Mind {
     Random random;
-    vec3 foe{};                        ///< where it believes the foe's chest to be, m
-    vec3 foe_velocity{};               ///< m/s, as it saw it move
-    Tick foe_seen_at{};                ///< 0: never
-    double error_right{}, error_up{};  ///< rad, how far its aim is off just now
-    vec3 goal{};                       ///< m
-    Tick goal_until{};
-    Tick errand_until{};
-    Tick fire_from{}, fire_until{};
-    Tick strafe_until{};
-    Tick slow_since{};  ///< when it began to be slower than it wished
-    Tick dodge_until{};
-    Tick wand_until{};   ///< when it may think of another wand
-    double readiness{};  ///< to which it readies the wand it has chosen
+    vec3 foe{};                        ///< presumed position of the foe's chest (m, world)
+    vec3 foe_velocity{};               ///< velocity of the foe as the bot saw it (m/s)
+    Tick foe_seen_at{};                ///< tick at which the foe was last seen; 0: never
+    double error_right{}, error_up{};  ///< present error of the aim (rad)
+    vec3 goal{};                       ///< place to which the bot walks (m, world)
+    Tick goal_until{};                 ///< tick at which the bot chooses another goal
+    Tick errand_until{};               ///< tick until which the bot hides
+    Tick fire_from{}, fire_until{};    ///< beginning and end of the latest burst of fire (ticks)
+    Tick strafe_until{};               ///< tick until which the bot keeps its sideways step
+    Tick slow_since{};                 ///< tick since which the bot has been slower than intended
+    Tick dodge_until{};                ///< tick until which the bot walks sideways to get free
+    Tick wand_until{};                 ///< tick until which the bot keeps its choice of wand
+    double readiness{};                ///< readiness to which the bot readies the chosen wand
     Errand errand{};
-    std::int32_t strafe{};  ///< -1, 0, 1
-    std::int32_t wishes_to_move{};
-    std::int32_t right_left{}, up_left{};  ///< counts still to be given before the next look
-    std::int32_t move_strafe{}, move_forward{};
-    std::uint32_t buttons{};
-    std::uint32_t round{};  ///< of the match, when it last thought
-    std::uint32_t wand{};   ///< slot of the one it has chosen
-    std::int32_t trigger{255};
+    std::int32_t strafe{};                 ///< -1 left, 0 none, 1 right
+    std::int32_t wishes_to_move{};         ///< 1: the bot walks
+    std::int32_t right_left{}, up_left{};  ///< mouse counts still to be given before the next gameplay tick
+    std::int32_t move_strafe{}, move_forward{};  ///< controls of walking, -127 to 127
+    std::uint32_t buttons{};                     ///< buttons that are down (bits of input::Button)
+    std::uint32_t round{};                       ///< round of the bot's latest gameplay tick
+    std::uint32_t wand{};                        ///< slot of the chosen wand
+    std::int32_t trigger{255};                   ///< control of the trigger while fire is down, 0 to 255
     std::uint32_t spare{};
     static constexpr std::string_view name = "Mind";
     static constexpr auto fields() {
@@ -100,21 +102,22 @@ struct Mind {
     }
 };
 
-/// What it does with a loose thing: walks to it, takes it up, has it.
+/// Stages of lifting: walk to the thing, take it up, hold it.
 enum class Porting : std::uint32_t { none, approach, take, hold };
 
-struct Porter {
+/// Plan of a bot for one loose thing.
+struct LiftPlan {
     ecs::Entity thing{};
-    vec3 place{};                  ///< m, of the thing, as it saw it last
-    Tick until{};                  ///< when it gives up what it is at
-    Tick not_before{};             ///< when it may think of another thing
-    Tick shots_from{}, shot_at{};  ///< since when it has seen shots come, and the last
-    double off_left{}, off_up{};   ///< rad, of the thing from the crosshair when it was taken up
+    vec3 place{};                  ///< position at which the bot saw the thing last (m, world)
+    Tick until{};                  ///< tick at which the bot gives up the present stage
+    Tick not_before{};             ///< tick before which the bot chooses no other thing
+    Tick shots_from{}, shot_at{};  ///< ticks of the first and the last shot seen coming
+    double off_left{}, off_up{};   ///< angles from the crosshair to the thing when it was taken up (rad)
     Porting what{};
     std::uint32_t spare{};
     static constexpr std::string_view name = "Porter";
     static constexpr auto fields() {
-        using P = Porter;
+        using P = LiftPlan;
         return std::tuple(ecs::field("thing", &P::thing), ecs::field("place", &P::place),
                           ecs::field("until", &P::until), ecs::field("not_before", &P::not_before),
                           ecs::field("shots_from", &P::shots_from), ecs::field("shot_at", &P::shot_at),
@@ -123,18 +126,19 @@ struct Porter {
     }
 };
 
-/// What it does with a rope: walks to the edge, aims at the anchor, hangs, flies on.
+/// Stages of a swing: walk to the edge, aim at the anchor, hang on the rope, fly on.
 enum class Roping : std::uint32_t { none, approach, aim, hang, fly };
 
-struct Climber {
-    vec3 from{}, anchor{}, to{};  ///< m: feet, anchor, feet
-    Tick until{};                 ///< when it gives up
+/// Plan of a bot to swing over a gap.
+struct SwingPlan {
+    vec3 from{}, anchor{}, to{};  ///< take-off (feet), anchor, landing (feet) (m, world)
+    Tick until{};                 ///< tick at which the bot gives up the present stage
     Tick not_before{};
     Roping what{};
     std::uint32_t spare{};
     static constexpr std::string_view name = "Climber";
     static constexpr auto fields() {
-        using C = Climber;
+        using C = SwingPlan;
         return std::tuple(ecs::field("from", &C::from), ecs::field("anchor", &C::anchor),
                           ecs::field("to", &C::to), ecs::field("until", &C::until),
                           ecs::field("not_before", &C::not_before), ecs::field("what", &C::what),
@@ -142,13 +146,14 @@ struct Climber {
     }
 };
 
-/// What it does at the cauldron: walks to the rim, stirs.
+/// Stages at the cauldron: walk to the rim, stir.
 enum class AtCauldron : std::uint32_t { none, approach, stir };
 
+/// Plan of a bot at the cauldron.
 struct Stirrer {
-    Tick until{};       ///< when it gives up, or has had enough
-    Tick not_before{};  ///< when it may think of it again
-    double health{};    ///< HP, when it began
+    Tick until{};       ///< tick at which the bot gives up or stops stirring
+    Tick not_before{};  ///< tick before which the bot does not go to the cauldron again
+    double health{};    ///< health at the beginning of stirring (HP)
     AtCauldron what{};
     std::uint32_t spare{};
     static constexpr std::string_view name = "Stirrer";
@@ -160,18 +165,18 @@ struct Stirrer {
     }
 };
 
-/// The bot's own wizard, as it knows itself.
+/// The bot's own wizard, as the bot knows it.
 struct Self {
     vec3 centre{}, eye{}, velocity{};
     double yaw{}, pitch{};
-    double health{};             ///< HP
-    vec3 tip{};                  ///< m, of the wand in hand
-    double energy_share{};       ///< of the wand in hand
-    double readiness{};          ///< of the wand in hand
-    ShotKind shot{};             ///< the next one from it
-    std::uint32_t wand{};        ///< its slot
-    bool can_shoot = false;      ///< there is energy for that shot
-    std::optional<vec3> held{};  ///< m, what the wand in hand holds or hangs on
+    double health{};             ///< health left (HP)
+    vec3 tip{};                  ///< position of the wand's tip (m, world)
+    double energy_share{};       ///< energy of the wand in hand as a share of its cap
+    double readiness{};          ///< readiness of the wand in hand, 0 to 1
+    ShotKind shot{};             ///< next shot of the wand in hand
+    std::uint32_t wand{};        ///< slot of the wand in hand
+    bool can_shoot = false;      ///< whether there is energy for that shot
+    std::optional<vec3> held{};  ///< point that the wand in hand holds or hangs on (m, world)
     std::uint32_t key{};
     bool alive = false;
 };

@@ -8,10 +8,12 @@
 namespace thaum::game {
 namespace {
 
-constexpr double body_radius = 0.4;  ///< m, a little more than a wizard's
-constexpr double above = 2.5;        ///< m, from where we look down; under that nobody is blocked
+constexpr double body_radius = 0.4;  ///< radius of the swept sphere (m), a little more than a wizard's
+/// Height from which the ground is searched downwards (m); higher things block no wizard.
+constexpr double above = 2.5;
 constexpr double below = -20;
-constexpr double highest_step = 0.75;  ///< m from cell to cell: ramps, but no ledges
+/// Largest height difference between neighbouring cells (m): ramps are walkable, ledges are not.
+constexpr double highest_step = 0.75;
 
 }  // namespace
 
@@ -58,7 +60,8 @@ void WalkGrid::neighbours(int cell, Visit&& visit) const {
     for (const auto& [dx, dz] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
         if (open(dx, dz)) visit(cell + dz * side + dx);
     }
-    // A diagonal only where both ways round the corner are free too, all the way: so that one can also come back.
+    // A diagonal is open only if both ways round its corner are passable to the end, so that the way back is
+    // open, too.
     for (const auto& [dx, dz] : {std::pair{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
         const int there = cell + dz * side + dx;
         if (open(dx, dz) && open(dx, 0) && open(0, dz) && passable(cell + dx, there) &&

@@ -3,14 +3,13 @@
 #include <limits>
 
 #include "core/file.h"
-#include "core/hash.h"
 #include "core/text.h"
 
 namespace thaum::game {
 namespace {
 
 constexpr auto range_file = "range.toml";
-constexpr Tick never = std::numeric_limits<Tick>::max() / 2;  // so that sums with it stay in range
+constexpr Tick never = std::numeric_limits<Tick>::max() / 2;  // halved, so that sums with it do not overflow
 
 Pad read_place(const ConfigTable& table, std::uint32_t player) {
     return {.feet = table.vector("place", {-1000, 1000}),
@@ -22,9 +21,9 @@ Pad read_place(const ConfigTable& table, std::uint32_t player) {
 Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& match) {
     const auto source = read_text_file(assets / range_file, 1U << 16U);
     if (!source) return tl::unexpected(source.error());
-    match.files.push_back({range_file, hash_bytes(std::as_bytes(std::span(source->data(), source->size())))});
     const auto file = Config::parse(*source, range_file, 1);
     if (!file) return tl::unexpected(file.error());
+    match.files.push_back({range_file, file->value_hash()});
     const auto root = file->root();
     match.arena.pads = {read_place(root.table("player"), practising),
                         read_place(root.table("dummy"), dummys)};
@@ -36,11 +35,11 @@ Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& 
 
 RangeScore sum_of(const Simulation& match) {
     RangeScore sum;
-    for (const auto& deeds : match.world().single<Chronicle>().deeds[practising]) {
-        sum.shots += deeds.shots;
-        sum.hits += deeds.hits;
-        sum.kills += deeds.kills;
-        sum.damage += deeds.damage;
+    for (const auto& match_stats : match.world().single<EventLog>().match_stats[practising]) {
+        sum.shots += match_stats.shots;
+        sum.hits += match_stats.hits;
+        sum.kills += match_stats.kills;
+        sum.damage += match_stats.damage;
     }
     return sum;
 }

@@ -1,23 +1,26 @@
-// game/bots/range_files.h: the range's data files, read again when they change on disk. Only who runs a range has one of
-// these: a match that is recorded must be what its log's header says.
+// game/bots/range_files.h: reads the range's data files again when they change on disk. Only a range may do
+// so: a recorded match must keep the data that its log's header names.
 #pragma once
 #include "core/file_watch.h"
 #include "game/bots/range.h"
 
 namespace thaum::game {
 
+/// Result of reading changed files.
 struct Reload {
-    std::shared_ptr<const RangeData> data;  ///< null: what was in force stays so
-    std::string line;                       ///< which files were read, or what is wrong: file, line and key
+    std::shared_ptr<const RangeData> data;  ///< null: the old data stays in force
+    std::string line;                       ///< names of the files read, or the error with file, line and key
 };
 
+/// Watches the data files of a range.
 class RangeFiles {
 public:
     static Expected<RangeFiles> open(const std::filesystem::path& assets, const DataChoice& choice);
 
-    /// As the files were when opened.
+    /// Data as the files were when opened.
     const RangeData& data() const { return data_; }
-    /// To be called a few times a second, by a thread that may wait for the disk. A change is read at the second look after it.
+    /// Reads files that have changed. Call it a few times a second from a thread that may wait for the disk.
+    /// A change is read at the second call after it.
     std::optional<Reload> look();
 
 private:
@@ -27,7 +30,7 @@ private:
     DataChoice choice_;
     RangeData data_;
     FileWatch watch_;
-    std::vector<std::string> unread_{};  ///< files that changed and that no good reading has followed
+    std::vector<std::string> unread_{};  ///< changed files that have not been read successfully yet
 };
 
 }  // namespace thaum::game

@@ -11,25 +11,26 @@ namespace {
 using input::bit;
 using input::Button;
 
-constexpr double half_gap = 4;        ///< m along the ground, from the anchor to either side
-constexpr double level_ground = 0.3;  ///< m, between both sides
-constexpr double deep = 1.5;          ///< m; a gap that is not so deep is walked through
-constexpr double knee = 0.9;          ///< m; nothing may stand in the way from there up
-constexpr double near_anchor = 0.5;   ///< m; what a ray meets so near is the anchor itself
-constexpr double walk_to_edge = 7;    ///< m, at most
-constexpr double at_edge = 0.5;       ///< m
-constexpr double costs_as = 9;        ///< m of walking that a swing takes as long as
-constexpr double let_go_past = 2.2;   ///< m behind the anchor
-constexpr double aim_share = 0.7;     ///< of the angle in which a rope finds its anchor
+constexpr double half_gap = 4;        ///< distance along the ground from the anchor to either side (m)
+constexpr double level_ground = 0.3;  ///< largest height difference between the two sides (m)
+constexpr double deep = 1.5;          ///< least depth of a gap (m); the bot walks through a shallower one
+constexpr double knee = 0.9;          ///< height above the feet from which the way must be free (m)
+/// Distance from the anchor within which a ray has met the anchor itself (m).
+constexpr double near_anchor = 0.5;
+constexpr double walk_to_edge = 7;   ///< largest walk to the edge (m)
+constexpr double at_edge = 0.5;      ///< distance at which the edge is reached (m)
+constexpr double costs_as = 9;       ///< walking distance that takes as long as a swing (m)
+constexpr double let_go_past = 2.2;  ///< distance behind the anchor at which the bot lets go (m)
+constexpr double aim_share = 0.7;    ///< share of the angle within which the rope finds its anchor
 constexpr double energy_needed = 20;
-constexpr double least_health = 15;  ///< HP: a fall into the gap must not be its end
+constexpr double least_health = 15;  ///< least health for a swing (HP): a fall into the gap must not kill
 constexpr Tick again_after = ticks(2.0), look_again = ticks(0.1);
 constexpr Tick edge_time = ticks(3.0), latch_time = ticks(1.5), hang_time = ticks(4.0), fly_time = ticks(1.5);
 constexpr Tick tug_time = ticks(0.03);
 
 vec3 flat(vec3 v) { return {v.x, 0, v.z}; }
 
-vec3 across(const Climber& c) {
+vec3 across(const SwingPlan& c) {
     const vec3 way = flat(c.to - c.from);
     return way / std::max(1e-9, glm::length(way));
 }
@@ -55,29 +56,29 @@ bool spans_a_gap(const Simulation& match, const WalkGrid& grid, const RopeKind& 
            (!seen || glm::distance(seen->point, c.anchor) < near_anchor);
 }
 
-void begin(Climber& climber, Roping what, Tick until) {
-    climber.what = what;
-    climber.until = until;
+void begin(SwingPlan& swing_plan, Roping what, Tick until) {
+    swing_plan.what = what;
+    swing_plan.until = until;
 }
 
-void end(Mind& mind, Climber& climber, Tick tick) {
+void end(Mind& mind, SwingPlan& swing_plan, Tick tick) {
     mind.buttons &= ~bit(Button::fire);
     mind.wand_until = tick;
-    climber.what = Roping::none;
-    climber.not_before = tick + again_after;
+    swing_plan.what = Roping::none;
+    swing_plan.not_before = tick + again_after;
 }
 
-/// The rope's wand into the hand, the crosshair to the anchor, and fire.
-void latch(const Self& self, const LoadedWand& roper, Mind& mind, Climber& climber, Tick tick) {
+/// Selects the rope's wand, and presses fire when the crosshair is near the anchor.
+void latch(const Self& self, const LoadedWand& roper, Mind& mind, SwingPlan& swing_plan, Tick tick) {
     const auto fire = bit(Button::fire);
     mind.wand = roper.stats.slot;
     if (!in_hand(self, mind)) return;
-    if (self.held) return begin(climber, Roping::hang, tick + hang_time);
+    if (self.held) return begin(swing_plan, Roping::hang, tick + hang_time);
     if ((mind.buttons & fire) != 0) {
         if (tick >= mind.fire_from + tug_time) mind.buttons &= ~fire;
         return;
     }
-    const vec3 to = climber.anchor - self.eye;
+    const vec3 to = swing_plan.anchor - self.eye;
     const vec3 ahead = look_rotation(self.yaw, self.pitch) * vec3(0, 0, -1);
     const double aim = det::acos(roper.kind->rope(roper.data.get()).aim_cos) * aim_share;
     if (glm::dot(to, ahead) < glm::length(to) * det::cos(aim)) return;
@@ -106,9 +107,9 @@ std::vector<Crossing> find_crossings(const Simulation& match, const WalkGrid& gr
 
 void plan_to_swing(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
                    const std::vector<Crossing>& crossings, const WalkGrid::Ways& to_goal, const Mind& mind,
-                   Climber& climber, Tick tick) {
-    if (seat.skill.swing_gain <= 0 || roped(climber) || tick < climber.not_before) return;
-    climber.not_before = tick + look_again;
+                   SwingPlan& swing_plan, Tick tick) {
+    if (seat.skill.swing_gain <= 0 || roped(swing_plan) || tick < swing_plan.not_before) return;
+    swing_plan.not_before = tick + look_again;
     const bool hunts = mind.foe_seen_at == 0 || tick > mind.foe_seen_at + ticks(1.0);
     const bool errand = mind.errand == Errand::fetch || mind.errand == Errand::hide;
     const auto* roper = roper_of(match);
@@ -125,45 +126,45 @@ void plan_to_swing(const Simulation& match, const Self& self, const Seat& seat, 
         const double gain = steps(self.centre) - (walk + costs_as + steps(c.to));
         if (walk > walk_to_edge || gain < most || !grid.straight(self.centre, c.from)) continue;
         most = gain;
-        climber.from = c.from;
-        climber.anchor = c.anchor;
-        climber.to = c.to;
-        begin(climber, Roping::approach, tick + edge_time);
+        swing_plan.from = c.from;
+        swing_plan.anchor = c.anchor;
+        swing_plan.to = c.to;
+        begin(swing_plan, Roping::approach, tick + edge_time);
     }
 }
 
-vec3 swing_over(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Climber& climber,
-                Tick tick) {
+vec3 swing_over(const Simulation& match, const Self& self, const Seat& seat, Mind& mind,
+                SwingPlan& swing_plan, Tick tick) {
     const auto* roper = roper_of(match);
-    if (roper == nullptr || tick >= climber.until) {
-        end(mind, climber, tick);
+    if (roper == nullptr || tick >= swing_plan.until) {
+        end(mind, swing_plan, tick);
         return {};
     }
-    const vec3 to_edge = flat(climber.from - self.centre);
-    switch (climber.what) {
+    const vec3 to_edge = flat(swing_plan.from - self.centre);
+    switch (swing_plan.what) {
         case Roping::approach:
             if (glm::length(to_edge) > at_edge) return to_edge;
             mind.buttons &= ~bit(Button::fire);
-            begin(climber, Roping::aim, tick + latch_time);
+            begin(swing_plan, Roping::aim, tick + latch_time);
             return {};
-        case Roping::aim: latch(self, *roper, mind, climber, tick); return {};
+        case Roping::aim: latch(self, *roper, mind, swing_plan, tick); return {};
         case Roping::hang:
             mind.buttons |= bit(Button::fire);
-            if (!self.held || glm::dot(self.centre - climber.anchor, across(climber)) > let_go_past) {
+            if (!self.held || glm::dot(self.centre - swing_plan.anchor, across(swing_plan)) > let_go_past) {
                 mind.buttons &= ~bit(Button::fire);
-                begin(climber, Roping::fly, tick + fly_time);
+                begin(swing_plan, Roping::fly, tick + fly_time);
             }
-            return across(climber);
+            return across(swing_plan);
         default: break;
     }
     const auto& stance = match.world().get<Stance>(wizard_of(match.world(), seat.player));
-    if (stance.grounded != 0) end(mind, climber, tick);
-    return across(climber);
+    if (stance.grounded != 0) end(mind, swing_plan, tick);
+    return across(swing_plan);
 }
 
-Aim aim_on_rope(const Self& self, const Climber& climber) {
-    if (climber.what == Roping::aim) return aim_at(self.eye, climber.anchor);
-    return aim_at(self.eye, self.eye + across(climber));
+Aim aim_on_rope(const Self& self, const SwingPlan& swing_plan) {
+    if (swing_plan.what == Roping::aim) return aim_at(self.eye, swing_plan.anchor);
+    return aim_at(self.eye, self.eye + across(swing_plan));
 }
 
 }  // namespace thaum::game

@@ -1,32 +1,35 @@
-// game/bots/roping.h: how a bot swings over a gap on a rope where that saves it a way round.
+// game/bots/roping.h: how a bot swings over a gap on a rope if that saves it a detour.
 #pragma once
 #include "game/bots/aim.h"
 #include "game/bots/nav.h"
 
 namespace thaum::game {
 
-/// A gap that one can swing over.
+/// A gap that a wizard can swing over.
 struct Crossing {
-    vec3 from{}, anchor{}, to{};  ///< m: feet, anchor, feet
+    vec3 from{}, anchor{}, to{};  ///< take-off (feet), anchor, landing (feet) (m, world)
 };
 
-/// All that the arena has: to both sides of an anchor there is ground of one height, and none between.
+/// Finds all crossings of the arena: anchors with ground of equal height on two opposite sides and a gap
+/// between.
 std::vector<Crossing> find_crossings(const Simulation& match, const WalkGrid& grid);
 
-/// Is it on its way over a gap, with the feet at least?
-inline bool roped(const Climber& climber) { return climber.what != Roping::none; }
-/// And with the hands?
-inline bool hands_full(const Climber& climber) { return roped(climber) && climber.what != Roping::approach; }
+/// Whether the bot is on its way over a gap, walking to the edge included.
+inline bool roped(const SwingPlan& swing_plan) { return swing_plan.what != Roping::none; }
+/// Whether the crossing also occupies the bot's hands, from aiming at the anchor on.
+inline bool hands_full(const SwingPlan& swing_plan) {
+    return roped(swing_plan) && swing_plan.what != Roping::approach;
+}
 
-/// Takes a crossing into mind where it is near and shortens the way to mind.goal by what the skill asks for.
+/// Plans a crossing that is near and shortens the way to mind.goal by at least the length in the skill.
 void plan_to_swing(const Simulation& match, const Self& self, const Seat& seat, const WalkGrid& grid,
                    const std::vector<Crossing>& crossings, const WalkGrid::Ways& to_goal, const Mind& mind,
-                   Climber& climber, Tick tick);
+                   SwingPlan& swing_plan, Tick tick);
 
-/// While roped: the way to walk, m, and whatever the hands have to do.
-vec3 swing_over(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Climber& climber,
-                Tick tick);
-/// While hands_full: where the eye wants to be.
-Aim aim_on_rope(const Self& self, const Climber& climber);
+/// Presses the buttons for the crossing while roped. Returns the displacement to walk (m).
+vec3 swing_over(const Simulation& match, const Self& self, const Seat& seat, Mind& mind,
+                SwingPlan& swing_plan, Tick tick);
+/// The wanted direction of view while hands_full.
+Aim aim_on_rope(const Self& self, const SwingPlan& swing_plan);
 
 }  // namespace thaum::game

@@ -9,12 +9,14 @@
 namespace thaum::game {
 namespace {
 
-constexpr std::uint64_t stride = 12;    ///< looks between the two glimpses that tell the foe's velocity
-constexpr double noticed_within = 2.0;  ///< m; what lies at one's feet is felt rather than seen
-constexpr vec3 head{0, 0.5, 0};         ///< m, from the chest
-constexpr double bolt_reach = 0.9;      ///< m; a bolt that passes farther away misses
-constexpr double shot_near = 2.0;       ///< m; a shot that passes nearer was meant for it
-constexpr double bolt_soon = 0.7;       ///< s; later ones are left for later
+/// Gameplay ticks between the two glimpses that give the foe's velocity.
+constexpr std::uint64_t stride = 12;
+constexpr double noticed_within = 2.0;  ///< distance within which a thing is noticed without being seen (m)
+constexpr vec3 head{0, 0.5, 0};         ///< position of the head relative to the chest (m)
+constexpr double bolt_reach = 0.9;      ///< distance beyond which a passing bolt is ignored (m)
+/// Distance within which a passing shot counts as aimed at the bot (m).
+constexpr double shot_near = 2.0;
+constexpr double bolt_soon = 0.7;  ///< time to the impact beyond which a bolt is ignored (s)
 
 bool in_view(const Self& self, const Seat& seat, vec3 place) {
     const vec3 to = place - self.eye;
@@ -33,13 +35,14 @@ Glimpse look(const Simulation& match, const Self& self, const Seat& seat) {
         const auto hit = match.physics().ray(self.eye, place, physics::all_layers, self.key);
         return hit && hit->key != foe.index ? match.physics().desc(hit->key).layer : 0;
     };
-    // A loose thing may hide the chest and leave the head: the one that either of the two holds before itself.
+    // A loose thing that one of the wizards holds may hide the foe's chest. Then it is enough to see the
+    // head.
     const auto by = hidden(chest);
     if (by != 0 && ((by & layer::prop) == 0 || hidden(chest + head) != 0)) return {};
     return {chest, 1};
 }
 
-/// A bolt that comes at the bot: how it will pass.
+/// Search for the bolt that arrives first, and the step that avoids it.
 struct Threat {
     const Self& self;
     const Seat& seat;
@@ -51,7 +54,7 @@ struct Threat {
 void judge(const Missile& missile, Threat& threat) {
     const double speed = glm::length(missile.velocity);
     if (missile.player == threat.seat.player || speed < 1) return;
-    // Only what has been in the air for a reaction time can have been seen, and understood.
+    // A bot reacts only to a missile that has been in the air for its reaction time.
     const double flown = glm::distance(missile.position, threat.mind.foe) / speed;
     if (flown < seconds(threat.seat.skill.reaction) || !in_view(threat.self, threat.seat, missile.position))
         return;
@@ -83,7 +86,7 @@ Self self_of(const Simulation& match, std::uint32_t player, double readiness) {
               .health = world.get<Health>(wizard).points,
               .key = wizard.index,
               .alive = !world.has<Dead>(wizard)};
-    const vec3 tip = wand_tip_of(match.touch().wand_per_hand[player], world.get<Grip>(wizard));
+    const vec3 tip = wand_tip_of(match.touch().wand_per_hand[player], world.get<HandState>(wizard));
     self.tip = self.eye + look_rotation(gaze.yaw, gaze.pitch) * tip;
     if (const auto* wand = wand_in_hand(match.data(), belt)) {
         const auto& stats = wand->stats;
@@ -162,7 +165,7 @@ bool sees_a_shot_come(const Simulation& match, const Self& self, const Seat& sea
         comes = comes || off < shot_near;
     };
     for (const auto& wand : match.data().wands) {
-        // One reference, so that no memory is asked for.
+        // A lambda with one reference fits into std::function without an allocation.
         wand.kind->show(match.world(), [&note](const Missile& missile) { note(missile); });
     }
     return comes;

@@ -9,16 +9,15 @@ namespace {
 
 namespace hand = input::hand;
 
-constexpr double beside_rim = 0.75;  ///< m from it, where a bot stands
-constexpr double needs_energy =
-    0.6;  ///< share of it in the wand in hand below which stirring is worth the while
+constexpr double beside_rim = 0.75;   ///< distance from the rim at which a bot stands (m)
+constexpr double needs_energy = 0.6;  ///< share of the wand's energy below which stirring is worth the time
 constexpr double has_enough = 0.97;
-constexpr double unnerved = 8;  ///< HP, lost at the rim: it fights back
+constexpr double unnerved = 8;  ///< loss of health at the rim after which the bot fights back (HP)
 constexpr Tick way_limit = ticks(6.0);
 constexpr Tick unseen = ticks(1.5);
-constexpr Tick period = ticks(1.1);  ///< of a circle
-constexpr double counts =
-    2.6;  ///< of the mouse in a tick, so that a circle takes the whole of the hand's reach
+constexpr Tick period = ticks(1.1);  ///< ticks of one circle
+/// Mouse counts per tick; the circle then uses the whole reach of the hand.
+constexpr double counts = 2.6;
 
 bool foe_stirs(const Simulation& match, const Seat& seat, const Mind& mind, Tick tick) {
     const bool seen = mind.foe_seen_at != 0 && tick - mind.foe_seen_at < unseen;

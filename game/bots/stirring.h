@@ -1,18 +1,18 @@
-// game/bots/stirring.h: how a bot stirs: it walks to the cauldron's rim when its wands want filling and nobody is in sight, or when its foe
-// stirs, and then goes round in circles with its hand.
+// game/bots/stirring.h: how a bot stirs the cauldron. It walks to the rim if its wand lacks energy and no foe
+// is in sight, or if the foe stirs. There it moves its hand in circles.
 #pragma once
 #include "game/bots/mind.h"
 
 namespace thaum::game {
 
-/// Chooses what the bot does at the cauldron, and with it mind.errand and mind.goal while it walks there.
+/// Plans the bot's actions at the cauldron. While the bot walks there, writes mind.errand and mind.goal.
 void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Stirrer& stirrer,
                   Tick tick);
 
-/// Whether its hand is at the ladle.
+/// Whether the bot stirs at present.
 inline bool stirs(const Stirrer& stirrer) { return stirrer.what == AtCauldron::stir; }
 
-/// What the hand does in this tick.
+/// Writes the hand's motion of this tick to the sample.
 void stir_hand(Tick tick, input::DeviceSample& sample);
 
 }  // namespace thaum::game

@@ -13,7 +13,7 @@ constexpr Range share{0, 1};
 constexpr Range viscosity{0, fluid::viscosity_most};
 const std::vector<std::string_view> solver_names{"thaum", "classic"};
 
-/// What of the surface stands in the file; `side` follows later.
+/// Reads the surface settings. brew_surface sets `side` later.
 fluid::SheetSettings read_surface(const ConfigTable& table) {
     fluid::SheetSettings result;
     result.nodes = static_cast<std::uint32_t>(table.integer("nodes", {3, 129}));
@@ -101,7 +101,7 @@ Basin basin_of(const BowlSize& bowl, double filled) {
     const auto whole = bowl_profile(bowl);
     const double level = level_of(bowl, filled);
     Basin basin;
-    // The profile ends with the inside, from the rim down; its first point on the inside is the first after the highest one.
+    // The profile ends with the inside, from the rim down. The first inside point follows the highest point.
     const auto top = std::max_element(whole.begin(), whole.end(), [](vec2 a, vec2 b) { return a.y < b.y; });
     for (auto at = top + 1; at != whole.end(); ++at) {
         const vec2 before = *(at - 1);

@@ -1,9 +1,9 @@
-// game/cauldron/brew.h: what is in the cauldron, as plain data: a flow, up to three substances in it, and the surface on top. The one
-// brew that the match, the lab, scenarios and benchmarks stir.
+// game/cauldron/brew.h: the contents of the cauldron as plain data: a flow, up to three substances, and the
+// surface on top. The match, the lab, scenarios and benchmarks all stir this one brew.
 //
-//            level ──── ~~~~~~~~~~~~~ ────      origin of the brew's frame: the middle of the surface, +y up
+//            level ──── ~~~~~~~~~~~~~ ────   origin of the brew's frame: middle of the surface, +y up
 //                   \               /
-//                    \_____________/            the box of cells reaches down to the lowest place of the bowl's inside
+//                    \_____________/         the box of cells reaches down to the bowl's lowest inside point
 #pragma once
 #include <cmath>
 #include <optional>
@@ -19,82 +19,88 @@
 
 namespace thaum::game {
 
-/// What can be dropped in. Colour linear, 0 to 1.
+/// A kind of stuff that a player can drop into the brew. The colour is linear light, 0 to 1.
 struct Ingredient {
     std::string name;
     vec3 colour{};
     fluid::Substance substance{};
 };
 
+/// The ladle and its coupling to the hand.
 struct LadleRules {
-    double radius{};              ///< m, of the fluid that it takes along
-    double viscous{}, form{};     ///< m, m^3/s: its drag (haptics/fluid_touch.h, equations 1 to 3)
-    double height{};              ///< m, of the part that dips in
-    double mass{};                ///< kg, of its own
-    double stiffness{};           ///< N/m, of the spring that ties it to the hand, and of the wall
-    double damping{};             ///< N s/m, likewise
-    double metres_per_metre{};    ///< of the ladle for one of the hand
-    double newtons_per_newton{};  ///< of the hand for one on the ladle
-    double in{},
-        below{};     ///< m, where it is for a hand at rest: from the middle to its holder, below the level
-    double reach{};  ///< m, from the rim, where its holder may stand
+    double radius{};           ///< radius of the ball of fluid that the ladle carries along (m)
+    double viscous{}, form{};  ///< drag coefficients, haptics/fluid_touch.h, eq. 1 to 3 (m, m^3/s)
+    double height{};           ///< length of the part that dips into the brew (m)
+    double mass{};             ///< mass of the ladle itself (kg)
+    double stiffness{};  ///< stiffness of the spring between ladle and hand, and of the bowl's wall (N/m)
+    double damping{};    ///< damping of the same spring and wall (N s/m)
+    double metres_per_metre{};    ///< distance that the ladle moves for each metre of the hand
+    double newtons_per_newton{};  ///< force on the hand for each newton on the ladle
+    /// Position of the ladle while the hand rests: distance from the middle towards the wizard, and depth below
+    /// the level (m).
+    double in{}, below{};
+    double reach{};  ///< greatest distance from the rim at which a wizard can stir (m)
 };
 
-/// What the brew does to who is near, and to who stirs.
+/// Effects of the brew on wizards near it and on players who stir it.
 struct AuraRules {
-    double radius{};  ///< m, from the middle
-    double thick_above{},
-        thick_pace{};  ///< of the pure brew's viscosity; what is left of a walking speed then
-    double light_below{}, light_gravity{};  ///< of the pure brew's density; what is left of the weight then
-    double refill{};                        ///< energy/s of each wand, of who stirs with the flow
-    double refill_speed{};                  ///< m/s, of the flow, at least
+    double radius{};  ///< distance from the middle within which the effects act (m)
+    /// A brew is thick above this multiple of the pure brew's viscosity. Near a thick brew a wizard walks at
+    /// this share of the full speed.
+    double thick_above{}, thick_pace{};
+    /// A brew is light below this share of the pure brew's density. Near a light brew a wizard keeps this share
+    /// of the weight.
+    double light_below{}, light_gravity{};
+    double refill{};        ///< energy that each wand gains while its wizard stirs with the flow (1/s)
+    double refill_speed{};  ///< least speed of the flow that refills wands (m/s)
 };
 
-/// assets/cauldron.toml.
+/// Settings from assets/cauldron.toml.
 struct CauldronRules {
     int cells_across{};
     fluid::Solver solver{};
-    double filled{};                 ///< of the bowl's height
-    double density{};                ///< kg/m^3, what a push has to move
-    double viscosity{};              ///< m^2/s, of the base fluid
-    vec3 colour{};                   ///< likewise
-    fluid::SheetSettings surface{};  ///< its side follows from the bowl
+    double filled{};                 ///< level of the brew, as a share of the bowl's height
+    double density{};                ///< density of the pure brew, for momentum (kg/m^3)
+    double viscosity{};              ///< kinematic viscosity of the base fluid (m^2/s)
+    vec3 colour{};                   ///< colour of the base fluid, linear light, 0 to 1
+    fluid::SheetSettings surface{};  ///< spring surface; `side` is computed from the bowl
     LadleRules ladle{};
     AuraRules aura{};
-    double drop_amount{}, drop_radius{};  ///< m^3, m: of an ingredient that is dropped in
-    double recoil{};                      ///< N s, of that on the ladle
+    double drop_amount{}, drop_radius{};  ///< volume and radius of a dropped ingredient (m^3, m)
+    double recoil{};                      ///< momentum that a dropped ingredient gives to the ladle (N s)
     Tick recoil_length{};
-    double burst{};                     ///< N s, of a lob that bursts at the brew
-    double wrest_least{};               ///< J within a second and a half
-    Tick spoils_after{};                ///< the first ingredient
-    double spoil_push{}, spoil_harm{};  ///< m/s, HP
-    double niche_radius{};              ///< m
+    double burst{};                     ///< downward momentum of a lob that bursts at the brew (N s)
+    double wrest_least{};               ///< least work of a ladle that can wrest the brew, within 1.5 s (J)
+    Tick spoils_after{};                ///< time from the first ingredient to boiling over
+    double spoil_push{}, spoil_harm{};  ///< effect of boiling over on wizards at the rim (m/s, HP)
+    double niche_radius{};              ///< greatest distance at which a wizard picks up an ingredient (m)
     Tick niche_again{};
     std::vector<Ingredient> ingredients;
 };
 
 CauldronRules read_cauldron_rules(const Config& file);
 
-/// The inside of a bowl below the level of what is in it.
+/// The inside of a bowl below the level of its contents.
 struct Basin {
-    double radius{};  ///< m, the widest
-    double depth{};   ///< m, the deepest
-    std::vector<vec2>
-        profile;  ///< m: radius and height (0: level, below it negative), from the level down to the middle
+    double radius{};  ///< greatest radius (m)
+    double depth{};   ///< greatest depth (m)
+    /// Points (radius, height) from the level at height 0 down to the middle (m). Heights are zero or negative.
+    std::vector<vec2> profile;
 };
 
-/// m: the level of what fills a bowl, above the bowl's middle.
+/// Height of the contents' level above the bowl's middle (m).
 inline double level_of(const BowlSize& bowl, double filled) { return bowl.height * (filled - 0.5); }
 
 Basin basin_of(const BowlSize& bowl, double filled);
 
-/// m: how far a way leads to the side.
+/// Horizontal length of a vector (m).
 inline double off_axis(vec3 way) { return std::sqrt(way.x * way.x + way.z * way.z); }
 
-/// m: how wide the basin is at a height (negative: below the level); 0 below its floor. Above the level as wide as there.
+/// Radius of the basin at a height (m). Negative heights are below the level. Returns 0 below the floor, and
+/// the radius at the level for heights above it.
 double width_at(const Basin& basin, double height);
 
-/// Which ingredient stands in each substance.
+/// Ingredient in each substance.
 using Contents = std::array<std::uint32_t, fluid::substances_most>;
 
 struct Brew {
@@ -102,24 +108,26 @@ struct Brew {
     fluid::Sheet sheet;
     fluid::SheetScratch scratch;
     Contents what{no_ingredient, no_ingredient, no_ingredient};
-    vec3
-        corner{};  ///< m, brew's frame: where the fluid's box begins; a place p of the brew is p - corner of the fluid
+    /// Origin of the fluid's box (m, brew's frame). A point p of the brew is p - corner in the fluid's frame.
+    vec3 corner{};
 };
 
-/// What make_brew makes it of; the rules must be checked ones.
+/// Settings for make_brew. The rules must have been checked.
 fluid::Settings brew_settings(const CauldronRules& rules, const Basin& basin);
 fluid::SheetSettings brew_surface(const CauldronRules& rules, const Basin& basin);
 
-/// At rest and pure. The error says what of the rules the solver does not take.
+/// Makes a brew at rest without ingredients. The error names the setting that the solver rejects.
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
 
-/// The substance in which an ingredient stands, or the first free one; none where all are taken.
+/// Returns the substance that holds the ingredient, or else the first free one; std::nullopt if all are in
+/// use.
 std::optional<std::size_t> substance_for(const Contents& what, std::uint32_t ingredient);
 
-/// From now on the ingredient stands in that substance.
+/// Makes a substance hold this ingredient from now on.
 void assign(Brew& brew, const CauldronRules& rules, std::size_t substance, std::uint32_t ingredient);
 
-/// `amount`, m^3, of an ingredient within `radius` of a place of the brew's frame. False where nothing was added.
+/// Adds `amount` of an ingredient within `radius` of a place (m^3; m, brew's frame). Returns false if nothing
+/// was added.
 bool drop(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient, vec3 place, double radius,
           double amount);
 

@@ -8,7 +8,7 @@
 namespace thaum::game {
 namespace {
 
-/// Calls with every array of a state, in one fixed order.
+/// Calls `visit` with every array of a state, in one fixed order.
 template <class State, class Visit>
 void each_array(State& state, Visit&& visit) {
     for (auto& component : state.velocity) visit(component);
@@ -26,7 +26,8 @@ std::size_t pages_for(std::size_t samples) {
     return (samples + each - 1) / each;
 }
 
-/// All pages as one array: they lie so, because no entity with one has anything else and none goes alone.
+/// First sample of all pages, which form one contiguous array. They stay contiguous because a page entity has
+/// no other component and is never removed alone.
 template <class Page>
 auto* first_sample(auto& world) {
     using Term =

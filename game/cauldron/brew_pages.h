@@ -1,5 +1,6 @@
-// game/cauldron/brew_pages.h: the brew's samples in the World, where they are state. Its pages lie one after another, so that the
-// newest two states of the fluid are read there, by hand and picture, while the next one is being computed elsewhere.
+// game/cauldron/brew_pages.h: samples of the brew as pages in the World, where they are part of the state.
+// The pages are contiguous. The haptics and the picture read the newest two fluid states there while a job
+// computes the next one.
 #pragma once
 #include <span>
 
@@ -10,21 +11,23 @@
 
 namespace thaum::game {
 
-/// Pages for this brew; to be called once, outside of any view.
+/// Adds the pages for this brew. Call it once, outside of any view.
 void add_pages(ecs::World& world, const Brew& brew);
 bool has_pages(const ecs::World& world);
 
-/// State 0 or 1 of the fluid.
+/// Copies state 0 or 1 of the fluid to or from its pages.
 void write_fluid(ecs::World& world, std::size_t which, const fluid::Fluid& fluid);
 void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid);
 void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& sheet);
 void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Sheet& sheet);
 
-/// One array of a state: 0 to 2 the velocity's components, from 3 on the substances. It holds as long as no page is added or removed.
+/// One array of a state: 0 to 2 are the velocity components, the substances start at 3. The span stays valid
+/// until a page is added or removed.
 std::span<const float> brew_samples(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,
                                     std::size_t array);
 
-/// One state of the fluid as fields. Frame: the fluid's box. They hold as long as no page is added or removed.
+/// One state of the fluid as fields, in the frame of the fluid's box. They stay valid until a page is added
+/// or removed.
 struct BrewFields {
     field::StaggeredGrid velocity{};
     std::array<field::Grid, fluid::substances_most> substances{};

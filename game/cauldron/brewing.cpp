@@ -14,21 +14,21 @@ bool near(const MatchData& data, const Cauldron& cauldron, vec3 place) {
     return off_axis(place - cauldron.middle) < data.cauldron->aura.radius;
 }
 
-// ---- ingredients ---------------------------------------------------------------------------------------------------
+// ---- ingredients ------------------------------------------------------------------------------------------
 
-/// Who has found an ingredient in this tick: what they carry comes into the World after it.
+/// Players who have found an ingredient in this tick. Their Pouch enters the World only after the tick.
 using Takers = std::array<bool, players>;
 
-/// The nearest of those whose hands are empty.
-void pick_up(Stage& stage, Niche& niche, vec3 place, Tick tick, Takers& takers) {
-    auto& world = stage.world;
-    const auto& rules = *stage.data.cauldron;
+/// Gives the ingredient to the nearest wizard in reach with empty hands.
+void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers& takers) {
+    auto& world = context.world;
+    const auto& rules = *context.data.cauldron;
     ecs::Entity taker;
     std::uint32_t who = no_player;
     double nearest = rules.niche_radius;
     world.view<const Wizard, const Motion, ecs::Without<Dead>, ecs::Without<Pouch>>().each(
         [&](ecs::Entity e, const Wizard& wizard, const Motion& motion) {
-            const auto way = way_on_floor(stage.data.wizard, motion.position, place, nearest);
+            const auto way = way_on_floor(context.data.wizard, motion.position, place, nearest);
             if (!way || takers[wizard.player]) return;
             taker = e;
             who = wizard.player;
@@ -46,7 +46,7 @@ void pick_up(Stage& stage, Niche& niche, vec3 place, Tick tick, Takers& takers) 
                    .place = place});
 }
 
-/// With what the next step of the fluid brings.
+/// Contents after the next fluid step.
 Contents contents_to_come(const Cauldron& cauldron) {
     Contents what = cauldron.what;
     for (std::uint32_t i = 0; i < cauldron.next.count; ++i) {
@@ -57,63 +57,65 @@ Contents contents_to_come(const Cauldron& cauldron) {
     return what;
 }
 
-/// Nothing where the brew holds as many others as it can.
-void drop_in(Stage& stage, Cauldron& cauldron, ecs::Entity e, std::uint32_t player, const Ladle& ladle,
-             const Pouch& pouch, Tick tick) {
-    const auto& rules = *stage.data.cauldron;
+/// Drops the carried ingredient. Does nothing if all substances hold other ingredients.
+void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint32_t player,
+             const Ladle& ladle, const Pouch& pouch, Tick tick) {
+    const auto& rules = *context.data.cauldron;
     if (!substance_for(contents_to_come(cauldron), pouch.ingredient)) return;
     const vec3 place = haptics::held_in(
-        stage.models[player].fluid.wall,
+        context.models[player].fluid.wall,
         {ladle.place.x - cauldron.middle.x, -rules.ladle.radius, ladle.place.z - cauldron.middle.z});
     const bool taken = add_stroke(cauldron, {.place = place,
                                              .radius = rules.drop_radius,
                                              .amount = rules.drop_amount,
                                              .ingredient = pouch.ingredient});
     if (!taken) return;
-    stage.world.commands().remove<Pouch>(e);
+    context.world.commands().remove<Pouch>(e);
     if (cauldron.begun == 0) {
         cauldron.begun = std::max<Tick>(tick, 1);
         cauldron.owner = player;
     }
     const auto length = static_cast<std::uint32_t>(rules.recoil_length);
-    kick(stage, e, haptics::recoil_peak(stage.models[player].fluid, {0, rules.recoil, 0}, length), length);
-    record(stage.world, {.tick = tick,
-                         .kind = EventKind::dropped,
-                         .subject = player,
-                         .by = player,
-                         .detail = pouch.ingredient,
-                         .amount = rules.drop_amount,
-                         .place = cauldron.middle + place});
+    kick(context, e, haptics::recoil_peak(context.models[player].fluid, {0, rules.recoil, 0}, length),
+         length);
+    record(context.world, {.tick = tick,
+                           .kind = EventKind::dropped,
+                           .subject = player,
+                           .by = player,
+                           .detail = pouch.ingredient,
+                           .amount = rules.drop_amount,
+                           .place = cauldron.middle + place});
 }
 
-// ---- whose it is -----------------------------------------------------------------------------------------------------
+// ---- ownership -------------------------------------------------------------------------------------------
 
-/// Both ladles in: the one that has done more. Nothing of nobody's brew is worth a fight.
-void wrest(Stage& stage, Cauldron& cauldron, Tick tick) {
+/// Moves the brew to the player whose ladle did more work, if both ladles are in. A brew without ingredients
+/// has no owner and cannot be wrested.
+void wrest(MatchContext& context, Cauldron& cauldron, Tick tick) {
     if (cauldron.begun == 0) return;
     std::array<double, players> work{-1, -1};
-    stage.world.view<const Wizard, const Ladle>().each(
+    context.world.view<const Wizard, const Ladle>().each(
         [&](const Wizard& wizard, const Ladle& ladle) { work[wizard.player] = recent_work(ladle); });
     if (work[0] < 0 || work[1] < 0 || work[0] == work[1]) return;
     const std::uint32_t stronger = work[0] > work[1] ? 0 : 1;
-    if (stronger == cauldron.owner || work[stronger] < stage.data.cauldron->wrest_least) return;
+    if (stronger == cauldron.owner || work[stronger] < context.data.cauldron->wrest_least) return;
     cauldron.owner = stronger;
-    record(stage.world, {.tick = tick,
-                         .kind = EventKind::wrested,
-                         .subject = stronger,
-                         .by = stronger,
-                         .amount = work[stronger],
-                         .place = cauldron.middle});
+    record(context.world, {.tick = tick,
+                           .kind = EventKind::wrested,
+                           .subject = stronger,
+                           .by = stronger,
+                           .amount = work[stronger],
+                           .place = cauldron.middle});
 }
 
-/// Stirring with the flow refills every wand.
-void refill(Stage& stage, Tick tick) {
-    auto& world = stage.world;
-    const auto& aura = stage.data.cauldron->aura;
+/// Refills every wand of a wizard who stirs with the flow.
+void refill(MatchContext& context, Tick tick) {
+    auto& world = context.world;
+    const auto& aura = context.data.cauldron->aura;
     world.view<const Ladle, WandBelt>().each([&](const Ladle& ladle, WandBelt& belt) {
-        const vec3 flow = current_at(std::as_const(world), stage.brew.get(), ladle.place, tick);
+        const vec3 flow = current_at(std::as_const(world), context.brew.get(), ladle.place, tick);
         if (glm::length(flow) < aura.refill_speed || glm::dot(flow, ladle.velocity) <= 0) return;
-        for (const auto& wand : stage.data.wands) {
+        for (const auto& wand : context.data.wands) {
             auto& energy = belt.energy[wand.stats.energy_slot];
             if (wand.stats.energy_slot != wand.stats.slot) continue;
             energy = std::min(wand.stats.energy_cap, energy + aura.refill * gameplay_dt);
@@ -121,22 +123,23 @@ void refill(Stage& stage, Tick tick) {
     });
 }
 
-// ---- spoiling --------------------------------------------------------------------------------------------------------
+// ---- spoiling ---------------------------------------------------------------------------------------------
 
-/// Too late for what was begun: it boils over, hurts who stands at the rim and throws him back, and is pure again.
-void spoil(Stage& stage, Cauldron& cauldron, Tick tick) {
-    const auto& rules = *stage.data.cauldron;
+/// Boils the brew over when its time is up. This hurts wizards at the rim, throws them back, and leaves a
+/// pure brew.
+void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
+    const auto& rules = *context.data.cauldron;
     if (cauldron.begun == 0 || tick < cauldron.begun + rules.spoils_after) return;
     const auto owner = cauldron.owner;
-    auto& world = stage.world;
+    auto& world = context.world;
     world.view<const Wizard, const Motion, const Body, ecs::Without<Dead>>().each([&](ecs::Entity e,
                                                                                       const Wizard&,
                                                                                       const Motion& motion,
                                                                                       const Body& body) {
-        if (!within_reach(stage.data, cauldron, motion.position)) return;
+        if (!within_reach(context.data, cauldron, motion.position)) return;
         const vec3 out = motion.position - cauldron.middle;
         const vec3 away = vec3(out.x, off_axis(out) / 2, out.z) / std::max(1e-9, off_axis(out));
-        stage.physics.apply_central_impulse(e.index, body.mass * rules.spoil_push * glm::normalize(away));
+        context.physics.apply_central_impulse(e.index, body.mass * rules.spoil_push * glm::normalize(away));
         hurt(world, e, tick,
              {.points = rules.spoil_harm, .by = owner, .how = EventKind::spoilt, .place = motion.position});
     });
@@ -150,21 +153,21 @@ void spoil(Stage& stage, Cauldron& cauldron, Tick tick) {
     cauldron.spoilt = 1;
 }
 
-// ---- aura ------------------------------------------------------------------------------------------------------------
+// ---- aura -------------------------------------------------------------------------------------------------
 
 bool is_light(const MatchData& data, const Cauldron& cauldron) {
     return cauldron.density < data.cauldron->aura.light_below;
 }
 
-void lift_all(Stage& stage, const Cauldron& cauldron) {
-    if (!is_light(stage.data, cauldron)) return;
-    const double share = 1 - stage.data.cauldron->aura.light_gravity;
-    std::as_const(stage.world)
+void lift_all(MatchContext& context, const Cauldron& cauldron) {
+    if (!is_light(context.data, cauldron)) return;
+    const double share = 1 - context.data.cauldron->aura.light_gravity;
+    std::as_const(context.world)
         .view<const Wizard, const Motion, const Body, ecs::Without<Dead>>()
         .each([&](ecs::Entity e, const Wizard&, const Motion& motion, const Body& body) {
-            if (!near(stage.data, cauldron, motion.position)) return;
-            stage.physics.apply_central_impulse(
-                e.index, -share * body.mass * physics_dt * stage.physics.settings().gravity);
+            if (!near(context.data, cauldron, motion.position)) return;
+            context.physics.apply_central_impulse(
+                e.index, -share * body.mass * physics_dt * context.physics.settings().gravity);
         });
 }
 
@@ -172,16 +175,16 @@ void lift_all(Stage& stage, const Cauldron& cauldron) {
 
 double recent_work(const Ladle& ladle) { return std::accumulate(ladle.work.begin(), ladle.work.end(), 0.0); }
 
-void spawn_niches(Stage& stage) {
-    if (!stage.data.cauldron) return;
-    const auto& ingredients = stage.data.cauldron->ingredients;
-    for (const auto& place : stage.data.arena.niches) {
+void spawn_niches(MatchContext& context) {
+    if (!context.data.cauldron) return;
+    const auto& ingredients = context.data.cauldron->ingredients;
+    for (const auto& place : context.data.arena.niches) {
         const auto found = std::find_if(ingredients.begin(), ingredients.end(),
                                         [&](const Ingredient& i) { return i.name == place.ingredient; });
         Motion motion;
         motion.position = place.position;
-        stage.world.create(motion,
-                           Niche{.ingredient = static_cast<std::uint32_t>(found - ingredients.begin())});
+        context.world.create(motion,
+                             Niche{.ingredient = static_cast<std::uint32_t>(found - ingredients.begin())});
     }
 }
 
@@ -192,41 +195,41 @@ double pace_at(const MatchData& data, const ecs::World& world, vec3 place) {
     return cauldron.viscosity > aura.thick_above && near(data, cauldron, place) ? aura.thick_pace : 1;
 }
 
-void add_brewing_systems(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_brewing_systems(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "niches",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = world.mask<Niche, Pouch, Chronicle>(),
+                  .writes = world.mask<Niche, Pouch, EventLog>(),
                   .needs = world.mask<Niche>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
+                  .run = [&context](ecs::World& w, Tick tick) {
                       Takers takers{};
                       w.view<Niche, const Motion>().each([&](Niche& niche, const Motion& motion) {
-                          if (tick >= niche.back_at) pick_up(stage, niche, motion.position, tick, takers);
+                          if (tick >= niche.back_at) pick_up(context, niche, motion.position, tick, takers);
                       });
                   }});
     schedule.add({.name = "brewing",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Controls, Motion, Body, Dead, BrewPage, Ladle>(),
-                  .writes = world.mask<Cauldron, Pouch, WandBelt, Health, Chronicle, Grip>(),
+                  .writes = world.mask<Cauldron, Pouch, WandBelt, Health, EventLog, HandState>(),
                   .needs = world.mask<BrewPage>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
+                  .run = [&context](ecs::World& w, Tick tick) {
                       auto& cauldron = w.single<Cauldron>();
                       w.view<const Wizard, const Controls, const Ladle, const Pouch>().each(
                           [&](ecs::Entity e, const Wizard& wizard, const Controls& controls,
                               const Ladle& ladle, const Pouch& pouch) {
                               if ((controls.pressed & bit(input::Button::fire)) != 0)
-                                  drop_in(stage, cauldron, e, wizard.player, ladle, pouch, tick);
+                                  drop_in(context, cauldron, e, wizard.player, ladle, pouch, tick);
                           });
-                      wrest(stage, cauldron, tick);
-                      refill(stage, tick);
-                      spoil(stage, cauldron, tick);
+                      wrest(context, cauldron, tick);
+                      refill(context, tick);
+                      spoil(context, cauldron, tick);
                   }});
     schedule.add(
         {.name = "light brew",
          .reads = world.mask<Cauldron, Wizard, Motion, Body, Dead>(),
          .needs = world.mask<BrewPage>(),
-         .run = [&stage](ecs::World& w, Tick) { lift_all(stage, std::as_const(w).single<Cauldron>()); }});
+         .run = [&context](ecs::World& w, Tick) { lift_all(context, std::as_const(w).single<Cauldron>()); }});
 }
 
 }  // namespace thaum::game

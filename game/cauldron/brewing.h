@@ -1,21 +1,22 @@
-// game/cauldron/brewing.h: what the brew means in the match (game.md, "Cauldron"): whose it is, what it does to who is near, and when it
-// spoils; where ingredients are found, and who carries one.
+// game/cauldron/brewing.h: rules of the brew in the match (game.md, "Cauldron").
+// They decide who owns the brew, how it acts on wizards near it, and when it spoils. They also place the
+// ingredients and track who carries one.
 #pragma once
 #include "game/cauldron/cauldron.h"
 
 namespace thaum::game {
 
-/// Where the arena has them.
-void spawn_niches(Stage& stage);
+/// Creates the ingredient niches at the arena's places.
+void spawn_niches(MatchContext& context);
 
-/// The part of his walking speed that a wizard there has: less beside a thick brew.
+/// Share of the full walking speed that a wizard has at a place. It is below 1 near a thick brew.
 double pace_at(const MatchData& data, const ecs::World& world, vec3 place);
 
-/// Every gameplay tick: ingredients picked up and dropped in, the owner, the wands of who stirs with the flow, spoiling; every tick: what is
-/// light beside a light brew.
-void add_brewing_systems(Stage& stage, ecs::Schedule& schedule);
+/// Adds the brewing systems. Every gameplay tick: pick-up and drop of ingredients, ownership, energy for
+/// stirring with the flow, and spoiling. Every tick: lift on wizards near a light brew.
+void add_brewing_systems(MatchContext& context, ecs::Schedule& schedule);
 
-/// J, that a ladle did in the last second and a half.
+/// Work of a ladle on the brew in the last 1.5 s (J).
 double recent_work(const Ladle& ladle);
 
 }  // namespace thaum::game

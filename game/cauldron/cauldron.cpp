@@ -10,7 +10,7 @@
 namespace thaum::game {
 namespace {
 
-/// Every cell whose middle lies in the basin.
+/// Indices of all cells with their middle inside the basin.
 std::vector<std::uint32_t> wet_cells(const Brew& brew, const Basin& basin) {
     const auto& lattice = brew.fluid.lattice;
     std::vector<std::uint32_t> cells;
@@ -70,21 +70,21 @@ void apply(const CauldronRules& rules, const Strokes& strokes, Brew& brew) {
     }
 }
 
-/// The step that takes `given`.
-void begin_step(Stage& stage, Cauldron& cauldron) {
-    auto& work = *stage.brew;
-    const auto& rules = *stage.data.cauldron;
+/// Starts the fluid step that takes the strokes in `given`.
+void begin_step(MatchContext& context, Cauldron& cauldron) {
+    auto& work = *context.brew;
+    const auto& rules = *context.data.cauldron;
     apply(rules, cauldron.given, work.brew);
     cauldron.what = work.brew.what;
     cauldron.under_way = 1;
-    work.step = stage.jobs->run([&work, viscosity = rules.viscosity] {
+    work.step = context.jobs->run([&work, viscosity = rules.viscosity] {
         work.report = fluid::advance(work.brew.fluid, fluid_dt);
         work.figures = figures_of(work, viscosity);
     });
 }
 
-void end_step(Stage& stage, Cauldron& cauldron, Tick tick) {
-    auto& work = *stage.brew;
+void end_step(MatchContext& context, Cauldron& cauldron, Tick tick) {
+    auto& work = *context.brew;
     work.step.wait();
     cauldron.under_way = 0;
     cauldron.newest ^= 1U;
@@ -93,10 +93,10 @@ void end_step(Stage& stage, Cauldron& cauldron, Tick tick) {
     cauldron.viscosity = work.figures.viscosity;
     cauldron.density = work.figures.density;
     cauldron.speed = work.figures.speed;
-    write_fluid(stage.world, cauldron.newest, work.brew.fluid);
+    write_fluid(context.world, cauldron.newest, work.brew.fluid);
 }
 
-/// What is left is pure brew, which goes on as it went.
+/// Removes all ingredients. The flow of the pure brew is kept.
 void pour_away(Brew& brew) {
     brew.what.fill(no_ingredient);
     for (auto& samples : brew.fluid.now.substances) std::fill(samples.begin(), samples.end(), 0.0F);
@@ -104,36 +104,37 @@ void pour_away(Brew& brew) {
               fluid::Substance{});
 }
 
-void step_fluid(Stage& stage, Cauldron& cauldron, Tick tick) {
-    if (cauldron.under_way != 0) end_step(stage, cauldron, tick);
+void step_fluid(MatchContext& context, Cauldron& cauldron, Tick tick) {
+    if (cauldron.under_way != 0) end_step(context, cauldron, tick);
     const bool stroked = does_something(cauldron.next) || cauldron.spoilt != 0;
-    if (cauldron.spoilt != 0) pour_away(stage.brew->brew);
+    if (cauldron.spoilt != 0) pour_away(context.brew->brew);
     cauldron.spoilt = 0;
-    if (!stroked && stage.brew->brew.fluid.now.asleep) return;
+    if (!stroked && context.brew->brew.fluid.now.asleep) return;
     cauldron.given = cauldron.next;
     cauldron.next = {};
-    begin_step(stage, cauldron);
+    begin_step(context, cauldron);
 }
 
-/// The ladles that are in the surface or above it push it, and those within it ripple it when they leave.
-void step_surface(Stage& stage, Cauldron& cauldron) {
-    auto& sheet = stage.brew->brew.sheet;
+/// Steps the surface with the ladles as probes. Ladles in or above the surface push it; ladles below it make
+/// ripples when they leave.
+void step_surface(MatchContext& context, Cauldron& cauldron) {
+    auto& sheet = context.brew->brew.sheet;
     std::array<fluid::SheetProbe, players> probes;
     bool any = false;
-    probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});  // not there
-    stage.world.view<const Wizard, const Ladle>().each([&](const Wizard& wizard, const Ladle& ladle) {
+    probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});  // absent probes
+    context.world.view<const Wizard, const Ladle>().each([&](const Wizard& wizard, const Ladle& ladle) {
         const vec3 at = ladle.place - cauldron.middle;
         probes[wizard.player] = {
-            .place = {at.x, at.z}, .height = at.y, .radius = stage.data.cauldron->ladle.radius};
+            .place = {at.x, at.z}, .height = at.y, .radius = context.data.cauldron->ladle.radius};
         any = true;
     });
     if (!any && sheet.asleep != 0) return;
-    const auto step = fluid::advance(sheet, stage.brew->brew.scratch, probes, surface_dt);
+    const auto step = fluid::advance(sheet, context.brew->brew.scratch, probes, surface_dt);
     for (std::size_t p = 0; p < players; ++p) {
         cauldron.rise[p] = (step.probes[p].height - cauldron.height[p]) / surface_dt;
         cauldron.height[p] = step.probes[p].height;
     }
-    write_surface(stage.world, cauldron, sheet);
+    write_surface(context.world, cauldron, sheet);
 }
 
 std::unique_ptr<BrewWork> make_work(const MatchData& data) {
@@ -148,39 +149,40 @@ std::unique_ptr<BrewWork> make_work(const MatchData& data) {
 
 }  // namespace
 
-void spawn_cauldron(Stage& stage) {
-    if (stage.brew) stage.brew->step.wait();
-    stage.brew.reset();
-    if (!stage.data.cauldron) return;
-    const auto& bowl = *stage.data.arena.bowl;
+void spawn_cauldron(MatchContext& context) {
+    if (context.brew) context.brew->step.wait();
+    context.brew.reset();
+    if (!context.data.cauldron) return;
+    const auto& bowl = *context.data.arena.bowl;
     Cauldron cauldron{.middle = bowl.centre};
-    cauldron.middle.y += level_of(bowl.size, stage.data.cauldron->filled);
-    cauldron.events_seen = std::as_const(stage.world).single<Chronicle>().count;
-    stage.world.create(cauldron);
+    cauldron.middle.y += level_of(bowl.size, context.data.cauldron->filled);
+    cauldron.events_seen = std::as_const(context.world).single<EventLog>().count;
+    context.world.create(cauldron);
 }
 
-void rebuild_brew(Stage& stage) {
-    if (stage.brew) stage.brew->step.wait();
-    stage.brew.reset();
-    if (!stage.data.cauldron || !has_pages(stage.world)) return;
-    stage.brew = make_work(stage.data);
-    auto& brew = stage.brew->brew;
-    auto& cauldron = stage.world.single<Cauldron>();
+void rebuild_brew(MatchContext& context) {
+    if (context.brew) context.brew->step.wait();
+    context.brew.reset();
+    if (!context.data.cauldron || !has_pages(context.world)) return;
+    context.brew = make_work(context.data);
+    auto& brew = context.brew->brew;
+    auto& cauldron = context.world.single<Cauldron>();
     for (std::size_t s = 0; s < brew.what.size(); ++s) {
-        if (cauldron.what[s] != no_ingredient) assign(brew, *stage.data.cauldron, s, cauldron.what[s]);
+        if (cauldron.what[s] != no_ingredient) assign(brew, *context.data.cauldron, s, cauldron.what[s]);
     }
-    read_fluid(stage.world, cauldron.newest, brew.fluid);
+    read_fluid(context.world, cauldron.newest, brew.fluid);
     brew.fluid.now.asleep = cauldron.under_way == 0;
-    read_surface(stage.world, cauldron, brew.sheet);
-    for (auto& model : stage.models) model.fluid = {};  // read anew from what is there now
-    if (cauldron.under_way != 0) begin_step(stage, cauldron);
+    read_surface(context.world, cauldron, brew.sheet);
+    // Haptic data is read again from the restored state.
+    for (auto& model : context.models) model.fluid = {};
+    if (cauldron.under_way != 0) begin_step(context, cauldron);
 }
 
-BrewWork* touched_brew(Stage& stage) {
-    if (stage.brew || !stage.data.cauldron) return stage.brew.get();
-    stage.brew = make_work(stage.data);
-    add_pages(stage.world, stage.brew->brew);
-    return stage.brew.get();
+BrewWork* touched_brew(MatchContext& context) {
+    if (context.brew || !context.data.cauldron) return context.brew.get();
+    context.brew = make_work(context.data);
+    add_pages(context.world, context.brew->brew);
+    return context.brew.get();
 }
 
 bool add_stroke(Cauldron& cauldron, const Stroke& stroke) {
@@ -231,22 +233,22 @@ vec3 current_at(const ecs::World& world, const BrewWork* work, vec3 place, Tick 
     return glm::mix(read(cauldron.newest ^ 1U), read(cauldron.newest), share_of_step(cauldron, tick));
 }
 
-void add_brew_systems(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_brew_systems(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "brew's surface",
                   .period = surface_period,
                   .reads = world.mask<Wizard, Ladle>(),
                   .writes = world.mask<Cauldron, SurfacePage>(),
                   .needs = world.mask<SurfacePage>(),
-                  .run = [&stage](ecs::World& w, Tick) {
-                      if (stage.brew) step_surface(stage, w.single<Cauldron>());
+                  .run = [&context](ecs::World& w, Tick) {
+                      if (context.brew) step_surface(context, w.single<Cauldron>());
                   }});
     schedule.add({.name = "brew",
                   .period = fluid_period,
                   .writes = world.mask<Cauldron, BrewPage>(),
                   .needs = world.mask<BrewPage>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
-                      if (stage.brew) step_fluid(stage, w.single<Cauldron>(), tick);
+                  .run = [&context](ecs::World& w, Tick tick) {
+                      if (context.brew) step_fluid(context, w.single<Cauldron>(), tick);
                   }});
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "game/cauldron/brew_pages.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/match/touch.h"
 
 namespace thaum::game {
@@ -12,19 +12,19 @@ namespace {
 
 using input::Button;
 
-constexpr Tick span_length = ticks(0.125);  // of Ladle::work
+constexpr Tick span_length = ticks(0.125);  // length of one entry of Ladle::work
 
 bool wants_to_stir(const Controls& controls) { return (controls.held & bit(Button::stir)) != 0; }
 
-/// Who stirs from now on, and who does not any more.
-void note_stirrers(Stage& stage, Cauldron& cauldron) {
-    auto& world = stage.world;
+/// Adds a Ladle to each wizard who begins to stir and removes it when stirring ends.
+void note_stirrers(MatchContext& context, Cauldron& cauldron) {
+    auto& world = context.world;
     bool anybody = false;
     world.view<const Controls, const Motion, ecs::Maybe<const Ladle>, ecs::Maybe<const Dead>>().each(
         [&](ecs::Entity e, const Controls& controls, const Motion& motion, const Ladle* ladle,
             const Dead* dead) {
             const bool stirs = dead == nullptr && wants_to_stir(controls) &&
-                               within_reach(stage.data, cauldron, motion.position);
+                               within_reach(context.data, cauldron, motion.position);
             if (stirs && ladle == nullptr) {
                 const vec3 in = cauldron.middle - motion.position;
                 world.commands().add(e, Ladle{.yaw = det::atan2(-in.x, -in.z)});
@@ -33,10 +33,10 @@ void note_stirrers(Stage& stage, Cauldron& cauldron) {
                 world.commands().remove<Ladle>(e);
             }
         });
-    if (anybody) touched_brew(stage);
+    if (anybody) touched_brew(context);
 }
 
-/// J into the present span of time.
+/// Adds work to the current entry of Ladle::work (J).
 void note_work(Ladle& ladle, double joules, Tick tick) {
     const auto span = static_cast<std::uint32_t>(tick / span_length % Ladle::spans);
     if (span != ladle.span) ladle.work[span] = 0;
@@ -44,17 +44,17 @@ void note_work(Ladle& ladle, double joules, Tick tick) {
     ladle.work[span] += joules;
 }
 
-/// Where in the brew the ladle's holder has it: the probe, held in by the wall.
-vec3 tip_of(const Grip& grip) { return grip.servo.fluid.place; }
+/// Position of the ladle's tip (m, brew's frame): the probe, kept inside the wall.
+vec3 tip_of(const HandState& hand_state) { return hand_state.servo.fluid.place; }
 
-vec3 velocity_of(const HandFrame& frame, const Grip& grip) {
-    return frame.turn * (frame.metres_per_metre * haptics::tip_velocity(grip.servo));
+vec3 velocity_of(const HandFrame& frame, const HandState& hand_state) {
+    return frame.turn * (frame.metres_per_metre * haptics::tip_velocity(hand_state.servo));
 }
 
-haptics::FlowSource source_of(const Stage& stage, std::size_t which) {
-    const auto& rules = *stage.data.cauldron;
-    const auto& brew = stage.brew->brew;
-    const auto fields = fields_of(stage.world, which, brew.fluid, field::Kernel::linear);
+haptics::FlowSource source_of(const MatchContext& context, std::size_t which) {
+    const auto& rules = *context.data.cauldron;
+    const auto& brew = context.brew->brew;
+    const auto fields = fields_of(context.world, which, brew.fluid, field::Kernel::linear);
     const auto in_brew = [&](field::Grid grid) {
         grid.origin += brew.corner;
         return grid;
@@ -72,19 +72,20 @@ haptics::FlowSource source_of(const Stage& stage, std::size_t which) {
     return source;
 }
 
-/// The flow round the ladle at the newest two steps. It is read anew when a step has ended and where the ladle has come off the
-/// middle of what was read; ahead of it, since it is used for a step to come.
-void read_flow(const Stage& stage, const Cauldron& cauldron, vec3 place, vec3 velocity, Ladle& ladle,
+/// Reads the flow around the ladle from the newest two fluid states. Reads again after each fluid step, and
+/// when the ladle has left the middle of the patch. The patch is centred ahead of the ladle, since later
+/// ticks use it too.
+void read_flow(const MatchContext& context, const Cauldron& cauldron, vec3 place, vec3 velocity, Ladle& ladle,
                haptics::FluidTouch& touch) {
-    const double spacing = stage.brew->brew.fluid.lattice.h;
+    const double spacing = context.brew->brew.fluid.lattice.h;
     const bool stale = ladle.patched != cauldron.stepped || glm::distance(place, ladle.patch) > spacing;
     if (stale) {
         ladle.patch = place + limited(velocity * (fluid_dt / 2), spacing);
         ladle.patched = cauldron.stepped;
     }
     if (!stale && touch.newer.spacing > 0) return;
-    touch.older = haptics::patch_of(source_of(stage, cauldron.newest ^ 1U), ladle.patch);
-    touch.newer = haptics::patch_of(source_of(stage, cauldron.newest), ladle.patch);
+    touch.older = haptics::patch_of(source_of(context, cauldron.newest ^ 1U), ladle.patch);
+    touch.newer = haptics::patch_of(source_of(context, cauldron.newest), ladle.patch);
 }
 
 haptics::BowlWall wall_of(const LadleRules& rules, const Basin& basin) {
@@ -94,14 +95,14 @@ haptics::BowlWall wall_of(const LadleRules& rules, const Basin& basin) {
     return wall;
 }
 
-/// What of the model no tick changes while one stirs.
-void begin_touch(const Stage& stage, const Cauldron& cauldron, const Ladle& ladle, std::uint32_t player,
-                 haptics::FluidTouch& touch) {
-    const auto& data = *stage.data.cauldron;
+/// Sets the part of the fluid model that stays constant while a player stirs.
+void begin_touch(const MatchContext& context, const Cauldron& cauldron, const Ladle& ladle,
+                 std::uint32_t player, haptics::FluidTouch& touch) {
+    const auto& data = *context.data.cauldron;
     const auto& rules = data.ladle;
     const HandFrame frame = ladle_frame(data, cauldron, ladle);
     touch = {.number = 1,
-             .modes = stage.touch.brew[player],
+             .modes = context.touch.brew[player],
              .frame = {.origin = frame.origin - cauldron.middle,
                        .turn = glm::mat3_cast(frame.turn),
                        .metres_per_metre = rules.metres_per_metre,
@@ -110,24 +111,24 @@ void begin_touch(const Stage& stage, const Cauldron& cauldron, const Ladle& ladl
                       .form = rules.form,
                       .stirred_mass = data.density * fluid::pushed_volume(rules.radius),
                       .height = rules.height},
-             .wall = wall_of(rules, stage.brew->basin),
+             .wall = wall_of(rules, context.brew->basin),
              .ladle = {.mass = rules.mass, .stiffness = rules.stiffness, .damping = rules.damping}};
 }
 
-void move_ladle(const Stage& stage, Cauldron& cauldron, std::uint32_t player, const Grip& grip, Ladle& ladle,
-                Tick tick) {
-    const auto& rules = *stage.data.cauldron;
-    const vec3 tip = tip_of(grip);
+void move_ladle(const MatchContext& context, Cauldron& cauldron, std::uint32_t player,
+                const HandState& hand_state, Ladle& ladle, Tick tick) {
+    const auto& rules = *context.data.cauldron;
+    const vec3 tip = tip_of(hand_state);
     ladle.place = cauldron.middle + tip;
-    ladle.velocity = velocity_of(ladle_frame(rules, cauldron, ladle), grip);
-    ladle.force =
-        -haptics::whole_drag(stage.models[player].fluid, tip, ladle.velocity, grip.servo.fluid.immersed);
+    ladle.velocity = velocity_of(ladle_frame(rules, cauldron, ladle), hand_state);
+    ladle.force = -haptics::whole_drag(context.models[player].fluid, tip, ladle.velocity,
+                                       hand_state.servo.fluid.immersed);
     note_work(ladle, glm::dot(ladle.force, ladle.velocity) * tick_seconds, tick);
     if (ladle.force != vec3(0))
         add_ladle_stroke(cauldron, player, tip, ladle.force * tick_seconds, rules.ladle.radius);
 }
 
-/// s, in which who begins to stir has turned his eyes to the brew, but for e^-1 of the way.
+/// Time constant with which the eyes of a wizard turn to the brew (s). After it, e^-1 of the angle is left.
 constexpr double turning_time = 0.15;
 
 void look_into(const WizardRules& rules, const Cauldron& cauldron, vec3 body, const Ladle& ladle,
@@ -148,15 +149,16 @@ HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, cons
             .metres_per_metre = rules.ladle.metres_per_metre};
 }
 
-void feel_brew(Stage& stage, const Grip& grip, std::uint32_t player, Ladle& ladle, Tick tick,
-               haptics::FluidTouch& touch) {
-    const auto& cauldron = std::as_const(stage.world).single<Cauldron>();
-    const auto& sheet = stage.brew->brew.sheet;
+void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t player, Ladle& ladle,
+               Tick tick, haptics::FluidTouch& touch) {
+    const auto& cauldron = std::as_const(context.world).single<Cauldron>();
+    const auto& sheet = context.brew->brew.sheet;
     const bool begins = touch.number == 0;
-    if (begins) begin_touch(stage, cauldron, ladle, player, touch);
-    const HandFrame frame = ladle_frame(*stage.data.cauldron, cauldron, ladle);
-    const vec3 place = haptics::held_in(touch.wall, haptics::to_bowl(touch.frame, grip.device.position));
-    read_flow(stage, cauldron, place, velocity_of(frame, grip), ladle, touch);
+    if (begins) begin_touch(context, cauldron, ladle, player, touch);
+    const HandFrame frame = ladle_frame(*context.data.cauldron, cauldron, ladle);
+    const vec3 place =
+        haptics::held_in(touch.wall, haptics::to_bowl(touch.frame, hand_state.device.position));
+    read_flow(context, cauldron, place, velocity_of(frame, hand_state), ladle, touch);
     touch.step_age = static_cast<std::uint64_t>(tick - cauldron.stepped - 1);
     touch.surface = {.height = cauldron.height[player],
                      .velocity = cauldron.rise[player],
@@ -165,7 +167,8 @@ void feel_brew(Stage& stage, const Grip& grip, std::uint32_t player, Ladle& ladl
                      .cling = sheet.settings.cling,
                      .inside = cauldron.inside[player],
                      .there = 1};
-    // The surface learns of a ladle a tick after it is taken. One that is taken below the surface has not pushed through it.
+    // The surface takes notice of a new ladle one tick late. A ladle that starts below the surface counts as
+    // already inside.
     const double depth = touch.surface.height - place.y;
     if (begins && depth * touch.surface.stiffness >= touch.surface.pop_through) touch.surface.inside = 1;
 }
@@ -176,31 +179,31 @@ bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body) {
            std::abs(body.y - cauldron.middle.y) < data.wizard.height;
 }
 
-void add_stir_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_stir_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "stir",
                   .period = gameplay_period,
                   .reads = world.mask<Controls, Motion, Dead>(),
                   .writes = world.mask<Ladle, Cauldron, BrewPage, SurfacePage>(),
                   .needs = world.mask<Cauldron>(),
-                  .run = [&stage](ecs::World& w, Tick) { note_stirrers(stage, w.single<Cauldron>()); }});
+                  .run = [&context](ecs::World& w, Tick) { note_stirrers(context, w.single<Cauldron>()); }});
 }
 
-void add_ladle_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
-    schedule.add(
-        {.name = "ladles",
-         .reads = world.mask<Wizard, Grip, Motion, BrewPage, SurfacePage>(),
-         .writes = world.mask<Ladle, Cauldron, Gaze>(),
-         .needs = world.mask<Ladle>(),
-         .run = [&stage](ecs::World& w, Tick tick) {
-             auto& cauldron = w.single<Cauldron>();
-             w.view<const Wizard, const Grip, const Motion, Ladle, Gaze>().each(
-                 [&](const Wizard& wizard, const Grip& grip, const Motion& motion, Ladle& ladle, Gaze& gaze) {
-                     move_ladle(stage, cauldron, wizard.player, grip, ladle, tick);
-                     look_into(stage.data.wizard, cauldron, motion.position, ladle, gaze);
-                 });
-         }});
+void add_ladle_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
+    schedule.add({.name = "ladles",
+                  .reads = world.mask<Wizard, HandState, Motion, BrewPage, SurfacePage>(),
+                  .writes = world.mask<Ladle, Cauldron, Gaze>(),
+                  .needs = world.mask<Ladle>(),
+                  .run = [&context](ecs::World& w, Tick tick) {
+                      auto& cauldron = w.single<Cauldron>();
+                      w.view<const Wizard, const HandState, const Motion, Ladle, Gaze>().each(
+                          [&](const Wizard& wizard, const HandState& hand_state, const Motion& motion,
+                              Ladle& ladle, Gaze& gaze) {
+                              move_ladle(context, cauldron, wizard.player, hand_state, ladle, tick);
+                              look_into(context.data.wizard, cauldron, motion.position, ladle, gaze);
+                          });
+                  }});
 }
 
 }  // namespace thaum::game

@@ -1,29 +1,33 @@
-// game/cauldron/ladle.h: who holds Stir at the cauldron's rim stirs: the hand's probe is the ladle, and the wizard stands still.
+// game/cauldron/ladle.h: the ladle of a player who holds Stir at the cauldron's rim. The probe moves the
+// ladle, and the wizard stands still.
 //
 //     hand, device frame --(metres_per_metre, turned to the middle)--> ladle, world --> strokes in the brew
 //     brew's drag on the ladle --(newtons_per_newton)--> hand
 //
-// The brew gets what the ladle does, whatever of it the hand is told: a gentle player stirs as hard.
+// The brew always gets the full push of the ladle. A force setting below 100 % weakens only the force on the
+// hand.
 #pragma once
 #include "game/cauldron/cauldron.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/match/surfaces.h"
 
 namespace thaum::game {
 
-/// Where a stirring hand's device frame lies in the world.
+/// Pose of a stirring hand's device frame (world).
 HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, const Ladle& ladle);
 
-/// What the hand of who stirs feels of the brew at a tick of play: writes the model's part and, where the flow is read anew, the Ladle.
-void feel_brew(Stage& stage, const Grip& grip, std::uint32_t player, Ladle& ladle, Tick tick,
-               haptics::FluidTouch& touch);
+/// Prepares the fluid model of the hand that stirs, for one tick of play. Reads the flow around the ladle
+/// again when needed, and notes that in Ladle.
+void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t player, Ladle& ladle,
+               Tick tick, haptics::FluidTouch& touch);
 
-/// Whether a wizard whose body's middle is there may stir.
+/// Whether a wizard with the body's middle at this place can stir.
 bool within_reach(const MatchData& data, const Cauldron& cauldron, vec3 body);
 
-/// Every gameplay tick, before hands are felt: who begins and who ends.
-void add_stir_system(Stage& stage, ecs::Schedule& schedule);
-/// Every tick, after hands were felt: where ladles are, what they do to the brew; the eyes turn to it.
-void add_ladle_system(Stage& stage, ecs::Schedule& schedule);
+/// Adds the system that starts and ends stirring, every gameplay tick, before the haptics.
+void add_stir_system(MatchContext& context, ecs::Schedule& schedule);
+/// Adds the system that moves the ladles, every tick, after the haptics. It pushes the brew and turns the
+/// wizards' eyes to it.
+void add_ladle_system(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

@@ -6,15 +6,15 @@
 namespace thaum::game {
 namespace {
 
-/// m/s: at which drag, which grows with the square of the speed, is linear below.
+/// Speed that makes drag linear at low speeds (m/s). Well above it, drag grows with the square of the speed.
 constexpr double slow = 1.5;
 constexpr std::size_t most_dips = 8;
 
-/// A thing in the brew or at its surface. Brew's frame.
+/// A thing in the brew or at its surface (brew's frame).
 struct Dip {
     ecs::Entity thing{};
     vec3 place{}, velocity{};
-    double radius{};  ///< m, of a ball about as large
+    double radius{};  ///< radius of a ball of about the same size (m)
     double mass{};
     bool rests{};
 };
@@ -51,28 +51,28 @@ Dips find_dips(const ecs::World& world, const Cauldron& cauldron, const Basin& b
     return dips;
 }
 
-/// N s on the thing within a surface period: drag against the flow, and what it displaces.
-vec3 push_of(const Stage& stage, const Cauldron& cauldron, const Dip& dip, Tick tick) {
-    const double density = stage.data.cauldron->density * cauldron.density;
+/// Impulse on the thing over one surface period: drag against the flow and buoyancy (N s, world).
+vec3 push_of(const MatchContext& context, const Cauldron& cauldron, const Dip& dip, Tick tick) {
+    const double density = context.data.cauldron->density * cauldron.density;
     const double level =
-        surface_at(stage.brew.get(), cauldron, cauldron.middle + dip.place) - cauldron.middle.y;
+        surface_at(context.brew.get(), cauldron, cauldron.middle + dip.place) - cauldron.middle.y;
     const double wet = std::clamp((level - dip.place.y + dip.radius) / (2 * dip.radius), 0.0, 1.0);
     const vec3 below = cauldron.middle + dip.place - vec3(0, dip.radius / 2, 0);
-    const vec3 slip = dip.velocity - current_at(stage.world, stage.brew.get(), below, tick);
+    const vec3 slip = dip.velocity - current_at(context.world, context.brew.get(), below, tick);
     const double drag = wet * density * dip.radius * dip.radius * (slow + glm::length(slip));
     const double displaced = wet * density * 4 / 3 * pi * dip.radius * dip.radius * dip.radius;
-    // Never more than what stops it.
+    // The drag impulse is limited, so that it never reverses the slip.
     const vec3 stop = std::min(drag * surface_dt, dip.mass / 2) * -slip;
-    return stop - displaced * stage.physics.settings().gravity * surface_dt;
+    return stop - displaced * context.physics.settings().gravity * surface_dt;
 }
 
-void splash(Stage& stage, Cauldron& cauldron, const Dips& dips, Tick tick) {
-    const auto& rules = stage.data.cauldron->ladle;
+void splash(MatchContext& context, Cauldron& cauldron, const Dips& dips, Tick tick) {
+    const auto& rules = context.data.cauldron->ladle;
     for (std::size_t i = 0; i < dips.count; ++i) {
         const auto& dip = dips.list[i];
-        const vec3 push = push_of(stage, cauldron, dip, tick);
-        if (push == vec3(0) || !stage.physics.has(dip.thing.index)) continue;
-        stage.physics.apply_central_impulse(dip.thing.index, push);
+        const vec3 push = push_of(context, cauldron, dip, tick);
+        if (push == vec3(0) || !context.physics.has(dip.thing.index)) continue;
+        context.physics.apply_central_impulse(dip.thing.index, push);
         add_stroke(cauldron, {.place = dip.place - vec3(0, dip.radius / 2, 0),
                               .impulse = -push,
                               .radius = std::max(rules.radius, dip.radius),
@@ -80,17 +80,17 @@ void splash(Stage& stage, Cauldron& cauldron, const Dips& dips, Tick tick) {
     }
 }
 
-/// m; a missile that is so near to the level, or below it, is in the brew.
+/// Greatest height above the level at which a burst still hits the brew (m).
 constexpr double burst_reach = 0.6;
 
-/// What bursts at the brew drives it down and apart.
-void note_bursts(Stage& stage, Cauldron& cauldron, const Basin& basin) {
-    const auto& rules = *stage.data.cauldron;
-    const auto& chronicle = std::as_const(stage.world).single<Chronicle>();
-    each_new_event(chronicle, cauldron.events_seen, [&](const Event& event) {
+/// Pushes the brew down below each burst at it.
+void note_bursts(MatchContext& context, Cauldron& cauldron, const Basin& basin) {
+    const auto& rules = *context.data.cauldron;
+    const auto& event_log = std::as_const(context.world).single<EventLog>();
+    each_new_event(event_log, cauldron.events_seen, [&](const Event& event) {
         const vec3 at = event.place - cauldron.middle;
         if (event.kind != EventKind::burst || off_axis(at) > basin.radius || at.y > burst_reach) return;
-        touched_brew(stage);
+        touched_brew(context);
         add_stroke(cauldron, {.place = {at.x, -rules.ladle.radius, at.z},
                               .impulse = {0, -rules.burst, 0},
                               .radius = 2 * rules.ladle.radius});
@@ -99,25 +99,26 @@ void note_bursts(Stage& stage, Cauldron& cauldron, const Basin& basin) {
 
 }  // namespace
 
-void add_splash_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
-    schedule.add({.name = "splashes",
-                  .period = surface_period,
-                  .reads = world.mask<Prop, Body, Motion, Chronicle>(),
-                  .writes = world.mask<Cauldron, BrewPage, SurfacePage>(),
-                  .needs = world.mask<Cauldron>(),
-                  .run = [&stage, basin = basin_of(stage.data.arena.bowl->size, stage.data.cauldron->filled)](
-                             ecs::World& w, Tick tick) {
-                      auto& cauldron = w.single<Cauldron>();
-                      note_bursts(stage, cauldron, basin);
-                      const Dips dips = find_dips(std::as_const(w), cauldron, basin);
-                      const bool all_rest = std::all_of(
-                          dips.list.begin(), dips.list.begin() + static_cast<std::ptrdiff_t>(dips.count),
-                          [](const Dip& dip) { return dip.rests; });
-                      if (all_rest) return;
-                      touched_brew(stage);
-                      splash(stage, cauldron, dips, tick);
-                  }});
+void add_splash_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
+    schedule.add(
+        {.name = "splashes",
+         .period = surface_period,
+         .reads = world.mask<Prop, Body, Motion, EventLog>(),
+         .writes = world.mask<Cauldron, BrewPage, SurfacePage>(),
+         .needs = world.mask<Cauldron>(),
+         .run = [&context, basin = basin_of(context.data.arena.bowl->size, context.data.cauldron->filled)](
+                    ecs::World& w, Tick tick) {
+             auto& cauldron = w.single<Cauldron>();
+             note_bursts(context, cauldron, basin);
+             const Dips dips = find_dips(std::as_const(w), cauldron, basin);
+             const bool all_rest =
+                 std::all_of(dips.list.begin(), dips.list.begin() + static_cast<std::ptrdiff_t>(dips.count),
+                             [](const Dip& dip) { return dip.rests; });
+             if (all_rest) return;
+             touched_brew(context);
+             splash(context, cauldron, dips, tick);
+         }});
 }
 
 }  // namespace thaum::game

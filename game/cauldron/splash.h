@@ -1,10 +1,12 @@
-// game/cauldron/splash.h: loose things that fall into the brew, and lobs that burst over it. What the brew takes from a thing it has.
+// game/cauldron/splash.h: loose things that fall into the brew, and lobs that burst over it. Each push on a
+// thing pushes the brew back equally.
 #pragma once
 #include "game/cauldron/cauldron.h"
 
 namespace thaum::game {
 
-/// Every 4 ticks: drag and lift on what is in the brew, the opposite to it; the surface's own push on the first two.
-void add_splash_system(Stage& stage, ecs::Schedule& schedule);
+/// Adds the system that applies drag and buoyancy to things in the brew, and the opposite momentum to the
+/// brew, every 4 ticks.
+void add_splash_system(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

@@ -1,8 +1,8 @@
-// game/components/arm.h: a real force feedback arm in a player's hand, as the match knows it, and the models that it made for it.
-// Entities of their own; there are none where nobody holds an arm.
+// game/components/arm.h: state of a real force feedback arm in a match, and the past haptic models it may
+// still use. Both components live on entities of their own. A match without a real arm has none of them.
 #pragma once
 #include "ecs/component.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "input/arm_servo.h"
 
 namespace thaum::input {
@@ -25,16 +25,19 @@ namespace thaum::game {
 using ecs::field;
 
 struct Arm {
+    /// A real arm held by one player.
     input::ArmState state{};
-    std::array<ecs::Entity, input::models_kept> models{};  ///< model n is in place n mod size
+    /// Ring of past models: model n is in place n modulo the size.
+    std::array<ecs::Entity, input::models_kept> models{};
     std::uint32_t player{};
-    std::uint32_t device{};  ///< whose samples
-    std::uint32_t
-        panic_left{};  ///< ticks in which models tell of a panic: the arm does not take up each of them
-    std::uint32_t rearm_left{};              ///< likewise
-    std::uint32_t away{};                    ///< 1 from when it is gone until it is back and was held still
-    std::uint32_t still{};                   ///< ticks for which it was
-    std::array<std::int32_t, 3> still_um{};  ///< where
+    std::uint32_t device{};  ///< index of the arm among the match's devices
+    /// Ticks left in which published models carry the panic press; the arm does not use every model.
+    std::uint32_t panic_left{};
+    std::uint32_t rearm_left{};  ///< ticks left in which published models carry the rearm press
+    std::uint32_t away{};        ///< 1 from losing the arm until it is back and has been held still
+    std::uint32_t still{};       ///< ticks for which the arm has been held still
+    /// Position about which the arm is held still (um, device frame).
+    std::array<std::int32_t, 3> still_um{};
     std::uint32_t spare{};
     static constexpr std::string_view name = "Arm";
     static constexpr auto fields() {
@@ -46,8 +49,8 @@ struct Arm {
     }
 };
 
-/// A haptics::HapticModel as it was published: a sample that was felt by it is still on its way. Its bytes, since it is what it is
-/// to the servo alone; those that are no part of a value are zero.
+/// One published haptics::HapticModel, kept because a sample computed with it may still be on its way. Only
+/// the servo reads the model, so its raw bytes are stored. Padding bytes are zero.
 struct PastModel {
     static_assert(sizeof(haptics::HapticModel) % sizeof(std::uint64_t) == 0);
     static constexpr std::size_t words = sizeof(haptics::HapticModel) / sizeof(std::uint64_t);

@@ -1,4 +1,5 @@
-// game/components/body.h: what Bullet moves. Adding a Body puts the entity into the physics, removing it takes it out.
+// game/components/body.h: rigid bodies moved by Bullet, and other things with a place in the arena. Adding a
+// Body component puts the entity into the physics. Removing it takes the entity out.
 #pragma once
 #include "core/units.h"
 #include "ecs/component.h"
@@ -9,7 +10,7 @@ namespace thaum::game {
 
 using ecs::field;
 
-/// What the body is. Changed only by removing and adding it.
+/// Description of a rigid body. To change it, remove the component and add a new one.
 struct Body : physics::BodyDesc {
     bool operator==(const Body&) const = default;
     static constexpr std::string_view name = "Body";
@@ -24,7 +25,7 @@ struct Body : physics::BodyDesc {
     }
 };
 
-/// Where it is and how it moves: what Bullet had after the last step. Entities without a Body keep their last one.
+/// Position and motion after Bullet's last step. An entity whose Body was removed keeps its last Motion.
 struct Motion : physics::BodyState {
     static constexpr std::string_view name = "Motion";
     static constexpr auto fields() {
@@ -42,7 +43,7 @@ inline constexpr physics::Layers prop = 1U << 1U;
 inline constexpr physics::Layers wizard = 1U << 2U;
 }  // namespace layer
 
-/// What a thing is made to look like; the picture finds mesh and colour by it.
+/// Kind of surface, from which the renderer chooses mesh and colour.
 enum class Surface : std::uint32_t {
     floor,
     wall,
@@ -71,10 +72,11 @@ struct Look {
     static constexpr auto fields() { return std::tuple(field("surface", &Look::surface)); }
 };
 
-/// A loose thing: may be pushed, and hurts when it hits. What it does is for a while the deed of who set it going.
+/// Loose thing: it can be pushed, and it hurts a wizard whom it hits. For a while its hits count for the
+/// player who set it going.
 struct Prop {
-    Tick moved_at{};                    ///< ticks of play
-    std::uint32_t moved_by{no_player};  ///< the player who last shot or threw it
+    Tick moved_at{};                    ///< when a player last moved it (ticks of play)
+    std::uint32_t moved_by{no_player};  ///< player who last shot, threw or pushed it
     std::uint32_t spare{};
     static constexpr std::string_view name = "Prop";
     static constexpr auto fields() {
@@ -83,16 +85,16 @@ struct Prop {
     }
 };
 
-/// A point that the Swing wand can latch on.
+/// Point to which the rope of the Swing wand can attach.
 struct Anchor {
     static constexpr std::string_view name = "Anchor";
 };
 
-/// Where wizards come (back) to life.
+/// Place where a wizard starts a round or returns to life.
 struct Pad {
-    vec3 feet{};             ///< m
-    double yaw{};            ///< rad, facing
-    std::uint32_t player{};  ///< who starts here: 0, 1, or 2 for nobody
+    vec3 feet{};             ///< position of the wizard's feet (m, world)
+    double yaw{};            ///< direction in which the wizard looks (rad)
+    std::uint32_t player{};  ///< player who starts here: 0 or 1; 2: none
     std::uint32_t number{};
     bool operator==(const Pad&) const = default;
     static constexpr std::string_view name = "Pad";

@@ -1,4 +1,5 @@
-// game/components/cauldron.h: the cauldron and who stirs it. A scene without one has none of these.
+// game/components/cauldron.h: the cauldron, its brew and the wizards who stir it. A match without a cauldron
+// has no entity with these components.
 #pragma once
 #include <array>
 
@@ -12,14 +13,15 @@ namespace thaum::game {
 
 using ecs::field;
 
-/// What waits for the next step of the fluid: momentum, or some of an ingredient.
+/// Momentum or an amount of one ingredient, queued for the next fluid step.
 struct Stroke {
-    vec3 place{};    ///< m, brew's frame
-    vec3 impulse{};  ///< N s; of momentum
+    vec3 place{};    ///< position (m, brew frame)
+    vec3 impulse{};  ///< momentum given to the brew (N s)
     double radius{};
-    double amount{};                          ///< m^3, of an ingredient
-    std::uint32_t ingredient{no_ingredient};  ///< its number; no_ingredient: momentum
-    std::uint32_t by{};                       ///< whose strokes of one step become one; 0: nobody's
+    double amount{};                          ///< amount of the ingredient (m^3)
+    std::uint32_t ingredient{no_ingredient};  ///< number of the ingredient; no_ingredient: momentum only
+    /// Thing whose strokes are merged within a step (its entity index + 1); 0: never merged.
+    std::uint32_t by{};
     static constexpr auto fields() {
         return std::tuple(field("place", &Stroke::place), field("impulse", &Stroke::impulse),
                           field("radius", &Stroke::radius), field("amount", &Stroke::amount),
@@ -27,7 +29,8 @@ struct Stroke {
     }
 };
 
-/// The first places are the players' ladles', which gather what they do from step to step.
+/// Capacity of Strokes. The first `players` places belong to the ladles; each sums one ladle's momentum until
+/// the next fluid step.
 inline constexpr std::size_t most_strokes = 12;
 
 struct Strokes {
@@ -40,28 +43,32 @@ struct Strokes {
     }
 };
 
-/// The brew's frame stands at `middle`, its axes those of the world (game/cauldron/brew.h).
+/// State of the cauldron. The brew frame has its origin at `middle` and the axes of the world
+/// (game/cauldron/brew.h).
 struct Cauldron {
-    vec3 middle{};                         ///< m, world: of the level surface
-    std::array<double, players> height{};  ///< m, above the level: of the surface under each ladle
-    std::array<double, players> rise{};    ///< m/s, of that
-    Strokes given{};                       ///< to the step of the fluid that is on its way
-    Strokes next{};                        ///< to the one after it
-    std::array<std::uint32_t, 3> what{no_ingredient, no_ingredient,
-                                      no_ingredient};  ///< which ingredient stands in each substance
-    std::array<std::uint32_t, 4> inside{};             ///< of the surface: which ladle has broken through
+    vec3 middle{};  ///< middle of the level surface (m, world)
+    /// Height of the surface under each ladle (m, above the level surface).
+    std::array<double, players> height{};
+    std::array<double, players> rise{};  ///< vertical speed of the surface under each ladle (m/s)
+    Strokes given{};                     ///< strokes of the fluid step that is being computed
+    Strokes next{};                      ///< strokes queued for the fluid step after that
+    /// Ingredient in each substance of the fluid.
+    std::array<std::uint32_t, 3> what{no_ingredient, no_ingredient, no_ingredient};
+    std::array<std::uint32_t, 4> inside{};  ///< 1 for each ladle that has broken through the surface
     std::uint32_t surface_asleep{1};
-    std::uint32_t newest{};          ///< 0 or 1: which of the BrewPages' two states is the newest
-    std::uint32_t under_way{};       ///< 1: a step of the fluid is; else it is at rest
-    std::uint32_t owner{no_player};  ///< whose brew it is
-    std::uint32_t spoilt{};          ///< 1: the next step begins with pure brew
-    Tick stepped{};                  ///< when the newest state was taken
-    std::uint64_t events_seen{};     ///< of Chronicle::count
-    Tick begun{};                    ///< when the first ingredient fell in; 0: it is pure
-    double mixing{};      ///< of what was dropped in last: 1 - its coefficient of variation, at least 0
-    double viscosity{1};  ///< mean over the brew, of the pure one's
-    double density{1};    ///< likewise
-    double speed{};       ///< m/s, mean over the brew
+    std::uint32_t newest{};          ///< index of the newest of the two stored fluid states: 0 or 1
+    std::uint32_t under_way{};       ///< 1 while a fluid step is being computed; 0 while the fluid is at rest
+    std::uint32_t owner{no_player};  ///< player who owns the brew
+    std::uint32_t spoilt{};          ///< 1: the next fluid step first removes all ingredients
+    Tick stepped{};                  ///< when the newest fluid state was stored (ticks of play)
+    std::uint64_t events_seen{};     ///< value of EventLog::count up to which events were handled
+    /// When the first ingredient was dropped in (ticks of play); 0: pure brew.
+    Tick begun{};
+    /// How evenly the newest ingredient is spread: 1 - coefficient of variation, at least 0.
+    double mixing{};
+    double viscosity{1};  ///< mean over the brew, relative to pure brew
+    double density{1};    ///< mean over the brew, relative to pure brew
+    double speed{};       ///< mean over the brew (m/s)
     static constexpr std::string_view name = "Cauldron";
     static constexpr auto fields() {
         using C = Cauldron;
@@ -76,33 +83,37 @@ struct Cauldron {
     }
 };
 
-/// The brew's samples, one page after another: two states of the fluid, each its velocity, substances and pressure, ghosts
-/// included. There are none before the brew was first touched.
+/// One page of the fluid's samples. The pages hold two fluid states one after another. Each state has
+/// velocity, substances and pressure, ghost cells included. No pages exist until a player first touches the
+/// brew.
 struct BrewPage {
     std::array<float, 1024> samples{};
     static constexpr std::string_view name = "BrewPage";
     static constexpr auto fields() { return std::tuple(field("samples", &BrewPage::samples)); }
 };
 
-/// The surface's heights and then its velocities, likewise.
+/// One page of the surface's samples: all heights, then all velocities. No pages exist until the brew is
+/// touched.
 struct SurfacePage {
     std::array<double, 512> samples{};
     static constexpr std::string_view name = "SurfacePage";
     static constexpr auto fields() { return std::tuple(field("samples", &SurfacePage::samples)); }
 };
 
-/// A wizard who stirs: his hand's probe is the ladle.
+/// Ladle of a wizard who stirs. The probe of the wizard's hand moves it.
 struct Ladle {
     static constexpr std::size_t spans = 12;
 
-    double yaw{};                      ///< rad: where its frame's -z points, from its holder to the middle
-    vec3 place{};                      ///< m, world: its tip
-    vec3 velocity{};                   ///< m/s
-    vec3 force{};                      ///< N, on the brew
-    std::array<double, spans> work{};  ///< J, done on the brew in each of the last spans of 1/8 s
-    vec3 patch{};                      ///< m, brew's frame: about which the flow was read that the hand feels
-    Tick patched{};                    ///< Cauldron::stepped of that
-    std::uint32_t span{};              ///< which of them is the present one
+    /// Direction of the ladle frame's -z axis, from the wizard to the middle of the cauldron (rad).
+    double yaw{};
+    vec3 place{};     ///< position of the tip (m, world)
+    vec3 velocity{};  ///< velocity of the tip (m/s, world)
+    vec3 force{};     ///< force on the brew (N, world)
+    /// Work done on the brew, one sum for each of the last `spans` intervals of 1/8 s (J).
+    std::array<double, spans> work{};
+    vec3 patch{};          ///< point around which the flow patch of the haptic model was read (m, brew frame)
+    Tick patched{};        ///< Cauldron::stepped of the fluid state in that patch
+    std::uint32_t span{};  ///< index in `work` of the current interval
     std::uint32_t spare{};
     static constexpr std::string_view name = "Ladle";
     static constexpr auto fields() {
@@ -113,10 +124,11 @@ struct Ladle {
     }
 };
 
-/// A place where an ingredient is found, by who walks there with empty hands. Its place is in Motion.
+/// Place where a wizard with empty hands picks up an ingredient by walking over it. Its position is in
+/// Motion.
 struct Niche {
-    Tick back_at{};              ///< there from that tick of play on
-    std::uint32_t ingredient{};  ///< its number
+    Tick back_at{};              ///< when the ingredient is available again (ticks of play)
+    std::uint32_t ingredient{};  ///< number of the ingredient
     std::uint32_t spare{};
     static constexpr std::string_view name = "Niche";
     static constexpr auto fields() {
@@ -125,7 +137,7 @@ struct Niche {
     }
 };
 
-/// A wizard who carries an ingredient.
+/// Ingredient carried by a wizard.
 struct Pouch {
     std::uint32_t ingredient{};
     static constexpr std::string_view name = "Pouch";

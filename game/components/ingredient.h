@@ -1,4 +1,4 @@
-// game/components/ingredient.h: ingredients are known by their number in assets/cauldron.toml.
+// game/components/ingredient.h: ingredient numbers, the order of ingredients in assets/cauldron.toml.
 #pragma once
 #include <cstdint>
 

@@ -1,4 +1,4 @@
-// game/components/power_up.h: what lies in the court to be picked up.
+// game/components/power_up.h: power-ups that wizards pick up in the arena.
 #pragma once
 #include "core/units.h"
 #include "ecs/component.h"
@@ -10,11 +10,11 @@ using ecs::field;
 enum class PowerUpKind : std::uint32_t { vial, heart, spark };
 inline constexpr std::array<std::string_view, 3> power_up_names{"vial", "heart", "spark"};
 
-/// Its place is in Motion: on the ground, where it is picked up by who walks over it.
+/// Power-up on the ground. A wizard who walks over it picks it up. Its position is in Motion.
 struct PowerUp {
-    Tick back_at{};  ///< there from that tick of play on
+    Tick back_at{};  ///< when it is available again (ticks of play)
     PowerUpKind kind{};
-    std::uint32_t number{};  ///< as it stands in the arena's file
+    std::uint32_t number{};  ///< its index in the arena file
     static constexpr std::string_view name = "PowerUp";
     static constexpr auto fields() {
         return std::tuple(field("back_at", &PowerUp::back_at), field("kind", &PowerUp::kind),

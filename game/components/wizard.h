@@ -1,5 +1,5 @@
-// game/components/wizard.h: what a wizard is and does. Each part has its own component, so that a system touches
-// only what it is about.
+// game/components/wizard.h: state of a wizard. Each part is a component of its own, so that a system declares
+// and reads only the parts it needs.
 #pragma once
 #include "core/units.h"
 #include "ecs/component.h"
@@ -18,16 +18,16 @@ struct Wizard {
     static constexpr auto fields() { return std::tuple(field("player", &Wizard::player)); }
 };
 
-/// This tick's device sample, as the player meant it.
+/// The player's input in this tick, decoded from the device sample.
 struct Controls {
-    std::uint32_t held{};     ///< input::Button bits
-    std::uint32_t pressed{};  ///< went down since gameplay last looked
-    std::int32_t strafe{};    ///< -127..127, right +
-    std::int32_t forward{};   ///< -127..127
-    std::int32_t trigger{};   ///< 0..255
-    std::int32_t wheel{};     ///< steps since gameplay last looked
-    std::int32_t hand_right{}, hand_up{},
-        hand_back{};  ///< um: where clutch or ladle move the hand in this tick
+    std::uint32_t held{};     ///< buttons that are down (bits of input::Button)
+    std::uint32_t pressed{};  ///< buttons pressed since the last gameplay tick (bits of input::Button)
+    std::int32_t strafe{};    ///< sideways, -127 to 127; positive: right
+    std::int32_t forward{};   ///< -127 to 127
+    std::int32_t trigger{};   ///< 0 to 255
+    std::int32_t wheel{};     ///< wheel steps since the last gameplay tick
+    /// Displacement of the hand in this tick while the clutch or the ladle is in use (um, device frame).
+    std::int32_t hand_right{}, hand_up{}, hand_back{};
     static constexpr std::string_view name = "Controls";
     static constexpr auto fields() {
         return std::tuple(field("held", &Controls::held), field("pressed", &Controls::pressed),
@@ -38,7 +38,7 @@ struct Controls {
     }
 };
 
-/// Where the wizard looks: yaw to the left of -z, pitch up, rad.
+/// Direction of view: yaw counts to the left from -z, pitch upwards (rad).
 struct Gaze {
     double yaw{};
     double pitch{};
@@ -48,9 +48,9 @@ struct Gaze {
     }
 };
 
-/// How the wizard stands; the mover's memory.
+/// How the wizard stands: the mover's state between steps.
 struct Stance : physics::MoverState {
-    double hung{};  ///< N, upward, by a rope
+    double hung{};  ///< upward part of the rope's force (N)
     static constexpr std::string_view name = "Stance";
     static constexpr auto fields() {
         return std::tuple(field("expected", &Stance::expected),
@@ -61,12 +61,12 @@ struct Stance : physics::MoverState {
 };
 
 struct Health {
-    double points{};           ///< HP
-    Tick shielded_until{};     ///< nothing hurts before that tick
-    Tick hurt_at{};            ///< when something last hurt
-    std::uint32_t hurt_by{};   ///< by whom: a player, or no_player
-    std::uint32_t hurt_how{};  ///< EventKind
-    Tick foe_did_at{};         ///< when the foe last hurt it; 0: never
+    double points{};           ///< health left (HP)
+    Tick shielded_until{};     ///< tick before which nothing hurts the wizard
+    Tick hurt_at{};            ///< tick of the last injury
+    std::uint32_t hurt_by{};   ///< player who caused the last injury; no_player: none
+    std::uint32_t hurt_how{};  ///< EventKind of the last injury
+    Tick foe_did_at{};         ///< tick at which the other player last hurt this wizard; 0: never
     static constexpr std::string_view name = "Health";
     static constexpr auto fields() {
         return std::tuple(field("points", &Health::points), field("shielded_until", &Health::shielded_until),
@@ -75,23 +75,25 @@ struct Health {
     }
 };
 
-/// Dead, and coming back.
+/// State of a dead wizard.
 struct Dead {
     Tick returns_at{};
     static constexpr std::string_view name = "Dead";
     static constexpr auto fields() { return std::tuple(field("returns_at", &Dead::returns_at)); }
 };
 
-/// One thing that is hitting this wizard: its impulse is summed over the blow before it counts.
+/// Blow by one thing that is hitting this wizard. Its impulse is summed until the blow ends, then turned into
+/// harm once.
 struct Blow {
     ecs::Entity by{};
     Tick began{};
-    Tick counts_again{};  ///< no further hit from this thing before that
-    double impulse{};     ///< N s so far; negative once it was counted
+    Tick counts_again{};  ///< tick before which another hit by this thing is ignored
+    double impulse{};     ///< impulse so far (N s); negative after the harm was counted
     static constexpr auto fields() {
         return std::tuple(field("by", &Blow::by), field("began", &Blow::began),
                           field("counts_again", &Blow::counts_again), field("impulse", &Blow::impulse));
     }
+    /// Blows of the last few things that hit the wizard.
 };
 
 struct Blows {
@@ -102,8 +104,8 @@ struct Blows {
 
 struct WandBelt {
     std::uint32_t selected{};
-    std::uint32_t fired{};                    ///< shots so far, all wands
-    std::array<double, wand_slots> energy{};  ///< by WandStats::energy_slot
+    std::uint32_t fired{};                    ///< number of shots so far, over all wands
+    std::array<double, wand_slots> energy{};  ///< energy of each slot, indexed by WandStats::energy_slot
     static constexpr std::string_view name = "WandBelt";
     static constexpr auto fields() {
         return std::tuple(field("selected", &WandBelt::selected), field("fired", &WandBelt::fired),

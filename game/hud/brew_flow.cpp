@@ -11,12 +11,12 @@
 namespace thaum::game {
 namespace {
 
-constexpr double still = 1e-3;                         // m/s: slower is not drawn
-constexpr double full_speed = 1.5;                     // m/s: as long and as bright as an arrow gets
-constexpr double arrow_spacing = 0.26;                 // m
-constexpr double line_length = 1.6, line_step = 0.08;  // m
-constexpr float thread_width = 0.011F;                 // m, of a line's head
-constexpr float tail = 0.4F;                           // how thin a line begins
+constexpr double still = 1e-3;                         // slower flow is not drawn (m/s)
+constexpr double full_speed = 1.5;                     // speed of the longest and brightest arrow (m/s)
+constexpr double arrow_spacing = 0.26;                 // distance between arrows (m)
+constexpr double line_length = 1.6, line_step = 0.08;  // length of a line and of one step (m)
+constexpr float thread_width = 0.011F;                 // width at the head of a line (m)
+constexpr float tail = 0.4F;                           // width at the tail, as a share of the head's
 
 field::StaggeredGrid flow_of(const BrewPicture& picture) {
     field::StaggeredGrid grid;
@@ -26,12 +26,12 @@ field::StaggeredGrid flow_of(const BrewPicture& picture) {
     return grid;
 }
 
-/// Not too near the wall; `at` in the brew's frame.
+/// True if the place lies in the brew and away from the wall (brew's frame).
 bool in_brew(const BrewPlace& place, vec3 at) {
     return at.y < 0 && off_axis(at) < 0.95 * width_at(place.basin, at.y);
 }
 
-/// Turns -z to `way` and stretches it to `length`.
+/// Places a mesh at `at`, turns -z to `way` and stretches it to `length`.
 fmat4 along(vec3 at, vec3 way, double length, double width) {
     const double flat = std::hypot(way.x, way.z);
     const auto turn = look_rotation(std::atan2(-way.x, -way.z), std::atan2(way.y, flat));
@@ -48,7 +48,7 @@ fvec3 speed_colour(double speed) {
 
 void follow(const BrewPicture& picture, vec3 from, double length, double step, std::vector<vec3>& out) {
     const auto flow = flow_of(picture);
-    // By the way instead of by time: a unit vector everywhere, so that slow and fast are as finely drawn.
+    // The integration runs over arc length, not time. Slow and fast flow are then drawn with equal detail.
     bool moves = true;
     const auto towards = [&](vec3 at) {
         const vec3 v = flow(at).value;
@@ -97,7 +97,7 @@ void add_streamlines(const BrewPicture& picture, const BrewPlace& place, const B
     const auto flow = flow_of(picture);
     const vec3 corner = corner_of(picture, place);
     std::vector<vec3> line;
-    // Sunflower seeds on three layers: evenly over the disc, none above another.
+    // Sunflower seeds on three layers: they cover the disc evenly, and no seed lies above another.
     constexpr int seeds = 30;
     for (int s = 0; s < seeds; ++s) {
         const double out_by = 0.9 * std::sqrt((s + 0.5) / seeds), angle = s * pi * (3 - std::sqrt(5.0));

@@ -15,13 +15,14 @@ using render::MeshData;
 using render::translated;
 
 constexpr float right_angle = 1.5707963F;
-constexpr float thickness = 9;                            // 1/m
-constexpr float thickness_with_flow = 3.5F;               // 1/m: to see arrows in it
-constexpr double rod_radius = 0.022, cup_radius = 0.085;  // m
-/// Rays end at the bowl, which is opaque: the round must hold all of its inside.
+constexpr float thickness = 9;                            // optical thickness (1/m)
+constexpr float thickness_with_flow = 3.5F;               // optical thickness with arrows shown (1/m)
+constexpr double rod_radius = 0.022, cup_radius = 0.085;  // radii of the ladle's rod and cup (m)
+/// Margin of the volume's radius. Rays end at the opaque bowl, so the volume must cover all of the bowl's
+/// inside.
 constexpr float beyond_wall = 1.4F;
 
-/// From along +y to along -z, from the origin on.
+/// Turns a mesh that stands along +y so that it lies along -z from the origin.
 MeshData laid(const MeshData& mesh) {
     return render::transformed(mesh, render::rotated({1, 0, 0}, -right_angle) * translated({0, 0.5F, 0}));
 }
@@ -33,7 +34,7 @@ MeshData arrow() {
     return laid(mesh);
 }
 
-/// A half sphere, hollow, open upwards, 1 m in radius.
+/// A hollow half sphere of radius 1 m, open at the top.
 MeshData cup() {
     std::vector<fvec2> profile;
     constexpr int parts = 6;
@@ -48,7 +49,7 @@ MeshData cup() {
     return render::revolve(profile, 14, fvec3(1));
 }
 
-/// From one place to another, from the origin along -z.
+/// Stretches a mesh along -z so that it reaches from one place to another.
 fmat4 between(vec3 from, vec3 to, double width) {
     const vec3 way = to - from;
     const auto turn = look_rotation(std::atan2(-way.x, -way.z), std::atan2(way.y, std::hypot(way.x, way.z)));
@@ -129,7 +130,7 @@ void add_brew(const BrewLook& look, std::vector<render::Instance>& out) {
 }
 
 fvec3 ladle_colour(double force_share) {
-    constexpr double edge = 0.03;  // no flicker where the force stays at the border
+    constexpr double edge = 0.03;  // half width of a soft border, against flicker
     const float yellow = smooth_step(1.0 / 3 - edge, 1.0 / 3 + edge, force_share),
                 red = smooth_step(2.0 / 3 - edge, 2.0 / 3 + edge, force_share);
     return force_colour(0.5 * static_cast<double>(yellow + red));
@@ -137,14 +138,14 @@ fvec3 ladle_colour(double force_share) {
 
 void add_ladle(const BrewMeshes& meshes, const LadlePicture& ladle, std::vector<render::Instance>& out) {
     const fvec3 shown = ladle_colour(ladle.force_share);
-    const fvec3 tint = shown * shown;  // from the screen's colours to those of light
-    const vec3 way = ladle.grip - ladle.bowl;
+    const fvec3 tint = shown * shown;  // converts screen colours to linear light
+    const vec3 way = ladle.hand_state - ladle.bowl;
     if (!(glm::length(way) > 1e-6)) return;
     out.push_back({.mesh = meshes.rod,
-                   .model = between(ladle.bowl, ladle.grip, rod_radius),
+                   .model = between(ladle.bowl, ladle.hand_state, rod_radius),
                    .tint = tint,
                    .glow = 0.3F});
-    // The rod holds it at its rim.
+    // The rod holds the cup at its rim.
     const vec3 middle = ladle.bowl - cup_radius * glm::normalize(vec3(way.x, 0, way.z) + vec3(1e-9, 0, 0));
     out.push_back({.mesh = meshes.cup,
                    .model = glm::scale(translated(fvec3(middle)), fvec3(static_cast<float>(cup_radius))),

@@ -1,18 +1,22 @@
-// game/hud/brew_look.h: how the cauldron's brew looks: its fluid as a glowing volume under a rippling skin, and over it, where
-// somebody asks, arrows and streamlines of the flow; and the ladles, coloured by what they feel.
+// game/hud/brew_look.h: the look of the cauldron's brew: a glowing volume under a rippling skin, and the
+// ladles, coloured by the force on the hand. An overlay adds arrows and streamlines of the flow.
 //
-//     simulation                               pictures, any thread                         render thread
-//     take_brew(brew, rules, state, picture)   show_brew(picture, overlay, look)            view.volume = &look.volume
+//     simulation                               any thread                          render thread
+//     take_brew(brew, rules, state, picture)   show_brew(picture, overlay, look)   view.volume = &look.volume
 //                                              add_brew(look, instances), add_ladle(...)
 //
-//     auto look = make_brew_look(renderer, brew_place(*arena.bowl, rules));   // once; needs the renderer's context
-//     take_brew(brew, rules, ++state, picture);                               // after each step of the fluid
-//     show_brew(picture, {.arrows = true}, look);                             // nothing where that state is shown already
-//     add_brew(look, instances);                                              // before the view gets its span of them
-//     add_ladle(look.meshes, {.bowl = ..., .grip = ..., .force_share = ...}, instances);
-//     view.instances = instances;  view.volume = &look.volume;
+//     // Once; needs the renderer's context.
+//     auto look = make_brew_look(renderer, brew_place(*arena.bowl, rules));
+//     // After each fluid step.
+//     take_brew(brew, rules, ++state, picture);
+//     // For each frame. show_brew does nothing if the state is shown already.
+//     show_brew(picture, {.arrows = true}, look);
+//     add_brew(look, instances);
+//     add_ladle(look.meshes, {.bowl = ..., .hand_state = ..., .force_share = ...}, instances);
+//     view.instances = instances;
+//     view.volume = &look.volume;
 //
-// Pictures never feed back: nothing here changes a fluid or a sheet.
+// Drawing never changes a fluid or its surface.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -25,14 +29,14 @@
 
 namespace thaum::game {
 
-/// Where a brew stands in the world.
+/// Place of a brew in the world.
 struct BrewPlace {
-    vec3 middle{};  ///< m, of the level surface: the origin of the brew's frame
+    vec3 middle{};  ///< middle of the level surface, the origin of the brew's frame (m)
     Basin basin{};
 };
 BrewPlace brew_place(const BowlPlace& bowl, const CauldronRules& rules);
 
-/// What is shown of the flow; the brew is clearer then.
+/// Parts of the flow to show. The brew is clearer while one is on.
 struct BrewOverlay {
     bool arrows = false;
     bool streamlines = false;
@@ -40,23 +44,23 @@ struct BrewOverlay {
 };
 
 struct BrewMeshes {
-    render::MeshId arrow{}, thread{};  ///< 1 m along -z
-    render::MeshId rod{}, cup{};       ///< 1 m along -z; 1 m wide
+    render::MeshId arrow{}, thread{};  ///< meshes of length 1 m along -z
+    render::MeshId rod{}, cup{};       ///< rod of length 1 m along -z, and cup of radius 1 m
 };
 
-/// All that is drawn of a brew. May be moved, not copied: `volume` looks into it.
+/// Everything drawn for a brew. It can be moved but not copied, because `volume` points into it.
 struct BrewLook {
     BrewMeshes meshes;
     BrewPlace place;
-    render::Volume volume;               ///< to be handed to views; of version 0 until something was shown
+    render::Volume volume;               ///< volume for the views; its version is 0 until a brew was shown
     std::vector<render::Instance> flow;  ///< arrows and streamlines
-    std::uint64_t shown{};               ///< BrewPicture::state
+    std::uint64_t shown{};               ///< BrewPicture::state of the shown picture
     BrewOverlay overlay;
 
     std::vector<render::Texel> texels;
     std::vector<render::SkinVertex> skin;
     std::vector<std::uint32_t> skin_indices;
-    std::vector<float> scratch;  ///< of the making
+    std::vector<float> scratch;  ///< working memory of make_texels
 
     BrewLook() = default;
     BrewLook(BrewLook&&) = default;
@@ -65,13 +69,13 @@ struct BrewLook {
 
 BrewLook make_brew_look(render::Renderer& renderer, const BrewPlace& place);
 
-/// Makes texels, skin and overlay anew where the picture's state or the overlay is another than before; true where it did.
+/// Refreshes texels, skin and overlay if the picture's state or the overlay has changed. Returns true if so.
 bool show_brew(const BrewPicture& picture, const BrewOverlay& overlay, BrewLook& look);
 
 void add_brew(const BrewLook& look, std::vector<render::Instance>& out);
 void add_ladle(const BrewMeshes& meshes, const LadlePicture& ladle, std::vector<render::Instance>& out);
 
-/// Green up to a third of what the device can give, yellow up to two thirds, red beyond.
+/// Green up to a third of the device's peak force, yellow up to two thirds, red above.
 fvec3 ladle_colour(double force_share);
 
 }  // namespace thaum::game

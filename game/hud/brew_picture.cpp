@@ -5,18 +5,19 @@
 #include "fluid/sample.h"
 #include "game/cauldron/brew_pages.h"
 #include "game/cauldron/cauldron.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/match/simulation.h"
 
 namespace thaum::game {
 namespace {
 
-/// Numbers of states: of one that moves by the match's clock, of one that rests by when it came to rest.
+/// Numbers of brew states. A moving brew is numbered by the match's clock, a resting one by the time it came
+/// to rest.
 constexpr std::uint64_t untouched = 1, at_rest = std::uint64_t{1} << 48U;
 
 void assign(std::span<const float> from, fluid::Samples& to) { to.assign(from.begin(), from.end()); }
 
-/// As the World has it: what computes it may be a step ahead.
+/// Takes the state from the World, since the solver may be one step ahead.
 void take_state(const Simulation& match, const BrewWork& work, const Cauldron& cauldron, BrewPicture& out) {
     const auto& fluid = work.brew.fluid;
     const auto samples = [&](std::size_t array) {
@@ -38,7 +39,7 @@ void take_state(const Simulation& match, const BrewWork& work, const Cauldron& c
     out.sheet = work.brew.sheet;
 }
 
-/// Of one that nobody has touched: nothing computes it yet.
+/// Takes a brew that no player has touched, before any solver memory exists.
 void take_still(const MatchData& data, BrewPicture& out) {
     const auto& rules = *data.cauldron;
     const auto basin = basin_of(data.arena.bowl->size, rules.filled);
@@ -65,15 +66,15 @@ void take_brew_of(const Simulation& match, const Cauldron& cauldron, BrewPicture
 }
 
 void take_ladles(const Simulation& match, CauldronPicture& out) {
-    constexpr vec3 hand{0.25, -0.35, -0.4};  // in the frame of the eye
+    constexpr vec3 hand{0.25, -0.35, -0.4};  // place of the hand (m, eye frame)
     out.ladles.fill(std::nullopt);
-    match.world().view<const Wizard, const Ladle, const Motion, const Grip>().each(
-        [&](const Wizard& wizard, const Ladle& ladle, const Motion& motion, const Grip& grip) {
+    match.world().view<const Wizard, const Ladle, const Motion, const HandState>().each(
+        [&](const Wizard& wizard, const Ladle& ladle, const Motion& motion, const HandState& hand_state) {
             const vec3 eye = eye_of(match.data().wizard, motion.position);
             out.ladles[wizard.player] = {
                 .bowl = ladle.place,
-                .grip = eye + look_rotation(ladle.yaw, 0) * hand,
-                .force_share = glm::length(grip.servo.safety.output) / match.data().device.peak_force};
+                .hand_state = eye + look_rotation(ladle.yaw, 0) * hand,
+                .force_share = glm::length(hand_state.servo.safety.output) / match.data().device.peak_force};
         });
 }
 

@@ -1,4 +1,5 @@
-// game/hud/brew_picture.h: one moment of a cauldron and its brew, as plain data: what pictures are made of (game/hud/brew_look.h).
+// game/hud/brew_picture.h: one moment of a cauldron and its brew as plain data, for drawing
+// (game/hud/brew_look.h).
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,42 +14,44 @@ namespace thaum::game {
 
 class Simulation;
 
-/// Linear light.
+/// Colours of the base fluid and the substances (linear light).
 struct BrewColours {
     fvec3 base{};
     std::array<fvec3, fluid::substances_most> substances{};
 };
 
-/// One moment of a brew, as plain data. Taking one into the same again allocates nothing.
+/// One moment of a brew as plain data. Taking a brew into the same object again allocates nothing.
 struct BrewPicture {
-    std::uint64_t state{};  ///< another number: something has changed; 0: nothing was taken yet
+    std::uint64_t state{};  ///< number of the brew's state; a change means new contents; 0: empty
     fluid::Lattice lattice{};
-    std::array<fluid::Samples, 3> velocity{};  ///< m/s
-    std::array<vec3, 3> velocity_places{};     ///< where each component of cell (0, 0, 0) stands, in cells
-    std::array<fluid::Samples, fluid::substances_most>
-        densities{};  ///< empty: nothing stands in that substance
+    std::array<fluid::Samples, 3> velocity{};  ///< velocity components (m/s)
+    /// Place of each velocity component of cell (0, 0, 0), in cells.
+    std::array<vec3, 3> velocity_places{};
+    /// Density of each substance; empty if the substance holds no ingredient.
+    std::array<fluid::Samples, fluid::substances_most> densities{};
     BrewColours colours{};
     fluid::Sheet sheet{};
 };
-/// `state` above 0; another one for each state of the brew.
+/// Copies a brew. `state` must be above 0 and differ between different states of the brew.
 void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state, BrewPicture& out);
 
-/// A rod with a bowl at its lower end.
+/// A ladle: a rod with a bowl at its lower end.
 struct LadlePicture {
-    vec3 bowl{}, grip{};   ///< m: the middle of the bowl, and the upper end
-    double force_share{};  ///< of the device's peak, 0 to 1
+    vec3 bowl{}, hand_state{};  ///< middle of the bowl, and upper end of the rod (m)
+    double force_share{};       ///< force as a share of the device's peak, 0 to 1
 };
 
-/// A match's cauldron.
+/// The cauldron of a match.
 struct CauldronPicture {
     bool there = false;
     BrewPicture brew;
     std::array<std::optional<LadlePicture>, players> ladles{};
-    std::array<std::string_view, fluid::substances_most> contents{};  ///< names; empty: nothing
+    /// Names of the ingredients; empty: free substance.
+    std::array<std::string_view, fluid::substances_most> contents{};
     std::uint32_t owner{no_player};
-    double mixing{};       ///< of what was dropped in last, 0 to 1
-    double heat{};         ///< 0: as heavy as a pure brew, to 1: so light that it lifts who is near
-    double spoils_in_s{};  ///< 0: nothing was begun
+    double mixing{};       ///< mixing of the newest ingredient, 0 to 1
+    double heat{};         ///< 0 for the weight of a pure brew, 1 for a brew light enough to lift wizards
+    double spoils_in_s{};  ///< time until the brew boils over; 0: no ingredient yet
 };
 void take_cauldron(const Simulation& match, CauldronPicture& out);
 

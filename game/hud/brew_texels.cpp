@@ -6,14 +6,14 @@
 namespace thaum::game {
 namespace {
 
-// Light of the brew: hottest in the middle, and where a cloud of a substance turns its side up.
+// Light of the brew: strongest in the middle, and on the sides of clouds that face the light.
 constexpr float base_light = 1.7F, substance_light = 1.5F;
 constexpr float middle_light = 1.6F, rim_light = 0.6F;
 constexpr float relief = 0.55F;
 const fvec3 towards_light = glm::normalize(fvec3(0.35F, 0.85F, 0.25F));
-constexpr float steepest = 3;  // 1/m: a gradient as strong as this shows as much as one can
+constexpr float steepest = 3;  // gradient at which the relief is at its full strength (1/m)
 
-constexpr float base_cover = 0.45F;  // of a place without substances
+constexpr float base_cover = 0.45F;  // cover of a place without substances
 
 constexpr float rim_foam = 0.62F;
 
@@ -24,7 +24,7 @@ float smooth(float from, float to, float x) {
     return t * t * (3 - 2 * t);
 }
 
-/// Boxes of numbers, one for each texel; x is contiguous.
+/// A box of numbers, one for each texel. Indices run fastest along x.
 struct Box {
     std::size_t x, y, z;
     std::size_t row(std::size_t j, std::size_t k) const { return x * (j + y * k); }
@@ -36,10 +36,10 @@ Box box_of(const fluid::Lattice& lattice) {
     return {n(0), n(1), n(2)};
 }
 
-/// Of one column of cells.
+/// One column of cells.
 struct Column {
-    float lift{};   ///< cells: the displacement of the surface above
-    float light{};  ///< grows towards the middle, where it wells up
+    float lift{};   ///< displacement of the surface above the column (cells)
+    float light{};  ///< brightness, greatest in the middle
 };
 
 void find_columns(const BrewPicture& picture, const BrewPlace& place, std::size_t k,
@@ -56,7 +56,8 @@ void find_columns(const BrewPicture& picture, const BrewPlace& place, std::size_
     }
 }
 
-/// One row of a substance as it is seen, lifted with the surface: what is seen at a layer stands at rest elsewhere in its column.
+/// One drawn row of a substance, lifted with the surface. A drawn layer shows the samples of another height
+/// in its column.
 void lift_row(const fluid::Samples& samples, const fluid::Lattice& lattice, std::size_t j, std::size_t k,
               std::span<const Column> columns, float transmitted, float* out) {
     const float top = static_cast<float>(lattice.cells[1] - 1);
@@ -71,7 +72,7 @@ void lift_row(const fluid::Samples& samples, const fluid::Lattice& lattice, std:
     }
 }
 
-/// The same hues with less white in them, since the tone curve makes pale what shines; and as bright as `lit` says.
+/// Brightens colours to `lit` and makes them more saturated, since the tone curve makes bright colours pale.
 void shine(std::span<const float> lit, Rows& colours) {
     auto& [r, g, b] = colours;
     for (std::size_t i = 0; i < lit.size(); ++i) {
@@ -83,18 +84,18 @@ void shine(std::span<const float> lit, Rows& colours) {
     }
 }
 
-/// 0 to 1 as 0 to 255, square roots of it where that is asked for; no number counts as 0.
+/// Converts 0 to 1 into 0 to 255, with a square root if `root` is set. NaN becomes 0.
 template <bool root>
 void to_bytes(std::span<const float> shares, float times, std::span<int> out) {
     for (std::size_t i = 0; i < shares.size(); ++i) {
         const float share = times * shares[i] > 0 ? times * shares[i] : 0.0F;
         const float shown = root ? std::sqrt(share) : share;
-        // Not lround: that is a call, and the numbers are small.
+        // lround is a function call, and the numbers are small enough for floor.
         out[i] = static_cast<int>(std::floor((shown < 1 ? shown : 1.0F) * 255 + 0.5F));
     }
 }
 
-/// The densities of all substances as they are seen, one box after the other, then their sum, at most 1.
+/// Drawn densities of all substances, one box after another. The last box is their sum, limited to 1.
 struct Seen {
     Box box;
     std::span<float> all;
@@ -119,12 +120,12 @@ void find_layer(const BrewPicture& picture, const BrewPlace& place, std::size_t 
     }
 }
 
-/// The light of one row. A side of a cloud that faces the light gives more, and one that faces away less.
+/// Light of one row. The sides of a cloud that face the light get more, the other sides less.
 void light_row(const Seen& seen, std::size_t j, std::size_t k, float per_two_h, const float* column_light,
                std::span<float> out) {
     const auto& box = seen.box;
     const auto row = [&](std::size_t y, std::size_t z) { return seen.sum() + box.row(y, z); };
-    // As at the sides beyond them.
+    // The gradient at the border is one-sided.
     const auto before = [](std::size_t n) { return n == 0 ? 0 : n - 1; };
     const float *here = row(j, k), *below = row(before(j), k), *above = row(std::min(j + 1, box.y - 1), k),
                 *behind = row(j, before(k)), *ahead = row(j, std::min(k + 1, box.z - 1));
@@ -138,7 +139,7 @@ void light_row(const Seen& seen, std::size_t j, std::size_t k, float per_two_h, 
     }
 }
 
-/// A sheet's heights, slopes and speed between its nodes.
+/// Height, slopes and speed of the surface at a point.
 struct SheetPoint {
     float height{}, slope_x{}, slope_z{}, speed{};
 };
@@ -156,7 +157,7 @@ SheetPoint node(const fluid::Sheet& sheet, std::size_t x, std::size_t z) {
             static_cast<float>(std::abs(sheet.velocity[fluid::sheet_index(s, x, z)]))};
 }
 
-/// Of all nodes, row by row along x; none of a sheet at rest.
+/// All nodes, row by row along x. Empty for a surface at rest.
 std::vector<SheetPoint> nodes_of(const fluid::Sheet& sheet) {
     std::vector<SheetPoint> out;
     if (sheet.asleep != 0 || sheet.height.empty()) return out;
@@ -170,7 +171,7 @@ std::vector<SheetPoint> nodes_of(const fluid::Sheet& sheet) {
     return out;
 }
 
-/// `from` the middle of the sheet, m; beyond its sides as at the nearest place.
+/// Interpolates the nodes at `from`, measured from the middle (m). Points outside are clamped to the border.
 SheetPoint point(const fluid::SheetSettings& s, std::span<const SheetPoint> nodes, vec2 from) {
     if (nodes.empty()) return {};
     const vec2 at = glm::clamp((from + s.side / 2) / fluid::sheet_spacing(s), vec2(0), vec2(s.nodes - 1));
@@ -192,17 +193,17 @@ SheetPoint point(const fluid::SheetSettings& s, std::span<const SheetPoint> node
     return sum;
 }
 
-/// Where the surface tears: it is steep, or it snaps back.
+/// Amount of foam. Foam appears where the surface is steep or moves fast.
 float foam_of(const SheetPoint& p) {
     return std::min(smooth(0.25F, 0.8F, std::hypot(p.slope_x, p.slope_z)) + smooth(0.35F, 1.5F, p.speed),
                     1.0F);
 }
 
-/// m, of the level surface.
+/// Radius of the level surface (m).
 double surface_radius(const BrewPlace& place) { return width_at(place.basin, 0); }
 
 render::SkinVertex skin_vertex(const SheetPoint& p, const BrewPlace& place, vec2 from) {
-    // A ring of foam hangs on the wall.
+    // A ring of foam lies along the wall.
     const float rim =
         rim_foam * smooth(0.93F, 0.99F, static_cast<float>(glm::length(from) / surface_radius(place)));
     return {.position = fvec3(place.middle + vec3(from.x, p.height, from.y)),
@@ -235,7 +236,7 @@ void mix(const BrewColours& colours, const Rows& densities, Rows& out) {
 
 namespace {
 
-/// Memory for one row of texels.
+/// Working memory for one row of texels.
 struct RowMemory {
     std::vector<Column> columns;
     std::vector<float> lit, cover;
@@ -305,7 +306,7 @@ void make_skin_indices(std::vector<std::uint32_t>& out) {
 }
 
 void make_skin(const fluid::Sheet& sheet, const BrewPlace& place, std::vector<render::SkinVertex>& out) {
-    // A little into the wall, so that no gap is seen.
+    // The skin reaches a little into the wall, so that no gap shows.
     const double drawn = 1.02 * surface_radius(place);
     const auto nodes = nodes_of(sheet);
     const auto add = [&](vec2 from) {

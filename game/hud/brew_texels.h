@@ -1,29 +1,32 @@
-// game/hud/brew_texels.h: a brew's densities as texels, and its surface as a skin.
+// game/hud/brew_texels.h: the densities of a brew as texels, and its surface as a skin.
 #pragma once
 #include "game/hud/brew_look.h"
 
 namespace thaum::game {
 
-/// m, brew's frame: where the box of cells begins, which fills the basin's width and stands with its lid on the level.
+/// Origin of the box of cells (m, brew's frame). The box fills the basin's width, and its lid lies at the
+/// level.
 vec3 corner_of(const BrewPicture& picture, const BrewPlace& place);
 
-/// Numbers of a row of places, by channel or by substance.
+/// One row of numbers for each channel or substance.
 using Rows = std::array<std::vector<float>, 3>;
 
-/// The colours of places by what is in them: light of the substances there is added, weighted by density, as bright as the
-/// densest of them is alone; what is less than density 1 in all leaves the rest to the base. Red and green in equal
-/// parts are yellow. Densities are not below 0; all rows are as long.
+/// Colours of places from the densities there. The light of the substances is added, weighted by density, and
+/// scaled to the brightness of the densest substance alone. If the densities add up to less than 1, the base
+/// colour takes the rest. Red and green in equal parts give yellow. Densities must not be negative, and all
+/// rows must be equally long.
 void mix(const BrewColours& colours, const Rows& densities, Rows& out);
 
-inline constexpr float brew_brightest = 6;  ///< light of a full texel
+inline constexpr float brew_brightest = 6;  ///< linear light of a full texel
 
-/// Resized to the lattice's cells. What stands below the surface moves with it, less the deeper it lies.
+/// Fills texels, resized to the lattice's cells. Contents below the surface move with it, less at greater
+/// depth.
 void make_texels(const BrewPicture& picture, const BrewPlace& place, std::vector<float>& scratch,
                  std::vector<render::Texel>& out);
 
-/// Rings around the middle; the same triangles whatever the sheet does.
+/// Triangles of the skin, in rings around the middle. They do not depend on the surface's state.
 void make_skin_indices(std::vector<std::uint32_t>& out);
-/// World frame.
+/// Vertices of the skin (world frame).
 void make_skin(const fluid::Sheet& sheet, const BrewPlace& place, std::vector<render::SkinVertex>& out);
 
 }  // namespace thaum::game

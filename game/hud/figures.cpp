@@ -42,7 +42,7 @@ MeshData mark(std::uint32_t team, float radius, fvec3 paint) {
     return team == 0 ? render::ring_mark(radius, paint) : render::triangle_mark(1.15F * radius, paint);
 }
 
-/// Ember: level bands.
+/// The robe of team ember: level bands.
 void add_banded_robe(MeshData& mesh, const TeamColours& team) {
     const std::array<fvec2, 6> outline{fvec2(0.46F, 0.0F), {0.42F, 0.16F}, {0.34F, 0.55F},
                                        {0.26F, 0.98F},     {0.30F, 1.28F}, {0.12F, 1.47F}};
@@ -52,7 +52,7 @@ void add_banded_robe(MeshData& mesh, const TeamColours& team) {
     }
 }
 
-/// Tide: upright gores that alternate.
+/// The robe of team tide: upright stripes in alternating colours.
 void add_gored_robe(MeshData& mesh, const TeamColours& team) {
     const std::array<fvec2, 6> outline{fvec2(0.46F, 0.0F), {0.42F, 0.16F}, {0.34F, 0.55F},
                                        {0.26F, 0.98F},     {0.30F, 1.28F}, {0.12F, 1.47F}};
@@ -76,7 +76,7 @@ MeshData hat(std::uint32_t number) {
         team.dark);
     append(mesh, render::revolve(std::array{fvec2(0.2F, 0.06F), fvec2(0.185F, 0.17F)}, 12, team.light));
     append(mesh, render::revolve(std::array{fvec2(0.185F, 0.17F), fvec2(0.12F, 0.4F)}, 12, team.cloth));
-    // The tip is bent back, as hats of some age are.
+    // The tip is bent back like that of an old hat.
     const fmat4 bent = translated({0, 0.4F, 0}) * rotated(to_the_right, 0.5F);
     append(mesh,
            render::revolve(std::array{fvec2(0.12F, -0.02F), fvec2(0.055F, 0.2F), fvec2(0, 0.24F)}, 10,
@@ -98,7 +98,7 @@ void add_head(MeshData& mesh, const TeamColours& team) {
     append(mesh, render::cone(0.25F, 0.17F, 0.12F, 12, team.light), translated({0, 1.43F, 0}));
 }
 
-/// Sleeve and hand in the frame of the eye; from `start` (the shoulder, or beyond the edge of the picture).
+/// Adds sleeve and hand (eye frame). `start` is the shoulder or a point beyond the edge of the picture.
 void add_hand(MeshData& mesh, const TeamColours& team, fvec3 start, fvec3 hand) {
     const fvec3 tip(wand_tip);
     const fvec3 back = glm::normalize(start - hand);
@@ -107,7 +107,7 @@ void add_hand(MeshData& mesh, const TeamColours& team, fvec3 start, fvec3 hand) 
     const fvec3 way = glm::normalize(tip - hand);
     append(mesh, limb(hand + 0.06F * back, hand, 0.03F, 0.034F, 8, skin));
     append(mesh, render::sphere(0.04F, 10, skin), translated(hand + fvec3(0.008F, -0.008F, 0)));
-    // Knuckles of a fist around the grip, and the thumb along it.
+    // The knuckles of a fist around the handle, and the thumb along it.
     for (const float along : {-0.03F, -0.008F, 0.014F, 0.036F})
         append(mesh, render::sphere(0.0175F, 6, 0.93F * skin),
                translated(hand + along * way + fvec3(-0.022F, 0.012F, 0)));
@@ -115,12 +115,12 @@ void add_hand(MeshData& mesh, const TeamColours& team, fvec3 start, fvec3 hand) 
            translated({0.006F, 0.026F, 0}));
 }
 
-/// Where hands are, in the frame of the eye. One's own is held in from the side, so that a flat half of a window shows
-/// it as well; the other's is drawn back, so that more of the wand is seen.
+/// Positions of the hands (eye frame). The player's own hand is close to the middle, so that a wide, flat
+/// view shows it as well. The other player's hand is drawn back, so that more of the wand is visible.
 const fvec3 foe_hand = fvec3(wand_tip) + fvec3(0.04F, -0.10F, 0.44F);
 const fvec3 own_hand{0.37F, -0.25F, -0.57F};
 
-/// Turns and stretches what lies along -z so that it reaches from the hand to wand_tip.
+/// Turns and stretches a mesh along -z so that it reaches from the hand to wand_tip.
 fmat4 held(fvec3 hand) {
     const fvec3 along = fvec3(wand_tip) - hand;
     const fvec3 z = -glm::normalize(along);
@@ -129,13 +129,13 @@ fmat4 held(fvec3 hand) {
     return turned * render::scaled(fvec3(glm::length(along) / wand_length));
 }
 
-// Wands, along -z. `z` counts from the grip to the tip.
+// Wands, along -z. `z` is the distance from the handle towards the tip.
 
 const fvec3 pale_wood = colour(0x8A5E3A), dark_iron = colour(0x5A5868), leather = colour(0x6A3E28);
 
 fvec3 ahead(float z, float x = 0, float y = 0) { return {x, y, -z}; }
 
-void add_grip(MeshData& mesh) {
+void add_hand_state(MeshData& mesh) {
     append(mesh, limb(ahead(-0.09F), ahead(0.08F), 0.024F, 0.026F, 8, wood));
     append(mesh, limb(ahead(0.08F), ahead(0.115F), 0.037F, 0.029F, 8, gold));
 }
@@ -151,12 +151,12 @@ void add_rod(MeshData& mesh, std::span<const fvec3> points, float thick, float t
     }
 }
 
-/// Long and thin.
+/// A long, thin wand.
 void add_needle(MeshData& mesh) {
     append(mesh, limb(ahead(0.11F), ahead(wand_length), 0.019F, 0.004F, 8, pale_wood));
 }
 
-/// Two prongs.
+/// A wand with two prongs.
 void add_fork(MeshData& mesh) {
     append(mesh, limb(ahead(0.11F), ahead(0.28F), 0.02F, 0.02F, 8, pale_wood));
     for (const float side : {-1.0F, 1.0F}) {
@@ -167,7 +167,7 @@ void add_fork(MeshData& mesh) {
     }
 }
 
-/// A shepherd's crook.
+/// A wand with a shepherd's crook.
 void add_hook(MeshData& mesh) {
     append(mesh, limb(ahead(0.11F), ahead(0.36F), 0.02F, 0.018F, 8, pale_wood));
     std::vector<fvec3> bend;
@@ -252,7 +252,7 @@ MeshData own_arm(std::uint32_t number) {
 }
 
 MeshData wand_mesh(Silhouette silhouette) {
-    // What is flat is seen neither from the side nor from ahead as a mere line.
+    // Flat wands are turned, so that neither view shows them as a mere line.
     const fmat4 aslant = rotated({0, 0, 1}, 0.7F);
     const auto made = [](void (*add_part)(MeshData&)) {
         MeshData part;
@@ -260,7 +260,7 @@ MeshData wand_mesh(Silhouette silhouette) {
         return part;
     };
     MeshData mesh;
-    add_grip(mesh);
+    add_hand_state(mesh);
     switch (silhouette) {
         case Silhouette::needle: add_needle(mesh); break;
         case Silhouette::forked: append(mesh, made(add_fork), aslant); break;
@@ -307,7 +307,7 @@ MeshData beam_of_light() {
 
 namespace {
 
-/// The team's mark across each axis: rings, or triangles that are as wide.
+/// Adds the team's mark across each axis: rings, or triangles of the same width.
 void add_cage(MeshData& mesh, std::uint32_t number, float radius, float thick, fvec3 paint) {
     constexpr float quarter = 1.5707963F;
     const int sides = number == 0 ? 16 : 3;

@@ -1,5 +1,5 @@
-// game/hud/figures.h: the meshes of wizards and their wands. A team is told by colour, by mark (ring or triangle) and by
-// the pattern of the robe, so that colour is never needed.
+// game/hud/figures.h: the meshes of wizards and their wands. Colour, mark (ring or triangle) and robe pattern
+// each identify a team, so colour vision is not needed.
 #pragma once
 #include <string_view>
 
@@ -9,49 +9,49 @@
 
 namespace thaum::game {
 
-/// The colours of a team: 0 ember, 1 tide.
+/// Colours of a team: 0 is ember, 1 is tide.
 struct TeamColours {
-    fvec3 cloth, dark, light;  ///< linear
-    fvec3 glow;                ///< of bolts and of the light they give
+    fvec3 cloth, dark, light;  ///< linear light
+    fvec3 glow;                ///< colour of bolts and of the light that they give
 };
 const TeamColours& team_colours(std::uint32_t team);
-/// Of a force, by its share of the most that can be felt: from green over yellow to red.
+/// Colour of a force by its share of the strongest force: green, yellow, red.
 fvec3 force_colour(double share);
-/// "Ember", "Tide".
+/// Name of a team: "Ember" or "Tide".
 std::string_view team_name(std::uint32_t team);
 
-/// Robe, head and hat; feet at the origin, looks along -z, 1.8 m up to the brim.
+/// Robe, head and hat. The feet are at the origin, the face looks along -z, and the brim is 1.8 m up.
 render::MeshData wizard_figure(std::uint32_t team);
-/// What is left of a wizard who died: robe on the ground, hat on top.
+/// A dead wizard: robe on the ground, hat on top.
 render::MeshData fallen_wizard(std::uint32_t team);
-/// Sleeve and hand about the shoulder, so that it can be turned to where the wizard looks.
+/// Sleeve and hand, centred at the shoulder for turning with the wizard's gaze.
 render::MeshData wizard_arm(std::uint32_t team);
-/// Where the shoulder is: from the eye, m.
+/// Position of the shoulder (m, eye frame).
 inline constexpr fvec3 shoulder{0.24F, -0.27F, 0.0F};
-/// Sleeve and hand as the wizard sees them; in the frame of the eye.
+/// Sleeve and hand in the wizard's own view (eye frame).
 render::MeshData own_arm(std::uint32_t team);
 
-/// The grip at the origin, the tip at -z, `wand_length` off; all five can be told apart as shadows.
+/// A wand with its handle at the origin and its tip `wand_length` along -z. All five have distinct outlines.
 render::MeshData wand_mesh(Silhouette silhouette);
 inline constexpr float wand_length = 0.5F;
-/// Puts a wand from the hand to wand_tip, in the frame of the eye: as the other sees it, or as one sees one's own.
+/// Places a wand from the hand to wand_tip (eye frame), in the other player's view and in the player's own.
 fmat4 wand_in_hand();
 fmat4 wand_in_own_hand();
 
-/// The glowing tip of a wand, centred.
+/// The glowing tip of a wand, centred at the origin.
 render::MeshData wand_spark(std::uint32_t team);
-/// A needle of light along -z with the team's mark around its tail.
+/// A bolt: a needle of light along -z with the team's mark around its tail.
 render::MeshData bolt_needle(std::uint32_t team);
-/// A ball of light of radius 1 m with a tail along +z and the team's mark around it.
+/// A ball of light of radius 1 m, with a tail along +z and the team's mark around it.
 render::MeshData fireball(std::uint32_t team);
 /// A dark ball of radius 1 m in a cage of the team's marks.
 render::MeshData lob_stone(std::uint32_t team);
-/// The team's mark three times about the same middle, of radius 1 m: what flies off from a burst.
+/// The shell of a burst: the team's mark three times about one middle, radius 1 m.
 render::MeshData burst_shell(std::uint32_t team);
-/// White, to be tinted: from the origin 1 m along -z, of radius 1 m.
+/// A white beam for tinting, from the origin 1 m along -z, radius 1 m.
 render::MeshData beam_of_light();
 
-/// Around a wizard whom nothing can hurt: rings or triangles, centred at the body.
+/// The shield of a wizard who cannot be hurt: rings or triangles around the body's middle.
 render::MeshData shield_rings(std::uint32_t team);
 
 }  // namespace thaum::game

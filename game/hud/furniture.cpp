@@ -22,7 +22,7 @@ const fvec3 iron = colour(0x4A4650), plank = colour(0xA87444), dark_plank = colo
 
 float part(double v) { return static_cast<float>(v); }
 
-/// A body's shape in one colour, softly bevelled.
+/// A body's shape in one colour, with a soft bevel.
 MeshData plain(const ShapeKey& key, fvec3 paint) {
     const fvec3 size(key.size);
     const float least = std::min({size.x, size.y, size.z});
@@ -51,7 +51,7 @@ MeshData crate(fvec3 half) {
                 append(mesh, render::box(size, plank, 0.25F * size[u]), translated(at));
             }
         }
-        // Two boards on both faces across it.
+        // Two boards on both faces across this axis.
         for (const float side : {-1.0F, 1.0F}) {
             for (const float row : {-0.38F, 0.38F}) {
                 fvec3 size(0), at(0);
@@ -86,7 +86,7 @@ MeshData barrel(float radius, float half_height) {
     const float thick = 0.07F * half_height;
     for (const float at : {-0.72F, -0.3F, 0.3F, 0.72F}) {
         const float r = radius * (1.03F - 0.2F * at * at);
-        // No lids: the wood is within.
+        // The rings have no lids, since wood fills them.
         append(mesh, render::revolve(std::array{fvec2(r, -thick), fvec2(r, thick)}, 14, iron),
                translated({0, at * half_height, 0}));
     }
@@ -116,7 +116,7 @@ MeshData table(fvec3 half) {
 
 MeshData boulder(fvec3 half) {
     MeshData mesh = render::box(half, colour(0x86818F), 0.16F * std::min({half.x, half.y, half.z}));
-    // A band of carved signs, so that one sees it turn.
+    // A band of carved signs makes rotation visible.
     append(mesh, render::box({1.005F * half.x, 0.1F * half.y, 1.005F * half.z}, colour(0x5C5868)));
     return mesh;
 }
@@ -141,7 +141,7 @@ MeshData plinth(float radius, float half_height) {
     return render::revolve(outline, 12, colour(0x8A8496));
 }
 
-/// Rough crystal: a cluster of six-sided points within the box.
+/// Rough crystal: a cluster of six-sided points inside the box.
 MeshData crystal(fvec3 half) {
     MeshData mesh;
     const auto point = [&](fvec3 foot, float radius, float height, fvec3 lean, fvec3 paint) {
@@ -165,7 +165,7 @@ FurnitureMesh orb(float radius) {
     FurnitureMesh out;
     out.glowing = render::sphere(0.9F * radius, 18, colour(0x8A6AE0));
     for (auto& v : out.glowing.vertices) {
-        // Clouds that swirl within, frozen.
+        // A frozen pattern of swirling clouds.
         const fvec3 p = v.position / radius;
         const float swirl = 0.5F + 0.5F * std::sin(7 * p.y + 3 * std::atan2(p.z, p.x) + 2 * p.x);
         v.colour = glm::mix(colour(0x4A2EA8), colour(0xB8A0FF), swirl);
@@ -176,7 +176,7 @@ FurnitureMesh orb(float radius) {
     return out;
 }
 
-/// (radius, y) of a solid of revolution, as its rings have it at angle 0.
+/// Profile (radius, y) of a solid of revolution, from its vertices at angle 0.
 std::vector<fvec2> profile_of(const physics::TriangleMesh& solid) {
     std::vector<fvec2> profile;
     for (const auto& v : solid.vertices) {
@@ -243,7 +243,7 @@ FurnitureMesh cauldron(const physics::TriangleMesh& solid) {
                        1.015F * rim * std::sin(angle));
         append(out.lit, render::sphere(0.09F, 8, colour(0xE0A050)), translated(at));
     }
-    // The brew: brightest where it wells up, with arms of a swirl.
+    // The brew is brightest in the middle and has the arms of a swirl.
     const float level = bottom + 0.97F * (top - bottom);
     const float radius = 0.885F * rim;
     std::vector<fvec2> surface;
@@ -290,7 +290,7 @@ FurnitureMesh start_plate(std::uint32_t team) {
 MeshData rune_circle(float radius) {
     const auto flat = rotated({1, 0, 0}, -quarter);
     const fvec3 ember = colour(0xD87028);
-    constexpr float above = 0.017F;  // m, the ground
+    constexpr float above = 0.017F;  // height above the ground (m)
     MeshData mesh;
     append(mesh, render::flat_frame(28, radius, radius - 0.05F, ember), translated({0, above, 0}) * flat);
     append(mesh, render::flat_frame(28, radius + 0.75F, radius + 0.7F, ember),
@@ -309,7 +309,8 @@ MeshData contact_shade(float darkest) {
     mesh.vertices.push_back({fvec3(0), {0, 1, 0}, fvec3(darkest)});
     for (std::uint32_t ring = 1; ring <= rings; ++ring) {
         const float radius = static_cast<float>(ring) / rings;
-        const float light = radius * radius * (3 - 2 * radius);  // no edge is seen where it begins or ends
+        // Smooth at both ends, so that no edge shows.
+        const float light = radius * radius * (3 - 2 * radius);
         for (std::uint32_t i = 0; i < sides; ++i) {
             const float angle = whole * static_cast<float>(i) / static_cast<float>(sides);
             mesh.vertices.push_back({{radius * std::cos(angle), 0, -radius * std::sin(angle)},

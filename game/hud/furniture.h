@@ -1,4 +1,5 @@
-// game/hud/furniture.h: the meshes of loose things and of the court's stations. All are centred as their bodies are.
+// game/hud/furniture.h: the meshes of loose things and of the arena's furniture. Each is centred like its
+// body.
 #pragma once
 #include "game/arena/arena.h"
 #include "game/hud/picture.h"
@@ -6,27 +7,27 @@
 
 namespace thaum::game {
 
-/// What a thing is made of, and what of it shines by itself; the second may be empty.
+/// A thing in two meshes: a lit part and a self-lit part. The second may be empty.
 struct FurnitureMesh {
     render::MeshData lit, glowing;
 };
 
-/// A box, cylinder or sphere of any surface.
+/// The mesh of a box, cylinder or sphere with any surface.
 FurnitureMesh furniture(const ShapeKey& key);
 
-/// The cauldron as a surface of revolution of its solid, with legs, and the brew in it.
+/// The cauldron with its legs and the painted brew. The bowl is the surface of revolution of `solid`.
 FurnitureMesh cauldron(const physics::TriangleMesh& solid);
 
-/// Iron rings to swing from around a glowing core of radius 1; to be scaled.
+/// A swing anchor: iron rings around a glowing core of radius 1, made for scaling.
 FurnitureMesh anchor();
 
-/// A flat plate to start from, centre on the ground, with the mark of the team (no_player: none).
+/// A flat start pad with the team's mark, centred on the ground. no_player: without a mark.
 FurnitureMesh start_plate(std::uint32_t team);
 
-/// A ring of signs around the cauldron, flush with the ground.
+/// A ring of signs around the cauldron, level with the ground.
 render::MeshData rune_circle(float radius);
 
-/// Shade that fades out, radius 1 m, on the ground at y = 0: 1 at the rim, darkest in the middle.
+/// A soft shade of radius 1 m on the ground at y = 0: factor `darkest` in the middle, 1 at the rim.
 render::MeshData contact_shade(float darkest);
 
 }  // namespace thaum::game

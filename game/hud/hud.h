@@ -1,29 +1,30 @@
-// game/hud/hud.h: a Picture becomes a render::Frame: the view of each player and, over it, what a player must know.
-// Nothing shakes, bobs or flashes.
+// game/hud/hud.h: turns a Picture into a render::Frame: each player's view with the HUD over it. Nothing in a
+// view shakes, bobs or flashes.
 #pragma once
-#include "game/hud/court.h"
+#include "game/hud/arena_scene.h"
 #include "render/context.h"
 
 namespace thaum::game {
 
-/// Whose eyes the window shows.
+/// The players whose views the window shows.
 enum class Watch : std::uint8_t { both, first, second };
 
 struct HudSettings {
-    render::Split split = render::Split::top_bottom;  ///< for two views
+    render::Split split = render::Split::top_bottom;  ///< arrangement of two views
     Watch watch = Watch::both;
-    double fov = 90;        ///< degrees from left to right of a 16:9 view; other shapes show as much
-    double text_scale = 1;  ///< 1 to 2.5
+    /// Horizontal field of view of a 16:9 view (degrees); other shapes show the same area.
+    double fov = 90;
+    double text_scale = 1;  ///< text size, 1 to 2.5
     render::Quality quality = render::Quality::medium;
-    bool bloom = true;           ///< at high quality
-    bool can_play_again = true;  ///< the result screen offers it
-    bool forces = false;         ///< what hands feel, as a curve in each view, and the brew's flow
-    bool menu = false;           ///< a menu will stand over the views: nothing else does
-    /// What is wrong with each player's device, in its driver's words; filled by the session.
+    bool bloom = true;           ///< used at high quality only
+    bool can_play_again = true;  ///< shows on the result screen that another match can be played
+    bool forces = false;         ///< shows the force on the hand as a curve, and the brew's flow
+    bool menu = false;           ///< a menu will cover the views; the HUD is left out
+    /// Fault of each player's device in its driver's words. The session fills this in.
     std::array<std::string, players> device_says{};
 };
 
-/// Memory that frames are built in; a Frame's spans point into it.
+/// Memory for building frames. The spans of a Frame point into it.
 struct FrameMemory {
     std::array<std::vector<render::Instance>, players> instances;
     std::vector<render::Instance> shades, mists, fixed_casters, moving_casters;
@@ -31,25 +32,26 @@ struct FrameMemory {
     render::Frame frame;
 };
 
-/// What every picture of the court has, whoever looks: size, presets, shadows; no views and nothing over them yet.
-void begin_frame(const Court& court, const Picture& picture, const HudSettings& settings, render::Size size,
-                 FrameMemory& memory);
+/// Fills in the parts that are the same for all views: size, presets and shadows. Views and overlay stay
+/// empty.
+void begin_frame(const ArenaScene& arena_scene, const Picture& picture, const HudSettings& settings,
+                 render::Size size, FrameMemory& memory);
 
-/// The returned frame lives in `memory` until the next call.
-const render::Frame& make_frame(const Court& court, const Picture& picture, const HudSettings& settings,
-                                render::Size size, FrameMemory& memory);
+/// Makes a whole frame. It stays valid in `memory` until the next call.
+const render::Frame& make_frame(const ArenaScene& arena_scene, const Picture& picture,
+                                const HudSettings& settings, render::Size size, FrameMemory& memory);
 
-/// Only the flat part: what stands over the views.
+/// Makes only the flat part: the HUD over the views.
 void make_overlay(const Picture& picture, const HudSettings& settings, render::Size size,
                   render::Overlay& out);
 
-/// All words that stand over both players' views.
+/// All words of the HUD over both players' views.
 std::vector<std::string> words_over_views(const Simulation& match);
 
-/// Where each player's view is; of no size where it is not shown.
+/// Rectangle of each player's view; of zero size if the view is not shown.
 std::array<render::Rect, players> views_of(const HudSettings& settings, render::Size size);
 
-/// Vertical field of view for a view of this shape, rad.
+/// Vertical field of view for a view of this aspect ratio (rad).
 double field_of_view(double fov_degrees, double aspect);
 
 }  // namespace thaum::game

@@ -14,24 +14,24 @@ namespace {
 using render::colour;
 using render::MeshData;
 
-constexpr double corner_reach = 2;       // m: what is farther off keeps no light from a point
-constexpr double corner_strength = 0.9;  // a dark corner still gets what other stones throw back
-constexpr double pit_depth = 5;          // m
-constexpr float lamp_height = 3.4F;      // m
-constexpr double outside = 0.02;         // m beyond the court, where nobody gets
+constexpr double corner_reach = 2;       // stone farther away takes no light from a point (m)
+constexpr double corner_strength = 0.9;  // a dark corner still gets light reflected by other stone
+constexpr double pit_depth = 5;          // depth of the pit (m)
+constexpr float lamp_height = 3.4F;      // height of the lamps (m)
+constexpr double outside = 0.02;         // margin beyond the arena, where no player can be (m)
 const fvec3 lamp_glow = fvec3(5.2F, 2.5F, 0.85F);
 
-// Baked light ----------------------------------------------------------------------------------------------------------
+// Baked light -----------------------------------------------------------------------------------------------
 
-/// What of a block is within reach of a point.
+/// The part of a block within reach of a point.
 render::Block near_part(const render::Block& block, vec3 point) {
     return {glm::max(block.low, point - corner_reach), glm::min(block.high, point + corner_reach)};
 }
 
-/// The share of the sky that no block near takes away. What two blocks take is multiplied, which is exact where they
-/// stand at right angles.
+/// Share of the sky that nearby blocks leave open. The shares of two blocks are multiplied, which is exact
+/// for blocks at right angles.
 double open_sky(const Shade& shade, vec3 point, vec3 normal) {
-    // A little off the surface, so that a block that touches it counts.
+    // The point is moved off the surface, so that a block that touches it counts.
     const vec3 start = point + 0.03 * normal;
     double open = 1;
     for (const auto& block : shade.blocks) {
@@ -42,7 +42,7 @@ double open_sky(const Shade& shade, vec3 point, vec3 normal) {
     return open;
 }
 
-/// The wall lamps' glow falls off with the square of the distance.
+/// Light of the wall lamps. It falls with the square of the distance.
 fvec3 lamp_light(const Shade& shade, vec3 point, fvec3 normal) {
     fvec3 light(0);
     for (const fvec3 lamp : shade.lamps) {
@@ -102,20 +102,20 @@ void bake(const Shade& shade, vec3 position, MeshData& mesh) {
 
 namespace {
 
-// Blocks ---------------------------------------------------------------------------------------------------------------
+// Blocks ----------------------------------------------------------------------------------------------------
 
-/// A face to lay: its corner, the two edges (u along the courses) and the way it looks.
+/// A face to cover with blocks: its corner, its two edges (u along the courses) and its normal.
 struct Face {
-    fvec3 corner;   // m
-    fvec3 u, v, n;  // unit
+    fvec3 corner;   // position of the corner (m)
+    fvec3 u, v, n;  // unit vectors
     float length_u{}, length_v{};
 };
 
 struct Stonework {
-    float block_u{}, block_v{};  // m, about; whole blocks fill the face
-    float bevel{};               // m
+    float block_u{}, block_v{};  // approximate size of a block (m); whole blocks fill the face
+    float bevel{};               // width of the bevel (m)
     std::vector<fvec3> colours;
-    float joint{};  // share of the colour that is left in the joints
+    float joint{};  // brightness of a joint, as a share of the stone's
     std::uint64_t seed{};
 };
 
@@ -123,23 +123,23 @@ struct Cell {
     float u0{}, u1{}, v0{}, v1{};
 };
 
-/// Higher than anybody stands, m: blocks there have painted joints.
+/// Height above which blocks have painted joints (m). No wizard stands higher.
 constexpr float out_of_reach = 3.1F;
-/// So high that joints have faded before one sees them (Vertex::far_away), m.
+/// Height from which joints look faded at any distance, by Vertex::far_away (m).
 constexpr float out_of_sight = 6;
-/// Of the bevel: how deep the core lies, just below the joints.
+/// Depth of the core in bevel widths, just below the joints.
 constexpr float core_depth = 1.25F;
-/// Of a stone's colour: what a joint looks like from far off.
+/// Brightness of a joint seen from far away, as a share of the stone's.
 constexpr float core_shade = 0.9F;
-constexpr float core_piece = 3, core_overlap = 0.3F;  // m
+constexpr float core_piece = 3, core_overlap = 0.3F;  // length and overlap of pieces (m)
 
 std::uint32_t add_vertex(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 normal, fvec3 shade) {
     mesh.vertices.push_back({face.corner + at.x * face.u + at.y * face.v + at.z * face.n, normal, shade});
     return static_cast<std::uint32_t>(mesh.vertices.size() - 1);
 }
 
-/// A vertex of a joint: `joint` of the shade close by, and all of it far off, where a joint is finer than a pixel and would
-/// flicker.
+/// Adds a vertex of a joint. Nearby it has `joint` of the shade. Far away it has the full shade, since a
+/// joint finer than a pixel would flicker.
 std::uint32_t add_joint(MeshData& mesh, const Face& face, glm::vec3 at, fvec3 normal, fvec3 shade,
                         float joint) {
     const auto index = add_vertex(mesh, face, at, normal, joint * shade);
@@ -151,7 +151,7 @@ void add_quad(MeshData& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c,
     mesh.indices.insert(mesh.indices.end(), {a, b, c, a, c, d});
 }
 
-/// A block told from its neighbours by its shade alone.
+/// Adds a block without a joint. Only its shade differs from its neighbours'.
 void add_bare_block(MeshData& mesh, const Face& face, const Cell& cell, fvec3 shade) {
     const auto a = add_vertex(mesh, face, {cell.u0, cell.v0, 0}, face.n, shade);
     add_vertex(mesh, face, {cell.u1, cell.v0, 0}, face.n, shade);
@@ -160,8 +160,8 @@ void add_bare_block(MeshData& mesh, const Face& face, const Cell& cell, fvec3 sh
     add_quad(mesh, a, a + 1, a + 2, a + 3);
 }
 
-/// A block whose edges nobody sees from the side, such as a slab that one walks on: the joint is painted, on two sides,
-/// since the neighbours have it on theirs.
+/// Adds a block with a painted joint, for edges that are not seen from the side, such as a floor slab's. Two
+/// sides are painted; the neighbours paint the other two.
 void add_flat_block(MeshData& mesh, const Face& face, const Stonework& work, const Cell& cell, fvec3 shade,
                     float b) {
     const auto put = [&](float u, float v, float joint) {
@@ -176,8 +176,8 @@ void add_flat_block(MeshData& mesh, const Face& face, const Stonework& work, con
     add_quad(mesh, corner, inner, inner_far, far_left);
 }
 
-/// One block: a top, and four slanting edges down into the joint. At the border of the face, and below what has no bevel, an edge
-/// ends in the face's plane, so that no gap is left.
+/// Adds one block: a top, and four slanting edges down into the joint. An edge at the border of the face, or
+/// below a block without a bevel, ends in the face's plane. This leaves no gap.
 void add_block(MeshData& mesh, const Face& face, const Stonework& work, const Cell& cell, fvec3 shade,
                float sunk, bool topmost) {
     const float b = work.bevel;
@@ -206,7 +206,7 @@ fvec3 any_shade(const Stonework& work, Random& random) {
     return base * static_cast<float>(random.uniform(0.82, 1.14));
 }
 
-/// Edges of the blocks in one course, from 0 to `length`; every other course begins with half a block.
+/// Edges of the blocks in one course, from 0 to `length`. Every other course begins with half a block.
 std::vector<float> course(float length, float block, bool shifted, Random& random) {
     const int whole = std::max(1, static_cast<int>(std::lround(length / block)));
     const float size = length / static_cast<float>(whole);
@@ -220,7 +220,7 @@ std::vector<float> course(float length, float block, bool shifted, Random& rando
     return edges;
 }
 
-/// Nobody can see a face that stands in another solid, or outside the court.
+/// True for a point of a face inside another solid or outside the arena, where no player can see it.
 bool hidden(const Shade& shade, vec3 point, vec3 normal) {
     const vec3 at = point + 0.05 * normal;
     if (std::abs(at.x) > shade.half + outside || std::abs(at.z) > shade.half + outside) return true;
@@ -230,8 +230,8 @@ bool hidden(const Shade& shade, vec3 point, vec3 normal) {
     });
 }
 
-/// A block whose edges are seen from the side. Far off only its top is drawn, and the core shows between the blocks as a
-/// joint would.
+/// A block with edges that are seen from the side. From far away only its top is drawn, and the core between
+/// the blocks looks like a joint.
 render::Patch bevelled_block(const Face& face, const Stonework& work, const Cell& cell, fvec3 tone,
                              float sunk, bool topmost) {
     render::Patch patch{.full = {}, .detail = work.bevel};
@@ -241,7 +241,7 @@ render::Patch bevelled_block(const Face& face, const Stonework& work, const Cell
     return patch;
 }
 
-/// One walks on it.
+/// True for a face that wizards walk on.
 bool is_slab(const Face& face, const Stonework& work) { return face.n.y > 0.5F && work.block_u > 1; }
 
 bool is_bevelled(double height, const Face& face, const Stonework& work) {
@@ -270,7 +270,7 @@ render::Patch block(double height, const Face& face, const Stonework& work, cons
 
 vec3 at(const Face& face, fvec2 place) { return vec3(face.corner + place.x * face.u + place.y * face.v); }
 
-/// Not even a corner of it can be seen.
+/// True if not even a corner of the cell can be seen.
 bool hidden(const Shade& shade, vec3 position, const Face& face, const Cell& cell) {
     for (const float u : {0.02F, 0.5F, 0.98F}) {
         for (const float v : {0.02F, 0.5F, 0.98F}) {
@@ -281,8 +281,8 @@ bool hidden(const Shade& shade, vec3 position, const Face& face, const Cell& cel
     return true;
 }
 
-/// Each vertex takes the baked light of the nearest one that faces the same way, so that nothing changes its shade where one
-/// mesh takes the place of the other.
+/// Gives each vertex the baked light of the nearest vertex with a similar normal. The shade then stays the
+/// same when one mesh replaces the other.
 void take_light(const MeshData& from, MeshData& to) {
     for (auto& v : to.vertices) {
         float least = std::numeric_limits<float>::max();
@@ -298,7 +298,7 @@ void take_light(const MeshData& from, MeshData& to) {
     }
 }
 
-/// Where it stands, with the light it has there.
+/// Bakes the light of a patch at its place and adds the patch.
 void set_up(const Shade& shade, vec3 position, render::Patch patch, render::Patchwork& out) {
     bake(shade, position, patch.full);
     take_light(patch.full, patch.plain);
@@ -308,8 +308,9 @@ void set_up(const Shade& shade, vec3 position, render::Patch patch, render::Patc
     out.push_back(std::move(patch));
 }
 
-/// What is behind the bevelled blocks of a face, and shows between them as joints where they are bare. In pieces, so that it is
-/// dark close by and lighter far off. Some way up behind blocks without a bevel as well.
+/// Adds the core behind the bevelled blocks of a face. It shows as joints between blocks that are drawn
+/// without bevels. It is made in pieces, dark nearby and lighter far away. It also reaches a little behind
+/// the blocks without a bevel above.
 void add_core(const Shade& shade, vec3 position, Face face, const Stonework& work, Cell behind,
               render::Patchwork& out) {
     if (behind.u0 >= behind.u1) return;
@@ -334,7 +335,8 @@ Cell around(const Cell& a, const Cell& b) {
     return {std::min(a.u0, b.u0), std::max(a.u1, b.u1), std::min(a.v0, b.v0), std::max(a.v1, b.v1)};
 }
 
-/// Neither at a vertex nor anywhere between does the sun arrive, nor a little beyond the edges.
+/// True if the sun reaches no vertex of the cell, no point between them, and no point slightly beyond the
+/// edges.
 bool is_sunless(const Shade& shade, vec3 position, const Face& face, const Cell& cell,
                 const render::Patch& patch) {
     const auto sunny = [](const render::Vertex& v) { return v.sun > 0; };
@@ -438,7 +440,7 @@ void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::Tri
                       render::Patchwork& out) {
     fvec3 half(0);
     for (const auto& v : solid.vertices) half = glm::max(half, glm::abs(fvec3(v)));
-    // The high edge is the one with vertices at the top.
+    // The high edge is the side with vertices at the top.
     float high = 1;
     for (const auto& v : solid.vertices) {
         if (static_cast<float>(v.y) > 0.9F * half.y) high = v.x > 0 ? 1.0F : -1.0F;
@@ -462,11 +464,11 @@ void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::Tri
     lay(out, shade, thing.position, slope, work);
 }
 
-// Decoration -----------------------------------------------------------------------------------------------------------
+// Decoration ------------------------------------------------------------------------------------------------
 
 namespace {
 
-/// One of four walls: where its foot's middle is, along it, and into the court.
+/// One of the four walls: the middle of its foot, the direction along it, and the direction into the arena.
 struct Wall {
     fvec3 middle, along, inwards;
 };
@@ -481,12 +483,12 @@ fvec3 half_along(const Wall& wall, float along, float up, float deep) {
     return glm::abs(wall.along) * along + fvec3(0, up, 0) + glm::abs(wall.inwards) * deep;
 }
 
-/// Turns what faces +z towards the court.
+/// Turns a mesh that faces +z towards the inside of the arena.
 fmat4 facing(const Wall& wall) {
     return render::rotated({0, 1, 0}, std::atan2(wall.inwards.x, wall.inwards.z));
 }
 
-/// Plain boxes: nobody comes so near that a bevel would show.
+/// Merlons are plain boxes, since no player comes near enough to see a bevel.
 void add_merlons(const Shade& shade, const Wall& wall, float half, float top, render::Patchwork& out) {
     for (float at = -half + 1; at < half; at += 2.5F) {
         const fvec3 place = wall.middle + at * wall.along + fvec3(0, top + 0.5F, 0) - 0.5F * wall.inwards;
@@ -495,7 +497,7 @@ void add_merlons(const Shade& shade, const Wall& wall, float half, float top, re
     }
 }
 
-/// A bevelled box.
+/// Adds a bevelled box.
 void add_ashlar(const Shade& shade, fvec3 place, fvec3 half, fvec3 paint, float bevel,
                 render::Patchwork& out) {
     set_up(shade, vec3(place),
@@ -513,7 +515,7 @@ void add_pilasters(const Shade& shade, const Wall& wall, float half, float top, 
     }
 }
 
-/// The banner of a team, with its mark, so that both ends of the court can be told apart.
+/// Adds a team's banner with its mark, so that the two ends of the arena look different.
 void add_banner(const Shade& shade, const Wall& wall, float at, std::uint32_t team, render::Patchwork& out) {
     const fvec3 cloth = team == 0 ? colour(0xB8481A) : colour(0x1E5FA8);
     const fvec3 light = team == 0 ? colour(0xFFC27A) : colour(0x9ED4FF);
@@ -528,7 +530,7 @@ void add_banner(const Shade& shade, const Wall& wall, float at, std::uint32_t te
     set_up(shade, vec3(place), {.full = render::transformed(std::move(banner), facing(wall))}, out);
 }
 
-/// In pieces, one above the other: of most towers the walls of the court hide most.
+/// Adds a tower in pieces, one above the other, because the arena's walls hide most of each tower.
 void add_tower(fvec3 foot, float radius, float height, render::Patchwork& out) {
     const fvec3 stone = colour(0x4E4466), roof = colour(0x3A2C58);
     const auto add = [&](std::span<const fvec2> profile, fvec3 paint) {

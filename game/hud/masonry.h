@@ -1,6 +1,7 @@
-// game/hud/masonry.h: slate and worn brick. A face of a big box is laid with bevelled blocks in running bond, each with a
-// shade of its own, and the light that never changes is baked into the vertices: corners that the sky does not reach,
-// depth, the lamps, and whether the low sun arrives (for pictures without a shadow map).
+// game/hud/masonry.h: walls of slate and worn brick with baked light. Bevelled blocks in running bond cover
+// each face of a large box, each block in its own shade. The vertices hold all constant light: the open share
+// of the sky, the lamps, the darker depth, and whether the low sun arrives. The last is for pictures without
+// a shadow map.
 #pragma once
 #include <vector>
 
@@ -10,47 +11,47 @@
 
 namespace thaum::game {
 
-/// What keeps light away: the boxes of the arena that never move.
+/// Blockers of light: the fixed boxes of the arena.
 struct Shade {
     std::vector<render::Block> blocks;
-    std::vector<fvec3> lamps;  ///< on the walls, m
-    fvec3 sun{};               ///< unit, towards it
-    double half{};             ///< m, of the court between its walls
-    double wall_top{};         ///< m
+    std::vector<fvec3> lamps;  ///< positions of the wall lamps (m)
+    fvec3 sun{};               ///< unit direction towards the sun
+    double half{};             ///< half the inner width of the arena (m)
+    double wall_top{};         ///< height of the walls (m)
 };
 Shade make_shade(const Arena& arena, fvec3 towards_sun);
 
-/// The light that never changes, as render::Vertex has it.
+/// Constant light at a vertex, in the form of render::Vertex.
 struct BakedLight {
     fvec3 lamps{};
     float open{};
     bool sunny{};
 };
-/// At a point with that unit normal; world frame.
+/// Constant light at a point with a unit normal (world frame).
 BakedLight baked_light(const Shade& shade, vec3 point, fvec3 normal);
 
-/// Whether nothing stands between the point and the sun.
+/// True if nothing stands between the point and the sun.
 bool sees_sun(const Shade& shade, vec3 point);
 
-/// The baked light of all vertices of a mesh that stands there.
+/// Bakes the light into all vertices of a mesh at `position`.
 void bake(const Shade& shade, vec3 position, render::MeshData& mesh);
 
-// Still stone in the world's frame; the first three are added to what is there already. A patch is a block, or a piece of
-// decoration.
+// The functions below make fixed stone in the world frame. The first three append to `out`. A patch is one
+// block or one piece of decoration.
 
-/// A box of masonry, lit as it stands in the arena. Faces that nobody can see are left out.
+/// Adds a box of masonry, lit at its place in the arena. Faces that no player can see are left out.
 void add_masonry_box(const Shade& shade, const Thing& thing, render::Patchwork& out);
 
-/// The sloping top of a ramp.
+/// Adds the sloping top of a ramp.
 void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::TriangleMesh& solid,
                       render::Patchwork& out);
 
-/// Merlons on the walls, pilasters and banners.
+/// Adds merlons on the walls, pilasters and banners.
 void add_decoration(const Shade& shade, render::Patchwork& out);
 
-/// The towers beyond; they are too far off to cast a shadow here.
+/// The towers outside the arena. They are too far away to cast a shadow into it.
 render::Patchwork skyline();
-/// What of both shines by itself.
+/// The self-lit parts of the lamps and the towers.
 render::Patchwork lamps(const Shade& shade);
 
 }  // namespace thaum::game

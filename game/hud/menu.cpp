@@ -21,13 +21,13 @@ const fvec4 quiet = colour(0xCABEDC, 0.9F);
 const fvec4 faint = colour(0x8F84A6, 0.9F);
 const fvec4 bright_gold = colour(0xFFD98A, 1.0F);
 
-/// em per character of the type face, on the wide side.
+/// Width of a wide character (em).
 constexpr float wide = 0.66F;
 constexpr std::size_t fewest_rows = 4;
 
-/// Everything in px. Rows from `first` are shown, `visible` of them.
+/// Positions and sizes of a menu (px). The rows shown are `visible` rows from `first` on.
 struct Layout {
-    float unit{};  ///< of 720 lines at 100 %
+    float unit{};  ///< length of a HUD unit; 1 px in a window of 720 lines at a text size of 100 %
     float title_top{}, line_top{}, seats_top{}, seats_height{};
     fvec2 rows_low{0};
     float row_width{}, row_height{};
@@ -35,7 +35,7 @@ struct Layout {
     float note_top{}, hint_top{}, width{};
 };
 
-/// Heights in units.
+/// Heights of the parts (units).
 constexpr float row_units = 27, title_units = 50, line_units = 34, seat_units = 62, foot_units = 50,
                 edge_units = 12;
 
@@ -55,7 +55,7 @@ Layout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
     const auto rows = menu.rows.size();
     Layout l;
     l.unit = std::max(least * static_cast<float>(text_scale), 0.2F);
-    // Large words leave few rows; below a handful of them the words give way.
+    // Large words leave few rows. If fewer than four rows fit, the words shrink.
     while (l.unit > least && rows_that_fit(menu, height, l.unit) < std::min(rows, fewest_rows))
         l.unit *= 0.95F;
     const float u = l.unit;
@@ -68,7 +68,7 @@ Layout lay_out(const MenuPicture& menu, render::Size size, double text_scale) {
     l.first = menu.cursor < l.visible / 2 ? 0 : std::min(menu.cursor - l.visible / 2, rows - l.visible);
     l.row_width = std::min(l.width, 700 * u);
     l.row_height = row_units * u;
-    // The rows stand low, so that what is behind them can be seen.
+    // The rows are low in the window, so that the scene behind them stays visible.
     const float head = head_units(menu) * u, foot = height - foot_units * u;
     const float spare = foot - head - static_cast<float>(l.visible) * l.row_height;
     l.rows_low = {(width - l.row_width) / 2, head + std::max(0.85F * spare, 0.0F)};
@@ -86,7 +86,7 @@ void add_fitted(Overlay& out, const std::string& words, fvec2 position, float si
                 Align align) {
     if (words.empty()) return;
     const float small = fitted(words, size, room);
-    // Smaller words stand on the same line.
+    // Shrunk words keep the line of full-size words.
     add_text(out, words, position + fvec2(0, 0.6F * (size - small)), small, paint, align);
 }
 
@@ -118,7 +118,7 @@ void add_seats(Overlay& out, const MenuPicture& menu, const Layout& l, float win
     }
 }
 
-/// The width of the part of a row that less and more each take at its right side.
+/// Width of each arrow's area at the right of a row (px).
 float arrow_width(const Layout& l) { return 30 * l.unit; }
 
 float value_width(const Layout& l) { return 0.5F * l.row_width; }
@@ -151,7 +151,7 @@ void add_row(Overlay& out, const MenuRow& row, bool chosen, const Layout& l, std
     add_arrow(out, {high.x - arrows / 2, y}, 5 * u, 1);
 }
 
-/// There is more above or below.
+/// Adds marks if more rows follow above or below.
 void add_scroll_marks(Overlay& out, const MenuPicture& menu, const Layout& l) {
     const float x = l.rows_low.x + l.row_width + 9 * l.unit, r = 6 * l.unit;
     const float bottom = l.rows_low.y + static_cast<float>(l.visible) * l.row_height;
@@ -199,17 +199,17 @@ void add_menu(Overlay& out, const MenuPicture& menu, render::Size size, double t
     add_fitted(out, menu.hint, {middle, l.hint_top}, 14 * u, l.width, quiet, Align::centre);
 }
 
-const render::Frame& make_court_frame(const Court& court, const Picture& picture, double angle,
+const render::Frame& make_arena_frame(const ArenaScene& arena_scene, const Picture& picture, double angle,
                                       const HudSettings& settings, render::Size size, FrameMemory& memory) {
     constexpr double radius = 15.5, height = 7.5;
     const vec3 eye{radius * std::sin(angle), height, radius * std::cos(angle)};
-    begin_frame(court, picture, settings, size, memory);
+    begin_frame(arena_scene, picture, settings, size, memory);
     auto& frame = memory.frame;
     memory.instances[0].clear();
     memory.lights[0].clear();
-    add_instances(court, picture, no_player, memory.instances[0]);
-    add_power_ups(court.power_ups, picture, eye, memory.instances[0]);
-    choose_lights(court, picture, eye, memory.lights[0]);
+    add_instances(arena_scene, picture, no_player, memory.instances[0]);
+    add_power_ups(arena_scene.power_ups, picture, eye, memory.instances[0]);
+    choose_lights(arena_scene, picture, eye, memory.lights[0]);
     render::Camera camera;
     camera.position = fvec3(eye);
     camera.orientation = fquat(look_rotation(angle, -0.36));
@@ -220,7 +220,7 @@ const render::Frame& make_court_frame(const Court& court, const Picture& picture
                     .viewport = {0, 0, size.width, size.height},
                     .instances = memory.instances[0],
                     .lights = memory.lights[0],
-                    .environment = court.environment,
+                    .environment = arena_scene.environment,
                     .shades = memory.shades,
                     .mists = memory.mists}};
     return frame;

@@ -1,4 +1,4 @@
-// What stands over the views: few things, large, in the corners of each half.
+// The HUD over the views: a few large things in the corners of each view.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -17,22 +17,23 @@ using render::Overlay;
 using render::Rect;
 
 constexpr float third_turn = 2.0943951F;
-constexpr float arc_start = -2.3561945F;  // the arc is open at the bottom
+constexpr float arc_start = -2.3561945F;  // start angle of the arc, which is open at the bottom (rad)
 constexpr float arc_sweep = 4.712389F;
 constexpr double low_health = 25;    // HP
-constexpr double hit_seconds = 0.3;  // the hit mark stands for so long after the last hit
+constexpr double hit_seconds = 0.3;  // time for which the hit mark is shown (s)
 constexpr double dry_seconds = 0.9;
 constexpr double gift_seconds = 2;
-constexpr float result_row = 23;  // units between lines of the result's table
+constexpr float result_row = 23;  // line spacing of the result table (units)
 
 const fvec4 panel = colour(0x140E22, 0.62F);
 const fvec4 track = colour(0x140E22, 0.75F);
 const fvec4 white = colour(0xF6F0FF, 1.0F);
 const fvec4 soft = colour(0xD8CCE8, 0.85F);
 const fvec4 red = colour(0xFF4A3A, 1.0F);
-const fvec4 light_red = colour(0xFFB0A0, 1.0F);  // words: red ones are hard to read before brick and dusk
+// Colour for red words, since pure red is hard to read on brick and dusk.
+const fvec4 light_red = colour(0xFFB0A0, 1.0F);
 
-/// A view, and how long a HUD's unit is in it, px.
+/// A view, and the length of a HUD unit in it (px).
 struct Corner {
     Rect view;
     float unit{};
@@ -68,7 +69,8 @@ void add_health(Overlay& out, const PlayerPicture& p, std::uint32_t team, const 
     add_mark(out, team, centre + fvec2(0, 27 * u), 7 * u);
 }
 
-/// A needle that fills from its grip to its tip: one triangle, and the empty end of it once more in the dark.
+/// Adds a needle that fills from its handle to its tip: one triangle, and the empty end over it in the dark
+/// colour.
 void add_needle(Overlay& out, fvec2 tail, float length, float width, double share, fvec4 full) {
     const float filled = std::clamp(static_cast<float>(share), 0.0F, 1.0F);
     const auto end_from = [&](float along, fvec4 paint) {
@@ -79,9 +81,9 @@ void add_needle(Overlay& out, fvec2 tail, float length, float width, double shar
     };
     end_from(0, filled > 0 ? full : track);
     if (filled > 0 && filled < 1) end_from(filled, opaque(fvec3(track)));
-    const fvec2 grip(0.05F * length, 0.3F * width);
-    out.items.emplace_back(
-        render::RectItem{tail - fvec2(2, 1) * grip, tail + fvec2(0, 1) * grip, full, 0.2F * width});
+    const fvec2 hand_state(0.05F * length, 0.3F * width);
+    out.items.emplace_back(render::RectItem{tail - fvec2(2, 1) * hand_state, tail + fvec2(0, 1) * hand_state,
+                                            full, 0.2F * width});
 }
 
 std::string capitalised(std::string_view name) {
@@ -129,7 +131,7 @@ void add_crosshair(Overlay& out, const PlayerPicture& p, const Corner& c) {
         add_text(out, "no energy", centre + fvec2(0, 22 * u), 14 * u, light_red, Align::centre);
 }
 
-/// Clockwise from ahead, rad.
+/// Direction of a vector in the player's view, clockwise from straight ahead (rad).
 float bearing(const PlayerPicture& p, vec3 towards) {
     const vec3 local = rotation({0, 1, 0}, -p.yaw) * towards;
     return static_cast<float>(std::atan2(local.x, -local.z));
@@ -142,7 +144,7 @@ void add_hurt_marks(Overlay& out, const PlayerPicture& p, const Corner& c) {
         const auto& mark = p.marks[i];
         const auto paint =
             opaque(fvec3(red), static_cast<float>(0.9 * std::max(0.0, 1 - mark.age_s / mark_seconds)));
-        // A fall comes from below; what has no direction is a mark there as well.
+        // A fall comes from below. A hurt without a direction is marked there as well.
         const bool known = glm::dot(mark.towards, mark.towards) > 0.5;
         const float angle = known ? bearing(p, mark.towards) : 1.5F * third_turn;
         out.items.emplace_back(render::ArcItem{centre, 58 * u, 66 * u, angle - 0.32F, 0.64F, paint});
@@ -154,10 +156,11 @@ std::string_view cause(EventKind how) {
     return index < causes.size() ? causes[index].name : "magic";
 }
 
-/// Large text in a small view: the corners reach the score, and what else is in them must make room.
+/// True if large text fills a small view. The corners then reach the score, and other things must make room.
 bool crowded(const Corner& c) { return static_cast<float>(c.view.width) < 530 * c.unit; }
 
-/// From the top of the view, in units: below the score where that is in the way.
+/// Distance of the kill feed from the top of the view (units). It is below the score if the score is in the
+/// way.
 float top_of_feed(const Corner& c) {
     if (!crowded(c)) return 12;
     const bool flat = static_cast<float>(c.view.height) < 200 * c.unit;  // one of two stacked views
@@ -188,7 +191,7 @@ void add_name(Overlay& out, std::uint32_t player, const Corner& c) {
     add_text(out, text("Player ", player + 1), left, 15 * u, opaque(team_colours(player).light), Align::left);
 }
 
-/// What was just picked up, for those who do not hear it.
+/// Shows what the player has just picked up, for players who do not hear it.
 void add_gift(Overlay& out, const PlayerPicture& p, const Corner& c) {
     if (p.since_gift_s > gift_seconds) return;
     const bool energy = p.gift == PowerUpKind::spark;
@@ -197,17 +200,18 @@ void add_gift(Overlay& out, const PlayerPicture& p, const Corner& c) {
              at(c.view, 0.5F, 0.76F) - fvec2(0, 25 * c.unit), 18 * c.unit, white, Align::centre);
 }
 
-/// Of the widest type.
+/// Width of a wide character (em).
 constexpr float em_per_character = 0.6F;
 
-/// As large as `size`, or as the view is wide.
+/// Font size: `size`, or less if the words are wider than the view.
 float size_that_fits(std::string_view words, float size, const Rect& view) {
     constexpr float most_of_view = 0.94F;
     const float em = em_per_character * static_cast<float>(words.size());
     return std::min(size, most_of_view * static_cast<float>(view.width) / std::max(em, 1.0F));
 }
 
-/// What is in the brew, how far it is mixed, whose it is, and how long it keeps: "ember and salt, mixed 57 %, yours, 12 s".
+/// The state of the brew in words: ingredients, mixing, owner and time left. Example: "ember and salt, mixed
+/// 57 %, yours, 12 s".
 std::string words_of_brew(const CauldronPicture& cauldron, std::uint32_t player) {
     std::string words;
     for (const auto name : cauldron.contents) {
@@ -243,7 +247,7 @@ void add_veil(Overlay& out, const Rect& r, fvec4 paint) {
     out.items.emplace_back(render::RectItem{at(r, 0, 0), at(r, 1, 1), paint, 0});
 }
 
-/// The last two seconds of what the hand felt, newest at the right.
+/// Plots the force on the hand over the last two seconds, the newest at the right.
 void add_force_plot(Overlay& out, const ForcePicture& force, const Corner& c) {
     const float u = c.unit;
     const float column = 1.4F * u, high = 46 * u;
@@ -268,8 +272,8 @@ void add_force_plot(Overlay& out, const ForcePicture& force, const Corner& c) {
              low - fvec2(0, high + 17 * u), 12 * u, white, Align::left);
 }
 
-/// What a player is told of the device in hand, real or simulated; empty where there is nothing to say. told: its driver says
-/// what is wrong with it.
+/// Message about the player's device, real or simulated; empty if there is none. `told`: the driver has
+/// reported the fault itself.
 std::string_view caption_of(const ForcePicture& force, bool told) {
     using haptics::SafetyCause;
     switch (force.arm) {
@@ -295,7 +299,7 @@ std::string_view caption_of(const ForcePicture& force, bool told) {
     return {};
 }
 
-/// Words on a panel that is as wide as they are, by the widest type; long ones shrink until the window holds them.
+/// Adds words on a panel of their width. Long words shrink until they fit the window.
 void add_line(Overlay& out, const std::string& words, fvec2 top, float size, fvec4 paint,
               const Rect& window) {
     size = size_that_fits(words, size, window);
@@ -306,7 +310,7 @@ void add_line(Overlay& out, const std::string& words, fvec2 top, float size, fve
     add_text(out, words, top, size, paint, Align::centre);
 }
 
-/// The driver's words above our own.
+/// Adds the driver's message above the game's own.
 void add_caption(Overlay& out, const PlayerPicture& p, const std::string& device_says, const Corner& c) {
     const fvec2 place = at(c.view, 0.5F, 0.82F);
     const float size = 15 * c.unit;
@@ -355,7 +359,7 @@ std::string goal_line(const Picture& picture) {
     return picture.rounds > 1 ? text(rounds_line(picture), ", ", goal) : goal;
 }
 
-/// Score and clock, between the halves.
+/// Adds score and clock between the halves.
 void add_score(Overlay& out, const Picture& picture, fvec2 middle, float u) {
     out.items.emplace_back(render::RectItem{middle - u * fvec2(96, 27), middle + u * fvec2(96, 27),
                                             colour(0x140E22, 0.8F), 12 * u});
@@ -370,7 +374,7 @@ void add_score(Overlay& out, const Picture& picture, fvec2 middle, float u) {
     add_text(out, goal_line(picture), middle + u * fvec2(0, 7), 11 * u, soft, Align::centre);
 }
 
-/// What one has done, and to whom.
+/// Adds the score of the practice range and the state of the dummy.
 void add_practice(Overlay& out, const PracticePicture& practice, fvec2 middle, const Rect& window, float u) {
     add_line(out, practice.score, middle + u * fvec2(0, -22), 17 * u, white, window);
     add_line(out, practice.dummy, middle + u * fvec2(0, 8), 13 * u, soft, window);
@@ -387,7 +391,7 @@ struct Announcement {
     fvec4 paint{white};
 };
 
-/// A panel in the middle of the window, `tall` units high.
+/// Adds a panel in the middle of the window, `tall` units high.
 void add_panel(Overlay& out, const Announcement& a, float wide, float tall, const Rect& window, float u) {
     add_veil(out, window, colour(0x0C0616, 0.6F));
     const fvec2 middle = at(window, 0.5F, 0.5F);
@@ -403,39 +407,40 @@ void announce(Overlay& out, const Announcement& a, const Rect& window, float u) 
     add_panel(out, a, 460, 156, window, u);
 }
 
-// Of the table of deeds, units: where a side begins beside the middle, and how large its words are.
-constexpr float deeds_aside = 42, deeds_size = 15;
+// The match statistics table: distance of a side from the middle, and size of its words (units).
+constexpr float match_stats_aside = 42, match_stats_size = 15;
 
-/// Units, of a panel that holds the longest words.
+/// Width of a panel that holds the longest words (units).
 float width_of(const std::vector<ResultRow>& rows) {
     std::size_t longest = 0;
     for (const auto& row : rows)
         for (const auto& words : row.words) longest = std::max(longest, words.size());
-    return 2 * (deeds_aside + em_per_character * deeds_size * static_cast<float>(longest) + 16);
+    return 2 * (match_stats_aside + em_per_character * match_stats_size * static_cast<float>(longest) + 16);
 }
 
-/// Who hit whom with what: one line for each cause, a side for each player.
-void add_deeds(Overlay& out, const std::vector<ResultRow>& rows, fvec2 top, float u) {
+/// Adds the hits of both players: one line for each cause, one side for each player.
+void add_match_stats(Overlay& out, const std::vector<ResultRow>& rows, fvec2 top, float u) {
     const std::array<Align, players> aligned{Align::right, Align::left};
     for (std::uint32_t player = 0; player < players; ++player) {
-        const float side = player == 0 ? -deeds_aside : deeds_aside;
+        const float side = player == 0 ? -match_stats_aside : match_stats_aside;
         const auto paint = opaque(team_colours(player).light);
         add_text(out, std::string(team_name(player)), top + u * fvec2(side, 0), 17 * u, paint,
                  aligned[player]);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const float y = result_row * static_cast<float>(i + 1);
             const auto& words = rows[i].words[player];
-            add_text(out, words.empty() ? "\u2014" : words, top + u * fvec2(side, y), deeds_size * u, white,
-                     aligned[player]);
+            add_text(out, words.empty() ? "\u2014" : words, top + u * fvec2(side, y), match_stats_size * u,
+                     white, aligned[player]);
         }
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const float y = result_row * static_cast<float>(i + 1);
-        add_text(out, std::string(rows[i].cause), top + u * fvec2(0, y), deeds_size * u, soft, Align::centre);
+        add_text(out, std::string(rows[i].cause), top + u * fvec2(0, y), match_stats_size * u, soft,
+                 Align::centre);
     }
 }
 
-/// Of a replay; a match has a menu.
+/// The pause panel of a replay. A match has a menu instead.
 Announcement pause_of(const Picture& picture) {
     const bool known = picture.paused_by < players;
     return {"Paused", known ? text("by player ", picture.paused_by + 1) : std::string(), "Esc: leave"};
@@ -468,19 +473,19 @@ Announcement result_of(const Picture& picture, bool can_play_again) {
 }
 
 void add_result(Overlay& out, const Picture& picture, bool can_play_again, const Rect& window, float u) {
-    const auto rows = result_rows(picture.deeds);
+    const auto rows = result_rows(picture.match_stats);
     const float table = rows.empty() ? 0 : result_row * static_cast<float>(rows.size() + 1) + 14;
     const float tall = 156 + table, wide = rows.empty() ? 460 : std::max(640.0F, width_of(rows));
     u = std::min({u, 0.96F * static_cast<float>(window.width) / wide,
                   0.96F * static_cast<float>(window.height) / tall});
     add_panel(out, result_of(picture, can_play_again), wide, tall, window, u);
-    if (!rows.empty()) add_deeds(out, rows, at(window, 0.5F, 0.5F) + u * fvec2(0, 100 - tall / 2), u);
+    if (!rows.empty()) add_match_stats(out, rows, at(window, 0.5F, 0.5F) + u * fvec2(0, 100 - tall / 2), u);
 }
 
 float unit_of(const Rect& view, const Rect& window, double text_scale) {
     const bool alone = view.width == window.width && view.height == window.height;
     const float high = static_cast<float>(window.height) / 720 * (alone ? 1.35F : 1.05F);
-    const float wide = static_cast<float>(view.width) / 420;  // so that the corners never meet
+    const float wide = static_cast<float>(view.width) / 420;  // keeps the corners apart
     return std::clamp(std::min(wide, high), 0.4F, 6.0F) * static_cast<float>(text_scale);
 }
 

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double feed_seconds = 5;
 constexpr double long_ago = 1e6;
-/// Nothing that moves by itself is faster, m/s.
+/// Upper bound on the speed of anything that moves by itself (m/s).
 constexpr double fastest = 60;
 
-/// Events count in ticks of play.
+/// Age of an event. Events are dated in ticks of play.
 double age(const Match& match, Tick at) { return match.played >= at ? seconds(match.played - at) : 0; }
 
 ThingPicture thing_of(ecs::Entity e, const Motion& motion, const Look& look, const Body* body,
@@ -74,14 +74,16 @@ void take_held(const Simulation& match, ecs::Entity wizard, const WandBelt& belt
         out.held = wand->kind->held_at(match.world(), wizard);
 }
 
-void take_force(const Simulation& match, std::uint32_t player, const Grip& grip, ForcePicture& out) {
+void take_force(const Simulation& match, std::uint32_t player, const HandState& hand_state,
+                ForcePicture& out) {
     const auto& trace = match.felt(player);
     out.arm = arm_condition(match.world(), player);
-    out.cause = static_cast<haptics::SafetyCause>(grip.servo.safety.cause);
+    out.cause = static_cast<haptics::SafetyCause>(hand_state.servo.safety.cause);
     out.cap = match.touch().servos[player].limits.cap;
-    out.now = grip.servo.safety.output;
-    out.created = grip.servo.energy.most_created;
-    // Whole columns, so that they move on and do not change. The ring's oldest is where the newest fills.
+    out.now = hand_state.servo.safety.output;
+    out.created = hand_state.servo.energy.most_created;
+    // The plot shows whole columns, so that a shown column never changes. The ring's oldest column is being
+    // overwritten, so it is skipped.
     const auto fills = match.match().played / force_column;
     for (std::size_t i = 0; i < out.strongest.size(); ++i) {
         const auto* from = &trace[(fills + 1 + i) * force_column % trace.size()];
@@ -111,10 +113,10 @@ void take_wizards(const Simulation& match, Picture& out) {
     const auto& rules = match.data().wizard;
     const auto& state = match.match();
     match.world()
-        .view<const Wizard, const Motion, const Gaze, const Health, const WandBelt, const Grip, const Score,
-              ecs::Maybe<const Dead>>()
+        .view<const Wizard, const Motion, const Gaze, const Health, const WandBelt, const HandState,
+              const Score, ecs::Maybe<const Dead>>()
         .each([&](ecs::Entity e, const Wizard& wizard, const Motion& motion, const Gaze& gaze,
-                  const Health& health, const WandBelt& belt, const Grip& grip, const Score& score,
+                  const Health& health, const WandBelt& belt, const HandState& hand_state, const Score& score,
                   const Dead* dead) {
             auto& p = out.wizards[wizard.player];
             p = {};
@@ -135,9 +137,9 @@ void take_wizards(const Simulation& match, Picture& out) {
                 p.returns_in_s = seconds(dead->returns_at - state.played);
             take_belt(match, e, belt, p);
             if (!p.dead) take_held(match, e, belt, p);
-            p.wand_reach = wand_tip_of(match.touch().wand_per_hand[wizard.player], grip) - wand_tip;
+            p.wand_reach = wand_tip_of(match.touch().wand_per_hand[wizard.player], hand_state) - wand_tip;
             p.wand_turn = stylus_turn(match.world(), wizard.player);
-            take_force(match, wizard.player, grip, p.force);
+            take_force(match, wizard.player, hand_state, p.force);
             take_brewing(match, e, motion, p);
         });
 }
@@ -150,7 +152,7 @@ vec3 direction(vec3 from, vec3 to) {
     return length > 1e-6 ? d / length : vec3(0);
 }
 
-/// From where it came: from whoever did it, else from where it struck.
+/// Direction of a hurt: towards the player who caused it, or else towards the place of the event.
 HurtMark mark_of(const Picture& picture, const Event& event, double age_s) {
     const auto& victim = picture.wizards[event.subject];
     HurtMark mark{.age_s = age_s, .how = event.kind};
@@ -188,13 +190,13 @@ void note(const Event& event, double age_s, Picture& out) {
         out.feed[out.feed_lines++] = {age_s, event.subject, event.by, static_cast<EventKind>(event.detail)};
 }
 
-/// The newest first, so that the oldest are left out where there is no room.
+/// Takes the newest events first, so that a full list leaves out the oldest.
 void take_events(const Simulation& match, Picture& out) {
-    const auto& chronicle = match.world().single<Chronicle>();
-    const auto size = chronicle.events.size();
+    const auto& event_log = match.world().single<EventLog>();
+    const auto size = event_log.events.size();
     out.feed_lines = out.burst_count = 0;
-    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(chronicle.count, size); ++i) {
-        const auto& event = chronicle.events[(chronicle.count - 1 - i) % size];
+    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(event_log.count, size); ++i) {
+        const auto& event = event_log.events[(event_log.count - 1 - i) % size];
         note(event, age(match.match(), event.tick), out);
     }
     std::reverse(out.feed.begin(), out.feed.begin() + out.feed_lines);
@@ -215,7 +217,7 @@ void take_round(const Simulation& match, Picture& out) {
     out.rounds = rules.rounds;
     out.rounds_won = m.rounds_won;
     out.next_round_in_s = m.phase == Phase::between ? seconds(rules.interval - m.waited) : 0;
-    out.deeds = match.world().single<Chronicle>().deeds;
+    out.match_stats = match.world().single<EventLog>().match_stats;
     out.paused = m.paused != 0;
     out.paused_by = m.paused_by;
     out.skipped = m.skipped;
@@ -223,11 +225,11 @@ void take_round(const Simulation& match, Picture& out) {
 }
 
 bool jumped(vec3 from, vec3 to, double dt) {
-    // 1 m more, for what is pushed out of something else at once.
+    // The extra 1 m allows for a body that the solver pushes out of an overlap at once.
     return !(glm::length(to - from) <= 1 + fastest * dt);
 }
 
-/// Across the seam at +-pi the short way.
+/// Interpolates an angle the short way across +-pi.
 double turned(double from, double to, double alpha) {
     return from + alpha * std::remainder(to - from, 2 * pi);
 }
@@ -277,7 +279,7 @@ void interpolate(const Picture& from, const Picture& to, double alpha, Picture& 
     const double dt = seconds(to.tick - from.tick);
     for (std::size_t i = 0; i < out.things.size(); ++i) {
         auto& thing = out.things[i];
-        // Tables keep their order from one moment to the next, but for what came or went.
+        // Tables keep their order between pictures, except for rows that were added or removed.
         const auto same = [&](const ThingPicture& t) { return t.entity == thing.entity; };
         const auto found = i < from.things.size() && same(from.things[i])
                                ? from.things.begin() + static_cast<std::ptrdiff_t>(i)

@@ -1,5 +1,6 @@
-// game/hud/picture.h: all that one moment of a match looks like, copied out of the Simulation as plain data, so that the
-// match goes on while another thread draws. Taking a picture into the same Picture again allocates nothing.
+// game/hud/picture.h: everything visible at one moment of a match, copied from the Simulation as plain data.
+// The match can then go on while another thread draws. Taking a picture into the same Picture again allocates
+// nothing.
 #pragma once
 #include <array>
 #include <optional>
@@ -14,22 +15,22 @@
 
 namespace thaum::game {
 
-/// Things of equal shape and surface look the same.
+/// Things with equal keys look the same.
 struct ShapeKey {
     Surface surface{};
     physics::Shape shape{};
-    std::uint32_t mesh{};  ///< index in Arena::meshes, of Shape::mesh
-    vec3 size{};           ///< as physics::BodyDesc::size
+    std::uint32_t mesh{};  ///< index in Arena::meshes, for Shape::mesh
+    vec3 size{};           ///< size, defined like physics::BodyDesc::size
     bool operator==(const ShapeKey&) const = default;
 };
 
 struct ThingPicture {
     std::uint32_t entity{};
     ShapeKey key{};
-    bool fixed{};  ///< never moves
+    bool fixed{};  ///< true for a thing that never moves
     vec3 position{};
     quat orientation{1, 0, 0, 0};
-    std::uint32_t team{no_player};  ///< of a pad: who starts there
+    std::uint32_t team{no_player};  ///< for a start pad: the team that starts there
 };
 
 struct MissilePicture {
@@ -38,83 +39,84 @@ struct MissilePicture {
     vec3 position{};
     vec3 velocity{};
     MissileLook look{};
-    double size{};  ///< m, radius of what is round
+    double size{};  ///< radius of a round missile (m)
 };
 
-/// How long a burst is seen.
+/// Time for which a burst is shown.
 inline constexpr double burst_seconds = 0.4;
 
 struct BurstPicture {
     double age_s{};
-    std::uint32_t player{};  ///< whose shot it was
+    std::uint32_t player{};  ///< player who fired the shot
     vec3 place{};
-    double radius{};  ///< m, how far it reaches
+    double radius{};  ///< final radius of the burst (m)
 };
 
-/// Something to be picked up, or the place where it will be.
+/// A place with an ingredient, or one that waits for its ingredient to return.
 struct NichePicture {
-    vec3 position{};  ///< on the ground
-    fvec3 colour{};   ///< linear, of what is found there
+    vec3 position{};  ///< position on the ground
+    fvec3 colour{};   ///< colour of the ingredient, linear light
     bool there{};
 };
 
 struct PowerUpPicture {
     PowerUpKind kind{};
-    vec3 position{};    ///< on the ground
-    double returned{};  ///< 1: there; less: the share of its absence that is over
+    vec3 position{};    ///< position on the ground
+    double returned{};  ///< 1: present; below 1: elapsed share of the absence
 };
 
-/// How long a mark shows where a hurt came from.
+/// Time for which a mark shows the direction of a hurt.
 inline constexpr double mark_seconds = 1.2;
 
-/// Something that hurt a player a short time ago.
+/// A recent hurt of a player.
 struct HurtMark {
     double age_s{};
     EventKind how{};
-    vec3 towards{};  ///< unit, world: from the victim to where it came from; zero where that is unknown
+    vec3 towards{};  ///< unit vector from the victim to the source (world); zero if unknown
 };
 
-/// Ticks whose strongest force is one column of the plot.
+/// Ticks in one column of the force plot, which shows the strongest force among them.
 inline constexpr std::size_t force_column = 16;
 
-/// What a player's hand has felt.
+/// Force on a player's hand and the state of the device.
 struct ForcePicture {
-    ArmCondition arm{};            ///< of a real one
-    haptics::SafetyCause cause{};  ///< why it feels less than it should
-    double cap{};                  ///< N, the most it can feel
-    vec3 now{};                    ///< N, in the frame of the eye
-    double created{};              ///< J, the most that passive sources ever gave more than they got
-    /// N, the strongest of each column, the oldest first; without the one that still fills.
+    ArmCondition arm{};            ///< condition of a real device
+    haptics::SafetyCause cause{};  ///< reason for a reduced force
+    double cap{};                  ///< limit of the force (N)
+    vec3 now{};                    ///< present force (N, device frame, drawn in the eye frame)
+    double created{};              ///< largest net energy that passive sources have given (J)
+    /// Strongest force of each complete column, the oldest first (N).
     std::array<float, std::tuple_size_v<ForceTrace> / force_column - 1> strongest{};
 };
 
 struct PlayerPicture {
-    vec3 centre{};  ///< of the body, m
-    vec3 eye{};     ///< m
+    vec3 centre{};  ///< middle of the body (m)
+    vec3 eye{};     ///< eye position (m)
     double yaw{}, pitch{};
     bool dead{}, shielded{};
-    std::uint32_t lives{};  ///< counts deaths; one more or less is a teleport
+    std::uint32_t lives{};  ///< number of deaths; a change marks a teleport
 
     double health{}, health_full{}, health_cap{};  ///< HP
-    std::string_view wand;                         ///< kind in hand; empty: none
-    Silhouette silhouette{};                       ///< of it
+    std::string_view wand;                         ///< kind of the wand in hand; empty: none
+    Silhouette silhouette{};                       ///< silhouette of the wand in hand
     double energy{}, energy_cap{};
-    double readiness{};  ///< 0 to 1, how far the wand is charged or drawn
+    double readiness{};  ///< charge or draw of the wand, 0 to 1
     std::int32_t kills{}, deaths{};
-    double returns_in_s{};  ///< while dead
-    double since_hit_s{};   ///< since this player last hurt the other
-    double since_dry_s{};   ///< since the wand last had too little energy
-    double since_gift_s{};  ///< since this player last picked something up
+    double returns_in_s{};  ///< time until the wizard returns, if dead
+    double since_hit_s{};   ///< time since this player last hurt the other
+    double since_dry_s{};   ///< time since the wand last had too little energy
+    double since_gift_s{};  ///< time since this player last picked up a power-up
     PowerUpKind gift{};
-    double gift_amount{};        ///< HP or energy
-    std::string_view carries{};  ///< the ingredient; empty: none
-    bool stirs{};                ///< the ladle in hand
-    bool at_rim{};               ///< could stir
-    vec3 wand_turn{};            ///< rad, axis times angle, likewise: how the stylus turns it about its tip
-    vec3 wand_reach{};           ///< m, in the frame of the eye: how far the hand has moved the wand's tip
-    std::optional<vec3> held{};  ///< m: what the wand holds or hangs on
+    double gift_amount{};        ///< HP or energy gained
+    std::string_view carries{};  ///< name of the carried ingredient; empty: none
+    bool stirs{};                ///< true if the player holds a ladle
+    bool at_rim{};               ///< true if the player can start to stir
+    /// Rotation of the wand about its tip by the stylus: axis times angle (rad, eye frame).
+    vec3 wand_turn{};
+    vec3 wand_reach{};           ///< displacement of the wand's tip by the hand (m, eye frame)
+    std::optional<vec3> held{};  ///< place that the wand holds or hangs on (m, world)
     ForcePicture force{};
-    std::uint32_t hurts{};  ///< of `marks`
+    std::uint32_t hurts{};  ///< number of entries in `marks`
     std::array<HurtMark, 6> marks{};
 };
 
@@ -125,13 +127,13 @@ struct FeedLine {
     EventKind how{};
 };
 
-/// Of the range, instead of score and clock; filled by the session.
+/// The display of the practice range, in place of score and clock. The session fills it in.
 struct PracticePicture {
     bool on = false;
-    std::string score, dummy;  ///< ready to be shown
+    std::string score, dummy;  ///< texts ready to be shown
 };
 
-/// One line for whoever plays; filled by the session.
+/// One line of text for the players. The session fills it in.
 struct Caption {
     std::string words;
     bool fault = false;
@@ -139,7 +141,7 @@ struct Caption {
 
 struct Picture {
     Tick tick{};            ///< Simulation::now
-    std::int64_t due_ns{};  ///< the wall clock's time of that tick; filled by the session
+    std::int64_t due_ns{};  ///< wall-clock time of that tick; filled in by the session
     std::vector<ThingPicture> things;
     std::vector<MissilePicture> missiles;
     std::vector<PowerUpPicture> power_ups;
@@ -150,33 +152,34 @@ struct Picture {
     double played_s{}, left_s{};
     Phase phase{};
     Ending ending{};
-    std::uint32_t winner{no_player};        ///< of the round that has ended
-    std::uint32_t match_winner{no_player};  ///< who has won more rounds
-    std::uint32_t round{}, rounds{};        ///< the first is 0; at most so many
+    std::uint32_t winner{no_player};        ///< winner of the round that has ended
+    std::uint32_t match_winner{no_player};  ///< player with more rounds won
+    std::uint32_t round{}, rounds{};        ///< index of the round, from 0, and the most rounds of a match
     std::array<std::uint32_t, players> rounds_won{};
     double next_round_in_s{};
-    DeedsOfAll deeds{};
+    AllMatchStats match_stats{};
     bool paused{};
     std::uint32_t paused_by{no_player};
     std::int32_t kills_to_win{};
-    std::uint32_t feed_lines{};  ///< of `feed`, the oldest first
+    std::uint32_t feed_lines{};  ///< number of entries in `feed`, the oldest first
     std::array<FeedLine, 4> feed{};
-    std::uint32_t burst_count{};  ///< of `bursts`, the newest first
+    std::uint32_t burst_count{};  ///< number of entries in `bursts`, the newest first
     std::array<BurstPicture, 8> bursts{};
-    std::uint32_t skipped{};  ///< samples left out so far
-    std::uint32_t mark{};     ///< number of a mark made just now; 0: none; filled by the session
-    bool overloaded{};        ///< samples were left out just now; filled by the session
+    std::uint32_t skipped{};  ///< number of samples left out so far
+    std::uint32_t mark{};     ///< number of a mark set just now; 0: none; filled in by the session
+    bool overloaded{};        ///< samples were left out just now; filled in by the session
     PracticePicture practice{};
     Caption caption{};
 };
 
-/// Memory for a busy match, so that no later picture needs more.
+/// Makes a Picture with memory for a busy match, so that later pictures need no more.
 Picture make_picture();
 
 void take_picture(const Simulation& match, Picture& out);
 
-/// What lies between two pictures, `alpha` in [0, 1] from the first to the second. What was not in both, or moved
-/// farther than anything can (a resurrection), stands where the second one has it. Everything else is the second's.
+/// Interpolates between two pictures, `alpha` in [0, 1]. Anything that is not in both, or that moved farther
+/// than anything can (a respawn), has its place from `to`. All values that are not interpolated come from
+/// `to`.
 void interpolate(const Picture& from, const Picture& to, double alpha, Picture& out);
 
 }  // namespace thaum::game

@@ -12,7 +12,7 @@ using render::rotated;
 using render::scaled;
 using render::translated;
 
-constexpr float height = 0.85F;  // m above the ground
+constexpr float height = 0.85F;  // height above the ground (m)
 constexpr float ring_radius = 0.5F;
 constexpr float half_turn = 3.1415927F;
 
@@ -54,7 +54,7 @@ MeshData star(fvec3 paint) {
 }
 
 MeshData ring(fvec3 paint) {
-    // Nobody sees it from below.
+    // The bottom is left out, since no player sees it.
     const std::array<fvec2, 4> profile{
         fvec2{ring_radius, 0}, {ring_radius, 0.03F}, {0.9F * ring_radius, 0.03F}, {0.9F * ring_radius, 0}};
     return render::revolve(profile, 24, paint);

@@ -1,6 +1,6 @@
-// game/hud/powerups.h: what lies in the court to be picked up. Each kind has a shape of its own, told by its outline alone
-// and turned to whoever looks: a bottle, a heart, a star with four points. They stand still; below each a ring on the ground
-// stays when it has been taken, and fills up until it is back.
+// game/hud/powerups.h: the power-ups in the arena. Each kind has its own outline, always turned to the
+// viewer: a bottle, a heart, a star with four points. They do not move. The ring on the ground below stays
+// after a pick-up and fills until the power-up returns.
 #pragma once
 #include <array>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace thaum::game {
 
-/// Centred, in m; its front looks along +z.
+/// A mesh centred at the origin with its front along +z (m).
 render::MeshData power_up_mesh(PowerUpKind kind);
 
 struct PowerUpMeshes {
@@ -20,7 +20,7 @@ struct PowerUpMeshes {
     std::array<Kind, power_up_names.size()> kinds{};
 };
 
-/// The renderer's context must be current.
+/// Uploads the meshes. The renderer's context must be current.
 PowerUpMeshes make_power_up_meshes(render::Renderer& renderer);
 
 void add_power_ups(const PowerUpMeshes& meshes, const Picture& picture, vec3 eye,

@@ -12,9 +12,10 @@
 namespace thaum::game {
 namespace {
 
-constexpr double gravity_most = 100;    // m/s^2
-constexpr double ladle_speed_most = 8;  // m/s; a mouse can be anywhere at once
-constexpr double pour_radius = 0.25;    // m
+constexpr double gravity_most = 100;  // largest gravity (m/s^2)
+// largest speed of the ladle (m/s); the mouse may jump any distance in a step
+constexpr double ladle_speed_most = 8;
+constexpr double pour_radius = 0.25;  // radius of the poured cloud (m)
 
 Expected<void> check(const LabSettings& s) {
     if (std::ranges::find(lab_cells, s.cells) == lab_cells.end())
@@ -24,7 +25,7 @@ Expected<void> check(const LabSettings& s) {
     return {};
 }
 
-/// What a fluid that goes on takes.
+/// Copies the numbers that a running fluid can take over.
 void put_numbers(const LabSettings& from, fluid::Settings& to) {
     to.viscosity = from.viscosity;
     to.gravity = {0, -from.gravity, 0};
@@ -32,7 +33,7 @@ void put_numbers(const LabSettings& from, fluid::Settings& to) {
     for (const Ingredient& i : from.substances) to.substances.push_back(i.substance);
 }
 
-/// Pure and at rest: the match's brew in another grid, and what the lab sets beyond.
+/// Brew at rest without ingredients: the match's brew in the lab's grid and with the lab's settings.
 Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
     rules.cells_across = settings.cells;
     rules.solver = settings.solver;
@@ -53,13 +54,14 @@ Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
     return brew;
 }
 
-/// Which need no other grid, tables or walls.
+/// Tests whether two settings share the grid, tables and walls.
 bool same_grid(const LabSettings& a, const LabSettings& b) {
     return a.solver == b.solver && a.cells == b.cells && a.order == b.order && a.bowl == b.bowl &&
            a.no_slip == b.no_slip && a.room == b.room && a.substances.size() == b.substances.size();
 }
 
-/// Momentum by the drag of its motion against the flow, N of which are returned; at most what makes the flow at its place as fast as it is itself.
+/// Pushes the fluid by the drag of the ladle's motion against the flow, and returns the force (N). The push
+/// makes the flow at the ladle at most as fast as the ladle.
 double stir(LabState& lab, vec3 to) {
     const vec3 from = lab.ladle.value_or(to);
     const vec3 speed = limited((to - from) / lab_dt, ladle_speed_most);
@@ -76,7 +78,7 @@ bool is_wet(const LabState& lab, vec3 place) {
     return is_finite(place) && place.y < fluid::height_at(lab.brew.sheet, {place.x, place.z});
 }
 
-/// N, of the brew on it.
+/// Moves the ladle and returns the force of the brew on it (N).
 double take_ladle(LabState& lab, const std::optional<vec3>& ladle) {
     const double force = ladle && is_wet(lab, *ladle) ? stir(lab, *ladle) : 0;
     lab.ladle = ladle && is_finite(*ladle) ? ladle : std::nullopt;
@@ -97,7 +99,7 @@ fluid::SheetStep step_surface(LabState& lab) {
     return fluid::advance(lab.brew.sheet, lab.brew.scratch, probes, lab_dt);
 }
 
-/// f's result and us.
+/// Returns f's result and writes the computing time (us).
 template <class F>
 auto timed(F&& f, double& us) {
     const auto start = monotonic_ns();
@@ -153,7 +155,7 @@ Expected<void> change_lab(LabState& lab, const LabSettings& settings) {
         put_numbers(settings, wanted);
         if (auto sound = fluid::check(wanted); !sound) return sound;
         fluid.settings = wanted;
-        fluid::altered(fluid);  // what rested may be lighter now
+        fluid::altered(fluid);  // fluid that was at rest may have become lighter and must move
     } else {
         auto brew = brew_of(lab.rules, settings);
         if (!brew) return tl::unexpected(brew.error());

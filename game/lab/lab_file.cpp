@@ -9,7 +9,7 @@
 namespace thaum::game {
 namespace {
 
-constexpr std::size_t lab_file_most = 256U << 20U;  // bytes; 64 cells across have 5 million
+constexpr std::size_t lab_file_most = 256U << 20U;  // most bytes; 64 cells across need 5 million
 constexpr std::size_t name_most = 32;
 constexpr std::uint32_t kept_version = 1;
 constexpr std::int64_t steps_most = std::int64_t{1} << 40;
@@ -21,7 +21,7 @@ void each_number(Room& room, F&& f) {
 
 bool has_solids(const LabSettings& s) { return s.bowl && s.solver == fluid::Solver::thaum; }
 
-/// The bowl in a grid: where the walls are follows from both.
+/// Walls of the fluid's grid; the bowl and the grid determine them.
 fluid::Shape shape_of(const LabSettings& settings) {
     if (!has_solids(settings)) return {};
     fluid::Shape shape{.name = "bowl"};
@@ -41,7 +41,7 @@ Expected<void> check(const LabBowl& room) {
 }
 
 Expected<std::function<double(vec3)>> solid_of(const fluid::Shape& shape, CauldronRules rules) {
-    if (shape.name != "bowl" || shape.numbers.size() != 5) return fail("its solids are no bowl");
+    if (shape.name != "bowl" || shape.numbers.size() != 5) return fail("its solids do not form a bowl");
     LabBowl room;
     std::size_t next = 0;
     each_number(room, [&](double& number) { number = shape.numbers[next++]; });
@@ -49,13 +49,13 @@ Expected<std::function<double(vec3)>> solid_of(const fluid::Shape& shape, Cauldr
     const bool known = std::ranges::any_of(lab_cells, [&](int n) { return n == shape.numbers[next]; });
     if (!known) return fail("its bowl has a number of cells that the lab has not");
     rules.cells_across = static_cast<int>(shape.numbers[next]);
-    rules.solver = fluid::Solver::classic;  // whose tables are the cheapest
+    rules.solver = fluid::Solver::classic;  // the solver with the cheapest tables
     auto brew = make_brew(rules, basin_of(room.size, room.filled));
     if (!brew) return tl::unexpected(brew.error());
     return brew->fluid.settings.solid;
 }
 
-// ---- what the lab keeps beside fluid and surface ---------------------------------------------------------------------
+// ---- parts of the lab besides fluid and surface -----------------------------------------------------------
 
 Bytes kept_of(const LabState& lab) {
     Bytes bytes;
@@ -91,11 +91,12 @@ Expected<Ingredient> get_ingredient(ByteReader& in, const fluid::Substance& subs
     return result;
 }
 
-/// All but the brew.
+/// Reads all of the state but the brew.
 Expected<LabState> get_kept(ByteReader& in, const fluid::Settings& fluid, const CauldronRules& rules) {
     LabState lab{.rules = rules};
     auto& s = lab.settings;
-    if (in.get<std::uint32_t>() != kept_version) return fail("what the lab kept has another version");
+    if (in.get<std::uint32_t>() != kept_version)
+        return fail("the lab's part of the file has another version");
     lab.steps = in.get<std::int64_t>();
     lab.last_poured = in.get<std::uint32_t>();
     const bool dips = in.get<bool>();
@@ -114,15 +115,15 @@ Expected<LabState> get_kept(ByteReader& in, const fluid::Settings& fluid, const 
         if (!ingredient) return tl::unexpected(ingredient.error());
         s.substances.push_back(std::move(*ingredient));
     }
-    if (!in.ok() || in.left() != 0) return fail("what the lab kept is cut off or too long");
+    if (!in.ok() || in.left() != 0) return fail("the lab's part of the file is cut off or too long");
     if (lab.steps < 0 || lab.steps > steps_most || !is_finite(ladle) ||
         lab.last_poured >= fluid::substances_most)
-        return fail("what the lab kept cannot be");
+        return fail("the lab's part of the file has impossible values");
     if (dips) lab.ladle = ladle;
     return lab;
 }
 
-/// Are the fluid and the surface those that the lab would make by these settings?
+/// Tests whether the saved fluid and surface fit the brew that these settings make.
 bool belongs(const fluid::Saved& saved, const LabState& lab, const Brew& made) {
     const auto &a = saved.fluid.settings, &b = made.fluid.settings;
     return saved.shape == shape_of(lab.settings) && a.cells == b.cells && a.h == b.h && a.edges == b.edges &&

@@ -1,4 +1,5 @@
-// game/lab/lab_file.h: the lab as a file (fluid/saved.h), and back. With the same data files it goes on to the same bits.
+// game/lab/lab_file.h: saving a lab session to a file (fluid/saved.h), and loading it. With the same data
+// files a loaded session continues with the same bits.
 #pragma once
 #include <filesystem>
 
@@ -9,10 +10,11 @@ namespace thaum::game {
 
 Bytes save_lab(const LabState& lab);
 
-/// `rules`: what the file does not hold, the ladle and the brew's density. The error says what is wrong with the file.
+/// Reads a saved session. `rules` gives the parts that the file does not hold: the ladle and the brew's
+/// density. The error says what is wrong with the file.
 Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronRules& rules);
 
-/// The error names the file as well. Nothing is left half-written.
+/// File versions of the above. The error also names the file. A failed save leaves no partial file.
 Expected<void> save_lab(const LabState& lab, const std::filesystem::path& file);
 Expected<LabState> load_lab(const std::filesystem::path& file, const CauldronRules& rules);
 

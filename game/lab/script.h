@@ -1,4 +1,4 @@
-// game/lab/script.h: what is done in the lab without hands: a path to stir on, and what is poured when.
+// game/lab/script.h: scripted lab input: a path for the ladle, and the substances poured at given steps.
 #pragma once
 #include "game/lab/lab.h"
 #include "game/lab/stir_path.h"
@@ -7,18 +7,18 @@ namespace thaum::game {
 
 struct LabScript {
     struct Pour {
-        std::int64_t step{};  ///< before which it is poured
+        std::int64_t step{};  ///< step that is computed right after the pour
         std::size_t substance{};
-        double amount{};  ///< m^3
+        double amount{};  ///< volume (m^3)
     };
     StirPath path{};
     std::vector<Pour> pours{};
 };
 
-/// Of the step that comes next. What is poured goes in where the ladle is, or beside the middle where there is none.
+/// Input of the next step. Substances are poured at the ladle or, without a ladle, beside the middle.
 LabInput scripted_input(const LabScript& script, const LabState& lab);
 
-/// m, where something is poured in.
+/// Place where a substance is poured (m, brew).
 vec3 place_to_pour(const LabState& lab, const std::optional<vec3>& ladle);
 
 }  // namespace thaum::game

@@ -12,12 +12,13 @@ namespace {
 
 constexpr double turn_s = 2.5;
 constexpr double radius_share = 0.6, depth_share = 0.4;
-constexpr double dip_s = 0.5, dip_from = 0.1;  // s, m above the level: so that the surface feels it come
+// The dip: duration (s), and start above the level (m). The surface reacts to a ladle that comes from above.
+constexpr double dip_s = 0.5, dip_from = 0.1;
 constexpr std::size_t path_file_most = 16U << 20U;
-constexpr double time_most = 1e6, place_most = 100;  // s, m
+constexpr double time_most = 1e6, place_most = 100;  // largest time (s) and coordinate (m) in a file
 constexpr std::string_view header = "time_s,x_m,y_m,z_m";
 
-/// The numbers of a line; nothing where it is not four of them.
+/// Numbers of a line; std::nullopt unless there are four.
 std::optional<StirPath::Point> point_of(std::string_view line) {
     std::array<double, 4> numbers{};
     const char* at = line.data();

@@ -1,4 +1,4 @@
-// game/lab/stir_path.h: how a ladle goes when no hand leads it.
+// game/lab/stir_path.h: paths of a ladle without a hand.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -14,7 +14,8 @@ enum class Stirring : std::uint8_t { none, circle, figure8, file };
 
 struct StirPath {
     Stirring kind{};
-    /// Of a file: s and m, frame of the brew, by time; between them it goes straight.
+    /// Point of a path from a file, sorted by time (s; m, brew). Between two points the ladle moves in a
+    /// straight line.
     struct Point {
         double time{};
         vec3 place{};
@@ -22,13 +23,15 @@ struct StirPath {
     std::vector<Point> points{};
 };
 
-/// A word of the command line: none, circle, figure8, or a CSV file with the columns time_s,x_m,y_m,z_m. The error names what is
-/// wrong, of a file with its line: no such file, no numbers, times that do not rise.
+/// Parses a word of the command line: none, circle, figure8, or the path of a CSV file with the columns
+/// time_s,x_m,y_m,z_m. The error names the fault, and for a file its line: no such file, no numbers, or times
+/// that do not increase.
 Expected<StirPath> stir_path(std::string_view word);
 Expected<StirPath> parse_stir_path(std::string_view csv, std::string_view name);
 
-/// Where the ladle's end is; none: out of the brew, as before and after what a file says. The circle and the eight go round once in
-/// 2.5 s, at six tenths of the basin's radius and four of its depth, to which they dip in half a second.
+/// End of the ladle (m, brew); std::nullopt: out of the brew, as before and after a file's times. The circle
+/// and the figure of eight take 2.5 s a turn. They run at 0.6 of the basin's radius and 0.4 of its depth,
+/// after a dip of half a second.
 std::optional<vec3> ladle_at(const StirPath& path, const Basin& basin, double seconds);
 
 }  // namespace thaum::game

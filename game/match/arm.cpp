@@ -9,19 +9,20 @@
 namespace thaum::game {
 namespace {
 
-/// Ticks for which a key's press stays in the models.
+/// Ticks for which the models repeat a key press.
 constexpr std::uint32_t press_kept = 40;
-/// m: no arm reaches further; a damaged log might.
+/// Limit of hand positions (m). No arm reaches farther, but a damaged log might.
 constexpr double furthest = 0.5;
-/// Ticks without a sample after which the arm is gone, and the simulated hand plays on.
+/// Ticks without a sample after which the arm counts as gone and the simulated hand plays on.
 constexpr std::uint32_t gone_after = 250;
-/// Ticks for which an arm that is back must be held still, within so many um, before it is felt.
+/// An arm that is back must be held still for `still_ticks` ticks within `still_within` um before it gives
+/// forces again.
 constexpr std::uint32_t still_ticks = 300;
 constexpr std::int32_t still_within = 3000;
 
 PastModel past(const haptics::HapticModel& model, const input::ArmState& arm) {
     haptics::HapticModel copy = model;
-#if !defined(__clang__)  // which only looks at this code
+#if !defined(__clang__)  // clang only parses this code
     __builtin_clear_padding(&copy);
 #endif
     PastModel kept{.offset = arm.offset, .number = arm.number, .samples = arm.samples};
@@ -37,10 +38,10 @@ const PastModel& model_in(const ecs::World& world, const Arm& arm, std::uint32_t
     return world.get<PastModel>(arm.models[number % arm.models.size()]);
 }
 
-/// What the hand of an arm is to everybody else.
-void hold(const input::ArmState& state, Grip& grip) {
-    auto& device = grip.device;
-    grip.servo = state.servo;
+/// Copies the arm's hand into HandState, from which everything else reads it.
+void hold(const input::ArmState& state, HandState& hand_state) {
+    auto& device = hand_state.device;
+    hand_state.servo = state.servo;
     device.position = glm::clamp(input::hand_of(state), vec3(-furthest), vec3(furthest));
     device.velocity = state.rests != 0 ? vec3(0) : haptics::tip_velocity(state.servo);
     device.target = device.position;
@@ -49,12 +50,12 @@ void hold(const input::ArmState& state, Grip& grip) {
 
 bool is_gone(const Arm& arm) { return arm.state.without >= gone_after; }
 
-/// The simulated hand goes on where the real one was.
-void take_over(const Stage& stage, const Arm& arm, Grip& grip) {
-    const vec3 reach = stage.touch.device.reach;
-    grip.servo = arm.state.servo;
-    grip.home = glm::clamp(arm.state.hand, -reach, reach);
-    grip.device = haptics::resting_at(grip.home);
+/// Lets the simulated hand continue from the position of the arm's hand.
+void take_over(const MatchContext& context, const Arm& arm, HandState& hand_state) {
+    const vec3 reach = context.touch.device.reach;
+    hand_state.servo = arm.state.servo;
+    hand_state.home = glm::clamp(arm.state.hand, -reach, reach);
+    hand_state.device = haptics::resting_at(hand_state.home);
 }
 
 bool moved(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 3>& b) {
@@ -64,7 +65,7 @@ bool moved(const std::array<std::int32_t, 3>& a, const std::array<std::int32_t, 
     return false;
 }
 
-/// One more tick in which it is held still, or the first.
+/// Counts a tick in which the arm is held still, or restarts the count.
 void note_still(Arm& arm) {
     if (arm.state.without != 0) return;
     if (arm.still == 0 || moved(arm.state.position_um, arm.still_um)) {
@@ -74,30 +75,31 @@ void note_still(Arm& arm) {
     if (++arm.still >= still_ticks) arm.away = 0;
 }
 
-/// Whose hand plays: the arm's, or the simulated one while it is gone. The arm comes back to where that is by then.
-void note_presence(const Stage& stage, Arm& arm, Grip& grip) {
+/// Chooses who moves the hand: the arm, or the simulated hand while the arm is gone. An arm that is back
+/// continues from the simulated hand's position.
+void note_presence(const MatchContext& context, Arm& arm, HandState& hand_state) {
     if (is_gone(arm)) {
-        if (arm.away == 0) take_over(stage, arm, grip);
+        if (arm.away == 0) take_over(context, arm, hand_state);
         arm.away = arm.state.rests = 1;
         arm.still = 0;
-        arm.state.rest = arm.state.hand = grip.device.position;
+        arm.state.rest = arm.state.hand = hand_state.device.position;
         return;
     }
     if (arm.away != 0) note_still(arm);
-    hold(arm.state, grip);
+    hold(arm.state, hand_state);
 }
 
-void follow(Stage& stage, Arm& arm, bool skipped) {
-    auto& world = stage.world;
-    const auto& sample = stage.frame.devices[arm.device];
+void follow(MatchContext& context, Arm& arm, bool skipped) {
+    auto& world = context.world;
+    const auto& sample = context.frame.devices[arm.device];
     const auto number = input::model_of(arm.state, sample);
     const auto used = recalled(model_in(world, arm, number));
     const bool known = number != 0 && used.number == number;
-    input::take_sample(arm.state, stage.touch.servos[arm.player], sample, known ? &used : nullptr, skipped);
-    note_presence(stage, arm, world.get<Grip>(wizard_of(world, arm.player)));
+    input::take_sample(arm.state, context.touch.servos[arm.player], sample, known ? &used : nullptr, skipped);
+    note_presence(context, arm, world.get<HandState>(wizard_of(world, arm.player)));
 }
 
-/// In another scene, from which on the arm's thread begins anew.
+/// Continues an arm in another scene, where the arm's thread starts a new epoch.
 void go_on_with(const Arm& old, Arm& arm) {
     arm.state = old.state;
     begin_epoch(arm.state);
@@ -143,17 +145,17 @@ std::vector<Arm> arms_in(const ecs::World& world) {
     return arms;
 }
 
-void add_arms(Stage& stage, const std::vector<Arm>& before) {
-    auto& world = stage.world;
-    for (std::uint32_t d = 0; d < stage.devices.size(); ++d) {
-        const auto player = stage.devices[d].player;
+void add_arms(MatchContext& context, const std::vector<Arm>& before) {
+    auto& world = context.world;
+    for (std::uint32_t d = 0; d < context.devices.size(); ++d) {
+        const auto player = context.devices[d].player;
         const bool first = arm_of(world, player) == nullptr;
-        if (stage.devices[d].kind != input::DeviceKind::arm || player >= players || !first) continue;
+        if (context.devices[d].kind != input::DeviceKind::arm || player >= players || !first) continue;
         Arm arm{.player = player, .device = d};
         for (const auto& old : before) {
             if (old.device != d) continue;
             go_on_with(old, arm);
-            arm.state.servo.last_pulse = 0;  // a new Grip counts anew
+            arm.state.servo.last_pulse = 0;  // a new HandState numbers its pulses from 1 again
         }
         for (auto& model : arm.models) model = world.create(PastModel{});
         world.create(arm);
@@ -168,31 +170,32 @@ void carry_arms(const std::vector<Arm>& before, ecs::World& world) {
     });
 }
 
-void add_arm_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_arm_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "arms",
                   .reads = world.mask<Wizard, PastModel>(),
-                  .writes = world.mask<Arm, Grip>(),
+                  .writes = world.mask<Arm, HandState>(),
                   .needs = world.mask<Arm>(),
-                  .run = [&stage](ecs::World& w, Tick) {
-                      const auto& devices = stage.frame.devices;
+                  .run = [&context](ecs::World& w, Tick) {
+                      const auto& devices = context.frame.devices;
                       const bool skipped =
                           std::any_of(devices.begin(), devices.end(),
                                       [](const input::DeviceSample& sample) { return sample.skips != 0; });
-                      w.view<Arm>().each([&](Arm& arm) { follow(stage, arm, skipped); });
+                      w.view<Arm>().each([&](Arm& arm) { follow(context, arm, skipped); });
                   }});
 }
 
-void publish_models(Stage& stage, bool live) {
-    auto& world = stage.world;
+void publish_models(MatchContext& context, bool live) {
+    auto& world = context.world;
     world.view<Arm>().each([&](Arm& arm) {
         const auto wizard = wizard_of(world, arm.player);
         const bool clutch =
             (std::as_const(world).get<Controls>(wizard).held & bit(input::Button::clutch)) != 0;
-        input::rest_hand(arm.state, clutch || arm.away != 0, stage.touch.reach[arm.player]);
-        // Gone: the simulated hand has asked for its own already.
-        auto model = is_gone(arm) ? haptics::HapticModel{.panic = arm.panic_left > 0}
-                                  : next_model(stage, wizard, world.get<Grip>(wizard), arm.panic_left > 0);
+        input::rest_hand(arm.state, clutch || arm.away != 0, context.touch.reach[arm.player]);
+        // While the arm is gone, the simulated hand has already requested its own model in this tick.
+        auto model = is_gone(arm)
+                         ? haptics::HapticModel{.panic = arm.panic_left > 0}
+                         : next_model(context, wizard, world.get<HandState>(wizard), arm.panic_left > 0);
         model.on = model.on && live && arm.state.rests == 0;
         model.rearm = arm.rearm_left > 0;
         const auto number = ++arm.state.number;
@@ -204,7 +207,7 @@ void publish_models(Stage& stage, bool live) {
 
 void tell_arms(ecs::World& world, bool panic) {
     world.view<Arm>().each([&](Arm& arm) {
-        const bool rearm = std::as_const(world).get<Grip>(wizard_of(world, arm.player)).rearm != 0;
+        const bool rearm = std::as_const(world).get<HandState>(wizard_of(world, arm.player)).rearm != 0;
         if (panic || rearm) arm.panic_left = arm.rearm_left = 0;
         if (panic) arm.panic_left = press_kept;
         if (rearm && !panic) arm.rearm_left = press_kept;

@@ -1,5 +1,6 @@
-// game/match/arm.h: real arms in a match. Each tick takes one sample of each arm and makes the step that the arm's own thread made with
-// it, by the model which that thread had then; so the forces of match, replay and arm are the same to the bit.
+// game/match/arm.h: real arms in a match. Each tick takes one sample of each arm and repeats the servo step
+// that the arm's own thread made with that sample. The step uses the haptic model which that thread had at
+// the time. So the forces of match, replay and arm are equal bit for bit.
 #pragma once
 #include <vector>
 
@@ -8,34 +9,37 @@
 
 namespace thaum::game {
 
-/// How it is with the real arm of a player. While it is gone the simulated hand plays on, by mouse or pad; back, it is felt
-/// once it was held still.
+/// Condition of a player's real arm. While the arm is gone, the simulated hand plays on, moved by mouse or
+/// gamepad. An arm that is back gives forces again after it was held still.
 enum class ArmCondition : std::uint8_t { none, felt, clutched, gone, back };
 ArmCondition arm_condition(const ecs::World& world, std::uint32_t player);
 
-/// How the player's stylus is turned, device frame: axis times angle, rad; zero where no real arm is in the hand. It turns the
-/// wand about its tip, and that is all: who aims, aims by the view.
+/// Rotation of the player's stylus as axis times angle (rad, device frame); zero if the player holds no real
+/// arm. It only turns the wand about the tip. Aiming uses the direction of view.
 vec3 stylus_turn(const ecs::World& world, std::uint32_t player);
 
-/// Whether the player's hand is a real arm now.
+/// Whether a real arm moves the player's hand in this tick.
 bool plays_by_arm(const ecs::World& world, std::uint32_t player);
 
-/// All arms, before the scene is cleared.
+/// Returns all arms; called before the scene is cleared.
 std::vector<Arm> arms_in(const ecs::World& world);
-/// One for each player with such a device; what was known of it goes on.
-void add_arms(Stage& stage, const std::vector<Arm>& before);
-/// Into a world that has them, from another match that it carries on.
+/// Creates an arm for each player who has such a device. State of the same device in `before` is kept.
+void add_arms(MatchContext& context, const std::vector<Arm>& before);
+/// Copies the state of arms from a match into the world of the match that continues it.
 void carry_arms(const std::vector<Arm>& before, ecs::World& world);
 
-/// Every tick, in a pause too: the sample and its step. Writes Grip.
-void add_arm_system(Stage& stage, ecs::Schedule& schedule);
-/// What arms feel next; the last of a tick. Nothing unless the match is live.
-void publish_models(Stage& stage, bool live);
+/// Adds the system that takes each arm's sample and repeats its servo step, every tick and also in a pause.
+/// Writes HandState.
+void add_arm_system(MatchContext& context, ecs::Schedule& schedule);
+/// Creates the haptic models that arms use next. It must be the last call of a tick. Forces are off unless
+/// the match is live.
+void publish_models(MatchContext& context, bool live);
 
-/// Somebody's panic key, or a player's wish for forces after one, reaches the arms.
+/// Passes a player's panic press, or a press that switches forces on again, to the arms.
 void tell_arms(ecs::World& world, bool panic);
 
-/// What the player's arm is to be told after the last tick; false where there is none.
+/// Fills the order for the player's arm after the last tick. Returns false if the player has no arm or no
+/// model was made yet.
 bool fill_order(const Simulation& match, std::uint32_t player, input::ArmOrder& order);
 
 }  // namespace thaum::game

@@ -9,9 +9,9 @@
 namespace thaum::game {
 namespace {
 
-/// m, beyond the way from proxy to tip: more than view and hand move the tip in a tick.
+/// Margin around the line from proxy to tip (m): more than view and hand move the tip in a tick.
 constexpr double margin = 0.15;
-/// m; what moves farther in a tick does not walk.
+/// Displacement in one tick (m) above which the frame has jumped, not moved by walking.
 constexpr double leap = 0.5;
 
 Feel feel_of(const MatchData& data) {
@@ -22,92 +22,99 @@ Feel feel_of(const MatchData& data) {
             .dynamic_friction = probe.dynamic_friction};
 }
 
-double wand_per_hand(const Stage& stage, ecs::Entity wizard) {
-    return stage.touch.wand_per_hand[stage.world.get<Wizard>(wizard).player];
+double wand_per_hand(const MatchContext& context, ecs::Entity wizard) {
+    return context.touch.wand_per_hand[context.world.get<Wizard>(wizard).player];
 }
 
-HandFrame frame_of(const Stage& stage, ecs::Entity wizard, vec3 eye) {
-    const auto& gaze = stage.world.get<Gaze>(wizard);
+HandFrame frame_of(const MatchContext& context, ecs::Entity wizard, vec3 eye) {
+    const auto& gaze = context.world.get<Gaze>(wizard);
     HandFrame frame{.turn = look_rotation(gaze.yaw, gaze.pitch),
-                    .metres_per_metre = wand_per_hand(stage, wizard)};
+                    .metres_per_metre = wand_per_hand(context, wizard)};
     frame.origin = eye + frame.turn * wand_tip;
     return frame;
 }
 
-/// Who holds something by a tether feels that, who stirs the brew.
-bool can_probe(const Stage& stage, ecs::Entity wizard, const Grip& grip) {
-    return wand_per_hand(stage, wizard) > 0 && stage.data.touch.probe.stiffness > 0 &&
-           !(grip.tether.stiffness > 0) && !stage.world.has<Dead>(wizard) && !stage.world.has<Ladle>(wizard);
+/// A wizard who holds something by a tether or stirs the brew feels that instead of surfaces.
+bool can_probe(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state) {
+    return wand_per_hand(context, wizard) > 0 && context.data.touch.probe.stiffness > 0 &&
+           !(hand_state.tether.stiffness > 0) && !context.world.has<Dead>(wizard) &&
+           !context.world.has<Ladle>(wizard);
 }
 
-/// What it does is then the deed of who pushed it; but not where another has set it going just before: who is struck by a thing has
-/// mostly touched it with the wand.
-void push(Stage& stage, const haptics::SurfaceContact& contact, vec3 impulse, vec3 place, const Prop& deed) {
-    const auto thing = stage.world.entity(contact.key);
-    if (!thing || !stage.world.has<Prop>(thing) || !stage.physics.has(contact.key)) return;
-    stage.physics.apply_impulse(contact.key, impulse, place);
-    auto& prop = stage.world.get<Prop>(thing);
-    const bool anothers = prop.moved_by < players && deed.moved_at <= prop.moved_at + stage.data.wizard.blame;
+/// Pushes a touched prop. The prop's hits then count for the player who pushed it. They still count for the
+/// other player if that player moved the prop within the blame time: a wizard struck by a thing has usually
+/// touched it with the wand, too.
+void push(MatchContext& context, const haptics::SurfaceContact& contact, vec3 impulse, vec3 place,
+          const Prop& deed) {
+    const auto thing = context.world.entity(contact.key);
+    if (!thing || !context.world.has<Prop>(thing) || !context.physics.has(contact.key)) return;
+    context.physics.apply_impulse(contact.key, impulse, place);
+    auto& prop = context.world.get<Prop>(thing);
+    const bool anothers =
+        prop.moved_by < players && deed.moved_at <= prop.moved_at + context.data.wizard.blame;
     if (!anothers || prop.moved_by == deed.moved_by) prop = deed;
 }
 
-void push_touched(Stage& stage, std::uint32_t player, const Grip& grip, Tick tick) {
-    const auto& rules = stage.data.touch;
-    const auto& surface = grip.servo.surface;
-    const HandFrame frame{grip.frame_origin, grip.frame_turn, stage.touch.wand_per_hand[player]};
+void push_touched(MatchContext& context, std::uint32_t player, const HandState& hand_state, Tick tick) {
+    const auto& rules = context.data.touch;
+    const auto& surface = hand_state.servo.surface;
+    const HandFrame frame{hand_state.frame_origin, hand_state.frame_turn,
+                          context.touch.wand_per_hand[player]};
     const vec3 place = frame.to_world(surface.proxy);
     for (std::uint32_t i = 0; i < surface.contacts; ++i) {
         const vec3 force = frame.turn * surface.touched[i].force / -rules.probe.newtons_per_newton;
-        push(stage, surface.touched[i], force * physics_dt, place, {.moved_at = tick, .moved_by = player});
+        push(context, surface.touched[i], force * physics_dt, place, {.moved_at = tick, .moved_by = player});
     }
 }
 
 }  // namespace
 
-void add_probe_system(Stage& stage, ecs::Schedule& schedule) {
-    if (!(stage.data.touch.probe.newtons_per_newton > 0)) return;
-    auto& world = stage.world;
+void add_probe_system(MatchContext& context, ecs::Schedule& schedule) {
+    if (!(context.data.touch.probe.newtons_per_newton > 0)) return;
+    auto& world = context.world;
     schedule.add({.name = "probe",
                   .period = physics_period,
-                  .reads = world.mask<Wizard, Grip, Dead>(),
+                  .reads = world.mask<Wizard, HandState, Dead>(),
                   .writes = world.mask<Prop>(),
-                  .needs = world.mask<Grip>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
-                      w.view<const Wizard, const Grip, ecs::Without<Dead>>().each(
-                          [&](const Wizard& wizard, const Grip& grip) {
-                              if (grip.probing != 0) push_touched(stage, wizard.player, grip, tick);
+                  .needs = world.mask<HandState>(),
+                  .run = [&context](ecs::World& w, Tick tick) {
+                      w.view<const Wizard, const HandState, ecs::Without<Dead>>().each(
+                          [&](const Wizard& wizard, const HandState& hand_state) {
+                              if (hand_state.probing != 0)
+                                  push_touched(context, wizard.player, hand_state, tick);
                           });
                   }});
 }
 
-void feel_about(const Stage& stage, ecs::Entity wizard, Grip& grip, haptics::HapticModel& model) {
+void feel_about(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
+                haptics::HapticModel& model) {
     model.patch.count = 0;
     model.drift = {};
-    model.patch_number = grip.probe_number;
-    const bool probed = grip.probing != 0;
-    grip.probing = can_probe(stage, wizard, grip) ? 1 : 0;
-    if (grip.probing == 0) return;
-    const vec3 eye = eye_of(stage.data.wizard, stage.world.get<Motion>(wizard).position);
-    const HandFrame frame = frame_of(stage, wizard, eye);
-    HandFrame before{grip.frame_origin, grip.frame_turn, frame.metres_per_metre};
+    model.patch_number = hand_state.probe_number;
+    const bool probed = hand_state.probing != 0;
+    hand_state.probing = can_probe(context, wizard, hand_state) ? 1 : 0;
+    if (hand_state.probing == 0) return;
+    const vec3 eye = eye_of(context.data.wizard, context.world.get<Motion>(wizard).position);
+    const HandFrame frame = frame_of(context, wizard, eye);
+    HandFrame before{hand_state.frame_origin, hand_state.frame_turn, frame.metres_per_metre};
     const bool jumped = !probed || glm::length(frame.origin - before.origin) > leap;
     if (jumped) {
         before = frame;
-        ++grip.probe_number;
+        ++hand_state.probe_number;
     }
-    grip.frame_origin = frame.origin;
-    grip.frame_turn = frame.turn;
-    model.patch_number = grip.probe_number;
+    hand_state.frame_origin = frame.origin;
+    hand_state.frame_turn = frame.turn;
+    model.patch_number = hand_state.probe_number;
     model.start = frame.to_device(eye);
     model.drift = drift_of(frame, before);
-    const auto& servo = grip.servo;
-    const vec3 tip = frame.to_world(grip.device.position + servo.shift);
+    const auto& servo = hand_state.servo;
+    const vec3 tip = frame.to_world(hand_state.device.position + servo.shift);
     const vec3 proxy = jumped ? eye : servo.surface.begun != 0 ? before.to_world(servo.surface.proxy) : tip;
     const Around around{.point = 0.5 * (tip + proxy),
                         .radius = 0.5 * glm::length(tip - proxy) + margin,
                         .mask = layer::ground | layer::prop,
                         .ignore = wizard.index};
-    fill_patch(model.patch, stage.physics, around, frame, before, feel_of(stage.data));
+    fill_patch(model.patch, context.physics, around, frame, before, feel_of(context.data));
 }
 
 }  // namespace thaum::game

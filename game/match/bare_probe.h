@@ -1,20 +1,25 @@
-// game/match/bare_probe.h: the wand's tip as a probe: walls, props and the bowl's rim push the hand that holds it.
+// game/match/bare_probe.h: the wand's tip as a probe: walls, props and the bowl's rim push the hand that
+// holds the wand.
 //
-// The device's frame lies in the world at the tip of a wand whose hand rests, turned as the wizard looks; a metre of the hand is
-// wand_m_per_m metres there. When he turns or walks, the world moves over that frame: the servo takes that out again
-// (haptics::Drift), so that neither kicks nor presses the hand, and only its own motion and that of props is felt. Things are pushed
-// away as hard as they are felt: a newton on them is n_per_n at the hand.
+// The origin of the device frame is at the tip of a wand whose hand is at rest. The frame turns with the
+// wizard's view. A metre of the hand is wand_m_per_m metres in the world. When the wizard turns or walks, the
+// world moves in the device frame. The servo subtracts that frame motion (haptics::Drift), so walking and
+// turning neither kick nor press the hand. The hand feels only its own motion and the motion of props. Props
+// are pushed with the opposite force: one newton on a prop is n_per_n newtons at the hand.
 #pragma once
-#include "game/components/grip.h"
-#include "game/match/stage.h"
+#include "game/components/hand_state.h"
+#include "game/match/match_context.h"
 
 namespace thaum::game {
 
-/// Writes patch, drift, start and number of the model; an empty patch where nothing is within reach. Writes the Grip's frame.
-void feel_about(const Stage& stage, ecs::Entity wizard, Grip& grip, haptics::HapticModel& model);
+/// Writes patch, frame motion, start and patch number of the model, and the frame in HandState. The patch is
+/// empty if nothing is within reach.
+void feel_about(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
+                haptics::HapticModel& model);
 
-/// Every tick, before bodies move: what the tip touches gets the opposite of what the hand feels of it, in the world's measure.
-/// What the safety stage takes from the hand it does not take from the thing.
-void add_probe_system(Stage& stage, ecs::Schedule& schedule);
+/// Adds the system that runs every tick before bodies move. It pushes touched things with the opposite of the
+/// hand's contact force, in world units. The push is not reduced when the safety stage reduces the hand's
+/// force.
+void add_probe_system(MatchContext& context, ecs::Schedule& schedule);
 
 }  // namespace thaum::game

@@ -1,23 +1,24 @@
-// game/match/bodies.h: between the World and the physics: bodies come and go with their component, one step of Bullet,
-// blows of loose things against wizards, and the bodies' new places back into the World.
+// game/match/bodies.h: keeps World and physics in step: adds and removes bodies, runs Bullet, counts blows of
+// loose things against wizards, and copies the new motions back into the World.
 #pragma once
-#include "game/match/stage.h"
+#include "game/match/match_context.h"
 
 namespace thaum::game {
 
-/// Adding Body (to an entity with Motion) puts it into the physics, removing it takes it out.
-void add_body_hooks(Stage& stage);
+/// Installs hooks: adding a Body (to an entity with Motion) puts it into the physics; removing the Body takes
+/// it out.
+void add_body_hooks(MatchContext& context);
 
-/// physics step, blows, places.
-void add_body_systems(Stage& stage, ecs::Schedule& schedule);
+/// Adds the systems "physics", "blows" and "places", in this order.
+void add_body_systems(MatchContext& context, ecs::Schedule& schedule);
 
-/// HP, of a blow of so many N s.
+/// Harm (HP) by a blow of that impulse (N s).
 double harm_of_blow(const WizardRules& rules, double impulse);
 
-/// Motion of every body as the physics has it now.
-void copy_places(Stage& stage);
+/// Copies position and velocity of every moving body from the physics into Motion.
+void copy_places(MatchContext& context);
 
-/// A physics that holds exactly the bodies of the World, in canonical order.
-void rebuild_physics(Stage& stage);
+/// Replaces the physics by one that holds exactly the bodies of the World, in canonical order.
+void rebuild_physics(MatchContext& context);
 
 }  // namespace thaum::game

@@ -5,7 +5,7 @@
 #include "core/assert.h"
 #include "ecs/snapshot.h"
 #include "game/cauldron/cauldron.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/match/arm.h"
 #include "game/match/bodies.h"
 #include "game/match/touch.h"
@@ -15,7 +15,8 @@
 namespace thaum::game {
 namespace {
 
-/// Each wand keeps its energy, and the one in hand stays there; a wand that is new is full.
+/// Belt for the new data: each wand keeps its energy, the selected wand stays selected, and a new wand is
+/// full.
 WandBelt carried_belt(const MatchData& from, const MatchData& to, const WandBelt& old) {
     auto belt = full_belt(to);
     belt.fired = old.fired;
@@ -30,10 +31,11 @@ WandBelt carried_belt(const MatchData& from, const MatchData& to, const WandBelt
     return belt;
 }
 
-/// The body by the new rules, on the same feet; none for who is dead.
-void refit(Stage& stage, ecs::Entity wizard, const WizardRules& before) {
-    auto& world = stage.world;
-    const auto& rules = stage.data.wizard;
+/// Replaces the wizard's body by one of the new rules with the feet in the same place. A dead wizard gets no
+/// body.
+void refit(MatchContext& context, ecs::Entity wizard, const WizardRules& before) {
+    auto& world = context.world;
+    const auto& rules = context.data.wizard;
     const auto body = wizard_body(rules);
     const auto* old = std::as_const(world).find<Body>(wizard);
     if (old != nullptr && *old == body) return;
@@ -43,7 +45,7 @@ void refit(Stage& stage, ecs::Entity wizard, const WizardRules& before) {
     if (had_body) world.add(wizard, body);
 }
 
-void refit_wizards(const Stage& from, Stage& to) {
+void refit_wizards(const MatchContext& from, MatchContext& to) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto wizard = wizard_of(to.world, player);
         auto& belt = to.world.get<WandBelt>(wizard);
@@ -57,28 +59,29 @@ void copy(const ecs::World& from, ecs::Entity source, ecs::World& to, ecs::Entit
     ((to.get<Cs>(target) = from.get<Cs>(source)), ...);
 }
 
-/// A wizard of the old scene into the new one. What the wands remember of things there is not carried along.
-void move_wizard(const Stage& from, Stage& to, std::uint32_t player) {
+/// Copies a wizard of the old scene into the new one. References of wands to things of the old scene are
+/// dropped.
+void move_wizard(const MatchContext& from, MatchContext& to, std::uint32_t player) {
     auto& world = to.world;
     const auto old = wizard_of(from.world, player), now = wizard_of(world, player);
-    copy<Gaze, Stance, Health, WandBelt, Grip, Score>(from.world, old, world, now);
+    copy<Gaze, Stance, Health, WandBelt, HandState, Score>(from.world, old, world, now);
     let_go(to, now);
     world.remove<Body>(now);
     copy<Motion>(from.world, old, world, now);
-    world.get<Motion>(now).asleep = 0;  // what it stood on may be gone
+    world.get<Motion>(now).asleep = 0;  // the ground under the wizard may be gone
     if (const auto* dead = from.world.find<Dead>(old))
         world.add(now, *dead);
     else
         world.add(now, from.world.get<Body>(old));
 }
 
-void move_match(const Stage& from, Stage& to) {
+void move_match(const MatchContext& from, MatchContext& to) {
     to.world.single<Match>() = from.world.single<Match>();
     to.world.single<Dice>() = from.world.single<Dice>();
-    to.world.single<Chronicle>() = from.world.single<Chronicle>();
+    to.world.single<EventLog>() = from.world.single<EventLog>();
 }
 
-void copy_world(const Stage& from, Stage& to) {
+void copy_world(const MatchContext& from, MatchContext& to) {
     Bytes snapshot;
     ecs::save(from.world, snapshot);
     const auto restored = ecs::restore(to.world, snapshot);
@@ -89,7 +92,7 @@ void copy_world(const Stage& from, Stage& to) {
 
 }  // namespace
 
-void carry_over(const Stage& from, Stage& to) {
+void carry_over(const MatchContext& from, MatchContext& to) {
     if (to.data.arena == from.data.arena) {
         copy_world(from, to);
     } else {

@@ -1,14 +1,15 @@
-// game/match/carry_over.h: what of a running match goes on under other data: numbers that somebody has just changed.
+// game/match/carry_over.h: carries a running match over to other data, for example numbers that a player has
+// just edited.
 //
-// In the same arena everything stays as it is but for what the data decides: a wizard's body keeps its feet where they
-// are, energy follows its wand to another slot. In another arena the scene begins anew, and the two wizards are in it
-// where they were, looking where they looked, as they were.
+// If the arena is the same, everything stays except what the data decides: a wizard's body keeps the position
+// of its feet, and energy follows its wand to another slot. If the arena differs, the scene is created again
+// from the new arena. Both wizards keep position, direction of view and state there.
 #pragma once
-#include "game/match/stage.h"
+#include "game/match/match_context.h"
 
 namespace thaum::game {
 
-/// `to` is the first moment of a match by the new data.
-void carry_over(const Stage& from, Stage& to);
+/// Copies the state of `from` into `to`, a match by the new data that has not run yet.
+void carry_over(const MatchContext& from, MatchContext& to);
 
 }  // namespace thaum::game

@@ -4,7 +4,6 @@
 #include <cstdlib>
 
 #include "core/file.h"
-#include "core/hash.h"
 #include "core/text.h"
 
 namespace thaum::game {
@@ -12,13 +11,13 @@ namespace {
 
 constexpr std::size_t max_data_file = 1U << 20U;
 
-/// Reads data files, applies overrides and notes each file's hash.
+/// Reads data files, stores the hash of each file's values, and applies overrides.
 class Loader {
 public:
     Loader(const std::filesystem::path& assets, MatchData& data)
         : assets_(assets), data_(data), used_(data.choice.overrides.size(), false) {}
 
-    /// read(Config) -> value; the first fault ends in `error`.
+    /// Reads a file with read(Config) and returns its value. The first error is kept in `error`.
     template <class Read>
     auto load(const std::string& name, Read read) -> decltype(read(std::declval<const Config&>())) {
         using Value = decltype(read(std::declval<const Config&>()));
@@ -30,7 +29,7 @@ public:
         return value;
     }
 
-    /// A fault between two files is told at its line in `file`, where `report` finds it.
+    /// Checks one file against another. `report` reports an error at a line of `file`.
     template <class Report>
     void check_across(const std::optional<Config>& file, Report report) {
         if (error || !file) return;
@@ -60,10 +59,11 @@ private:
     Expected<Config> open(const std::string& name) {
         const auto source = read_text_file(assets_ / name, max_data_file);
         if (!source) return tl::unexpected(source.error());
-        data_.files.push_back({name, hash_bytes(std::as_bytes(std::span(source->data(), source->size())))});
         auto config = Config::parse(*source, name, 1);
+        if (!config) return config;
+        data_.files.push_back({name, config->value_hash()});
         const auto stem = std::filesystem::path(name).stem().string() + ".";
-        for (std::size_t i = 0; config && i < data_.choice.overrides.size(); ++i) {
+        for (std::size_t i = 0; i < data_.choice.overrides.size(); ++i) {
             const std::string_view entry = data_.choice.overrides[i];
             const auto equals = entry.find('=');
             if (equals == std::string_view::npos || !entry.starts_with(stem)) continue;
@@ -95,7 +95,7 @@ Expected<void> check_name(const std::array<std::string_view, 2>& known, std::str
     return fail(text("there is no ", what, " '", name, "', only ", known[0], " and ", known[1]));
 }
 
-/// A wand that shares another's energy has its cap. `files` are those of the wands.
+/// Gives a wand that shares another wand's energy the same cap. `files` are the files of the wands.
 void share_energies(MatchData& data, const std::vector<std::optional<Config>>& files, Loader& loader) {
     for (std::size_t i = 0; i < data.wands.size(); ++i) {
         auto& wand = data.wands[i];
@@ -131,7 +131,7 @@ void check_niches(const ConfigTable& arena, const std::vector<Ingredient>& known
     }
 }
 
-/// The device that haptics.toml names has a file of its own.
+/// Loads the device that haptics.toml names from its own file.
 void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& loader) {
     const auto name = data.touch.device;
     if (!plain_name(name)) {
@@ -151,7 +151,7 @@ void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& 
     if (!device && !loader.error) loader.error = device.error();
 }
 
-/// A reader that keeps the file too, for faults that only another file shows.
+/// Wraps a reader so that the file is kept, for errors that only another file reveals.
 template <class Read>
 auto noting(std::optional<Config>& kept, Read read) {
     return [&kept, read](const Config& file) {
@@ -160,7 +160,7 @@ auto noting(std::optional<Config>& kept, Read read) {
     };
 }
 
-/// What the rule set switches off is gone from the data: no system asks for the rule set's name.
+/// Removes from the data what the rule set switches off, so that no system reads the rule set's name.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
     if (data.rules.energy_regain) return;
@@ -184,7 +184,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     data.rules = loader.load("rules/" + choice.rules + ".toml", read_rule_set);
     data.round = loader.load("rules/" + choice.match + ".toml", read_round_rules);
     data.wizard = loader.load("wizards/wizard.toml", read_wizard_rules);
-    data.touch = loader.load("haptics.toml", noting(haptics_file, read_touch_rules));
+    data.touch = loader.load("haptics.toml", noting(haptics_file, read_haptic_rules));
     if (!loader.error) load_device(data, haptics_file, loader);
     if (data.rules.cauldron && data.arena.bowl) {
         data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);
@@ -212,7 +212,8 @@ std::filesystem::path find_assets() {
     if (const char* given = std::getenv("THAUM_ASSETS")) return given;
     std::error_code ignored;
     const auto program = std::filesystem::read_symlink("/proc/self/exe", ignored).parent_path();
-    // In a build tree the program is build/PRESET/game/thaum; installed it is PREFIX/games/thaum or PREFIX/bin/thaum.
+    // The program is build/PRESET/game/thaum in a build tree. An installed program is PREFIX/games/thaum or
+    // PREFIX/bin/thaum.
     for (const auto* way :
          {"assets", "../assets", "../../../assets", "../share/thaum/assets", "../share/games/thaum"}) {
         auto candidate = (program / way).lexically_normal();

@@ -1,4 +1,4 @@
-// game/match/data.h: all that a match reads from files, loaded and checked once.
+// game/match/data.h: all data that a match reads from files, loaded and checked once.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -9,39 +9,39 @@
 #include "game/match/rules.h"
 #include "game/wands/wand.h"
 #include "haptics/device.h"
+#include "input/log.h"
 
 namespace thaum::game {
 
+/// Names that select the data of a match.
 struct DataChoice {
     std::string arena = "boiling_court";
-    std::string rules = "thaum";           ///< the rule set: thaum or classic
-    std::string match = "quick";           ///< how long it is: quick or standard
-    std::vector<std::string> overrides{};  ///< "bolt.shot.damage=12": file, key path, value
-};
-
-/// A file that can change the match, for the log.
-struct DataFile {
-    std::string name;  ///< from the assets folder: "wands/bolt.toml"
-    std::uint64_t hash{};
+    std::string rules = "thaum";  ///< rule set: thaum or classic
+    std::string match = "quick";  ///< length of the match: quick or standard
+    /// Values that replace those of files, as "bolt.shot.damage=12": file, key path, value.
+    std::vector<std::string> overrides{};
 };
 
 struct MatchData {
     DataChoice choice;
     Arena arena;
-    RoundRules round;  ///< with what the rule set switches
+    RoundRules round;  ///< includes the changes that the rule set makes
     RuleSet rules;
     WizardRules wizard;
-    TouchRules touch;
-    haptics::DeviceSpec device;             ///< that hands hold
-    std::optional<CauldronRules> cauldron;  ///< none where the rule set has none, or the arena no bowl
-    std::vector<LoadedWand> wands;          ///< by name of kind; with what the rule set switches
-    std::vector<DataFile> files;
+    HapticRules touch;
+    haptics::DeviceSpec device;  ///< device that simulated hands hold
+    /// std::nullopt if the rule set has no cauldron or the arena no bowl
+    std::optional<CauldronRules> cauldron;
+    std::vector<LoadedWand> wands;  ///< sorted by name of kind; includes the changes that the rule set makes
+    /// All files read, each with the hash of its values before overrides.
+    std::vector<input::DataFile> files;
 };
 
-/// The error names file, line and key.
+/// Loads and checks all data of a match. The error names file, line and key.
 Expected<MatchData> load_match_data(const std::filesystem::path& assets, const DataChoice& choice);
 
-/// Where the assets are: $THAUM_ASSETS, else beside the program, else where it was built or installed.
+/// Folder of the assets: $THAUM_ASSETS if set, else a folder relative to the program (build tree or
+/// installation), else "assets".
 std::filesystem::path find_assets();
 
 }  // namespace thaum::game

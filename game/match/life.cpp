@@ -8,7 +8,8 @@
 namespace thaum::game {
 namespace {
 
-/// A kill for who hurt last; a death by one's own hand or by the ground costs one.
+/// Counts a kill for the killer. A death without a killer, or by the victim's own hand, costs the victim one
+/// kill.
 void count_kill(ecs::World& world, std::uint32_t victim, std::uint32_t killer) {
     world.view<const Wizard, Score>().each([&](const Wizard& wizard, Score& score) {
         const bool suicide = killer == no_player || killer == victim;
@@ -21,16 +22,17 @@ void count_kill(ecs::World& world, std::uint32_t victim, std::uint32_t killer) {
     });
 }
 
-/// Who hurt last; where nobody did, the foe who has just hurt it (shot it off its feet into a pit).
+/// The player who hurt the victim last. If no player did, the foe counts as the killer after hurting the
+/// victim within the blame time. An example is a shot that pushed the victim into a pit.
 std::uint32_t killer_of(const Wizard& wizard, const Health& health, Tick blame, Tick tick) {
     const bool foes_deed = health.foe_did_at != 0 && tick <= health.foe_did_at + blame;
     return health.hurt_by >= players && foes_deed ? 1 - wizard.player : health.hurt_by;
 }
 
-void die(Stage& stage, ecs::Entity e, const Wizard& wizard, const Health& health, const Motion& motion,
-         Tick tick) {
-    auto& world = stage.world;
-    const auto killer = killer_of(wizard, health, stage.data.wizard.blame, tick);
+void die(MatchContext& context, ecs::Entity e, const Wizard& wizard, const Health& health,
+         const Motion& motion, Tick tick) {
+    auto& world = context.world;
+    const auto killer = killer_of(wizard, health, context.data.wizard.blame, tick);
     count_kill(world, wizard.player, killer);
     record(world, {.tick = tick,
                    .kind = EventKind::death,
@@ -38,25 +40,25 @@ void die(Stage& stage, ecs::Entity e, const Wizard& wizard, const Health& health
                    .by = killer,
                    .detail = health.hurt_how,
                    .place = motion.position});
-    world.commands().add(e, Dead{tick + stage.data.round.respawn});
+    world.commands().add(e, Dead{tick + context.data.round.respawn});
     world.commands().remove<Body>(e);
 }
 
-void return_to_life(Stage& stage, ecs::Entity e, const Wizard& wizard, Health& health, Tick tick) {
-    auto& world = stage.world;
+void return_to_life(MatchContext& context, ecs::Entity e, const Wizard& wizard, Health& health, Tick tick) {
+    auto& world = context.world;
     const auto foe = wizard_of(world, 1 - wizard.player);
     const auto& now = std::as_const(world);
     const auto pad = farthest_pad(world, now.get<Motion>(foe).position);
-    health = {.points = stage.data.wizard.health,
-              .shielded_until = tick + stage.data.round.spawn_shield,
+    health = {.points = context.data.wizard.health,
+              .shielded_until = tick + context.data.round.spawn_shield,
               .hurt_by = no_player};
-    world.get<Motion>(e) = standing_at(stage.data.wizard, pad.feet);
+    world.get<Motion>(e) = standing_at(context.data.wizard, pad.feet);
     world.get<Gaze>(e) = {pad.yaw, 0};
     world.get<Stance>(e) = {};
     world.get<Blows>(e) = {};
-    world.get<WandBelt>(e).energy = full_belt(stage.data).energy;
+    world.get<WandBelt>(e).energy = full_belt(context.data).energy;
     world.commands().remove<Dead>(e);
-    world.commands().add(e, wizard_body(stage.data.wizard));
+    world.commands().add(e, wizard_body(context.data.wizard));
     record(world, {.tick = tick,
                    .kind = EventKind::spawn,
                    .subject = wizard.player,
@@ -76,36 +78,36 @@ Pad farthest_pad(const ecs::World& world, vec3 from) {
     return best;
 }
 
-void add_life_systems(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_life_systems(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "deaths",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = world.mask<Health, Score, Chronicle>(),
+                  .writes = world.mask<Health, Score, EventLog>(),
                   .needs = world.mask<Health>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
-                      const double start = stage.data.wizard.health;
-                      const double loss = stage.data.wizard.excess_loss * gameplay_dt;
+                  .run = [&context](ecs::World& w, Tick tick) {
+                      const double start = context.data.wizard.health;
+                      const double loss = context.data.wizard.excess_loss * gameplay_dt;
                       w.view<const Wizard, Health, const Motion, ecs::Without<Dead>>().each(
                           [&](ecs::Entity e, const Wizard& wizard, Health& health, const Motion& motion) {
                               if (health.points > start)
                                   health.points = std::max(start, health.points - loss);
-                              health.points = std::min(health.points, stage.data.wizard.health_cap);
+                              health.points = std::min(health.points, context.data.wizard.health_cap);
                               if (health.points <= 0) {
                                   health.points = 0;
-                                  die(stage, e, wizard, health, motion, tick);
+                                  die(context, e, wizard, health, motion, tick);
                               }
                           });
                   }});
     schedule.add({.name = "resurrection",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Pad, Dead>(),
-                  .writes = world.mask<Health, Motion, Gaze, Stance, Blows, WandBelt, Chronicle>(),
+                  .writes = world.mask<Health, Motion, Gaze, Stance, Blows, WandBelt, EventLog>(),
                   .needs = world.mask<Dead>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
+                  .run = [&context](ecs::World& w, Tick tick) {
                       w.view<const Wizard, Health, const Dead>().each(
                           [&](ecs::Entity e, const Wizard& wizard, Health& health, const Dead& dead) {
-                              if (tick >= dead.returns_at) return_to_life(stage, e, wizard, health, tick);
+                              if (tick >= dead.returns_at) return_to_life(context, e, wizard, health, tick);
                           });
                   }});
 }

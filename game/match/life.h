@@ -1,12 +1,12 @@
-// game/match/life.h: death, resurrection, and the health that is too much.
+// game/match/life.h: death, return to life, and the slow loss of health above the start value.
 #pragma once
-#include "game/match/stage.h"
+#include "game/match/match_context.h"
 
 namespace thaum::game {
 
-void add_life_systems(Stage& stage, ecs::Schedule& schedule);
+void add_life_systems(MatchContext& context, ecs::Schedule& schedule);
 
-/// The pad farthest from a place; of two equally far ones the first.
+/// The pad farthest from a position; the first one if two are equally far.
 Pad farthest_pad(const ecs::World& world, vec3 from);
 
 }  // namespace thaum::game

@@ -1,4 +1,5 @@
-// game/match/playback.h: a log played again without devices: the ticks, and what they must come to.
+// game/match/playback.h: plays a log again without devices and compares each recorded hash with the
+// recomputed one.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -9,41 +10,45 @@
 
 namespace thaum::game {
 
-/// A recorded hash and what the replay came to at the same tick.
+/// A recorded hash and the different hashes that the replay computed at the same tick.
 struct Divergence {
     input::HashRecord recorded;
     std::uint64_t state{};
     std::uint64_t force{};
 };
 
-/// "tick 128: state differs: the log has ..., here it is ...".
+/// Text of a divergence: "tick 128: state differs: the log has ..., here it is ...".
 std::string described(const Divergence&);
 
-/// A log and the match that it makes.
+/// A log and the match that is recomputed from it.
 class Playback {
 public:
-    /// The error is one line: no log, damaged header, other rules, changed data.
+    /// Opens a log. The error is one line: no log, damaged header, other rules version or changed data.
     static Expected<Playback> open(const std::filesystem::path& log, const std::filesystem::path& assets);
 
     const input::LogReader& log() const { return *log_; }
     const Simulation& match() const { return *match_; }
     Simulation& match() { return *match_; }
 
-    /// Plays one tick and compares it with the log's hash, if there is one; false at the log's end.
+    /// Plays one tick and compares the state with the log's hash, if the log has one. Returns false at the
+    /// log's end.
     bool step();
-    /// Plays up to that many ticks in all; false where the log is shorter.
+    /// Plays until `tick` ticks are done in total. Returns false if the log is shorter.
     bool play_to(Tick tick);
-    /// The frame that the last step played.
+    /// The input frame that the last step played.
     const input::InputFrame& frame() const { return frame_; }
-    /// The log's hash of this tick where it is not the state's; nothing where they agree or the log has none.
+    /// The log's hash of this tick if it differs from the state. std::nullopt if they agree or the log has no
+    /// hash here.
     std::optional<Divergence> mismatch() const;
-    /// The first such difference since the log's beginning: what is played after it never happened.
+    /// The first divergence since the log's beginning. Whatever is played after it differs from the recorded
+    /// match.
     const std::optional<Divergence>& divergence() const { return divergence_; }
 
-    /// Why agreeing hashes would not prove the whole replay, as a line: one of the states that must have a hash has
-    /// none (every 128th, and the last one of a log that was closed), or there is nothing to compare. Empty: they would.
+    /// One line that says why agreeing hashes do not prove the whole replay: the log has no hashes, or lacks
+    /// one of every 128th tick or of the last tick. Empty if the hashes prove the replay.
     std::string missing_hashes() const;
-    /// A line where the log's result is not that of the match now, at the end of a log that was closed; else empty.
+    /// One line if the result stored in a log that was closed properly differs from the match's result now;
+    /// else empty.
     std::string wrong_result() const;
 
 private:

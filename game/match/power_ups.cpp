@@ -6,7 +6,7 @@
 namespace thaum::game {
 namespace {
 
-/// The wand with the least energy of its cap; null where there is none.
+/// The wand with the smallest share of its energy cap; null if no wand has a cap.
 const LoadedWand* emptiest_wand(const MatchData& data, const WandBelt& belt) {
     const LoadedWand* found = nullptr;
     double least = std::numeric_limits<double>::max();
@@ -18,32 +18,32 @@ const LoadedWand* emptiest_wand(const MatchData& data, const WandBelt& belt) {
     return found;
 }
 
-/// Who stands on it and would gain by it: the nearest.
+/// The nearest wizard on the power-up who would gain by it.
 struct Taker {
     ecs::Entity wizard;
     Gift gift;
     double distance = std::numeric_limits<double>::max();
 };
 
-Taker find_taker(Stage& stage, const PowerUp& power_up, vec3 place) {
-    const auto& rules = stage.data.rules.power_ups[static_cast<std::size_t>(power_up.kind)];
+Taker find_taker(MatchContext& context, const PowerUp& power_up, vec3 place) {
+    const auto& rules = context.data.rules.power_ups[static_cast<std::size_t>(power_up.kind)];
     Taker best;
-    stage.world.view<const Health, const WandBelt, const Motion, ecs::Without<Dead>>().each(
+    context.world.view<const Health, const WandBelt, const Motion, ecs::Without<Dead>>().each(
         [&](ecs::Entity e, const Health& health, const WandBelt& belt, const Motion& motion) {
-            if (health.points <= 0) return;  // about to die in this very tick
-            const auto distance = way_on_floor(stage.data.wizard, motion.position, place, rules.radius);
+            if (health.points <= 0) return;  // this wizard dies in this tick
+            const auto distance = way_on_floor(context.data.wizard, motion.position, place, rules.radius);
             if (!distance || *distance >= best.distance) return;
-            const auto gift = gift_of(stage.data, power_up.kind, health, belt);
+            const auto gift = gift_of(context.data, power_up.kind, health, belt);
             if (gift.amount() >= least_gift) best = {e, gift, *distance};
         });
     return best;
 }
 
-void take(Stage& stage, const Taker& taker, PowerUp& power_up, vec3 place, Tick tick) {
-    auto& world = stage.world;
+void take(MatchContext& context, const Taker& taker, PowerUp& power_up, vec3 place, Tick tick) {
+    auto& world = context.world;
     world.get<Health>(taker.wizard).points += taker.gift.health;
     world.get<WandBelt>(taker.wizard).energy[taker.gift.slot] += taker.gift.energy;
-    power_up.back_at = tick + stage.data.rules.power_ups[static_cast<std::size_t>(power_up.kind)].again;
+    power_up.back_at = tick + context.data.rules.power_ups[static_cast<std::size_t>(power_up.kind)].again;
     const auto player = std::as_const(world).get<Wizard>(taker.wizard).player;
     record(world, {.tick = tick,
                    .kind = EventKind::power_up,
@@ -69,18 +69,18 @@ Gift gift_of(const MatchData& data, PowerUpKind kind, const Health& health, cons
     return gift;
 }
 
-void add_power_up_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_power_up_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "power-ups",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Motion, Dead>(),
-                  .writes = world.mask<PowerUp, Health, WandBelt, Chronicle>(),
+                  .writes = world.mask<PowerUp, Health, WandBelt, EventLog>(),
                   .needs = world.mask<PowerUp>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
+                  .run = [&context](ecs::World& w, Tick tick) {
                       w.view<PowerUp, const Motion>().each([&](PowerUp& power_up, const Motion& motion) {
                           if (tick < power_up.back_at) return;
-                          const auto taker = find_taker(stage, power_up, motion.position);
-                          if (taker.wizard) take(stage, taker, power_up, motion.position, tick);
+                          const auto taker = find_taker(context, power_up, motion.position);
+                          if (taker.wizard) take(context, taker, power_up, motion.position, tick);
                       });
                   }});
 }

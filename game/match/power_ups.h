@@ -1,21 +1,21 @@
-// game/match/power_ups.h: who walks over a power-up picks it up.
+// game/match/power_ups.h: wizards pick up power-ups by walking over them.
 #pragma once
-#include "game/match/stage.h"
+#include "game/match/match_context.h"
 
 namespace thaum::game {
 
-void add_power_up_system(Stage& stage, ecs::Schedule& schedule);
+void add_power_up_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// What a power-up would give to a wizard now.
+/// Health or energy that a power-up would give to a wizard now.
 struct Gift {
-    double health{};  ///< HP
-    double energy{};  ///< into the wand of that slot
+    double health{};  ///< health to add (HP)
+    double energy{};  ///< energy to add to `slot`
     std::uint32_t slot{};
     double amount() const { return health + energy; }
 };
 Gift gift_of(const MatchData& data, PowerUpKind kind, const Health& health, const WandBelt& belt);
 
-/// Less than that is nothing: it stays where it is, HP or energy.
+/// Smallest gift (HP or energy). A power-up that would give less stays where it is.
 inline constexpr double least_gift = 1;
 
 }  // namespace thaum::game

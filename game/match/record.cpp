@@ -8,8 +8,9 @@ namespace {
 
 constexpr std::string_view match_parameter = "match=";
 
-/// The first difference between the files a log was recorded with and those here, as one line; empty if none.
-std::string changed_file(const std::vector<input::DataFile>& recorded, const std::vector<DataFile>& here) {
+/// First difference between the data files at recording and now, as one line; empty if there is none.
+std::string changed_file(const std::vector<input::DataFile>& recorded,
+                         const std::vector<input::DataFile>& here) {
     for (const auto& file : recorded) {
         const auto same_name =
             std::find_if(here.begin(), here.end(), [&](const auto& f) { return f.name == file.name; });
@@ -38,7 +39,7 @@ input::LogHeader log_header(const MatchData& data, const MatchSetup& setup,
     header.maths_probe = physics::maths_probe();
     header.players = std::move(players);
     header.devices = setup.devices;
-    for (const auto& file : data.files) header.files.push_back({file.name, file.hash});
+    header.files = data.files;
     header.overrides = data.choice.overrides;
     header.parameters = {text(match_parameter, data.choice.match)};
     return header;

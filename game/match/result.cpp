@@ -11,7 +11,7 @@ std::string counted(std::uint32_t count, std::string_view one, std::string_view 
     return text(count, " ", count == 1 ? one : many);
 }
 
-std::string words_of(const Deeds& d) {
+std::string words_of(const MatchStats& d) {
     std::string words;
     if (d.shots > 0) {
         add_part(words, text(d.hits, " of ", d.shots, " hit (", (200 * d.hits / d.shots + 1) / 2, " %)"));
@@ -26,10 +26,10 @@ std::string words_of(const Deeds& d) {
 
 }  // namespace
 
-std::vector<ResultRow> result_rows(const DeedsOfAll& deeds) {
+std::vector<ResultRow> result_rows(const AllMatchStats& match_stats) {
     std::vector<ResultRow> rows;
     for (std::size_t cause = 0; cause < causes.size(); ++cause) {
-        ResultRow row{causes[cause].name, {words_of(deeds[0][cause]), words_of(deeds[1][cause])}};
+        ResultRow row{causes[cause].name, {words_of(match_stats[0][cause]), words_of(match_stats[1][cause])}};
         if (!row.words[0].empty() || !row.words[1].empty()) rows.push_back(std::move(row));
     }
     return rows;
@@ -37,7 +37,7 @@ std::vector<ResultRow> result_rows(const DeedsOfAll& deeds) {
 
 std::string result_table(const Simulation& match) {
     const auto& world = match.world();
-    const auto rows = result_rows(world.single<Chronicle>().deeds);
+    const auto rows = result_rows(world.single<EventLog>().match_stats);
     std::string lines;
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto e = wizard_of(world, player);

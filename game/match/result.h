@@ -1,21 +1,21 @@
-// game/match/result.h: the result as people read it: who hit whom with what.
+// game/match/result.h: the result of a match as text for people: shots, hits, harm and kills by cause.
 #pragma once
 #include "game/match/simulation.h"
 
 namespace thaum::game {
 
-/// By one cause, for both players, over the whole match: "12 of 64 hit (19 %), 72 HP, 1 kill".
+/// Results of both players by one cause over the whole match, as "12 of 64 hit (19 %), 72 HP, 1 kill".
 struct ResultRow {
     std::string_view cause;
     std::array<std::string, players> words;
 };
 
-using DeedsOfAll = decltype(Chronicle::deeds);
+using AllMatchStats = decltype(EventLog::match_stats);
 
-/// The causes by which anything was done.
-std::vector<ResultRow> result_rows(const DeedsOfAll& deeds);
+/// Rows for all causes with any result.
+std::vector<ResultRow> result_rows(const AllMatchStats& match_stats);
 
-/// A line for each player and for each of their rows.
+/// Table with one line for each player, followed by the player's rows.
 std::string result_table(const Simulation& match);
 
 }  // namespace thaum::game

@@ -10,32 +10,33 @@
 namespace thaum::game {
 namespace {
 
-/// Ticks before a player may ask for the next round, so that who was just shooting does not.
+/// Ticks before a player can ask for the next round. A player who is still shooting must not start it by
+/// accident.
 constexpr Tick soonest = ticks(0.8);
 
-/// Everything but the match itself.
+/// Removes all entities and keeps the match, its random numbers and its event log.
 void clear_scene(ecs::World& world) {
     const auto match = world.single<Match>();
     const auto dice = world.single<Dice>();
-    const auto chronicle = world.single<Chronicle>();
+    const auto event_log = world.single<EventLog>();
     world.clear();
-    world.create(match, dice, chronicle);
+    world.create(match, dice, event_log);
 }
 
-void spawn_wizards(Stage& stage) {
-    auto& world = stage.world;
+void spawn_wizards(MatchContext& context) {
+    auto& world = context.world;
     std::array<Pad, players> starts;
     world.view<const Pad>().each([&](const Pad& pad) {
         if (pad.player < players) starts[pad.player] = pad;
     });
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& pad = starts[player];
-        const auto& rules = stage.data.wizard;
-        const auto e =
-            world.create(Wizard{player}, Controls{}, Gaze{pad.yaw, 0}, Stance{},
-                         Health{.points = rules.health, .hurt_by = no_player}, Blows{}, full_belt(stage.data),
-                         empty_grip(), Score{}, Look{Surface::wizard}, standing_at(rules, pad.feet));
-        for (const auto& wand : stage.data.wands) wand.kind->outfit(world, e);
+        const auto& rules = context.data.wizard;
+        const auto e = world.create(Wizard{player}, Controls{}, Gaze{pad.yaw, 0}, Stance{},
+                                    Health{.points = rules.health, .hurt_by = no_player}, Blows{},
+                                    full_belt(context.data), empty_hand_state(), Score{},
+                                    Look{Surface::wizard}, standing_at(rules, pad.feet));
+        for (const auto& wand : context.data.wands) wand.kind->outfit(world, e);
         world.add(e, wizard_body(rules));
     }
 }
@@ -44,13 +45,13 @@ bool decided(const Match& match, std::uint32_t rounds) {
     return match.rounds_won[0] > rounds / 2 || match.rounds_won[1] > rounds / 2 || match.round + 1 >= rounds;
 }
 
-void end_round(Stage& stage, Ending ending, std::uint32_t winner, Tick tick) {
-    auto& world = stage.world;
+void end_round(MatchContext& context, Ending ending, std::uint32_t winner, Tick tick) {
+    auto& world = context.world;
     auto& match = world.single<Match>();
     match.ending = ending;
     match.winner = winner;
     if (winner < players) ++match.rounds_won[winner];
-    match.phase = decided(match, stage.data.round.rounds) ? Phase::over : Phase::between;
+    match.phase = decided(match, context.data.round.rounds) ? Phase::over : Phase::between;
     match.waited = 0;
     record(world, {.tick = tick,
                    .kind = EventKind::round_end,
@@ -65,47 +66,48 @@ std::uint32_t leader(const std::array<std::int32_t, players>& kills) {
 
 }  // namespace
 
-void open_round(Stage& stage) {
-    const auto arms = arms_in(stage.world);
-    clear_scene(stage.world);
-    spawn_arena(stage.world, stage.data.arena);
-    spawn_cauldron(stage);
-    spawn_niches(stage);
-    spawn_wizards(stage);
-    add_arms(stage, arms);
+void open_round(MatchContext& context) {
+    const auto arms = arms_in(context.world);
+    clear_scene(context.world);
+    spawn_arena(context.world, context.data.arena);
+    spawn_cauldron(context);
+    spawn_niches(context);
+    spawn_wizards(context);
+    add_arms(context, arms);
 }
 
-void add_round_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_round_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "round",
                   .period = gameplay_period,
                   .reads = world.mask<Wizard, Score>(),
-                  .writes = world.mask<Match, Chronicle>(),
+                  .writes = world.mask<Match, EventLog>(),
                   .needs = world.mask<Score>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
+                  .run = [&context](ecs::World& w, Tick tick) {
                       std::array<std::int32_t, players> kills{};
                       w.view<const Wizard, const Score>().each([&](const Wizard& wizard, const Score& score) {
                           kills[wizard.player] = score.kills;
                       });
-                      const auto& rules = stage.data.round;
+                      const auto& rules = context.data.round;
                       const auto& match = std::as_const(w).single<Match>();
                       const bool enough = kills[0] >= rules.kills || kills[1] >= rules.kills;
-                      // Both in one tick: the one with more, or a draw.
+                      // If both players reach the limit in one tick, the one with more kills wins. Equal
+                      // kills are a draw.
                       if (enough) {
-                          end_round(stage, Ending::kills, leader(kills), tick);
+                          end_round(context, Ending::kills, leader(kills), tick);
                       } else if (match.played + 1 >= match.round_began + rules.length) {
-                          end_round(stage, Ending::time, leader(kills), tick);
+                          end_round(context, Ending::time, leader(kills), tick);
                       }
                   }});
 }
 
-void add_interval_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_interval_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "interval",
                   .reads = world.mask<Controls>(),
                   .writes = world.mask<Match>(),
                   .needs = world.mask<Controls>(),
-                  .run = [&stage](ecs::World& w, Tick) {
+                  .run = [&context](ecs::World& w, Tick) {
                       auto& match = w.single<Match>();
                       if (match.phase != Phase::between) return;
                       ++match.waited;
@@ -113,23 +115,23 @@ void add_interval_system(Stage& stage, ecs::Schedule& schedule) {
                       w.view<const Controls>().each([&](const Controls& c) { pressed |= c.pressed; });
                       const bool asked = (pressed & static_cast<std::uint32_t>(input::Button::confirm)) != 0;
                       if (asked && match.waited >= soonest)
-                          match.waited = static_cast<std::uint32_t>(stage.data.round.interval);
+                          match.waited = static_cast<std::uint32_t>(context.data.round.interval);
                   }});
 }
 
-bool next_round_is_due(const Stage& stage) {
-    const auto& match = stage.world.single<Match>();
-    return match.phase == Phase::between && match.waited >= stage.data.round.interval;
+bool next_round_is_due(const MatchContext& context) {
+    const auto& match = context.world.single<Match>();
+    return match.phase == Phase::between && match.waited >= context.data.round.interval;
 }
 
-void begin_next_round(Stage& stage) {
-    open_round(stage);
-    auto& match = stage.world.single<Match>();
+void begin_next_round(MatchContext& context) {
+    open_round(context);
+    auto& match = context.world.single<Match>();
     match.phase = Phase::playing;
     match.round_began = match.played;
     ++match.round;
-    record(stage.world, {.tick = match.played, .kind = EventKind::round_begin, .detail = match.round});
-    stage.physics.rebuild();
+    record(context.world, {.tick = match.played, .kind = EventKind::round_begin, .detail = match.round});
+    context.physics.rebuild();
 }
 
 }  // namespace thaum::game

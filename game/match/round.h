@@ -1,18 +1,19 @@
-// game/match/round.h: when a round begins, when it ends, and who has won it.
+// game/match/round.h: begins and ends the rounds of a match and decides who has won.
 #pragma once
-#include "game/match/stage.h"
+#include "game/match/match_context.h"
 
 namespace thaum::game {
 
-/// The scene of a round's first moment: the arena as its file has it, both wizards on their pads. What was there is gone.
-void open_round(Stage& stage);
+/// Replaces the scene by that of a new round: the arena as its file describes it, both wizards on their pads.
+void open_round(MatchContext& context);
 
-/// Ends the round, and with the last one the match.
-void add_round_system(Stage& stage, ecs::Schedule& schedule);
+/// Adds the system that ends a round, and after the last round the match.
+void add_round_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// Between rounds: the next one comes when a player confirms, or by itself after a while.
-void add_interval_system(Stage& stage, ecs::Schedule& schedule);
-bool next_round_is_due(const Stage& stage);
-void begin_next_round(Stage& stage);
+/// Adds the system that waits between rounds. The next round begins when a player confirms, or by itself
+/// after a while.
+void add_interval_system(MatchContext& context, ecs::Schedule& schedule);
+bool next_round_is_due(const MatchContext& context);
+void begin_next_round(MatchContext& context);
 
 }  // namespace thaum::game

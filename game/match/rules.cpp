@@ -61,10 +61,10 @@ WizardRules read_wizard_rules(const Config& file) {
     return rules;
 }
 
-TouchRules read_touch_rules(const Config& file) {
+HapticRules read_haptic_rules(const Config& file) {
     constexpr double micrometres = 1e6;
     const auto root = file.root();
-    TouchRules rules;
+    HapticRules rules;
     rules.device = root.string("device");
     rules.share = root.number("share", {0, 1});
     const auto hand = root.table("hand");

@@ -1,4 +1,5 @@
-// game/match/rules.h: the numbers of a match, each from a data file (assets/rules, assets/wizards).
+// game/match/rules.h: rules of rounds, wizards and hands, read from data files (assets/rules, assets/wizards,
+// assets/haptics.toml).
 #pragma once
 #include <array>
 #include <string>
@@ -10,64 +11,72 @@
 
 namespace thaum::game {
 
-/// How long a match is: assets/rules/quick.toml, standard.toml.
+/// Length of a match: assets/rules/quick.toml, standard.toml.
 struct RoundRules {
-    std::int32_t kills{};    ///< to win the round
-    Tick length{};           ///< ticks of a round
-    std::uint32_t rounds{};  ///< at most; the match is won by more than half of them
+    std::int32_t kills{};    ///< kills that win the round
+    Tick length{};           ///< length of a round (ticks)
+    std::uint32_t rounds{};  ///< largest number of rounds; more than half of them win the match
     Tick interval{};         ///< ticks until the next round begins by itself
-    Tick respawn{};          ///< ticks from death to resurrection
-    Tick spawn_shield{};     ///< ticks
+    Tick respawn{};          ///< ticks from death to return to life
+    Tick spawn_shield{};     ///< ticks without harm after a return to life
 };
 
 struct PowerUpRules {
-    double health{};        ///< HP it gives
-    double energy_share{};  ///< of the emptiest wand's cap
-    Tick again{};           ///< ticks until it is back
-    double radius{};        ///< m, on the ground
+    double health{};        ///< health it gives (HP)
+    double energy_share{};  ///< energy it gives, as a share of the emptiest wand's cap
+    Tick again{};           ///< ticks until it is available again
+    double radius{};        ///< radius in which it is picked up (m, on the ground)
 };
 
-/// What is fought by: assets/rules/thaum.toml, classic.toml.
+/// Rule set: assets/rules/thaum.toml, classic.toml.
 struct RuleSet {
-    bool energy_regain = true;  ///< wands regain energy by themselves, as their files say
+    bool energy_regain = true;  ///< wands regain energy by themselves at the rates in their files
     bool spawn_shield = true;
-    bool cauldron = true;  ///< the arena's bowl holds a brew
+    bool cauldron = true;  ///< a bowl in the arena holds a brew
     std::array<PowerUpRules, power_up_names.size()> power_ups{};
 };
 
 struct WizardRules {
-    double mass{}, radius{}, height{}, eye{};  ///< kg, m
+    double mass{}, radius{}, height{}, eye{};  ///< kg, m, m, m: eye is the height of the eye above the feet
     physics::MoverSettings walk{};
-    double health{}, health_cap{}, excess_loss{};                ///< HP, HP, HP/s
-    double fall_safe{}, fall_damage{};                           ///< m/s, HP per m/s
-    double object_safe{}, object_damage{}, object_damage_max{};  ///< N s, HP per N s, HP
+    /// Start value (HP), largest value (HP), loss above the start value (HP/s).
+    double health{}, health_cap{}, excess_loss{};
+    /// Landing speed without harm (m/s), harm per speed above it (HP per m/s).
+    double fall_safe{}, fall_damage{};
+    /// Impulse without harm (N s), harm per impulse above it (HP per N s), largest harm (HP).
+    double object_safe{}, object_damage{}, object_damage_max{};
+    /// Ticks after the beginning of a blow in which the same thing cannot hurt again.
     Tick object_again{};
-    Tick blame{};          ///< ticks for which a fall, or a thing set going, is still the foe's deed
-    double pitch_limit{};  ///< rad
+    /// Ticks for which a fall, or a blow by a moved thing, counts for the other player.
+    Tick blame{};
+    double pitch_limit{};  ///< largest angle of view above or below the horizon (rad)
 };
 
-/// How the wand's tip feels what it touches, for a device that can do it.
+/// Contact of the wand's tip with surfaces, as felt at the device.
 struct ProbeRules {
-    double stiffness{};           ///< N/m at the device, at most what it can; 0: nothing is felt
-    double damping{};             ///< N s/m, likewise
-    double static_friction{};     ///< per unit of the thing's own
-    double dynamic_friction{};    ///< likewise
-    double newtons_per_newton{};  ///< of the hand, for one on the thing; 0: things are not pushed
+    /// Stiffness at the device (N/m), limited to what the device can render; 0: contacts are not felt.
+    double stiffness{};
+    double damping{};           ///< damping at the device (N s/m), limited to what the device can render
+    double static_friction{};   ///< static friction as a multiple of the body's own friction
+    double dynamic_friction{};  ///< dynamic friction as a multiple of the body's own friction
+    /// Force at the hand per force on the thing (N/N); 0: things are not pushed.
+    double newtons_per_newton{};
 };
 
-/// What hands hold and feel: assets/haptics.toml.
-struct TouchRules {
-    std::string device;               ///< a model in assets/devices
-    double share{};                   ///< of its peak force, at most
-    double wand_per_hand{};           ///< m of the wand's tip for a metre of the hand, in a usual workspace
-    std::int32_t clutch_per_count{};  ///< um of the hand for a count of the mouse
-    std::int32_t clutch_per_tick{};   ///< um of the hand in a tick, with a stick fully pushed
+/// Haptic rules of hands: assets/haptics.toml.
+struct HapticRules {
+    std::string device;  ///< name of a device file in assets/devices
+    double share{};      ///< largest force as a share of the device's peak force
+    /// Displacement of the wand's tip per displacement of the hand in the usual workspace (m/m).
+    double wand_per_hand{};
+    std::int32_t clutch_per_count{};  ///< displacement of the hand per mouse count (um)
+    std::int32_t clutch_per_tick{};   ///< displacement of the hand per tick with a stick fully deflected (um)
     ProbeRules probe{};
 };
 
 RoundRules read_round_rules(const Config& file);
 RuleSet read_rule_set(const Config& file);
 WizardRules read_wizard_rules(const Config& file);
-TouchRules read_touch_rules(const Config& file);
+HapticRules read_haptic_rules(const Config& file);
 
 }  // namespace thaum::game

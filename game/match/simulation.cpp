@@ -20,20 +20,21 @@ namespace thaum::game {
 namespace {
 
 void spawn_match(ecs::World& world, std::uint64_t seed) {
-    world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, Chronicle{});
+    world.create(Match{}, Dice{.spread = random_stream(seed, 1)}, EventLog{});
 }
 
-/// m: the workspace, from left to right, that hand scales in data files are for: a Touch's. In another the hand goes as much
-/// farther as it is narrower, so that it reaches as far in the world.
+/// Usual width of a device's workspace (m, left to right), for which the hand scales in data files are meant.
+/// In a narrower workspace the scales grow in proportion, so that the hand reaches as far in the world.
 constexpr double usual_width = 0.16;
 
-void set_box(const MatchData& data, std::uint32_t player, vec3 box, Touch& touch) {
+void set_box(const MatchData& data, std::uint32_t player, vec3 box, HapticSetup& touch) {
     touch.reach[player] = box / 2.0;
     touch.stride[player] = usual_width / box.x;
     touch.wand_per_hand[player] = data.touch.wand_per_hand * touch.stride[player];
 }
 
-/// m; zero where it has not said one that an arm can have. A wider one than the widest of real ones is no reason to crawl.
+/// Workspace of a real arm (m); zero if the device is no arm or gives no plausible size. An edge above 1 m
+/// counts as 1 m: no real arm is wider, and a wider one would make the hand slow.
 vec3 box_of(const input::DeviceSpec& device) {
     constexpr std::uint32_t least_um = 20'000, most_um = 1'000'000;
     vec3 box{};
@@ -47,20 +48,20 @@ vec3 box_of(const input::DeviceSpec& device) {
 
 static_assert(haptics::fluid_modes.size() == input::fluid_faders);
 
-/// Takes away what the player does not want to feel of a brew.
+/// Reduces the brew's effects by the shares that the player does not want to feel.
 void keep_off(const input::DeviceSpec& device, haptics::FluidModes& modes) {
     for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i)
         modes.*haptics::fluid_modes[i].strength *= 1 - device.fluid_kept_off[i] / 100.0;
 }
 
-void add_cauldron_systems(Stage& stage, ecs::Schedule& schedule) {
-    add_splash_system(stage, schedule);
-    add_brewing_systems(stage, schedule);
-    add_brew_systems(stage, schedule);
+void add_cauldron_systems(MatchContext& context, ecs::Schedule& schedule) {
+    add_splash_system(context, schedule);
+    add_brewing_systems(context, schedule);
+    add_brew_systems(context, schedule);
 }
 
-Touch touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
-    Touch touch{.device = haptics::simulated_device(data.device, haptics::Hand{})};
+HapticSetup touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
+    HapticSetup touch{.device = haptics::simulated_device(data.device, haptics::Hand{})};
     touch.on.fill(true);
     touch.weight.fill(1);
     touch.blows.fill(1);
@@ -83,39 +84,39 @@ Touch touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devi
 
 Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     : data_(std::move(data)), setup_(std::move(setup)), jobs_(setup_.workers) {
-    stage_.reset(new Stage{{},
-                           physics::Physics({}, data_->arena.meshes),
-                           *data_,
-                           touch_of(*data_, setup_.devices),
-                           setup_.devices,
-                           {}});
-    auto& stage = *stage_;
-    stage.jobs = &jobs_;
-    declare_components(stage.world);
-    stage.world.reserve_entities(1024);
-    add_body_hooks(stage);
-    spawn_match(stage.world, setup_.seed);
-    open_round(stage);
+    context_.reset(new MatchContext{{},
+                                    physics::Physics({}, data_->arena.meshes),
+                                    *data_,
+                                    touch_of(*data_, setup_.devices),
+                                    setup_.devices,
+                                    {}});
+    auto& context = *context_;
+    context.jobs = &jobs_;
+    declare_components(context.world);
+    context.world.reserve_entities(1024);
+    add_body_hooks(context);
+    spawn_match(context.world, setup_.seed);
+    open_round(context);
 
-    add_arm_system(stage, always_);
-    add_controls_system(stage, always_);
-    add_interval_system(stage, always_);
-    add_pause_system(stage, always_);
+    add_arm_system(context, always_);
+    add_controls_system(context, always_);
+    add_interval_system(context, always_);
+    add_pause_system(context, always_);
 
-    if (data_->cauldron) add_stir_system(stage, live_);
-    add_touch_system(stage, live_);
-    if (data_->cauldron) add_ladle_system(stage, live_);
-    add_walk_system(stage, live_);
-    add_probe_system(stage, live_);
-    add_wand_forces(stage, live_);
-    add_body_systems(stage, live_);
-    add_missile_systems(stage, live_);
-    add_belt_system(stage, live_);
-    if (data_->cauldron) add_cauldron_systems(stage, live_);
-    add_power_up_system(stage, live_);
-    add_life_systems(stage, live_);
-    add_round_system(stage, live_);
-    add_controls_used_system(stage, live_);
+    if (data_->cauldron) add_stir_system(context, live_);
+    add_touch_system(context, live_);
+    if (data_->cauldron) add_ladle_system(context, live_);
+    add_walk_system(context, live_);
+    add_probe_system(context, live_);
+    add_wand_forces(context, live_);
+    add_body_systems(context, live_);
+    add_missile_systems(context, live_);
+    add_belt_system(context, live_);
+    if (data_->cauldron) add_cauldron_systems(context, live_);
+    add_power_up_system(context, live_);
+    add_life_systems(context, live_);
+    add_round_system(context, live_);
+    add_controls_used_system(context, live_);
     keyframe();
 }
 
@@ -124,10 +125,10 @@ Simulation::~Simulation() = default;
 void Simulation::tick(const input::InputFrame& frame) {
     if (now_ % keyframe_interval == 0 && now_ != 0) keyframe();
     if (now_ % hash_interval == 0) force_hash_ = 0;
-    stage_->frame = frame;
-    auto& world = stage_->world;
+    context_->frame = frame;
+    auto& world = context_->world;
     always_.run(world, now_);
-    if (next_round_is_due(*stage_)) begin_next_round(*stage_);
+    if (next_round_is_due(*context_)) begin_next_round(*context_);
     const auto& match = std::as_const(world).single<Match>();
     const bool live = match.paused == 0 && match.phase == Phase::playing;
     if (live) {
@@ -135,43 +136,43 @@ void Simulation::tick(const input::InputFrame& frame) {
         force_hash_ = chained_force_hash(world, force_hash_);
         ++world.single<Match>().played;
     }
-    publish_models(*stage_, live);
+    publish_models(*context_, live);
     for (const auto& device : frame.devices) world.single<Match>().skipped += device.skips;
     ++now_;
 }
 
 void Simulation::keyframe() {
-    copy_places(*stage_);
-    stage_->physics.rebuild();
+    copy_places(*context_);
+    context_->physics.rebuild();
 }
 
 Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at) {
     THAUM_ASSERT(at % keyframe_interval == 0, text("restored at tick ", at, ", which is no keyframe"));
-    if (auto restored = ecs::restore(stage_->world, snapshot); !restored) return restored;
-    rebuild_physics(*stage_);
-    rebuild_brew(*stage_);
+    if (auto restored = ecs::restore(context_->world, snapshot); !restored) return restored;
+    rebuild_physics(*context_);
+    rebuild_brew(*context_);
     now_ = at;
     return {};
 }
 
-const Touch& Simulation::touch() const { return stage_->touch; }
-const BrewWork* Simulation::brew() const { return stage_->brew.get(); }
-const ForceTrace& Simulation::felt(std::uint32_t player) const { return stage_->felt[player]; }
+const HapticSetup& Simulation::touch() const { return context_->touch; }
+const BrewWork* Simulation::brew() const { return context_->brew.get(); }
+const ForceTrace& Simulation::felt(std::uint32_t player) const { return context_->felt[player]; }
 
 std::unique_ptr<Simulation> Simulation::continued_with(std::shared_ptr<const MatchData> data) const {
     auto next = std::make_unique<Simulation>(std::move(data), setup_);
-    carry_over(*stage_, *next->stage_);
+    carry_over(*context_, *next->context_);
     next->now_ = now_;
     next->force_hash_ = force_hash_;
-    next->stage_->felt = stage_->felt;
+    next->context_->felt = context_->felt;
     return next;
 }
 
-void Simulation::save(Bytes& out) const { ecs::save(stage_->world, out); }
-std::uint64_t Simulation::state_hash() const { return ecs::state_hash(stage_->world); }
-const ecs::World& Simulation::world() const { return stage_->world; }
-ecs::World& Simulation::world_to_change() { return stage_->world; }
-physics::Physics& Simulation::physics() { return stage_->physics; }
-const physics::Physics& Simulation::physics() const { return stage_->physics; }
+void Simulation::save(Bytes& out) const { ecs::save(context_->world, out); }
+std::uint64_t Simulation::state_hash() const { return ecs::state_hash(context_->world); }
+const ecs::World& Simulation::world() const { return context_->world; }
+ecs::World& Simulation::world_to_change() { return context_->world; }
+physics::Physics& Simulation::physics() { return context_->physics; }
+const physics::Physics& Simulation::physics() const { return context_->physics; }
 
 }  // namespace thaum::game

@@ -22,7 +22,7 @@ SurfaceKind kind_of(physics::Shape shape) {
     return SurfaceKind::triangle;
 }
 
-/// rad/s, of what rests in the world.
+/// Rotation rate of things at rest in the world, relative to the moving frame (rad/s, device frame).
 vec3 spin_of(const HandFrame& frame, const HandFrame& before) {
     if (frame.turn == before.turn) return vec3(0);
     quat turned = glm::conjugate(frame.turn) * before.turn;
@@ -40,7 +40,8 @@ void add_body(SurfacePatch& patch, const physics::Physics& physics, physics::Key
     haptics::SurfaceBody& body = patch.bodies[patch.body_count++];
     body.position = frame.to_device(state.position);
     body.orientation = glm::conjugate(frame.turn) * state.orientation;
-    // Over the whole tick, so that it leads from where it was in the old frame exactly.
+    // The mean velocity over the whole tick leads exactly from the position in the previous frame to the
+    // present one.
     const vec3 was = before.to_device(state.position - tick_seconds * state.velocity);
     const bool rests = frame == before && state.velocity == vec3(0);
     body.velocity = rests ? vec3(0) : (body.position - was) / tick_seconds;
@@ -52,7 +53,7 @@ void add_body(SurfacePatch& patch, const physics::Physics& physics, physics::Key
     body.key = key;
 }
 
-/// to_device: HandFrame's turn and scale.
+/// `to_device` contains rotation and scale of HandFrame.
 void add_surface(SurfacePatch& patch, const Nearby& near, vec3 origin, const mat3& to_device, double scale) {
     haptics::Surface& surface = patch.surfaces[patch.count++];
     surface.kind = kind_of(near.shape);
@@ -77,7 +78,7 @@ void fill_patch(SurfacePatch& patch, const physics::Physics& physics, const Arou
     patch.body_count = 0;
     for (std::size_t i = 0; i < all.count; ++i) {
         const Nearby& near = found[i];
-        // They come in the order of keys.
+        // Surfaces come in the order of keys, so those of one body are neighbours.
         const bool known = patch.body_count != 0 && patch.bodies[patch.body_count - 1].key == near.key;
         if (!known && patch.body_count == haptics::surface_body_capacity) {
             reach = std::min(reach, near.distance);

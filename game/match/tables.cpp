@@ -1,7 +1,7 @@
 #include "game/match/tables.h"
 
 #include "core/text.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/components/power_up.h"
 #include "game/match/arm.h"
 #include "game/wands/belt.h"
@@ -9,7 +9,7 @@
 namespace thaum::game {
 namespace {
 
-/// What stands in the column `with`.
+/// Content of the column `with` for a kind of event.
 enum class With : std::uint8_t {
     nothing,
     wand_in_hand,
@@ -22,16 +22,16 @@ enum class With : std::uint8_t {
     ingredient
 };
 
-/// How a kind of event is told.
-struct Telling {
+/// How the table shows one kind of event.
+struct EventFormat {
     EventKind kind;
     With with;
-    std::string_view unit;  ///< of `amount`; empty: it has none
-    bool placed;            ///< happens somewhere
-    bool to_somebody;       ///< `subject` is whom it was done to, and not only who did it
+    std::string_view unit;  ///< unit of `amount`; empty: the event has no amount
+    bool placed;            ///< the event has a position
+    bool to_somebody;       ///< the event happens to `subject`, who is shown in the column `whom`
 };
 
-constexpr Telling tellings[] = {
+constexpr EventFormat formats[] = {
     {EventKind::none, With::nothing, "", false, false},
     {EventKind::shot, With::wand_in_hand, "", true, false},
     {EventKind::bolt_hit, With::own_name, "hp", true, true},
@@ -41,7 +41,7 @@ constexpr Telling tellings[] = {
     {EventKind::spawn, With::pad, "", true, true},
     {EventKind::dry, With::wand_in_hand, "", false, false},
     {EventKind::round_end, With::ending, "", false, true},
-    {EventKind::power_up, With::power_up, "points", true, true},  // HP, or a spark's energy
+    {EventKind::power_up, With::power_up, "points", true, true},  // health (HP) or a spark's energy
     {EventKind::round_begin, With::round, "", false, false},
     {EventKind::blast_hit, With::own_name, "hp", true, true},
     {EventKind::lob_hit, With::own_name, "hp", true, true},
@@ -54,15 +54,15 @@ constexpr Telling tellings[] = {
 };
 
 constexpr bool all_kinds_are_told() {
-    if (std::size(tellings) != event_names.size()) return false;
-    for (std::size_t i = 0; i < std::size(tellings); ++i) {
-        if (static_cast<std::size_t>(tellings[i].kind) != i) return false;
+    if (std::size(formats) != event_names.size()) return false;
+    for (std::size_t i = 0; i < std::size(formats); ++i) {
+        if (static_cast<std::size_t>(formats[i].kind) != i) return false;
     }
     return true;
 }
 static_assert(all_kinds_are_told(), "a new EventKind needs its row in `tellings`, in the order of the enum");
 
-/// Rounded once, so that 9 ticks are 0.009 and not 0.009000000000000001.
+/// Time in seconds. One division rounds once, so 9 ticks are 0.009 and not 0.009000000000000001.
 double in_seconds(Tick tick) { return static_cast<double>(tick) / static_cast<double>(ticks_per_second); }
 
 std::string name_of_ingredient(const MatchData& data, std::uint32_t number) {
@@ -132,16 +132,16 @@ std::string with_what(With with, const Event& event, const Simulation& match) {
 }
 
 void append_event(const Event& event, const Simulation& match, std::string& out) {
-    const auto& telling = tellings[static_cast<std::size_t>(event.kind)];
+    const auto& format = formats[static_cast<std::size_t>(event.kind)];
     append({.tick = match.now(),
             .played = event.tick,
             .kind = event_names[static_cast<std::size_t>(event.kind)],
             .who = event.by,
-            .whom = telling.to_somebody ? event.subject : no_player,
-            .with = with_what(telling.with, event, match),
+            .whom = format.to_somebody ? event.subject : no_player,
+            .with = with_what(format.with, event, match),
             .amount = event.amount,
-            .unit = telling.unit,
-            .place = telling.placed ? &event.place : nullptr},
+            .unit = format.unit,
+            .place = format.placed ? &event.place : nullptr},
            out);
 }
 
@@ -215,7 +215,7 @@ void EventTable::follow(const Playback& playback, std::string& out) {
                 .unit = "ticks"},
                out);
     }
-    const auto lost = each_new_event(match.world().single<Chronicle>(), seen_,
+    const auto lost = each_new_event(match.world().single<EventLog>(), seen_,
                                      [&](const Event& event) { append_event(event, match, out); });
     if (lost > 0) {
         append({.tick = now,
@@ -281,17 +281,17 @@ void append_forces(const Simulation& match, std::string& out) {
     append_text(out, text(match.now(), ",", in_seconds(match.now())));
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& world = match.world();
-        const auto& grip = world.get<Grip>(wizard_of(world, player));
-        const vec3 at = grip.device.position, force = grip.servo.safety.output;
+        const auto& hand_state = world.get<HandState>(wizard_of(world, player));
+        const vec3 at = hand_state.device.position, force = hand_state.servo.safety.output;
         append_numbers(out, {at.x, at.y, at.z, force.x, force.y, force.z});
-        append_text(out, text(",", haptics::safety_cause_names[grip.servo.safety.cause]));
-        const auto& book = grip.servo.energy;
+        append_text(out, text(",", haptics::safety_cause_names[hand_state.servo.safety.cause]));
+        const auto& book = hand_state.servo.energy;
         const vec3 passive = book.forces[book.newest].passive;
-        const auto& tether = grip.tether;
+        const auto& tether = hand_state.tether;
         const vec3 anchor = tether.stiffness > 0 ? tether.anchor : vec3(0);
-        const auto& surface = grip.servo.surface;
+        const auto& surface = hand_state.servo.surface;
         const bool touches = surface.contacts != 0;
-        const vec3 point = touches ? surface.proxy - grip.servo.shift : vec3(0);
+        const vec3 point = touches ? surface.proxy - hand_state.servo.shift : vec3(0);
         append_numbers(out, {book.created, book.given, passive.x, passive.y, passive.z, tether.stiffness,
                              anchor.x, anchor.y, anchor.z, touches ? 1.0 : 0.0, point.x, point.y, point.z,
                              plays_by_arm(match.world(), player) ? 1.0 : 0.0});

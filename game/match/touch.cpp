@@ -10,65 +10,71 @@ namespace {
 
 using input::Button;
 
-/// Forces in the wands' files are for a device with this peak, N.
+/// Peak force of the device for which forces in the wands' files are meant (N).
 constexpr double reference_peak = 3.3;
 constexpr double metres_per_micrometre = 1e-6;
 
-/// The first press is for everybody's panic, and gives true; the next takes one's own back.
-bool note_panic_key(const Controls& controls, Grip& grip) {
+/// Handles the panic key of one player. Returns true for a press that shuts off everybody's forces. A press
+/// after that switches the player's own forces on again.
+bool note_panic_key(const Controls& controls, HandState& hand_state) {
     const bool held = (controls.held & bit(Button::panic)) != 0;
-    const bool pressed = held && grip.panic_held == 0;
-    grip.panic_held = held ? 1 : 0;
-    const bool latched = grip.servo.safety.latched != 0;
-    grip.rearm = pressed && latched ? 1 : 0;
+    const bool pressed = held && hand_state.panic_held == 0;
+    hand_state.panic_held = held ? 1 : 0;
+    const bool latched = hand_state.servo.safety.latched != 0;
+    hand_state.rearm = pressed && latched ? 1 : 0;
     return pressed && !latched;
 }
 
-/// Whether anybody pressed the panic key just now.
+/// Whether any player pressed the panic key in this tick.
 bool note_panic_keys(ecs::World& world) {
     bool panic = false;
-    world.view<const Controls, Grip>().each(
-        [&](const Controls& controls, Grip& grip) { panic |= note_panic_key(controls, grip); });
+    world.view<const Controls, HandState>().each([&](const Controls& controls, HandState& hand_state) {
+        panic |= note_panic_key(controls, hand_state);
+    });
     return panic;
 }
 
-/// Returns the force, N.
-double feel(Stage& stage, ecs::Entity wizard, const Controls& controls, bool panic, Grip& grip) {
+/// Runs the servo step and the simulated device. Returns the magnitude of the force (N).
+double feel(MatchContext& context, ecs::Entity wizard, const Controls& controls, bool panic,
+            HandState& hand_state) {
     const vec3 moved =
         vec3(controls.hand_right, controls.hand_up, controls.hand_back) * metres_per_micrometre;
-    const auto& device = stage.touch.device;
-    const auto player = std::as_const(stage.world).get<Wizard>(wizard).player;
-    const auto& model = next_model(stage, wizard, grip, panic);
-    const vec3 measured = haptics::measured_position(device, grip.device);
-    const vec3 force = haptics::servo_step(stage.touch.servos[player], grip.servo, model, {measured, 0});
-    // Who lets go of the ladle in the brew: its clutch is held.
+    const auto& device = context.touch.device;
+    const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
+    const auto& model = next_model(context, wizard, hand_state, panic);
+    const vec3 measured = haptics::measured_position(device, hand_state.device);
+    const vec3 force =
+        haptics::servo_step(context.touch.servos[player], hand_state.servo, model, {measured, 0});
+    // A held clutch lets the ladle drift with the brew: the hand follows the device.
     const bool relaxed =
-        (controls.held & bit(Button::clutch)) != 0 && std::as_const(stage.world).has<Ladle>(wizard);
-    grip.home = relaxed ? grip.device.position : glm::clamp(grip.home + moved, -device.reach, device.reach);
-    grip.device = haptics::step(device, grip.device, grip.home + grip.pull, force);
+        (controls.held & bit(Button::clutch)) != 0 && std::as_const(context.world).has<Ladle>(wizard);
+    hand_state.home = relaxed ? hand_state.device.position
+                              : glm::clamp(hand_state.home + moved, -device.reach, device.reach);
+    hand_state.device = haptics::step(device, hand_state.device, hand_state.home + hand_state.pull, force);
     return glm::length(force);
 }
 
-/// What a newton of the wands' files is for this player's device and wish.
-double felt_share(const Stage& stage, ecs::Entity wizard) {
-    const auto player = stage.world.get<Wizard>(wizard).player;
-    return stage.touch.servos[player].limits.cap / reference_peak;
+/// Force at this player's device for one newton in the wands' files (N/N). It depends on device and player.
+double felt_share(const MatchContext& context, ecs::Entity wizard) {
+    const auto player = context.world.get<Wizard>(wizard).player;
+    return context.touch.servos[player].limits.cap / reference_peak;
 }
 
 }  // namespace
 
-const haptics::HapticModel& next_model(Stage& stage, ecs::Entity wizard, Grip& grip, bool panic) {
-    const auto player = std::as_const(stage.world).get<Wizard>(wizard).player;
-    auto& model = stage.models[player];
-    model.pulse = grip.kick;
-    model.lean = grip.lean;
-    model.tether = grip.tether;
-    model.on = stage.touch.on[player];
+const haptics::HapticModel& next_model(MatchContext& context, ecs::Entity wizard, HandState& hand_state,
+                                       bool panic) {
+    const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
+    auto& model = context.models[player];
+    model.pulse = hand_state.kick;
+    model.lean = hand_state.lean;
+    model.tether = hand_state.tether;
+    model.on = context.touch.on[player];
     model.panic = panic;
-    model.rearm = grip.rearm != 0;
-    feel_about(stage, wizard, grip, model);
-    if (auto* ladle = stage.world.find<Ladle>(wizard)) {
-        feel_brew(stage, grip, player, *ladle, std::as_const(stage.world).single<Match>().played,
+    model.rearm = hand_state.rearm != 0;
+    feel_about(context, wizard, hand_state, model);
+    if (auto* ladle = context.world.find<Ladle>(wizard)) {
+        feel_brew(context, hand_state, player, *ladle, std::as_const(context.world).single<Match>().played,
                   model.fluid);
     } else {
         model.fluid.number = 0;
@@ -76,71 +82,74 @@ const haptics::HapticModel& next_model(Stage& stage, ecs::Entity wizard, Grip& g
     return model;
 }
 
-Grip empty_grip() {
-    Grip grip;
-    grip.device = haptics::resting_at({});
-    return grip;
+HandState empty_hand_state() {
+    HandState hand_state;
+    hand_state.device = haptics::resting_at({});
+    return hand_state;
 }
 
-void add_touch_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
-    schedule.add({.name = "touch",
-                  .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, Cauldron, BrewPage>(),
-                  .writes = world.mask<Grip, Arm, Ladle>(),
-                  .needs = world.mask<Grip>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
-                      const bool panic = note_panic_keys(w);
-                      tell_arms(w, panic);
-                      w.view<const Wizard, const Controls, Grip>().each(
-                          [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, Grip& grip) {
-                              auto& trace = stage.felt[wizard.player];
-                              const bool real = plays_by_arm(w, wizard.player);
-                              trace[tick % trace.size()] =
-                                  static_cast<float>(real ? glm::length(grip.servo.safety.output)
-                                                          : feel(stage, e, controls, panic, grip));
-                          });
-                  }});
+void add_touch_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
+    schedule.add(
+        {.name = "touch",
+         .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, Cauldron, BrewPage>(),
+         .writes = world.mask<HandState, Arm, Ladle>(),
+         .needs = world.mask<HandState>(),
+         .run = [&context](ecs::World& w, Tick tick) {
+             const bool panic = note_panic_keys(w);
+             tell_arms(w, panic);
+             w.view<const Wizard, const Controls, HandState>().each(
+                 [&](ecs::Entity e, const Wizard& wizard, const Controls& controls, HandState& hand_state) {
+                     auto& trace = context.felt[wizard.player];
+                     const bool real = plays_by_arm(w, wizard.player);
+                     trace[tick % trace.size()] =
+                         static_cast<float>(real ? glm::length(hand_state.servo.safety.output)
+                                                 : feel(context, e, controls, panic, hand_state));
+                 });
+         }});
 }
 
-void kick(Stage& stage, ecs::Entity wizard, double newtons, Tick length) {
-    kick(stage, wizard, vec3(0, 0, newtons), length);
+void kick(MatchContext& context, ecs::Entity wizard, double newtons, Tick length) {
+    kick(context, wizard, vec3(0, 0, newtons), length);
 }
 
-void kick(Stage& stage, ecs::Entity wizard, vec3 newtons, Tick length) {
-    auto& grip = stage.world.get<Grip>(wizard);
-    grip.kick = {.peak = newtons * felt_share(stage, wizard),
-                 .length = static_cast<std::uint32_t>(length),
-                 .number = grip.kick.number + 1};
+void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length) {
+    auto& hand_state = context.world.get<HandState>(wizard);
+    hand_state.kick = {.peak = newtons * felt_share(context, wizard),
+                       .length = static_cast<std::uint32_t>(length),
+                       .number = hand_state.kick.number + 1};
 }
 
-void lean(Stage& stage, ecs::Entity wizard, vec3 newtons) {
-    stage.world.get<Grip>(wizard).lean.force = newtons * felt_share(stage, wizard);
+void lean(MatchContext& context, ecs::Entity wizard, vec3 newtons) {
+    context.world.get<HandState>(wizard).lean.force = newtons * felt_share(context, wizard);
 }
 
-void tether(Stage& stage, ecs::Entity wizard, const haptics::Tether& to) {
-    auto& held = stage.world.get<Grip>(wizard).tether;
+void tether(MatchContext& context, ecs::Entity wizard, const haptics::Tether& to) {
+    auto& held = context.world.get<HandState>(wizard).tether;
     const bool jumps = (held.stiffness > 0) != (to.stiffness > 0);
     const auto number = held.number + (jumps ? 1 : 0);
     held = to;
     held.number = number;
 }
 
-void let_go(Stage& stage, ecs::Entity wizard) {
-    auto& grip = stage.world.get<Grip>(wizard);
-    if (grip.lean.force != vec3(0)) grip.lean = {.force = {}, .number = grip.lean.number + 1};
-    tether(stage, wizard, {});
-    grip.pull = {};
+void let_go(MatchContext& context, ecs::Entity wizard) {
+    auto& hand_state = context.world.get<HandState>(wizard);
+    if (hand_state.lean.force != vec3(0))
+        hand_state.lean = {.force = {}, .number = hand_state.lean.number + 1};
+    tether(context, wizard, {});
+    hand_state.pull = {};
 }
 
-vec3 wand_tip_of(double wand_per_hand, const Grip& grip) {
-    const auto& servo = grip.servo;
+vec3 wand_tip_of(double wand_per_hand, const HandState& hand_state) {
+    const auto& servo = hand_state.servo;
     const bool touches = servo.surface.contacts != 0;
-    return wand_tip + wand_per_hand * (touches ? servo.surface.proxy : grip.device.position + servo.shift);
+    return wand_tip +
+           wand_per_hand * (touches ? servo.surface.proxy : hand_state.device.position + servo.shift);
 }
 
 std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before) {
-    world.view<const Grip>().each([&](const Grip& grip) {
-        before = hash_bytes(std::as_bytes(std::span(&grip.servo.safety.output, 1)), before);
+    world.view<const HandState>().each([&](const HandState& hand_state) {
+        before = hash_bytes(std::as_bytes(std::span(&hand_state.servo.safety.output, 1)), before);
     });
     return before;
 }

@@ -1,37 +1,41 @@
-// game/match/touch.h: what a wizard's hand feels, and where it is: the servo step and the simulated device, each tick.
+// game/match/touch.h: forces on a wizard's hand and its position: the servo step and the simulated device,
+// every tick.
 #pragma once
-#include "game/components/grip.h"
-#include "game/match/stage.h"
+#include "game/components/hand_state.h"
+#include "game/match/match_context.h"
 
 namespace thaum::game {
 
-/// A device at rest.
-Grip empty_grip();
+/// Hand state with a device at rest.
+HandState empty_hand_state();
 
-/// What the player feels who holds it so.
-const haptics::HapticModel& next_model(Stage& stage, ecs::Entity wizard, Grip& grip, bool panic);
+/// Fills and returns the haptic model for the wizard's hand in this tick.
+const haptics::HapticModel& next_model(MatchContext& context, ecs::Entity wizard, HandState& hand_state,
+                                       bool panic);
 
-/// Every tick: the hand's target, the servo step, the device.
-void add_touch_system(Stage& stage, ecs::Schedule& schedule);
+/// Adds the system that runs every tick: the hand's target, the servo step, the simulated device.
+void add_touch_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// A kick against the hand, half a sine wave: `newtons` at the peak for a device that gives 3.3 N and a player who wants
-/// all of it, in proportion for any other (game.md). Towards the user, or where it points in the device frame. Writes Grip.
-void kick(Stage& stage, ecs::Entity wizard, double newtons, Tick length);
-void kick(Stage& stage, ecs::Entity wizard, vec3 newtons, Tick length);
+/// Kicks the hand with half a sine wave. `newtons` is the peak for a device with a peak force of 3.3 N and a
+/// player who wants full force; for others it scales in proportion (game.md). A number kicks towards the
+/// user. A vector gives the direction (device frame). Writes HandState.
+void kick(MatchContext& context, ecs::Entity wizard, double newtons, Tick length);
+void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length);
 
-/// A steady force on the hand, device frame, in the same measure as a kick; it may change smoothly from call to call. Writes Grip.
-void lean(Stage& stage, ecs::Entity wizard, vec3 newtons);
+/// Sets a steady force on the hand (N, device frame), scaled like a kick. It may change smoothly from call to
+/// call. Writes HandState.
+void lean(MatchContext& context, ecs::Entity wizard, vec3 newtons);
 
-/// What the hand's tip hangs on; again each tick for one that moves. Writes Grip.
-void tether(Stage& stage, ecs::Entity wizard, const haptics::Tether& to);
+/// Ties the hand to a point by a spring. A moving point is set again every tick. Writes HandState.
+void tether(MatchContext& context, ecs::Entity wizard, const haptics::Tether& to);
 
-/// Nothing leans on the hand, nothing holds it or takes it along. Writes Grip.
-void let_go(Stage& stage, ecs::Entity wizard);
+/// Removes steady force, tether and displacement that a wand has set on the hand. Writes HandState.
+void let_go(MatchContext& context, ecs::Entity wizard);
 
-/// Where the wand's tip is in the frame of the eye, m: it goes with the hand, and stays outside of what it touches.
-vec3 wand_tip_of(double wand_per_hand, const Grip& grip);
+/// Position of the wand's tip (m, eye frame). The tip follows the hand and stays outside of touched surfaces.
+vec3 wand_tip_of(double wand_per_hand, const HandState& hand_state);
 
-/// Hash of the forces of this tick, chained to that of the ticks before.
+/// Hash of the forces of this tick, chained to the hash of the ticks before.
 std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before);
 
 }  // namespace thaum::game

@@ -12,7 +12,7 @@ namespace {
 using input::Button;
 namespace hand = input::hand;
 
-/// More in a tick than any mouse gives, and no product of it overflows.
+/// Limit of mouse counts per tick: more than any mouse gives, and small enough that no product overflows.
 constexpr std::int32_t most_counts = 10'000;
 
 double wrapped(double angle) {
@@ -32,13 +32,13 @@ void turn(const input::DeviceSample& sample, const input::DeviceSpec& spec, doub
     gaze.pitch = std::clamp(gaze.pitch + up, -pitch_limit, pitch_limit);
 }
 
-/// um, of the hand in a tick, by a stick.
-std::int32_t by_stick(const TouchRules& rules, std::int32_t deflection) {
+/// Displacement of the hand in one tick by a stick (um).
+std::int32_t by_stick(const HapticRules& rules, std::int32_t deflection) {
     return static_cast<std::int32_t>(std::lround(rules.clutch_per_tick * stick_curve(deflection)));
 }
 
-/// The clutch held, mouse and stick move the hand, and the view stands still.
-void move_hand(const input::DeviceSample& sample, const TouchRules& rules, Controls& controls) {
+/// Moves the hand by mouse and stick while the clutch is held. The view stands still.
+void move_hand(const input::DeviceSample& sample, const HapticRules& rules, Controls& controls) {
     const auto& counts = sample.counts;
     const auto moved = [&](std::size_t look, std::size_t turn_) {
         return std::clamp(counts[look], -most_counts, most_counts) * rules.clutch_per_count +
@@ -48,8 +48,9 @@ void move_hand(const input::DeviceSample& sample, const TouchRules& rules, Contr
     controls.hand_up = moved(hand::look_up, hand::turn_up);
 }
 
-/// Who stirs stands still: mouse and stick move the ladle in the plane of the surface, what would move the feet lifts and sinks it.
-void move_ladle_hand(const input::DeviceSample& sample, const TouchRules& rules, Controls& controls) {
+/// Moves the ladle. Mouse and stick move the ladle in the plane of the surface. The keys or stick for walking
+/// forward and back lift and sink it. The wizard stands still meanwhile.
+void move_ladle_hand(const input::DeviceSample& sample, const HapticRules& rules, Controls& controls) {
     move_hand(sample, rules, controls);
     controls.hand_back = -controls.hand_up;
     controls.hand_up = by_stick(rules, controls.forward);
@@ -57,19 +58,19 @@ void move_ladle_hand(const input::DeviceSample& sample, const TouchRules& rules,
     controls.pressed &= ~bit(Button::jump);
 }
 
-/// The hands of a player whose hand holds an arm as well have its buttons too: eyes and feet come from the one, hand and wand
-/// from the other.
+/// Adds the buttons of a player's arm to the sample of the player's other device. The arm gives hand and
+/// wand; the other device gives view and walking.
 input::DeviceSample with_arm(input::DeviceSample hands, std::uint32_t buttons) {
     hands.buttons |= buttons;
     if ((buttons & bit(Button::fire)) != 0) hands.counts[hand::trigger] = 255;
     return hands;
 }
 
-std::uint32_t arm_buttons(const Stage& stage, std::uint32_t player) {
+std::uint32_t arm_buttons(const MatchContext& context, std::uint32_t player) {
     std::uint32_t buttons = 0;
-    for (std::size_t d = 0; d < stage.devices.size(); ++d) {
-        const bool arm = stage.devices[d].kind == input::DeviceKind::arm;
-        if (arm && stage.devices[d].player == player) buttons |= stage.frame.devices[d].buttons;
+    for (std::size_t d = 0; d < context.devices.size(); ++d) {
+        const bool arm = context.devices[d].kind == input::DeviceKind::arm;
+        if (arm && context.devices[d].player == player) buttons |= context.frame.devices[d].buttons;
     }
     return buttons;
 }
@@ -92,40 +93,40 @@ double stick_curve(std::int32_t deflection) {
     return x * (0.3 + 0.7 * x * x);
 }
 
-void add_controls_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_controls_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "controls",
                   .reads = world.mask<Wizard, Match, Arm, Ladle>(),
                   .writes = world.mask<Controls, Gaze>(),
                   .needs = world.mask<Controls>(),
-                  .run = [&stage](ecs::World& w, Tick) {
+                  .run = [&context](ecs::World& w, Tick) {
                       const auto& match = std::as_const(w).single<Match>();
                       const bool live = match.paused == 0 && match.phase == Phase::playing;
                       w.view<const Wizard, Controls, Gaze>().each(
                           [&](ecs::Entity e, const Wizard& wizard, Controls& controls, Gaze& gaze) {
                               const bool stirs = std::as_const(w).has<Ladle>(e);
                               const bool arm = plays_by_arm(w, wizard.player);
-                              const auto buttons = arm_buttons(stage, wizard.player);
-                              for (std::size_t d = 0; d < stage.devices.size(); ++d) {
-                                  const auto& spec = stage.devices[d];
+                              const auto buttons = arm_buttons(context, wizard.player);
+                              for (std::size_t d = 0; d < context.devices.size(); ++d) {
+                                  const auto& spec = context.devices[d];
                                   if (spec.player != wizard.player || spec.kind == input::DeviceKind::arm)
                                       continue;
-                                  const auto sample = with_arm(stage.frame.devices[d], buttons);
+                                  const auto sample = with_arm(context.frame.devices[d], buttons);
                                   take(sample, controls);
                                   if (live && stirs) {
-                                      move_ladle_hand(sample, stage.data.touch, controls);
+                                      move_ladle_hand(sample, context.data.touch, controls);
                                   } else if (live && !arm && (controls.held & bit(Button::clutch)) != 0) {
-                                      move_hand(sample, stage.data.touch, controls);
+                                      move_hand(sample, context.data.touch, controls);
                                   } else if (live) {
-                                      turn(sample, spec, stage.data.wizard.pitch_limit, gaze);
+                                      turn(sample, spec, context.data.wizard.pitch_limit, gaze);
                                   }
                               }
                           });
                   }});
 }
 
-void add_pause_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_pause_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "pause",
                   .reads = world.mask<Wizard>(),
                   .writes = world.mask<Controls, Match>(),
@@ -139,15 +140,15 @@ void add_pause_system(Stage& stage, ecs::Schedule& schedule) {
                           match.paused ^= 1U;
                           match.paused_by = match.paused != 0 ? wizard.player : no_player;
                       });
-                      // What is pressed in a pause must not act when the match goes on.
+                      // Buttons pressed during a pause have no effect after it.
                       if (match.paused != 0 || match.phase != Phase::playing) {
                           w.view<Controls>().each([](Controls& c) { c.pressed = 0, c.wheel = 0; });
                       }
                   }});
 }
 
-void add_controls_used_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_controls_used_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add({.name = "controls used",
                   .period = gameplay_period,
                   .writes = world.mask<Controls>(),

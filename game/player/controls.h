@@ -1,19 +1,21 @@
-// game/player/controls.h: from a device's integer counts to what a wizard does with hands, feet and eyes.
+// game/player/controls.h: decodes a device's integer counts into what a wizard does with hands, feet and
+// view.
 #pragma once
-#include "game/match/stage.h"
+#include "game/match/match_context.h"
 
 namespace thaum::game {
 
-/// Every tick, in a pause too: fills Controls, turns Gaze (not in a pause).
-void add_controls_system(Stage& stage, ecs::Schedule& schedule);
+/// Adds the system that fills Controls every tick, also in a pause. It turns Gaze except in a pause.
+void add_controls_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// Gameplay has looked: what was pressed and turned is used up. The last gameplay system.
-void add_controls_used_system(Stage& stage, ecs::Schedule& schedule);
+/// Adds the system that clears pressed buttons and wheel steps. It must be the last gameplay system.
+void add_controls_used_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// Pause by either player, at once.
-void add_pause_system(Stage& stage, ecs::Schedule& schedule);
+/// Adds the system with which either player pauses the match at once.
+void add_pause_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// How fast a stick at `deflection` (-127..127) turns, as a share of the full speed: fine in the middle, fast at the rim.
+/// Turning rate of a stick at `deflection` (-127 to 127) as a share of the full rate: fine in the middle,
+/// fast at the rim.
 double stick_curve(std::int32_t deflection);
 
 }  // namespace thaum::game

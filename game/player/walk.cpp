@@ -8,7 +8,7 @@ namespace {
 vec3 wish_of(const Controls& controls, const Gaze& gaze, double speed) {
     vec3 wish{controls.strafe / 127.0, 0, -controls.forward / 127.0};
     const double length = glm::length(wish);
-    if (length > 1) wish /= length;  // diagonals are no faster
+    if (length > 1) wish /= length;  // walking diagonally is no faster
     return rotation({0, 1, 0}, gaze.yaw) * wish * speed;
 }
 
@@ -28,26 +28,27 @@ Motion standing_at(const WizardRules& rules, vec3 feet) {
     return motion;
 }
 
-void add_walk_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     schedule.add(
         {.name = "walk",
          .period = physics_period,
          .reads = world.mask<Wizard, Gaze, Motion, Body, Dead, Cauldron>(),
-         .writes = world.mask<Controls, Stance, Health, Chronicle>(),
+         .writes = world.mask<Controls, Stance, Health, EventLog>(),
          .needs = world.mask<Wizard>(),
-         .run = [&stage](ecs::World& w, Tick tick) {
-             const auto& rules = stage.data.wizard;
+         .run = [&context](ecs::World& w, Tick tick) {
+             const auto& rules = context.data.wizard;
              w.view<Controls, const Gaze, Stance, const Motion, const Body, ecs::Without<Dead>>().each(
                  [&](ecs::Entity e, Controls& controls, const Gaze& gaze, Stance& stance,
                      const Motion& motion, const Body&) {
                      const auto jump = input::bit(input::Button::jump);
                      const bool wishes =
                          controls.strafe != 0 || controls.forward != 0 || (controls.pressed & jump) != 0;
-                     if (motion.asleep != 0 && !wishes) return;  // stands, and nothing has touched it
-                     const double pace = pace_at(stage.data, std::as_const(w), motion.position);
+                     // The body rests undisturbed, so the mover has nothing to do.
+                     if (motion.asleep != 0 && !wishes) return;
+                     const double pace = pace_at(context.data, std::as_const(w), motion.position);
                      const auto result = physics::move(
-                         stage.physics, e.index,
+                         context.physics, e.index,
                          {.wish_velocity = wish_of(controls, gaze, pace * rules.walk.walk_speed),
                           .jump = (controls.pressed & jump) != 0,
                           .hung = stance.hung},

@@ -1,14 +1,16 @@
-// game/player/walk.h: wizards walk, jump and fall.
+// game/player/walk.h: moves wizards: walking, jumping and harm by falls.
 #pragma once
-#include "game/match/stage.h"
+#include "game/match/match_context.h"
 
 namespace thaum::game {
 
-/// Before each physics step: Controls and Gaze become impulses on the wizard's body; hard landings hurt.
-void add_walk_system(Stage& stage, ecs::Schedule& schedule);
+/// Adds the system that runs before each physics step. Controls and Gaze become impulses on the wizard's
+/// body. A hard landing takes health.
+void add_walk_system(MatchContext& context, ecs::Schedule& schedule);
 
-/// A wizard's body, standing with its feet there.
+/// Description of a wizard's body.
 Body wizard_body(const WizardRules& rules);
+/// Motion of a wizard who stands still with the feet at that position (m, world).
 Motion standing_at(const WizardRules& rules, vec3 feet);
 
 }  // namespace thaum::game

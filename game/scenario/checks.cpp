@@ -1,4 +1,4 @@
-// Checks over the frames of a run: a match is a function of its input alone, wherever one begins and however late it is.
+// Checks on the frames of a run: a match depends only on its input, from any starting point and at any delay.
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -20,7 +20,7 @@ std::string describe(const Bytes& a, const Bytes& b) {
     return text(d.component, " of entity ", d.entity, ", ", d.field, ": ", d.a, " and ", d.b);
 }
 
-/// A state that was reached in some way.
+/// A state of a match and its hash.
 struct Reached {
     std::uint64_t hash{};
     Bytes state;
@@ -42,7 +42,7 @@ void play_to(Simulation& match, const std::vector<input::InputFrame>& frames, Ti
     while (match.now() < end) match.tick(frames[match.now()]);
 }
 
-/// From the keyframe at or before `tick`.
+/// Plays from the keyframe at or before `tick`.
 Expected<Reached> sought(const Play& play, Tick tick) {
     Simulation match(play.data, play.match->setup());
     const auto after = std::find_if(play.keyframes.begin(), play.keyframes.end(),
@@ -56,7 +56,7 @@ Expected<Reached> sought(const Play& play, Tick tick) {
     return reached(match);
 }
 
-/// Frames on their way from the devices to a match on another thread.
+/// Queue of frames from the devices to a match on another thread.
 struct Channel {
     std::mutex mutex;
     std::condition_variable filled;
@@ -68,7 +68,7 @@ void stall(Random& random) {
     if (random.below(4) == 0) std::this_thread::sleep_for(std::chrono::microseconds(random.below(2000)));
 }
 
-/// All that is there at once; empty at the end.
+/// Takes all waiting frames at once. Empty after the channel is closed and drained.
 std::deque<input::InputFrame> take(Channel& channel) {
     std::unique_lock lock(channel.mutex);
     channel.filled.wait(lock, [&] { return channel.closed || !channel.frames.empty(); });
@@ -116,7 +116,7 @@ void send_frames(const Play& play, Channel& channel, std::uint64_t seed) {
     channel.filled.notify_one();
 }
 
-/// Empty, or the first state of which the hash is another one than the play's.
+/// Returns an empty string, or names the first state whose hash differs from the play's.
 std::string other_state(const Play& play, const char* which, const std::vector<std::uint64_t>& hashes) {
     for (std::size_t i = 0; i < play.hashes.size(); ++i) {
         if (i < hashes.size() && hashes[i] == play.hashes[i]) continue;

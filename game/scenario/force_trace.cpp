@@ -4,7 +4,7 @@
 
 #include "core/hash.h"
 #include "core/text.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "physics/bullet_maths.h"
 
 namespace thaum::game {
@@ -20,7 +20,7 @@ std::vector<std::string> lines_of(const std::string& file) {
     return lines;
 }
 
-/// The word after `key` in the first line.
+/// Returns the word after `key` in the first line.
 std::string told(const std::string& first, std::string_view key) {
     const auto at = first.find(key);
     if (at == std::string::npos) return {};
@@ -33,7 +33,7 @@ std::string told(const std::string& first, std::string_view key) {
 void ForceRecord::add(const Simulation& match) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& world = match.world();
-        const vec3 force = world.get<Grip>(wizard_of(world, player)).servo.safety.output;
+        const vec3 force = world.get<HandState>(wizard_of(world, player)).servo.safety.output;
         sums_[player].peak = std::max(sums_[player].peak, glm::length(force));
         sums_[player].sum += force;
         const auto bytes = std::as_bytes(std::span(&force, 1));

@@ -1,11 +1,13 @@
-// game/scenario/force_trace.h: what both hands felt in a scenario, kept in a small file and compared to the bit.
+// game/scenario/force_trace.h: the forces on both hands in a scenario, kept in a small file and compared to
+// the bit.
 //
 //     # thaum forces, rules 7, maths 0123456789abcdef, 5230 ticks, hash 0123456789abcdef
 //     from_tick,p1_peak_n,p1_x_n,p1_y_n,p1_z_n,p2_peak_n,p2_x_n,p2_y_n,p2_z_n,hash
 //     256,1.1993,0,0,0.0716,0,0,0,0,01234567
 //
-// A row for every 128 ticks in which anything was felt: the greatest force and the mean one, rounded, to be read and plotted; and a
-// hash of every bit of them. `hash` at the top is of all ticks.
+// Each row covers 128 ticks in which at least one hand felt a force. It holds the largest force and the mean
+// force, rounded for reading and plotting, and a hash of all their bits. The `hash` in the first line covers
+// all ticks.
 #pragma once
 #include <string>
 
@@ -15,9 +17,9 @@ namespace thaum::game {
 
 class ForceRecord {
 public:
-    /// Of the tick that was just played.
+    /// Adds the tick that the match has just played.
     void add(const Simulation& match);
-    /// The file.
+    /// Text of the whole trace file.
     std::string file();
 
 private:
@@ -33,8 +35,8 @@ private:
     Tick now_{};
 };
 
-/// Nothing where both files say the same; else one line: where they part, or that they were made under other rules or with other
-/// elementary functions.
+/// Compares two trace files. Returns an empty string if they agree. Otherwise one line names the first
+/// difference, or says that the files were made with other rules or other elementary functions.
 std::string difference_of_forces(const std::string& kept, const std::string& now);
 
 }  // namespace thaum::game

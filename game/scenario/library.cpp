@@ -1,6 +1,8 @@
-// The sandbox's library: Lua's own functions where they are safe, ours where they are not. These are plain Lua C functions:
-// they may raise errors, so nothing in them needs to be destroyed (detail/sandbox_state.h).
+// The sandbox's library: Lua's own functions where they are safe, replacements where they are not. These are
+// plain Lua C functions. They may raise errors, so no object in them needs a destructor
+// (detail/sandbox_state.h).
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -11,7 +13,7 @@
 namespace thaum::game {
 namespace {
 
-// ---- errors that no pcall may keep -------------------------------------------------------------------------------------
+// ---- errors that no pcall may keep ------------------------------------------------------------------------
 
 int end_of_pcall(lua_State* lua, int status, lua_KContext) {
     if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(lua);
@@ -29,11 +31,24 @@ int safe_pcall(lua_State* lua) {
     return end_of_pcall(lua, lua_pcallk(lua, lua_gettop(lua) - 2, LUA_MULTRET, 0, 0, end_of_pcall), 0);
 }
 
-/// Calls Lua's own function (upvalue 1), which catches errors by itself.
-int call_catcher(lua_State* lua) {
+/// Calls Lua's original function (upvalue 1) with the given arguments and returns all its results.
+int call_wrapped(lua_State* lua) {
     lua_pushvalue(lua, lua_upvalueindex(1));
     lua_insert(lua, 1);
     lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
+    return lua_gettop(lua);
+}
+
+/// Lua's own coroutine.create or coroutine.wrap (upvalue 1). Each coroutine has its own instruction count, so
+/// making one is charged with the most that this count can miss.
+int make_coroutine(lua_State* lua) {
+    charge(lua, hook_steps);
+    return call_wrapped(lua);
+}
+
+/// Lua's own coroutine.resume or coroutine.close (upvalue 1), which catch errors themselves.
+int call_catcher(lua_State* lua) {
+    call_wrapped(lua);
     const bool caught = lua_gettop(lua) >= 2 && lua_isboolean(lua, 1) && lua_toboolean(lua, 1) == 0;
     if (caught && state_of(lua).exhausted) {
         lua_settop(lua, 2);
@@ -42,9 +57,9 @@ int call_catcher(lua_State* lua) {
     return lua_gettop(lua);
 }
 
-// ---- text without addresses -----------------------------------------------------------------------------------------
+// ---- text without addresses -------------------------------------------------------------------------------
 
-/// As luaL_tolstring, but a value without a text of its own becomes the name of its type.
+/// Works like luaL_tolstring, but a value without text becomes the name of its type.
 void push_text(lua_State* lua, int index) {
     index = lua_absindex(lua, index);
     if (luaL_callmeta(lua, index, "__tostring") != 0) {
@@ -66,7 +81,7 @@ int safe_tostring(lua_State* lua) {
     return 1;
 }
 
-/// The name of what a value is, in place of its address, for all values that have no text.
+/// Replaces each argument without text by the name of its type, so that no address is shown.
 void hide_addresses(lua_State* lua) {
     for (int i = 2; i <= lua_gettop(lua); ++i) {
         const int type = lua_type(lua, i);
@@ -89,7 +104,7 @@ bool has_pointer_format(const char* format) {
     return false;
 }
 
-/// string.format: upvalue 1 is Lua's.
+/// string.format; upvalue 1 is Lua's original.
 int safe_format(lua_State* lua) {
     if (has_pointer_format(luaL_checkstring(lua, 1)))
         return luaL_error(lua, "%%p: addresses are not for scripts");
@@ -120,19 +135,20 @@ int safe_print(lua_State* lua) {
     return 0;
 }
 
-// ---- pairs in one order -----------------------------------------------------------------------------------------------
+// ---- pairs in sorted order --------------------------------------------------------------------------------
 
-/// A key of a table, of a kind that has an order.
+/// A key of a table, of a type that can be sorted.
 struct SortKey {
     int type;
-    bool whole;  ///< an integer
+    bool whole;  ///< true for an integer key
     lua_Integer integer;
     lua_Number number;
-    const char* chars;  ///< kept alive by the table
+    const char* chars;  ///< points into a string that the table keeps alive
     std::size_t size;
 };
 
-/// A float that is a key has a fraction, or is beyond all integers; Lua makes integers of all others.
+/// Compares an integer key with a float key. A float key has a fraction or lies beyond all integers, because
+/// Lua converts all others to integers.
 bool integer_before(lua_Integer i, lua_Number f) {
     if (f >= 0x1p63) return true;
     if (f < -0x1p63) return false;
@@ -191,7 +207,8 @@ std::size_t count_keys(lua_State* lua, int table) {
     return count;
 }
 
-/// The next pair whose value is still there. Upvalues: the table, its keys in order, how many, where we are.
+/// Returns the next pair that still has a value. Upvalues: the table, its sorted keys, their number, and the
+/// present position.
 int next_sorted(lua_State* lua) {
     const auto count = lua_tointeger(lua, lua_upvalueindex(3));
     for (auto at = lua_tointeger(lua, lua_upvalueindex(4)) + 1; at <= count; ++at) {
@@ -229,19 +246,32 @@ int sorted_pairs(lua_State* lua) {
     return 1;
 }
 
-// ---- C loops that no count of instructions would end ---------------------------------------------------------------
+// ---- C loops that the instruction count does not see ------------------------------------------------------
 
 constexpr lua_Integer most_moved = 1 << 16;
 
-/// Lua's own function (upvalue 1), whose work grows with a text (argument 1), which is counted.
+constexpr std::size_t bytes_per_step = 8;
+
+/// utf8.len and utf8.offset can walk through the whole text (argument 1), so the call costs its length.
 int counted_by_length(lua_State* lua) {
     std::size_t size = 0;
     luaL_checklstring(lua, 1, &size);
-    state_of(lua).spend(size / 8);
-    lua_pushvalue(lua, lua_upvalueindex(1));
-    lua_insert(lua, 1);
-    lua_call(lua, lua_gettop(lua) - 1, LUA_MULTRET);
-    return lua_gettop(lua);
+    state_of(lua).spend(size / bytes_per_step);
+    return call_wrapped(lua);
+}
+
+/// string.byte and utf8.codepoint read the text from argument 2 to argument 3, by default one place. The call
+/// costs the length of that part.
+int counted_by_range(lua_State* lua) {
+    std::size_t size = 0;
+    luaL_checklstring(lua, 1, &size);
+    const auto length = static_cast<lua_Integer>(size);
+    const auto from_begin = [length](lua_Integer place) { return place < 0 ? place + length + 1 : place; };
+    const auto first = from_begin(luaL_optinteger(lua, 2, 1));
+    const auto last = from_begin(luaL_optinteger(lua, 3, first));
+    const auto read = std::min(last, length) - std::max<lua_Integer>(first, 1);
+    state_of(lua).spend(read > 0 ? static_cast<std::uint64_t>(read) / bytes_per_step : 0);
+    return call_wrapped(lua);
 }
 
 int safe_rep(lua_State* lua) {
@@ -260,7 +290,7 @@ int safe_rep(lua_State* lua) {
     return 1;
 }
 
-/// table.concat, table.move, table.unpack: `first` and `last` are arguments number `at` and `at + 1`.
+/// table.concat, table.move and table.unpack. `first` and `last` are the arguments `at` and `at + 1`.
 template <int at>
 int safe_range(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
@@ -276,7 +306,28 @@ int safe_range(lua_State* lua) {
     return lua_gettop(lua);
 }
 
-/// insert, remove, sort: they trust the length that a metatable may give.
+/// Total bytes of all texts in the list (argument 1), which sorting compares.
+std::uint64_t bytes_in_list(lua_State* lua, lua_Integer count) {
+    std::uint64_t bytes = 0;
+    for (lua_Integer i = 1; i <= count; ++i) {
+        if (lua_rawgeti(lua, 1, i) == LUA_TSTRING) bytes += lua_rawlen(lua, -1);
+        lua_pop(lua, 1);
+    }
+    return bytes;
+}
+
+/// table.sort compares each element about log2(count) times, and compares texts byte by byte.
+int counted_sort(lua_State* lua) {
+    luaL_checktype(lua, 1, LUA_TTABLE);
+    const auto count = luaL_len(lua, 1);
+    if (count > most_moved) return luaL_error(lua, "a list of more than %d", static_cast<int>(most_moved));
+    const auto elements = static_cast<std::uint64_t>(std::max<lua_Integer>(0, count));
+    const auto halvings = static_cast<std::uint64_t>(std::bit_width(elements));
+    charge(lua, elements / 8 + halvings * bytes_in_list(lua, count) / bytes_per_step);
+    return call_wrapped(lua);
+}
+
+/// table.insert and table.remove, which use the length that a metatable may define.
 int safe_length(lua_State* lua) {
     luaL_checktype(lua, 1, LUA_TTABLE);
     if (luaL_len(lua, 1) > most_moved)
@@ -288,9 +339,9 @@ int safe_length(lua_State* lua) {
     return lua_gettop(lua);
 }
 
-// ---- the rest --------------------------------------------------------------------------------------------------------
+// ---- the rest ---------------------------------------------------------------------------------------------
 
-/// When memory is cleaned up is nobody's business.
+/// Rejects __gc and __mode, since scripts must not observe when memory is freed.
 int safe_setmetatable(lua_State* lua) {
     if (lua_istable(lua, 2)) {
         for (const char* key : {"__gc", "__mode"}) {
@@ -341,7 +392,7 @@ void remove_fields(lua_State* lua, int table, std::initializer_list<const char*>
     }
 }
 
-/// The function of that name, as upvalue 1 of ours.
+/// Replaces the function of that name by ours, with the original as upvalue 1.
 void wrap(lua_State* lua, int table, const char* name, lua_CFunction ours) {
     table = lua_absindex(lua, table);
     lua_getfield(lua, table, name);
@@ -370,9 +421,9 @@ void open_string(lua_State* lua) {
     remove_fields(lua, -1, {"dump", "pack", "unpack", "packsize"});
     wrap(lua, -1, "format", safe_format);
     wrap(lua, -1, "rep", safe_rep);
-    wrap(lua, -1, "byte", counted_by_length);
+    wrap(lua, -1, "byte", counted_by_range);
     set_matching(lua);
-    // Text that is asked to compute calls the machine's own pow as the operator ^ would.
+    // Arithmetic on text would call the machine's own pow, like the operator ^.
     lua_pushliteral(lua, "");
     lua_getmetatable(lua, -1);
     remove_fields(lua, -1, {"__pow"});
@@ -384,7 +435,8 @@ void open_table(lua_State* lua) {
     wrap(lua, -1, "unpack", safe_range<2>);
     wrap(lua, -1, "move", safe_range<2>);
     wrap(lua, -1, "concat", safe_range<3>);
-    for (const char* name : {"insert", "remove", "sort"}) wrap(lua, -1, name, safe_length);
+    for (const char* name : {"insert", "remove"}) wrap(lua, -1, name, safe_length);
+    wrap(lua, -1, "sort", counted_sort);
 }
 
 void open_maths(lua_State* lua) {
@@ -396,17 +448,18 @@ void open_maths(lua_State* lua) {
 void open_coroutine(lua_State* lua) {
     luaL_requiref(lua, LUA_COLIBNAME, luaopen_coroutine, 1);
     wrap(lua, -1, "resume", call_catcher);
+    for (const char* name : {"create", "wrap"}) wrap(lua, -1, name, make_coroutine);
     wrap(lua, -1, "close", call_catcher);
 }
 
-/// What follows a '[' of long text: its level, or -1.
+/// Level of a long bracket after a '[', or -1 if there is none.
 int long_level(std::string_view source, std::size_t at) {
     std::size_t end = at + 1;
     while (end < source.size() && source[end] == '=') ++end;
     return end < source.size() && source[end] == '[' ? static_cast<int>(end - at - 1) : -1;
 }
 
-/// Past the end of the text or remark that begins here.
+/// Position after the end of the long text or comment that begins here.
 std::size_t skip_long(std::string_view source, std::size_t at, int level) {
     const auto close = text("]", std::string(static_cast<std::size_t>(level), '='), "]");
     const auto end = source.find(close, at);
@@ -415,8 +468,8 @@ std::size_t skip_long(std::string_view source, std::size_t at, int level) {
 
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
-/// Past an escape sequence of a quoted text, as far as it may hide the text's end: \z takes all white space that
-/// follows, line ends included, and a line end of two characters counts as one.
+/// Position after an escape sequence of a quoted text, as far as the sequence can hide the text's end. \z
+/// skips all white space, line ends included. A line end of two characters counts as one.
 std::size_t skip_escape(std::string_view source, std::size_t at) {
     const auto next = at + 1;
     if (next >= source.size()) return next;
@@ -449,10 +502,11 @@ void open_library(lua_State* lua) {
     open_table(lua);
     open_maths(lua);
     luaL_requiref(lua, LUA_UTF8LIBNAME, luaopen_utf8, 1);
-    for (const char* name : {"len", "codepoint", "offset"}) wrap(lua, -1, name, counted_by_length);
+    for (const char* name : {"len", "offset"}) wrap(lua, -1, name, counted_by_length);
+    wrap(lua, -1, "codepoint", counted_by_range);
     open_coroutine(lua);
     lua_settop(lua, 0);
-    // What `require` would look in.
+    // Table that `require` would search.
     lua_pushnil(lua);
     lua_setfield(lua, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
 }

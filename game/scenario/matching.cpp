@@ -1,5 +1,5 @@
-// The scripts' find, match, gmatch and gsub, on the counted matcher of patterns.h. These are plain Lua C functions: an
-// error jumps over their frames, so nothing in them needs to be destroyed.
+// find, match, gmatch and gsub for scripts, on the counted matcher of patterns.h. These are plain Lua C
+// functions. An error jumps over their frames, so no object in them needs a destructor.
 #include <algorithm>
 #include <type_traits>
 
@@ -19,7 +19,7 @@ std::string_view text_argument(lua_State* lua, int index) {
     return {chars, size};
 }
 
-/// An argument that counts from 1, or from the end where it is negative; from 0 here.
+/// Converts an argument that counts from 1, or from the end if negative, to a position from 0.
 std::size_t place_argument(lua_State* lua, int index, std::size_t size) {
     const auto place = luaL_optinteger(lua, index, 1);
     if (place > 0) return static_cast<std::size_t>(place) - 1;
@@ -27,7 +27,7 @@ std::size_t place_argument(lua_State* lua, int index, std::size_t size) {
     return place == 0 || from_end > size ? 0 : size - static_cast<std::size_t>(from_end);
 }
 
-/// Raises what is wrong with the pattern, or that no steps are left.
+/// Raises the fault of the pattern, or the error that no steps are left.
 int raise(lua_State* lua, const char* fault) {
     state_of(lua).trusted = true;
     lua_pushstring(lua, fault);
@@ -48,7 +48,8 @@ void push_capture(lua_State* lua, const PatternMatch& match, std::string_view su
         push_part(lua, subject.substr(capture.begin, capture.size));
 }
 
-/// All captures; where there are none and `whole`, the whole match, which begins at `begin`.
+/// Pushes all captures. If there are none and `whole` is set, pushes the whole match, which begins at
+/// `begin`.
 int push_captures(lua_State* lua, const PatternMatch& match, std::string_view subject, std::size_t begin,
                   bool whole) {
     luaL_checkstack(lua, static_cast<int>(most_captures), "too many captures");
@@ -103,7 +104,8 @@ int first_match(lua_State* lua) {
     return 1;
 }
 
-/// The function that gmatch gives. Upvalues: subject, pattern, where to go on, the end of the last match (from 0; -1: none).
+/// The iterator of gmatch. Upvalues: subject, pattern, next position, and end of the last match (from 0; -1:
+/// none).
 int next_match(lua_State* lua) {
     const auto subject = text_argument(lua, lua_upvalueindex(1));
     const auto pattern = text_argument(lua, lua_upvalueindex(2));
@@ -137,16 +139,18 @@ int all_matches(lua_State* lua) {
 
 /// A match that gsub replaces.
 struct Replaced {
-    const PatternMatch& match;
+    PatternMatch& match;
     std::string_view subject;
     std::size_t begin;
 
     std::string_view whole() const { return subject.substr(begin, match.end() - begin); }
 };
 
-/// The replacement text (argument 3) with its %0 to %9 filled in.
+/// Adds the replacement text (argument 3) with its %0 to %9 filled in. Every byte is charged, since captures
+/// can be empty.
 void add_filled_in(lua_State* lua, luaL_Buffer& out, const Replaced& found) {
     const auto words = text_argument(lua, 3);
+    if (!found.match.spend(words.size())) raise(lua, found.match.fault());
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] != '%') {
             luaL_addchar(&out, words[i]);
@@ -171,7 +175,8 @@ void add_filled_in(lua_State* lua, luaL_Buffer& out, const Replaced& found) {
     }
 }
 
-/// What a table or a function (argument 3) gives for the match; the match itself where that is nil or false.
+/// Adds the result of a table or function (argument 3) for the match. Adds the match itself if the result is
+/// nil or false.
 void add_looked_up(lua_State* lua, luaL_Buffer& out, const Replaced& found) {
     if (lua_type(lua, 3) == LUA_TTABLE) {
         if (found.match.captures() > 0)
@@ -193,7 +198,7 @@ void add_looked_up(lua_State* lua, luaL_Buffer& out, const Replaced& found) {
     }
 }
 
-/// Adds the subject with its matches replaced, at most `most` of them; how many there were.
+/// Adds the subject with at most `most` matches replaced. Returns the number of replacements.
 lua_Integer add_replaced(lua_State* lua, luaL_Buffer& out, PatternMatch& match, std::string_view subject,
                          bool once, lua_Integer most) {
     lua_Integer count = 0;

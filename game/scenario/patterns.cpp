@@ -19,7 +19,7 @@ bool is_printed(unsigned char c) { return c > 0x20 && c < 0x7f; }
 bool is_space(unsigned char c) { return c == ' ' || between(c, '\t', '\r'); }
 bool is_hexadecimal(unsigned char c) { return is_digit(c) || between(c, 'a', 'f') || between(c, 'A', 'F'); }
 
-/// The classes %a, %d ... of ASCII, whatever the locale; a capital letter means all other bytes.
+/// Tests the classes %a, %d ... of ASCII, in any locale. A capital letter names the complement.
 bool in_class(unsigned char c, unsigned char name) {
     const auto lower = static_cast<char>(between(name, 'A', 'Z') ? name - 'A' + 'a' : name);
     bool found = false;
@@ -59,7 +59,7 @@ bool PatternMatch::match_at(std::size_t begin) {
     return end_ != no_match && fault_ == nullptr;
 }
 
-/// The end of the match of the pattern from `p` on with the subject from `s` on.
+/// Matches the pattern from `p` against the subject from `s`. Returns the end of the match.
 std::size_t PatternMatch::match(std::size_t s, std::size_t p) {
     if (++depth_ > most_depth) return wrong("pattern too complex");
     std::size_t found = s;
@@ -177,7 +177,8 @@ std::size_t PatternMatch::balanced(std::size_t s, std::size_t p) {
     return no_match;
 }
 
-/// %f[set]: between a byte outside the set and one in it; the ends of the subject count as a zero byte.
+/// %f[set]: the border between a byte outside the set and a byte in it. The ends of the subject count as zero
+/// bytes.
 std::size_t PatternMatch::frontier(std::size_t s, std::size_t p) {
     if (p >= pattern_.size() || pattern_[p] != '[') return wrong("missing '[' after '%f' in pattern");
     const auto end = item_end(p);
@@ -189,7 +190,7 @@ std::size_t PatternMatch::frontier(std::size_t s, std::size_t p) {
     return !in_set(before, p, end - 1) && in_set(byte_at(s), p, end - 1) ? s : no_match;
 }
 
-/// %1 ... %9: what that capture has caught.
+/// %1 ... %9: the text of an earlier capture.
 std::size_t PatternMatch::same_again(std::size_t s, std::size_t p) {
     const auto number = static_cast<std::size_t>(pattern_[p] - '1');
     if (pattern_[p] == '0' || number >= count_ || list_[number].kind == Capture::Kind::open)
@@ -201,7 +202,7 @@ std::size_t PatternMatch::same_again(std::size_t s, std::size_t p) {
                                                                                             : no_match;
 }
 
-/// Behind the single item (a byte, a class or a set) at `p`.
+/// Position after the single item (a byte, a class or a set) at `p`.
 std::size_t PatternMatch::item_end(std::size_t p) {
     if (pattern_[p] == '%') {
         return p + 1 < pattern_.size() ? p + 2 : wrong("malformed pattern (ends with '%')");
@@ -209,7 +210,7 @@ std::size_t PatternMatch::item_end(std::size_t p) {
     if (pattern_[p] != '[') return p + 1;
     auto at = p + 1;
     if (at < pattern_.size() && pattern_[at] == '^') ++at;
-    // A bracket that stands first belongs to the set.
+    // A bracket in first position belongs to the set.
     for (bool first = true; first || at >= pattern_.size() || pattern_[at] != ']'; first = false) {
         if (at >= pattern_.size()) return wrong("malformed pattern (missing ']')");
         at += pattern_[at] == '%' ? 2 : 1;
@@ -229,7 +230,7 @@ bool PatternMatch::item_matches(std::size_t s, std::size_t p, std::size_t after)
     }
 }
 
-/// The set's brackets stand at `p` and `last`.
+/// Tests a byte against the set between the brackets at `p` and `last`.
 bool PatternMatch::in_set(unsigned char c, std::size_t p, std::size_t last) {
     spend((last - p) / 16);
     auto at = p + 1;

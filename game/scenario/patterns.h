@@ -1,5 +1,6 @@
-// game/scenario/patterns.h: Lua 5.4's patterns (reference manual, 6.4.1) for scripts, with every comparison counted.
-// Lua's own matcher counts nothing, so one call with a few repetitions may take longer than a match is played.
+// game/scenario/patterns.h: Lua 5.4 patterns (reference manual, 6.4.1) for scripts, with every comparison
+// counted. Lua's own matcher counts nothing, so one call with a few repetitions can take longer than a whole
+// match.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -10,32 +11,32 @@ namespace thaum::game {
 
 inline constexpr std::size_t most_captures = 32;
 
-/// A part of the subject that a pattern has captured.
+/// A captured part of the subject.
 struct Capture {
     enum class Kind : std::uint8_t { open, closed, position };
-    std::size_t begin{}, size{};  ///< bytes; a position has no size
+    std::size_t begin{}, size{};  ///< range in bytes; a position capture has size 0
     Kind kind{};
 };
 
-/// One search of one subject. It allocates nothing and throws nothing, so a Lua error may jump over it.
+/// One search in one subject. It allocates nothing and throws nothing, so a Lua error can jump over it.
 class PatternMatch {
 public:
-    /// Counts steps; false: there are none left, and the search ends with a fault.
+    /// Counts steps. Returns false if the steps are used up, and the search then ends with a fault.
     using Spend = bool (*)(void* context, std::uint64_t steps);
 
-    /// `pattern` is without the anchor ^ at its begin.
+    /// `pattern` has no leading anchor ^.
     PatternMatch(std::string_view subject, std::string_view pattern, Spend count, void* context)
         : subject_(subject), pattern_(pattern), spend_(count), context_(context) {}
 
-    /// Matches from this place of the subject on; false where it does not match, or with `fault`.
+    /// Matches from this place of the subject. Returns false if there is no match, or if `fault` is set.
     bool match_at(std::size_t begin);
-    /// The end of the match.
+    /// End of the match.
     std::size_t end() const { return end_; }
-    /// Why the pattern is none, or why the search has been given up; null: neither.
+    /// Error in the pattern, or the reason why the search was given up; null if there is none.
     const char* fault() const { return fault_; }
 
     std::size_t captures() const { return count_; }
-    /// One that the pattern never closes is still open.
+    /// Capture i. Its kind stays `open` if the pattern never closes it.
     const Capture& capture(std::size_t i) const { return list_[i]; }
     /// Counts work that the caller does for this search.
     bool spend(std::uint64_t steps);
@@ -67,7 +68,8 @@ private:
     const char* fault_ = nullptr;
 };
 
-/// Where `wanted` begins in the subject from `from` on, each byte compared counted; npos: nowhere, or no steps are left.
+/// Position of the first `wanted` in the subject at or after `from`, counting every compared byte. Returns
+/// npos if there is none, or if the steps are used up.
 std::size_t find_plain(std::string_view subject, std::string_view wanted, std::size_t from,
                        PatternMatch::Spend spend, void* context);
 

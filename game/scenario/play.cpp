@@ -5,14 +5,14 @@
 
 #include "core/file.h"
 #include "core/text.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/match/tables.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {
 namespace {
 
-/// How fast a script's hand turns: 400 degrees a second, as a brisk player's.
+/// Largest turn of a script's hand per tick: 400 degrees a second, like a brisk player.
 constexpr std::int32_t most_counts = 8;
 constexpr std::size_t most_trace_bytes = 64U << 20U;
 
@@ -39,7 +39,7 @@ void open_log(Play& play) {
     play.log.emplace(std::move(*log));
 }
 
-/// The part of a turn that a hand can do in one tick.
+/// Returns the part of a turn that fits in one tick, and subtracts it.
 std::int32_t part_of(std::int32_t& left) {
     const auto part = std::clamp(left, -most_counts, most_counts);
     left -= part;
@@ -66,15 +66,15 @@ input::InputFrame frame_of(Play& play) {
     return frame;
 }
 
-/// The Chronicle keeps only the last events; we keep all.
+/// Collects new events, since the EventLog keeps only the last ones.
 void collect_events(Play& play) {
-    const auto& chronicle = play.match->world().single<Chronicle>();
-    const auto size = chronicle.events.size();
-    const auto oldest = chronicle.count - std::min<std::uint64_t>(chronicle.count, size);
-    for (auto i = std::max(play.events_seen, oldest); i < chronicle.count; ++i) {
-        play.events.push_back(chronicle.events[i % size]);
+    const auto& event_log = play.match->world().single<EventLog>();
+    const auto size = event_log.events.size();
+    const auto oldest = event_log.count - std::min<std::uint64_t>(event_log.count, size);
+    for (auto i = std::max(play.events_seen, oldest); i < event_log.count; ++i) {
+        play.events.push_back(event_log.events[i % size]);
     }
-    play.events_seen = chronicle.count;
+    play.events_seen = event_log.count;
 }
 
 void keep_keyframe(Play& play) {
@@ -210,7 +210,7 @@ LookCounts counts_to(const Play& play, std::uint32_t player, vec3 target) {
             static_cast<std::int32_t>(std::lround(pitch / step))};
 }
 
-// ---- traces ------------------------------------------------------------------------------------------------------------
+// ---- traces -----------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -218,10 +218,10 @@ using Reader = double (*)(const Play&, std::uint32_t);
 
 struct Column {
     std::string_view name, header;
-    Reader of_wizard, of_thing;  ///< null: it has none
+    Reader of_wizard, of_thing;  ///< null: no such column
 };
 
-/// The thing's Motion, or a still one where the thing is gone.
+/// Motion of a thing, or a motion at rest if the thing is gone.
 Motion thing_motion(const Play& play, std::uint32_t number) {
     const auto* found = play.match->world().find<Motion>(play.things[number].entity);
     return found == nullptr ? Motion{} : *found;
@@ -249,24 +249,24 @@ constexpr Column columns[] = {
      nullptr},
     {"energy", "energy",
      [](const Play& p, std::uint32_t i) { return energy_in_hand(*p.data, part<WandBelt>(p, i)); }, nullptr},
-    {"hand_x", "hand_x_m", [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).device.position.x; },
-     nullptr},
-    {"hand_y", "hand_y_m", [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).device.position.y; },
-     nullptr},
-    {"hand_z", "hand_z_m", [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).device.position.z; },
-     nullptr},
+    {"hand_x", "hand_x_m",
+     [](const Play& p, std::uint32_t i) { return part<HandState>(p, i).device.position.x; }, nullptr},
+    {"hand_y", "hand_y_m",
+     [](const Play& p, std::uint32_t i) { return part<HandState>(p, i).device.position.y; }, nullptr},
+    {"hand_z", "hand_z_m",
+     [](const Play& p, std::uint32_t i) { return part<HandState>(p, i).device.position.z; }, nullptr},
     {"force_x", "force_x_n",
-     [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).servo.safety.output.x; }, nullptr},
+     [](const Play& p, std::uint32_t i) { return part<HandState>(p, i).servo.safety.output.x; }, nullptr},
     {"force_y", "force_y_n",
-     [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).servo.safety.output.y; }, nullptr},
+     [](const Play& p, std::uint32_t i) { return part<HandState>(p, i).servo.safety.output.y; }, nullptr},
     {"force_z", "force_z_n",
-     [](const Play& p, std::uint32_t i) { return part<Grip>(p, i).servo.safety.output.z; }, nullptr},
+     [](const Play& p, std::uint32_t i) { return part<HandState>(p, i).servo.safety.output.z; }, nullptr},
     {"readiness", "readiness", [](const Play& p, std::uint32_t i) { return readiness(p, i); }, nullptr},
     {"shots", "shots",
      [](const Play& p, std::uint32_t i) { return static_cast<double>(part<WandBelt>(p, i).fired); }, nullptr},
 };
 
-/// "1.x" -> player 0; "t3.x" -> the third thing.
+/// Reads a column's subject: "1.x" is player 0, "t3.x" is the third thing.
 bool read_subject(const Play& play, std::string_view subject, bool& thing, std::uint32_t& number) {
     thing = subject.starts_with("t");
     if (thing) subject.remove_prefix(1);

@@ -1,5 +1,5 @@
-// game/scenario/play.h: one run of one scenario: a match, the hands that play it, and all that is kept of it. It knows
-// nothing of Lua; verbs.cpp brings it to scripts.
+// game/scenario/play.h: one run of one scenario: a match, its simulated hands, and all records of it. This
+// file does not depend on Lua; verbs.cpp offers it to scripts.
 #pragma once
 #include <deque>
 #include <filesystem>
@@ -18,49 +18,49 @@
 
 namespace thaum::game {
 
-/// What a script holds in its hands; becomes one device sample a tick.
+/// State of a script's hand. It becomes one device sample per tick.
 struct Hand {
-    std::int32_t look_right{}, look_up{};  ///< counts still to be given
-    std::int32_t strafe{}, forward{};      ///< -127..127
+    std::int32_t look_right{}, look_up{};  ///< mouse counts still to be sent
+    std::int32_t strafe{}, forward{};      ///< movement axes, -127 to 127
     std::uint32_t buttons{};
-    std::int32_t trigger{255};  ///< how far fire is pulled while it is held
+    std::int32_t trigger{255};  ///< pull of the trigger while fire is held, 0 to 255
 };
 
-/// A match as the script asks for it.
+/// Settings of a match that a script asks for.
 struct MatchWish {
     DataChoice data;
     std::uint64_t seed = 1;
-    std::array<int, players> bot_level{};  ///< 0: played by the script
+    std::array<int, players> bot_level{};  ///< level of the bot; 0: the script plays
     using Percents = std::array<std::optional<std::uint32_t>, players>;
-    Percents force{};   ///< of the device's, for each player; nothing: by the rules
-    Percents weight{};  ///< of the weight of what he carries that he feels; nothing: all
-    Percents blows{};   ///< likewise of its blows
-    std::array<std::array<std::optional<std::uint32_t>, input::fluid_faders>, players>
-        modes{};                      ///< and of a brew that he stirs, by haptics::fluid_modes
-    std::array<bool, players> arm{};  ///< who holds a real one
+    Percents force{};   ///< share of the device's force for each player (%); null: set by the rules
+    Percents weight{};  ///< share of a carried thing's weight that the player feels (%); null: 100 %
+    Percents blows{};   ///< share of a carried thing's blows that the player feels (%); null: 100 %
+    /// Shares of a stirred brew's forces, by haptics::fluid_modes (%); null: 100 %.
+    std::array<std::array<std::optional<std::uint32_t>, input::fluid_faders>, players> modes{};
+    std::array<bool, players> arm{};  ///< true if the player holds a simulated arm of a real device
 };
 
-/// Something that the script has put into the world.
+/// A thing that the script has added to the world.
 struct SpawnedThing {
     ecs::Entity entity;
     double mass{};  ///< kg
 };
 
-/// A file of one line for each tick.
+/// A CSV file with one line for each tick.
 struct Trace {
     std::string name;
     std::string csv;
     std::vector<double (*)(const struct Play&, std::uint32_t)> readers;
-    std::vector<std::uint32_t> subjects;  ///< of each reader: a player or a thing
+    std::vector<std::uint32_t> subjects;  ///< player or thing of each reader
 };
 
-/// What hands felt since a trace of forces began.
+/// Forces on the hands since the force trace began.
 struct FeltForces {
     ForceRecord record;
-    std::string csv;  ///< as of `thaum replay --forces`
+    std::string csv;  ///< the format of `thaum replay --forces`
 };
 
-/// The state before a keyframe tick, from which a run can go on.
+/// The state before a keyframe tick. A run can continue from it.
 struct Keyframe {
     Tick tick{};
     Bytes world;
@@ -69,58 +69,58 @@ struct Keyframe {
 struct Play {
     const ScenarioOptions* options{};
     std::string name;
-    bool keeps_files{};  ///< the first of the two runs: log, traces, pictures
-    int run{};           ///< 1, 2
+    bool keeps_files{};  ///< true in the first of the two runs: writes log, traces and pictures
+    int run{};           ///< number of the run, 1 or 2
 
     std::shared_ptr<const MatchData> data;
-    std::unique_ptr<Simulation> match;  ///< null until the script asked for one
+    std::unique_ptr<Simulation> match;  ///< null until the script calls match{}
     Bots bots;
     std::array<int, players> bot_level{};
     std::array<Hand, players> hands{};
     ScriptArms arms{};
-    Tick behind{};  ///< ticks for which the arms went on while the match stood still
+    Tick behind{};  ///< ticks that the arms ran while the match stood still
 
-    std::vector<input::InputFrame> frames;  ///< all so far
-    std::vector<std::uint64_t> hashes;      ///< after every hash_interval ticks
-    std::vector<Keyframe> keyframes;        ///< of matches that can be replayed
-    std::vector<Event> events;              ///< all so far
-    std::uint64_t events_seen{};            ///< Chronicle::count
-    std::size_t events_expected{};          ///< before this one expect_event has looked
-    Bytes begun;                            ///< the state before the first tick
-    std::vector<Bytes> states;              ///< kept by the script
+    std::vector<input::InputFrame> frames;  ///< all input frames so far
+    std::vector<std::uint64_t> hashes;      ///< state hashes, one after every hash_interval ticks
+    std::vector<Keyframe> keyframes;        ///< keyframes, if the match can be replayed
+    std::vector<Event> events;              ///< all events so far
+    std::uint64_t events_seen{};            ///< EventLog::count after the last collected event
+    std::size_t events_expected{};          ///< index of the first event that expect_event has not examined
+    Bytes begun;                            ///< state before the first tick
+    std::vector<Bytes> states;              ///< states saved by the script
     std::vector<SpawnedThing> things;
     std::vector<Trace> traces;
     std::optional<FeltForces> felt;
     std::vector<Pixels> pictures;
     std::vector<std::string> files;
-    std::string write_fault;  ///< the first file that could not be written, and why; empty: none
+    std::string write_fault;  ///< first file that could not be written, with the reason; empty: none
 
-    bool no_picture{};  ///< the script asked for a picture, and nobody can draw one
-    bool scene_set{};   ///< the script has changed the world itself: its input alone does not lead here
+    bool no_picture{};  ///< the script asked for a picture, but no picture function is set
+    bool scene_set{};   ///< the script has changed the world, so input alone does not lead to this state
     std::optional<input::LogWriter> log;
     std::filesystem::path log_path;
-    std::optional<Tick> save_at;  ///< for looking into a difference
+    std::optional<Tick> save_at;  ///< tick at which `saved` is taken, to examine a difference
     Bytes saved;
 
-    Tick wait_until{};  ///< Simulation::now
+    Tick wait_until{};  ///< tick at which the wait ends, compared with Simulation::now
     bool waits{};       ///< a verb has set wait_until
 };
 
 Expected<void> begin_match(Play& play, const MatchWish& wish);
 
-/// One tick of the match, with what the hands do.
+/// Plays one tick of the match with the input of all hands.
 void tick(Play& play);
 
-/// The match stands still, and then makes up for it, while arms go on.
+/// Stops the match for some ticks while the arms continue, then lets it catch up.
 void stall(Play& play, Tick ticks);
 
-/// From here on the log and the frames do not tell the whole story.
+/// Marks that log and frames no longer determine the match.
 void scene_is_set(Play& play);
 
-/// Closes the log, writes the traces.
+/// Closes the log and writes the traces.
 void end_match(Play& play);
 
-/// How far the wand in hand is charged or drawn, 0 to 1.
+/// Charge or draw of the wand in hand, 0 to 1.
 double readiness(const Play& play, std::uint32_t player);
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player);
@@ -129,22 +129,24 @@ const C& part(const Play& play, std::uint32_t player) {
     return play.match->world().get<C>(wizard_entity(play, player));
 }
 
-/// What a hand must still turn, in counts, so that its wizard looks at a place.
+/// Mouse counts that turn a wizard towards a place.
 struct LookCounts {
     std::int32_t right{}, up{};
 };
 LookCounts counts_to(const Play& play, std::uint32_t player, vec3 target);
 
-/// Reader of a column "1.x", "2.health", "t3.speed"; null and an error text where there is none.
+/// Adds the column "1.x", "2.health" or "t3.speed". The error says that there is no such column.
 Expected<void> add_column(const Play& play, const std::string& column, Trace& trace);
-/// One line of the trace.
+/// Adds one line to the trace.
 void trace_now(const Play& play, Trace& trace);
 
-/// The same frames in other matches: from the start, and from the keyframe before each tick. Empty, or what differs.
+/// Plays the same frames in other matches: from the start, and from the keyframe before each tick. Returns an
+/// empty string, or the difference.
 std::string check_seek(const Play& play, const std::vector<Tick>& ticks);
-/// The same frames in a match on another thread, which now stands still and now takes many at once.
+/// Plays the same frames in a match on another thread. That thread stalls at times and then takes many frames
+/// at once.
 std::string check_late(const Play& play, std::uint64_t seed);
-/// The same frames in a match whose jobs run on `workers` threads beside its own.
+/// Plays the same frames in a match with `workers` extra job threads.
 std::string check_threads(const Play& play, unsigned workers);
 
 }  // namespace thaum::game

@@ -2,8 +2,8 @@
 
 namespace thaum::game {
 
-// Functions of ours take their place in messages from the script's line that called them, so all that is wrong is said
-// by fail(). Nothing named raw_ is left to the script.
+// Errors in prelude functions are reported at the script's line that called them, so all checks use fail().
+// The names that begin with raw_ are removed before a script starts.
 const std::string_view prelude = R"lua(
 local raw = {}
 for _, name in ipairs {

@@ -15,23 +15,23 @@ namespace thaum::game {
 namespace {
 
 constexpr std::size_t most_source = 1U << 20U;
-/// HP, m, rad ...: what settles by itself in a court where nobody does anything stays below this.
+/// Upper bound on changes in an arena without any action, in HP, m, rad and so on.
 constexpr double noticeable = 0.02;
 
-/// What one run came to.
+/// Result of one run.
 struct Outcome {
-    bool ended = false;   ///< the script ran to its end
-    std::string message;  ///< why it did not
+    bool ended = false;   ///< true if the script ran to its end
+    std::string message;  ///< reason why the script did not end
     bool no_picture = false;
-    bool changed = false;  ///< something happened in the match
+    bool changed = false;  ///< true if a player's action changed the match
     bool scene_set = false;
     Tick ticks{};
     std::uint64_t hash{};
     std::vector<std::uint64_t> hashes;
     std::string output;
     std::vector<std::string> files;
-    Bytes saved;                        ///< the state that was asked for
-    std::optional<std::string> forces;  ///< the force trace, of a scenario that has one
+    Bytes saved;                        ///< state at the requested tick
+    std::optional<std::string> forces;  ///< force trace of a scenario that has one
 };
 
 struct RunWish {
@@ -45,11 +45,11 @@ bool is_number(const std::string& text, double& value) {
     return end.ec == std::errc{} && end.ptr == text.data() + text.size();
 }
 
-/// What passes in any match, with nobody doing anything.
+/// True for a field that changes in any match, even without any action.
 bool passes_anyway(const ecs::Difference& d) {
     if (d.component == "Match") return d.field == "played";
     if (d.component == "Stance" || d.component == "Controls") return true;
-    if (d.component == "Grip") return !d.field.starts_with("device") && !d.field.starts_with("kick");
+    if (d.component == "HandState") return !d.field.starts_with("device") && !d.field.starts_with("kick");
     if (d.component == "Motion") return !d.field.starts_with("position");
     return false;
 }
@@ -69,7 +69,7 @@ bool has_changed(const Play& play) {
     return found && std::any_of(found->begin(), found->end(), is_deed);
 }
 
-/// Ticks until the script's wait is over.
+/// Plays ticks until the script's wait is over.
 Expected<void> play_on(Play& play) {
     if (!play.waits) return fail("coroutine.yield outside of a coroutine: tick() waits");
     play.waits = false;
@@ -138,7 +138,7 @@ Outcome run_once(std::string_view source, const std::string& name, const Scenari
     return outcome;
 }
 
-/// The first tick after which a hash was taken and differs.
+/// Returns the first hashed tick at which the runs differ.
 std::optional<Tick> first_difference(const Outcome& a, const Outcome& b) {
     for (std::size_t i = 0; i < std::min(a.hashes.size(), b.hashes.size()); ++i) {
         if (a.hashes[i] != b.hashes[i]) return (i + 1) * hash_interval;
@@ -147,7 +147,7 @@ std::optional<Tick> first_difference(const Outcome& a, const Outcome& b) {
     return std::nullopt;
 }
 
-/// Runs both again up to there, to name the field.
+/// Runs the scenario twice more up to this tick, to name the field that differs.
 std::string describe_difference(std::string_view source, const std::string& name,
                                 const ScenarioOptions& options, Tick tick) {
     const auto one = run_once(source, name, options, {.run = 1, .save_at = tick});
@@ -168,7 +168,7 @@ std::string fault_of(const Outcome& one, const Outcome& two) {
 
 constexpr std::size_t most_force_trace = 1U << 20U;
 
-/// Keeps the force trace, or compares it with the one that was kept. Empty, or what is wrong.
+/// Writes the force trace, or compares it with the kept one. Returns an empty string, or the fault.
 std::string check_forces(const std::string& forces, const std::string& name,
                          const std::filesystem::path& folder, bool keep) {
     const auto file = folder / (name + ".csv");
@@ -183,14 +183,6 @@ std::string check_forces(const std::string& forces, const std::string& name,
     return found.empty() ? found : text(found, " (", file.string(), ")");
 }
 
-/// Empty where there is none.
-std::filesystem::path forces_folder(const std::filesystem::path& script, const ScenarioOptions& options) {
-    if (!options.keep_forces.empty()) return options.keep_forces;
-    const auto beside = (script.parent_path() / "../replays/forces").lexically_normal();
-    std::error_code ignored;
-    return std::filesystem::is_directory(beside, ignored) ? beside : std::filesystem::path();
-}
-
 void write_result(const ScenarioOptions& options, ScenarioResult& result) {
     if (options.out.empty()) return;
     const auto file = result.name + ".json";
@@ -198,11 +190,12 @@ void write_result(const ScenarioOptions& options, ScenarioResult& result) {
     const auto written = write_text_file(options.out / file, scenario_report({result}));
     if (written) return;
     result.files.pop_back();
+    // The reason for a failed scenario matters more than the failure to write it.
+    if (result.passed) result.message = written.error().message;
     result.passed = false;
-    result.message = written.error().message;
 }
 
-/// kept: the folder of force traces; empty: they are not looked at.
+/// `kept`: folder of the force traces; empty: no comparison.
 ScenarioResult run_source(std::string_view source, const std::string& name, const ScenarioOptions& options,
                           const std::filesystem::path& kept) {
     std::error_code ignored;
@@ -235,6 +228,13 @@ ScenarioResult run_source(std::string_view source, const std::string& name, cons
 ScenarioResult run_scenario_source(std::string_view source, const std::string& name,
                                    const ScenarioOptions& options) {
     return run_source(source, name, options, {});
+}
+
+std::filesystem::path forces_folder(const std::filesystem::path& script, const ScenarioOptions& options) {
+    if (!options.keep_forces.empty()) return options.keep_forces;
+    const auto beside = (script.parent_path() / "../replays/forces").lexically_normal();
+    std::error_code ignored;
+    return std::filesystem::is_directory(beside, ignored) ? beside : std::filesystem::path();
 }
 
 ScenarioResult run_scenario(const std::filesystem::path& script, const ScenarioOptions& options) {
@@ -291,7 +291,7 @@ std::string scenario_report(const std::vector<ScenarioResult>& results) {
                         {"files", result.files}});
     }
     const nlohmann::ordered_json report{{"scenarios", list}};
-    // What a script puts into a message need not be UTF-8.
+    // A message can contain a script's text that is not UTF-8.
     return report.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -1,18 +1,20 @@
-// game/scenario/runner.h: runs scenarios: Lua scripts that play a match through the players' own devices, faster than
-// real time, and say what a player would notice.
+// game/scenario/runner.h: runs scenarios. A scenario is a Lua script that plays a match through the players'
+// own devices, faster than real time, and checks what a player would notice.
 //
-// Each scenario runs twice, from scratch, in two matches of its own. The state hashes of both must agree every 128 ticks and
-// at the end, and something must have happened: a match in which nobody has moved proves nothing. What a run leaves behind:
+// Each scenario runs twice from scratch, in two separate matches. The state hashes of both must agree every
+// 128 ticks and at the end. The match must also have changed, because a match without any action proves
+// nothing. A run leaves these files:
 //
-//     NAME.thaumlog   the match, for `thaum replay`; not where the script set the scene itself (place, spawn, push ...)
-//     NAME.TRACE.csv  for each `trace`
-//     NAME.forces.csv for a scenario with a trace of forces, from there on: as of `thaum replay --forces`
-//     NAME.PICTURE.png  for each `picture`, and NAME.failed.png where it failed
-//     NAME.json       the result, as of `thaum scenario --json`
+//     NAME.thaumlog     the match, for `thaum replay`; absent if the script set the scene
+//     NAME.TRACE.csv    one for each `trace`
+//     NAME.forces.csv   forces from the start of a force trace, in the format of `thaum replay --forces`
+//     NAME.PICTURE.png  one for each `picture`; NAME.failed.png after a failure
+//     NAME.json         the result, in the format of `thaum scenario --json`
 //
-// What hands felt in such a scenario is also compared with what was kept of it (game/scenario/force_trace.h), to the bit.
+// The forces of a scenario with a force trace are also compared with the kept trace
+// (game/scenario/force_trace.h), to the bit.
 //
-// The verbs of the scripts stand in game/scenario/verbs.h.
+// game/scenario/verbs.h lists the verbs of the scripts.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -27,58 +29,62 @@ namespace thaum::game {
 
 enum class Split : std::uint32_t { side_by_side, top_bottom };
 
-/// What a picture function gives: rows from the top, three bytes a pixel (red, green, blue).
+/// A drawn picture: rows from the top, three bytes for each pixel (red, green, blue).
 struct Pixels {
     int width{};
     int height{};
     std::vector<std::uint8_t> rgb;
 };
 
-/// Draws both players' views of the match as it is, and writes them as PNG to `file` unless that is empty.
+/// Draws both players' views of the match's present state. Writes them as PNG to `file` unless the path is
+/// empty.
 using TakePicture =
     std::function<Expected<Pixels>(const Simulation& match, Split split, const std::filesystem::path& file)>;
 
-/// All words that stand over both players' views of the match as it is.
+/// Returns all words over both players' views of the match's present state.
 using ReadScreen = std::function<std::vector<std::string>(const Simulation& match)>;
 
 struct ScenarioOptions {
     std::filesystem::path assets;
-    std::filesystem::path out;      ///< where files go; made when needed; empty: no files
-    std::filesystem::path scripts;  ///< where scenarios are found by name
-    TakePicture take_picture;       ///< null: scenarios that need pictures fail, saying so
-    ReadScreen read_screen;         ///< likewise
-    /// Where force traces are written; empty: they are compared with those in ../replays/forces beside the script's folder, if
-    /// there is such a folder.
+    std::filesystem::path out;      ///< folder for output, created when needed; empty: no files
+    std::filesystem::path scripts;  ///< folder in which scenarios are found by name
+    TakePicture take_picture;       ///< null: scenarios that need pictures fail with a message
+    ReadScreen read_screen;         ///< null: scenarios that read the screen fail with a message
+    /// Folder for writing force traces. If it is empty, traces are compared with those in ../replays/forces
+    /// beside the script's folder, if that folder exists.
     std::filesystem::path keep_forces{};
-    bool once{};                   ///< the second run is left out: nothing is checked between the two
-    Tick most_ticks = ticks(600);  ///< of one run
+    bool once{};                   ///< skips the second run, so the runs are not compared
+    Tick most_ticks = ticks(600);  ///< longest duration of one run
     SandboxLimits limits;
-    /// For tests of the runner itself: called before every tick of each run (1, 2), and may spoil the match.
+    /// Hook for tests of the runner: called before every tick of each run (1, 2). It may corrupt the match.
     std::function<void(Simulation& match, int run)> spoil;
 };
 
 struct ScenarioResult {
     std::string name;
     bool passed = false;
-    bool no_picture = false;  ///< it failed only because there is no picture function
+    bool no_picture = false;  ///< the only fault is the missing picture function
     Tick ticks{};
-    std::uint64_t hash{};            ///< of the last state
-    std::string message;             ///< one line: why it failed; of a passed one a remark, or nothing
-    std::string output;              ///< what it printed
-    std::vector<std::string> files;  ///< names in ScenarioOptions::out
+    std::uint64_t hash{};  ///< hash of the last state
+    std::string message;   ///< one line: the reason of a failure, or a remark on a pass; can be empty
+    std::string output;    ///< text printed by the script
+    std::vector<std::string> files;  ///< file names inside ScenarioOptions::out
 };
 
-/// One scenario from its file.
+/// Folder of the force traces to compare with or to write. Empty if there is none.
+std::filesystem::path forces_folder(const std::filesystem::path& script, const ScenarioOptions& options);
+
+/// Runs one scenario from its file.
 ScenarioResult run_scenario(const std::filesystem::path& script, const ScenarioOptions& options);
-/// The same from a source in memory.
+/// Runs one scenario from a source in memory.
 ScenarioResult run_scenario_source(std::string_view source, const std::string& name,
                                    const ScenarioOptions& options);
 
-/// Names of files (with .lua) or of scenarios in ScenarioOptions::scripts; none: all of those, by name. The error says
-/// which one does not exist.
+/// Finds scenarios by file name (with .lua) or by name in ScenarioOptions::scripts. An empty list selects all
+/// of them, sorted by name. The error names the scenario that does not exist.
 Expected<std::vector<std::filesystem::path>> find_scenarios(const std::vector<std::string>& names,
                                                             const ScenarioOptions& options);
-/// As find_scenarios, and runs them; `report` is called after each.
+/// Finds scenarios like find_scenarios and runs them. `report` is called after each.
 Expected<std::vector<ScenarioResult>> run_scenarios(
     const std::vector<std::string>& names, const ScenarioOptions& options,
     const std::function<void(const ScenarioResult&)>& report = nullptr);
@@ -86,7 +92,7 @@ Expected<std::vector<ScenarioResult>> run_scenarios(
 /// The report of `thaum scenario --json`.
 std::string scenario_report(const std::vector<ScenarioResult>& results);
 
-/// Where scenarios lie that came with these assets.
+/// Folder of the scenarios that belong to these assets.
 std::filesystem::path scenarios_beside(const std::filesystem::path& assets);
 
 }  // namespace thaum::game

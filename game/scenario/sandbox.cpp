@@ -12,10 +12,9 @@
 namespace thaum::game {
 namespace {
 
-constexpr int hook_steps = 1000;
 constexpr int resume_steps = 100;
-constexpr std::size_t bytes_per_step = 64;
-/// Beyond the limit, for our own code between two checks.
+constexpr std::size_t memory_per_step = 64;  ///< requested memory that costs one step (bytes)
+/// Extra memory beyond the limit for trusted code between two checks (bytes).
 constexpr std::size_t reserve = 8U << 20U;
 
 using State = Sandbox::State;
@@ -26,17 +25,17 @@ bool allowed(const State& state, std::size_t old_size, std::size_t new_size) {
     return !state.exhausted && new_size <= state.limits.block && after <= state.limits.memory;
 }
 
-/// Lua's one way to memory. A block that shrinks must always be given.
+/// Lua's only allocator. Shrinking a block must never fail.
 void* allocate(void* context, void* block, std::size_t old_size, std::size_t new_size) {
     auto& state = *static_cast<State*>(context);
-    if (block == nullptr) old_size = 0;  // then it is the kind of object
+    if (block == nullptr) old_size = 0;  // here Lua passes the kind of object
     if (new_size == 0) {
         std::free(block);
         state.memory -= old_size;
         return nullptr;
     }
     if (new_size > old_size) {
-        state.spend((new_size - old_size) / bytes_per_step);
+        state.spend((new_size - old_size) / memory_per_step);
         if (!allowed(state, old_size, new_size)) return nullptr;
     }
     void* const moved = std::realloc(block, new_size);
@@ -46,18 +45,14 @@ void* allocate(void* context, void* block, std::size_t old_size, std::size_t new
 
 constexpr const char* endless = "the script has spent all its steps: an endless loop?";
 constexpr const char* out_of_time =
-    "the script has computed for too long by the wall clock, and was stopped: use shorter texts and lists";
+    "the script has used all its processor time, and was stopped: use shorter texts and lists";
 
-void count_steps(lua_State* lua, lua_Debug*) {
-    auto& state = state_of(lua);
-    const bool on_time = !state.late && monotonic_ns() < state.deadline_ns;
-    if (state.spend(hook_steps) && on_time) return;
-    state.late = state.late || !on_time;
-    state.exhausted = true;
-    state.trusted = true;
-    lua_pushstring(lua, state.late ? out_of_time : endless);
-    raise_at_script(lua);
+bool is_on_time(const State& state) {
+    return !state.late && thread_cpu_ns() < state.deadline_ns &&
+           static_cast<double>(state.verbs_ns) < state.limits.verbs_s * 1e9;
 }
+
+void count_steps(lua_State* lua, lua_Debug*) { charge(lua, hook_steps); }
 
 struct VerbEntry {
     Sandbox::Verb verb;
@@ -66,10 +61,10 @@ struct VerbEntry {
 
 constexpr int failed = -2;
 
-/// Everything that C++ may throw ends here, before Lua's frames.
+/// Catches every C++ exception before it reaches Lua's frames.
 int guarded_call(lua_State* lua, const VerbEntry& entry, State& state) noexcept {
     int results = failed;
-    const auto began_ns = monotonic_ns();
+    const auto began_ns = thread_cpu_ns();
     state.trusted = true;
     try {
         lua_checkstack(lua, 40);
@@ -82,11 +77,13 @@ int guarded_call(lua_State* lua, const VerbEntry& entry, State& state) noexcept 
         state.fault = "out of memory";
     }
     state.trusted = false;
-    state.deadline_ns += monotonic_ns() - began_ns;
+    const auto took_ns = thread_cpu_ns() - began_ns;
+    state.deadline_ns += took_ns;
+    state.verbs_ns += took_ns;
     return results;
 }
 
-/// Nothing here needs to be destroyed: the last lines jump.
+/// The last lines can jump over this frame, so no object in it needs a destructor.
 int call_verb(lua_State* lua) {
     auto& state = state_of(lua);
     const auto& entry = *static_cast<const VerbEntry*>(lua_touserdata(lua, lua_upvalueindex(1)));
@@ -96,7 +93,8 @@ int call_verb(lua_State* lua) {
         lua_pushlstring(lua, state.fault.data(), state.fault.size());
         return raise_at_script(lua);
     }
-    // A verb may go beyond the limit, the script may not stay there.
+    charge(lua, 0);
+    // A verb may exceed the memory limit for a while, but the script must not stay beyond it.
     if (state.memory > state.limits.memory) lua_gc(lua, LUA_GCCOLLECT);
     if (state.memory > state.limits.memory) return luaL_error(lua, "not enough memory");
     if (results != Sandbox::wait) return results;
@@ -107,7 +105,7 @@ int call_verb(lua_State* lua) {
     return lua_yield(lua, 0);
 }
 
-/// One line, whatever was raised.
+/// Message of the error on the stack, as one line.
 std::string message_of(lua_State* lua) {
     std::size_t size = 0;
     const char* const message = lua_type(lua, -1) == LUA_TSTRING ? lua_tolstring(lua, -1, &size) : nullptr;
@@ -115,7 +113,7 @@ std::string message_of(lua_State* lua) {
     return in_one_line({message, size});
 }
 
-/// Loads text, never compiled code, as a function on top of the stack.
+/// Loads text, but never compiled code, as a function on top of the stack.
 Expected<void> load(lua_State* lua, std::string_view source, const std::string& chunk) {
     const int status = luaL_loadbufferx(lua, source.data(), source.size(), chunk.c_str(), "t");
     if (status == LUA_OK) return {};
@@ -131,9 +129,20 @@ int open_all(lua_State* lua) {
 
 }  // namespace
 
+void charge(lua_State* lua, std::uint64_t steps) {
+    auto& state = state_of(lua);
+    const bool on_time = is_on_time(state);
+    if (state.spend(steps) && on_time) return;
+    state.late = state.late || !on_time;
+    state.exhausted = true;
+    state.trusted = true;
+    lua_pushstring(lua, state.late ? out_of_time : endless);
+    raise_at_script(lua);
+}
+
 int raise_at_script(lua_State* lua) {
     auto& state = state_of(lua);
-    state.trusted = true;  // the message itself must not fail
+    state.trusted = true;  // building the message must not fail
     lua_Debug frame;
     for (int level = 0; lua_getstack(lua, level, &frame) != 0; ++level) {
         lua_getinfo(lua, "Sl", &frame);
@@ -200,20 +209,20 @@ Expected<void> Sandbox::start(std::string_view source, std::string_view name) {
 Expected<Sandbox::Progress> Sandbox::resume() {
     state_->spend(resume_steps);
     int results = 0;
-    const auto left_ns = static_cast<std::int64_t>(state_->limits.wall_s * 1e9) - state_->computed_ns;
-    state_->deadline_ns = monotonic_ns() + left_ns;
+    const auto left_ns = static_cast<std::int64_t>(state_->limits.compute_s * 1e9) - state_->computed_ns;
+    state_->deadline_ns = thread_cpu_ns() + left_ns;
     const int status = lua_resume(state_->script, state_->lua, 0, &results);
-    state_->computed_ns += left_ns - (state_->deadline_ns - monotonic_ns());
+    state_->computed_ns += left_ns - (state_->deadline_ns - thread_cpu_ns());
     if (status == LUA_OK) return Progress::done;
     if (status == LUA_YIELD) {
         lua_pop(state_->script, results);
         return Progress::waits;
     }
     auto message = message_of(state_->script);
-    // Where the steps ran out in an allocation, Lua knows only that it got no memory.
+    // If the steps ran out during an allocation, Lua reports only a lack of memory.
     const std::string why = state_->late ? out_of_time : endless;
     if (state_->exhausted && message.find("steps") == std::string::npos &&
-        message.find("wall clock") == std::string::npos)
+        message.find("processor time") == std::string::npos)
         message = text(state_->name, ": ", why);
     return fail(std::move(message));
 }

@@ -1,10 +1,12 @@
-// game/scenario/sandbox.h: a Lua 5.4 state in which a script can compute, and nothing else.
+// game/scenario/sandbox.h: a Lua 5.4 state in which a script can only compute.
 //
-// The same script does the same on every machine and every day: no clock, no random numbers, no files, no other code;
-// `pairs` goes by sorted keys; no address ever becomes text; the functions of `math` are those of core/maths.h, and the
-// operator ^, which calls the machine's own pow, is refused. And it always comes to an end: it may spend so many steps (one for
-// an instruction, one for every 64 bytes asked for, one for every byte that a pattern is compared with), so much memory
-// and so much time, and when the steps are spent no pcall and no coroutine keeps it alive.
+// A script has the same result on every machine and every day. It has no clock, no random numbers, no files
+// and no other code. `pairs` visits keys in sorted order, and no address becomes text. The functions of
+// `math` come from core/maths.h. The operator ^ is rejected, because it calls the machine's own pow.
+//
+// A script always ends. Its steps, memory and processor time are limited. One step is one instruction, 64
+// bytes of requested memory, one byte compared by a pattern, or 16 bytes of a plain search. Once the steps
+// are used up, no pcall and no coroutine can continue.
 //
 //     Sandbox sandbox;
 //     sandbox.add("answer", [](lua_State* lua, void*) { lua_pushinteger(lua, 42); return 1; }, nullptr);
@@ -24,16 +26,17 @@ struct lua_State;
 namespace thaum::game {
 
 struct SandboxLimits {
-    std::size_t memory = 64U << 20U;    ///< bytes, all together
-    std::size_t block = 1U << 20U;      ///< bytes, of one string or table part
-    std::uint64_t steps = 300'000'000;  ///< in the sandbox's whole life
-    std::size_t output = 64U << 10U;    ///< bytes of `print` that are kept
-    /// Time for which a script may compute, verbs and waits left out (s). It guards against work that no step counts,
-    /// and is so generous that no result depends on it.
-    double wall_s = 60;
+    std::size_t memory = 64U << 20U;    ///< total memory (bytes)
+    std::size_t block = 1U << 20U;      ///< largest single string or table part (bytes)
+    std::uint64_t steps = 300'000'000;  ///< steps over the sandbox's whole life
+    std::size_t output = 64U << 10U;    ///< limit of the kept `print` output (bytes)
+    /// Limit of the script's own processor time, without verbs and waits (s). It guards against work that no
+    /// step counts. It is so large that no result depends on it.
+    double compute_s = 60;
+    double verbs_s = 300;  ///< limit of the processor time of all verbs together, without waits (s)
 };
 
-/// Thrown by a verb: becomes a Lua error with the script's file and line in front.
+/// A fault thrown by a verb. It becomes a Lua error with the script's file and line in front.
 struct ScriptFault {
     std::string message;
 };
@@ -42,10 +45,10 @@ class Sandbox {
 public:
     enum class Progress { waits, done };
 
-    /// A function for scripts. It reads its arguments from the stack, pushes its results and returns their number, or
-    /// `wait`. It may throw ScriptFault, and must neither call Lua functions nor raise Lua errors.
+    /// A function for scripts. It reads its arguments from the stack, pushes its results, and returns their
+    /// number or `wait`. It may throw ScriptFault. It must not call Lua functions or raise Lua errors.
     using Verb = int (*)(lua_State*, void* context);
-    /// Returned by a verb: the script stops here until the next resume. Only for the script itself, not for a
+    /// Result of a verb that stops the script until the next resume. Only the script itself can wait, not a
     /// coroutine that it made.
     static constexpr int wait = -1;
 
@@ -55,20 +58,20 @@ public:
     Sandbox& operator=(const Sandbox&) = delete;
 
     void add(const char* name, Verb verb, void* context);
-    /// Runs source of ours, which may define functions for the script. Errors in them are reported at the script's line
-    /// that called them.
+    /// Runs trusted source that defines functions for the script. An error in such a function is reported at
+    /// the script's line that called it.
     Expected<void> run_prelude(std::string_view source);
 
-    /// Takes a script; nothing runs yet. The name stands in messages. The error has the line.
+    /// Loads a script without running it. `name` is used in messages. The error contains the line.
     Expected<void> start(std::string_view source, std::string_view name);
-    /// Runs on to the next wait or the end. The error is one line that begins with "NAME:LINE:".
+    /// Runs the script to its next wait or to its end. The error is one line that begins with "NAME:LINE:".
     Expected<Progress> resume();
 
-    /// What the script printed, at most SandboxLimits::output.
+    /// Text printed by the script, cut off at SandboxLimits::output.
     const std::string& output() const;
-    std::uint64_t steps() const;  ///< spent so far
-    std::size_t memory() const;   ///< bytes in use
-    bool exhausted() const;       ///< the steps are spent
+    std::uint64_t steps() const;  ///< steps used so far
+    std::size_t memory() const;   ///< memory in use (bytes)
+    bool exhausted() const;       ///< true if the steps are used up
 
     struct State;
 

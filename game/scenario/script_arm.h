@@ -1,5 +1,6 @@
-// game/scenario/script_arm.h: a real arm that a script moves: what its thread would do, a step at a time, in the same thread as
-// the match. The hand goes where it is told to, however hard it is pulled.
+// game/scenario/script_arm.h: a simulated arm of a real device, moved by a script. It runs the work of a
+// device thread step by step in the match's own thread. The hand follows the script's path whatever the force
+// on it.
 #pragma once
 #include <array>
 #include <memory>
@@ -11,21 +12,21 @@ namespace thaum::game {
 
 struct ScriptArm {
     input::ArmServo servo{};
-    std::uint32_t device{};  ///< place in the frame
+    std::uint32_t device{};  ///< index of the device in the input frame
     std::int64_t time_ns{};
-    vec3 at{}, to{};  ///< m, device frame: the hand, and where it goes
-    double step{};    ///< m, of a tick; 0: it is there at once
-    vec3 told{};      ///< N, in its last tick
+    vec3 at{}, to{};  ///< position and target of the hand (m, device frame)
+    double step{};    ///< distance moved per tick (m); 0: the hand jumps to the target
+    vec3 told{};      ///< force of the last tick (N)
 };
 using ScriptArms = std::array<std::unique_ptr<ScriptArm>, players>;
 
-/// One tick of each arm's thread.
+/// Runs one tick of each arm's thread.
 void step_arms(ScriptArms& arms);
-/// The next sample of each, as the match is to take it.
+/// Puts the next sample of each arm into the input frame.
 void take_samples(ScriptArms& arms, input::InputFrame& frame);
-/// What the match has published for them.
+/// Hands the match's latest orders to the arms.
 void publish_orders(const Simulation& match, ScriptArms& arms);
-/// Forces that the match computed otherwise than the arms' threads had: there may be none.
+/// Number of ticks in which the match computed another force than the arm's thread. It must be 0.
 std::uint64_t differing_forces(const ScriptArms& arms);
 
 }  // namespace thaum::game

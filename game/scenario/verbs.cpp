@@ -1,10 +1,10 @@
-// The match, the hands that play it and the wizards; things and reports stand in files of their own.
+// Verbs for the match, the hands and the wizards. Verbs for things and reports are in their own files.
 #include "game/scenario/verbs.h"
 
 #include <algorithm>
 
 #include "game/components/cauldron.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/player/walk.h"
 #include "game/scenario/detail/prelude.h"
 #include "game/scenario/detail/verb.h"
@@ -43,7 +43,7 @@ constexpr ButtonName button_names[] = {
     {"confirm", Button::confirm},
 };
 
-// ---- the match ---------------------------------------------------------------------------------------------------------
+// ---- the match --------------------------------------------------------------------------------------------
 
 int read_player(lua_State* lua, int index) {
     const auto who = arg::string(lua, index, "players");
@@ -87,7 +87,7 @@ void read_percents(lua_State* lua, int index, const char* name, MatchWish::Perce
     }
 }
 
-/// {flow = 0, wall = 50}
+/// Reads a table such as {flow = 0, wall = 50}.
 void read_modes_of(lua_State* lua, int index,
                    std::array<std::optional<std::uint32_t>, input::fluid_faders>& percents) {
     if (!lua_istable(lua, index)) fault("modes must be a list of tables such as {flow = 0}");
@@ -182,7 +182,7 @@ int verb_match_state(lua_State* lua, void* context) {
 
 int verb_fail(lua_State* lua, void*) { fault(arg::string(lua, 1, "message")); }
 
-// ---- hands -------------------------------------------------------------------------------------------------------------
+// ---- hands ------------------------------------------------------------------------------------------------
 
 Hand& hand_of(Play& play, lua_State* lua) {
     const auto player = arg::player(lua, 1);
@@ -214,16 +214,16 @@ int verb_trigger(lua_State* lua, void* context) {
     return 0;
 }
 
-// ---- arms --------------------------------------------------------------------------------------------------------------
+// ---- arms -------------------------------------------------------------------------------------------------
 
 ScriptArm& arm_of(Play& play, std::uint32_t player) {
     if (!play.arms[player]) fault("player ", player + 1, " holds no arm: match{arms = {true, ...}}");
     return *play.arms[player];
 }
 
-/// A device's workspace, m.
+/// Half width of a device's workspace (m).
 constexpr double arm_reach = 0.3;
-/// What the match may be behind before it leaves samples out, s.
+/// Longest delay before the match leaves samples out (s).
 constexpr double longest_stall = 0.25;
 
 int verb_reach(lua_State* lua, void* context) {
@@ -270,7 +270,7 @@ int verb_counts_of(lua_State* lua, void* context) {
     return 1;
 }
 
-// ---- wizards -----------------------------------------------------------------------------------------------------------
+// ---- wizards ----------------------------------------------------------------------------------------------
 
 using ReadWizard = void (*)(lua_State*, const Play&, std::uint32_t player);
 
@@ -323,18 +323,20 @@ constexpr WizardReader wizard_readers[] = {
                  std::uint32_t i) { lua_pushinteger(lua, part<WandBelt>(p, i).fired); }},
     {"readiness",
      [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushnumber(lua, readiness(p, i)); }},
-    // Of the device in the hand, in its own frame (x right, y up, z to the user): where its tip is, m, what it is told, N, and why
-    // that is less than was asked for.
+    // The device in its own frame (x right, y up, z to the user): tip position (m), output force (N), and
+    // reason for a reduced force.
     {"hand", [](lua_State* lua, const Play& p,
-                std::uint32_t i) { arg::push_place(lua, part<Grip>(p, i).device.position); }},
+                std::uint32_t i) { arg::push_place(lua, part<HandState>(p, i).device.position); }},
     {"force", [](lua_State* lua, const Play& p,
-                 std::uint32_t i) { arg::push_place(lua, part<Grip>(p, i).servo.safety.output); }},
-    // J, the most that passive sources ever gave to the hand more than hand and world gave to them.
-    {"created", [](lua_State* lua, const Play& p,
-                   std::uint32_t i) { lua_pushnumber(lua, part<Grip>(p, i).servo.energy.most_created); }},
+                 std::uint32_t i) { arg::push_place(lua, part<HandState>(p, i).servo.safety.output); }},
+    // Largest net energy that passive sources gave to the hand, beyond what hand and world gave to them (J).
+    {"created",
+     [](lua_State* lua, const Play& p, std::uint32_t i) {
+         lua_pushnumber(lua, part<HandState>(p, i).servo.energy.most_created);
+     }},
     {"force_cause",
      [](lua_State* lua, const Play& p, std::uint32_t i) {
-         lua_pushstring(lua, haptics::safety_cause_names[part<Grip>(p, i).servo.safety.cause].data());
+         lua_pushstring(lua, haptics::safety_cause_names[part<HandState>(p, i).servo.safety.cause].data());
      }},
     {"kills",
      [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushinteger(lua, part<Score>(p, i).kills); }},
@@ -342,7 +344,7 @@ constexpr WizardReader wizard_readers[] = {
      [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushinteger(lua, part<Score>(p, i).deaths); }},
     {"dead", [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushboolean(lua, is_dead(p, i)); }},
     {"stirs", [](lua_State* lua, const Play& p, std::uint32_t i) { lua_pushboolean(lua, stirs(p, i)); }},
-    // Of who stirs: where the ladle is, m, how fast, and what it does to the brew, N.
+    // The ladle of a player who stirs: position (m), velocity (m/s), and force on the brew (N).
     {"ladle",
      [](lua_State* lua, const Play& p, std::uint32_t i) { arg::push_place(lua, ladle(p, i).place); }},
     {"ladle_velocity",

@@ -1,4 +1,4 @@
-// The cauldron's brew, and who stirs it.
+// Verbs for the cauldron's brew and the players who stir it.
 #include "game/cauldron/cauldron.h"
 #include "game/scenario/detail/verb.h"
 
@@ -18,7 +18,7 @@ void set_number(lua_State* lua, const char* key, double value) {
     lua_setfield(lua, -2, key);
 }
 
-/// What is dropped in and where it stands: {"ember", "salt"}.
+/// Sets the list of ingredients in the brew, such as {"ember", "salt"}.
 void set_contents(lua_State* lua, const Play& play, const Cauldron& cauldron) {
     lua_newtable(lua);
     lua_Integer count = 0;

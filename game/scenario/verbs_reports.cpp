@@ -1,4 +1,4 @@
-// What a script asks of the match: events, states, traces, pictures, and checks of its input.
+// Verbs that report on the match: events, states, traces, pictures, and checks of its input.
 #include <algorithm>
 #include <set>
 
@@ -18,7 +18,7 @@ constexpr std::size_t most_pictures = 16;
 constexpr std::size_t most_traces = 8;
 constexpr std::size_t most_sought = 64;
 
-// ---- events ------------------------------------------------------------------------------------------------------------
+// ---- events -----------------------------------------------------------------------------------------------
 
 struct EventWish {
     std::optional<EventKind> kind;
@@ -145,22 +145,23 @@ int verb_deeds(lua_State* lua, void* context) {
     const auto found =
         std::find_if(causes.begin(), causes.end(), [&](const Cause& c) { return c.name == name; });
     if (found == causes.end()) fault("nothing hurts by '", name, "'");
-    const auto& deeds =
-        world_of(play).single<Chronicle>().deeds[player][static_cast<std::size_t>(found - causes.begin())];
+    const auto& match_stats = world_of(play)
+                                  .single<EventLog>()
+                                  .match_stats[player][static_cast<std::size_t>(found - causes.begin())];
     lua_createtable(lua, 0, 5);
     const auto set = [&](const char* key, double value) {
         lua_pushnumber(lua, value);
         lua_setfield(lua, -2, key);
     };
-    set("shots", deeds.shots);
-    set("hits", deeds.hits);
-    set("kills", deeds.kills);
-    set("own_deaths", deeds.own_deaths);
-    set("damage", deeds.damage);
+    set("shots", match_stats.shots);
+    set("hits", match_stats.hits);
+    set("kills", match_stats.kills);
+    set("own_deaths", match_stats.own_deaths);
+    set("damage", match_stats.damage);
     return 1;
 }
 
-// ---- states ------------------------------------------------------------------------------------------------------------
+// ---- states -----------------------------------------------------------------------------------------------
 
 int verb_state(lua_State* lua, void* context) {
     auto& play = began(context);
@@ -207,7 +208,7 @@ int verb_changes(lua_State* lua, void* context) {
     return 1;
 }
 
-// ---- files -------------------------------------------------------------------------------------------------------------
+// ---- files ------------------------------------------------------------------------------------------------
 
 int verb_trace(lua_State* lua, void* context) {
     auto& play = began(context);
@@ -231,7 +232,7 @@ int verb_trace(lua_State* lua, void* context) {
     return 0;
 }
 
-/// The text by which the runner knows that only the picture function was missing.
+/// Message by which the runner recognises that only the picture function is missing.
 constexpr std::string_view no_pictures = "no picture function here: this scenario needs one that draws";
 
 int verb_on_screen(lua_State* lua, void* context) {
@@ -281,7 +282,7 @@ int verb_picture(lua_State* lua, void* context) {
     return 3;
 }
 
-/// A part of a picture, in pixels; never empty.
+/// A part of a picture in pixels. It is never empty.
 struct Area {
     const Pixels& pixels;
     int x0, y0, x1, y1;
@@ -329,7 +330,7 @@ int verb_picture_colours(lua_State* lua, void* context) {
     return 1;
 }
 
-// ---- checks ------------------------------------------------------------------------------------------------------------
+// ---- checks -----------------------------------------------------------------------------------------------
 
 void need_replayable(const Play& play, std::string_view verb) {
     if (play.scene_set)

@@ -1,4 +1,4 @@
-// Loose things that a script puts into the court.
+// Verbs for loose things that a script adds to the arena.
 #include <algorithm>
 
 #include "game/arena/spawn.h"

@@ -15,7 +15,7 @@ const LoadedWand* wand_in_slot(const MatchData& data, std::uint32_t slot) {
     return found == data.wands.end() ? nullptr : &*found;
 }
 
-/// The next slot with a wand in it, `step` of +1 or -1 slots on.
+/// The next slot that holds a wand. A `step` of wand_slots - 1 searches backwards.
 std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t step) {
     auto slot = from;
     for (std::size_t i = 0; i < wand_slots; ++i) {
@@ -49,17 +49,18 @@ void regain(const MatchData& data, WandBelt& belt) {
     }
 }
 
-void put_away(Stage& stage, ecs::Entity wizard, const LoadedWand* wand, Tick tick) {
-    if (wand != nullptr) wand->kind->put_away({stage, wizard, tick, wand->stats, wand->data.get()});
+void put_away(MatchContext& context, ecs::Entity wizard, const LoadedWand* wand, Tick tick) {
+    if (wand != nullptr) wand->kind->put_away({context, wizard, tick, wand->stats, wand->data.get()});
 }
 
-void use_wands(Stage& stage, ecs::Entity wizard, const Controls& controls, WandBelt& belt, Tick tick) {
-    const auto* before = wand_in_hand(stage.data, belt);
-    choose(stage.data, controls, needs_wheel(stage.world, wizard, before), belt);
-    regain(stage.data, belt);
-    const auto* wand = wand_in_hand(stage.data, belt);
-    if (wand != before) put_away(stage, wizard, before, tick);
-    if (wand != nullptr) wand->kind->use({stage, wizard, tick, wand->stats, wand->data.get()});
+void use_wands(MatchContext& context, ecs::Entity wizard, const Controls& controls, WandBelt& belt,
+               Tick tick) {
+    const auto* before = wand_in_hand(context.data, belt);
+    choose(context.data, controls, needs_wheel(context.world, wizard, before), belt);
+    regain(context.data, belt);
+    const auto* wand = wand_in_hand(context.data, belt);
+    if (wand != before) put_away(context, wizard, before, tick);
+    if (wand != nullptr) wand->kind->use({context, wizard, tick, wand->stats, wand->data.get()});
 }
 
 }  // namespace
@@ -80,10 +81,10 @@ WandBelt full_belt(const MatchData& data) {
     return belt;
 }
 
-void add_belt_system(Stage& stage, ecs::Schedule& schedule) {
-    auto& world = stage.world;
+void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
+    auto& world = context.world;
     auto writes = world.mask<WandBelt>();
-    for (const auto& wand : stage.data.wands) {
+    for (const auto& wand : context.data.wands) {
         const auto its = wand.kind->writes(world);
         for (std::size_t i = 0; i < writes.words.size(); ++i) writes.words[i] |= its.words[i];
     }
@@ -92,25 +93,25 @@ void add_belt_system(Stage& stage, ecs::Schedule& schedule) {
                   .reads = world.mask<Wizard, Controls, Gaze, Motion, Body, Dead, Ladle>(),
                   .writes = writes,
                   .needs = world.mask<WandBelt>(),
-                  .run = [&stage](ecs::World& w, Tick tick) {
+                  .run = [&context](ecs::World& w, Tick tick) {
                       w.view<WandBelt, const Controls, ecs::Without<Dead>, ecs::Without<Ladle>>().each(
                           [&](ecs::Entity e, WandBelt& belt, const Controls& controls) {
-                              use_wands(stage, e, controls, belt, tick);
+                              use_wands(context, e, controls, belt, tick);
                           });
                       const auto put_down = [&](ecs::Entity e, const WandBelt& belt, const auto&) {
-                          put_away(stage, e, wand_in_hand(stage.data, belt), tick);
+                          put_away(context, e, wand_in_hand(context.data, belt), tick);
                       };
                       w.view<const WandBelt, const Dead>().each(put_down);
                       w.view<const WandBelt, const Ladle>().each(put_down);
                   }});
 }
 
-void add_wand_forces(Stage& stage, ecs::Schedule& schedule) {
-    for (const auto& wand : stage.data.wands) wand.kind->add_forces({stage, schedule}, wand.data.get());
+void add_wand_forces(MatchContext& context, ecs::Schedule& schedule) {
+    for (const auto& wand : context.data.wands) wand.kind->add_forces({context, schedule}, wand.data.get());
 }
 
-void add_missile_systems(Stage& stage, ecs::Schedule& schedule) {
-    for (const auto& wand : stage.data.wands) wand.kind->add_systems({stage, schedule}, wand.data.get());
+void add_missile_systems(MatchContext& context, ecs::Schedule& schedule) {
+    for (const auto& wand : context.data.wands) wand.kind->add_systems({context, schedule}, wand.data.get());
 }
 
 }  // namespace thaum::game

@@ -1,10 +1,12 @@
-// The blast wand: fire held charges it, and more and more leans on the hand; let go, a ball of fire leaves it and kicks back.
+// The blast wand: holding fire charges the wand, and a growing force presses the hand. Releasing fire shoots
+// a ball of fire and kicks the hand.
 //
-// Let go before the charge begins, nothing goes off and no energy is lost. The charge grows evenly, only as far as the energy
-// can pay; so neither it nor the force jumps. As it goes off, what leans gives way to the recoil: so that no slew limit has to
-// walk it off, which would eat into the recoil, and the two together are never more than the greater of them. The ball flies
-// straight, as a bolt does, and is swept as one: as a sphere on the way of each physics step, after the bodies have moved. It
-// bursts where it first touches something.
+// If fire is released before the charge begins, nothing is shot and no energy is lost. The charge grows
+// evenly and stops when the energy is used up, so neither charge nor force jumps. At the shot, the steady
+// force fades while the recoil rises. So no slew limit has to reduce the steady force later, at the cost of
+// the recoil. The sum never exceeds the greater of the two. The ball flies straight, as a bolt does. In each
+// physics step, after the bodies have moved, a sphere is swept along its path. The ball bursts at the first
+// contact.
 #include <algorithm>
 #include <optional>
 
@@ -15,28 +17,28 @@ namespace thaum::game {
 namespace {
 
 struct BlastData {
-    Tick from{};           ///< ticks of fire held before the charge begins
-    double charge_step{};  ///< of the charge, per tick
-    double lean{};         ///< N, at a full charge
+    Tick from{};           ///< ticks for which fire is held before the charge begins
+    double charge_step{};  ///< growth of the charge per tick
+    double lean{};         ///< steady force at full charge (N)
     Growing energy, damage, speed;
-    double radius{};  ///< m, of the ball
+    double radius{};  ///< radius of the ball (m)
     Tick life{};
-    double splash{};  ///< share of the damage
-    Growing reach;    ///< m
-    Growing impulse;  ///< N s
+    double splash{};  ///< share of the damage that a burst does to bodies not struck directly
+    Growing reach;    ///< radius of the burst (m)
+    Growing impulse;  ///< impulse of the burst at distance zero (N s)
     double fastest{};
-    double recoil{};  ///< N, at its peak, of a full charge
+    double recoil{};  ///< peak of the recoil at full charge (N)
     Tick recoil_length{};
 };
 
-/// In flight.
+/// A ball of fire in flight.
 struct Blast {
-    vec3 position{};  ///< m
-    vec3 velocity{};  ///< m/s
+    vec3 position{};  ///< position (m, world)
+    vec3 velocity{};  ///< velocity (m/s, world)
     double charge{};
     Tick dies_at{};
     std::uint32_t player{};
-    std::uint32_t shooter{};  ///< key of the body
+    std::uint32_t shooter{};  ///< key of the shooter's body
     static constexpr std::string_view name = "Blast";
     static constexpr auto fields() {
         return std::tuple(field("position", &Blast::position), field("velocity", &Blast::velocity),
@@ -45,13 +47,13 @@ struct Blast {
     }
 };
 
-/// A wizard's hand on this wand.
+/// State of the blast wand in a wizard's hand.
 struct BlastHand {
-    double charge{};      ///< 0 to 1
-    double affordable{};  ///< how far the energy lets it grow
-    double leaning{};     ///< the charge that leaned when it went off, until that has given way
+    double charge{};      ///< charge, 0 to 1
+    double affordable{};  ///< charge that the energy pays for
+    double leaning{};     ///< charge whose steady force is still fading after the shot; 0: none
     Tick began{};
-    Tick went_off{};           ///< when the recoil began
+    Tick went_off{};           ///< tick of the shot, at which the recoil began
     std::uint32_t charging{};  ///< 1 while fire is held
     std::uint32_t spare{};
     static constexpr std::string_view name = "BlastHand";
@@ -90,14 +92,14 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
 
 const BlastData& data_of(const WandUse& use) { return *static_cast<const BlastData*>(use.data); }
 
-/// The charge that so much energy pays for; negative where it does not pay for a shot.
+/// The charge that this energy pays for; negative if the energy is too low for any shot.
 double affordable(const Growing& energy, double left) {
     if (left < energy.least) return -1;
     const double more = energy.most - energy.least;
     return more > 0 ? std::min(1.0, (left - energy.least) / more) : 1;
 }
 
-/// In proportion to the energy and the speed of the shot (paper 002, section 3.1.2).
+/// Peak of the recoil (N), proportional to the energy and the speed of the shot (paper 002, section 3.1.2).
 double recoil_of(const BlastData& data, double charge) {
     const double energy = data.energy.most > 0 ? data.energy.at(charge) / data.energy.most : 1;
     return data.recoil * energy * data.speed.at(charge) / data.speed.most;
@@ -105,7 +107,7 @@ double recoil_of(const BlastData& data, double charge) {
 
 void shoot(const WandUse& use, double charge) {
     const auto& data = data_of(use);
-    auto& world = use.stage.world;
+    auto& world = use.context.world;
     const auto muzzle = muzzle_of(use, data.radius);
     world.commands().create(Blast{.position = muzzle.tip,
                                   .velocity = muzzle.aim * data.speed.at(charge),
@@ -114,27 +116,27 @@ void shoot(const WandUse& use, double charge) {
                                   .player = std::as_const(world).get<Wizard>(use.wizard).player,
                                   .shooter = use.wizard.index});
     note_shot(use, EventKind::blast_hit, muzzle.tip);
-    kick(use.stage, use.wizard, recoil_of(data, charge), data.recoil_length);
+    kick(use.context, use.wizard, recoil_of(data, charge), data.recoil_length);
 }
 
 void put_away(const WandUse& use) {
-    use.stage.world.get<BlastHand>(use.wizard) = {};
-    let_go(use.stage, use.wizard);
+    use.context.world.get<BlastHand>(use.wizard) = {};
+    let_go(use.context, use.wizard);
 }
 
-/// By as much as the recoil has risen, up to its peak.
-void give_way(Stage& stage, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
+/// Reduces the steady force by the same share as the recoil has risen, until the recoil's peak.
+void give_way(MatchContext& context, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
     if (hand.leaning == 0) return;
     const auto at = static_cast<std::uint32_t>(tick - hand.went_off);
     const auto length = static_cast<std::uint32_t>(data.recoil_length);
     const double left = 2 * at < length ? 1 - haptics::half_sine(at, length) : 0;
-    lean(stage, wizard, {0, 0, data.lean * hand.leaning * left});
+    lean(context, wizard, {0, 0, data.lean * hand.leaning * left});
     if (left == 0) hand.leaning = 0;
 }
 
 void use(const WandUse& use) {
     const auto& data = data_of(use);
-    auto& world = use.stage.world;
+    auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
     auto& hand = world.get<BlastHand>(use.wizard);
     auto& belt = world.get<WandBelt>(use.wizard);
@@ -155,35 +157,35 @@ void use(const WandUse& use) {
     if (!goes_off || most < 0 || !spend(belt, use.stats, data.energy.at(charge))) return put_away(use);
     hand = {.leaning = hand.charge, .went_off = use.tick};
     shoot(use, charge);
-    give_way(use.stage, data, use.wizard, use.tick, hand);
+    give_way(use.context, data, use.wizard, use.tick, hand);
 }
 
-/// Every tick, so that the force on the hand grows without steps.
-void charge(Stage& stage, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
+/// Increases charge and steady force. It runs every tick, so that the force grows without steps.
+void charge(MatchContext& context, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
     if (hand.charging == 0 || tick <= hand.began + data.from) return;
     hand.charge = std::max(hand.charge, std::min(hand.charge + data.charge_step, hand.affordable));
-    lean(stage, wizard, {0, 0, data.lean * hand.charge});
+    lean(context, wizard, {0, 0, data.lean * hand.charge});
 }
 
 void add_forces(const WandSystems& to, const void* wand) {
-    auto& world = to.stage.world;
+    auto& world = to.context.world;
     to.schedule.add({.name = "blast charges",
                      .reads = world.mask<Wizard>(),
-                     .writes = world.mask<BlastHand, Grip>(),
+                     .writes = world.mask<BlastHand, HandState>(),
                      .needs = world.mask<BlastHand>(),
-                     .run = [&stage = to.stage, wand](ecs::World& w, Tick tick) {
+                     .run = [&context = to.context, wand](ecs::World& w, Tick tick) {
                          const auto& data = *static_cast<const BlastData*>(wand);
                          w.view<BlastHand>().each([&](ecs::Entity e, BlastHand& hand) {
-                             charge(stage, data, e, tick, hand);
-                             give_way(stage, data, e, tick, hand);
+                             charge(context, data, e, tick, hand);
+                             give_way(context, data, e, tick, hand);
                          });
                      }});
 }
 
-void hit(Stage& stage, const Blast& blast, const BlastData& data, vec3 place, physics::Key struck,
+void hit(MatchContext& context, const Blast& blast, const BlastData& data, vec3 place, physics::Key struck,
          Tick tick) {
     const double damage = data.damage.at(blast.charge);
-    burst(stage,
+    burst(context,
           {.place = place,
            .size = data.radius,
            .radius = data.reach.at(blast.charge),
@@ -198,27 +200,27 @@ void hit(Stage& stage, const Blast& blast, const BlastData& data, vec3 place, ph
           tick);
 }
 
-void fly(Stage& stage, const BlastData& data, Tick tick) {
-    auto& world = stage.world;
+void fly(MatchContext& context, const BlastData& data, Tick tick) {
+    auto& world = context.world;
     world.view<Blast>().each([&](ecs::Entity e, Blast& blast) {
         const vec3 way = blast.velocity * physics_dt;
-        const auto at = stage.physics.sweep_sphere(blast.position, blast.position + way, data.radius,
-                                                   physics::all_layers, blast.shooter);
-        if (at) hit(stage, blast, data, blast.position + at->fraction * way, at->key, tick);
+        const auto at = context.physics.sweep_sphere(blast.position, blast.position + way, data.radius,
+                                                     physics::all_layers, blast.shooter);
+        if (at) hit(context, blast, data, blast.position + at->fraction * way, at->key, tick);
         if (at || tick >= blast.dies_at) world.commands().destroy(e);
         blast.position += way;
     });
 }
 
 void add_systems(const WandSystems& to, const void* wand) {
-    auto& world = to.stage.world;
+    auto& world = to.context.world;
     to.schedule.add({.name = "blasts",
                      .period = physics_period,
                      .reads = world.mask<Body, Motion, Wizard, Dead>(),
-                     .writes = world.mask<Blast, Health, Chronicle, Prop>(),
+                     .writes = world.mask<Blast, Health, EventLog, Prop>(),
                      .needs = world.mask<Blast>(),
-                     .run = [&stage = to.stage, wand](ecs::World&, Tick tick) {
-                         fly(stage, *static_cast<const BlastData*>(wand), tick);
+                     .run = [&context = to.context, wand](ecs::World&, Tick tick) {
+                         fly(context, *static_cast<const BlastData*>(wand), tick);
                      }});
 }
 
@@ -233,7 +235,7 @@ const WandRegistration registration({
     .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, BlastHand{}); },
     .use = use,
     .put_away = put_away,
-    .writes = [](const ecs::World& world) { return world.mask<BlastHand, Chronicle, Health, Grip>(); },
+    .writes = [](const ecs::World& world) { return world.mask<BlastHand, EventLog, Health, HandState>(); },
     .add_forces = add_forces,
     .add_systems = add_systems,
     .show =

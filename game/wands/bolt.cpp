@@ -1,11 +1,13 @@
-// The bolt wand: while fire is held, needles of light leave it at a fixed rate, each with a little spread.
+// The bolt wand: while fire is held, it shoots needles of light at a fixed rate, each in a slightly random
+// direction.
 //
-// A bolt in flight is a point on a straight line. Each physics step it sweeps the ray it covers, after the bodies have moved; so it
-// cannot pass through anything, however thin, and hits are exact (game.md, Bolt).
+// A bolt in flight is a point on a straight line. In each physics step, after the bodies have moved, a ray is
+// cast along its path. So a bolt cannot pass through anything, however thin, and hits are exact (game.md,
+// Bolt).
 #include <algorithm>
 #include <cmath>
 
-#include "game/match/stage.h"
+#include "game/match/match_context.h"
 #include "game/match/touch.h"
 #include "game/wands/shot.h"
 
@@ -14,19 +16,19 @@ namespace {
 
 struct BoltData {
     Tick interval{};  ///< ticks between shots
-    double damage{};  ///< HP
-    double speed{};   ///< m/s
-    double spread{};  ///< rad, half angle
+    double damage{};  ///< harm of a hit (HP)
+    double speed{};   ///< speed of a bolt (m/s)
+    double spread{};  ///< half angle of the random spread (rad)
     Tick life{};
-    double impulse{};  ///< N s
-    double recoil{};   ///< N, at its peak
+    double impulse{};  ///< impulse of a hit (N s)
+    double recoil{};   ///< peak of the recoil (N)
     Tick recoil_length{};
 };
 
 /// A bolt in flight.
 struct Bolt {
-    vec3 position{};  ///< m
-    vec3 velocity{};  ///< m/s
+    vec3 position{};  ///< position (m, world)
+    vec3 velocity{};  ///< velocity (m/s, world)
     Tick dies_at{};
     std::uint32_t player{};
     std::uint32_t ignores{};  ///< key of the shooter's body
@@ -38,7 +40,7 @@ struct Bolt {
     }
 };
 
-/// A wizard's hand on this wand.
+/// State of the bolt wand in a wizard's hand.
 struct BoltHand {
     Tick next_shot{};
     static constexpr std::string_view name = "BoltHand";
@@ -60,7 +62,7 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
     return std::make_shared<BoltData>(data);
 }
 
-/// Uniform over the cap of half angle `spread` about `direction`.
+/// Random direction, uniform over the cap of half angle `spread` about `direction`.
 vec3 scattered(vec3 direction, double spread, Random& random) {
     const double radius = det::tan(spread) * std::sqrt(random.uniform());
     const double angle = random.uniform(0, 2 * pi);
@@ -71,7 +73,7 @@ vec3 scattered(vec3 direction, double spread, Random& random) {
 }
 
 void shoot(const WandUse& use, const BoltData& data) {
-    auto& world = use.stage.world;
+    auto& world = use.context.world;
     const auto muzzle = muzzle_of(use, 0);
     auto& dice = world.single<Dice>();
     world.commands().create(Bolt{.position = muzzle.tip,
@@ -80,12 +82,12 @@ void shoot(const WandUse& use, const BoltData& data) {
                                  .player = std::as_const(world).get<Wizard>(use.wizard).player,
                                  .ignores = use.wizard.index});
     note_shot(use, EventKind::bolt_hit, muzzle.tip);
-    kick(use.stage, use.wizard, data.recoil, data.recoil_length);
+    kick(use.context, use.wizard, data.recoil, data.recoil_length);
 }
 
 void use(const WandUse& use) {
     const auto& data = *static_cast<const BoltData*>(use.data);
-    auto& world = use.stage.world;
+    auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
     auto& hand = world.get<BoltHand>(use.wizard);
     if (!holds_fire(controls) || use.tick < hand.next_shot) return;
@@ -93,42 +95,43 @@ void use(const WandUse& use) {
         if ((controls.pressed & input::bit(input::Button::fire)) != 0) note_dry(use);
         return;
     }
-    // Kept exact on average, though this is looked at only every few ticks.
+    // The shot rate stays exact on average, although this function runs only every gameplay tick.
     hand.next_shot = std::max(hand.next_shot + data.interval, use.tick + data.interval - gameplay_period + 1);
     shoot(use, data);
 }
 
-void hit(Stage& stage, const Bolt& bolt, const BoltData& data, const physics::RayHit& at, Tick tick) {
-    const auto victim = stage.world.entity(at.key);
-    stage.physics.apply_impulse(at.key, glm::normalize(bolt.velocity) * data.impulse, at.point);
-    if (victim && stage.world.has<Wizard>(victim)) {
-        hurt(stage.world, victim, tick,
+void hit(MatchContext& context, const Bolt& bolt, const BoltData& data, const physics::RayHit& at,
+         Tick tick) {
+    const auto victim = context.world.entity(at.key);
+    context.physics.apply_impulse(at.key, glm::normalize(bolt.velocity) * data.impulse, at.point);
+    if (victim && context.world.has<Wizard>(victim)) {
+        hurt(context.world, victim, tick,
              {.points = data.damage, .by = bolt.player, .how = EventKind::bolt_hit, .place = at.point});
-    } else if (victim && stage.world.has<Prop>(victim)) {
-        stage.world.get<Prop>(victim) = {.moved_at = tick, .moved_by = bolt.player};
+    } else if (victim && context.world.has<Prop>(victim)) {
+        context.world.get<Prop>(victim) = {.moved_at = tick, .moved_by = bolt.player};
     }
 }
 
-void fly(Stage& stage, const BoltData& data, Tick tick) {
-    auto& world = stage.world;
+void fly(MatchContext& context, const BoltData& data, Tick tick) {
+    auto& world = context.world;
     world.view<Bolt>().each([&](ecs::Entity e, Bolt& bolt) {
         const vec3 to = bolt.position + bolt.velocity * physics_dt;
-        const auto at = stage.physics.ray(bolt.position, to, physics::all_layers, bolt.ignores);
-        if (at) hit(stage, bolt, data, *at, tick);
+        const auto at = context.physics.ray(bolt.position, to, physics::all_layers, bolt.ignores);
+        if (at) hit(context, bolt, data, *at, tick);
         if (at || tick >= bolt.dies_at) world.commands().destroy(e);
         bolt.position = to;
     });
 }
 
 void add_systems(const WandSystems& to, const void* wand) {
-    auto& world = to.stage.world;
+    auto& world = to.context.world;
     to.schedule.add({.name = "bolts",
                      .period = physics_period,
                      .reads = world.mask<Wizard, Dead>(),
-                     .writes = world.mask<Bolt, Health, Chronicle, Prop>(),
+                     .writes = world.mask<Bolt, Health, EventLog, Prop>(),
                      .needs = world.mask<Bolt>(),
-                     .run = [&stage = to.stage, wand](ecs::World&, Tick tick) {
-                         fly(stage, *static_cast<const BoltData*>(wand), tick);
+                     .run = [&context = to.context, wand](ecs::World&, Tick tick) {
+                         fly(context, *static_cast<const BoltData*>(wand), tick);
                      }});
 }
 
@@ -143,7 +146,8 @@ const WandRegistration registration({
     .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, BoltHand{}); },
     .use = use,
     .put_away = [](const WandUse&) {},
-    .writes = [](const ecs::World& world) { return world.mask<BoltHand, Dice, Chronicle, Health, Grip>(); },
+    .writes =
+        [](const ecs::World& world) { return world.mask<BoltHand, Dice, EventLog, Health, HandState>(); },
     .add_forces = [](const WandSystems&, const void*) {},
     .add_systems = add_systems,
     .show =

@@ -1,17 +1,19 @@
-// The lift wand: while fire is held, a spring and damper join the hand and the loose thing that was under the crosshair (paper
-// 002, 3.1.1). The hand's point (HIP) moves with the wizard, with what the eye does and, many times enlarged, with the device;
-// the thing gets force alone, and the hand the opposite one.
+// The lift wand: while fire is held, a spring and damper join the hand and the loose thing that was under the
+// crosshair (paper 002, 3.1.1). The hand's point (haptic interface point, HIP) moves with the wizard, with
+// the view and, enlarged, with the device. The thing is moved by force alone, and the hand feels the opposite
+// force.
 //
-// Three things the hand does not bear: the thing's weight, which is held up (a share of it is a fader); a drag against the
-// wizard's frame, without which 120 kg would ring for ten seconds; and, up to a limit, the force that carries the thing along with the
-// wizard's frame, so that neither a step nor a turn of the eye kicks the hand. The frame follows the eye smoothly.
+// Three forces on the thing are not felt by the hand. The first holds the weight up (a fader lets the hand
+// feel a share). The second is drag against the wizard's frame, without which a thing of 120 kg would
+// oscillate for ten seconds. The third, up to a limit, carries the thing along with the wizard's frame. So
+// neither a step nor a turn of the view kicks the hand. The frame follows the view smoothly.
 #include <algorithm>
 #include <cmath>
 
 #include "game/match/touch.h"
 #include "game/wands/shot.h"
-#include "game/wands/tug.h"
 #include "game/wands/wand.h"
+#include "game/wands/wand_coupling.h"
 
 namespace thaum::game {
 namespace {
@@ -19,38 +21,45 @@ namespace {
 using input::Button;
 
 struct LiftData {
-    double energy_per_use{}, energy_per_impulse{};  ///< each gameplay tick; for 1 N s
-    double range{}, mass_max{};                     ///< m, kg
-    double stiffness{}, damping{}, drag_ratio{};    ///< N/m, N s/m, of critical damping
-    double lost{};                                  ///< m
-    double turn_torque{};                           ///< N m
-    double carry{};                                 ///< N
-    double follow{};                                ///< 1/s
-    double follow_rate{}, follow_acceleration{};    ///< rad/s, rad/s^2
-    double follow_speed{};                          ///< m/s
-    double wheel{};                                 ///< m
+    double energy_per_use{},
+        energy_per_impulse{};    ///< energy per gameplay tick of holding, energy per impulse (1/(N s))
+    double range{}, mass_max{};  ///< reach from the eye (m), largest mass (kg)
+    double stiffness{}, damping{}, drag_ratio{};  ///< N/m, N s/m, share of critical damping
+    /// Distance between hand and thing at which the wand loses the thing (m).
+    double lost{};
+    /// Largest torque that keeps the thing's orientation (N m).
+    double turn_torque{};
+    /// Largest force that carries the thing along with the frame (N).
+    double carry{};
+    double follow{};                              ///< rate at which the frame follows the view (1/s)
+    double follow_rate{}, follow_acceleration{};  ///< limits of the frame's rotation (rad/s, rad/s^2)
+    /// Largest speed of a held thing by a turn of the view (m/s).
+    double follow_speed{};
+    double wheel{};  ///< distance per wheel step (m, world)
     double metres_per_metre{}, finest{};
-    double felt_stiffness{};         ///< N/m
-    double weight{};                 ///< N/kg
-    double blow{}, blow_least{};     ///< N for 1 N s, N s
-    double throw_speed{}, recoil{};  ///< m/s, N
+    double felt_stiffness{};  ///< stiffness felt at the device (N/m)
+    double weight{};          ///< felt force per mass, the felt share of the weight (N/kg)
+    /// Kick per impulse of a blow (N/(N s)), least impulse that is felt (N s).
+    double blow{}, blow_least{};
+    double throw_speed{}, recoil{};  ///< largest speed of a throw (m/s), peak of its recoil (N)
     Tick recoil_length{};
 };
 
-/// A wizard's hand on this wand.
+/// State of the lift wand in a wizard's hand. Symbols with P_ are those of paper 002.
 struct LiftHand {
     ecs::Entity held{};
-    quat turn{1, 0, 0, 0};            ///< of the thing, as seen from the frame's yaw
-    double yaw{}, pitch{};            ///< rad, of the frame
-    double yaw_rate{}, pitch_rate{};  ///< rad/s
-    vec3 taken_object{};              ///< m, P_obj0
-    vec3 taken_device{};              ///< m, P_device0
-    vec3 hip{};                       ///< m, world: P_HIP after the last tick
-    vec3 base{};                      ///< m, world: the same without the hand's motion
-    vec3 base_velocity{};             ///< m/s
-    Tug tug{};
+    quat turn{1, 0, 0, 0};            ///< orientation of the thing relative to the frame's yaw
+    double yaw{}, pitch{};            ///< direction of the frame (rad)
+    double yaw_rate{}, pitch_rate{};  ///< rotation rates of the frame (rad/s)
+    vec3 taken_object{};              ///< P_obj0: position of the thing when it was taken up (m, frame)
+    /// P_device0: position of the device when the thing was taken up (m, device frame)
+    vec3 taken_device{};
+    vec3 hip{};            ///< P_HIP: the hand's point after the last tick (m, world)
+    vec3 base{};           ///< the hand's point without the motion of the device (m, world)
+    vec3 base_velocity{};  ///< velocity of `base` (m/s, world)
+    WandCoupling coupling{};
     double metres_per_metre{};
-    double impulse{};  ///< N s, of the spring, given and not yet paid for
+    double impulse{};  ///< impulse of the spring that is not yet paid for by energy (N s)
     Tick next_blow{};
     static constexpr std::string_view name = "LiftHand";
     static constexpr auto fields() {
@@ -60,15 +69,15 @@ struct LiftHand {
                           field("pitch_rate", &H::pitch_rate), field("taken_object", &H::taken_object),
                           field("taken_device", &H::taken_device), field("hip", &H::hip),
                           field("base", &H::base), field("base_velocity", &H::base_velocity),
-                          field("tug", &H::tug), field("metres_per_metre", &H::metres_per_metre),
+                          field("tug", &H::coupling), field("metres_per_metre", &H::metres_per_metre),
                           field("impulse", &H::impulse), field("next_blow", &H::next_blow));
     }
 };
 
-constexpr Tick between_blows = 40;  ///< ticks; a blow is felt once
-constexpr Tick blow_length = 20;    ///< ticks
-constexpr double blow_force = 2.5;  ///< N, at most
-constexpr double throw_reach = 20;  ///< m; where a throw crosses the crosshair
+constexpr Tick between_blows = 40;  ///< least time between two felt blows (ticks)
+constexpr Tick blow_length = 20;    ///< length of the kick (ticks)
+constexpr double blow_force = 2.5;  ///< largest kick (N)
+constexpr double throw_reach = 20;  ///< distance from the eye at which a throw crosses the line of sight (m)
 
 std::shared_ptr<const void> read(const ConfigTable& root) {
     LiftData data;
@@ -103,7 +112,7 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
     return std::make_shared<LiftData>(data);
 }
 
-/// The greatest extent, m.
+/// Largest extent of a body (m).
 double extent(const physics::BodyDesc& body) {
     switch (body.shape) {
         case physics::Shape::box: return 2 * std::max({body.size.x, body.size.y, body.size.z});
@@ -112,7 +121,7 @@ double extent(const physics::BodyDesc& body) {
     }
 }
 
-/// kg m^2, about the axis that is hardest to turn.
+/// Largest moment of inertia of a body over its axes (kg m^2).
 double greatest_inertia(const physics::BodyDesc& body) {
     const vec3 s2 = body.size * body.size;
     switch (body.shape) {
@@ -128,56 +137,57 @@ double newtons_per_newton(const LiftData& data, const LiftHand& hand) {
     return data.felt_stiffness / (hand.metres_per_metre * data.stiffness);
 }
 
-haptics::CouplingFrame frame_of(const Stage& stage, const LiftData& data, ecs::Entity wizard,
+haptics::CouplingFrame frame_of(const MatchContext& context, const LiftData& data, ecs::Entity wizard,
                                 const LiftHand& hand) {
     return {.player_to_world = glm::mat3_cast(look_rotation(hand.yaw, hand.pitch)),
             .device_to_player = mat3(1.0),
             .metres_per_metre = hand.metres_per_metre,
             .newtons_per_newton = newtons_per_newton(data, hand),
-            .player = sight_of(stage, wizard).eye,
+            .player = sight_of(context, wizard).eye,
             .taken_object = hand.taken_object,
             .taken_device = hand.taken_device};
 }
 
-// ---- taking and letting go ----------------------------------------------------------------------------------------
+// ---- taking up and letting go -----------------------------------------------------------------------------
 
-/// The loose thing under the crosshair that is near and light enough.
-ecs::Entity aimed_at(const Stage& stage, const LiftData& data, ecs::Entity wizard) {
-    const auto [eye, ahead] = sight_of(stage, wizard);
-    const auto hit = stage.physics.ray(eye, eye + ahead * data.range, physics::all_layers, wizard.index);
+/// The loose thing under the crosshair, if it is near and light enough.
+ecs::Entity aimed_at(const MatchContext& context, const LiftData& data, ecs::Entity wizard) {
+    const auto [eye, ahead] = sight_of(context, wizard);
+    const auto hit = context.physics.ray(eye, eye + ahead * data.range, physics::all_layers, wizard.index);
     if (!hit) return {};
-    const auto thing = stage.world.entity(hit->key);
+    const auto thing = context.world.entity(hit->key);
     const bool can_be_held =
-        thing && stage.world.has<Prop>(thing) && stage.physics.desc(hit->key).mass <= data.mass_max;
+        thing && context.world.has<Prop>(thing) && context.physics.desc(hit->key).mass <= data.mass_max;
     return can_be_held ? thing : ecs::Entity{};
 }
 
-void take(Stage& stage, const LiftData& data, ecs::Entity wizard, ecs::Entity thing, LiftHand& hand) {
-    const auto& now = std::as_const(stage.world);
+void take(MatchContext& context, const LiftData& data, ecs::Entity wizard, ecs::Entity thing,
+          LiftHand& hand) {
+    const auto& now = std::as_const(context.world);
     const auto& gaze = now.get<Gaze>(wizard);
-    const auto& body = stage.physics.state(thing.index);
+    const auto& body = context.physics.state(thing.index);
     hand = {.held = thing, .yaw = gaze.yaw, .pitch = gaze.pitch};
-    hand.taken_device = now.get<Grip>(wizard).device.position;
+    hand.taken_device = now.get<HandState>(wizard).device.position;
     hand.taken_object =
-        glm::conjugate(look_rotation(gaze.yaw, gaze.pitch)) * (body.position - sight_of(stage, wizard).eye);
+        glm::conjugate(look_rotation(gaze.yaw, gaze.pitch)) * (body.position - sight_of(context, wizard).eye);
     hand.turn = glm::conjugate(rotation({0, 1, 0}, gaze.yaw)) * body.orientation;
     hand.hip = hand.base = body.position;
-    hand.base_velocity = stage.physics.velocity(wizard.index);
-    hand.tug.expected = body.velocity;
-    const double size = extent(stage.physics.desc(thing.index));
+    hand.base_velocity = context.physics.velocity(wizard.index);
+    hand.coupling.expected = body.velocity;
+    const double size = extent(context.physics.desc(thing.index));
     const auto player = now.get<Wizard>(wizard).player;
     hand.metres_per_metre =
-        stage.touch.stride[player] * data.metres_per_metre * std::clamp(size, data.finest, 1.0);
+        context.touch.stride[player] * data.metres_per_metre * std::clamp(size, data.finest, 1.0);
 }
 
-bool holds(const Stage& stage, const LiftHand& hand) {
-    return hand.held && stage.world.alive(hand.held) && stage.world.has<Body>(hand.held);
+bool holds(const MatchContext& context, const LiftHand& hand) {
+    return hand.held && context.world.alive(hand.held) && context.world.has<Body>(hand.held);
 }
 
-void let_thing_go(Stage& stage, ecs::Entity wizard, LiftHand& hand) {
-    if (holds(stage, hand)) end_tug(stage.physics, hand.held.index, hand.tug);
+void let_thing_go(MatchContext& context, ecs::Entity wizard, LiftHand& hand) {
+    if (holds(context, hand)) end_coupling(context.physics, hand.held.index, hand.coupling);
     hand = {};
-    let_go(stage, wizard);
+    let_go(context, wizard);
 }
 
 GraspKind grasp_of(const LiftData& data) {
@@ -188,68 +198,69 @@ GraspKind grasp_of(const LiftData& data) {
             .crossing = throw_reach};
 }
 
-/// As fast as the energy that is left allows, across the crosshair.
+/// Throws the thing towards a point on the line of sight, as fast as the remaining energy allows.
 void throw_thing(const WandUse& use, const LiftData& data, LiftHand& hand) {
-    auto& stage = use.stage;
-    auto& belt = stage.world.get<WandBelt>(use.wizard);
+    auto& context = use.context;
+    auto& belt = context.world.get<WandBelt>(use.wizard);
     auto& energy = belt.energy[use.stats.energy_slot];
     const auto key = hand.held.index;
-    const double mass = stage.physics.desc(key).mass;
+    const double mass = context.physics.desc(key).mass;
     const auto grasp = grasp_of(data);
     const double speed = throw_speed(grasp, mass, energy);
-    const auto [eye, ahead] = sight_of(stage, use.wizard);
-    const vec3 way = glm::normalize(eye + ahead * throw_reach - stage.physics.state(key).position);
-    const double before = glm::dot(tugged_velocity(stage.physics, key, hand.tug), way);
+    const auto [eye, ahead] = sight_of(context, use.wizard);
+    const vec3 way = glm::normalize(eye + ahead * throw_reach - context.physics.state(key).position);
+    const double before = glm::dot(coupled_velocity(context.physics, key, hand.coupling), way);
     const double per_speed = grasp.energy_per_impulse * mass;
     energy = std::max(0.0, energy - per_speed * std::max(0.0, speed - before));
-    let_thing_go(stage, use.wizard, hand);
-    stage.physics.set_velocity(key, way * std::max(speed, before));
-    kick(stage, use.wizard, data.recoil * speed / std::max(data.throw_speed, 1e-9), data.recoil_length);
+    let_thing_go(context, use.wizard, hand);
+    context.physics.set_velocity(key, way * std::max(speed, before));
+    kick(context, use.wizard, data.recoil * speed / std::max(data.throw_speed, 1e-9), data.recoil_length);
     ++belt.fired;
 }
 
 void begin(const WandUse& use, const LiftData& data, LiftHand& hand) {
-    auto& world = use.stage.world;
-    const auto thing = aimed_at(use.stage, data, use.wizard);
+    auto& world = use.context.world;
+    const auto thing = aimed_at(use.context, data, use.wizard);
     if (!thing) return;
     if (!spend(world.get<WandBelt>(use.wizard), use.stats)) return note_dry(use);
-    take(use.stage, data, use.wizard, thing, hand);
-    world.get<Health>(use.wizard).shielded_until = use.tick;  // who attacks is no longer protected
+    take(use.context, data, use.wizard, thing, hand);
+    world.get<Health>(use.wizard).shielded_until = use.tick;  // an attack ends the wizard's protection
 }
 
-/// What holding costs; the deed is the holder's; the wheel brings the thing nearer or takes it away.
+/// Pays for holding the thing, credits its hits to the holder, and moves it nearer or farther by the wheel.
 void go_on(const WandUse& use, const LiftData& data, const Controls& controls, LiftHand& hand) {
-    auto& world = use.stage.world;
+    auto& world = use.context.world;
     const double cost = data.energy_per_use + data.energy_per_impulse * hand.impulse;
     hand.impulse = 0;
     if (!spend(world.get<WandBelt>(use.wizard), use.stats, cost)) {
-        let_thing_go(use.stage, use.wizard, hand);
+        let_thing_go(use.context, use.wizard, hand);
         return note_dry(use);
     }
     world.get<Prop>(hand.held) = {.moved_at = use.tick,
                                   .moved_by = std::as_const(world).get<Wizard>(use.wizard).player};
-    world.get<Grip>(use.wizard).home.z -= controls.wheel * data.wheel / hand.metres_per_metre;
+    world.get<HandState>(use.wizard).home.z -= controls.wheel * data.wheel / hand.metres_per_metre;
 }
 
 void use(const WandUse& use) {
     const auto& data = *static_cast<const LiftData*>(use.data);
-    auto& world = use.stage.world;
+    auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
     auto& hand = world.get<LiftHand>(use.wizard);
     if (!hand.held) {
         if ((controls.pressed & input::bit(Button::fire)) != 0) begin(use, data, hand);
         return;
     }
-    if (!holds(use.stage, hand)) return let_thing_go(use.stage, use.wizard, hand);
+    if (!holds(use.context, hand)) return let_thing_go(use.context, use.wizard, hand);
     go_on(use, data, controls, hand);
     if (!hand.held) return;
     if ((controls.pressed & input::bit(Button::throw_)) != 0) return throw_thing(use, data, hand);
-    if ((controls.held & input::bit(Button::fire)) == 0) let_thing_go(use.stage, use.wizard, hand);
+    if ((controls.held & input::bit(Button::fire)) == 0) let_thing_go(use.context, use.wizard, hand);
 }
 
-// ---- every tick ---------------------------------------------------------------------------------------------------
+// ---- every tick -------------------------------------------------------------------------------------------
 
-/// An implicit step of a critically damped spring of `frequency` rad/s, about one axis or three; its new rate.
+/// New rate after an implicit step of a critically damped spring, about one axis or three. `frequency` is in
+/// rad/s.
 template <class T>
 T eased_rate(T rate, T off, double frequency) {
     const double x = frequency * physics_dt;
@@ -264,7 +275,7 @@ void follow_angle(const LiftData& data, double reach, double off, double& angle,
     angle += rate * physics_dt;
 }
 
-/// The frame follows the eye smoothly.
+/// Turns the frame smoothly towards the view.
 void follow(const LiftData& data, const Gaze& gaze, LiftHand& hand) {
     const double reach = glm::length(hand.taken_object);
     follow_angle(data, reach, wrapped(gaze.yaw - hand.yaw), hand.yaw, hand.yaw_rate);
@@ -272,40 +283,41 @@ void follow(const LiftData& data, const Gaze& gaze, LiftHand& hand) {
     hand.yaw = wrapped(hand.yaw);
 }
 
-/// Keeps the thing's side to the wizard: an implicit step of a critically damped spring of turns, as stiff as the coupling,
-/// with a bounded torque.
-void hold_turned(Stage& stage, const LiftData& data, const LiftHand& hand) {
+/// Keeps one side of the thing towards the wizard. It takes an implicit step of a critically damped
+/// rotational spring with the frequency of the coupling and a bounded torque.
+void hold_turned(MatchContext& context, const LiftData& data, const LiftHand& hand) {
     const auto key = hand.held.index;
-    const auto& body = stage.physics.desc(key);
-    const auto& state = stage.physics.state(key);
+    const auto& body = context.physics.desc(key);
+    const auto& state = context.physics.state(key);
     quat off = rotation({0, 1, 0}, hand.yaw) * hand.turn * glm::conjugate(state.orientation);
     if (off.w < 0) off = -off;
-    const vec3 angle = 2.0 * vec3(off.x, off.y, off.z);  // rad, for small ones; less than that for large
+    // Rotation angle (rad) if small; less than the angle if large.
+    const vec3 angle = 2.0 * vec3(off.x, off.y, off.z);
     const double frequency = std::sqrt(data.stiffness / body.mass);
     const vec3 reference(0, hand.yaw_rate, 0);
     const vec3 spin = reference + eased_rate(state.spin - reference, angle, frequency);
     const double most = data.turn_torque / greatest_inertia(body) * physics_dt;
-    stage.physics.set_spin(key, state.spin + limited(spin - state.spin, most));
+    context.physics.set_spin(key, state.spin + limited(spin - state.spin, most));
 }
 
-bool touches_holder(const Stage& stage, ecs::Entity wizard, ecs::Entity held) {
+bool touches_holder(const MatchContext& context, ecs::Entity wizard, ecs::Entity held) {
     const auto a = std::min(wizard.index, held.index), b = std::max(wizard.index, held.index);
-    const auto contacts = stage.physics.contacts();
+    const auto contacts = context.physics.contacts();
     return std::any_of(contacts.begin(), contacts.end(), [=](const auto& c) { return c.a == a && c.b == b; });
 }
 
-/// What struck the thing since the last tick, N s, kicks the hand.
-void feel_blow(Stage& stage, const LiftData& data, const haptics::CouplingFrame& frame, ecs::Entity wizard,
-               Tick tick, vec3 blow, LiftHand& hand) {
+/// Kicks the hand by the impulse (N s) of what struck the thing since the last tick.
+void feel_blow(MatchContext& context, const LiftData& data, const haptics::CouplingFrame& frame,
+               ecs::Entity wizard, Tick tick, vec3 blow, LiftHand& hand) {
     const double size = glm::length(blow);
     if (size < data.blow_least || tick < hand.next_blow) return;
     hand.next_blow = tick + between_blows;
     const vec3 way = haptics::to_device(frame, blow / size);
-    const double share = stage.touch.blows[std::as_const(stage.world).get<Wizard>(wizard).player];
-    if (share > 0) kick(stage, wizard, way * (share * std::min(blow_force, data.blow * size)), blow_length);
+    const double share = context.touch.blows[std::as_const(context.world).get<Wizard>(wizard).player];
+    if (share > 0) kick(context, wizard, way * (share * std::min(blow_force, data.blow * size)), blow_length);
 }
 
-/// The spring as the hand feels it, until the next tick.
+/// The spring as the hand feels it until the next tick.
 haptics::Tether tether_to(const LiftData& data, const haptics::CouplingFrame& frame, const LiftHand& hand,
                           vec3 device, vec3 object, vec3 object_velocity, vec3 base_velocity) {
     return {.anchor = device - haptics::to_device(frame, hand.hip - object) / frame.metres_per_metre,
@@ -315,15 +327,16 @@ haptics::Tether tether_to(const LiftData& data, const haptics::CouplingFrame& fr
             .damping = haptics::felt_stiffness(frame, data.damping)};
 }
 
-/// More than one may hold it; its weight is held up once.
+/// Number of wizards who hold the thing. Its weight is held up only once.
 int holders(const ecs::World& world, ecs::Entity thing) {
     int count = 0;
     world.view<const LiftHand>().each([&](const LiftHand& hand) { count += hand.held == thing; });
     return count;
 }
 
-/// m/s, of what a thing that would move by `velocity` is held back: what has just pushed it aside by `blow` (m/s) does so again, as
-/// far as it goes there. Without this the hand would feel a thing at a wall as one that moves on.
+/// Velocity by which an obstacle will slow the thing in the next step (m/s). An obstacle that has just
+/// changed the thing's velocity by `blow` does so again, at most by as much. Without this the hand would feel
+/// a thing at a wall as if it moved on.
 vec3 held_back(vec3 velocity, vec3 blow) {
     const double size = glm::length(blow);
     if (!(size > 0)) return vec3(0);
@@ -331,29 +344,29 @@ vec3 held_back(vec3 velocity, vec3 blow) {
     return way * std::clamp(-glm::dot(velocity, way), 0.0, size);
 }
 
-void pull(Stage& stage, const LiftData& data, ecs::Entity wizard, Tick tick, LiftHand& hand) {
+void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick tick, LiftHand& hand) {
     const auto key = hand.held.index;
-    const auto& now = std::as_const(stage.world);
-    const vec3 device = now.get<Grip>(wizard).device.position;
+    const auto& now = std::as_const(context.world);
+    const vec3 device = now.get<HandState>(wizard).device.position;
     follow(data, now.get<Gaze>(wizard), hand);
-    const auto frame = frame_of(stage, data, wizard, hand);
+    const auto frame = frame_of(context, data, wizard, hand);
     const vec3 hip = haptics::interface_point(frame, device);
     const vec3 base = haptics::interface_point(frame, hand.taken_device);
-    const auto& body = stage.physics.state(key);
+    const auto& body = context.physics.state(key);
     const int sharing = holders(now, hand.held);
-    const double mass = stage.physics.desc(key).mass;
-    const vec3 blow = body.velocity - hand.tug.expected;
-    if (sharing == 1) feel_blow(stage, data, frame, wizard, tick, mass * blow, hand);
+    const double mass = context.physics.desc(key).mass;
+    const vec3 blow = body.velocity - hand.coupling.expected;
+    if (sharing == 1) feel_blow(context, data, frame, wizard, tick, mass * blow, hand);
     const double drag = data.drag_ratio * 2 * std::sqrt(data.stiffness * mass);
     const auto step = haptics::coupling_step({data.stiffness, data.damping, drag}, 1 / mass, 0, physics_dt);
     const vec3 base_velocity = (base - hand.base) / physics_dt;
     const vec3 carry = limited(mass * (base_velocity - hand.base_velocity) / physics_dt, data.carry);
-    const vec3 gravity = stage.physics.settings().gravity;
+    const vec3 gravity = context.physics.settings().gravity;
     const auto result =
         haptics::couple(step, {.hand = hand.hip,
                                .hand_velocity = (hip - hand.hip) / physics_dt,
                                .object = body.position,
-                               .object_velocity = tugged_velocity(stage.physics, key, hand.tug),
+                               .object_velocity = coupled_velocity(context.physics, key, hand.coupling),
                                .drag_velocity = base_velocity,
                                .object_acceleration = carry / mass + gravity * (1 - 1.0 / sharing)});
     const vec3 back = held_back(result.displacement / physics_dt, blow);
@@ -361,31 +374,32 @@ void pull(Stage& stage, const LiftData& data, ecs::Entity wizard, Tick tick, Lif
     hand.hip = hip;
     hand.base = base;
     hand.base_velocity = base_velocity;
-    if (touches_holder(stage, wizard, hand.held)) {  // or one could ride on it
-        end_tug(stage.physics, key, hand.tug);
-        hand.tug.expected = body.velocity + gravity * physics_dt;
+    if (touches_holder(context, wizard, hand.held)) {  // otherwise a wizard could ride on the thing
+        end_coupling(context.physics, key, hand.coupling);
+        hand.coupling.expected = body.velocity + gravity * physics_dt;
     } else {
         hand.impulse += glm::length(result.impulse);
-        give_tug(stage.physics, key, result, physics_dt, hand.tug);
-        hold_turned(stage, data, hand);
+        apply_coupling(context.physics, key, result, physics_dt, hand.coupling);
+        hold_turned(context, data, hand);
     }
-    const vec3 moving = hand.tug.expected + held_back(hand.tug.expected, blow);
-    tether(stage, wizard, tether_to(data, frame, hand, device, object, moving, base_velocity));
-    lean(stage, wizard, vec3(0, -data.weight * stage.touch.weight[now.get<Wizard>(wizard).player] * mass, 0));
-    if (glm::distance(hip, object) > data.lost) let_thing_go(stage, wizard, hand);
+    const vec3 moving = hand.coupling.expected + held_back(hand.coupling.expected, blow);
+    tether(context, wizard, tether_to(data, frame, hand, device, object, moving, base_velocity));
+    lean(context, wizard,
+         vec3(0, -data.weight * context.touch.weight[now.get<Wizard>(wizard).player] * mass, 0));
+    if (glm::distance(hip, object) > data.lost) let_thing_go(context, wizard, hand);
 }
 
 void add_forces(const WandSystems& to, const void* wand) {
-    auto& world = to.stage.world;
+    auto& world = to.context.world;
     to.schedule.add({.name = "lift",
                      .period = physics_period,
                      .reads = world.mask<Wizard, Gaze, Motion, Body, Dead>(),
-                     .writes = world.mask<LiftHand, Grip, WandBelt>(),
+                     .writes = world.mask<LiftHand, HandState, WandBelt>(),
                      .needs = world.mask<LiftHand>(),
-                     .run = [&stage = to.stage, wand](ecs::World& w, Tick tick) {
+                     .run = [&context = to.context, wand](ecs::World& w, Tick tick) {
                          w.view<LiftHand, ecs::Without<Dead>>().each([&](ecs::Entity e, LiftHand& hand) {
-                             if (holds(stage, hand))
-                                 pull(stage, *static_cast<const LiftData*>(wand), e, tick, hand);
+                             if (holds(context, hand))
+                                 pull(context, *static_cast<const LiftData*>(wand), e, tick, hand);
                          });
                      }});
 }
@@ -398,10 +412,11 @@ const WandRegistration registration({
     .use = use,
     .put_away =
         [](const WandUse& use) {
-            auto& hand = use.stage.world.get<LiftHand>(use.wizard);
-            if (hand.held) let_thing_go(use.stage, use.wizard, hand);
+            auto& hand = use.context.world.get<LiftHand>(use.wizard);
+            if (hand.held) let_thing_go(use.context, use.wizard, hand);
         },
-    .writes = [](const ecs::World& world) { return world.mask<LiftHand, Chronicle, Health, Grip, Prop>(); },
+    .writes =
+        [](const ecs::World& world) { return world.mask<LiftHand, EventLog, Health, HandState, Prop>(); },
     .add_forces = add_forces,
     .add_systems = [](const WandSystems&, const void*) {},
     .show = [](const ecs::World&, const std::function<void(const Missile&)>&) {},

@@ -1,18 +1,20 @@
-// The lob wand: a slingshot. Fire held draws the hand back along a line, against a spring with detents; let go, a stone leaves
-// with the speed that the draw, as the device measured it, stands for.
+// The lob wand: a slingshot. Holding fire draws the hand back along a line, against a spring with detents.
+// Releasing fire throws a stone. Its speed follows from the draw that the device measured.
 //
-// The hand moves at a limited speed to where the trigger says (a key: all the way), so the spring is felt as one that is
-// drawn; after letting go it glides back, and only when it is back a new draw begins. Who holds a real arm pulls it back, fire
-// held. A draw too short sends nothing off and costs nothing.
+// The hand moves to the position given by the trigger; a key counts as a full trigger. The speed of the hand
+// is limited, so the player feels the spring being drawn. After the release the hand glides back, and the
+// next draw begins only when it has arrived. A player with a real arm pulls the arm back while holding fire.
+// If the draw is too short, no stone is thrown and no energy is lost.
 //
-// In flight the stone is a sphere on a parabola, exact in each physics step, whose chord is swept after the bodies have moved: it
-// cannot pass through anything, and where it lands has a closed form. It bounces off everything but the foe, who sets it off,
-// and its shooter, whom it passes through; when the fuse is over it bursts. Things do not feel its weight.
+// A stone in flight is a sphere on a parabola that is exact in each physics step. After the bodies have
+// moved, the sphere is swept along the chord of the step. So a stone cannot pass through anything, and its
+// landing point has a closed form. It bursts on the foe, passes through the shooter, bounces off everything
+// else, and bursts at the end of its fuse. Bodies do not feel its weight.
 #include <algorithm>
 #include <optional>
 #include <utility>
 
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/match/arm.h"
 #include "game/match/touch.h"
 #include "game/wands/shot.h"
@@ -20,29 +22,31 @@
 namespace thaum::game {
 namespace {
 
-constexpr double clear_of = 1e-5;     ///< m; a bounce ends so far off the surface
-constexpr double least_bounce = 0.3;  ///< m/s; what comes down slower stays down
+constexpr double clear_of = 1e-5;     ///< distance from the surface after a bounce (m)
+constexpr double least_bounce = 0.3;  ///< approach speed below which the stone does not bounce back (m/s)
 
 struct LobData {
-    vec3 axis{};                       ///< unit, device frame
-    double full{}, least{}, travel{};  ///< m
-    double step{}, return_step{};      ///< m per tick
-    haptics::Tether spring{};          ///< but for its anchor
+    vec3 axis{};  ///< direction of the draw (unit, device frame)
+    /// Full draw, least draw for a throw, travel of the simulated hand (m).
+    double full{}, least{}, travel{};
+    /// Displacement of the hand per tick while drawing and while returning (m).
+    double step{}, return_step{};
+    haptics::Tether spring{};  ///< spring without its anchor, which is set at each draw
     Growing speed;
     double energy{};
-    double radius{};  ///< m
+    double radius{};  ///< radius of the stone (m)
     Tick fuse{};
     double bounce{}, drag{};
     double damage{}, reach{}, impulse{}, fastest{};
 };
 
-/// In flight, or at rest until its fuse is over.
+/// A stone in flight, or at rest until the end of its fuse.
 struct Lob {
-    vec3 position{};  ///< m
-    vec3 velocity{};  ///< m/s
+    vec3 position{};  ///< position (m, world)
+    vec3 velocity{};  ///< velocity (m/s, world)
     Tick bursts_at{};
     std::uint32_t player{};
-    std::uint32_t shooter{};  ///< key of the body
+    std::uint32_t shooter{};  ///< key of the shooter's body
     static constexpr std::string_view name = "Lob";
     static constexpr auto fields() {
         return std::tuple(field("position", &Lob::position), field("velocity", &Lob::velocity),
@@ -51,11 +55,11 @@ struct Lob {
     }
 };
 
-/// A wizard's hand on this wand.
+/// State of the lob wand in a wizard's hand.
 struct LobHand {
-    vec3 anchor{};            ///< m, device frame: where the draw began
-    double target{};          ///< m, along the axis: where the hand is taken
-    double drawn{};           ///< of a full draw, as measured
+    vec3 anchor{};            ///< position at which the draw began (m, device frame)
+    double target{};          ///< displacement of the simulated hand along the axis (m)
+    double drawn{};           ///< measured share of a full draw
     std::uint32_t drawing{};  ///< 1 while fire is held
     std::uint32_t spare{};
     static constexpr std::string_view name = "LobHand";
@@ -114,17 +118,17 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
 const LobData& data_of(const WandUse& use) { return *static_cast<const LobData*>(use.data); }
 
 void begin(const WandUse& use, LobHand& hand) {
-    const auto& grip = std::as_const(use.stage.world).get<Grip>(use.wizard);
-    hand.anchor = haptics::measured_position(use.stage.touch.device, grip.device);
+    const auto& hand_state = std::as_const(use.context.world).get<HandState>(use.wizard);
+    hand.anchor = haptics::measured_position(use.context.touch.device, hand_state.device);
     hand.drawing = 1;
     auto spring = data_of(use).spring;
     spring.anchor = hand.anchor;
-    tether(use.stage, use.wizard, spring);
+    tether(use.context, use.wizard, spring);
 }
 
 void shoot(const WandUse& use, double share) {
     const auto& data = data_of(use);
-    auto& world = use.stage.world;
+    auto& world = use.context.world;
     const auto muzzle = muzzle_of(use, data.radius);
     world.commands().create(Lob{.position = muzzle.tip,
                                 .velocity = muzzle.ahead * data.speed.at(share),
@@ -135,13 +139,13 @@ void shoot(const WandUse& use, double share) {
 }
 
 void put_away(const WandUse& use) {
-    use.stage.world.get<LobHand>(use.wizard) = {};
-    let_go(use.stage, use.wizard);
+    use.context.world.get<LobHand>(use.wizard) = {};
+    let_go(use.context, use.wizard);
 }
 
 void use(const WandUse& use) {
     const auto& data = data_of(use);
-    auto& world = use.stage.world;
+    auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
     auto& hand = world.get<LobHand>(use.wizard);
     auto& belt = world.get<WandBelt>(use.wizard);
@@ -154,46 +158,49 @@ void use(const WandUse& use) {
     if (holds_fire(controls)) return;
     const double drawn = std::exchange(hand.drawn, 0);
     hand.drawing = 0;
-    tether(use.stage, use.wizard, {});
+    tether(use.context, use.wizard, {});
     if (drawn * data.full >= data.least && spend(belt, use.stats, data.energy)) shoot(use, drawn);
 }
 
-/// Where the hand is to go: to where the trigger says; back when all is over; nowhere between letting go and the look that sees it.
+/// Displacement at which the hand should be (m): given by the trigger while fire is held, zero after the
+/// draw. Between the release and the next gameplay tick the hand stays.
 double wanted_target(const LobData& data, const Controls& controls, const LobHand& hand) {
     if (hand.drawing == 0) return 0;
     const bool held = (controls.held & input::bit(input::Button::fire)) != 0;
     return held ? data.travel * (controls.trigger / 255.0) : hand.target;
 }
 
-/// Every tick, so that the hand moves evenly. Who holds a real arm draws by pulling it: no trigger takes that hand.
-void draw(Stage& stage, const LobData& data) {
-    stage.world.view<const Wizard, const Controls, LobHand, Grip>().each(
-        [&](const Wizard& wizard, const Controls& controls, LobHand& hand, Grip& grip) {
+/// Moves the simulated hand and measures the draw. It runs every tick, so that the hand moves evenly. The
+/// trigger does not move a real arm.
+void draw(MatchContext& context, const LobData& data) {
+    context.world.view<const Wizard, const Controls, LobHand, HandState>().each(
+        [&](const Wizard& wizard, const Controls& controls, LobHand& hand, HandState& hand_state) {
             if (hand.drawing == 0 && hand.target == 0) return;
-            const bool by_arm = plays_by_arm(stage.world, wizard.player);
+            const bool by_arm = plays_by_arm(context.world, wizard.player);
             const double most = hand.drawing != 0 ? data.step : data.return_step;
             const double wanted = by_arm ? 0 : wanted_target(data, controls, hand);
             hand.target += std::clamp(wanted - hand.target, -most, most);
-            grip.pull = hand.target * data.axis;
+            hand_state.pull = hand.target * data.axis;
             if (hand.drawing == 0) return;
-            const vec3 moved = haptics::measured_position(stage.touch.device, grip.device) - hand.anchor;
+            const vec3 moved =
+                haptics::measured_position(context.touch.device, hand_state.device) - hand.anchor;
             hand.drawn = std::clamp(glm::dot(moved, data.axis) / data.full, 0.0, 1.0);
         });
 }
 
 void add_forces(const WandSystems& to, const void* wand) {
-    auto& world = to.stage.world;
+    auto& world = to.context.world;
     to.schedule.add({.name = "lob draws",
                      .reads = world.mask<Wizard, Controls, Arm>(),
-                     .writes = world.mask<LobHand, Grip>(),
+                     .writes = world.mask<LobHand, HandState>(),
                      .needs = world.mask<LobHand>(),
-                     .run = [&stage = to.stage, wand](ecs::World&, Tick) {
-                         draw(stage, *static_cast<const LobData*>(wand));
+                     .run = [&context = to.context, wand](ecs::World&, Tick) {
+                         draw(context, *static_cast<const LobData*>(wand));
                      }});
 }
 
-void go_off(Stage& stage, const Lob& lob, const LobData& data, vec3 place, Tick tick) {
-    burst(stage,
+void go_off(MatchContext& context, const Lob& lob, const LobData& data, vec3 place, Tick tick) {
+    burst(context,
           {.place = place,
            .size = data.radius,
            .radius = data.reach,
@@ -206,7 +213,7 @@ void go_off(Stage& stage, const Lob& lob, const LobData& data, vec3 place, Tick 
           tick);
 }
 
-/// Off a surface with this normal.
+/// Velocity after a bounce off a surface with this normal.
 vec3 bounced(const LobData& data, vec3 velocity, vec3 normal) {
     const double into = glm::dot(velocity, normal);
     if (into >= 0) return velocity;
@@ -214,18 +221,19 @@ vec3 bounced(const LobData& data, vec3 velocity, vec3 normal) {
     return (velocity - into * normal) * (1 - data.drag) + back * normal;
 }
 
-/// True where it bursts. What is left of the step in which it bounces, at most a tick, is not flown.
-bool fly(Stage& stage, const LobData& data, Lob& lob, Tick tick) {
-    const vec3 gravity = stage.physics.settings().gravity;
+/// Moves the stone by one physics step. Returns true if the stone has burst. The rest of a step in which the
+/// stone bounces, at most one tick, is not flown.
+bool fly(MatchContext& context, const LobData& data, Lob& lob, Tick tick) {
+    const vec3 gravity = context.physics.settings().gravity;
     const vec3 way = (lob.velocity + 0.5 * physics_dt * gravity) * physics_dt;
-    const auto at = stage.physics.sweep_sphere(lob.position, lob.position + way, data.radius,
-                                               physics::all_layers, lob.shooter);
+    const auto at = context.physics.sweep_sphere(lob.position, lob.position + way, data.radius,
+                                                 physics::all_layers, lob.shooter);
     const double part = at ? at->fraction : 1;
     lob.position += part * way;
     lob.velocity += part * physics_dt * gravity;
-    const bool on_wizard = at && stage.world.has<Wizard>(stage.world.entity(at->key));
+    const bool on_wizard = at && context.world.has<Wizard>(context.world.entity(at->key));
     if (on_wizard || tick >= lob.bursts_at) {
-        go_off(stage, lob, data, lob.position, tick);
+        go_off(context, lob, data, lob.position, tick);
         return true;
     }
     if (at) {
@@ -236,16 +244,16 @@ bool fly(Stage& stage, const LobData& data, Lob& lob, Tick tick) {
 }
 
 void add_systems(const WandSystems& to, const void* wand) {
-    auto& world = to.stage.world;
+    auto& world = to.context.world;
     to.schedule.add({.name = "lobs",
                      .period = physics_period,
                      .reads = world.mask<Body, Motion, Wizard, Dead>(),
-                     .writes = world.mask<Lob, Health, Chronicle, Prop>(),
+                     .writes = world.mask<Lob, Health, EventLog, Prop>(),
                      .needs = world.mask<Lob>(),
-                     .run = [&stage = to.stage, wand](ecs::World& w, Tick tick) {
+                     .run = [&context = to.context, wand](ecs::World& w, Tick tick) {
                          const auto& data = *static_cast<const LobData*>(wand);
                          w.view<Lob>().each([&](ecs::Entity e, Lob& lob) {
-                             if (fly(stage, data, lob, tick)) w.commands().destroy(e);
+                             if (fly(context, data, lob, tick)) w.commands().destroy(e);
                          });
                      }});
 }
@@ -261,7 +269,7 @@ const WandRegistration registration({
     .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, LobHand{}); },
     .use = use,
     .put_away = put_away,
-    .writes = [](const ecs::World& world) { return world.mask<LobHand, Chronicle, Health, Grip>(); },
+    .writes = [](const ecs::World& world) { return world.mask<LobHand, EventLog, Health, HandState>(); },
     .add_forces = add_forces,
     .add_systems = add_systems,
     .show =

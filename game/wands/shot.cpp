@@ -5,34 +5,35 @@
 #include <optional>
 
 #include "core/text.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/match/touch.h"
 
 namespace thaum::game {
 namespace {
 
-constexpr double aim_reach = 60;     ///< m; the crosshair's depth where it meets nothing nearer
-constexpr double nearest_aim = 1.0;  ///< m; nearer things would make a shot leave sideways
+constexpr double aim_reach = 60;  ///< distance of the aimed point if the crosshair meets nothing nearer (m)
+/// Least distance of the aimed point (m); aiming at nearer points would send a shot sideways.
+constexpr double nearest_aim = 1.0;
 
 bool blocked(const physics::Physics& physics, vec3 from, vec3 to, double radius, physics::Key ignored) {
     return radius > 0 ? physics.sweep_sphere(from, to, radius, physics::all_layers, ignored).has_value()
                       : physics.ray(from, to, physics::all_layers, ignored).has_value();
 }
 
-/// The point of a body that a burst sees: its middle; of what stands upright the nearest of its axis.
+/// Point of a body at which a burst acts: its middle, or for an upright body the nearest point of its axis.
 vec3 middle_towards(const Body& body, vec3 centre, vec3 from) {
     if (body.upright == 0) return centre;
     return centre + vec3(0, std::clamp(from.y - centre.y, -body.size.y, body.size.y), 0);
 }
 
-/// What a burst does to one body.
+/// Effect of a burst on one body.
 struct Reached {
-    double share{};  ///< of all that it does, > 0
-    vec3 away{};     ///< unit
-    vec3 point{};    ///< m, on the body's surface
+    double share{};  ///< share of the full effect, > 0
+    vec3 away{};     ///< direction of the impulse (unit)
+    vec3 point{};    ///< point on the body's surface (m, world)
 };
 
-/// Nothing where the body is too far off or behind another.
+/// Effect on one body; std::nullopt if the body is too far away or behind another body.
 std::optional<Reached> reach(const physics::Physics& physics, const Burst& burst, physics::Key key,
                              vec3 middle) {
     constexpr double touching = 1e-6;
@@ -49,15 +50,16 @@ std::optional<Reached> reach(const physics::Physics& physics, const Burst& burst
     return Reached{1 - distance / burst.radius, away, hit->point};
 }
 
-void push(Stage& stage, const Burst& burst, ecs::Entity e, double mass, const Reached& reached, Tick tick) {
+void push(MatchContext& context, const Burst& burst, ecs::Entity e, double mass, const Reached& reached,
+          Tick tick) {
     const double impulse = std::min(burst.impulse * reached.share, burst.fastest * mass);
-    stage.physics.apply_impulse(e.index, reached.away * impulse, reached.point);
-    if (stage.world.has<Prop>(e)) stage.world.get<Prop>(e) = {.moved_at = tick, .moved_by = burst.player};
+    context.physics.apply_impulse(e.index, reached.away * impulse, reached.point);
+    if (context.world.has<Prop>(e)) context.world.get<Prop>(e) = {.moved_at = tick, .moved_by = burst.player};
 }
 
-void hurt_by_burst(Stage& stage, const Burst& burst, ecs::Entity e, double points, Tick tick) {
-    if (!stage.world.has<Wizard>(e)) return;
-    hurt(stage.world, e, tick,
+void hurt_by_burst(MatchContext& context, const Burst& burst, ecs::Entity e, double points, Tick tick) {
+    if (!context.world.has<Wizard>(e)) return;
+    hurt(context.world, e, tick,
          {.points = points, .by = burst.player, .how = burst.how, .place = burst.place});
 }
 
@@ -73,35 +75,35 @@ bool holds_fire(const Controls& controls) {
     return ((controls.held | controls.pressed) & input::bit(input::Button::fire)) != 0;
 }
 
-Sight sight_of(const Stage& stage, ecs::Entity wizard) {
-    const auto& gaze = std::as_const(stage.world).get<Gaze>(wizard);
-    return {eye_of(stage.data.wizard, stage.physics.state(wizard.index).position),
+Sight sight_of(const MatchContext& context, ecs::Entity wizard) {
+    const auto& gaze = std::as_const(context.world).get<Gaze>(wizard);
+    return {eye_of(context.data.wizard, context.physics.state(wizard.index).position),
             look_rotation(gaze.yaw, gaze.pitch) * vec3(0, 0, -1)};
 }
 
 Muzzle muzzle_of(const WandUse& use, double radius) {
-    const auto& world = std::as_const(use.stage.world);
-    const auto& physics = use.stage.physics;
+    const auto& world = std::as_const(use.context.world);
+    const auto& physics = use.context.physics;
     const auto& gaze = world.get<Gaze>(use.wizard);
     const auto key = use.wizard.index;
     const quat looking = look_rotation(gaze.yaw, gaze.pitch);
-    const vec3 eye = eye_of(use.stage.data.wizard, world.get<Motion>(use.wizard).position);
+    const vec3 eye = eye_of(use.context.data.wizard, world.get<Motion>(use.wizard).position);
     const vec3 ahead = looking * vec3(0, 0, -1);
     const auto seen = physics.ray(eye, eye + ahead * aim_reach, physics::all_layers, key);
     const double depth = std::max(nearest_aim, seen ? seen->fraction * aim_reach : aim_reach);
-    const double wand_per_hand = use.stage.touch.wand_per_hand[world.get<Wizard>(use.wizard).player];
-    vec3 tip = eye + looking * wand_tip_of(wand_per_hand, world.get<Grip>(use.wizard));
+    const double wand_per_hand = use.context.touch.wand_per_hand[world.get<Wizard>(use.wizard).player];
+    vec3 tip = eye + looking * wand_tip_of(wand_per_hand, world.get<HandState>(use.wizard));
     if (blocked(physics, eye, tip, radius, key)) tip = eye;
     return {.tip = tip, .ahead = ahead, .aim = glm::normalize(eye + ahead * depth - tip)};
 }
 
 void note_dry(const WandUse& use) {
-    const auto player = std::as_const(use.stage.world).get<Wizard>(use.wizard).player;
-    record(use.stage.world, {.tick = use.tick, .kind = EventKind::dry, .subject = player, .by = player});
+    const auto player = std::as_const(use.context.world).get<Wizard>(use.wizard).player;
+    record(use.context.world, {.tick = use.tick, .kind = EventKind::dry, .subject = player, .by = player});
 }
 
 void note_shot(const WandUse& use, EventKind hit, vec3 tip) {
-    auto& world = use.stage.world;
+    auto& world = use.context.world;
     ++world.get<WandBelt>(use.wizard).fired;
     world.get<Health>(use.wizard).shielded_until = use.tick;
     const auto player = std::as_const(world).get<Wizard>(use.wizard).player;
@@ -113,24 +115,24 @@ void note_shot(const WandUse& use, EventKind hit, vec3 tip) {
                    .place = tip});
 }
 
-void burst(Stage& stage, const Burst& burst, Tick tick) {
-    record(stage.world, {.tick = tick,
-                         .kind = EventKind::burst,
-                         .subject = burst.player,
-                         .by = burst.player,
-                         .detail = static_cast<std::uint32_t>(burst.how),
-                         .amount = burst.radius,
-                         .place = burst.place});
-    stage.world.view<const Body, const Motion>().each(
+void burst(MatchContext& context, const Burst& burst, Tick tick) {
+    record(context.world, {.tick = tick,
+                           .kind = EventKind::burst,
+                           .subject = burst.player,
+                           .by = burst.player,
+                           .detail = static_cast<std::uint32_t>(burst.how),
+                           .amount = burst.radius,
+                           .place = burst.place});
+    context.world.view<const Body, const Motion>().each(
         [&](ecs::Entity e, const Body& body, const Motion& motion) {
             if (body.mass <= 0) return;
             const auto middle = middle_towards(body, motion.position, burst.place);
-            const auto reached = reach(stage.physics, burst, e.index, middle);
-            if (reached) push(stage, burst, e, body.mass, *reached, tick);
+            const auto reached = reach(context.physics, burst, e.index, middle);
+            if (reached) push(context, burst, e, body.mass, *reached, tick);
             if (e.index == burst.struck)
-                hurt_by_burst(stage, burst, e, burst.struck_damage, tick);
+                hurt_by_burst(context, burst, e, burst.struck_damage, tick);
             else if (reached)
-                hurt_by_burst(stage, burst, e, burst.damage * reached->share, tick);
+                hurt_by_burst(context, burst, e, burst.damage * reached->share, tick);
         });
 }
 

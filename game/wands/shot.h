@@ -1,61 +1,62 @@
-// game/wands/shot.h: what the wands that shoot have in common: where a shot leaves, what it costs and how it bursts.
+// game/wands/shot.h: common parts of wands that shoot: the muzzle, the cost of a shot and its burst.
 #pragma once
-#include "game/match/stage.h"
+#include "game/match/match_context.h"
 #include "game/wands/wand.h"
 
 namespace thaum::game {
 
-/// A number that grows with how far a wand is charged or drawn.
+/// A number that grows linearly with the charge or draw of a wand, 0 to 1.
 struct Growing {
     double least{}, most{};
     double at(double share) const { return least + (most - least) * share; }
 };
-/// From NAME and, for the most, from FULL.
+/// Reads the least value from key `name` and the greatest from key `full`.
 Growing read_growing(const ConfigTable& table, std::string_view name, std::string_view full, Range range);
 
-/// True while fire is held, and at the first look after it was pressed.
+/// True while fire is held, and in the first gameplay tick after fire was pressed.
 bool holds_fire(const Controls& controls);
 
-/// Where the crosshair is, from the wizard's eye.
+/// Line of sight through the crosshair.
 struct Sight {
-    vec3 eye{};    ///< m, world
-    vec3 ahead{};  ///< unit
+    vec3 eye{};    ///< position of the eye (m, world)
+    vec3 ahead{};  ///< direction of view (unit, world)
 };
-/// Reads Gaze.
-Sight sight_of(const Stage& stage, ecs::Entity wizard);
+/// Returns the wizard's line of sight. Reads Gaze.
+Sight sight_of(const MatchContext& context, ecs::Entity wizard);
 
-/// Where a shot leaves, and which way.
+/// Start and direction of a shot.
 struct Muzzle {
-    vec3 tip{};    ///< m, world: the wand's tip; the eye, where something stands between the two
-    vec3 ahead{};  ///< unit: where the wizard looks
-    vec3 aim{};    ///< unit: from the tip to what the crosshair is on
+    vec3 tip{};    ///< the wand's tip, or the eye if something stands between eye and tip (m, world)
+    vec3 ahead{};  ///< direction of view (unit, world)
+    vec3 aim{};    ///< direction from the tip to the point under the crosshair (unit, world)
 };
-/// For a shot of that radius, m.
+/// Muzzle for a missile of that radius (m).
 Muzzle muzzle_of(const WandUse& use, double radius);
 
-/// Somebody pressed fire without the energy for a shot. Writes Chronicle.
+/// Records that a player pressed fire without enough energy for a shot. Writes EventLog.
 void note_dry(const WandUse& use);
-/// A shot has left; `hit` is the kind of event that its hits are. Who attacks is no longer protected. Writes WandBelt, Health and
-/// Chronicle.
+/// Records a shot and ends the shooter's protection. `hit` is the kind of event of its hits. Writes WandBelt,
+/// Health and EventLog.
 void note_shot(const WandUse& use, EventKind hit, vec3 tip);
 
-/// Hurts and pushes whatever is near. A body is as far away as its surface on the straight line to its middle (a wizard: to the
-/// nearest point of the capsule's axis). All falls evenly from its full value at distance zero to nothing at `radius`; a body behind
-/// another is spared; who shot gives the others no cover, and is not spared.
+/// A burst hurts and pushes all bodies near it. The distance of a body is measured to its surface, on the
+/// straight line to its middle. For a wizard, the line goes to the nearest point of the capsule's axis. The
+/// effect falls linearly from its full value at distance zero to nothing at `radius`. A body behind another
+/// one is spared. The shooter's body gives others no cover and is not spared.
 struct Burst {
-    vec3 place{};             ///< m, middle of the missile
-    double size{};            ///< m, radius of the missile: what it touches is at distance zero
-    double radius{};          ///< m
-    double damage{};          ///< HP
-    double impulse{};         ///< N s
-    double fastest{};         ///< m/s: nothing gains more speed by it
-    std::uint32_t player{};   ///< whose shot it was
-    std::uint32_t shooter{};  ///< key of the body
+    vec3 place{};             ///< middle of the missile (m, world)
+    double size{};            ///< radius of the missile (m); what the missile touches is at distance zero
+    double radius{};          ///< reach (m)
+    double damage{};          ///< harm at distance zero (HP)
+    double impulse{};         ///< impulse at distance zero (N s)
+    double fastest{};         ///< largest speed that a body gains (m/s)
+    std::uint32_t player{};   ///< player who shot
+    std::uint32_t shooter{};  ///< key of the shooter's body
     EventKind how{};
-    std::uint32_t struck = physics::no_key;  ///< key of a body that takes `struck_damage` instead
-    double struck_damage{};                  ///< HP
+    std::uint32_t struck = physics::no_key;  ///< key of a body that takes `struck_damage` instead of `damage`
+    double struck_damage{};                  ///< harm to the struck body (HP)
 };
-/// Records it too. Reads Body, Motion, Wizard and Dead; writes Health, Chronicle and Prop.
-void burst(Stage& stage, const Burst& burst, Tick tick);
+/// Applies and records a burst. Reads Body, Motion, Wizard and Dead; writes Health, EventLog and Prop.
+void burst(MatchContext& context, const Burst& burst, Tick tick);
 
 }  // namespace thaum::game

@@ -1,13 +1,14 @@
-// The swing wand: while fire is held, a rope joins the wizard's body and a point of the court that nothing moves: an anchor
-// near the crosshair, or the ground or wall under it. It is the lift's spring (paper 002) that only pulls; it reels in to a share of
-// its length, and a hand that pulls shortens it further. The body is moved by force alone.
+// The swing wand: while fire is held, a rope joins the wizard's body and a fixed point of the arena. The
+// point is an anchor near the crosshair, or the ground or wall under the crosshair. The rope is the spring of
+// the lift wand (paper 002), but it only pulls. It reels in to a share of its first length, and a hand that
+// pulls shortens it further. The body is moved by force alone.
 #include <algorithm>
 #include <cmath>
 
 #include "game/match/touch.h"
 #include "game/wands/shot.h"
-#include "game/wands/tug.h"
 #include "game/wands/wand.h"
+#include "game/wands/wand_coupling.h"
 
 namespace thaum::game {
 namespace {
@@ -15,30 +16,33 @@ namespace {
 using input::Button;
 
 struct SwingData {
-    double energy_per_use{};               ///< each gameplay tick
-    double reach{}, rest_share{}, reel{};  ///< m, of the length at first, m per tick
-    double stiffness{}, damping_ratio{};   ///< N/m, of critical damping
-    double tension_max{};                  ///< N
+    double energy_per_use{};  ///< energy per gameplay tick
+    /// Reach from the eye (m), final share of the first length, reeling per tick (m).
+    double reach{}, rest_share{}, reel{};
+    double stiffness{}, damping_ratio{};  ///< N/m, share of critical damping
+    double tension_max{};                 ///< largest tension (N); beyond it the rope slips
+    /// Cosine of the largest angle between crosshair and anchor.
     double aim_cos{};
     double metres_per_metre{}, newtons_per_newton{};
-    double force_max{};  ///< N
+    double force_max{};  ///< largest force at the device (N)
 };
 
-/// A wizard's hand on this wand.
+/// State of the swing wand in a wizard's hand.
 struct SwingHand {
-    vec3 anchor{};         ///< m
-    vec3 taken_device{};   ///< m
-    double length{};       ///< m, of the rope when it is slack; 0: not latched
-    double rest_length{};  ///< m, to which it reels in
-    double pulled{};       ///< m, by which the hand has shortened it
-    double tension{};      ///< N, mean over the last tick
-    Tug tug{};
+    vec3 anchor{};         ///< fixed end of the rope (m, world)
+    vec3 taken_device{};   ///< position of the device when the rope was attached (m, device frame)
+    double length{};       ///< length of the slack rope without the hand's pull (m); 0: no rope
+    double rest_length{};  ///< length at which reeling in ends (m)
+    double pulled{};       ///< length by which the hand has shortened the rope (m)
+    double tension{};      ///< mean tension over the last tick (N)
+    WandCoupling coupling{};
     static constexpr std::string_view name = "SwingHand";
     static constexpr auto fields() {
         using H = SwingHand;
         return std::tuple(field("anchor", &H::anchor), field("taken_device", &H::taken_device),
                           field("length", &H::length), field("rest_length", &H::rest_length),
-                          field("pulled", &H::pulled), field("tension", &H::tension), field("tug", &H::tug));
+                          field("pulled", &H::pulled), field("tension", &H::tension),
+                          field("tug", &H::coupling));
     }
 };
 
@@ -60,12 +64,13 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
     return std::make_shared<SwingData>(data);
 }
 
-// ---- latching -----------------------------------------------------------------------------------------------------
+// ---- attaching --------------------------------------------------------------------------------------------
 
-/// The anchor nearest to the crosshair, else what stands still under it; nothing where both are too far.
-std::optional<vec3> latched_at(const Stage& stage, const SwingData& data, ecs::Entity wizard) {
-    const auto& now = std::as_const(stage.world);
-    const Sight sight = sight_of(stage, wizard);
+/// The anchor nearest to the crosshair, else the point of a fixed body under the crosshair; std::nullopt if
+/// neither is within reach.
+std::optional<vec3> latched_at(const MatchContext& context, const SwingData& data, ecs::Entity wizard) {
+    const auto& now = std::as_const(context.world);
+    const Sight sight = sight_of(context, wizard);
     const vec3 eye = sight.eye, ahead = sight.ahead;
     std::optional<vec3> found;
     double best = data.aim_cos;
@@ -75,38 +80,39 @@ std::optional<vec3> latched_at(const Stage& stage, const SwingData& data, ecs::E
         if (distance > data.reach || distance < 1e-6) return;
         const double nearness = glm::dot(to / distance, ahead);
         if (nearness < best) return;
-        const auto hit = stage.physics.ray(eye, motion.position, layer::ground, wizard.index);
-        if (hit && hit->key != e.index) return;  // the anchor is of the ground, too
+        const auto hit = context.physics.ray(eye, motion.position, layer::ground, wizard.index);
+        if (hit && hit->key != e.index) return;  // the anchor itself is in the ground layer, too
         best = nearness;
         found = motion.position;
     });
     if (found) return found;
-    const auto hit = stage.physics.ray(eye, eye + ahead * data.reach, physics::all_layers, wizard.index);
-    if (!hit || stage.physics.desc(hit->key).mass > 0) return std::nullopt;
+    const auto hit = context.physics.ray(eye, eye + ahead * data.reach, physics::all_layers, wizard.index);
+    if (!hit || context.physics.desc(hit->key).mass > 0) return std::nullopt;
     return hit->point;
 }
 
-void unlatch(Stage& stage, ecs::Entity wizard, SwingHand& hand) {
-    if (stage.physics.has(wizard.index)) end_tug(stage.physics, wizard.index, hand.tug);
+void unlatch(MatchContext& context, ecs::Entity wizard, SwingHand& hand) {
+    if (context.physics.has(wizard.index)) end_coupling(context.physics, wizard.index, hand.coupling);
     hand = {};
-    stage.world.get<Stance>(wizard).hung = 0;
-    let_go(stage, wizard);
+    context.world.get<Stance>(wizard).hung = 0;
+    let_go(context, wizard);
 }
 
 void latch(const WandUse& use, const SwingData& data, SwingHand& hand) {
-    auto& world = use.stage.world;
-    const auto point = latched_at(use.stage, data, use.wizard);
+    auto& world = use.context.world;
+    const auto point = latched_at(use.context, data, use.wizard);
     if (!point) return;
     if (!spend(world.get<WandBelt>(use.wizard), use.stats)) return note_dry(use);
-    hand = {.anchor = *point, .taken_device = std::as_const(world).get<Grip>(use.wizard).device.position};
-    hand.length = glm::distance(*point, sight_of(use.stage, use.wizard).eye);
+    hand = {.anchor = *point,
+            .taken_device = std::as_const(world).get<HandState>(use.wizard).device.position};
+    hand.length = glm::distance(*point, sight_of(use.context, use.wizard).eye);
     hand.rest_length = data.rest_share * hand.length;
-    hand.tug.expected = use.stage.physics.velocity(use.wizard.index);
+    hand.coupling.expected = use.context.physics.velocity(use.wizard.index);
 }
 
 void use(const WandUse& use) {
     const auto& data = *static_cast<const SwingData*>(use.data);
-    auto& world = use.stage.world;
+    auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
     auto& hand = world.get<SwingHand>(use.wizard);
     const auto fire = input::bit(Button::fire);
@@ -114,35 +120,37 @@ void use(const WandUse& use) {
         if ((controls.pressed & fire) != 0) latch(use, data, hand);
         return;
     }
-    if ((controls.held & fire) == 0) return unlatch(use.stage, use.wizard, hand);
+    if ((controls.held & fire) == 0) return unlatch(use.context, use.wizard, hand);
     if (!spend(world.get<WandBelt>(use.wizard), use.stats, data.energy_per_use)) {
-        unlatch(use.stage, use.wizard, hand);
+        unlatch(use.context, use.wizard, hand);
         note_dry(use);
     }
 }
 
-// ---- every tick ---------------------------------------------------------------------------------------------------
+// ---- every tick -------------------------------------------------------------------------------------------
 
-/// The hand feels the rope's direction; the spring is clipped, as springs are.
-vec3 felt(const Stage& stage, const SwingData& data, ecs::Entity wizard, vec3 way, double tension) {
-    const auto& gaze = std::as_const(stage.world).get<Gaze>(wizard);
+/// Force on the hand along the rope (N, device frame), limited to force_max.
+vec3 felt(const MatchContext& context, const SwingData& data, ecs::Entity wizard, vec3 way, double tension) {
+    const auto& gaze = std::as_const(context.world).get<Gaze>(wizard);
     const double size = std::min(data.force_max, data.newtons_per_newton * tension);
     return glm::conjugate(look_rotation(gaze.yaw, gaze.pitch)) * (way * size);
 }
 
-/// How long the slack rope is, m: it reels in, a hand that pulls shortens it, and beyond the most that it bears it slips through.
+/// Length of the slack rope (m). It reels in, a pulling hand shortens it, and it slips when the tension
+/// exceeds the largest one.
 double slack_length(const SwingData& data, double distance, double pulled, SwingHand& hand) {
     hand.length -= std::min(data.reel, std::max(0.0, hand.length - hand.rest_length));
     hand.length = std::max(hand.length, distance + pulled - data.tension_max / data.stiffness);
     return hand.length - pulled;
 }
 
-void pull(Stage& stage, const SwingData& data, ecs::Entity wizard, SwingHand& hand) {
+void pull(MatchContext& context, const SwingData& data, ecs::Entity wizard, SwingHand& hand) {
     const auto key = wizard.index;
-    const double mass = stage.physics.desc(key).mass;
-    const vec3 eye = sight_of(stage, wizard).eye;
+    const double mass = context.physics.desc(key).mass;
+    const vec3 eye = sight_of(context, wizard).eye;
     const double distance = glm::distance(hand.anchor, eye);
-    const double drawn = std::as_const(stage.world).get<Grip>(wizard).device.position.z - hand.taken_device.z;
+    const double drawn =
+        std::as_const(context.world).get<HandState>(wizard).device.position.z - hand.taken_device.z;
     const double pulled = std::clamp(data.metres_per_metre * drawn, 0.0, 0.9 * hand.rest_length);
     const double before = hand.length - hand.pulled;
     const double slack = slack_length(data, distance, pulled, hand);
@@ -152,29 +160,30 @@ void pull(Stage& stage, const SwingData& data, ecs::Entity wizard, SwingHand& ha
                     .growth = (slack - before) / physics_dt,
                     .stiffness = data.stiffness,
                     .damping = data.damping_ratio * 2 * std::sqrt(data.stiffness * mass)};
-    const auto result = hang(rope, mass, eye, tugged_velocity(stage.physics, key, hand.tug),
-                             stage.physics.settings().gravity, physics_dt);
+    const auto result = hang(rope, mass, eye, coupled_velocity(context.physics, key, hand.coupling),
+                             context.physics.settings().gravity, physics_dt);
     const vec3 way = (hand.anchor - eye) / std::max(distance, 1e-9);
     hand.tension = result ? std::max(0.0, glm::dot(result->mean_force, way)) : 0;
     if (result) {
-        give_tug(stage.physics, key, *result, physics_dt, hand.tug);
+        apply_coupling(context.physics, key, *result, physics_dt, hand.coupling);
     } else {
-        end_tug(stage.physics, key, hand.tug);
+        end_coupling(context.physics, key, hand.coupling);
     }
-    stage.world.get<Stance>(wizard).hung = std::max(0.0, hand.tension * way.y);
-    stage.world.get<Grip>(wizard).lean.force = felt(stage, data, wizard, way, hand.tension);
+    context.world.get<Stance>(wizard).hung = std::max(0.0, hand.tension * way.y);
+    context.world.get<HandState>(wizard).lean.force = felt(context, data, wizard, way, hand.tension);
 }
 
 void add_forces(const WandSystems& to, const void* wand) {
-    auto& world = to.stage.world;
+    auto& world = to.context.world;
     to.schedule.add({.name = "swing",
                      .period = physics_period,
                      .reads = world.mask<Wizard, Gaze, Motion, Dead>(),
-                     .writes = world.mask<SwingHand, Stance, Grip>(),
+                     .writes = world.mask<SwingHand, Stance, HandState>(),
                      .needs = world.mask<SwingHand>(),
-                     .run = [&stage = to.stage, wand](ecs::World& w, Tick) {
+                     .run = [&context = to.context, wand](ecs::World& w, Tick) {
                          w.view<SwingHand, ecs::Without<Dead>>().each([&](ecs::Entity e, SwingHand& hand) {
-                             if (hand.length > 0) pull(stage, *static_cast<const SwingData*>(wand), e, hand);
+                             if (hand.length > 0)
+                                 pull(context, *static_cast<const SwingData*>(wand), e, hand);
                          });
                      }});
 }
@@ -187,11 +196,11 @@ const WandRegistration registration({
     .use = use,
     .put_away =
         [](const WandUse& use) {
-            auto& hand = use.stage.world.get<SwingHand>(use.wizard);
-            if (hand.length > 0) unlatch(use.stage, use.wizard, hand);
+            auto& hand = use.context.world.get<SwingHand>(use.wizard);
+            if (hand.length > 0) unlatch(use.context, use.wizard, hand);
         },
     .writes =
-        [](const ecs::World& world) { return world.mask<SwingHand, Stance, Chronicle, Grip, Anchor>(); },
+        [](const ecs::World& world) { return world.mask<SwingHand, Stance, EventLog, HandState, Anchor>(); },
     .add_forces = add_forces,
     .add_systems = [](const WandSystems&, const void*) {},
     .show = [](const ecs::World&, const std::function<void(const Missile&)>&) {},

@@ -14,7 +14,7 @@ std::vector<WandKind>& kinds() {
 
 WandRegistration::WandRegistration(const WandKind& kind) {
     auto& all = kinds();
-    // Registrations run in an order the linker chooses; the list must not depend on it.
+    // The linker chooses the order of registrations, so the list is sorted to be independent of it.
     const auto after =
         std::find_if(all.begin(), all.end(), [&](const auto& k) { return kind.name < k.name; });
     all.insert(after, kind);

@@ -1,5 +1,6 @@
-// game/wands/wand.h: a wand is one data file (assets/wands/NAME.toml) and one .cpp here that registers a WandKind. The
-// rest of the game knows wands only by this list, so a new one touches no other file.
+// game/wands/wand.h: the interface of wands. A wand is one data file (assets/wands/NAME.toml) and one .cpp in
+// this folder that registers a WandKind. The rest of the game uses wands only through this interface, so a
+// new wand changes no other file.
 #pragma once
 #include <array>
 #include <functional>
@@ -14,118 +15,122 @@
 
 namespace thaum::game {
 
-struct Stage;
+struct MatchContext;
 
-/// How a wand looks from afar, so that one sees what the other has in hand.
+/// Shape of a wand, by which the other player recognises it from afar.
 enum class Silhouette : std::uint8_t { needle, forked, hooked, stubby, sling };
 inline constexpr std::array<std::string_view, 5> silhouette_names{"needle", "forked", "hooked", "stubby",
                                                                   "sling"};
 
-/// What every wand has.
+/// Numbers that every wand has.
 struct WandStats {
-    std::uint32_t slot{};         ///< 0..4, the key it is on
-    std::uint32_t energy_slot{};  ///< whose energy it uses: its own, or that of the wand it shares it with
+    std::uint32_t slot{};         ///< slot and key, 0 to 4
+    std::uint32_t energy_slot{};  ///< slot whose energy the wand uses: its own, or that of another wand
     Silhouette silhouette{};
     double energy_cap{};
-    double energy_cost{};    ///< of one use, at least
-    double energy_regain{};  ///< per second
+    double energy_cost{};    ///< least energy of one use
+    double energy_regain{};  ///< energy per second
 };
 
+/// Arguments of WandKind::use and WandKind::put_away.
 struct WandUse {
-    Stage& stage;
+    MatchContext& context;
     ecs::Entity wizard;
-    Tick tick;  ///< of play
+    Tick tick;  ///< tick of play
     const WandStats& stats;
-    const void* data;  ///< what `read` made
+    const void* data;  ///< the value that WandKind::read returned
 };
 
+/// Arguments with which a wand adds its systems.
 struct WandSystems {
-    Stage& stage;
+    MatchContext& context;
     ecs::Schedule& schedule;
 };
 
-/// What a missile looks like.
+/// Appearance of a missile.
 enum class MissileLook : std::uint32_t { needle, fireball, stone };
 
-/// Something that a wand has sent off, for the picture and for bots to see.
+/// A missile in flight, as the renderer and bots see it.
 struct Missile {
     ecs::Entity entity;
-    vec3 position{};  ///< m
-    vec3 velocity{};  ///< m/s
+    vec3 position{};  ///< position (m, world)
+    vec3 velocity{};  ///< velocity (m/s, world)
     std::uint32_t player{};
     MissileLook look{};
-    double size{};  ///< m, radius of what is round
+    double size{};  ///< radius of a round missile (m)
 };
 
-/// How a wand's shots go, for who aims.
+/// Flight of a wand's shots, for bots that aim.
 struct ShotKind {
-    double speed{};   ///< m/s
-    double fall{};    ///< m/s^2, downwards
-    double radius{};  ///< m, in which it hurts where it strikes
-    double energy{};  ///< that it takes
-    bool held{};      ///< it is readied while fire is held, and goes when it is let go
+    double speed{};   ///< speed at the muzzle (m/s)
+    double fall{};    ///< downward acceleration (m/s^2)
+    double radius{};  ///< radius of harm around the point of impact (m)
+    double energy{};  ///< energy of the shot
+    bool held{};      ///< the wand is readied while fire is held and shoots on release
 };
 
-/// How a wand takes up loose things and throws them, for who means to.
+/// How a wand takes up and throws loose things, for bots.
 struct GraspKind {
-    double reach{};               ///< m from the eye
-    double mass_max{};            ///< kg
-    double speed{};               ///< m/s, of a throw, at most
-    double energy_per_impulse{};  ///< for 1 N s of a throw
-    double crossing{};            ///< m from the eye: where a throw meets the crosshair
+    double reach{};               ///< reach from the eye (m)
+    double mass_max{};            ///< largest mass (kg)
+    double speed{};               ///< largest speed of a throw (m/s)
+    double energy_per_impulse{};  ///< energy per impulse of a throw (1/(N s))
+    double crossing{};            ///< distance from the eye at which a throw crosses the line of sight (m)
 };
 
-/// What a wand's rope latches on.
+/// How a wand's rope is attached, for bots.
 struct RopeKind {
-    double reach{};    ///< m from the eye
-    double aim_cos{};  ///< of the angle between crosshair and anchor, at least
+    double reach{};    ///< reach from the eye (m)
+    double aim_cos{};  ///< cosine of the largest angle between crosshair and anchor
 };
 
-/// Where a wand's tip is, in the frame of the eye, m.
+/// Position of the wand's tip for a hand at rest (m, eye frame).
 inline constexpr vec3 wand_tip{0.22, -0.2, -0.75};
 
+/// Interface of one kind of wand: its functions and what bots know of it.
 struct WandKind {
     std::string_view name;
-    /// The wand's own numbers, shared by all matches of this data.
+    /// Reads the wand's own numbers. All matches with this data share them.
     std::shared_ptr<const void> (*read)(const ConfigTable& root);
-    /// Declares its components.
+    /// Declares the wand's components.
     void (*declare)(ecs::World&);
-    /// Gives a new wizard the components it needs to use this wand.
+    /// Adds to a new wizard the components that this wand needs.
     void (*outfit)(ecs::World&, ecs::Entity wizard);
-    /// Every gameplay tick, for every living wizard who has this wand in hand.
+    /// Uses the wand. Called every gameplay tick for each living wizard who has it in hand.
     void (*use)(const WandUse&);
-    /// Once when another wand is taken in hand, and while who holds it is dead: ends what was begun.
+    /// Ends what was begun. Called once when another wand is selected, and while the wizard is dead or stirs.
     void (*put_away)(const WandUse&);
-    /// What `use` and `put_away` write beyond WandBelt.
+    /// Components that `use` and `put_away` write, besides WandBelt.
     ecs::Mask (*writes)(const ecs::World&);
-    /// The systems that push bodies by it: every tick, after the hand was felt and before the bodies move.
+    /// Adds systems that push bodies. They run every tick, after the servo step and before bodies move.
     void (*add_forces)(const WandSystems& to, const void* data);
-    /// The systems that move what it has shot.
+    /// Adds systems that move the wand's missiles.
     void (*add_systems)(const WandSystems& to, const void* data);
     /// Calls back for every missile in flight.
     void (*show)(const ecs::World&, const std::function<void(const Missile&)>&);
-    /// The point, m, that this wizard holds or hangs on by it; nothing where there is none.
+    /// The point that this wizard holds or hangs on by the wand (m, world); std::nullopt if there is none.
     std::optional<vec3> (*held_at)(const ecs::World&, ecs::Entity wizard);
-    /// While it holds something the wheel moves that, and does not change wands.
+    /// While the wand holds a thing, the wheel moves the thing and does not select wands.
     bool moves_by_wheel = false;
-    /// A shot that was readied to that share, 0 to 1. Null: the wand does not shoot.
+    /// A shot after readying the wand to `readiness`, 0 to 1. Null: the wand does not shoot.
     ShotKind (*shot)(const void* data, double readiness) = nullptr;
-    /// How far it is charged or drawn, 0 to 1. Null: nothing of it grows.
+    /// Present charge or draw, 0 to 1. Null: the wand is not readied.
     double (*readiness)(const ecs::World&, ecs::Entity wizard) = nullptr;
-    /// Null: it takes nothing up.
+    /// Null: the wand takes nothing up.
     GraspKind (*grasp)(const void* data) = nullptr;
-    /// Null: it has no rope.
+    /// Null: the wand has no rope.
     RopeKind (*rope)(const void* data) = nullptr;
 };
 
-/// Registers a kind for the life of the program.
+/// Registers a kind of wand when the program starts.
 struct WandRegistration {
     explicit WandRegistration(const WandKind& kind);
 };
 
-/// All kinds, by name.
+/// All kinds, sorted by name.
 const std::vector<WandKind>& wand_kinds();
 
+/// A kind of wand with the numbers from its data file.
 struct LoadedWand {
     const WandKind* kind{};
     WandStats stats;
@@ -134,10 +139,10 @@ struct LoadedWand {
 
 LoadedWand read_wand(const WandKind& kind, const Config& file);
 
-/// m/s, at which `energy` throws a thing of `mass` kg that rests.
+/// Speed at which `energy` throws a thing of `mass` kg from rest (m/s).
 double throw_speed(const GraspKind& grasp, double mass, double energy);
 
-/// True, and the energy is taken, where the wand in hand has enough; of the amount, or of one use.
+/// Takes an amount of energy, or that of one use. Returns false and takes nothing if the energy is too low.
 bool spend(WandBelt& belt, const WandStats& stats, double amount);
 bool spend(WandBelt& belt, const WandStats& stats);
 

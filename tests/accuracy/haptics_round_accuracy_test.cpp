@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/bench/worse.h"
 #include "unit/haptics_round_rig.h"
 
 namespace thaum::haptics {
@@ -84,7 +85,7 @@ Errors slide_round(Probe& probe, const Circle& c, double friction, double height
         if (glm::length(touched.force) == 0) ++errors.lost;
         const vec3 exact = stiffness * (polar(radius, proxy) - tip);
         (slides ? errors.steady : errors.before) =
-            std::max(slides ? errors.steady : errors.before, glm::length(touched.force - exact));
+            bench::worse(slides ? errors.steady : errors.before, glm::length(touched.force - exact));
     }
     return errors;
 }
@@ -248,7 +249,7 @@ TEST(RoundBodies, WithoutFrictionTheProxyIsTheFootOnTheSideThatWasTouched) {
                     const Touched touched = probe.at(tip);
                     const vec3 exact = stiffness * (foot_on_side(kind, tip, radius, half) - tip);
                     if (glm::length(touched.force) == 0) ++lost;
-                    worst = std::max(worst, glm::length(touched.force - exact));
+                    worst = bench::worse(worst, glm::length(touched.force - exact));
                 }
                 EXPECT_EQ(lost, 0) << depth_ratio << " at " << speed;
                 EXPECT_LE(worst, 1e-6) << depth_ratio << " at " << speed;

@@ -25,29 +25,42 @@ double half_height(const BodyDesc& d) {
 struct Drop {
     Physics physics{{}, {level_ground()}};
     double step;
+    double rest_height{};  ///< height of the body's middle when it lies on the ground (m)
 
     Drop(Shape shape, Shape ground, double restitution, double height, double step_s) : step(step_s) {
         BodyDesc floor{.shape = ground, .size = {50, 1, 50}, .restitution = 1};
         physics.add(1, floor, at({0, ground == Shape::mesh ? 0.0 : -1.0, 0}));
         BodyDesc body{
             .shape = shape, .size = {0.1, 0.1, 0.1}, .mass = 1, .friction = 0, .restitution = restitution};
-        physics.add(2, body, at({0, half_height(body) + height, 0}));
+        rest_height = half_height(body);
+        physics.add(2, body, at({0, rest_height + height, 0}));
     }
 
-    /// Rebound speed by approach speed at the next bounce.
+    double above() const { return physics.state(2).position.y - rest_height; }
+
+    /// Speed that the body has at the ground, by its energy at a height above it (m/s).
+    double speed_at_ground(double height) const {
+        const double speed = physics.velocity(2).y;
+        return std::sqrt(std::max(0.0, speed * speed + 2 * 9.81 * height));
+    }
+
+    /// Rebound speed by approach speed at the next bounce, both at the ground.
     double next_bounce() {
-        double before = 0, now = 0;
+        double before = 0, approach = 0, now = 0;
         for (double s = 0; now <= before + 0.01 && s < 3; s += step) {
             before = physics.velocity(2).y;
+            approach = speed_at_ground(above());
             physics.step(step);
             now = physics.velocity(2).y;
         }
-        double fastest = now;  // a corner may touch a step later
+        // What is left of its depth is taken out of it without any speed. A corner may touch a step later.
+        double fastest = speed_at_ground(std::max(0.0, above()));
         for (int i = 0; i < 3; ++i) {
             physics.step(step);
-            fastest = std::max(fastest, physics.velocity(2).y);
+            if (physics.velocity(2).y > 0)
+                fastest = std::max(fastest, speed_at_ground(std::max(0.0, above())));
         }
-        return fastest / -before;
+        return fastest / approach;
     }
 };
 
@@ -83,6 +96,21 @@ TEST(PhysicsBounce, BallComesToTheSameHeightAgain) {
             }
             EXPECT_NEAR(top / height, e * e, 0.015) << "bounce " << bounce;
             height = top;
+        }
+    }
+}
+
+/// Each bounce leaves e^2 of the energy, whatever the step: over bounces from many heights.
+TEST(PhysicsBounce, EachBounceKeepsItsShareOfTheEnergyAtEveryStep) {
+    for (const double e : {1.0, 0.8}) {
+        for (const double step : {0.001, 0.002, 0.004, 0.008}) {
+            for (double height = 0.5; height < 3; height *= 1.09) {
+                Drop drop(Shape::sphere, Shape::box, e, height, step);
+                for (int bounce = 0; bounce < 5; ++bounce) {
+                    EXPECT_NEAR(drop.next_bounce(), e, 1e-5)
+                        << "bounce " << bounce << " from " << height << " m at a step of " << step << " s";
+                }
+            }
         }
     }
 }

@@ -1,20 +1,27 @@
 // A program that holds a force of 1 N with an arm for 300 ticks, and says in one line how that went: "played", "lost: ..." or
 // "refused: ...". It waits half a second for calls of the library.
 //     arm_probe LIBRARY [END]
-// END: how it ends instead, after 100 ticks: fault, abort, assertion, exception, exit, overrun (of the stack), divide; the same after
-// "tick_": in the arm's own thread; wait: until it is killed.
+// END: how it ends instead, after 100 ticks: fault, abort, assertion, exception, exit, overrun (of the stack), divide, pipe
+// (nobody reads), raise=SIGNAL; the same after "tick_": in the arm's own thread, after "beside_": at once in two threads beside
+// the main one. wait: until it is killed; ending: the same, once it has told the arm to be silent. impatient: somebody has
+// asked for the end before the arm is opened.
 #include <dlfcn.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <latch>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "core/assert.h"
 #include "core/clock.h"
+#include "core/threads.h"
 #include "drivers/fake_hd/fake_hd.h"
+#include "input/arm_silence.h"
 #include "input/drivers/openhaptics.h"
 
 using namespace thaum;
@@ -27,8 +34,22 @@ int overrun(volatile int* before) {  // NOLINT(misc-no-recursion): that is the f
     return here[0] == 1 ? 0 : overrun(here) + here[1];
 }
 
+void write_to_nobody() {
+    int ends[2]{};
+    if (::pipe(ends) != 0 || ::close(ends[0]) != 0) std::exit(4);
+    if (::write(ends[1], "x", 1) == 1) std::exit(5);
+}
+
+[[noreturn]] void wait_to_be_killed() {
+    std::printf("waits\n");
+    std::fflush(stdout);
+    for (;;) sleep_until_ns(monotonic_ns() + 1'000'000'000);
+}
+
 void end_by(const std::string& how) {
     static volatile int zero = 0;
+    if (how.starts_with("raise=")) std::raise(std::stoi(how.substr(6)));
+    if (how == "pipe") write_to_nobody();
     if (how == "fault") std::raise(SIGSEGV);
     if (how == "abort") std::abort();
     if (how == "assertion") THAUM_ASSERT(zero != 0, "an assertion that fails");
@@ -36,10 +57,19 @@ void end_by(const std::string& how) {
     if (how == "exit") std::exit(3);
     if (how == "overrun") std::exit(overrun(nullptr));
     if (how == "divide") std::exit(7 / zero);
-    if (how == "wait") {
-        std::printf("waits\n");
-        std::fflush(stdout);
-        for (;;) sleep_until_ns(monotonic_ns() + 1'000'000'000);
+    if (how == "wait") wait_to_be_killed();
+    if (how == "ending") {
+        silence_arms_and_wait();
+        wait_to_be_killed();
+    }
+    if (how.starts_with("beside_")) {
+        std::latch both(2);
+        const auto end = [&] {
+            both.arrive_and_wait();
+            end_by(how.substr(7));
+        };
+        const auto one = start_thread(end), other = start_thread(end);
+        wait_to_be_killed();
     }
 }
 
@@ -74,7 +104,9 @@ void outlive_calls_after_end(const char* library) {
 
 std::string run(const char* library, const std::string& end) {
     constexpr std::int64_t patience_ns = 500'000'000;
-    auto arm = OpenHaptics::open(library, {.open_ns = patience_ns, .close_ns = patience_ns});
+    const std::atomic<bool> impatient = end == "impatient";
+    auto arm = impatient ? OpenHaptics::open(library, {.enough = &impatient})
+                         : OpenHaptics::open(library, {.open_ns = patience_ns, .close_ns = patience_ns});
     if (!arm) return "refused: " + arm.error().message;
     auto hand = std::make_unique<Hand>();
     hand->end = end;

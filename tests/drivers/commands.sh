@@ -106,7 +106,10 @@ expect 1 "damaged" replay "$folder/flipped" --verify
 
 # Changed data and a spoilt state are found and named.
 cp -r "$(dirname "$0")/../../assets" "$folder/assets"
-echo '# changed' >>"$folder/assets/wands/bolt.toml"
+echo '# a comment changes no match' >>"$folder/assets/wands/bolt.toml"
+THAUM_ASSETS=$folder/assets "$thaum" replay "$log" --verify >/dev/null ||
+    { echo "failed: a comment in a data file changes the match"; failures=$((failures + 1)); }
+sed -i 's/^damage = 6/damage = 7/' "$folder/assets/wands/bolt.toml"
 THAUM_ASSETS=$folder/assets expect 2 "wands/bolt.toml has changed" replay "$log" --verify
 printf 'colour = 3\n' >>"$folder/assets/rules/quick.toml"
 THAUM_ASSETS=$folder/assets expect 2 "rules/quick.toml:9: unknown key 'colour'" --headless --seconds 1

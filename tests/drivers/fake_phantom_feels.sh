@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# tests/drivers/fake_phantom_feels.sh THAUM FAKE_HD: `thaum replay LOG --feel` with a libHD.so that is ours: what the arm exerts, tick by
+# tests/drivers/fake_phantom_feels.sh THAUM FAKE_HD FORGE_LOG: `thaum replay LOG --feel` with a libHD.so that is ours: what the arm exerts, tick by
 # tick, is what --forces writes; it is ended cleanly by Ctrl-C and by a fault; and what cannot be is said in one line. No display.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
-thaum=$1 fake=$2
+thaum=$1 fake=$2 forge=$3
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 unset DISPLAY WAYLAND_DISPLAY
@@ -103,12 +103,16 @@ refuses() { # WORDS ARGUMENT...
     [ "$(wc -l <<<"$said")" -eq 1 ] || failed "more than a line"
     grep -q -e "$words" <<<"$said" || failed "does not say '$words'"
 }
-refuses "there is Touch F0000001" --feel falcon
+refuses "found Touch F0000001" --feel falcon
 refuses "real time only" --feel phantom --speed 2
 refuses "--player needs --feel" --player 2
 refuses "does not go with" --feel phantom --verify
 refuses "from 1 to 2" --feel phantom --player 3
 refuses "the log has" --feel phantom --at 60
+# A replay that is not the recorded match is told as that.
+"$forge" early_input "$log" "$folder/forged.thaumlog"
+said=$(THAUM_LIBHD=$fake "$thaum" replay "$folder/forged.thaumlog" --feel phantom --at 1 2>&1) && code=0 || code=$?
+[[ $code == 1 && $said == *"tick 256: state differs"* ]] || failed "a forged log is felt: exit $code, said: $said"
 fake=$folder/none.so refuses "THAUM_LIBHD" --feel phantom
 echo 'version = 1
 force_1 = "off"' >"$folder/softly/thaum/settings.toml"

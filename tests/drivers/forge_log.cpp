@@ -1,5 +1,5 @@
 // forge_log HOW LOG FORGED: a copy of a closed log with something changed and every checksum right, as somebody would make
-// it who wants a match verified that was not played. HOW: same, no_hashes, no_middle, no_last, late_input, result, codes.
+// it who wants a match verified that was not played. HOW: same, no_hashes, no_middle, no_last, early_input, late_input, result, codes.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
@@ -11,6 +11,7 @@ using namespace thaum;
 namespace {
 
 constexpr std::uint64_t removed_tick = 2 * hash_interval;
+constexpr Tick early_tick = 200;
 
 bool keeps(std::string_view how, const input::HashRecord& hash, Tick last) {
     if (how == "no_hashes") return false;
@@ -28,7 +29,8 @@ Expected<void> forge(std::string_view how, input::LogReader& from, input::LogWri
     input::InputFrame frame;
     const auto last = from.ticks();
     for (Tick t = 1; from.next(frame); ++t) {
-        if (how == "late_input" && t == last) frame.devices[0].counts[input::hand::look_right] += 40;
+        if ((how == "late_input" && t == last) || (how == "early_input" && t == early_tick))
+            frame.devices[0].counts[input::hand::look_right] += 40;
         to.append(frame);
         const auto hash = from.hash_at(t);
         if (hash && t % hash_interval == 0 && keeps(how, *hash, last))

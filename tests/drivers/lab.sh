@@ -10,10 +10,14 @@ open_screen 1280x720
 fail() { failed "$1"; }
 at_failure() { cat "$folder/said"; tail -3 "$folder/trace.csv"* || true; import -window root "${SHOTS:-$folder}/failed.png"; }
 drawn() { [ "$(import -window root -crop 300x200+200+100 -format %k info: 2>/dev/null)" -gt 100 ]; }
-"$thaum" lab --fluid --size 640x360 --cells 24 --trace "$folder/trace.csv" --save "$folder/brew" --seconds 60 >"$folder/said" 2>&1 &
+"$thaum" lab --fluid --size 640x360 --cells 24 --trace "$folder/trace.csv" --save "$folder/brew" --seconds 600 >"$folder/said" 2>&1 &
 lab=$!
 eventually "no window" drawn
-key() { xdotool key "$1"; sleep 0.3; }
+# The figures on the screen change with every picture. A key is taken at the latest with the second new picture.
+picture() { import -window root -crop 640x360+0+0 rgba:- | md5sum; }
+is_new() { [ "$(picture)" != "$before" ]; }
+new_picture() { before=$(picture); eventually "no new picture" is_new; }
+key() { xdotool key "$@"; new_picture; new_picture; }
 stir() {
     for i in $(seq 12); do
         xdotool mousemove $((320 + (i % 4 - 2) * 30)) $((180 + (i / 4 - 1) * 20))
@@ -32,14 +36,13 @@ key s
 key equal
 key s
 key F5
-[ -s "$folder/brew" ] || fail "F5 did not save"
+eventually "F5 did not save" test -s "$folder/brew"
 key BackSpace
 for _ in 1 2 3 4 5; do # pressed and let go within one picture
-    xdotool key --delay 0 space
-    sleep 0.3
+    key --delay 0 space
 done
 key F9
-key Escape
+xdotool key Escape
 wait "$lab" || fail "the exit code"
 
 column() { head -1 "$folder/trace.csv" | tr , '\n' | grep -nx "$1" | cut -d: -f1; }

@@ -131,6 +131,25 @@ for row in "${fillers[@]}"; do
     done
 done
 for place in /proc/x log/below; do refused "$place: cannot" scenario script.lua --out "$place"; done
+# The force trace that a scenario is compared with, the player's settings and the program are inputs too.
+mkdir -p tests/scenarios tests/replays/forces config/thaum
+cp script.lua tests/scenarios/panic_key.lua
+cp "$repository/tests/replays/forces/panic_key.csv" tests/replays/forces/
+cp assets/settings.toml config/thaum/settings.toml
+cp "$thaum" program
+spares() { # FILE COMMAND...
+    local file=$1 before status
+    shift
+    before=$(md5sum <"$file")
+    said=$("$@" 2>&1)
+    status=$?
+    [[ $status == 2 && $(md5sum <"$file") == "$before" ]] || fail "$file was replaced or not refused: exit $status, $said"
+}
+spares tests/replays/forces/panic_key.csv \
+    "$thaum" scenario tests/scenarios/panic_key.lua --once --out outputs --json tests/replays/forces/panic_key.csv
+spares config/thaum/settings.toml "$thaum" doctor --json config/thaum/settings.toml
+spares program ./program replay log --events program
+rm -r tests config program outputs
 # A scenario that cannot leave its files has failed.
 mkdir outputs
 ln other outputs/script.json

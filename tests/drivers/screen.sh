@@ -18,7 +18,7 @@ failed() {
 # eventually WORDS COMMAND...: waits until the command succeeds. The limit only ends a test that hangs: on a busy machine a thing
 # takes as long as it takes, so no test may count seconds instead of looking for the event.
 eventually() {
-    local what=$1 until=$((SECONDS + 90))
+    local what=$1 until=$((SECONDS + 300))
     shift
     while ((SECONDS < until)); do
         "$@" && return

@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
     auto renderer = must(render::Renderer::create(find_assets()));
     const double start = now_ms();
     std::cout << "shaders " << fixed(start - opened, 1) << " ms\n";
-    const auto court = make_court(renderer, *data);
+    const auto arena_scene = make_arena_scene(renderer, *data);
     std::cout << "court " << fixed(now_ms() - start, 1) << " ms\n";
     auto picture = make_picture();
     const double before = now_ms();
@@ -88,13 +88,13 @@ int main(int argc, char** argv) {
     const double cpu = cpu_ms();
     for (int i = 0; i < 30; ++i) {
         const double begin = now_ms();
-        renderer.draw(make_frame(court, picture, settings, size, memory));
+        renderer.draw(make_frame(arena_scene, picture, settings, size, memory));
         context.present();
         times.push_back(now_ms() - begin);
     }
     std::cout << "cpu " << fixed((cpu_ms() - cpu) / 30, 1) << " ms\n";
     std::sort(times.begin(), times.end());
-    renderer.draw(make_frame(court, picture, settings, size, memory));
+    renderer.draw(make_frame(arena_scene, picture, settings, size, memory));
     const auto& s = renderer.statistics();
     std::cout << "frame " << fixed(times[15], 1) << " ms, " << s.triangles << " triangles, " << s.draws
               << " draws, " << s.shadow_draws << " for the shadow map, " << s.instances_drawn

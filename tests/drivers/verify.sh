@@ -27,6 +27,7 @@ differs() {
 differs "tick 128: the log has no hash of this state" no_hashes
 differs "tick 256: the log has no hash of this state" no_middle
 differs "tick 3300: the log has no hash of its last state" no_last
+differs "tick 256: state differs" early_input
 differs "tick 3300: state differs" late_input
 differs 'the result differs: the log has "player 2 wins by kills' result
 differs "the result differs" codes
@@ -34,6 +35,15 @@ differs "the result differs" codes
 "$forge" same "$log" same.thaumlog || fail "forging nothing"
 said=$("$thaum" replay same.thaumlog --verify) || fail "an honest copy: $said"
 [[ $said == *"26 state hashes agree, the last at tick 3300"* ]] || fail "hashes of an honest copy: $said"
+
+# Pictures of what never happened do not stay: tick 128 was the last that agreed.
+said=$("$thaum" replay early_input.thaumlog --shots pictures --shot-every 0.05 --size 64x64 2>&1)
+status=$?
+if [[ $said != *OpenGL* ]]; then # where nothing can be drawn there are no pictures
+    [[ $status == 1 && $said == *"tick 256: state differs"* ]] || fail "pictures of a forged log: exit $status, said: $said"
+    [[ $(echo pictures/*) == "pictures/shot_00000000.png pictures/shot_00000050.png pictures/shot_00000100.png" ]] ||
+        fail "pictures of what never happened: $(echo pictures/*)"
+fi
 
 # A table tells what the replay came to, and no code of the log's.
 "$thaum" replay codes.thaumlog --events codes.csv >/dev/null 2>&1

@@ -1,5 +1,6 @@
--- A blast takes 15 + 55 c from whom it strikes; 30 % of that, falling evenly to nothing at 2 + 1.5 c m, from who is near; nothing
--- behind a wall. It pushes, and flies 18 + 14 c m/s. Who shoots at their own feet is hurt by their own deed.
+-- A blast with charge c costs a struck wizard 15 + 55 c HP. A nearby wizard loses at most 30 % of that,
+-- falling evenly to nothing at a distance of 2 + 1.5 c m, and nothing behind a wall. A blast pushes things
+-- and flies at 18 + 14 c m/s. A wizard who shoots at their own feet is hurt, and the hurt is their own.
 match {players = {"script", "script"}, set = {"wizard.health.start=1000", "wizard.health.cap=1000", "blast.energy.cap=600"}}
 trace("health", {"1.health", "2.health", "2.speed", "1.energy", "1.force_z"})
 local me, foe = wizard(1), wizard(2)
@@ -22,7 +23,7 @@ local function shoot(at, held)
     if ball_now then expect_near(length(ball_now.velocity), 18 + 14 * c, 1e-9, "speed") end
     local burst = expect_event {kind = "burst", by = 1, within = 3}
     expect_near(burst.amount, 2 + 1.5 * c, 1e-9, "radius")
-    tick()  -- bodies move by it in the next
+    tick()  -- the push moves bodies in the next tick
     return c, burst
 end
 
@@ -33,7 +34,7 @@ local function hurt_of(who, burst)
     return 0
 end
 
--- Struck.
+-- A struck wizard.
 for _, held in ipairs {0.312, 0.95, 1.7} do
     me:place {-15, 0, 15}
     foe:place {-15, 0, 8}
@@ -46,7 +47,7 @@ for _, held in ipairs {0.312, 0.95, 1.7} do
     wait(1)
 end
 
--- Near: at several distances from where it strikes the ground.
+-- A nearby wizard, at several distances from the burst on the ground.
 local seen = {}
 for i, off in ipairs {0.7, 1.2, 1.8, 2.5, 3.5, 4.5} do
     me:place {-15, 0, 15}
@@ -54,7 +55,8 @@ for i, off in ipairs {0.7, 1.2, 1.8, 2.5, 3.5, 4.5} do
     wait(0.2)
     local place_of_foe = foe:centre()
     local c, burst = shoot({-15, 0, 8}, 1.7)
-    -- From the ball's surface to the wizard's: the axis of the capsule is 1.1 m long, and its lower end is the nearest.
+    -- Distance between the surfaces of the ball and the wizard. The capsule's axis is 1.1 m long, and its
+    -- lower end is nearest.
     local low = {place_of_foe.x, place_of_foe.y - half_axis, place_of_foe.z}
     local d = math.max(0, distance(burst.place, low) - radius - ball)
     local amount = hurt_of(2, burst)
@@ -65,7 +67,7 @@ for i, off in ipairs {0.7, 1.2, 1.8, 2.5, 3.5, 4.5} do
 end
 expect(seen[1] > 15 and seen[5] > 0.1 and seen[6] == 0, "from nearly all to nothing")
 
--- Behind a wall: nothing, neither harm nor push.
+-- A wizard behind a wall: neither harm nor push.
 me:place {-15, 0, 15}
 foe:place {-13.4, 0, 8}
 local wall = spawn {kind = "box", size = {0.1, 2.5, 4}, mass = 9000, at = {-14.2, 1.25, 8}, friction = 2}
@@ -76,7 +78,7 @@ expect(length(foe:velocity()) < 0.05, "nor is it pushed")
 wall:place {0, 6, 0}
 clear_props()
 
--- A thing gains what the impulse gives its mass, and no more than 8 m/s.
+-- A thing gets the speed that the impulse gives its mass, and at most 8 m/s.
 for _, mass in ipairs {100, 5} do
     me:place {-15, 0, 15}
     foe:place {15, 0, 15}
@@ -89,7 +91,7 @@ for _, mass in ipairs {100, 5} do
     wait(0.3)
 end
 
--- At one's own feet: hurt, by oneself.
+-- A shot at the wizard's own feet.
 me:place {-15, 0, 15}
 me:face(0, -84)
 wait(0.3)

@@ -1,5 +1,5 @@
--- The blast wand leans on the hand more and more while it is charged, in proportion to the charge, and kicks when it goes off, in
--- proportion to the energy and the speed of the shot. A gentle player wants 45 % of a device of 3.3 N.
+-- While the blast wand is charged, its steady force on the hand grows in proportion to the charge. The shot
+-- kicks in proportion to its energy and speed. The force setting is 45 % of a device of 3.3 N.
 match {players = {"script", "script"}}
 trace("charge", {"1.force_z", "1.hand_z", "1.readiness", "1.energy", "2.force_z"})
 
@@ -18,13 +18,14 @@ local function feel()
     return me:force().z
 end
 
--- One more tick after a wand looks at the fire button, and none after its own kick is over.
+-- Charges for some seconds. The hand feels a charge one tick after the wand has looked at the fire button. No
+-- force is left from an earlier kick.
 local function charge_for(seconds)
     me:hold("fire")
     local began, before = nil, 0
     local last = time() + seconds
     while time() < last do
-        local c = me:readiness()  -- what the hand feels in the next tick
+        local c = me:readiness()  -- charge behind the force of the next tick
         local force = feel()
         expect_near(force, share * 2.6 * c, 1e-12, "in proportion to the charge")
         expect(force >= before, "never less")
@@ -34,14 +35,14 @@ local function charge_for(seconds)
     return began, before
 end
 
--- Released before 0.3 s: nothing goes off, nothing is lost.
+-- A release before 0.3 s fires no shot and costs no energy.
 charge_for(0.2)
 me:release("fire")
 for _ = 1, 100 do expect_near(feel(), 0, 0, "nothing was felt") end
 expect_near(me:shots(), 0, 0)
 expect_near(me:energy(), 60, 0)
 
--- What is told to the device after the release: the kick, to which the lean gives way as it rises.
+-- Expected force after the release: the kick, which replaces the steady force while it rises.
 local function recoil(c)
     local energy, speed = 8 + 17 * c, 18 + 14 * c
     local peak, n = share * 3.0 * (energy / 25) * (speed / 32), 60
@@ -57,7 +58,7 @@ end
 local function go_off(c)
     local shots, energy = me:shots(), me:energy()
     me:release("fire")
-    while me:shots() == shots do feel() end  -- until the wand looks: the charge went on
+    while me:shots() == shots do feel() end  -- the charge grows until the wand reads the button
     local charge = (energy - me:energy() - 8) / 17
     local impulse, greatest = 0, 0
     for _ = 1, 130 do
@@ -70,12 +71,12 @@ local function go_off(c)
     return impulse, peak, greatest, charge
 end
 
--- Just begun: hardly any lean, so the impulse is nearly 2/pi x peak x length alone.
+-- A minimal charge: the steady force is small, so the impulse is nearly 2/pi x peak x length.
 charge_for(0.312)
 local impulse, peak = go_off(0.01)
 expect_near(impulse, 2 / math.pi * peak * 0.06, 0.015 * impulse, "a half sine")
 
--- Half, and full.
+-- Half a charge and a full charge.
 local began = charge_for(0.95)
 go_off(0.5)
 local _, most = charge_for(2.2)
@@ -85,7 +86,7 @@ expect_near(charge, 1, 0)
 expect_near(top, share * 3.0, 1e-12)
 expect_near(greatest, top, 0.002 * top, "of 3 N at most")
 
--- 60 = 8.2 + 16.5 + 25 + 10.4: the last charge stops where the energy does.
+-- 60 = 8.2 + 16.5 + 25 + 10.4: the remaining energy limits the last charge.
 local left = me:energy()
 local c = (left - 8) / 17
 expect(c > 0 and c < 0.9, "not enough for a full charge")

@@ -1,4 +1,4 @@
--- Walk up to the foe, aim and hold fire: 17 hits of 6 HP kill, and whoever shot scores.
+-- A player walks up to the foe, aims and holds fire. 17 hits of 6 HP kill, and the shooter scores.
 match {players = {"script", "script"}}
 trace("fight", {"1.z", "2.health", "1.energy", "1.shots"})
 
@@ -20,7 +20,7 @@ for i, hit in ipairs(hits) do expect_near(hit.amount, 6, 0, "hit " .. i) end
 local death = expect_event {kind = "death", subject = 2, by = 1}
 expect_near(death.time, hits[17].time, 0.008, "death comes with the last hit, at the next gameplay tick")
 
--- 17 shots at 8 a second take 2 s from the first to the last; the flight is the same for all of them.
+-- 17 shots at 8 a second take 2 s from the first to the last. Their flight times are equal.
 expect_near(hits[17].time - hits[1].time, 16 / 8, 0.02, "8 shots a second")
 expect_near(me:kills(), 1, 0, "kills of the killer")
 expect_near(me:deaths(), 0, 0)

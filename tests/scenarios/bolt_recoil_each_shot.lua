@@ -1,5 +1,5 @@
--- Every bolt kicks the hand that shot it, and no other: half a sine wave of 1.2 N in 15 ms for a device of 3.3 N, of which a
--- gentle player wants 45 %.
+-- Every bolt kicks the hand of its shooter and no other hand. The kick is half a sine wave of 1.2 N in 15 ms
+-- for a device of 3.3 N. The force setting is 45 %.
 match {players = {"script", "script"}}
 trace("recoil", {"1.force_z", "1.hand_z", "2.force_z"})
 
@@ -36,6 +36,6 @@ expect_near(impulse, shots * 2 / math.pi * peak * length, 1e-12, "2/pi x peak x 
 expect_near(greatest, peak, 0.002 * peak, "towards the user")
 expect_near(felt_by_foe, 0, 0, "the other's hand feels nothing")
 expect(me:hand().z > 0 and me:hand().z < 0.002, "the hand gave way, a little")
--- No more than a free mass would take up: the hand's 150 g and the device's 45 g.
+-- The hand takes up at most the energy of a free mass: 150 g of the hand and 45 g of the device.
 local kick = 2 / math.pi * peak * length
 expect(work > 0 and work < shots * kick * kick / (2 * 0.195), "and took up what the kicks gave")

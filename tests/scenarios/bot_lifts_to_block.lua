@@ -1,4 +1,4 @@
--- While shots come a bot of level 3 holds the stone that it has taken up between itself and its foe, and few of them reach it.
+-- A bot of level 3 holds a lifted stone between itself and a shooting foe, and few shots reach the bot.
 match {
     players = {"bot 3", "script"},
     set = {"bolt.energy.regain_per_s=100", "bolt.shot.spread_deg=0", "bolt.shot.damage=0.01"},
@@ -12,7 +12,7 @@ foe:face(180, 0)
 local function stand_fire(seconds)
     local before = deeds(2, "bolt")
     local stop = now() + 1000 * seconds
-    while now() < stop do  -- to aim at who steps aside takes time
+    while now() < stop do  -- aiming at a foe who sidesteps takes time
         foe:aim(bot)
         tick()
     end

@@ -1,4 +1,4 @@
--- A bot of level 3 takes up the crate beside it and throws it at a foe who stands still.
+-- A bot of level 3 lifts the crate beside it and throws it at a foe who stands still.
 match {players = {"bot 3", "script"}}
 clear_props()
 wizard(1):place {-14, 0, 18}

@@ -1,4 +1,4 @@
--- One lifts while the other shoots: each hand feels what its own wand does, and nothing of the other's.
+-- One player lifts while the other shoots. Each hand feels the player's own wand and nothing of the other's.
 match {players = {"script", "script"}, forces = {100, 100}}
 clear_props()
 local lifter, shooter = wizard(1), wizard(2)

@@ -1,4 +1,4 @@
--- Both players see the match, each in their half, whichever way the screen is split.
+-- Both players see the match, each in one half, for either direction of the split.
 match {players = {"script", "script"}}
 wizard(2):look(25, 5)
 wait(0.2)
@@ -14,7 +14,7 @@ local function difference(a, b)
     return sum
 end
 
--- The means of a 6 x 6 grid of fields in a part of the picture.
+-- Mean colours of a 6 x 6 grid of fields in a part of the picture.
 local function grid(view, part)
     local x0, y0, x1, y1 = table.unpack(part)
     local means = {}
@@ -41,7 +41,7 @@ for _, split in ipairs {"side_by_side", "top_bottom"} do
     end
     expect(total(grid(before, first), grid(before, second)) > 3, split .. ": each half has its own view")
 
-    -- Only the view of who turns changes.
+    -- Only the view of the player who turns changes.
     wizard(1):look(70, 0)
     wait(0.1)
     local turned = picture {split = split, name = split .. "_turned"}

@@ -1,11 +1,11 @@
--- The three figures by which the brew's weight is tuned: three gentle circles in 3 s bring it to 0.5 m/s; two substances are mixed to 0.5
--- within 6 s of brisk stirring; and the current then carries a relaxed hand at 30 mm/s at the device.
+-- The weight of the brew is tuned by three figures. Three gentle circles in 3 s speed it up to 0.5 m/s. Brisk
+-- stirring for 6 s mixes two substances to 0.5. The current then carries a relaxed hand at 30 mm/s (device).
 match {players = {"script", "script"}, set = {"haptics.share=1"}}
 clear_props()
 local me = wizard(1)
 wizard(2):place {15, 0, -15}
 local hardest = 0
--- Round the place where the hand rests: it begins at their near end.
+-- Moves back, so that the circles go around the hand's place of rest. A circle begins at its near end.
 local function back(counts, period)
     local metres = 1e-4 * counts * 1000 * period / (2 * math.pi)
     me:draw(0, -2, metres / 1e-4 / 2 / 1000)

@@ -1,5 +1,5 @@
--- The weight of what is carried and the blows that it takes are faders: who wants half the weight and no blows feels
--- just that, and the thing is as heavy and as hard to stop as for his foe, who wants all of both.
+-- The weight of a carried thing and the blows on it have a fader each. A player with half the weight and no
+-- blows feels exactly that. The thing stays as heavy and as hard to stop as for the foe with 100 % of both.
 match {players = {"script", "script"}, weights = {50, 100}, blows = {0, 100}, set = {"haptics.share=1"}}
 clear_props()
 local mass = 30

@@ -1,5 +1,5 @@
--- What a hand feels of the brew has a fader for each source. Player 1 wants half of the viscosity and nothing else, player 2 all but the
--- ladle's mass; both stir one brew, and both ladles stay in the bowl.
+-- Each source of the brew's force on the hand has a fader. Player 1 has only half of the viscosity, player 2
+-- all sources but the ladle's mass. Both stir one brew, and both ladles stay in the bowl.
 match {
     players = {"script", "script"},
     modes = {
@@ -17,7 +17,8 @@ for _, one in ipairs(both) do one:hold("stir") end
 trace("faders", {"1.hand_x", "1.force_x", "1.force_y", "2.hand_x", "2.force_x", "2.force_y"})
 wait(0.3)
 
--- Viscosity: 4 m of a brew of 1 Pa s, 0.0067 at the hand; of that one half, whatever the brew does.
+-- Viscosity: a drag coefficient of 4 m in a brew of 1 Pa s, and 0.0067 N at the hand per newton. The player
+-- feels one half of that, whatever the brew does.
 for i = 1, 200 do
     less:stroke(2, 0)
     tick()
@@ -28,7 +29,7 @@ end
 less:draw(-2, 0, 0.2)
 wait(0.3)
 
--- Flow and resistance: the other one stirs, both let go, and the swirl takes one hand along.
+-- Flow and resistance: the other player stirs, both let go, and the swirl carries one hand along.
 all:draw(0, -2, 0.16)
 all:circles(4, 1, 2)
 local from = {less:hand(), all:hand()}
@@ -37,7 +38,8 @@ for _, one in ipairs(both) do one:hold("clutch") end
 for i = 1, 400 do
     tick()
     pushed = math.max(pushed, length(less:ladle_force()))
-    if i > 100 then felt = math.max(felt, length(less:force())) end  -- its friction lets go first
+    -- The dry friction at the hand lets go first.
+    if i > 100 then felt = math.max(felt, length(less:force())) end
 end
 for _, one in ipairs(both) do one:release("clutch") end
 expect(pushed > 1, "the brew pushes the ladle whose hand does not feel it")
@@ -84,7 +86,7 @@ expect(#brew().contents == 2, "both dropped something in")
 expect(kicks[1] < 0.01, "no kick: " .. kicks[1])
 expect(kicks[2] > 0.3, "a kick: " .. kicks[2])
 
--- Surface: both come up through it, and press it from above.
+-- Surface: both ladles come up through it and then press it from above.
 local function all_above(height)
     return function() return less:ladle().y > middle.y + height and all:ladle().y > middle.y + height end
 end

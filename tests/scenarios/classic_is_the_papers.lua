@@ -1,5 +1,5 @@
--- The paper's own solver on its own grid of 15 cells stands in the match as well: it is stirred, and loses what it was given sooner than
--- the current takes to go round.
+-- The paper's own solver on its own grid of 15 cells works in the match too. The brew can be stirred, and it
+-- loses its momentum before the current has gone once around.
 match {players = {"script", "script"}, set = {"haptics.share=1", "cauldron.brew.solver='classic'", "cauldron.brew.cells_across=15"}}
 clear_props()
 local me = wizard(1)

@@ -1,4 +1,4 @@
--- The paper's rules: what a wand has lost comes back from a power-up alone, and who comes back to life has no shield.
+-- With the paper's rules a wand regains energy only from a power-up, and a respawned wizard has no shield.
 match {rules = "classic", players = {"script", "script"}}
 trace("energy", {"1.energy"})
 local me, foe = wizard(1), wizard(2)

@@ -1,11 +1,11 @@
--- While the clutch is held the mouse moves the hand, 0.1 mm a count, and the view stands still; the hand stays in the device's
--- workspace, and the wand's tip goes ten times as far.
+-- While the clutch is held, the mouse moves the hand by 0.1 mm per count, and the view stays still. The hand
+-- stays in the device's workspace, and the wand's tip moves ten times as far.
 match {players = {"script", "script"}}
 trace("hand", {"1.hand_x", "1.hand_y", "1.yaw"})
 local me = wizard(1)
 local yaw, pitch = me:yaw(), me:pitch()
 me:hold("clutch")
-me:look(10, 5)  -- 0.05 degrees a count
+me:look(10, 5)  -- 0.05 degrees per count
 wait(0.5)
 expect_near(me:yaw(), yaw, 0, "the view stands still")
 expect_near(me:pitch(), pitch, 0)

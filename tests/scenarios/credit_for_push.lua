@@ -1,9 +1,10 @@
--- A fall soon after the foe's shot is the foe's deed, and so is the blow of a thing that the foe has set going.
+-- A fall soon after the foe's shot is credited to the foe. So is the blow of a thing that the foe has set in
+-- motion.
 match {set = {"wizard.health.start=3.5", "bolt.shot.damage=1", "bolt.shot.spread_deg=0"}, players = {"script", "script"}}
 local me, foe = wizard(1), wizard(2)
 local pit = {-5, 1.6, -9}
 
--- The foe walks into the pit.
+-- Walks the foe into the pit.
 local function fall()
     foe:place {-11, 0, -9}
     foe:face(-90)
@@ -13,7 +14,7 @@ local function fall()
     return death
 end
 
--- One hit leaves 2.5 HP; the pit of 5 m costs 3.6.
+-- One hit leaves 2.5 HP, and the fall into the pit of 5 m costs 3.6 HP.
 me:aim(foe)
 wait(0.5)
 me:press("fire")
@@ -30,7 +31,7 @@ expect_near(foe:deaths(), 1, 0)
 expect_near(deeds(1, "fall").kills, 1, 0)
 expect_near(deeds(2, "fall").own_deaths, 0, 0)
 
--- Without a shot it is a deed of one's own.
+-- Without a shot, a fall is credited to no player.
 wait(5)
 death = fall()
 expect(death.by == nil, "nobody's deed")
@@ -38,7 +39,7 @@ expect_near(me:kills(), 1, 0)
 expect_near(foe:kills(), -1, 0, "it costs one")
 expect_near(deeds(2, "fall").own_deaths, 1, 0)
 
--- A shot 5 s ago counts no more.
+-- A shot 5 s ago no longer counts.
 wait_until(function() return not foe:dead() and not foe:shielded() end, 6)
 foe:place {-15, 0, -15}
 me:aim(foe)
@@ -50,7 +51,8 @@ death = fall()
 expect(death.by == nil, "too long ago")
 expect_near(foe:kills(), -2, 0)
 
--- A thing that I shot kills: my deed. One that nobody has touched: nobody's.
+-- A kill by a thing that player 1 has shot is player 1's. A kill by an untouched thing is credited to no
+-- player.
 local function throw(shot_first)
     wait_until(function() return not foe:dead() and not foe:shielded() end, 6)
     me:place {-15, 0, 15}

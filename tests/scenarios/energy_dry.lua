@@ -1,5 +1,5 @@
--- The bolt wand holds 60, a shot costs 1.5, and 1 comes back each second. Held down, it shoots 8 a second until it is
--- empty; then it can shoot only as often as energy comes back.
+-- The bolt wand holds 60 energy, a shot costs 1.5, and 1 returns each second. With fire held, the wand shoots
+-- 8 times a second until it is empty. After that it shoots only as often as the energy returns.
 match {players = {"script", "script"}}
 trace("energy", {"1.energy", "1.shots"})
 
@@ -10,7 +10,7 @@ expect_near(me:energy(), cap, 0)
 wait(0.5)
 expect_near(me:energy(), cap, 0, "full stays full")
 
--- Shot k (from 0) goes off at k / rate, and needs cap + regain * k / rate - cost * k >= cost.
+-- Shot k (from 0) is fired at k / rate, and needs cap + regain * k / rate - cost * k >= cost.
 local last = (cap - cost) // (cost - regain / rate)
 me:hold("fire")
 local began = time()
@@ -24,7 +24,7 @@ for i = 2, #shots do
     expect(late - early >= 0.117 and late - early <= 0.133, "every 125 ms, seen every 8")
 end
 
--- Dry: now 1.5 s a shot.
+-- An empty wand shoots once in 1.5 s.
 local before = me:shots()
 wait(12)
 expect_near(me:shots() - before, 12 * regain / cost, 1, "shots in 12 s from what comes back")

@@ -1,4 +1,5 @@
--- Blast and lob regain nothing by themselves: shot empty they click, until a spark fills half of the emptiest wand.
+-- Blast and lob do not regain energy by themselves. An empty wand clicks until a spark fills half of the
+-- emptiest wand.
 match {players = {"script", "script"}}
 trace("energy", {"1.energy", "1.shots", "1.force_z"})
 local me = wizard(1)
@@ -8,14 +9,14 @@ me:face(0, 30)
 local function shoot(seconds)
     me:hold("fire")
     wait(seconds)
-    if seconds == 2 then  -- a blast, charged as far as it goes
+    if seconds == 2 then  -- a blast at full charge
         expect_near(me:force().z, 0.45 * 2.6 * me:readiness(), 1e-9, "the charge leans on the hand")
     end
     me:release("fire")
     wait(0.3)
 end
 
--- Four throws of 12 empty the lob's 48; a fifth clicks.
+-- Four throws of 12 energy empty the lob's 48. A fifth clicks.
 me:press("wand_3")
 for i = 1, 4 do
     shoot(0.5)
@@ -28,7 +29,7 @@ expect_near(length(me:force()), 0, 0, "an empty sling has no spring")
 wait(0.3)
 expect_near(me:shots(), 4, 0)
 
--- Two full blasts of 25 and one that only 10 pays for.
+-- Two full blasts cost 25 each, and a third uses the remaining 10.
 me:press("wand_2")
 shoot(2)
 shoot(2)
@@ -41,7 +42,7 @@ expect_event {kind = "dry", subject = 1}
 wait(3)
 expect_near(me:energy(), 0, 1e-9, "nothing comes back by itself")
 
--- One of the two that are empty: the first by name, blast; half of 60.
+-- Two wands are empty. The spark fills half of the first by name, which is blast: 30 of 60.
 me:move(0, 1)
 local taken = expect_event {kind = "power_up", subject = 1, within = 3}
 me:stop()

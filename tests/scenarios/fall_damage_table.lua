@@ -1,4 +1,4 @@
--- Falling from h metres one lands at v = sqrt(2 g h), which costs 4 (v - 9) HP above 9 m/s and nothing below.
+-- A fall from h metres ends at v = sqrt(2 g h). It costs 4 (v - 9) HP above 9 m/s and nothing below.
 match {players = {"script", "script"}}
 clear_props()
 trace("falls", {"1.y", "1.vy", "1.health"})
@@ -17,13 +17,13 @@ for _, v in ipairs {4, 8, 8.8, 9.5, 10, 12, 14, 17} do
 end
 expect(not me:dead(), "alive")
 
--- A jump of one's own never hurts.
+-- A wizard's own jump never hurts.
 local before = me:health()
 me:press("jump")
 wait(1.5)
 expect_near(me:health(), before, 0, "jumping is free")
 
--- From high enough it kills, and a death by the ground costs a kill.
+-- A fall from high enough kills, and a death by a fall costs a kill.
 me:place {-14, 60, 9}
 expect_event {kind = "death", subject = 1, within = 6}
 expect_near(me:kills(), -1, 0)

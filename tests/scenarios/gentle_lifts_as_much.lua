@@ -1,4 +1,5 @@
--- The cap is the hand's affair: who wants little force, or none, lifts the same thing just as high and just as fast.
+-- The force limit changes only the force on the hand. A player with little or no force lifts the same thing
+-- as high and as fast.
 match {players = {"script", "script"}, forces = {100, 20}}
 clear_props()
 local strong, gentle = wizard(1), wizard(2)

@@ -1,4 +1,4 @@
--- Whoever wants no forces gets none, whatever happens; and plays the same match.
+-- A player with forces switched off feels none, whatever happens, and plays the same match.
 match {players = {"script", "script"}, forces = {0, 100}}
 clear_props()
 local me, foe = wizard(1), wizard(2)

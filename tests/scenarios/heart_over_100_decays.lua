@@ -1,4 +1,5 @@
--- A heart gives 50 HP, over 100 as well, but never over 150; what is over 100 goes again by 1 HP a second.
+-- A heart gives 50 HP, also above 100 HP, but never above 150 HP. Health above 100 HP decays by 1 HP a
+-- second.
 match {players = {"script", "script"}}
 trace("health", {"1.health"})
 local me = wizard(1)

@@ -1,5 +1,6 @@
--- The lift's spring, 4,000 N/m in the world and 300 N/m at the hand for a thing of a metre: a thing that hangs still is felt by its weight's
--- fader alone, 0.01 N/kg, and one that is moved by the hand is felt by its inertia: the heavier, the more and the longer.
+-- The lift's spring has 4,000 N/m in the world and 300 N/m at the hand for a thing of one metre. A thing that
+-- hangs still is felt only by the weight's fader, 0.01 N/kg. A thing that the hand moves is felt by its
+-- inertia: a heavier thing pulls harder and longer.
 match {players = {"script", "script"}, set = {"haptics.share=1"}}
 clear_props()
 trace("heavy", {"1.force_x", "1.force_y", "1.hand_x", "1.energy"})
@@ -23,7 +24,7 @@ local function carry(mass)
     expect_near(length(me:force()), 0.01 * mass, 0.015, "and nothing else")
     local from, impulse, greatest = thing:position().z, 0, 0
     me:hold("clutch")
-    me:look(5, 0)  -- 100 counts, 10 mm to the right: 0.2 m in the world, which is +z
+    me:look(5, 0)  -- 100 counts move the hand 10 mm to the right: 0.2 m in the world, along +z
     local last = time() + 2
     while time() < last do
         tick()

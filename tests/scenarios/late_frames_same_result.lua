@@ -1,4 +1,4 @@
--- A match that gets its input late and in bursts, on a thread that stands still now and then, is the same match.
+-- A match with late input in bursts, on a thread that sometimes stalls, has the same result.
 match {seed = 5, players = {"script", "bot 1"}}
 local me, foe = wizard(1), wizard(2)
 for i = 1, 4 do

@@ -1,4 +1,4 @@
--- A thing that is held in a bolt's way takes the bolt, and the hand that holds it feels the blow; who holds it is not hurt.
+-- A held thing in the path of a bolt stops the bolt. The hand feels the blow, and the wizard is not hurt.
 match {players = {"script", "script"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)
@@ -31,7 +31,7 @@ expect(foe:shots() > shots, "the foe has shot")
 expect_near(me:health(), health, 0, "and hit nobody")
 expect_near(#events("bolt_hit"), 0, 0)
 expect_near(pushed, -3 / 30, 0.02, "the bolt's 3 N s went into 30 kg")
--- 0.1 N for 1 N s of the blow, of which 45 % are felt; and the spring gives way a little.
+-- A blow gives 0.1 N for each N s, of which 45 % are felt, and the spring gives way a little.
 expect_near(strongest, 0.1 * 3 * 0.45, 0.03, "the hand has felt it")
 me:release("fire")
 wait(0.3)

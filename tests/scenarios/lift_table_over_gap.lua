@@ -1,4 +1,5 @@
--- The table (7 m, 40 kg) is lifted by its near end, turned with the wizard, laid across the pit (6 m) and walked over.
+-- The table (7 m, 40 kg) is lifted by its near end, turned with the wizard, laid across the pit (6 m) and
+-- walked over.
 match {players = {"script", "script"}}
 clear_props()
 local me = wizard(1)
@@ -18,7 +19,7 @@ wait(1)
 expect(table_:position().y > 0.4, "it is up")
 expect_near(me:force().y, -0.01 * 40 * 0.45, 0.03, "its weight is felt, by the fader and the player's 45 %")
 
--- Turn to the pit: the far end goes round with the wizard.
+-- Turns to the pit. The far end of the table turns with the wizard.
 me:look(-90, 0)  -- to the left: from -x to +z
 wait(1.5)
 local reach = table_:position().z - me:position().z
@@ -26,7 +27,7 @@ expect(reach > 4 and reach < 6, "it points across the pit")
 expect_near(table_:position().x, me:position().x, 0.5)
 picture {name = "carried"}
 
--- Backward until its middle is over the pit's middle, z = 9.
+-- Walks backward until the table's middle is over the pit's middle, z = 9.
 me:move(0, -1)
 wait_until(function() return table_:position().z < 9.2 end, 3)
 me:stop()
@@ -41,7 +42,7 @@ expect_near(table_:position().y, 0.05, 0.02, "it lies on both edges")
 expect(me:energy() >= energy, "and costs nothing more")
 expect_near(length(me:force()), 0, 1e-9, "nor is it felt")
 
--- And over it.
+-- Walks over the table.
 me:move(0, 1)
 wait_until(function() return me:position().z > 12.6 end, 6)
 me:stop()

@@ -1,4 +1,4 @@
--- Down and mist make a brew lighter than 0.8 of the pure one: who is near falls slower.
+-- Down and mist make a brew lighter than 0.8 of the pure one. A wizard near it falls more slowly.
 match {players = {"script", "script"}, set = {"cauldron.brewing.niche_radius_m=0.5"}}
 clear_props()
 local me = wizard(1)
@@ -8,7 +8,7 @@ local function fetch(x)
     me:release("stir")
     wait(0.1)
 end
--- How high a jump goes there.
+-- Height of a jump at that place.
 local function jump(x)
     me:place {x, 0, 3}
     wait(0.3)

@@ -1,5 +1,5 @@
--- A lob's burst takes 60 HP from whom it touches, evenly less to nothing at 4 m, and nothing behind a wall; it bursts on a
--- wizard, or 1.8 s after it was thrown; it bounces, and passes through no wall.
+-- A lob's burst costs a touched wizard 60 HP, evenly less to nothing at 4 m, and nothing behind a wall. The
+-- lob bursts on a wizard or 1.8 s after the throw. It bounces and passes through no wall.
 match {players = {"script", "script"}, set = {"wizard.health.start=1000", "wizard.health.cap=1000", "lob.energy.cap=480"}}
 trace("health", {"1.health", "2.health", "2.speed", "1.force_y", "1.force_z"})
 local me, foe = wizard(1), wizard(2)
@@ -28,7 +28,7 @@ local function throw(share, seconds)
     return expect_event {kind = "shot", by = 1, within = 0.02}
 end
 
--- On the foe: at once, all of it.
+-- A lob that hits the foe bursts at once with its full harm.
 me:place {-15, 0, 15}
 foe:place {-15, 0, 10}
 me:aim(foe)
@@ -39,11 +39,11 @@ expect(burst.time - shot.time < 0.4, "before its fuse is over")
 local amount, by = hurt_of(2, burst)
 expect_near(amount, 60, 0.01, "touched")
 expect_near(by, 1, 0)
-tick()  -- bodies move by it in the next
+tick()  -- the push moves bodies in the next tick
 expect_near(length(foe:velocity()), 250 / 75, 0.1, "and pushed")
 wait(1)
 
--- Thrown against a wall of a centimetre it comes back; where it bursts by its fuse, who stands about loses by distance.
+-- A lob bounces off a wall of a centimetre. At the end of its fuse the harm depends on the distance.
 local seen = {}
 for i, off in ipairs {0.6, 1.2, 2, 3, 4, 5} do
     foe:place {15, 0, 15}
@@ -69,7 +69,7 @@ for i, off in ipairs {0.6, 1.2, 2, 3, 4, 5} do
 end
 expect(seen[1] > 45 and seen[5] > 0 and seen[6] == 0, "from most of it to nothing")
 
--- Behind a wall: nothing.
+-- A wizard behind a wall is not hurt.
 me:place {-15, 0, 18}
 me:face(0, 0)
 foe:place {15, 0, 15}
@@ -83,7 +83,7 @@ burst = expect_event {kind = "burst", by = 1, within = 0.5}
 expect_near(hurt_of(2, burst), 0, 0, "the wall is between them")
 clear_props()
 
--- It does not pass through a wall, as fast as it is and as thin as the wall is.
+-- The lob does not pass through the wall, although it is fast and the wall is thin.
 me:place {-15, 0, 15}
 foe:place {15, 0, 15}
 me:face(0, 0)
@@ -101,7 +101,7 @@ expect(farthest < 9.3, "it did come to the wall")
 clear_props()
 wait(1)
 
--- Its own thrower is hurt as well, by their own deed; the foe far off is not.
+-- The thrower is hurt as well, credited to the thrower. The distant foe is not hurt.
 me:place {-15, 0, 15}
 me:face(0, -80)
 wait(0.3)

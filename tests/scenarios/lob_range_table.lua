@@ -1,6 +1,6 @@
--- Six draws of the sling, from short to full: the stone leaves with 6 to 22 m/s by how far the device was drawn, and comes down
--- where a thrown stone does. The hand feels a spring of 50 N/m with detents at 25, 50 and 75 %; a gentle player no more than 45 %
--- of 3.3 N of it.
+-- Six draws of the sling, from short to full. The stone leaves at 6 to 22 m/s, depending on the draw of the
+-- device, and lands where a thrown stone does. The hand feels a spring of 50 N/m with detents at 25, 50 and
+-- 75 %, and at most 45 % of 3.3 N.
 match {players = {"script", "script"}, set = {"lob.energy.cost=2"}}
 trace("draw", {"1.force_y", "1.force_z", "1.hand_y", "1.hand_z", "1.readiness"})
 
@@ -9,7 +9,7 @@ local full, stiffness, cap, gravity = 0.055, 50, 0.45 * 3.3, 9.81
 local n = math.sqrt(0.86 * 0.86 + 0.51 * 0.51)
 local axis = {y = -0.86 / n, z = 0.51 / n}
 local quantum = 5.5e-5
-clear_props()  -- one of the tables lies in the way
+clear_props()  -- one of the tables is in the way
 me:place {-15, 0, 17}
 me:face(0, 12)
 wizard(2):place {15, 0, 15}
@@ -30,7 +30,7 @@ end
 local errors = {}
 for i = 1, 6 do
     me:trigger(i / 6)
-    local anchor = me:hand()  -- dry friction holds it where it came to rest
+    local anchor = me:hand()  -- dry friction holds the hand where it has stopped
     local function stretch()
         local hand = me:hand()
         return along {y = hand.y - anchor.y, z = hand.z - anchor.z}
@@ -42,7 +42,7 @@ for i = 1, 6 do
         expect(me:readiness() >= before - 2e-3, "the hand is drawn back")
         before = me:readiness()
     end
-    -- At rest: the spring with its detents, or what the cap leaves of it.
+    -- At rest the hand feels the spring with its detents, up to the force limit.
     local s = stretch()
     local felt, pull = along(me:force()), stiffness * s - detent(s)
     expect_near(-felt, math.min(pull, cap), 0.03, "the spring's force " .. i)
@@ -55,7 +55,7 @@ for i = 1, 6 do
     wait_until(function() stone = missiles()[1] return stone ~= nil end, 0.1)
     local from, speed, pitch = shot.place, 6 + 16 * share, me:pitch()
 
-    -- It touches the ground with its own radius of 0.1 m; before that it is on the parabola.
+    -- The stone touches the ground with its radius of 0.1 m. Before that it is on the parabola.
     local vx, vy = speed * math.cos(pitch), speed * math.sin(pitch)
     local drop = from.y - 0.1
     local flight = (vy + math.sqrt(vy * vy + 2 * gravity * drop)) / gravity
@@ -69,7 +69,7 @@ for i = 1, 6 do
     end, 1.7)
     local landed = last.position
     local flown = math.sqrt((landed.x - from.x) * (landed.x - from.x) + (landed.z - from.z) * (landed.z - from.z))
-    -- The last tick before the ground: within one step of it.
+    -- The last tick before the ground is within one step of the landing.
     local at_ground = flown + math.max(0, landed.y - 0.1) * vx / -last.velocity.y
     errors[i] = at_ground / range - 1
     log(string.format("draw %.1f mm  speed %.3f m/s  range %.4f m  closed form %.4f m  error %.5f %%",
@@ -80,11 +80,11 @@ for i = 1, 6 do
     wait(2)
 end
 
--- Of level throws from the same height the plain formula: v^2 sin 2a / g, where it comes back to the height it left.
+-- For a throw that returns to its starting height, the range is v^2 sin 2a / g.
 expect_near(me:shots(), 6, 0)
 expect_near(me:energy(), 48 - 12, 1e-9)
 
--- A draw too short: nothing goes off, no energy is lost.
+-- Too short a draw fires no shot and costs no energy.
 me:trigger(0.05)
 me:press("fire", 0.5)
 wait(0.1)
@@ -92,7 +92,7 @@ expect_near(me:shots(), 6, 0)
 expect_near(me:energy(), 36, 1e-9)
 expect_near(#missiles(), 0, 0)
 
--- Another wand in hand: the sling lets go, nothing is shot, the hand is free.
+-- With another wand in hand the sling lets go, no shot is fired, and the hand is free.
 me:trigger(1)
 me:hold("fire")
 wait(1)

@@ -1,5 +1,5 @@
--- Ember is red and resin green. Dropped in on both sides each shows its own colour; stirred, the brew is yellow all over. The base is dark here,
--- so that all colour is theirs.
+-- Ember is red and resin is green. Dropped in on both sides, each shows its own colour. Stirred, the whole
+-- brew is yellow. The base is dark here, so that all colour comes from the ingredients.
 match {players = {"script", "script"}, set = {"haptics.share=1", "cauldron.brew.colour=[0.05, 0.05, 0.05]", "cauldron.brew.cells_across=16",
     "cauldron.brewing.drop_m3=1.6", "cauldron.brewing.drop_radius_m=0.6", "cauldron.brewing.spoils_after_s=600"}}
 clear_props()

@@ -1,14 +1,15 @@
--- A thing that hits with an impulse of J N s costs 0.12 (J - 60) HP, at most 60, and not again within 0.4 s. J is measured
--- here as the thing's loss of momentum while the blow lasts, and checked itself: a plastic collision of m and M gives
--- m M / (m + M) v, and the wizard's braking legs (40 m/s^2 at most) push the thing on for as long as the blow lasts.
+-- A thing that hits with an impulse of J N s costs 0.12 (J - 60) HP, at most 60 HP, and not again within 0.4
+-- s. J is measured as the thing's loss of momentum during the blow. J itself is checked too. A plastic
+-- collision of m and M gives m M / (m + M) v. The wizard's braking legs (at most 40 m/s^2) push the thing on
+-- during the blow.
 match {players = {"script", "script"}}
 clear_props()
 
 local me, mass = wizard(1), 75
-local blow = 24 -- ticks over which a blow is summed
+local blow = 24  -- ticks over which a blow is summed
 local home = {-14, 0, 9}
 
--- Throws a ball level at the chest; returns the impulse, the HP lost and the least and most that mechanics allows.
+-- Throws a ball level at the chest. Returns the impulse, the lost HP, and the range that mechanics allows.
 local function throw(ball, m, v)
     ball:place({-12, 1.1, 9}, {-v, 0, 0})
     local health, last = me:health(), -v
@@ -48,7 +49,7 @@ for _, case in ipairs {{4, 10}, {5, 12}, {10, 8}, {10, 12}, {20, 10}, {30, 12}} 
     ball:place {10, 3, 14}
 end
 
--- Never more than 60.
+-- A blow costs at most 60 HP.
 ready()
 wait_until(function() return me:grounded() end, 1)
 me:place {-14, 70, 9}
@@ -61,7 +62,7 @@ expect(impulse > 560, "an impulse of " .. impulse)
 expect_near(lost, 60, 0, "at most 60")
 stone:place {10, 3, 14}
 
--- The same thing twice within 0.4 s counts once, later it counts again.
+-- Two blows of one thing within 0.4 s count once. A later blow counts again.
 local hits = #events("object_hit")
 local ball = spawn {kind = "sphere", radius = 0.2, mass = 8, at = {-5, 3, 14}}
 local function throw_again()
@@ -81,7 +82,7 @@ wait(0.2)
 expect_near(#events("object_hit") - hits, 2, 0, "0.55 s later: another one")
 ball:place {10, 3, 12}
 
--- Who walks into a standing thing is not hit by it.
+-- A wizard who walks into a standing thing is not hurt.
 local crate = spawn {kind = "box", size = {1, 1, 1}, mass = 120, at = {-11, 0.5, 9}}
 ready()
 local health = me:health()

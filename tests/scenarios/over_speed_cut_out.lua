@@ -1,5 +1,6 @@
--- A hand that flies faster than 4 m/s gets no force, at once; nor until it has been slower than 2 m/s for 100 ms. Then the force comes
--- back at 40 N/s. Speed is taken over 8 ms, and along the path over 7, less what the encoder's steps may add.
+-- A hand that moves faster than 4 m/s gets no force at once. The force returns at 40 N/s once the hand has
+-- been slower than 2 m/s for 100 ms. Speed is measured over 8 ms, and along the path over 7 ms, less the
+-- possible error of the encoder.
 match {players = {"script", "script"}, arms = {true, false}}
 trace("fling", {"1.force_z", "1.hand_x"})
 local me = wizard(1)
@@ -12,15 +13,16 @@ wait(2)
 expect_near(me:force().z, full, 1e-12, "a full charge leans on the hand")
 local caption = "Forces wait until the hand is slower"
 
--- Fast, but not too fast: 0.156 m at 3.9 m/s.
+-- A fast hand below the limit: 0.156 m at 3.9 m/s.
 me:reach({0.076, 0, 0}, 3.9)
 for _ = 1, 60 do
     tick()
     expect_near(me:force().z, full, 1e-12, "felt all the way")
 end
 
--- Back at 5 m/s, 0.15 m in 30 ms. Along the path tick 6 sees 6/7 of that, more than 4 m/s for the first time; the last to see more
--- than 2 m/s is 4 ticks after the stop, which sees half, and 100 ticks later it is over.
+-- Back at 5 m/s, 0.15 m in 30 ms. Tick 6 is the first above 4 m/s, since its window sees 6/7 of the speed.
+-- The last tick above 2 m/s is 4 ticks after the stop, where the window sees half. The cut-out ends 100 ticks
+-- later.
 me:reach({-0.074, 0, 0}, 5)
 local last_fast = 30 + 4
 for i = 1, 220 do
@@ -38,7 +40,7 @@ for i = 1, 220 do
     expect_near(me:told().z, force, 0)
 end
 
--- A jump of the arm's own, 4 cm from one tick to the next, is 5 m/s over the window.
+-- A jump of the arm by 4 cm in one tick counts as 5 m/s over the window.
 me:reach {-0.034, 0, 0}
 tick()
 expect_near(me:force().z, 0, 0, "cut out in the very tick")

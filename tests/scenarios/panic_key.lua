@@ -1,4 +1,5 @@
--- Anybody's panic key makes both hands' forces zero at once, and they stay so until each player presses it again.
+-- The panic key of either player sets the forces on both hands to zero at once. They stay zero until each
+-- player presses it again.
 match {players = {"script", "script"}}
 trace("forces", {"1.force_z", "2.force_z"})
 

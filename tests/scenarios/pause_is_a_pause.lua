@@ -1,11 +1,12 @@
--- Either player can pause and either can go on. In a pause nothing happens, and what is pressed in it does nothing later.
+-- Either player can pause and either can go on. During a pause nothing happens, and keys pressed then have no
+-- later effect.
 match {players = {"script", "script"}}
 local me, foe = wizard(1), wizard(2)
 me:move(0, 1)
 foe:move(1, 0)
 me:hold("fire")
 wait(0.7)
-me:press("jump") -- pause in the middle of a jump, with bolts in flight
+me:press("jump")  -- pause during a jump, with bolts in flight
 wait(0.1)
 
 local function expect_still(before, what)

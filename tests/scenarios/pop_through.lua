@@ -1,4 +1,5 @@
--- The surface holds the ladle up to its pop-through force; then it is inside, and feels the surface no more; drawn out it clings.
+-- The surface holds the ladle up to its pop-through force. Inside the brew the ladle no longer feels the
+-- surface. When drawn out it clings to the surface.
 match {players = {"script", "script"}, set = {"haptics.share=1"}}
 clear_props()
 local me = wizard(1)

@@ -1,4 +1,4 @@
--- What would give nothing is left where it is, until it would.
+-- A power-up that would give nothing stays until it would give something.
 match {set = {"wizard.health.start=150"}, players = {"script", "script"}}
 local me, foe = wizard(1), wizard(2)
 
@@ -19,12 +19,12 @@ expect_near(me:energy(), 60, 0)
 expect_near(#events("power_up"), 0, 0, "no spark with all wands full")
 for _, p in ipairs(power_ups()) do expect(p.there, "a " .. p.kind .. " has gone") end
 
--- A shot later there is room for its energy.
+-- After a shot the spark's energy fits.
 me:press("fire")
 local spark = expect_event {kind = "power_up", subject = 1, within = 0.1}
 expect_near(spark.amount, 1.5, 0.05)
 
--- Who is dead picks nothing up.
+-- A dead wizard picks nothing up.
 foe:place {15, 130, 8.5}
 wait_until(function() return foe:dead() end, 8)
 wait(1)

@@ -1,19 +1,19 @@
--- The wand's tip feels the bowl's rim under it, and a crate that flies against it; but who turns or walks into a wall with it
--- presses nothing into his own hand.
+-- The wand's tip feels the bowl's rim below it, and a crate that flies against it. A wizard who turns or
+-- walks into a wall with the wand gets no force from that.
 match {players = {"script", "script"}}
 clear_props()
 local me = wizard(1)
 
--- The tip hangs over the rim, which is 1.1 m high and 1.35 to 1.5 m from the middle: 0.22 m right of the eye, 0.2 m below
--- its 1.65 m and 0.75 m ahead.
+-- The tip hangs over the rim, which is 1.1 m high and 1.35 to 1.5 m from the middle. The tip is 0.22 m right
+-- of the eye, 0.2 m below its 1.65 m, and 0.75 m ahead.
 me:place {-0.22, 0, 2.18}
 me:face(0)
 wait(0.5)
 trace("rim", {"1.hand_y", "1.force_y"})
 expect_near(length(me:force()), 0, 0, "nothing is touched")
 
--- 38 mm down; a tenth of the 0.35 m to the rim is 35 mm. The hand's spring of 400 N/m and the rim's of 250 N/m meet between,
--- but for the dry friction of 0.26 N.
+-- The hand goes down by 38 mm, and a tenth of the 0.35 m to the rim is 35 mm. The hand's spring of 400 N/m
+-- and the rim's of 250 N/m meet in between, up to the dry friction of 0.26 N.
 me:hold("clutch")
 me:look(0, -19)
 me:release("clutch")
@@ -31,13 +31,13 @@ local function strongest(seconds)
     return most
 end
 
--- Turning moves the tip along the rim and off it, and does not kick.
+-- Turning moves the tip along the rim and off it without a kick.
 local pressed = length(me:force())
 me:look(60, 0)
 expect(strongest(0.5) < pressed + 0.1, "the view turned")
 expect_near(length(me:force()), 0, 0, "off the rim")
 
--- Into a wall with the wand ahead.
+-- The wizard walks into a wall with the wand ahead.
 me:hold("clutch")
 me:look(0, 19)
 me:release("clutch")
@@ -50,7 +50,7 @@ me:stop()
 expect(me:position().x > 19.5, "it is the wall")
 expect(strongest(1) < 0.05, "nor who stands there")
 
--- A thing that comes by itself is felt, and pushes the hand aside.
+-- A thing that flies against the tip is felt and pushes the hand aside.
 me:place {-10, 0, 0}
 me:face(0)
 wait(0.5)

@@ -1,5 +1,5 @@
--- Walking into a crate pushes it: a light one at nearly one's own speed, a heavy one slowly; and what has been pushed comes
--- to rest by friction.
+-- A wizard who walks into a crate pushes it: a light one at nearly the walking speed, a heavy one slowly.
+-- Friction stops a pushed crate.
 match {players = {"script", "script"}}
 clear_props()
 local me = wizard(1)
@@ -30,7 +30,7 @@ expect(heavy > 0.02, "100 kg moved " .. heavy .. " m")
 expect(light > 2 * heavy, "the light one went farther")
 expect(light_speed > heavy_speed and light_speed < 6, "and faster")
 
--- A push with the hand of physics: 50 N s on 25 kg are 2 m/s; friction of 0.8 * 0.8 stops it after v^2 / (2 mu g).
+-- A push by an impulse: 50 N s on 25 kg give 2 m/s. Friction of 0.8 * 0.8 stops it after v^2 / (2 mu g).
 local crate = spawn {kind = "box", size = {1, 0.4, 1}, mass = 25, at = {-14, 0.2, 0}}
 wait(0.5)
 local from = crate:position()

@@ -1,4 +1,5 @@
--- Who dies comes back after 3 s, on the pad farthest from the foe, and nothing hurts for 1.5 s, unless one attacks.
+-- A dead wizard returns after 3 s on the pad farthest from the foe. Nothing hurts the wizard for 1.5 s, or
+-- until the wizard attacks.
 match {match = "quick", set = {"quick.kills=1000"}, players = {"script", "script"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)
@@ -16,7 +17,7 @@ local function die()
     return death
 end
 
--- Each time the foe's foe stands nearer to another pad.
+-- Each time the killer stands nearer to another pad.
 for _, place in ipairs {{10, 0, 14}, {-12, 0, 13}, {12, 0, -12}, {-10, 0, -14}} do
     me:place(place)
     local death = die()
@@ -34,7 +35,7 @@ for _, place in ipairs {{10, 0, 14}, {-12, 0, 13}, {12, 0, -12}, {-10, 0, -14}} 
     expect_near(foe:energy(), 60, 0, "wands full")
 end
 
--- The shield: a landing at 12 m/s within 1.5 s costs nothing, after that 12 HP.
+-- The shield: a landing at 12 m/s within 1.5 s costs nothing, and later 12 HP.
 local high = 12 * 12 / (2 * 9.81)
 expect(foe:shielded(), "shielded")
 fall(high)
@@ -47,7 +48,7 @@ fall(high)
 wait(1.4)
 expect_near(foe:health(), 100 - 4 * (12 - 9), 1, "it hurts again")
 
--- Attacking ends it at once.
+-- An attack ends the shield at once.
 die()
 expect_event {kind = "spawn", subject = 2, within = 3.2}
 tick()

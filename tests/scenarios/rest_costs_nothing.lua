@@ -1,4 +1,4 @@
--- A brew that nobody touches stays asleep; one that was stirred falls asleep again, and then nothing of it changes.
+-- An untouched brew stays asleep. A stirred brew falls asleep again, and its state then stays constant.
 match {players = {"script", "script"}, set = {"cauldron.brew.viscosity_m2_s=0.2", "cauldron.surface.damping_per_s=20"}}
 clear_props()
 local me = wizard(1)

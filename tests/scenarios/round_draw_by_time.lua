@@ -1,4 +1,4 @@
--- When time is up and both have as many kills, nobody wins. A pause does not use up time.
+-- A round with equal kills at the end of its time has no winner. A pause does not use up time.
 match {match = "quick", set = {"quick.seconds=3"}, players = {"script", "script"}}
 wizard(1):move(0, 1)
 wait(1)

@@ -1,4 +1,4 @@
--- Who has enough kills wins the round at once, and time stands still.
+-- A player with enough kills wins the round at once, and time stops.
 match {match = "quick", set = {"quick.kills=1"}, players = {"script", "script"}}
 local me, foe = wizard(1), wizard(2)
 me:aim(foe)

@@ -1,4 +1,5 @@
--- A brew that two stir is the same to the last bit whether its steps are computed on the match's own thread or on one or two others.
+-- A brew stirred by two players is the same to the bit, whether its steps run on the match's own thread or on
+-- one or two others.
 match {seed = 3, players = {"script", "script"}}
 local sides = {-1, 1}
 for player = 1, 2 do wizard(player):move(sides[player], 0) end

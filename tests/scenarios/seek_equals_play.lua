@@ -1,4 +1,4 @@
--- The state at any tick is reached as well from the last keyframe before it as by playing from the start.
+-- Playing from the last keyframe leads to the same state as playing from the start.
 match {seed = 11, players = {"script", "bot 1"}}
 local me, foe = wizard(1), wizard(2)
 for i = 1, 5 do

@@ -1,4 +1,4 @@
--- A spark fills half of the wand that is emptiest.
+-- A spark fills half of the emptiest wand.
 match {players = {"script", "script"}}
 trace("energy", {"1.energy"})
 local me = wizard(1)
@@ -17,7 +17,7 @@ expect_near(taken.amount, 30, 0, "half of 60")
 expect_near(me:energy(), before + 30 + (time() - at), 0.02)
 expect_near(me:health(), 100, 0, "no health")
 
--- 15 s later it is back, and fills no more than the wand holds.
+-- The spark returns after 15 s and fills no more than the wand holds.
 wait(8)
 me:press("fire", 1)
 wait(5.9)

@@ -1,4 +1,4 @@
--- A thing that falls into the brew moves it, and the brew slows the thing.
+-- A thing that falls into the brew moves the brew, and the brew slows the thing.
 match {players = {"script", "script"}}
 clear_props()
 wizard(1):place {15, 0, 15}

@@ -1,4 +1,5 @@
--- Twenty seconds after the first ingredient the brew boils over: ten of health and a push for who is at the rim, and it is pure again.
+-- Twenty seconds after the first ingredient the brew boils over. Wizards at the rim lose 10 HP and are
+-- pushed, and the brew is pure again.
 match {players = {"script", "script"}, set = {"cauldron.brew.cells_across=16"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)

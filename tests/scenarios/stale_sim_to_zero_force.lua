@@ -1,6 +1,6 @@
--- A match that stands still tells an arm nothing new. Its last force holds for 20 ms, walks to zero in 50 ms, on a line, and comes
--- back at 40 N/s once the match is there again. Nothing of that hangs on what the force was: here it is a full charge, 2.6 N on a
--- device of 3.3 N of which a gentle player wants 45 %.
+-- A match that stands still gives an arm no new orders. The last force holds for 20 ms and then falls
+-- linearly to zero within 50 ms. It returns at 40 N/s when the match goes on. This does not depend on the
+-- force. Here it is a full charge, 2.6 N on a device of 3.3 N at a force setting of 45 %.
 match {players = {"script", "script"}, arms = {true, false}}
 trace("stale", {"1.force_z", "1.readiness"})
 local me = wizard(1)
@@ -14,13 +14,13 @@ expect_near(me:force().z, full, 1e-12, "the charge leans on the hand")
 local caption = "Forces fade: the game or the arm is late"
 expect(not on_screen(caption))
 
--- Sample k of the stall was felt by a model of k ticks.
+-- Force of sample k of the stall, from an order that is k ticks old.
 local function held(k)
     if k <= 20 then return full end
     return full * math.max(70 - k, 0) / 50
 end
 
--- The arm's force before, while and after; back says how many ticks at zero there are before it comes back.
+-- Checks the arm's force before, during and after a stall.
 local function stalled(ticks)
     stall(ticks / 1000)
     expect_near(me:told().z, held(ticks), 1e-12, "in the hand, while the match stands still")
@@ -41,16 +41,17 @@ local function comes_back()
     expect_near(me:force().z, full, 1e-12)
     expect(me:force_cause() == "none" and not on_screen(caption))
 end
-stalled(20)   -- a hiccup is not felt
+stalled(20)  -- the hand does not feel a short stall
 wait(0.1)
 expect_near(me:force().z, full, 1e-12)
-stalled(45)   -- half-way down the ramp
+stalled(45)  -- half-way down the ramp
 comes_back()
-stalled(75)   -- zero
+stalled(75)  -- zero
 expect_near(me:told().z, 0, 0)
 comes_back()
 
--- For longer than models are remembered: the match cannot say what the arm felt and both begin anew, from zero.
+-- A stall longer than the match remembers orders: the match cannot compute the arm's force, and both start
+-- again from zero.
 stall(0.2)
 expect_near(me:told().z, 0, 0)
 for k = 1, 79 do tick() expect_near(me:force().z, held(k), 1e-12) end

@@ -1,10 +1,10 @@
--- A standard match is the best of three rounds. Each begins as the first did; the next one comes when somebody confirms, or
--- by itself after 12 s.
+-- A standard match is the best of three rounds. Each round begins like the first. The next one begins when a
+-- player confirms, or after 12 s.
 match {match = "standard", set = {"standard.kills=2", "bolt.shot.damage=50", "bolt.shot.spread_deg=0"},
        players = {"script", "script"}}
 local a, b = wizard(1), wizard(2)
 
--- Both shoot across the court, along x = -15 as they start; who dies comes back somewhere else.
+-- Both shoot across the arena along their starting line, x = -15. A killed wizard returns elsewhere.
 local function play_round(winner, loser)
     local number = round_number()
     for _ = 1, 2 do

@@ -1,4 +1,4 @@
--- A tied round counts for nobody; three of them are a draw.
+-- A tied round counts for neither player. Three tied rounds are a draw.
 match {match = "standard", set = {"standard.seconds=2", "standard.interval_s=1"}, players = {"script", "script"}}
 for round = 1, 3 do
     expect_near(round_number(), round, 0)

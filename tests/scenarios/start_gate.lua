@@ -1,6 +1,6 @@
--- Nobody is met by a large force. Where one would wait for the hand (forces come back after a panic, or an arm after the match has lost
--- sight of it, and it pulls at something with more than its player wants to feel), it gets none until it has eased off; then what
--- is held back of it fades by 40 N/s, from all of it.
+-- No hand meets a large force when forces return. They return after a panic, or when the match has lost sight
+-- of an arm. If the arm then pulls with more than the force limit, the hand gets no force until it has eased
+-- off. Then the withheld force fades in at 40 N/s, from zero.
 match {players = {"script", "script"}, arms = {true, false}, set = {"lift.energy.per_s=0", "lift.energy.per_n_s=0"}}
 clear_props()
 local me = wizard(1)
@@ -20,7 +20,7 @@ wait(0.5)
 local rest = length(me:force())
 expect(rest < 0.3, "nothing but its weight, by the fader")
 
--- 8 mm forward, 16 cm into the wall: 300 N/m ask for 2.4 N, and the cap is what is felt.
+-- 8 mm forward is 16 cm into the wall. 300 N/m ask for 2.4 N, and the hand feels the limit.
 local depth = 0.008
 local function press()
     me:reach({0, 0, -depth}, 0.05)
@@ -29,7 +29,7 @@ local function press()
     expect(me:force_cause() == "capped")
 end
 
--- The force while the hand eases off at 2 cm/s. What it waits for is where 300 N/m come down to the cap.
+-- Checks the force while the hand eases off at 2 cm/s. The wait ends where 300 N/m come down to the limit.
 local function ease_off()
     for _ = 1, 200 do
         tick()
@@ -45,8 +45,8 @@ local function ease_off()
     end
     expect_near(300 * -me:hand().z, cap, 0.1, "it waited until the spring was within the cap")
     expect(not on_screen(caption))
-    -- Zero is the spring less all of it, and of that less 0.04 N a tick are left: the spring itself, which eases off with the hand, is
-    -- not delayed.
+    -- The offset starts at minus the spring force and shrinks by 0.04 N a tick. The spring force itself,
+    -- which falls as the hand eases off, is not delayed.
     local before, first = {0, 0, 0}, 300 * -me:hand().z
     for i = 1, 25 do
         local force = me:force()

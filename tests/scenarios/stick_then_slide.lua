@@ -1,5 +1,5 @@
--- A held thing is pressed onto the floor and drawn sideways by the hand: it sticks while the pull is less than friction times pressure, and
--- slides beyond; the hand feels both.
+-- A held thing is pressed onto the floor and pulled sideways by the hand. It sticks while the pull is less
+-- than friction times pressure, and slides beyond that. The hand feels both.
 match {players = {"script", "script"}, forces = {100, 100},
        set = {"lift.energy.per_s=0", "lift.energy.per_n_s=0", "lift.hold.drag_ratio=0.1"}}
 clear_props()
@@ -19,7 +19,7 @@ me:look(0, -2.5)  -- into the floor
 wait(1)
 expect(length(me:force()) > 0.3, "the floor is felt")
 
--- What presses and what pulls along the floor, in the hand's newtons; the weight's fader is no part of the spring.
+-- Pressure and pull along the floor, as forces on the hand (N). The weight's fader is no part of the spring.
 local function parts()
     local f, p = me:force(), me:pitch()
     local y, z = f.y + 0.2, f.z
@@ -30,7 +30,7 @@ end
 local from = thing:position()
 local stuck, sum, count = 0, 0, 0
 me:hold("clutch")
-for i = 1, 150 do  -- 0.1 mm of the hand each 20 ms, to the right
+for i = 1, 150 do  -- 0.1 mm of the hand to the right every 20 ms
     me:look(0.05, 0)
     wait(0.02)
     local normal, pull = parts()

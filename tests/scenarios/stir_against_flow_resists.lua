@@ -1,4 +1,4 @@
--- Against the current the hand is held harder than with it.
+-- Stirring against the current takes more force than stirring with it.
 match {players = {"script", "script"}, set = {"haptics.share=1"}}
 clear_props()
 local me = wizard(1)
@@ -7,7 +7,7 @@ me:place {-2.2, 0, 0}
 me:hold("stir")
 wait(0.3)
 trace("against", {"1.force_x", "1.force_y", "1.force_z"})
--- One circle; the mean force of its first quarter.
+-- Stirs one circle and returns the mean force of its first quarter.
 local function felt(sense)
     local sum = 0
     me:circles(1, 1, 2, sense, function(i) if i <= 250 then sum = sum + length(me:force()) end end)

@@ -1,5 +1,5 @@
--- Stirring in circles makes the brew turn that way, and the current carries the hand that lets go; the other way round it
--- carries it the other way, and a stronger current carries with more force.
+-- Stirring in circles makes the brew turn that way, and the current carries a hand that lets go. The other
+-- direction carries it the other way. A stronger current carries it with more force.
 match {players = {"script", "script"}, set = {"haptics.share=1"}}
 clear_props()
 local me = wizard(1)
@@ -7,7 +7,7 @@ wizard(2):place {15, 0, -15}
 me:place {-2.2, 0, 0}
 trace("swirl", {"1.hand_x", "1.hand_y", "1.hand_z", "1.force_x", "1.force_y", "1.force_z"})
 
--- Of the whole brew about its middle, m/s half way out: positive from +z to +x.
+-- Swirl of the whole brew about its middle, as the speed half way out (m/s). Positive from +z to +x.
 local function turning()
     local m, sum = brew().middle, 0
     for i = 0, 7 do
@@ -18,7 +18,8 @@ local function turning()
     return sum / 8
 end
 
--- The hand is let go: how far the current takes the device's tip in 0.4 s, m, and the largest force on the way.
+-- Lets the hand go. Returns the distance that the current carries the device's tip in 0.4 s (m), and the
+-- largest force on the way.
 local function drift()
     local from, most = me:hand(), 0
     me:hold("clutch")
@@ -34,10 +35,10 @@ end
 me:hold("stir")
 wait(0.3)
 expect(me:stirs())
-me:draw(0, -2, 0.16)  -- so that the circles go round where the hand rests
+me:draw(0, -2, 0.16)  -- the circles then go around the hand's place of rest
 wait(0.3)
 
--- Whole circles, so that the hand is let go at the same place each time.
+-- Whole circles, so that the hand is always let go at the same place.
 local function run(seconds, sense, counts)
     me:circles(seconds, 1, counts, sense)
     local swirl = turning()

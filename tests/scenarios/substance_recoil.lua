@@ -1,4 +1,4 @@
--- An ingredient that is dropped in kicks the hand that drops it; without one there is no kick.
+-- Dropping an ingredient kicks the hand. Without an ingredient there is no kick.
 match {players = {"script", "script"}, set = {"haptics.share=1"}}
 clear_props()
 local me = wizard(1)

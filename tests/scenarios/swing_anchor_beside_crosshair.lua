@@ -1,4 +1,5 @@
--- An anchor within 4 degrees of the crosshair is meant, though nothing else is in reach there; farther away it is not.
+-- An anchor within 4 degrees of the crosshair is chosen if nothing else is in reach there. An anchor farther
+-- away is not.
 match {players = {"script", "script"}}
 local me = wizard(1)
 wizard(2):place {-15, 0, -15}

@@ -1,5 +1,6 @@
--- Swing across the pit from an anchor above it: the rope's tension is felt in its direction, and the wizard lands on the other side.
--- The scale is half of what it is, so that the device can bear it for ten seconds.
+-- A wizard swings across the pit from an anchor above it. The hand feels the rope's tension in the rope's
+-- direction, and the wizard lands on the other side. The force scale is half its usual value, so that the
+-- device can hold it for ten seconds.
 match {players = {"script", "script"}, set = {"haptics.share=1", "swing.hand.newtons_per_newton=0.0005"}}
 local me = wizard(1)
 wizard(2):place {-15, 0, -15}
@@ -25,7 +26,7 @@ expect(me:energy() < 75, "it costs")
 wait(0.2)
 expect_near(length(me:force()), 0, 1e-9, "no rope, no force")
 
--- Hang until all is still.
+-- Hangs until all motion has stopped.
 me:place {4, 0, 8.1}
 me:face(180, 0)
 wait(0.05)
@@ -33,7 +34,7 @@ me:aim {4, 7, 9}
 wait(0.1)
 me:hold("fire")
 wait(6)
--- On a circle a rope bears the weight's part along it and what bends the way: m (g cos + v^2 / r).
+-- On a circle the rope carries its part of the weight and the centripetal force: m (g cos + v^2 / r).
 local felt, law, count = 0, 0, 0
 for i = 1, 4000 do
     tick()

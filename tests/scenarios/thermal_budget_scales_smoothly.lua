@@ -1,5 +1,6 @@
--- A hand that presses a held thing against a wall for long: the device would get too hot, so after a while everything scales down, smoothly,
--- and the force's root mean square over any ten seconds stays under what the device can hold, 0.88 N for a Touch.
+-- A hand presses a held thing against a wall for a long time. Without a limit the device would overheat.
+-- After a while all forces are scaled down smoothly. The root mean square of the force over any ten seconds
+-- stays below the continuous limit, 0.88 N for a Touch.
 match {players = {"script", "script"}, forces = {100, 100},
        set = {"lift.energy.per_s=0", "lift.energy.per_n_s=0", "lift.hold.lost_m=10"}}
 clear_props()
@@ -39,7 +40,8 @@ for i = 1, 16000 do
     if i >= 10000 then expect(math.sqrt(sum / 10000) <= 0.88 + 1e-9, "never too hot") end
 end
 expect(warm, "it has said why it is weaker")
--- One count of the encoder, 55 um, is 300 N/m of spring, and over the 8 ms of the velocity 1.9 N s/m of damper and up to 4 of the controller.
+-- One encoder count, 55 um, changes the force through a spring of 300 N/m. Through the velocity over 8 ms it
+-- also acts on a damper of 1.9 N s/m, and on up to 4 N s/m of the controller.
 expect(steepest < 5.5e-5 * (300 + (1.9 + 4) / 0.008) + 0.003, "no tick changes it by more than an encoder's count does")
 expect(length(me:force()) > 0.05, "it is weaker, not gone")
 expect_near(thing:position().x, 19.5, 0.01, "in the world nothing has changed")

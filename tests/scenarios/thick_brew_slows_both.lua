@@ -1,4 +1,4 @@
--- A brew that is more than twice as viscous slows both who are within 5 m, to 0.75 of their pace.
+-- A brew more than twice as viscous slows both wizards within 5 m to 0.75 of their pace.
 match {players = {"script", "script"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)

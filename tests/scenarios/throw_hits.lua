@@ -1,4 +1,5 @@
--- A thrown thing goes where the crosshair is, as fast as 20 m/s or as the energy allows (0.05 for 1 N s), and its blow is the thrower's deed.
+-- A thrown thing flies to the crosshair at 20 m/s, or slower if the energy is short (0.05 for 1 N s). Its
+-- blow is credited to the thrower.
 match {players = {"script", "script"}}
 clear_props()
 local me, foe = wizard(1), wizard(2)
@@ -18,8 +19,8 @@ wait(1.5)
 me:aim(foe)
 wait(1)
 local energy = me:energy()
--- The kick is half a sine of 2 N in 40 ms, of which 45 % are felt. The spring that is gone was a switch: what parts the kick's first
--- tick from the force before fades by 40 N/s, and the kick itself is not delayed.
+-- The kick is half a sine of 2 N in 40 ms, of which 45 % are felt. Switching the spring off leaves a step:
+-- the force before minus the kick's first tick. The step fades at 40 N/s, and the kick itself is not delayed.
 local function kick(i)
     local half = math.pi / 80
     return i < 40 and 0.45 * 2 * math.sin(half) / half * math.sin((2 * i + 1) * half) or 0
@@ -51,7 +52,7 @@ expect_event {kind = "object_hit", subject = 2, by = 1, within = 1.5}
 expect(foe:health() < 90, "that hurt")
 expect_near(deeds(1, "blow").hits, 1, 0, "it is the thrower's deed")
 
--- With little energy left it goes slower: what is left pays for it.
+-- With little energy left the throw is slower, as the energy allows.
 thing:place {7, 0.3, 12.8}
 foe:place {-13, 0, 16}
 wait(0.5)

@@ -1,4 +1,4 @@
--- Two ladles in one brew: what one stirs the other feels.
+-- Two ladles in one brew: each player feels the other's stirring.
 match {players = {"script", "script"}, set = {"haptics.share=1"}}
 clear_props()
 local one, two = wizard(1), wizard(2)

@@ -1,4 +1,4 @@
--- A vial gives 25 HP to who walks over it, is gone for 20 s, and is then there again.
+-- A vial gives 25 HP to a wizard who walks over it. It returns after 20 s.
 match {players = {"script", "script"}}
 trace("healing", {"1.health", "1.x", "1.z"})
 local me, foe = wizard(1), wizard(2)
@@ -9,7 +9,7 @@ local function vial()
     end
 end
 
--- The foe shoots from the other end of the court.
+-- The foe shoots from the other end of the arena.
 foe:aim(me)
 wait(0.5)
 foe:hold("fire")
@@ -34,7 +34,7 @@ expect_near(vial().back_in, 20, 0.01, "for 20 s")
 wait(19.9)
 expect_near(me:health(), hurt + 25, 1e-9, "nothing while it is gone")
 
--- Who still stands there gets the next one.
+-- A wizard who still stands there gets the next vial.
 local again = expect_event {kind = "power_up", subject = 1, within = 0.2}
 expect_near(again.time - taken.time, 20, 0.008, "by the clock")
 expect_near(me:health(), hurt + 50, 1e-9)

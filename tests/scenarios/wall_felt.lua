@@ -1,4 +1,5 @@
--- The bowl's wall holds the ladle in, and pushes as hard as it is pressed. The brew is thick, so that it soon rests.
+-- The bowl's wall holds the ladle in and pushes as hard as it is pressed. The brew is thick, so that it soon
+-- rests.
 match {players = {"script", "script"}, set = {"haptics.share=1", "cauldron.brew.viscosity_m2_s=0.3"}}
 clear_props()
 local me = wizard(1)
@@ -10,7 +11,8 @@ wait(0.3)
 me:draw(3, -1, 0.3)  -- to the right and back, where the wall is near
 wait(1)
 local hand, force, ladle, middle = me:hand(), me:force(), me:ladle(), brew().middle
--- Where the ladle is in the hand's frame: 15 m a metre; he looks along +x, and a hand at rest is 0.35 m before the middle.
+-- Position of the ladle from the hand's, at 15 m per metre. The wizard looks along +x, and a resting hand is
+-- 0.35 m before the middle.
 local held = {x = (ladle.z - middle.z) / 15, z = (middle.x - 0.35 - ladle.x) / 15}
 local off = length {hand.x - held.x, 0, hand.z - held.z}
 expect(off > 0.001, "the wall is in the hand's way")

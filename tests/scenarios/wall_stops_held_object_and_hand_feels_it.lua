@@ -1,5 +1,6 @@
--- A held thing is moved by force alone: a wall stops it, the spring between it and the hand is drawn out, and the hand feels that: on the whole
--- device 300 N/m, 20 : 1 in the world. Let go by the wall, it has not gone through.
+-- Only forces move a held thing. A wall stops it, the spring to the hand stretches, and the hand feels that:
+-- 300 N/m on the whole device, 20 : 1 in the world. When the hand lets go, the thing has not passed through
+-- the wall.
 match {players = {"script", "script"}, forces = {100, 100}}
 clear_props()
 local me = wizard(1)
@@ -18,7 +19,7 @@ me:look(0, 10)
 wait(1.5)
 expect_near(length(me:force()), 0.2, 0.02, "only its weight, by the fader")
 local free = thing:position().x
--- To the wall: its face is at x = 20, so the thing's middle gets to 19.5 and no farther.
+-- Moves to the wall. Its face is at x = 20, so the thing's middle stops at 19.5.
 me:move(0, 1)
 wait_until(function() return me:position().x > 15 + (19.5 - free) + 0.1 end, 3)
 me:stop()
@@ -26,7 +27,7 @@ wait(0.6)
 expect_near(thing:position().x, 19.5, 0.01, "the wall holds it")
 local stretch = (me:position().x - 15) - (19.5 - free)
 expect(stretch > 0.08 and stretch < 0.5, "the wizard went on")
--- The hand gives way, so the spring is a little shorter than the way.
+-- The hand gives way, so the spring is a little shorter than the distance.
 local pull = me:force().z
 expect(pull > 0.5, "it pulls the hand back")
 expect_near(pull, 300 * (stretch / 20 - me:hand().z), 0.15, "by Hooke's law")

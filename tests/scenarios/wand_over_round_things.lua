@@ -1,4 +1,5 @@
--- The wand's tip is pressed onto a ball and drawn over it: the force follows the curve and never drops, whatever the friction.
+-- The wand's tip is pressed onto a ball and drawn over it. For any friction the force follows the curve and
+-- never drops.
 match {players = {"script", "script"}}
 clear_props()
 local me = wizard(1)
@@ -7,8 +8,8 @@ me:place {-10, 0, 0}
 me:face(0)
 wait(0.5)
 
--- A hand at rest holds the tip 0.22 m right of the eye, 0.2 m below its 1.65 m and 0.75 m ahead; a millimetre of the hand is a
--- centimetre of the tip, and a degree of the mouse is two millimetres of the hand.
+-- A resting hand holds the tip 0.22 m right of the eye, 0.2 m below its 1.65 m, and 0.75 m ahead. A
+-- millimetre of the hand is a centimetre of the tip. A degree of the mouse is two millimetres of the hand.
 local tip = {x = -9.78, y = 1.45, z = -0.75}
 
 local function draw_over(friction, place)
@@ -46,6 +47,7 @@ for i, friction in ipairs {0.2, 0.5, 0.8} do
     log("friction", friction, "weakest", weakest, "N, largest change in a tick", jump, "N over", way, "m")
     expect(way > 0.008, "the hand went over it: " .. way .. " m")
     expect(weakest > 0.5, "friction " .. friction .. ": the ball is felt all the way: " .. weakest .. " N")
-    -- Where it slips, static friction gives way to the dynamic one; a force that drops altogether is more than twice that.
+    -- Where the tip slips, static friction changes to dynamic friction. A complete drop of the force would be
+    -- more than twice that.
     expect(jump < 0.5, "friction " .. friction .. ": no drop: " .. jump .. " N")
 end

@@ -1,4 +1,4 @@
--- The wand's tip pushes what it touches as hard as the hand feels it: a newton at the hand is 50 N on the thing.
+-- The wand's tip pushes a thing as hard as the hand feels it: 1 N at the hand is 50 N on the thing.
 match {players = {"script", "script"}}
 clear_props()
 local me = wizard(1)
@@ -7,7 +7,8 @@ me:face(0)
 wait(0.5)
 local newtons = 50
 
--- A plate flies slowly against the tip, from the right. What it loses of momentum the hand has had, to the last bit of it; and it turns back.
+-- A plate flies slowly against the tip from the right. The hand receives exactly the momentum that the plate
+-- loses, and the plate turns back.
 local plate = spawn {kind = "box", size = {0.4, 1.6, 0.8}, mass = 5, at = {-9.53, 1.6, -0.75}, velocity = {-0.4, 2, 0}}
 local before, hand, most, last = plate:velocity().x, 0, 0, 0
 trace("plate", {"1.hand_x", "1.force_x", "t1.speed"})
@@ -23,7 +24,7 @@ expect_near(5 * (plate:velocity().x - before), -newtons * hand, 1e-9, "equal and
 expect(plate:velocity().x > 0.03, "pushed away again: " .. plate:velocity().x .. " m/s")
 plate:place {14, 3, 12}
 
--- A push with the hand: 3 cm at the hand are 0.3 m at the tip. The light crate gives way, the stone does not.
+-- A push with the hand: 3 cm at the hand is 0.3 m at the tip. The light crate moves away, the stone does not.
 local function push(mass)
     local crate = spawn {kind = "box", size = {1.6, 1.6, 1.2}, mass = mass, at = {-8.85, 0.8, -0.75}}
     wait(0.4)
@@ -51,7 +52,8 @@ expect(light > 0.02, "8 kg moved " .. light .. " m")
 expect(math.abs(heavy) < 0.01, "120 kg moved " .. heavy .. " m")
 expect(heavy_felt > light_felt and light_felt > 0.2, "the heavy one is felt more: " .. heavy_felt .. " and " .. light_felt .. " N")
 
--- What it does is the deed of who pushed it; but who is struck by another's throw and touched it with the wand has not done it himself.
+-- A pushed thing's blow is credited to the player who pushed it. If a victim's wand touches a thing that the
+-- other player has thrown, the blow is still credited to the thrower.
 local foe = wizard(2)
 foe:place {-10, 0, -6}
 foe:face(180)

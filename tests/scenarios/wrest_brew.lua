@@ -1,4 +1,4 @@
--- Both ladles in: who has done more work in the last second and a half has the brew.
+-- With both ladles in, the player with more work in the last 1.5 s gets the brew.
 match {players = {"script", "script"}}
 clear_props()
 local one, two = wizard(1), wizard(2)

@@ -42,14 +42,14 @@ struct Watch {
         });
         for (std::uint32_t p = 0; p < players; ++p) {
             const auto wizard = wizard_of(world, p);
-            const auto& grip = world.get<Grip>(wizard);
-            const vec3 told = grip.servo.safety.output;
+            const auto& hand_state = world.get<HandState>(wizard);
+            const vec3 told = hand_state.servo.safety.output;
             audits[p].record(match.touch().servos[p].limits, {.wanted = told}, told);
             strongest = std::max(strongest, glm::length(told));
-            created = std::max(created, grip.servo.energy.most_created);
-            given = std::max(given, grip.servo.energy.given);
+            created = std::max(created, hand_state.servo.energy.most_created);
+            given = std::max(given, hand_state.servo.energy.given);
             fastest = std::max(fastest, glm::length(world.get<Motion>(wizard).velocity));
-            ASSERT_TRUE(is_finite(grip.device.position) && is_finite(grip.device.velocity));
+            ASSERT_TRUE(is_finite(hand_state.device.position) && is_finite(hand_state.device.velocity));
         }
         world.view<const Prop, const Motion, const Body>().each(
             [&](const Prop&, const Motion& m, const Body& body) {
@@ -106,7 +106,7 @@ struct Court {
     }
 
     ecs::Entity wizard(std::uint32_t p) const { return wizard_of(match.world(), p); }
-    const Grip& grip(std::uint32_t p) const { return match.world().get<Grip>(wizard(p)); }
+    const HandState& hand_state(std::uint32_t p) const { return match.world().get<HandState>(wizard(p)); }
     vec3 feet(std::uint32_t p) const { return match.world().get<Motion>(wizard(p)).position; }
 
     void place(std::uint32_t p, vec3 feet, vec3 way) {
@@ -246,7 +246,7 @@ TEST_P(StressedHands, OfAnArmWhosePosesAreAnything) {
     wild = false;
     court.release(0, Button::fire);
     court.run(500);
-    EXPECT_LT(glm::length(court.grip(0).servo.safety.output), 0.1) << "and all is quiet again";
+    EXPECT_LT(glm::length(court.hand_state(0).servo.safety.output), 0.1) << "and all is quiet again";
 }
 
 TEST_P(StressedHands, OfAnArmThatJumpsAcrossItsWorkspace) {
@@ -421,8 +421,8 @@ TEST(LiftStress, AThingHeldByBothIsTornAtByBoth) {
     court.watch.expect_tame();
     court.release(1, Button::fire);
     court.run(300);
-    EXPECT_EQ(court.grip(0).servo.safety.output, vec3(0));
-    EXPECT_EQ(court.grip(1).servo.safety.output, vec3(0));
+    EXPECT_EQ(court.hand_state(0).servo.safety.output, vec3(0));
+    EXPECT_EQ(court.hand_state(1).servo.safety.output, vec3(0));
 }
 
 TEST(LiftStress, WhatIsGoneIsHeldNoMore) {
@@ -434,13 +434,13 @@ TEST(LiftStress, WhatIsGoneIsHeldNoMore) {
         court.take(0, {11, 0.5, 16});
         if (holders == 2) court.take(1, {11, 0.5, 16});
         court.run(300);
-        EXPECT_GT(glm::length(court.grip(0).servo.safety.output), 0.1);
+        EXPECT_GT(glm::length(court.hand_state(0).servo.safety.output), 0.1);
         court.match.world_to_change().destroy(thing);
         const auto other = court.box({1, 1, 1}, 60, {11, 0.5, 16});  // may get the same place in the store
         court.run(300);
         for (std::uint32_t p = 0; p < static_cast<std::uint32_t>(holders); ++p) {
             EXPECT_FALSE(court.busy(p));
-            EXPECT_EQ(court.grip(p).servo.safety.output, vec3(0));
+            EXPECT_EQ(court.hand_state(p).servo.safety.output, vec3(0));
         }
         EXPECT_LT(glm::length(court.match.world().get<Motion>(other).velocity), 0.1);
         court.watch.expect_tame();
@@ -457,7 +457,7 @@ TEST_P(StressedHands, OfWhoDiesLetGo) {
     EXPECT_FALSE(court.busy(0));
     court.run(4000);
     EXPECT_FALSE(court.match.world().has<Dead>(court.wizard(0)));
-    EXPECT_LT(glm::length(court.grip(0).servo.safety.output), 0.1);
+    EXPECT_LT(glm::length(court.hand_state(0).servo.safety.output), 0.1);
     court.watch.expect_tame();
 }
 
@@ -493,7 +493,7 @@ TEST_P(StressedHands, OfAnArmThatVanishesAndComesBackElsewhere) {
         there = false;
         court.run(gone);
         // Later than that the simulated hand plays on.
-        EXPECT_TRUE(gone < 60 || gone > 250 || court.grip(0).servo.safety.output == vec3(0));
+        EXPECT_TRUE(gone < 60 || gone > 250 || court.hand_state(0).servo.safety.output == vec3(0));
         there = true;
         place = {0.06, 0.04, -0.03};
         court.run(500);

@@ -84,7 +84,7 @@ TEST(GameHostile, WhoRunsOverPowerUpsInAnyStateStaysWithinTheCaps) {
         if (t % 8 == 7) expect_sane(match);
         if (HasFatalFailure()) FAIL() << "at tick " << t;
     }
-    EXPECT_GT(match.world().single<Chronicle>().count, 100U);
+    EXPECT_GT(match.world().single<EventLog>().count, 100U);
 }
 
 TEST(GameHostile, ALogOfOtherRulesOrOtherDataIsRefusedInOneLineThatNamesWhatDiffers) {

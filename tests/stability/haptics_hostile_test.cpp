@@ -7,21 +7,13 @@
 #include "core/random.h"
 #include "haptics/coupling.h"
 #include "unit/haptics_rig.h"
+#include "unit/shipped_devices.h"
 
 namespace thaum::haptics {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-std::vector<DeviceSpec> shipped_devices() {
-    std::vector<DeviceSpec> result;
-    for (const auto& entry : std::filesystem::directory_iterator(THAUM_SOURCE_DIR "/assets/devices")) {
-        const auto toml = read_text_file(entry.path(), 1U << 16U);
-        result.push_back(*read_device(*Config::parse(*toml, entry.path().filename(), 1)));
-    }
-    return result;
-}
 
 double hostile_number(Random& random) {
     switch (random.below(8)) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/bench/worse.h"
 #include "unit/haptics_round_rig.h"
 
 namespace thaum::haptics {
@@ -133,7 +134,7 @@ void wander(const Scene& scene, double friction, double speed, std::uint64_t see
         for (std::uint32_t i = 0; i < scene.patch.count; ++i) {
             const Surface& s = scene.patch.surfaces[i];
             depth = std::max(depth, depth_in(s, place));
-            worst_entry = std::max(worst_entry, depth_in(s, touched.proxy));
+            worst_entry = bench::worse(worst_entry, depth_in(s, touched.proxy));
             if (depth_in(s, touched.proxy) < -1e-8) continue;
             for (const Judged& j : judged(s, touched.proxy))
                 if (std::abs(j.depth) < 1e-8) normals.push_back(j.normal);
@@ -141,8 +142,8 @@ void wander(const Scene& scene, double friction, double speed, std::uint64_t see
         if (depth < 1e-6) continue;
         ++inside;
         if (touched.contacts == 0 || glm::length(touched.force) == 0) ++lost;
-        worst_cone = std::max(worst_cone, beyond_cone(normals, touched.proxy - place, friction) /
-                                              glm::length(touched.proxy - place));
+        worst_cone = bench::worse(worst_cone, beyond_cone(normals, touched.proxy - place, friction) /
+                                                  glm::length(touched.proxy - place));
     }
     EXPECT_GT(inside, 300) << name;
     EXPECT_EQ(lost, 0) << name << " of " << inside;
@@ -301,6 +302,218 @@ TEST(RoundBodies, AtTheEndOfThePatchTheProxyStaysOnItsSurface) {
         }
         EXPECT_EQ(probe.state.limited, 1U);
     }
+}
+
+// ---- two solids -----------------------------------------------------------------------------------------------------
+
+/// A cylinder and a box that overlap, turned at random, without friction.
+SurfacePatch cylinder_in_box(Random& random) {
+    constexpr double size = 0.01;  // m
+    SurfacePatch patch = rubbing_patch(0);
+    const auto turned = [&] {
+        return rotation(glm::normalize(random_vec(random) + vec3(0.01, 0, 0)), random.uniform(0, 6));
+    };
+    patch.bodies[0].orientation = turned();
+    add(patch, SurfaceKind::cylinder, {}, {size, size * random.uniform(0.2, 3), 0});
+    patch.bodies[1] = patch.bodies[0];
+    patch.bodies[1].key = 8;
+    patch.bodies[1].orientation = turned();
+    patch.body_count = 2;
+    const vec3 aside = glm::normalize(random_vec(random)) * size * random.uniform(0.3, 2);
+    add(patch, SurfaceKind::box, aside, {size, size * random.uniform(0.2, 2), size * random.uniform(0.2, 2)});
+    patch.surfaces[1].body = 1;
+    return patch;
+}
+
+/// Without friction the surfaces alone hold the proxy: their pushes reach from the tip to it. Where an edge of one body
+/// crosses the side of another, the proxy hung on the rounding of the edge, by up to 5 N.
+TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
+    constexpr double rest = 1e-8;  // m; 5e-6 N
+    for (std::uint64_t seed = 0; seed < 150; ++seed) {
+        Random random{seed};
+        Probe probe{cylinder_in_box(random)};
+        Wanderer tip{.random = random, .place = {0, 0.08, 0}};
+        probe.at(tip.place);
+        for (int tick = 0; tick < 600; ++tick) {
+            vec3 place = tip.next(0.5);
+            if (glm::length(place) > 0.03) place *= 0.999;  // back to the bodies
+            tip.place = place;
+            const Touched touched = probe.at(place);
+            const vec3 spring = touched.proxy - place;
+            ASSERT_LE(glm::length(spring - touched.push), rest) << "seed " << seed << " tick " << tick;
+        }
+    }
+}
+
+/// Friction 0.061 holds a proxy in the groove of a sphere and a capsule a third of the way to where the next sphere
+/// would stop it. The exact place is by integrating the descent in long double. Beyond it the pull leaves the cone
+/// again: looked at in its end alone, the path went on to the sphere, with 0.086 N of error in 0.22 N.
+TEST(RoundBodies, InAGrooveFrictionHoldsAtTheFirstPlaceOfALongPath) {
+    SurfacePatch patch = rubbing_patch(0.061098345613583738);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        patch.bodies[i] = patch.bodies[0];
+        patch.bodies[i].key = 100 + i;
+    }
+    patch.bodies[2].orientation =
+        quat(-0.22551531069806427, 0.83412551418362468, -0.33231352039722467, -0.37808093761767808);
+    patch.body_count = 3;
+    add(patch, SurfaceKind::sphere, {}, {0.001, 0, 0});
+    add(patch, SurfaceKind::sphere, {0.00021816940554055144, -0.0001522080444787245, -2.3999659500668532e-05},
+        {0.0010886156029400553, 0, 0});
+    add(patch, SurfaceKind::capsule,
+        {-0.00093717791134642679, 0.0002612122851314467, -6.5503699148551729e-05},
+        {0.0010151775900979758, 0.001, 0});
+    for (std::uint32_t i = 0; i < 3; ++i) patch.surfaces[i].body = i;
+    Probe probe{patch};
+    probe.state = {.proxy = {-0.00056149581311396154, -0.00052588648745658772, -0.00068549110652388725},
+                   .contacts = 2,
+                   .sliding = 1,
+                   .begun = 1};
+    const vec3 exact(-0.00054325069086277227, -0.00043011490315473403, -0.00075069875892546284);
+    const Touched touched =
+        probe.at({-0.00047677046294828491, -8.1155886553072374e-06, -0.00013956396290504223});
+    EXPECT_LE(glm::length(touched.proxy - exact), 1e-10);
+    EXPECT_EQ(touched.contacts, 2U);
+}
+
+// ---- downhill -------------------------------------------------------------------------------------------------------
+
+/// A solid as it is judged: `shape` stands at its place, turned about it.
+struct Ground {
+    Surface shape{};
+    quat turned{1, 0, 0, 0};
+
+    Judged nearest_face(vec3 p) const {
+        Surface local = shape;
+        local.a = {};
+        const std::vector<Judged> faces = judged(local, glm::conjugate(turned) * (p - shape.a));
+        const Judged nearest = *std::min_element(
+            faces.begin(), faces.end(), [](const Judged& a, const Judged& b) { return a.depth < b.depth; });
+        return {nearest.depth, turned * nearest.normal};
+    }
+};
+
+/// Distance by which a free place within 0.1 um of the proxy is nearer to the tip (m): tries random steps, moves them
+/// out of the solids, and takes the best.
+double downhill(const std::array<Ground, 2>& grounds, vec3 proxy, vec3 tip, Random& random) {
+    constexpr double step = 1e-7, exact = 1e-13;  // m
+    std::array<double, 2> allowed{};  // the rounding of an edge lies beneath the gap over its faces
+    for (std::size_t i = 0; i < 2; ++i)
+        allowed[i] = std::max(grounds[i].nearest_face(proxy).depth, -surface_gap);
+    double best = 0;
+    for (int n = 0; n < 60; ++n) {
+        vec3 place = proxy + step * glm::normalize(random_vec(random) + vec3(1e-9, 0, 0));
+        double deepest = 1;
+        for (int round = 0; round < 20 && deepest > exact; ++round) {
+            deepest = 0;
+            for (std::size_t i = 0; i < 2; ++i) {
+                const Judged face = grounds[i].nearest_face(place);
+                const double over = face.depth - allowed[i];
+                deepest = std::max(deepest, over);
+                if (over > 0) place += over * face.normal;
+            }
+        }
+        if (deepest <= exact) best = std::max(best, glm::length(tip - proxy) - glm::length(tip - place));
+    }
+    return best;
+}
+
+/// A box of half extents `half`, turned about the origin: one solid of the patch's first body, or a closed mesh.
+void add_box(SurfacePatch& patch, vec3 half, quat turned, bool mesh) {
+    patch.bodies[0].orientation = turned;
+    if (!mesh) return add(patch, SurfaceKind::box, {}, half);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            vec3 out(0), u(0), v(0);
+            out[axis] = side * half[axis];
+            u[(axis + 1) % 3] = half[(axis + 1) % 3];
+            v[(axis + 2) % 3] = side * half[(axis + 2) % 3];
+            const std::array corners{turned * (out - u - v), turned * (out + u - v), turned * (out + u + v),
+                                     turned * (out - u + v)};
+            add(patch, SurfaceKind::triangle, corners[0], corners[1], corners[2]);
+            add(patch, SurfaceKind::triangle, corners[0], corners[2], corners[3]);
+        }
+    }
+}
+
+/// A box and a round solid that cross, without friction.
+struct Crossing {
+    SurfacePatch patch{};
+    std::array<Ground, 2> grounds{};
+};
+
+Crossing crossing(SurfaceKind kind, bool mesh, Random& random) {
+    const auto turned = [&] {
+        return rotation(glm::normalize(random_vec(random) + vec3(0.01, 0, 0)), random.uniform(0, 6));
+    };
+    const auto size = [&] { return random.uniform(0.003, 0.012); };
+    Crossing made{.patch = rubbing_patch(0)};
+    auto& grounds = made.grounds;
+    grounds[0] = {{.kind = SurfaceKind::box, .b = {size(), size(), size()}}, turned()};
+    add_box(made.patch, grounds[0].shape.b, grounds[0].turned, mesh);
+    made.patch.bodies[1] = made.patch.bodies[0];
+    made.patch.bodies[1].key = 8;
+    made.patch.bodies[1].orientation = grounds[1].turned = turned();
+    made.patch.body_count = 2;
+    add(made.patch, kind, 0.008 * random_vec(random), {size(), size(), 0});
+    made.patch.surfaces[made.patch.count - 1].body = 1;
+    grounds[1].shape = made.patch.surfaces[made.patch.count - 1];
+    return made;
+}
+
+/// Without friction the proxy goes down to the tip as far as the bodies let it, whatever it went over before. The edge of
+/// a box and the seam of two triangles held it beside a round solid, with up to 12 N.
+TEST(RoundBodies, NoProxyStaysWhereAWayDownhillIsFree) {
+    constexpr double rest = 2e-9;  // m; a pull of a fiftieth of the force
+    for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder}) {
+        for (const bool mesh : {false, true}) {
+            int touched = 0, stuck = 0;
+            for (std::uint64_t seed = 0; seed < 60; ++seed) {
+                Random random{seed};
+                const Crossing scene = crossing(kind, mesh, random);
+                Probe probe{scene.patch};
+                Wanderer tip{.random = random, .place = {0, 0.03, 0}};
+                probe.at(tip.place);
+                for (int tick = 0; tick < 1000; ++tick) {
+                    const vec3 place = tip.next(0.2);
+                    if (glm::length(place) > 0.01) tip.way = -glm::normalize(place);
+                    if (probe.at(place).contacts == 0 || tick % 10 != 0) continue;
+                    ++touched;
+                    if (downhill(scene.grounds, probe.state.proxy, place, random) > rest) ++stuck;
+                }
+            }
+            EXPECT_GT(touched, 1000);
+            EXPECT_EQ(stuck, 0) << "of " << touched << ", kind " << static_cast<int>(kind) << " mesh "
+                                << mesh;
+        }
+    }
+}
+
+/// A plane, two capsules and a sphere leave the proxy no room. The walls that held it last go on doing so: the force
+/// was zero, 15 mm from the tip.
+TEST(RoundBodies, WithoutRoomTheLastWallsKeepTheForce) {
+    SurfacePatch patch = rubbing_patch(0);
+    const auto body = [&](SurfaceKind kind, vec3 a, vec3 b, quat turned) {
+        patch.bodies[patch.count] = patch.bodies[0];
+        patch.bodies[patch.count].key = 7 + patch.count;
+        patch.bodies[patch.count].orientation = glm::normalize(turned);
+        add(patch, kind, a, b);
+        patch.surfaces[patch.count - 1].body = patch.count - 1;
+        patch.body_count = patch.count;
+    };
+    body(SurfaceKind::plane, {0.01514617, 0.00503695, -0.01667123},
+         glm::normalize(vec3(-0.13079826, -0.22071856, 0.96652736)), {1, 0, 0, 0});
+    body(SurfaceKind::capsule, {0.01812151, -0.01307855, -0.01771576}, {0.02437754, 0.01678604, 0.01221313},
+         {-0.36281611, -0.2079623, -0.3208076, 0.84982271});
+    body(SurfaceKind::sphere, {-0.00960424, 0.03394547, -0.01782836}, {0.017804, 0.01259048, 0},
+         {0.01141482, -0.05659281, 0.94979015, -0.30751524});
+    body(SurfaceKind::capsule, {-0.02090955, 0.0035015, -0.03663159}, {0.0164946, 0.01926642, 0.00947799},
+         {0.13001072, -0.26728686, 0.58271843, -0.75636908});
+    Probe probe{patch};
+    probe.state = {.proxy = {-0.00408844, 0.01708846, -0.01752639}, .begun = 1};
+    const Touched touched = probe.at({-0.01389941, 0.00874292, -0.00754157});
+    EXPECT_GT(touched.contacts, 0U);
+    EXPECT_GT(glm::length(touched.force), 0);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 // Switches of passive sources create next to no energy at the hand, whatever the device and whoever holds it.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "tools/bench/switches.h"
 #include "unit/shipped_devices.h"
 
@@ -22,16 +25,26 @@ TEST(HapticsSwitches, AStretchedSpringThatComesIsNotChased) {
     }
 }
 
-TEST(HapticsSwitches, TenThousandRandomSwitchesCreateNextToNothing) {
-    constexpr int switches = 500;  // each of five devices and five hands: 12,500
+TEST(HapticsSwitches, AHundredThousandRandomSwitchesCreateNextToNothing) {
+    constexpr int switches = 500;  // each of five devices, five hands and eight seeds: 100,000
     for (const auto& spec : shipped_devices()) {
         for (const auto& hand : bench::switch_hands) {
-            const auto run = bench::random_switches(spec, hand, switches, 7);
+            const auto run = bench::random_switches(spec, hand, switches);
             EXPECT_LE(run.most_created, most_per_switch) << spec.name << ", " << hand.name;
-            EXPECT_EQ(run.switches, switches);
+            EXPECT_EQ(run.switches, switches * static_cast<int>(bench::switch_seeds.size()));
             EXPECT_GT(run.fastest, 0.01) << "nothing moved: " << spec.name << ", " << hand.name;
         }
     }
+}
+
+TEST(HapticsSwitches, AFigureThatIsNoNumberStaysTheWorst) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(bench::worse(1, 2), 2);
+    EXPECT_EQ(bench::worse(2, 1), 2);
+    EXPECT_TRUE(std::isnan(bench::worse(1, nan)));
+    EXPECT_TRUE(std::isnan(bench::worse(nan, 1)));
+    const auto run = bench::one_spring(shipped_devices().front(), bench::switch_hands[0], nan);
+    EXPECT_TRUE(std::isnan(run.most_created)) << run.most_created;
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 
 #include "core/clock.h"
 #include "core/one_line.h"
+#include "core/text.h"
 #include "drivers/fake_hd/fake_hd.h"
 #include "drivers/fake_hd/modes.h"
 
@@ -61,6 +62,8 @@ void start(Probe& p, const std::filesystem::path& file) {
     std::ofstream(file, std::ios::binary).flush();
     p.pid = ::fork();
     if (p.pid != 0) return;
+    // Who runs the tests may ignore some.
+    for (int signal = 1; signal < SIGRTMIN; ++signal) std::signal(signal, SIG_DFL);
     ::setenv("FAKE_HD", script.c_str(), 1);
     ::dup2(::open(file.c_str(), O_WRONLY | O_APPEND), STDOUT_FILENO);
     ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
@@ -95,6 +98,10 @@ void run_all(std::vector<Probe>& probes) {
 
 void expect_no_force(const Probe& p) {
     for (const double newton : p.arm.force) EXPECT_EQ(newton, 0) << "the arm goes on pushing";
+    // Where a call never returns, or fails for good, the arm cannot be told.
+    const auto is_told = [&](const char* word) { return p.words.find(word) != std::string::npos; };
+    if (is_told("blocks") || (is_told("from=") && !is_told("until="))) return;
+    for (const double newton : p.arm.left) EXPECT_EQ(newton, 0) << "the arm was let go of with a force";
 }
 
 /// One line that a terminal shows as it is.
@@ -127,14 +134,46 @@ void expect_modes(const std::vector<Mode>& modes) {
 TEST(ArmModes, AFunctionThatFailsHangsOrCallsBack) { expect_modes(fake_hd::modes_of_calls()); }
 TEST(ArmModes, MeasurementsWordsAndTicksThatAreWrong) { expect_modes(fake_hd::modes_of_answers()); }
 
+/// The ticks come, but nobody knows whether the library has taken them up.
+TEST(ArmModes, NoForceBeforeTheLibraryHasTakenTheTicksUp) {
+    std::vector<Probe> probes{{.words = "hdScheduleAsynchronous=returns_late"}};
+    run_all(probes);
+    EXPECT_TRUE(probes[0].line.starts_with("refused: ")) << probes[0].line;
+    EXPECT_GT(probes[0].arm.ticks, 0U);
+    EXPECT_EQ(probes[0].arm.greatest_force, 0);
+    expect_no_force(probes[0]);
+}
+
+/// Somebody wants to end: the wait of 15 s is not begun, so it is not said to be over.
+TEST(ArmModes, SaysHowLongItHasWaited) {
+    std::vector<Probe> probes{{.words = "hdInitDevice=blocks", .end = "impatient"}};
+    run_all(probes);
+    EXPECT_NE(probes[0].line.find("has not returned for 0."), std::string::npos) << probes[0].line;
+}
+
 // ---- ends ----------------------------------------------------------------------------------------------------------------
 
 /// The program holds 1 N and ends like that; signal 0: it exits.
 struct WayToEnd {
-    const char* end;
+    std::string end;
     int signal;
-    const char* words = "";
+    std::string words{};
 };
+
+void expect_ends(const std::vector<WayToEnd>& ways) {
+    std::vector<Probe> probes;
+    for (const auto& way : ways) probes.push_back({.words = way.words, .end = way.end});
+    run_all(probes);
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+        SCOPED_TRACE(ways[i].end + ways[i].words);
+        const auto& p = probes[i];
+        ASSERT_TRUE(p.status) << "it hangs";
+        EXPECT_TRUE(ways[i].signal == 0 ? WIFEXITED(*p.status) : p.died_by(ways[i].signal)) << *p.status;
+        EXPECT_GE(p.arm.ticks, 99U);
+        EXPECT_EQ(p.arm.greatest_force, 1);
+        expect_no_force(p);
+    }
+}
 
 TEST(ArmEnds, HoweverItEndsTheLastForceIsZero) {
     const std::vector<WayToEnd> ways{
@@ -152,63 +191,97 @@ TEST(ArmEnds, HoweverItEndsTheLastForceIsZero) {
         {"tick_exception", SIGABRT},
         {"tick_assertion", SIGABRT},
         {"", SIGSEGV, "hdStopScheduler=crashes"},
+        {"", SIGSEGV, "hdGetDoublev=crashes,from=400"},
+        {"", SIGSEGV, "crash=200"},
+        {"", SIGTERM, "hdGetDoublev=interrupts,from=400"},
+        {"", SIGTERM, "interrupt=200"},
+        {"pipe", SIGPIPE},
+        {"tick_pipe", SIGPIPE},
+        {"tick_overrun", SIGSEGV},
+        {"beside_overrun", SIGSEGV},
+        {"beside_fault", SIGSEGV},
     };
-    std::vector<Probe> probes;
-    for (const auto& way : ways) probes.push_back({.words = way.words, .end = way.end});
-    run_all(probes);
-    for (std::size_t i = 0; i < probes.size(); ++i) {
-        SCOPED_TRACE(std::string(ways[i].end) + ways[i].words);
-        const auto& p = probes[i];
-        ASSERT_TRUE(p.status) << "it hangs";
-        EXPECT_TRUE(ways[i].signal == 0 ? WIFEXITED(*p.status) : p.died_by(ways[i].signal)) << *p.status;
-        EXPECT_GE(p.arm.ticks, 99U);
-        EXPECT_EQ(p.arm.greatest_force, 1);
+    expect_ends(ways);
+}
+
+/// All that end a program which does nothing about them, but for SIGKILL.
+TEST(ArmEnds, NoSignalEndsItWithAForce) {
+    std::vector<WayToEnd> ways;
+    for (const int signal :
+         {SIGHUP,  SIGINT,  SIGQUIT, SIGILL,  SIGTRAP, SIGABRT,   SIGBUS,  SIGFPE, SIGUSR1, SIGSEGV, SIGUSR2,
+          SIGPIPE, SIGALRM, SIGTERM, SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF, SIGIO,  SIGPWR,  SIGSYS}) {
+        for (const char* where : {"", "tick_"}) ways.push_back({where + text("raise=", signal), signal});
+    }
+    expect_ends(ways);
+}
+
+/// The program while it waits to be killed.
+struct Waiting {
+    Folder folder{};
+    Probe p{};
+    std::int64_t until = monotonic_ns() + hangs_after_ns;
+
+    explicit Waiting(const char* end) {
+        p.end = end;
+        start(p, file());
+        wait_until([&] { return std::filesystem::file_size(file()) > 0; });
+    }
+    std::filesystem::path file() const { return folder.path / "0"; }
+    const FakeHdLive& arm() {
+        std::ifstream(file().string() + ".live", std::ios::binary)
+            .read(reinterpret_cast<char*>(&p.arm), sizeof p.arm);
+        return p.arm;
+    }
+    template <class F>
+    void wait_until(F holds) {
+        while (!holds() && !p.has_ended() && monotonic_ns() < until)
+            sleep_until_ns(monotonic_ns() + 1'000'000);
+    }
+    void expect_stops_by(int signal) {
+        int status = 0;
+        ::kill(p.pid, signal);
+        ASSERT_EQ(::waitpid(p.pid, &status, WUNTRACED), p.pid);
+        ASSERT_TRUE(WIFSTOPPED(status));
+        EXPECT_EQ(arm().force[2], 0);
+        ::kill(p.pid, SIGCONT);
+    }
+    void expect_ends_without_force() {
+        ::kill(p.pid, SIGTERM);
+        wait_for_end(p, file(), until);
+        EXPECT_TRUE(p.died_by(SIGTERM));
         expect_no_force(p);
     }
-}
+};
 
 /// A program without a handler of its own.
 TEST(ArmEnds, ASignalThatEndsItLeavesNoForce) {
-    for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
-        const Folder folder;
-        Probe p{.end = "wait"};
-        const auto until = monotonic_ns() + hangs_after_ns;
-        start(p, folder.path / "0");
-        const auto waits = [&] { return std::filesystem::file_size(folder.path / "0") > 0; };
-        while (!waits() && !p.has_ended() && monotonic_ns() < until)
-            sleep_until_ns(monotonic_ns() + 1'000'000);
-        ::kill(p.pid, signal);
-        wait_for_end(p, folder.path / "0", until);
-        EXPECT_TRUE(p.died_by(signal));
-        EXPECT_EQ(p.arm.greatest_force, 1);
-        expect_no_force(p);
-    }
+    Waiting program("wait");
+    program.wait_until([&] { return program.arm().greatest_force == 1; });
+    program.expect_ends_without_force();
 }
 
 TEST(ArmEnds, StoppedItGivesNoForceAndContinuedItDoes) {
-    const Folder folder;
-    Probe p{.end = "wait"};
-    const auto until = monotonic_ns() + hangs_after_ns;
-    start(p, folder.path / "0");
-    const auto force = [&] {
-        std::ifstream(folder.path / "0.live", std::ios::binary)
-            .read(reinterpret_cast<char*>(&p.arm), sizeof p.arm);
-        return p.arm.force[2];
-    };
-    const auto wait_until = [&](auto holds) {
-        while (!holds() && monotonic_ns() < until) sleep_until_ns(monotonic_ns() + 1'000'000);
-    };
-    wait_until([&] { return std::filesystem::file_size(folder.path / "0") > 0 && force() == 1; });
-    ::kill(p.pid, SIGTSTP);
-    int status = 0;
-    ASSERT_EQ(::waitpid(p.pid, &status, WUNTRACED), p.pid);
-    ASSERT_TRUE(WIFSTOPPED(status));
-    EXPECT_EQ(force(), 0);
-    ::kill(p.pid, SIGCONT);
-    wait_until([&] { return force() == 1; });
-    EXPECT_EQ(force(), 1);
-    ::kill(p.pid, SIGTERM);
-    wait_for_end(p, folder.path / "0", until);
+    Waiting program("wait");
+    for (const int signal : {SIGTSTP, SIGTTIN, SIGTTOU}) {
+        program.wait_until([&] { return program.arm().force[2] == 1; });
+        program.expect_stops_by(signal);
+        program.wait_until([&] { return program.arm().force[2] == 1; });
+        EXPECT_EQ(program.arm().force[2], 1);
+    }
+    program.expect_ends_without_force();
+}
+
+/// Ctrl-C, Ctrl-Z, and on: it still ends.
+TEST(ArmEnds, StoppedWhileItEndsItGivesNoForceAfterwards) {
+    Waiting program("ending");
+    EXPECT_EQ(program.arm().force[2], 0);
+    program.expect_stops_by(SIGTSTP);
+    for (int round = 0; round < 5; ++round) {
+        const auto then = program.arm().ticks;
+        program.wait_until([&] { return program.arm().ticks > then + 10; });
+        EXPECT_EQ(program.arm().force[2], 0);
+    }
+    program.expect_ends_without_force();
 }
 
 }  // namespace

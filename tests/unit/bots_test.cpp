@@ -44,20 +44,21 @@ struct Scene {
         }
     }
 
-    const Deeds& bolts_of(std::uint32_t player) const {
-        return match.world().single<Chronicle>().deeds[player][cause_of(EventKind::bolt_hit)];
+    const MatchStats& bolts_of(std::uint32_t player) const {
+        return match.world().single<EventLog>().match_stats[player][cause_of(EventKind::bolt_hit)];
     }
 
     /// From any wand.
     double shots_of(std::uint32_t player) const {
         double sum = 0;
-        for (const Deeds& deeds : match.world().single<Chronicle>().deeds[player]) sum += deeds.shots;
+        for (const MatchStats& match_stats : match.world().single<EventLog>().match_stats[player])
+            sum += match_stats.shots;
         return sum;
     }
 
     std::optional<PowerUpKind> picked_up() const {
-        const auto& chronicle = match.world().single<Chronicle>();
-        for (const auto& event : chronicle.events) {
+        const auto& event_log = match.world().single<EventLog>();
+        for (const auto& event : event_log.events) {
             if (event.kind == EventKind::power_up && event.subject == 0)
                 return static_cast<PowerUpKind>(event.detail);
         }
@@ -111,7 +112,7 @@ TEST(Bot, FetchesHealthWhenHurtAndEnergyWhenDry) {
 }
 
 /// Bolts of 40 s of a bot at 10 m from a foe who walks to and fro.
-Deeds shots_at_a_walker(double lead) {
+MatchStats shots_at_a_walker(double lead) {
     auto skill = skill_of(3);
     skill.lead = lead;
     skill.aim_error = skill.variety = 0;
@@ -150,7 +151,7 @@ std::array<std::uint32_t, causes.size()> shots_of(int level) {
     scene.run(45, stands_still);
     std::array<std::uint32_t, causes.size()> shots{};
     for (std::size_t cause = 0; cause < causes.size(); ++cause)
-        shots[cause] = scene.match.world().single<Chronicle>().deeds[0][cause].shots;
+        shots[cause] = scene.match.world().single<EventLog>().match_stats[0][cause].shots;
     return shots;
 }
 
@@ -269,7 +270,7 @@ TEST(Bot, KeepsItsReserveForAFoeWhoIsNear) {
 }
 
 /// What things did that the bot threw, in 12 s at 10 m from a foe who stands still, a stone of 120 kg between the two.
-Deeds throws_of(int level) {
+MatchStats throws_of(int level) {
     auto skill = skill_of(level);
     if (skill.lift.share > 0) skill.lift.share = 1;
     skill.vial_below = skill.spark_below = skill.cover_below = 0;
@@ -277,7 +278,7 @@ Deeds throws_of(int level) {
     scene.put(0, {7, 0, 15.5}, -90);
     scene.put(1, {17, 0, 15}, 90);
     scene.run(12, stands_still);
-    return scene.match.world().single<Chronicle>().deeds[0][cause_of(EventKind::object_hit)];
+    return scene.match.world().single<EventLog>().match_stats[0][cause_of(EventKind::object_hit)];
 }
 
 TEST(Bot, FromLevelTwoItTakesThingsUpAndThrowsThem) {
@@ -391,7 +392,7 @@ TEST(League, AMatchIsToldAsItWas) {
     EXPECT_LE(first->lengths[0], ticks(20.01));
     EXPECT_EQ(first->lengths, second->lengths);
     for (std::uint32_t p = 0; p < players; ++p) {
-        EXPECT_EQ(first->deeds[p][0].shots, second->deeds[p][0].shots);
+        EXPECT_EQ(first->match_stats[p][0].shots, second->match_stats[p][0].shots);
         EXPECT_GT(first->alive[p], ticks(10.0));
         EXPECT_LE(first->alive[p], ticks(20.01));
         EXPECT_LE(first->dry[p], first->alive[p]);
@@ -409,9 +410,9 @@ TEST(League, TheSummaryCountsBySidesAndLevels) {
     matches[0].rounds = 1, matches[0].lengths[0] = ticks(100.0);
     matches[1].rounds = 2, matches[1].lengths[0] = ticks(50.0), matches[1].lengths[1] = ticks(240.0);
     matches[1].timed_out[1] = 1;
-    matches[0].deeds[1][0] = {.shots = 10, .hits = 5, .kills = 3};
-    matches[1].deeds[0][0] = {.shots = 10, .hits = 1, .kills = 1};
-    matches[1].deeds[1][2] = {.own_deaths = 2};
+    matches[0].match_stats[1][0] = {.shots = 10, .hits = 5, .kills = 3};
+    matches[1].match_stats[0][0] = {.shots = 10, .hits = 1, .kills = 1};
+    matches[1].match_stats[1][2] = {.own_deaths = 2};
     matches[0].alive = {ticks(100.0), ticks(80.0)};
     matches[0].dry = {ticks(10.0), ticks(20.0)};
     const auto s = summarise(matches);

@@ -203,6 +203,25 @@ TEST(CoreConfig, TablesOutliveTheConfig) {
 }
 
 /// Nesting that would exhaust the stack of a parser that recurses is a fault like any other.
+TEST(CoreConfig, EqualValuesHashEqually) {
+    const auto hash = [](std::string_view body) { return parsed(body).value_hash(); };
+    const auto as_written = hash("a = 1\nb = 'x'\n[inner]\nc = [1, 2.5]\nd = true\n");
+    EXPECT_EQ(as_written,
+              hash("# words\nb = \"x\"   # more\na = 1.0\ninner = { d = true, c = [1.0, 2.50] }\n"));
+    for (const auto* other :
+         {"a = 2\nb = 'x'\n[inner]\nc = [1, 2.5]\nd = true\n",
+          "a = 1\nb = 'y'\n[inner]\nc = [1, 2.5]\nd = true\n",
+          "a = 1\nb = 'x'\n[inner]\nc = [2.5, 1]\nd = true\n",
+          "a = 1\nb = 'x'\n[inner]\nc = [1, 2.5]\nd = false\n",
+          "a = 1\nb = 'x'\n[outer]\nc = [1, 2.5]\nd = true\n", "a = 1\nb = 'x'\n[inner]\nc = [1, 2.5]\n",
+          "a = '1'\nb = 'x'\n[inner]\nc = [1, 2.5]\nd = true\n",
+          "a = 1\nb = 'x'\n[inner]\nc = [[1], 2.5]\nd = true\n"}) {
+        EXPECT_NE(as_written, hash(other)) << other;
+    }
+    // Beyond 2^53 doubles would make neighbours equal.
+    EXPECT_NE(hash("a = 9007199254740993"), hash("a = 9007199254740994"));
+}
+
 TEST(CoreConfig, DeepNestingIsRefused) {
     constexpr std::size_t depth = 300'000;
     std::string dotted = "a";

@@ -1,6 +1,7 @@
 #include "core/jobs.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <atomic>
 #include <chrono>
@@ -9,11 +10,22 @@
 #include <numeric>
 
 #include "core/hash.h"
+#include "core/threads.h"
 
 namespace thaum {
 namespace {
 
 using namespace std::chrono_literals;
+
+/// A handler can only run on another stack than the one that is full.
+TEST(Threads, HaveAStackOnWhichAFullOneIsHandled) {
+    stack_t stack{};
+    auto thread = start_thread([&] { ::sigaltstack(nullptr, &stack); });
+    ASSERT_TRUE(thread) << thread.error().message;
+    thread->join();
+    EXPECT_EQ(stack.ss_flags & SS_DISABLE, 0);
+    EXPECT_GE(stack.ss_size, static_cast<std::size_t>(MINSIGSTKSZ));
+}
 
 class JobsByThreads : public ::testing::TestWithParam<unsigned> {};
 

@@ -190,7 +190,11 @@ TEST(Printable, LeavesWhatATerminalShows) {
 TEST(Printable, NamesTheBytesOfWhatATerminalObeys) {
     EXPECT_EQ(printable("a\x1b[2Jb\r\n\x7f", 80), "a\\x1b[2Jb\\x0d\\x0a\\x7f");
     EXPECT_EQ(printable("\xc2\x9b 31m", 80), "\\xc2\\x9b 31m") << "a control character of two bytes";
-    EXPECT_EQ(printable("\xe2\x80\xae", 80), "\\xe2\\x80\\xae") << "it turns the direction of writing";
+    for (const auto& [turns_writing, bytes] : {std::pair{"\xe2\x80\xae", "\\xe2\\x80\\xae"},
+                                               {"\xe2\x80\x8e", "\\xe2\\x80\\x8e"},
+                                               {"\xe2\x80\x8f", "\\xe2\\x80\\x8f"},
+                                               {"\xd8\x9c", "\\xd8\\x9c"}})
+        EXPECT_EQ(printable(turns_writing, 80), bytes);
     EXPECT_EQ(printable(std::string_view("\0", 1), 80), "\\x00");
 }
 

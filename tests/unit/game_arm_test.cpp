@@ -89,7 +89,7 @@ struct ArmMatch {
     }
 
     Arm arm() const { return arms_in(match.world()).front(); }
-    const Grip& grip() const { return match.world().get<Grip>(wizard_of(match.world(), 0)); }
+    const HandState& hand_state() const { return match.world().get<HandState>(wizard_of(match.world(), 0)); }
 
     void expect_same_forces() const {
         for (const auto& [tick, force] : computed)
@@ -189,7 +189,7 @@ TEST(Arm, AnotherModelIsAnotherForce) {
 TEST(Arm, TheHandIsWhereTheArmIs) {
     ArmMatch m;
     m.run(300);
-    const auto& device = m.grip().device;
+    const auto& device = m.hand_state().device;
     EXPECT_EQ(device.position, input::position_of(m.arm().state));
     EXPECT_NEAR(std::abs(device.velocity.x), 0.5, 0.5);
     EXPECT_NEAR(device.velocity.y, 0.001, 1e-9);
@@ -222,8 +222,8 @@ TEST(Arm, ThatStopsIsNoReasonToStop) {
     m.run(300);
     m.still = true;
     m.run(240);
-    EXPECT_EQ(m.grip().servo.safety.output, vec3(0));
-    EXPECT_EQ(m.grip().servo.safety.cause, static_cast<std::uint32_t>(haptics::SafetyCause::stale));
+    EXPECT_EQ(m.hand_state().servo.safety.output, vec3(0));
+    EXPECT_EQ(m.hand_state().servo.safety.cause, static_cast<std::uint32_t>(haptics::SafetyCause::stale));
     EXPECT_EQ(m.match.match().played, 540U);
     m.still = false;
     m.run(100);
@@ -233,17 +233,18 @@ TEST(Arm, ThatStopsIsNoReasonToStop) {
 TEST(Arm, ThatIsGoneLeavesTheHandToTheMouse) {
     ArmMatch m;
     m.run(310);
-    const auto left_at = m.grip().device.position;
+    const auto left_at = m.hand_state().device.position;
     m.still = true;
     m.run(270);
     EXPECT_EQ(arm_condition(m.match.world(), 0), ArmCondition::gone);
-    EXPECT_NEAR(glm::distance(m.grip().device.position, left_at), 0, 0.01) << "the hand goes on where it was";
+    EXPECT_NEAR(glm::distance(m.hand_state().device.position, left_at), 0, 0.01)
+        << "the hand goes on where it was";
     const auto fired = m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)).fired;
     m.hand_buttons = bit(Button::fire);
     m.run(300);
     EXPECT_GT(m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)).fired, fired);
     m.run(40);
-    EXPECT_GT(glm::length(m.grip().device.velocity), 0) << "and the recoil moves it";
+    EXPECT_GT(glm::length(m.hand_state().device.velocity), 0) << "and the recoil moves it";
 }
 
 TEST(Arm, ThatIsBackIsFeltOnceItIsHeldStill) {
@@ -257,17 +258,17 @@ TEST(Arm, ThatIsBackIsFeltOnceItIsHeldStill) {
     const auto back = static_cast<std::size_t>(m.arm_ticks);
     m.run(1000);
     EXPECT_EQ(arm_condition(m.match.world(), 0), ArmCondition::back);
-    const auto there = m.grip().device.position;
+    const auto there = m.hand_state().device.position;
     m.resting = true;
     m.run(290);
-    EXPECT_EQ(m.grip().device.position, there);
+    EXPECT_EQ(m.hand_state().device.position, there);
     for (auto t = back; t < m.told.size(); ++t)
         ASSERT_EQ(m.told[t], vec3(0)) << "moved, or not yet long enough still";
     m.strongest = 0;
     m.run(700);
     EXPECT_EQ(arm_condition(m.match.world(), 0), ArmCondition::felt);
     EXPECT_GT(m.strongest, 0.5);
-    EXPECT_NEAR(glm::distance(m.grip().device.position, there), 0, 0.002) << "the hand did not jump";
+    EXPECT_NEAR(glm::distance(m.hand_state().device.position, there), 0, 0.002) << "the hand did not jump";
     for (auto t = back; t + 1 < m.told.size() && m.told[t] == vec3(0); ++t)
         ASSERT_LE(glm::length(m.told[t + 1]), 0.13) << "as a kick begins";
     m.expect_same_forces();
@@ -276,24 +277,24 @@ TEST(Arm, ThatIsBackIsFeltOnceItIsHeldStill) {
 TEST(Arm, TheClutchMovesTheArmFreeOfTheHand) {
     ArmMatch m;
     m.run(310);
-    const auto before = m.grip().device.position;
+    const auto before = m.hand_state().device.position;
     m.hand_buttons = bit(Button::clutch);
     m.arm_buttons = 1;
     m.run(30);
     const auto clutched = static_cast<std::size_t>(m.arm_ticks);
-    const auto there = m.grip().device.position;
+    const auto there = m.hand_state().device.position;
     EXPECT_EQ(arm_condition(m.match.world(), 0), ArmCondition::clutched);
     EXPECT_NEAR(glm::distance(there, before), 0, 0.01);
     for (int t = 0; t < 10; ++t) {
         m.run(33);
-        EXPECT_EQ(m.grip().device.position, there);
+        EXPECT_EQ(m.hand_state().device.position, there);
     }
     for (auto t = clutched; t < m.told.size(); ++t) ASSERT_EQ(m.told[t], vec3(0));
     const auto tip = input::position_of(m.arm().state);
     m.hand_buttons = 0;
     m.run(500);
     const auto moved = input::position_of(m.arm().state) - tip;
-    EXPECT_NEAR(glm::distance(m.grip().device.position, there + moved), 0, 0.005);
+    EXPECT_NEAR(glm::distance(m.hand_state().device.position, there + moved), 0, 0.005);
     EXPECT_GT(glm::distance(there, tip), 0.001);
     m.expect_same_forces();
 }
@@ -309,7 +310,7 @@ TEST(Arm, TheClutchDoesNotLengthenTheReach) {
         m.hand_buttons = 0;
         while (m.arm_ticks % 80 != 38) m.run(1);
     }
-    const auto x = m.grip().device.position.x;
+    const auto x = m.hand_state().device.position.x;
     EXPECT_GT(x, 0.06);
     EXPECT_LT(x, m.match.touch().device.reach.x + 0.021) << "and one stroke";
     m.expect_same_forces();
@@ -372,7 +373,7 @@ TEST(Arm, DrawsALobByPullingBack) {
     m.run(100);
     m.arm_buttons = 1;
     m.run(20);
-    EXPECT_GT(m.grip().tether.stiffness, 0) << "and can be drawn again at once";
+    EXPECT_GT(m.hand_state().tether.stiffness, 0) << "and can be drawn again at once";
     m.expect_same_forces();
 }
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/hash.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/match/arm.h"
 #include "game/match/touch.h"
 #include "input/arm_servo.h"
@@ -71,7 +71,8 @@ TEST(GameCauldron, WhatTheLadleGivesTheBrewGetsAndNotWhatTheHandIsTold) {
     }
     const auto speed = [](const Simulation& match) { return match.world().single<Cauldron>().speed; };
     EXPECT_GT(speed(*unfelt), 0.8 * speed(*felt));
-    EXPECT_EQ(glm::length(unfelt->world().get<Grip>(wizard_of(unfelt->world(), 0)).servo.safety.output), 0);
+    EXPECT_EQ(glm::length(unfelt->world().get<HandState>(wizard_of(unfelt->world(), 0)).servo.safety.output),
+              0);
 }
 
 // ---- faders ----------------------------------------------------------------------------------------------------------
@@ -124,7 +125,8 @@ struct HeldLadle {
             frame.devices[2] = servo.take();
             match->tick(frame);
             if (fill_order(*match, 0, servo.order())) servo.publish();
-            const vec3 force = match->world().get<Grip>(wizard_of(match->world(), 0)).servo.safety.output;
+            const vec3 force =
+                match->world().get<HandState>(wizard_of(match->world(), 0)).servo.safety.output;
             felt += glm::length(force);
             forces = hash_value(force, forces);
             if (t % 16 == 15) brews.push_back(hash_of_brew());

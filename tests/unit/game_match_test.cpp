@@ -7,7 +7,7 @@
 namespace thaum::game::test {
 namespace {
 
-std::uint64_t events_of(const Simulation& match) { return match.world().single<Chronicle>().count; }
+std::uint64_t events_of(const Simulation& match) { return match.world().single<EventLog>().count; }
 
 TEST(GameMatch, TwoBotsFindEachOtherAndFightToTheEnd) {
     auto duel = make_duel(1);
@@ -120,7 +120,7 @@ TEST(GameRules, TheResultSaysWhoDidWhatByWhichCause) {
     hurt(world, victim, 0, {.points = 6, .by = 0, .how = EventKind::bolt_hit});
     hurt(world, victim, 0, {.points = 200, .by = 0, .how = EventKind::object_hit});
     for (int i = 0; i < 16; ++i) match.tick({});
-    const auto rows = result_rows(match.world().single<Chronicle>().deeds);
+    const auto rows = result_rows(match.world().single<EventLog>().match_stats);
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].cause, "bolt");
     EXPECT_EQ(rows[0].words[0], "1 of 8 hit (13 %), 6 HP");

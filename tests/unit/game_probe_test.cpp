@@ -94,9 +94,9 @@ TEST(Probe, WhoTurnsAndWalksPressesNothingIntoHisHand) {
             frame.devices[0].counts[input::hand::look_up] = static_cast<std::int32_t>(random.below(3)) - 1;
         }
         match.tick(frame);
-        const auto& grip = match.world().get<Grip>(wizard_of(match.world(), 0));
-        strongest = std::max(strongest, glm::length(grip.servo.safety.output));
-        if (glm::length(grip.servo.shift) > 0.005) ++shifted;
+        const auto& hand_state = match.world().get<HandState>(wizard_of(match.world(), 0));
+        strongest = std::max(strongest, glm::length(hand_state.servo.safety.output));
+        if (glm::length(hand_state.servo.shift) > 0.005) ++shifted;
     }
     EXPECT_LT(strongest, 0.1);
     EXPECT_GT(shifted, 1000) << "the wand met nothing at all";

@@ -110,9 +110,9 @@ public:
             if (t == 7000) frame.devices[0].skips = 300;
             tick_and_record(match, frame, &log);
             if (t == 5000) log.mark(1), log.mark(2);
-            const auto& chronicle = match.world().single<Chronicle>();
-            for (; events < chronicle.count; ++events)
-                seen.push_back({match.now(), chronicle.events[events % chronicle.events.size()]});
+            const auto& event_log = match.world().single<EventLog>();
+            for (; events < event_log.count; ++events)
+                seen.push_back({match.now(), event_log.events[events % event_log.events.size()]});
             note_state(match);
         }
         EXPECT_TRUE(log.close("a \"close\" end, of \x1b[31m sorts").has_value());
@@ -246,24 +246,24 @@ TEST(GameTables, FieldsAreQuotedAsTheyNeed) {
 }
 
 TEST(GameTables, WhatAChronicleNoLongerHoldsIsCounted) {
-    Chronicle chronicle;
+    EventLog event_log;
     std::uint64_t seen = 0;
     const auto add = [&](int count) {
         for (; count > 0; --count) {
-            chronicle.events[chronicle.count % chronicle.events.size()].detail =
-                static_cast<std::uint32_t>(chronicle.count);
-            ++chronicle.count;
+            event_log.events[event_log.count % event_log.events.size()].detail =
+                static_cast<std::uint32_t>(event_log.count);
+            ++event_log.count;
         }
     };
     std::vector<std::uint32_t> got;
     const auto read = [&] {
-        return each_new_event(chronicle, seen, [&](const Event& e) { got.push_back(e.detail); });
+        return each_new_event(event_log, seen, [&](const Event& e) { got.push_back(e.detail); });
     };
     add(3);
     EXPECT_EQ(read(), 0U);
     EXPECT_EQ(got, (std::vector<std::uint32_t>{0, 1, 2}));
     got.clear();
-    const auto holds = static_cast<std::uint32_t>(chronicle.events.size());
+    const auto holds = static_cast<std::uint32_t>(event_log.events.size());
     add(static_cast<int>(holds) + 8);
     EXPECT_EQ(read(), 8U);
     ASSERT_EQ(got.size(), holds);

@@ -14,8 +14,8 @@ namespace {
 constexpr double recoil_length = 0.015;  // s, as assets/wands/bolt.toml says
 constexpr Tick after_the_last = ticks(recoil_length) + gameplay_period;
 
-const Grip& grip_of(const Simulation& match, std::uint32_t player) {
-    return match.world().get<Grip>(wizard_of(match.world(), player));
+const HandState& hand_state_of(const Simulation& match, std::uint32_t player) {
+    return match.world().get<HandState>(wizard_of(match.world(), player));
 }
 
 /// A match of one scripted hand that holds what buttons it is told to.
@@ -31,8 +31,8 @@ struct Hands {
             frame.devices[0].buttons = buttons;
             frame.devices[0].counts[input::hand::look_right] = right;
             match.tick(frame);
-            impulse += grip_of(match, 0).servo.safety.output.z * tick_seconds;
-            greatest = std::max(greatest, grip_of(match, 0).servo.safety.output.z);
+            impulse += hand_state_of(match, 0).servo.safety.output.z * tick_seconds;
+            greatest = std::max(greatest, hand_state_of(match, 0).servo.safety.output.z);
         }
     }
     void shoot(Tick ticks) {
@@ -52,7 +52,7 @@ struct Held {
 constexpr std::array arms{Held{"touch", 3.3}, Held{"omni", 3.3}, Held{"premium", 8.5}, Held{"falcon", 8},
                           Held{"omega3", 12}};
 
-TEST(Touch, EveryShotKicksWithTheImpulseOfItsHalfSine) {
+TEST(HapticSetup, EveryShotKicksWithTheImpulseOfItsHalfSine) {
     for (const auto& arm : arms) {
         for (const double share : {0.2, 0.45, 1.0}) {
             Hands hands({text("haptics.device=\"", arm.device, "\""), text("haptics.share=", share)});
@@ -67,16 +67,16 @@ TEST(Touch, EveryShotKicksWithTheImpulseOfItsHalfSine) {
     }
 }
 
-TEST(Touch, NoShareIsNoForce) {
+TEST(HapticSetup, NoShareIsNoForce) {
     Hands hands({"haptics.share=0"});
     hands.shoot(1000);
     EXPECT_GE(hands.shots(), 8);
     EXPECT_EQ(hands.impulse, 0);
     EXPECT_EQ(hands.greatest, 0);
-    EXPECT_EQ(grip_of(hands.match, 0).device.position, vec3(0));
+    EXPECT_EQ(hand_state_of(hands.match, 0).device.position, vec3(0));
 }
 
-TEST(Touch, AnUnknownDeviceIsAnErrorInOneLine) {
+TEST(HapticSetup, AnUnknownDeviceIsAnErrorInOneLine) {
     for (const auto* device : {"\"spoon\"", "\"../wands/bolt\"", "\"\"", "3"}) {
         DataChoice choice;
         choice.overrides = {text("haptics.device=", device)};
@@ -86,7 +86,7 @@ TEST(Touch, AnUnknownDeviceIsAnErrorInOneLine) {
     }
 }
 
-TEST(Touch, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
+TEST(HapticSetup, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
     Hands hands;
     const auto gaze = [&] { return hands.match.world().get<Gaze>(wizard_of(hands.match.world(), 0)).yaw; };
     const double yaw = gaze();
@@ -94,9 +94,10 @@ TEST(Touch, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
     hands.hold(100, clutch, 2);
     hands.hold(400, clutch);
     EXPECT_EQ(gaze(), yaw);
-    EXPECT_NEAR(grip_of(hands.match, 0).device.position.x, 200 * 1e-4, 0.26 / 400) << "friction / stiffness";
+    EXPECT_NEAR(hand_state_of(hands.match, 0).device.position.x, 200 * 1e-4, 0.26 / 400)
+        << "friction / stiffness";
     hands.hold(300, clutch, 1'000'000'000);
-    EXPECT_LE(grip_of(hands.match, 0).device.position.x, 0.08);
+    EXPECT_LE(hand_state_of(hands.match, 0).device.position.x, 0.08);
     hands.hold(10, 0, 2);
     EXPECT_NE(gaze(), yaw);
 }
@@ -104,14 +105,14 @@ TEST(Touch, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
 /// m: how far the player's wand goes to the right when the hand is at the edge of a device so many m wide.
 double reach_of_tip(const Simulation& match, std::uint32_t player, double width) {
     const double wand_per_hand = match.touch().wand_per_hand[player];
-    Grip grip = empty_grip();
-    const double rests = wand_tip_of(wand_per_hand, grip).x;
-    grip.device.position.x = width / 2;
-    return wand_tip_of(wand_per_hand, grip).x - rests;
+    HandState hand_state = empty_hand_state();
+    const double rests = wand_tip_of(wand_per_hand, hand_state).x;
+    hand_state.device.position.x = width / 2;
+    return wand_tip_of(wand_per_hand, hand_state).x - rests;
 }
 
 /// The tip goes as far over the workspace of any device.
-TEST(Touch, ANarrowerDeviceReachesAsFar) {
+TEST(HapticSetup, ANarrowerDeviceReachesAsFar) {
     double reached = 0;
     for (const auto* device : {"touch", "falcon", "omega3", "premium"}) {
         DataChoice choice;
@@ -127,7 +128,7 @@ TEST(Touch, ANarrowerDeviceReachesAsFar) {
 }
 
 /// The box that a real arm reports counts, not that of the model whose forces the match makes.
-TEST(Touch, AnArmReachesAsFarOverTheBoxThatItReports) {
+TEST(HapticSetup, AnArmReachesAsFarOverTheBoxThatItReports) {
     constexpr auto arm_kind = input::DeviceKind::arm;
     const auto data = duel_data();
     const auto reach = [&](std::array<std::uint32_t, 3> box_um, input::DeviceKind kind, double width) {
@@ -147,16 +148,16 @@ TEST(Touch, AnArmReachesAsFarOverTheBoxThatItReports) {
     EXPECT_NEAR(reach({100'000, 100'000, 100'000}, input::DeviceKind::script, 0.16), 0.8, 1e-12);
 }
 
-TEST(Touch, TheHashOfForcesSeesAForceThatTheStateNoLongerShows) {
+TEST(HapticSetup, TheHashOfForcesSeesAForceThatTheStateNoLongerShows) {
     Hands one, two;
     one.hold(64, 0);
     two.hold(64, 0);
     const auto two_wizard = wizard_of(two.match.world(), 0);
-    two.match.world_to_change().get<Grip>(two_wizard).kick = {vec3(0, 0, 0.1), 1, 7};
+    two.match.world_to_change().get<HandState>(two_wizard).kick = {vec3(0, 0, 0.1), 1, 7};
     one.hold(1, 0);
     two.hold(1, 0);
-    two.match.world_to_change().get<Grip>(two_wizard) =
-        std::as_const(one.match).world().get<Grip>(wizard_of(one.match.world(), 0));
+    two.match.world_to_change().get<HandState>(two_wizard) =
+        std::as_const(one.match).world().get<HandState>(wizard_of(one.match.world(), 0));
     EXPECT_EQ(one.match.state_hash(), two.match.state_hash());
     EXPECT_NE(one.match.force_hash(), two.match.force_hash());
     one.hold(64, 0);
@@ -164,16 +165,16 @@ TEST(Touch, TheHashOfForcesSeesAForceThatTheStateNoLongerShows) {
     EXPECT_EQ(one.match.force_hash(), two.match.force_hash()) << "a new stretch of 128 ticks has begun";
 }
 
-TEST(Touch, ARowOfForcesSaysWhatTheHandHad) {
+TEST(HapticSetup, ARowOfForcesSaysWhatTheHandHad) {
     Hands hands;
     hands.hold(3, input::bit(input::Button::fire));
     std::string row;
     append_forces(hands.match, row);
     std::string expected = text(hands.match.now(), ",0.003");
     for (std::uint32_t player = 0; player < players; ++player) {
-        const auto& grip = grip_of(hands.match, player);
-        const vec3 x = grip.device.position, f = grip.servo.safety.output;
-        const auto& energy = grip.servo.energy;
+        const auto& hand_state = hand_state_of(hands.match, player);
+        const vec3 x = hand_state.device.position, f = hand_state.servo.safety.output;
+        const auto& energy = hand_state.servo.energy;
         append_text(expected, text(",", x.x, ",", x.y, ",", x.z, ",", f.x, ",", f.y, ",", f.z, ",none,",
                                    energy.created, ",", energy.given, ",0,0,0,0,0,0,0,0,0,0,0,0"));
     }
@@ -183,7 +184,7 @@ TEST(Touch, ARowOfForcesSaysWhatTheHandHad) {
 }
 
 /// What the bots' hands were told, against cap, budget and finiteness: what was wanted is not known here.
-TEST(Touch, TheAuditFindsNothingInAMinuteOfBots) {
+TEST(HapticSetup, TheAuditFindsNothingInAMinuteOfBots) {
     auto duel = make_duel(5);
     const auto& data = duel.match->data();
     const auto limits = haptics::safety_limits(data.device, data.touch.share);
@@ -192,7 +193,7 @@ TEST(Touch, TheAuditFindsNothingInAMinuteOfBots) {
     for (int tick = 0; tick < 60'000; ++tick) {
         duel.run(1);
         for (std::uint32_t p = 0; p < players; ++p) {
-            const vec3 told = grip_of(*duel.match, p).servo.safety.output;
+            const vec3 told = hand_state_of(*duel.match, p).servo.safety.output;
             audits[p].record(limits, {.wanted = told}, told);
             felt = std::max(felt, glm::length(told));
         }

@@ -5,7 +5,7 @@
 
 #include "core/random.h"
 #include "core/text.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -54,7 +54,7 @@ struct Wandsman {
     void look_up(double pitch) { match.world_to_change().get<Gaze>(me()).pitch = pitch; }
 
     ecs::Entity me() const { return wizard_of(match.world(), 0); }
-    const Grip& grip() const { return match.world().get<Grip>(me()); }
+    const HandState& hand_state() const { return match.world().get<HandState>(me()); }
     std::uint32_t shots() const { return match.world().get<WandBelt>(me()).fired; }
     std::vector<Missile> missiles() const {
         std::vector<Missile> all;
@@ -82,10 +82,11 @@ TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
             w.take(Button::wand_2);
             w.hold(blast_full, Button::fire);
             const double cap = peak * share;
-            EXPECT_NEAR(w.grip().servo.safety.output.z, 2.6 / 3.3 * cap, 1e-9) << device << " " << share;
+            EXPECT_NEAR(w.hand_state().servo.safety.output.z, 2.6 / 3.3 * cap, 1e-9)
+                << device << " " << share;
             w.wait(500);
             EXPECT_EQ(w.shots(), 1U);
-            EXPECT_EQ(w.grip().servo.safety.output, vec3(0));
+            EXPECT_EQ(w.hand_state().servo.safety.output, vec3(0));
         }
     }
 }
@@ -97,7 +98,7 @@ TEST(Blast, KicksByThePlayersCap) {
         w.hold(blast_full, Button::fire);
         double greatest = 0;
         w.hold(gameplay_period, 0, [] {});  // until the wand looks, the charge leans on
-        w.hold(80, 0, [&] { greatest = std::max(greatest, w.grip().servo.safety.output.z); });
+        w.hold(80, 0, [&] { greatest = std::max(greatest, w.hand_state().servo.safety.output.z); });
         EXPECT_NEAR(greatest, 3.0 * share, 0.002 * share) << share;
     }
 }
@@ -117,15 +118,15 @@ TEST(Blast, ItsRecoilIsWholeOnEveryDevice) {
             while (w.shots() == 0) w.wait(1);
             double impulse = 0, greatest = 0;
             w.hold(200, 0, [&] {
-                impulse += w.grip().servo.safety.output.z * tick_seconds;
-                greatest = std::max(greatest, w.grip().servo.safety.output.z);
+                impulse += w.hand_state().servo.safety.output.z * tick_seconds;
+                greatest = std::max(greatest, w.hand_state().servo.safety.output.z);
             });
             double left = 0;
             for (std::uint32_t at = 0; at < 30; ++at) left += 1 - haptics::half_sine(at, 60);
             EXPECT_NEAR(impulse, 2 / pi * 3.0 * felt * 0.06 + leaning * left * tick_seconds, 1e-9 * felt)
                 << device << " " << share;
             EXPECT_LE(greatest, 3.0 * felt * (1 + 1e-12)) << device << " " << share;
-            EXPECT_EQ(w.grip().servo.safety.output, vec3(0)) << device << " " << share;
+            EXPECT_EQ(w.hand_state().servo.safety.output, vec3(0)) << device << " " << share;
         }
     }
 }
@@ -137,7 +138,7 @@ TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
             w.take(wand);
             w.hold(1000, Button::fire);
             ASSERT_GT(w.readiness(), 0.5);
-            ASSERT_GT(glm::length(w.grip().servo.safety.output), 0.3);
+            ASSERT_GT(glm::length(w.hand_state().servo.safety.output), 0.3);
             if (dies) {
                 w.match.world_to_change().get<Health>(w.me()).points = 0;
                 w.hold(2 * gameplay_period, Button::fire);  // who lets go as they die has shot before
@@ -147,8 +148,8 @@ TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
             w.wait(500);
             EXPECT_EQ(w.shots(), 0U) << dies;
             EXPECT_EQ(w.readiness(), 0);
-            EXPECT_EQ(w.grip().servo.safety.output, vec3(0));
-            EXPECT_EQ(w.grip().pull, vec3(0));
+            EXPECT_EQ(w.hand_state().servo.safety.output, vec3(0));
+            EXPECT_EQ(w.hand_state().pull, vec3(0));
             EXPECT_TRUE(w.missiles().empty());
         }
     }
@@ -164,7 +165,7 @@ TEST(Wands, NothingIsLeftOfARoundInTheNext) {
     while (w.match.match().round == 0) w.wait(1);
     EXPECT_TRUE(w.missiles().empty());
     EXPECT_EQ(w.readiness(), 0);
-    EXPECT_EQ(w.grip().pull, vec3(0));
+    EXPECT_EQ(w.hand_state().pull, vec3(0));
     w.wait(2500);
     EXPECT_EQ(w.shots(), 0U);
 }
@@ -256,14 +257,15 @@ TEST(Wands, AnyInputLeavesForcesEnergiesAndPlacesInRange) {
             device.counts[input::hand::look_up] = static_cast<std::int32_t>(random.below(21)) - 10;
         }
         w.match.tick(frame);
-        w.match.world().view<const Grip, const WandBelt>().each([&](const Grip& grip, const WandBelt& belt) {
-            ASSERT_LE(glm::length(grip.servo.safety.output), cap);
-            ASSERT_TRUE(is_finite(grip.device.position));
-            for (const auto& wand : w.match.data().wands) {
-                ASSERT_GE(belt.energy[wand.stats.slot], 0);
-                ASSERT_LE(belt.energy[wand.stats.slot], wand.stats.energy_cap);
-            }
-        });
+        w.match.world().view<const HandState, const WandBelt>().each(
+            [&](const HandState& hand_state, const WandBelt& belt) {
+                ASSERT_LE(glm::length(hand_state.servo.safety.output), cap);
+                ASSERT_TRUE(is_finite(hand_state.device.position));
+                for (const auto& wand : w.match.data().wands) {
+                    ASSERT_GE(belt.energy[wand.stats.slot], 0);
+                    ASSERT_LE(belt.energy[wand.stats.slot], wand.stats.energy_cap);
+                }
+            });
         ASSERT_GE(w.readiness(), 0);
         ASSERT_LE(w.readiness(), 1);
         for (const auto& m : w.missiles()) {

@@ -127,12 +127,32 @@ TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
     EnergyBook book;
     book.created = 1e-4;
     const vec3 velocity{0.5, 0, 0};
-    const vec3 force = passivity_control(book, velocity, 30);
+    const vec3 force = passivity_control(book.created, velocity, 30);
     EXPECT_NEAR(-glm::dot(force, velocity) * 0.001, 1e-4, 1e-12);
-    EXPECT_NEAR(passivity_control(book, {0.01, 0, 0}, 30).x, -0.3, 1e-12) << "at most the device's damping";
-    EXPECT_EQ(passivity_control(book, {}, 30), vec3(0));
+    EXPECT_NEAR(passivity_control(book.created, {0.01, 0, 0}, 30).x, -0.3, 1e-12)
+        << "at most the device's damping";
+    EXPECT_EQ(passivity_control(book.created, {}, 30), vec3(0));
     book.created = -1;
-    EXPECT_EQ(passivity_control(book, velocity, 30), vec3(0));
+    EXPECT_EQ(passivity_control(book.created, velocity, 30), vec3(0));
+}
+
+TEST(HapticsEnergy, TheControllerBeginsWhileASpringStillHoldsWhatItMayGive) {
+    EnergyBook book;
+    book.created = -0.05;  // 0.05 J are not given back yet, and the spring holds 5 mJ more than that
+    EXPECT_NEAR(surplus(book, 0.055), 0.005 - energy_slack, 1e-15);
+    EXPECT_LE(surplus(book, 0.05), 0) << "a spring that created nothing is left alone";
+    book.created = 1e-4;
+    EXPECT_EQ(surplus(book, 0), 1e-4) << "with nothing left to give there is no slack";
+}
+
+TEST(HapticsEnergy, ForcesOnTheWayDoTheirWorkUnlessThereIsNoDelay) {
+    EnergyBook book;
+    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {});
+    enter(book, {3, 0, 0}, {3, 0, 0}, {}, {});
+    const vec3 step{0.001, 0, 0};
+    EXPECT_EQ(work_on_the_way(book, step, 0), 0);
+    EXPECT_NEAR(work_on_the_way(book, step, 1), 0.003, 1e-15);
+    EXPECT_NEAR(work_on_the_way(book, step, 2), 0.005, 1e-15);
 }
 
 TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {

@@ -72,7 +72,7 @@ protected:
         auto loaded = load_match_data(source / "assets", {});
         ASSERT_TRUE(loaded) << loaded.error().message;
         data = std::make_shared<const MatchData>(std::move(*loaded));
-        court = make_court(*renderer, *data);
+        arena_scene = make_arena_scene(*renderer, *data);
         Simulation match(data, MatchSetup{1, {bot_device(0, 1), bot_device(1, 1)}});
         start = make_picture();
         take_picture(match, start);
@@ -89,7 +89,7 @@ protected:
     }
 
     Image drawn(const Scene& scene) {
-        renderer->draw(make_frame(court, scene.picture, scene.settings, window, memory));
+        renderer->draw(make_frame(arena_scene, scene.picture, scene.settings, window, memory));
         return reduced(renderer->read_pixels());
     }
 
@@ -147,7 +147,7 @@ protected:
     std::optional<render::Offscreen> context;
     std::optional<render::Renderer> renderer;
     std::shared_ptr<const MatchData> data;
-    Court court;
+    ArenaScene arena_scene;
     Picture start;
     FrameMemory memory;
 };
@@ -196,19 +196,19 @@ TEST_F(StoredPictures, ABoltLightsTheDark) {
 
 TEST_F(StoredPictures, AllFiveWandsAsShadowsAndInTheLight) {
     std::vector<render::Instance> instances, fixed, moving;
-    add_instances(court, start, no_player, instances);
-    add_casters(court, start, fixed, moving);
-    for (std::size_t i = 0; i < court.wands.size(); ++i) {
+    add_instances(arena_scene, start, no_player, instances);
+    add_casters(arena_scene, start, fixed, moving);
+    for (std::size_t i = 0; i < arena_scene.wands.size(); ++i) {
         // One above the other before a wall in the sun, the tips to the left.
         const auto place = render::translated({-19.4F, 2.95F - 0.44F * static_cast<float>(i), 9.7F}) *
                            render::rotated({0, 1, 0}, 3.1415926F);
-        moving.push_back({.mesh = court.wands[i], .model = place});
+        moving.push_back({.mesh = arena_scene.wands[i], .model = place});
         instances.push_back(moving.back());
     }
     render::ViewScene view;
     view.viewport = {0, 0, window.width, window.height};
     view.instances = instances;
-    view.environment = court.environment;
+    view.environment = arena_scene.environment;
     view.camera.position = {-17.6F, 1.9F, 10};
     view.camera.orientation = fquat(look_rotation(pi / 2, 0));
     view.camera.fov_y = 1.15F;
@@ -263,13 +263,13 @@ protected:
         take_brew(brew, rules, ++state, picture);
         show_brew(picture, overlay, look);
         std::vector<render::Instance> instances, fixed, moving;
-        add_instances(court, start, no_player, instances);
+        add_instances(arena_scene, start, no_player, instances);
         // What is painted over an empty bowl.
         std::erase_if(instances, [&](const render::Instance& i) {
-            return i.mesh == *court.painted_brew || i.mesh == court.bubble;
+            return i.mesh == *arena_scene.painted_brew || i.mesh == arena_scene.bubble;
         });
         add_brew(look, instances);
-        add_casters(court, start, fixed, moving);
+        add_casters(arena_scene, start, fixed, moving);
         if (ladle) {
             add_ladle(look.meshes, *ladle, instances);
             add_ladle(look.meshes, *ladle, moving);
@@ -277,8 +277,8 @@ protected:
         render::ViewScene view;
         view.viewport = {0, 0, window.width, window.height};
         view.instances = instances;
-        view.lights = court.lights;
-        view.environment = court.environment;
+        view.lights = arena_scene.lights;
+        view.environment = arena_scene.environment;
         const vec3 d = at - eye;
         view.camera.position = fvec3(eye);
         view.camera.orientation =
@@ -387,7 +387,7 @@ protected:
     }
 
     void expect_views_alone(render::Size window) {
-        const auto frame = make_frame(court, crowd, settings, window, memory);
+        const auto frame = make_frame(arena_scene, crowd, settings, window, memory);
         ASSERT_EQ(frame.views.size(), 2U);
         const auto both = whole(frame);
         for (std::size_t i = 0; i < 2; ++i) {

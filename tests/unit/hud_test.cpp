@@ -233,12 +233,12 @@ protected:
         auto created = render::Renderer::create(assets);
         ASSERT_TRUE(created) << created.error().message;
         renderer.emplace(std::move(*created));
-        court = make_court(*renderer, *match_data());
+        arena_scene = make_arena_scene(*renderer, *match_data());
         picture = picture_of(*new_match());
     }
 
     render::Image draw(const HudSettings& settings) {
-        renderer->draw(make_frame(court, picture, settings, size, memory));
+        renderer->draw(make_frame(arena_scene, picture, settings, size, memory));
         return renderer->read_pixels();
     }
 
@@ -272,7 +272,7 @@ protected:
 
     std::optional<render::Offscreen> context;
     std::optional<render::Renderer> renderer;
-    Court court;
+    ArenaScene arena_scene;
     Picture picture;
     FrameMemory memory;
 };
@@ -315,23 +315,23 @@ TEST_F(Drawn, NumbersChangeInTheirOwnHalf) {
 }
 
 TEST_F(Drawn, WhoAsksForForcesSeesTheFlowOfABrewThatIsNear) {
-    ASSERT_TRUE(court.brew);
+    ASSERT_TRUE(arena_scene.brew);
     const auto& rules = *match_data()->cauldron;
-    auto brew = make_brew(rules, court.brew->place.basin);
+    auto brew = make_brew(rules, arena_scene.brew->place.basin);
     ASSERT_TRUE(brew) << brew.error().message;
     fluid::set_velocity(brew->fluid, [](vec3) { return vec3(0.5, 0, 0); });
     take_brew(*brew, rules, 1, picture.cauldron.brew);
     picture.cauldron.there = true;
-    picture.wizards[0].eye = court.brew->place.middle + vec3(0, 0.8, 2);
-    picture.wizards[1].eye = court.brew->place.middle + vec3(0, 0.8, 18);
+    picture.wizards[0].eye = arena_scene.brew->place.middle + vec3(0, 0.8, 2);
+    picture.wizards[1].eye = arena_scene.brew->place.middle + vec3(0, 0.8, 18);
     const auto count = [&](std::uint32_t player, render::MeshId mesh) {
         return std::ranges::count(memory.instances[player], mesh, &render::Instance::mesh);
     };
     for (const bool forces : {true, false, true}) {
-        make_frame(court, picture, {.forces = forces}, size, memory);
-        EXPECT_EQ(count(0, court.brew->meshes.arrow) > 50, forces);
-        EXPECT_EQ(count(0, court.brew->meshes.thread) > 50, forces);
-        EXPECT_EQ(count(1, court.brew->meshes.thread), 0) << "he is too far away";
+        make_frame(arena_scene, picture, {.forces = forces}, size, memory);
+        EXPECT_EQ(count(0, arena_scene.brew->meshes.arrow) > 50, forces);
+        EXPECT_EQ(count(0, arena_scene.brew->meshes.thread) > 50, forces);
+        EXPECT_EQ(count(1, arena_scene.brew->meshes.thread), 0) << "he is too far away";
     }
 }
 
@@ -342,13 +342,13 @@ TEST_F(Drawn, ABurstInOnesFaceHidesNothing) {
             const vec3 place = picture.wizards[0].eye + vec3(distance, 0, 0);
             picture.burst_count = 1;
             picture.bursts[0] = {.age_s = age, .player = 1, .place = place, .radius = 3.5};
-            make_frame(court, picture, {}, size, memory);
+            make_frame(arena_scene, picture, {}, size, memory);
             for (const auto& instance : memory.instances[0]) {
                 const double reach = glm::length(fvec3(instance.model[0]));
-                if (instance.mesh == court.teams[1].burst) {
+                if (instance.mesh == arena_scene.teams[1].burst) {
                     EXPECT_GT(distance, 1.2 * reach) << "its bars pass the eye";
                     ++seen;
-                } else if (instance.mesh == court.ember) {
+                } else if (instance.mesh == arena_scene.ember) {
                     EXPECT_LT(reach, 0.2 * distance) << "its core fills the view";
                 }
             }
@@ -399,24 +399,24 @@ TEST_F(Drawn, OnePlayerAloneHasTheWholeWindow) {
 
 TEST_F(Drawn, EveryThingOfTheArenaHasAMeshOfItsOwnKind) {
     std::vector<render::Instance> instances;
-    add_instances(court, picture, no_player, instances);
+    add_instances(arena_scene, picture, no_player, instances);
     for (const auto& instance : instances) {
-        for (const auto plain : court.unit_shapes) EXPECT_NE(instance.mesh, plain);
+        for (const auto plain : arena_scene.unit_shapes) EXPECT_NE(instance.mesh, plain);
     }
-    EXPECT_LE(court.lights.size(), render::max_lights);
+    EXPECT_LE(arena_scene.lights.size(), render::max_lights);
 }
 
 TEST_F(Drawn, SteamRisesFromTheBrewByItsHeat) {
-    ASSERT_TRUE(court.bowl.has_value());
+    ASSERT_TRUE(arena_scene.bowl.has_value());
     const auto steam = [&](double heat, double seconds) {
         picture.cauldron.there = true;
         picture.cauldron.heat = heat;
         picture.played_s = seconds;
         std::vector<render::Instance> wisps;
-        add_steam(court, picture, wisps);
+        add_steam(arena_scene, picture, wisps);
         float dense = 0;
         for (const auto& wisp : wisps) {
-            const vec3 off = vec3(wisp.model[3]) - *court.bowl;
+            const vec3 off = vec3(wisp.model[3]) - *arena_scene.bowl;
             EXPECT_LT(std::hypot(off.x, off.z), 1.2);
             EXPECT_GT(off.y, 0.7);
             EXPECT_LE(wisp.glow, 0.5F);
@@ -450,20 +450,20 @@ double first_entry(std::span<const render::Block> blocks, vec3 eye, vec3 way) {
 
 TEST_F(Drawn, WhereABlockHidesThingsThereIsStoneBeforeThem) {
     Random random = random_stream(11, 4);
-    const double half = court.shade.half, top = court.shade.wall_top;
+    const double half = arena_scene.shade.half, top = arena_scene.shade.wall_top;
     int hidden = 0;
     for (int i = 0; i < 20000; ++i) {
         const vec3 eye(random.uniform(-half, half), random.uniform(-4, top), random.uniform(-half, half));
         const vec3 way(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-        if (first_entry(court.shade.blocks, eye, way) == 0) continue;  // the eye is in stone
-        const double there = first_entry(blocks_seen_from(court, eye), eye, way);
+        if (first_entry(arena_scene.shade.blocks, eye, way) == 0) continue;  // the eye is in stone
+        const double there = first_entry(blocks_seen_from(arena_scene, eye), eye, way);
         if (there == std::numeric_limits<double>::infinity()) continue;
         ++hidden;
-        EXPECT_LE(first_entry(court.shade.blocks, eye, way), there);
+        EXPECT_LE(first_entry(arena_scene.shade.blocks, eye, way), there);
     }
     EXPECT_GT(hidden, 5000);
-    EXPECT_TRUE(blocks_seen_from(court, vec3(0, top + 0.1, 0)).empty());
-    EXPECT_TRUE(blocks_seen_from(court, vec3(half + 2, 1, 0)).empty());
+    EXPECT_TRUE(blocks_seen_from(arena_scene, vec3(0, top + 0.1, 0)).empty());
+    EXPECT_TRUE(blocks_seen_from(arena_scene, vec3(half + 2, 1, 0)).empty());
 }
 
 TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
@@ -472,7 +472,7 @@ TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
     const auto shades_at = [&](vec3 feet) {
         picture.wizards[0].centre = feet + vec3(0, match_data()->wizard.height / 2, 0);
         std::vector<render::Instance> out;
-        add_contact_shades(court, picture, out);
+        add_contact_shades(arena_scene, picture, out);
         return out;
     };
     const auto level = shades_at({-15, 0, 15});
@@ -530,7 +530,7 @@ TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {
     p.rounds_won = {1, 1};
     p.round = 1;
     p.next_round_in_s = 4.2;
-    p.deeds[0][0] = {.shots = 10, .hits = 4, .kills = 1, .damage = 24};
+    p.match_stats[0][0] = {.shots = 10, .hits = 4, .kills = 1, .damage = 24};
     render::Overlay overlay;
     make_overlay(p, {}, size, overlay);
     EXPECT_TRUE(has_text(overlay, "Player 2 (Tide) wins round 2"));

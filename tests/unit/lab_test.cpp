@@ -196,8 +196,8 @@ TEST(Lab, AFileOfAnotherBowlOrNoneIsRefused) {
     has(refusal([](LabState& l) { l.settings.room.filled = std::nan(""); }), "no bowl can have its size");
     has(refusal([](LabState& l) { l.settings.substances[0].name = "a\nb"; }), "no name that could be one");
     has(refusal([](LabState& l) { l.settings.substances[0].colour.x = 7; }), "a colour that is none");
-    has(refusal([](LabState& l) { l.steps = -4; }), "cannot be");
-    has(refusal([](LabState& l) { l.ladle = vec3(std::nan("")); }), "cannot be");
+    has(refusal([](LabState& l) { l.steps = -4; }), "impossible values");
+    has(refusal([](LabState& l) { l.ladle = vec3(std::nan("")); }), "impossible values");
     EXPECT_FALSE(load_lab("/nowhere/at/all", data().rules).has_value());
 }
 

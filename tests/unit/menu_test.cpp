@@ -7,7 +7,7 @@
 
 #include "core/file.h"
 #include "core/random.h"
-#include "game/app/live_desk.h"
+#include "game/app/live_session.h"
 #include "render/font.h"
 
 namespace thaum::app {
@@ -22,8 +22,8 @@ using Kind = MenuEvent::Kind;
 constexpr Device keyboard{DeviceKind::keyboard_mouse, 0}, half{DeviceKind::keyboard_half, 0},
     first_pad{DeviceKind::pad, 0}, second_pad{DeviceKind::pad, 1};
 
-const MenuFacts& facts() {
-    static const MenuFacts facts{
+const MenuContext& facts() {
+    static const MenuContext facts{
         .levels = {1, 2, 3},
         .rules = {{"quick", "quick: first to 3"}, {"standard", "standard: first to 5"}},
         .pads = {"Make-believe pad", "Another pad", "", ""},
@@ -73,25 +73,25 @@ TEST(StartScreen, TwoPressesOfAnyDeviceStart) {
     for (const auto& device : {keyboard, half, first_pad, second_pad}) {
         for (const auto kind : {Kind::confirm, Kind::other}) {
             auto s = with(start_page(), kind, device);
-            EXPECT_EQ(s.wish, MenuWish::none);
+            EXPECT_EQ(s.wish, MenuRequest::none);
             ASSERT_TRUE(s.seats[0]);
             EXPECT_EQ(*s.seats[0], device);
             EXPECT_FALSE(s.seats[1]);
             s = with(s, kind, device);
-            EXPECT_EQ(s.wish, MenuWish::start);
+            EXPECT_EQ(s.wish, MenuRequest::start);
         }
     }
 }
 
 TEST(StartScreen, TwoDevicesTakeTwoSeatsAndEitherStarts) {
     auto s = with(with(start_page(), Kind::other, first_pad), Kind::other, second_pad);
-    EXPECT_EQ(s.wish, MenuWish::none);
+    EXPECT_EQ(s.wish, MenuRequest::none);
     EXPECT_EQ(s.seats[0], first_pad);
     EXPECT_EQ(s.seats[1], second_pad);
-    EXPECT_EQ(with(s, Kind::confirm, first_pad).wish, MenuWish::start);
-    EXPECT_EQ(with(s, Kind::other, second_pad).wish, MenuWish::start);
+    EXPECT_EQ(with(s, Kind::confirm, first_pad).wish, MenuRequest::start);
+    EXPECT_EQ(with(s, Kind::other, second_pad).wish, MenuRequest::start);
     const auto third = with(s, Kind::other, keyboard);
-    EXPECT_EQ(third.wish, MenuWish::none);
+    EXPECT_EQ(third.wish, MenuRequest::none);
     EXPECT_EQ(third.seats, s.seats);
     EXPECT_FALSE(picture_of(third, facts()).note.empty());
 }
@@ -108,7 +108,7 @@ TEST(StartScreen, ASeatIsGivenUpByBackAndByUnplugging) {
     EXPECT_EQ(with(s, Kind::back, first_pad).seats[0], first_pad);
     s = with(s, Kind::back, keyboard);
     EXPECT_FALSE(s.seats[0]);
-    EXPECT_EQ(with(s, Kind::confirm, keyboard).wish, MenuWish::quit);
+    EXPECT_EQ(with(s, Kind::confirm, keyboard).wish, MenuRequest::quit);
 }
 
 TEST(StartScreen, ShowsSeatsLevelsAndRules) {
@@ -128,17 +128,17 @@ TEST(StartScreen, ShowsSeatsLevelsAndRules) {
     s = choose(choose(s, "Bot"), "Match");
     EXPECT_EQ(s.level, 1U);
     EXPECT_EQ(value_of(s, "Match"), "standard: first to 5");
-    EXPECT_EQ(s.wish, MenuWish::none);
+    EXPECT_EQ(s.wish, MenuRequest::none);
 }
 
 TEST(StartScreen, OnePressOnTheRangeStartsItForWhoPressed) {
     const auto s = choose(start_page(), "Range: practise on a dummy");
-    EXPECT_EQ(s.wish, MenuWish::range);
+    EXPECT_EQ(s.wish, MenuRequest::range);
     EXPECT_EQ(s.seats[0], keyboard);
     const auto row = row_named(start_page(), "Range: practise on a dummy");
     auto joined = with(with(start_page(), Kind::other, keyboard), Kind::other, first_pad);
     joined = step(joined, {.kind = Kind::confirm, .device = first_pad, .row = row}, facts());
-    EXPECT_EQ(joined.wish, MenuWish::range);
+    EXPECT_EQ(joined.wish, MenuRequest::range);
     EXPECT_EQ(joined.seats[0], first_pad) << "whoever else had joined";
     EXPECT_FALSE(joined.seats[1]);
 }
@@ -159,7 +159,7 @@ TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
     LivePlan plan;
     plan.data = std::make_shared<const game::MatchData>(std::move(*data));
     plan.assets = folder;
-    const auto before = find_facts(plan);
+    const auto before = find_menu_context(plan);
     ASSERT_FALSE(before.rules.empty());
     EXPECT_EQ(before.levels.front(), 1);
 
@@ -171,7 +171,7 @@ TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
         write_text_file(folder / "rules" / "a_long_one.toml", rules.replace(at, 13, "seconds = 665")));
     ASSERT_TRUE(write_text_file(folder / "rules" / "broken.toml", "version = 1\nkills = \"many\"\n"));
     ASSERT_TRUE(write_text_file(folder / "bots" / "level_6.toml", "version = 1\n"));
-    const auto after = find_facts(plan);
+    const auto after = find_menu_context(plan);
     EXPECT_EQ(after.levels, before.levels);
     ASSERT_EQ(after.rules.size(), before.rules.size() + 1);
     EXPECT_EQ(after.rules[0].name, "a_long_one");
@@ -183,15 +183,15 @@ TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
 TEST(PauseMenu, GoesOnLeavesAndComesBackFromPagesBelow) {
     auto s = opened({}, Page::pause);
     s.head = "Paused";
-    EXPECT_EQ(with(s, Kind::confirm).wish, MenuWish::go_on);
-    EXPECT_EQ(with(s, Kind::back, first_pad).wish, MenuWish::go_on);
-    EXPECT_EQ(choose(s, "End this match").wish, MenuWish::leave);
-    EXPECT_EQ(with(s, Kind::other).wish, MenuWish::none);
+    EXPECT_EQ(with(s, Kind::confirm).wish, MenuRequest::go_on);
+    EXPECT_EQ(with(s, Kind::back, first_pad).wish, MenuRequest::go_on);
+    EXPECT_EQ(choose(s, "End this match").wish, MenuRequest::leave);
+    EXPECT_EQ(with(s, Kind::other).wish, MenuRequest::none);
     auto below = choose(choose(s, "Controls"), "Pad");
     EXPECT_EQ(below.pages.size(), 3U);
     below = with(with(below, Kind::back), Kind::back, first_pad);
     ASSERT_EQ(below.pages.size(), 1U);
-    EXPECT_EQ(below.wish, MenuWish::none);
+    EXPECT_EQ(below.wish, MenuRequest::none);
     EXPECT_EQ(picture_of(below, facts()).cursor, 1U);
 }
 

@@ -251,10 +251,23 @@ TEST(OpenHaptics, LeavesTheArmWithoutForce) {
     // The last frame's force acts from the tick after it.
     const auto left = report();
     EXPECT_EQ(left.greatest_force, 2);
+    EXPECT_EQ(left.left[2], 0);
     EXPECT_TRUE(soon([&] {
         const auto again = open_fake();
         return again && report().force[2] == 0;
     }));
+    expect_no_rule_broken();
+}
+
+TEST(OpenHaptics, LeavesTheArmWithoutForceWhateverTheNumberOfItsTask) {
+    Hand hand;
+    hand.push = 2;
+    auto arm = open_fake("task=zero");
+    ASSERT_TRUE(arm);
+    ASSERT_TRUE((*arm)->start(hand.tick()));
+    ASSERT_TRUE(soon([&] { return report().force[2] == 2; }));
+    arm->reset();
+    EXPECT_EQ(report().left[2], 0);
     expect_no_rule_broken();
 }
 

@@ -37,7 +37,7 @@ TEST(PhysicsMaths, DampingInsideBulletsLibraryIsOurs) {
     ASSERT_NE(machine_pow, nullptr);
     btSphereShape sphere(1);
     btRigidBody body(btRigidBody::btRigidBodyConstructionInfo(1, nullptr, &sphere, {1, 1, 1}));
-    int telling = 0;
+    int format = 0;
     for (int i = 1; i < 1000; ++i) {
         const double damping = i * 0.000999, dt = 0.37 + i * 0.0011;
         const double ours = det::pow(1 - damping, dt);
@@ -45,9 +45,9 @@ TEST(PhysicsMaths, DampingInsideBulletsLibraryIsOurs) {
         body.setDamping(damping, 0);
         body.applyDamping(dt);
         ASSERT_EQ(body.getLinearVelocity().x(), ours) << damping << ' ' << dt;
-        telling += machine_pow(1 - damping, dt) != ours;
+        format += machine_pow(1 - damping, dt) != ours;
     }
-    EXPECT_GT(telling, 10) << "arguments at which the machine's function differs, so that this can fail";
+    EXPECT_GT(format, 10) << "arguments at which the machine's function differs, so that this can fail";
 }
 
 /// btRigidBody::predictIntegratedTransform turns a body by sin and cos of half the angle. The same header compiled into this file
@@ -57,7 +57,7 @@ TEST(PhysicsMaths, TurnInsideBulletsLibraryIsOurs) {
     ASSERT_NE(machine_sin, nullptr);
     btSphereShape sphere(1);
     btRigidBody body(btRigidBody::btRigidBodyConstructionInfo(1, nullptr, &sphere, {1, 1, 1}));
-    int telling = 0;
+    int format = 0;
     for (int i = 1; i < 5000; ++i) {
         const double angle = i * 0.000156;
         body.setAngularVelocity({angle, 0, 0});
@@ -66,9 +66,9 @@ TEST(PhysicsMaths, TurnInsideBulletsLibraryIsOurs) {
         btTransformUtil::integrateTransform(body.getWorldTransform(), {0, 0, 0}, {angle, 0, 0}, 1, expected);
         for (int row = 0; row < 3; ++row)
             ASSERT_TRUE(turned.getBasis()[row] == expected.getBasis()[row]) << angle;
-        telling += machine_sin(0.5 * angle) != det::sin(0.5 * angle);
+        format += machine_sin(0.5 * angle) != det::sin(0.5 * angle);
     }
-    EXPECT_GT(telling, 10);
+    EXPECT_GT(format, 10);
 }
 
 TEST(PhysicsMaths, RestOfTheProgramGetsThemToo) {

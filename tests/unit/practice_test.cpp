@@ -20,8 +20,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // A value of this type is one of them; a session gets nothing else (MatchStart).
-static_assert(std::is_same_v<Keeping, std::variant<std::monostate, input::LogWriter, game::RangeFiles>>);
-static_assert(std::is_same_v<decltype(MatchStart::keeping), Keeping>);
+static_assert(std::is_same_v<Recording, std::variant<std::monostate, input::LogWriter, game::RangeFiles>>);
+static_assert(std::is_same_v<decltype(MatchStart::recording), Recording>);
 
 class PracticeTest : public testing::Test {
 protected:

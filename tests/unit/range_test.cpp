@@ -54,8 +54,8 @@ C& change(RangeMatch& range, std::uint32_t player) {
 
 vec3 place(const RangeMatch& range, std::uint32_t player) { return of<Motion>(range, player).position; }
 
-Deeds bolts(const RangeMatch& range, std::uint32_t player) {
-    return range.match->world().single<Chronicle>().deeds[player][cause_of(EventKind::bolt_hit)];
+MatchStats bolts(const RangeMatch& range, std::uint32_t player) {
+    return range.match->world().single<EventLog>().match_stats[player][cause_of(EventKind::bolt_hit)];
 }
 
 // Dummies -----------------------------------------------------------------------------------------------------------------

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/file.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/match/record.h"
 #include "game/scenario/runner.h"
 
@@ -308,7 +308,7 @@ TEST(ScenarioRunner, ForcesAreKeptAndComparedToTheBit) {
     // A force of nearly nothing in one tick.
     kept.options.spoil = [](Simulation& match, int) {
         if (match.now() != 500) return;
-        auto& kick = match.world_to_change().get<Grip>(wizard_of(match.world(), 0)).kick;
+        auto& kick = match.world_to_change().get<HandState>(wizard_of(match.world(), 0)).kick;
         kick = {.peak = vec3(0, 0, 1e-12), .length = 1, .number = kick.number + 1};
     };
     EXPECT_TRUE(has(kept.play(), "forces differ: kept 384,")) << kept.play();

@@ -335,47 +335,52 @@ TEST(SettingsScreen, AFaderGoesByFivesAndIsSwitchedWhereItIs) {
     }
 }
 
-TEST(MatchLogs, NamesAreNewAndOnlyTheOldestOfThemAreDeleted) {
+void touch(const std::filesystem::path& path) { std::ofstream(path) << "x"; }
+
+TEST(MatchLogs, NamesAreNumberedAndOnlyTheOldestOfThemAreDeleted) {
     const auto folder = fresh_folder("matches");
     std::filesystem::create_directories(folder);
-    const auto touch = [](const std::filesystem::path& p) { std::ofstream(p) << "x"; };
+    // Names of an earlier version, without numbers, are older than all numbered ones.
     for (int i = 10; i < 20; ++i) touch(folder / text("2001-01-", i, "_00-00-00_01.thaumlog"));
-    touch(folder / "mine.thaumlog");
+    for (const auto* other : {"mine.thaumlog", "000001_mine.thaumlog", "000001_2001-01-10_00-00-00.txt"})
+        touch(folder / other);
     const auto first = new_match_log(folder, 5);
     ASSERT_TRUE(first);
+    EXPECT_TRUE(first->filename().string().starts_with("000001_")) << *first;
     touch(*first);
     EXPECT_FALSE(std::filesystem::exists(folder / "2001-01-15_00-00-00_01.thaumlog"));
     EXPECT_TRUE(std::filesystem::exists(folder / "2001-01-16_00-00-00_01.thaumlog"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "mine.thaumlog"));
+    for (const auto* other : {"mine.thaumlog", "000001_mine.thaumlog", "000001_2001-01-10_00-00-00.txt"})
+        EXPECT_TRUE(std::filesystem::exists(folder / other)) << other;
     const auto second = new_match_log(folder, 50);
     ASSERT_TRUE(second);
-    EXPECT_NE(*first, *second);
+    EXPECT_TRUE(second->filename().string().starts_with("000002_")) << *second;
 }
 
-/// Logs dated long after now were recorded before the clock was set back: they go first, and a new log stays.
-TEST(MatchLogs, AClockThatWasSetBackDoesNotDeleteTheNewestLogs) {
-    const auto folder = fresh_folder("matches_of_2099");
+/// Whatever years the clock shows, and the file system with it, the logs of the matches played last stay.
+TEST(MatchLogs, AWrongClockDeletesNoNewerLog) {
+    const auto folder = fresh_folder("matches_of_wrong_clocks");
     std::filesystem::create_directories(folder);
-    const auto touch = [](const std::filesystem::path& p) { std::ofstream(p) << "x"; };
-    for (int i = 10; i < 60; ++i) touch(folder / text("2099-01-01_00-00-", i, "_01.thaumlog"));
-    std::vector<std::filesystem::path> played;
-    for (int match = 0; match < 8; ++match) {
-        const auto log = new_match_log(folder, 50);
+    int number = 0;
+    const auto played = [&](const char* date, int hours) {
+        auto log = folder / text("0000", ++number < 10 ? "0" : "", number, "_", date, ".thaumlog");
+        touch(log);
+        std::filesystem::last_write_time(
+            log, std::filesystem::file_time_type::clock::now() + std::chrono::hours(hours));
+        return log;
+    };
+    std::vector<std::filesystem::path> logs;
+    for (int i = 0; i < 8; ++i) logs.push_back(played("2026-10-01_00-00-00", -1000));
+    for (int i = 0; i < 3; ++i) logs.push_back(played("2040-11-23_00-00-00", 100'000));
+    for (int i = 0; i < 3; ++i) logs.push_back(played("2000-01-01_00-00-00", -200'000));
+    for (std::size_t match = 0; match < 6; ++match) {
+        const auto log = new_match_log(folder, 8);
         ASSERT_TRUE(log);
-        touch(played.emplace_back(*log));
-        for (const auto& kept : played) EXPECT_TRUE(std::filesystem::exists(kept)) << "after match " << match;
+        touch(logs.emplace_back(*log));
+        for (std::size_t i = 0; i < logs.size(); ++i)
+            EXPECT_EQ(std::filesystem::exists(logs[i]), i + 8 >= logs.size())
+                << logs[i] << " after " << match;
     }
-    EXPECT_FALSE(std::filesystem::exists(folder / "2099-01-01_00-00-17_01.thaumlog"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "2099-01-01_00-00-18_01.thaumlog"));
-    // Names of the past, but written later than now.
-    const auto later = folder / "2001-01-01_00-00-00_01.thaumlog";
-    const auto named = folder / "2001-01-01_00-00-01_01.thaumlog";
-    for (const auto& path : {later, named}) touch(path);
-    std::filesystem::last_write_time(later,
-                                     std::filesystem::file_time_type::clock::now() + std::chrono::hours(9));
-    ASSERT_TRUE(new_match_log(folder, 52));
-    EXPECT_FALSE(std::filesystem::exists(later));
-    EXPECT_TRUE(std::filesystem::exists(named));
 }
 
 /// Sets variables of the environment for one test.

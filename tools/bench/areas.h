@@ -14,7 +14,7 @@ void soak(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
 /// The virtual coupling; and the same with Bullet under it.
 void coupling(const Options& options, Report& report);
-void tug(const Options& options, Report& report);
+void wand_coupling(const Options& options, Report& report);
 void haptics(const Options& options, Report& report);
 /// Parts of `haptics`.
 void surfaces(const Options& options, Report& report);

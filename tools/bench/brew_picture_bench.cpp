@@ -31,15 +31,15 @@ struct BrewScene {
     }
 
     void draw(std::size_t place, Quality quality, bool with_brew) {
-        const auto& court = drawn->court;
+        const auto& arena_scene = drawn->arena_scene;
         auto& memory = drawn->memory;
-        game::make_frame(court, pictures[place], {.quality = quality}, window, memory);
+        game::make_frame(arena_scene, pictures[place], {.quality = quality}, window, memory);
         // What is painted over an empty bowl would hide it.
         for (std::size_t i = 0; i < memory.frame.views.size(); ++i) {
             auto& instances = memory.instances[i];
             std::erase_if(instances, [&](const render::Instance& instance) {
-                return instance.mesh == court.bubble ||
-                       (court.painted_brew && instance.mesh == *court.painted_brew);
+                return instance.mesh == arena_scene.bubble ||
+                       (arena_scene.painted_brew && instance.mesh == *arena_scene.painted_brew);
             });
             memory.frame.views[i].instances = instances;
             memory.frame.views[i].volume = with_brew ? &look.volume : nullptr;

@@ -162,7 +162,7 @@ void coupling(const Options& options, Report& report) {
         measure(contestants, {.seconds = options.quick ? 1.0 : 5.0, .least = options.quick ? 3U : 11U});
     for (std::size_t i = 0; i < settings.size(); ++i)
         report.rows.push_back(pair_row(settings[i], runs[i], samples[i]));
-    tug(options, report);
+    wand_coupling(options, report);
 }
 
 }  // namespace thaum::bench

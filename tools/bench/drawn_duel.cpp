@@ -18,7 +18,7 @@ Expected<std::unique_ptr<DrawnDuel>> DrawnDuel::create() {
     if (!renderer) return tl::unexpected(renderer.error());
     auto drawn = std::unique_ptr<DrawnDuel>(
         new DrawnDuel{std::move(*context), std::move(*renderer), std::move(*duel)});
-    drawn->court = game::make_court(*drawn->renderer, *data);
+    drawn->arena_scene = game::make_arena_scene(*drawn->renderer, *data);
     return drawn;
 }
 

@@ -16,7 +16,7 @@ struct DrawnDuel {
     render::Offscreen context;
     std::optional<render::Renderer> renderer;  // goes before its context
     game::BotDuel duel;
-    game::Court court{};
+    game::ArenaScene arena_scene{};
     game::FrameMemory memory{};
 
     /// Of bots of level 1, with its context made current. Fails where nothing can draw.

@@ -156,7 +156,7 @@ void viscous(const Options& options, Report& report) {
 
 // ---- the cavity ---------------------------------------------------------------------------------------------------
 
-double change_since(const Fluid& fluid, std::vector<float>& before) {
+double change_since(const Fluid& fluid, fluid::Samples& before) {
     double most = 0;
     const auto& u = fluid.now.velocity[0];
     if (before.size() == u.size()) {
@@ -171,7 +171,7 @@ double change_since(const Fluid& fluid, std::vector<float>& before) {
 
 /// Until nothing changes by more than `still` m/s in a second, or `most_s` have passed. s.
 double run_until_steady(FluidRun& run, double still, double most_s) {
-    std::vector<float> before;
+    fluid::Samples before;
     double time = 0;
     while (time < most_s && change_since(run.fluid, before) > still) {
         for (const double dt : flows::steps_until(1)) advance_timed(run, dt);

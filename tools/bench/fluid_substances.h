@@ -1,5 +1,5 @@
 // Flows in which substances are what matters: heavy and light ones that fall, rise and slosh, with their energies. Written once, for the
-// benchmarks (fluid_bench_substances.cpp) and for the tests.
+// benchmarks (fluid_bench.cpp) and for the tests.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "tools/bench/fluid_flows.h"
+#include "tools/bench/worse.h"
 
 namespace thaum::fluid::flows {
 
@@ -76,8 +77,8 @@ inline EnergyBook open_book(const Fluid& fluid) { return {.start = potential_ene
 
 inline void enter(const Fluid& fluid, const StepReport& report, EnergyBook& book) {
     const double potential = potential_energy(fluid);
-    book.released = std::max(book.released, book.start - potential);
-    book.excess = std::max(book.excess, kinetic_energy(fluid) + potential - book.start);
+    book.released = bench::worse(book.released, book.start - potential);
+    book.excess = bench::worse(book.excess, kinetic_energy(fluid) + potential - book.start);
     book.rescaled += report.rescaled;
 }
 
@@ -135,7 +136,7 @@ inline double absolute_error(const Fluid& fluid, const std::function<double(vec3
     return off / of;
 }
 
-/// The highest and the least density of the first substance.
+/// The least and the highest density of the first substance.
 inline std::pair<double, double> range_of(const Fluid& fluid) {
     double least = 1e300, most = -1e300;
     each_cell(fluid.lattice, [&](int, int, int, std::size_t at) {

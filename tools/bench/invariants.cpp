@@ -70,6 +70,21 @@ std::string wrong_figure(const Row& row, std::string_view figure, double value) 
     return {};
 }
 
+bool has_figure(const Row& row, std::string_view figure) {
+    if (row.error && row.error->name == figure) return true;
+    return std::any_of(row.metrics.begin(), row.metrics.end(),
+                       [&](const auto& metric) { return metric.first == figure; });
+}
+
+/// A case with a bound must report the bounded figure: a figure that is missing holds nothing.
+std::string missing_figure(const Row& row) {
+    for (const auto& i : invariants) {
+        if (!i.name.empty() && applies(i, row) && !has_figure(row, i.figure))
+            return text(i.figure, " is missing");
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string broken_invariant(const Row& row) {
@@ -80,7 +95,7 @@ std::string broken_invariant(const Row& row) {
         if (auto wrong = wrong_figure(row, name, value); !wrong.empty()) return wrong;
     }
     if (row.time_us && !std::isfinite(row.time_us->median)) return "its time is no finite number";
-    return {};
+    return missing_figure(row);
 }
 
 void check_invariants(Report& report) {

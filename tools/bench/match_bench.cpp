@@ -7,7 +7,7 @@
 #include "game/bots/duel.h"
 #include "game/cauldron/cauldron.h"
 #include "game/components/cauldron.h"
-#include "game/components/grip.h"
+#include "game/components/hand_state.h"
 #include "game/match/playback.h"
 #include "game/wands/belt.h"
 #include "tools/bench/allocations.h"
@@ -217,10 +217,10 @@ void tick_duel_haptic(const Options& options, Report& report) {
     }
     const auto allocated = allocation_count() - allocations;
     int held = 0;
-    match.world().view<const game::WandBelt, const game::Grip>().each(
-        [&](ecs::Entity wizard, const game::WandBelt& belt, const game::Grip& grip) {
+    match.world().view<const game::WandBelt, const game::HandState>().each(
+        [&](ecs::Entity wizard, const game::WandBelt& belt, const game::HandState& hand_state) {
             held += game::wand_in_hand(match.data(), belt)->kind->held_at(match.world(), wizard) ? 1 : 0;
-            created = std::max(created, grip.servo.energy.most_created);
+            created = std::max(created, hand_state.servo.energy.most_created);
         });
     report.rows.push_back({.area = "tick",
                            .name = "duel_haptic",
@@ -274,8 +274,9 @@ void tick_duel_cauldron(const Options& options, Report& report) {
         iterations += match.brew()->report.pressure_iterations;
     }
     double created = 0;
-    match.world().view<const game::Grip>().each(
-        [&](const game::Grip& grip) { created = std::max(created, grip.servo.energy.most_created); });
+    match.world().view<const game::HandState>().each([&](const game::HandState& hand_state) {
+        created = std::max(created, hand_state.servo.energy.most_created);
+    });
     const auto& cauldron = match.world().single<game::Cauldron>();
     const auto& cells = match.brew()->brew.fluid.lattice.cells;
     report.rows.push_back(

@@ -1,5 +1,4 @@
 // Energy that passive sources create at the hand, over all haptic scenarios: the worst of them.
-#include <unistd.h>
 
 #include "core/file.h"
 #include "core/text.h"
@@ -14,21 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_script = 1U << 20U, most_table = 128U << 20U;
-
-/// A folder that goes when this does.
-struct Scratch {
-    fs::path path;
-    Scratch() {
-        auto name = (fs::temp_directory_path() / "thaum-bench-XXXXXX").string();
-        if (::mkdtemp(name.data()) != nullptr) path = name;
-    }
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    ~Scratch() {
-        std::error_code ignored;
-        if (!path.empty()) fs::remove_all(path, ignored);
-    }
-};
 
 bool is_haptic(const fs::path& script) {
     const auto source = read_text_file(script, most_script);
@@ -52,10 +36,14 @@ game::ScenarioOptions options_in(const fs::path& folder) {
 }  // namespace
 
 void passivity(Report& report) {
-    const Scratch scratch;
-    const auto options = options_in(scratch.path);
+    const TemporaryFolder folder;
+    const auto options = options_in(folder.path());
     const auto scripts = game::find_scenarios({}, options);
-    if (!scripts || scratch.path.empty()) return;
+    if (!scripts || folder.path().empty()) {
+        report.faults.push_back(
+            text("haptics passivity: ", scripts ? "no temporary folder" : scripts.error().message));
+        return;
+    }
     PassiveEnergy all;
     std::string worst;
     std::int64_t count = 0;

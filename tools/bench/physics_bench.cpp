@@ -14,6 +14,7 @@
 #include "physics/physics.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
+#include "tools/bench/worse.h"
 
 namespace thaum::bench {
 namespace {
@@ -136,21 +137,37 @@ Outcome pendulum(Run& run) {
 
 // ---- stack --------------------------------------------------------------------------------------------------------
 
-/// Sixteen stacks of eight boxes of 0.4 m, each turned otherwise, since where one stack drifts is chance: the distance of their tops
-/// from where rigid boxes would keep them, root mean square, after 5 s.
+constexpr std::size_t stack_count = 32;
+
+/// Interval in which the median of what was drawn lies in 98 of 100 draws: between the 10th and the 23rd of 32 values,
+/// by the binomial distribution, whatever the values' own. Source: Conover, Practical Nonparametric Statistics, 3.2.
+struct MedianOf {
+    double value{}, low{}, high{};
+};
+
+MedianOf median_of(std::array<double, stack_count> values) {
+    std::sort(values.begin(), values.end());
+    return {(values[15] + values[16]) / 2, values[9], values[22]};
+}
+
+/// Stacks of eight boxes of 0.4 m, turned and placed at random: how far the top of one has drifted from where rigid
+/// boxes would keep it, after 5 s. A drift is chance, and one stack's is up to five times another's: so the error is
+/// the median of many, and what is not outside of its interval is no difference.
 Outcome stacks(Run& run) {
-    constexpr Key stacks = 16, boxes = 8;
+    constexpr Key boxes = 8;
     constexpr double half = 0.2;
     run.physics.add(0, {.size = {20, 1, 20}}, {.position = {0, -1, 0}});
     const auto key = [](Key stack, Key level) { return 1 + stack * boxes + level; };
-    const auto place = [](Key stack, Key level) {
-        const Key column = stack % 4, row = stack / 4;
-        return vec3(3.0 * column, half + 2 * half * level, 3.0 * row);
-    };
-    for (Key s = 0; s < stacks; ++s) {
+    Random random{1};
+    std::array<vec3, stack_count> feet{};
+    for (Key s = 0; s < stack_count; ++s) {
+        const double x = random.uniform(-1, 1), z = random.uniform(-1, 1), turn = random.uniform(0, pi / 2);
+        const Key column = s % 8, row = s / 8;
+        feet[s] = {3.0 * column - 10.5 + x, half, 3.0 * row - 4.5 + z};
         for (Key i = 0; i < boxes; ++i) {
-            run.physics.add(key(s, i), {.size = vec3(half), .mass = 5},
-                            {.position = place(s, i), .orientation = rotation({0, 1, 0}, 0.2 * s)});
+            run.physics.add(
+                key(s, i), {.size = vec3(half), .mass = 5},
+                {.position = feet[s] + vec3(0, 2 * half * i, 0), .orientation = rotation({0, 1, 0}, turn)});
         }
     }
     int awake_steps = 0;
@@ -159,18 +176,23 @@ Outcome stacks(Run& run) {
         if (run.physics.counters().awake > 0) ++awake_steps;
     }
     std::uint64_t hash = 0;
-    double sunk = 0, off = 0;
-    for (Key s = 0; s < stacks; ++s) {
+    double sunk = 0;
+    std::array<double, stack_count> off{};
+    for (Key s = 0; s < stack_count; ++s) {
         for (Key i = 0; i < boxes; ++i) {
             const BodyState& state = run.physics.state(key(s, i));
+            const vec3 way = state.position - feet[s] - vec3(0, 2 * half * i, 0);
             hash = hash_combine(hash, hash_value(state));
-            sunk = std::max(sunk, place(s, i).y - state.position.y);
+            sunk = std::max(sunk, -way.y);
+            off[s] = glm::length(way);
         }
-        const vec3 top = run.physics.state(key(s, boxes - 1)).position - place(s, boxes - 1);
-        off += glm::dot(top, top) / stacks;
     }
-    return {.error = std::sqrt(off),
-            .metrics = {{"sunk_m", sunk}, {"settled_s", awake_steps * run.dt}},
+    const MedianOf median = median_of(off);
+    return {.error = median.value,
+            .metrics = {{"error_low_m", median.low},
+                        {"error_high_m", median.high},
+                        {"sunk_m", sunk},
+                        {"settled_s", awake_steps * run.dt}},
             .hash = hash};
 }
 
@@ -270,7 +292,7 @@ double worst_rebound(Shape shape) {
             world.step(1e-3);
             rebound = std::max(rebound, world.velocity(2).y);
         }
-        worst = std::max(worst, std::abs(rebound / approach - 1));
+        worst = worse(worst, std::abs(rebound / approach - 1));
     }
     return worst;
 }
@@ -362,7 +384,7 @@ void physics(const Options& options, Report& report) {
              return flight(run, {12, 9, -5});
          }},
         {"pendulum", "position_m_after_10_s", swing_seconds, pendulum},
-        {"stack", "top_off_its_place_m_after_5_s", 5, stacks, true},
+        {"stack", "median_top_off_its_place_m_after_5_s", 5, stacks, true},
     };
     for (const auto& one : cases) measure_case(one, options, report);
     measure_contacts(report);

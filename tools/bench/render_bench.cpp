@@ -28,7 +28,7 @@ struct RenderScene {
         game::take_picture(*drawn->duel.match, picture);
     }
     void draw(const game::Picture& what, Quality quality) {
-        drawn->draw(game::make_frame(drawn->court, what, {.quality = quality}, window, drawn->memory));
+        drawn->draw(game::make_frame(drawn->arena_scene, what, {.quality = quality}, window, drawn->memory));
     }
     render::Renderer& renderer() { return *drawn->renderer; }
 };

@@ -14,6 +14,7 @@
 #include "haptics/servo.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
+#include "tools/bench/worse.h"
 
 namespace thaum::bench {
 namespace {
@@ -116,8 +117,8 @@ void judge(Slide& run) {
         if (tick > steady) {
             const vec3 exact =
                 surface_stiffness * (on_circle(body_radius + haptics::surface_gap, angle - lag) - tip);
-            run.worst = std::max(run.worst, glm::length(force - exact));
-            run.chatter = std::max(run.chatter, glm::length(seen - before));
+            run.worst = worse(run.worst, glm::length(force - exact));
+            run.chatter = worse(run.chatter, glm::length(seen - before));
         }
         before = seen;
     }

@@ -9,9 +9,11 @@
 #include <array>
 #include <cmath>
 
+#include "core/maths.h"
 #include "core/random.h"
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
+#include "tools/bench/worse.h"
 
 namespace thaum::bench {
 
@@ -28,6 +30,10 @@ inline constexpr std::array switch_hands{
     SwitchHand{"moving_loose", {.mass = 0.55, .stiffness = 135, .damping = 6.5}, 0.02},
     SwitchHand{"moving_firm", {.mass = 0.3, .stiffness = 1500, .damping = 30}, 0.02},
 };
+
+/// Seeds of the random switches. With seven of them a controller that waits until a spring has given back all it holds creates more
+/// than 0.02 J: such a switch is one in ten thousand, and a single seed may not meet it.
+inline constexpr std::array<std::uint64_t, 8> switch_seeds{6, 11, 13, 16, 19, 26, 32, 38};
 
 /// A passive source with its exact potential.
 struct SwitchedSource {
@@ -119,7 +125,7 @@ public:
                                   -reach, reach);
         return source;
     }
-    int random_length() { return static_cast<int>(10 * std::pow(200.0, random_.uniform())); }
+    int random_length() { return static_cast<int>(10 * det::pow(200.0, random_.uniform())); }
 
 private:
     vec3 direction() {
@@ -132,19 +138,19 @@ private:
 
     void tick() {
         const double phase = 2 * pi * rate_ * tick_seconds * ticks_++;
-        const vec3 target = hand_.swing * vec3(std::sin(phase), std::sin(1.3 * phase), std::sin(0.7 * phase));
+        const vec3 target = hand_.swing * vec3(det::sin(phase), det::sin(1.3 * phase), det::sin(0.7 * phase));
         const vec3 measured = haptics::measured_position(device_, tip_);
         const vec3 force = haptics::servo_step(servo_, state_, model_, {measured, 0});
-        if (just_switched_) run_.largest_jump = std::max(run_.largest_jump, glm::length(force - before_));
+        if (just_switched_) run_.largest_jump = worse(run_.largest_jump, glm::length(force - before_));
         just_switched_ = false;
         before_ = force;
         const vec3 from = tip_.position;
         tip_ = haptics::step(device_, tip_, target, force);
         created_ += glm::dot(tip_.force, tip_.position - from);
-        created_ = std::max(created_, -source_.stored(tip_.position));  // what damping took is gone
-        most_here_ = std::max(most_here_, created_);
-        run_.most_created = std::max(run_.most_created, created_);
-        run_.fastest = std::max(run_.fastest, glm::length(tip_.velocity));
+        created_ = worse(created_, -source_.stored(tip_.position));  // what damping took is gone
+        most_here_ = worse(most_here_, created_);
+        run_.most_created = worse(run_.most_created, created_);
+        run_.fastest = worse(run_.fastest, glm::length(tip_.velocity));
     }
 
     haptics::DeviceSpec spec_;
@@ -172,6 +178,20 @@ inline SwitchRun random_switches(const haptics::DeviceSpec& spec, const SwitchHa
         rig.end_of_switch();
     }
     return rig.result();
+}
+
+/// Random switches with every seed; the mean is over all of them.
+inline SwitchRun random_switches(const haptics::DeviceSpec& spec, const SwitchHand& hand, int switches) {
+    SwitchRun all;
+    for (const auto seed : switch_seeds) {
+        const SwitchRun run = random_switches(spec, hand, switches, seed);
+        all.most_created = worse(all.most_created, run.most_created);
+        all.mean_created += run.mean_created / switch_seeds.size();
+        all.fastest = worse(all.fastest, run.fastest);
+        all.largest_jump = worse(all.largest_jump, run.largest_jump);
+        all.switches += run.switches;
+    }
+    return all;
 }
 
 /// A spring at the limit of the device comes `stretch` beyond the tip (m), and nothing else happens for nine seconds.

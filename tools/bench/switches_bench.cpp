@@ -23,11 +23,11 @@ Expected<haptics::DeviceSpec> device_of(const char* file) {
 }
 
 void add_row(const haptics::DeviceSpec& spec, const SwitchHand& hand, int switches, Report& report) {
-    const SwitchRun run = random_switches(spec, hand, switches, 7);
+    const SwitchRun run = random_switches(spec, hand, switches);
     const double full = spec.peak_force / spec.max_stiffness;
     double one = 0;
     for (const double stretch : {0.2 * full, full, 3 * full})
-        one = std::max(one, one_spring(spec, hand, stretch).most_created);
+        one = worse(one, one_spring(spec, hand, stretch).most_created);
     report.rows.push_back({.area = "haptics",
                            .name = "switches",
                            .setting = {{"model", spec.name}, {"hand", std::string(hand.name)}},
@@ -36,7 +36,7 @@ void add_row(const haptics::DeviceSpec& spec, const SwitchHand& hand, int switch
                                        {"mean_j", run.mean_created},
                                        {"one_spring_j", one},
                                        {"jump_n", run.largest_jump}}});
-    const double worst = std::max(run.most_created, one);
+    const double worst = worse(run.most_created, one);
     if (!(worst <= most_per_switch))
         report.faults.push_back(text("haptics switches, ", spec.name, ", hand ", hand.name,
                                      ": a switch created ", shown(worst), " J, more than ",

@@ -1,7 +1,8 @@
 # Compiler flags of the whole project (design: architecture.md, "Packages and build").
 #
-# -ffp-contract=off: a fused multiply-add rounds once instead of twice, so it would make results depend on what the
-# compiler chose to fuse. No fast-math for the same reason. With these builds agree to the bit, whatever they optimise.
+# -ffp-contract=off: a fused multiply-add rounds once instead of twice, so results would depend on the
+# compiler's choice of what to fuse. No fast-math for the same reason. With these flags all builds agree to
+# the bit, whatever their optimisation.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -15,10 +16,10 @@ endif()
 option(THAUM_PORTABLE "Build for any x86-64, not only for x86-64-v3 (AVX2)" OFF)
 set(THAUM_SANITIZE "" CACHE STRING "Sanitizers: empty, 'address,undefined' or 'thread'")
 
-# Several sources as one halve the time of a whole build, most of which goes into the same headers again and again.
-# Turn it off where one file is changed over and over; either way must compile.
+# Compiling several sources as one halves the time of a whole build, which mostly parses the same headers
+# again and again. Turn it off to change one file often. The code must compile both ways.
 option(CMAKE_UNITY_BUILD "Compile several sources as one" ON)
-# What is not optimised takes its time for the headers alone.
+# Unoptimised builds spend nearly all their time on headers.
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 if(THAUM_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
@@ -28,31 +29,34 @@ add_library(thaum_flags INTERFACE)
 target_compile_options(thaum_flags INTERFACE
     -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Up to so many kB the compiler does not tidy up its memory, which takes a tenth of its time.
+    # Keeps the compiler from collecting garbage below this many kB; collecting takes a tenth of its time.
     target_compile_options(thaum_flags INTERFACE --param=ggc-min-heapsize=1000000)
 endif()
 if(CMAKE_UNITY_BUILD)
-    # GCC takes the anonymous namespaces of sources that are included for a header's.
+    # GCC takes an anonymous namespace in an included source for one in a header.
     target_compile_options(thaum_flags INTERFACE -Wno-subobject-linkage)
 endif()
-# For sources that run before we know the processor, and before the sanitizers know the memory.
+# Flags for sources that run before the processor check, and before the sanitizers have set up their memory.
 set(THAUM_ANY_PROCESSOR -march=x86-64 -fno-sanitize=all)
 if(THAUM_PORTABLE)
-    # Vectors of eight floats are passed in another way with AVX than without; all that passes them is compiled here, in one way.
+    # Vectors of eight floats are passed differently with and without AVX. All code that passes them is
+    # compiled here, in one way.
     target_compile_options(thaum_flags INTERFACE -Wno-psabi)
 else()
-    # Without FMA: GCC 12 joins additions and subtractions side by side into vfmaddsub whatever -ffp-contract says, and then two
-    # builds differ in the last bit.
+    # No FMA: GCC 12 joins neighbouring additions and subtractions into vfmaddsub whatever -ffp-contract says,
+    # and then two builds differ in the last bit.
     target_compile_options(thaum_flags INTERFACE -march=x86-64-v3 -mno-fma)
 endif()
 if(THAUM_SANITIZE)
     target_compile_options(thaum_flags INTERFACE -fsanitize=${THAUM_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(thaum_flags INTERFACE -fsanitize=${THAUM_SANITIZE})
-    # What sanitizers add confuses this warning of GCC, even in std::regex; the release build has it.
+    # The sanitizers' code confuses this warning of GCC, even in std::regex. The release build has the
+    # warning.
     target_compile_options(thaum_flags INTERFACE -Wno-maybe-uninitialized)
     if(THAUM_SANITIZE MATCHES "undefined")
-        # A null pointer that is followed ends the program anyway, with the same trace; to ask before each costs time in all that is built
-        # and run. What this leaves unseen: a null that is only bound to a reference, or whose member is called and touches nothing.
+        # No check for null: dereferencing a null pointer ends the program anyway, with the same trace. A
+        # check before each access costs build and run time. Without it two faults go unseen: a null that is
+        # only bound to a reference, and a call of a member function that reads no member.
         target_compile_options(thaum_flags INTERFACE -fno-sanitize-recover=undefined -fno-sanitize=null)
     endif()
 endif()

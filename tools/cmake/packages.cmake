@@ -1,4 +1,4 @@
-# Debian packages we stand on. All are system libraries, so their headers give no warnings of ours.
+# Debian packages that the project needs. All are system libraries, so their headers give no warnings here.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(glfw3 3.3 REQUIRED)

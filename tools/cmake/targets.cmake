@@ -1,5 +1,5 @@
-# One engine folder is one static library: thaum_engine(core SOURCES ... LINK ...).
-# Includes are written from engine/ ("core/error.h") and, for the game, from the top ("game/match/match.h").
+# thaum_engine(core SOURCES ... LINK ...): one engine folder as one static library. Includes are written from
+# engine/ ("core/error.h") and, for the game, from the top ("game/match/match.h").
 function(thaum_engine name)
     cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
     add_library(thaum_${name} STATIC ${ARG_SOURCES})
@@ -7,7 +7,8 @@ function(thaum_engine name)
     target_link_libraries(thaum_${name} PUBLIC ${ARG_LINK} PRIVATE thaum_flags ${ARG_PRIVATE_LINK})
 endfunction()
 
-# thaum_quick_to_build(TARGETS...): what computes little itself. With sanitizers in it, optimised code takes twice as long to compile.
+# thaum_quick_to_build(TARGETS...): targets that compute little themselves are compiled without optimisation
+# in sanitizer builds. There, optimised code takes twice as long to compile.
 function(thaum_quick_to_build)
     if(NOT THAUM_SANITIZE)
         return()

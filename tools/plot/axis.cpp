@@ -1,5 +1,5 @@
-// Ends and ticks are counted in steps of the series 1, 2, 5: step 0 is 1, step 1 is 2, step 2 is 5, step 3 is 10, step -1 is
-// 0.5. So no value is ever computed from a rounded logarithm.
+// Axis ends and ticks are counted in steps of the series 1, 2, 5: step 0 is 1, step 1 is 2, step 2 is 5, step
+// 3 is 10, step -1 is 0.5. So no value is ever computed from a rounded logarithm.
 #include "tools/plot/axis.h"
 
 #include <algorithm>
@@ -15,13 +15,13 @@ namespace {
 constexpr std::array mantissas{1, 2, 5};
 constexpr int most_ticks = 9;
 constexpr double zero_margin_px = 26;
-constexpr double hair = 1e-9;  ///< of a decade; a value this near to a step is on it
+constexpr double hair = 1e-9;  ///< tolerance (decades): a value this near to a step counts as on it
 
 int exponent_of(int step) { return static_cast<int>(std::floor(step / 3.0)); }
 int mantissa_of(int step) { return mantissas.at(static_cast<std::size_t>(step - 3 * exponent_of(step))); }
 double log_of(int step) { return exponent_of(step) + std::log10(mantissa_of(step)); }
 
-/// The highest step at or below.
+/// Highest step that is not above the value; `log` is its decimal logarithm.
 int step_below(double log) {
     int step = 3 * static_cast<int>(std::floor(log + hair));
     while (log_of(step + 1) <= log + hair) ++step;
@@ -78,7 +78,7 @@ std::vector<Tick> ticks(const LogAxis& axis) {
     std::vector<Tick> result;
     if (axis.has_zero) result.push_back({axis.zero_px, "0"});
     for (int step = first; step <= last; ++step) {
-        // A stride of decades stands on decades.
+        // A stride of whole decades starts at a power of ten.
         if (step % stride != 0 && stride > 1) continue;
         const double along = (log_of(step) - axis.low) / (axis.high - axis.low);
         result.push_back({axis.low_px + along * (axis.high_px - axis.low_px), label_of(step)});

@@ -1,4 +1,4 @@
-// tools/plot/axis.h: a logarithmic axis from a value to a pixel.
+// tools/plot/axis.h: a logarithmic axis that maps values to pixels.
 #pragma once
 #include <span>
 #include <string>
@@ -6,15 +6,15 @@
 
 namespace thaum::plot {
 
-/// Its ends are of the series 1, 2, 5, 10, ... Values from 0 down have no place on it; where there are some, they stand in a
-/// margin of their own before the low end.
+/// Both ends are of the series 1, 2, 5, 10, ... Values <= 0 have no place on a logarithmic axis. If there are
+/// any, they are drawn in a margin before the low end.
 struct LogAxis {
-    double low{}, high{};        ///< decimal logarithms, low < high
-    double low_px{}, high_px{};  ///< where these are; low_px may be the larger
-    double zero_px{};            ///< where values <= 0 are
+    double low{}, high{};        ///< decimal logarithms of the ends, low < high
+    double low_px{}, high_px{};  ///< pixels of the ends; low_px may be the larger
+    double zero_px{};            ///< pixel of values <= 0
     bool has_zero{};
 
-    /// value must be finite.
+    /// Pixel of a value, which must be finite.
     double at(double value) const;
 };
 
@@ -23,10 +23,11 @@ struct Tick {
     std::string label;
 };
 
-/// From the span of all values, which must be finite.
+/// Axis for all values, which must be finite.
 LogAxis log_axis(std::span<const double> values, double low_px, double high_px);
 
-/// 1, 2, 5, 10 ... where they are few, else powers of ten or of some power of ten; at most 9, and one for 0.
+/// Ticks at 1, 2, 5, 10 ... if they are few, else at powers of ten or of some power of ten. At most 9, and
+/// one for 0.
 std::vector<Tick> ticks(const LogAxis&);
 
 }  // namespace thaum::plot

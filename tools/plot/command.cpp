@@ -1,4 +1,4 @@
-// thaum plot: a benchmark's report as pictures and a page.
+// thaum plot: draws a benchmark's report as pictures and a page.
 #include <cstdio>
 
 #include "core/file.h"

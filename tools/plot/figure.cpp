@@ -21,7 +21,7 @@ std::string item_text(const std::pair<std::string, bench::Value>& item) {
     return text(item.first, " ", bench::shown(item.second));
 }
 
-/// Names of the settings that some row has otherwise than another.
+/// Names of the settings that differ between rows.
 std::set<std::string> varying(const Rows& rows) {
     std::map<std::string, std::map<std::string, std::size_t>> seen;
     for (const Row* row : rows) {
@@ -34,7 +34,7 @@ std::set<std::string> varying(const Rows& rows) {
     return names;
 }
 
-/// Words tell the series, numbers the place in it.
+/// Part of a row's setting: words name the series, numbers the point in a series.
 std::string part_of(const Row& row, const std::set<std::string>& names, bool words) {
     std::string out;
     for (const auto& item : row.setting) {
@@ -52,7 +52,7 @@ std::string tooltip_of(const Row& row) {
                 row.is_default ? ", default" : "");
 }
 
-/// Sorted; one without a name where there are too many.
+/// Names of the series, sorted; one empty name if there are too many series.
 std::vector<std::string> series_of(const Rows& rows, const std::set<std::string>& names) {
     std::set<std::string> series;
     for (const Row* row : rows) series.insert(part_of(*row, names, true));

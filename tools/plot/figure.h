@@ -1,4 +1,4 @@
-// tools/plot/figure.h: what of a report can be drawn: time against error where there is an error, else ratios.
+// tools/plot/figure.h: figures of a report: time against error for cases with errors, else ratios.
 #pragma once
 #include <span>
 #include <string>
@@ -8,24 +8,24 @@
 
 namespace thaum::plot {
 
-/// One row in a FrontFigure.
+/// One point of a FrontFigure: a row of the report.
 struct Point {
     double time_us{};
     double error{};
-    std::string label;     ///< the numbers in its setting that are not the same in the whole figure
-    std::string tooltip;   ///< its whole setting, time and error
+    std::string label;     ///< numbers of the setting that differ within the figure
+    std::string tooltip;   ///< the whole setting, time and error
     std::size_t series{};  ///< index in FrontFigure::series
     bool front{};
     bool is_default{};
 };
 
-/// Run time against error of one case.
+/// Run time against error for one case.
 struct FrontFigure {
     std::string title;
     std::string error_name;
     std::vector<std::string>
-        series;  ///< the words in the settings; one without a name where there are too many to tell apart
-    std::vector<Point> points;  ///< by time
+        series;                 ///< words of the settings; one empty name if there are too many to tell apart
+    std::vector<Point> points;  ///< sorted by time
 };
 
 struct Bar {
@@ -33,23 +33,24 @@ struct Bar {
     double ratio{};  ///< > 0
 };
 
-/// One `ratio_to_...` of one area.
+/// Ratios of one `ratio_to_...` of one area.
 struct RatioFigure {
     std::string title;
     std::vector<Bar> bars;
-    std::size_t left_out{};  ///< bars beyond what fits
+    std::size_t left_out{};  ///< number of bars that did not fit
 };
 
 inline constexpr std::size_t most_series = 6;
 inline constexpr std::size_t most_bars = 60;
 
-/// "solver thaum, n 32".
+/// Text of a setting: "solver thaum, n 32".
 std::string setting_text(const bench::Row&);
 
-/// Of the rows of one case: one figure for each name of an error. Rows without a finite time and error are in none.
+/// Figures for the rows of one case: one for each name of an error. Rows without a finite time and error are
+/// left out.
 std::vector<FrontFigure> front_figures(std::span<const bench::Row* const> rows);
 
-/// Of the rows of one area that have no error.
+/// Figures for the rows of one area that have no error.
 std::vector<RatioFigure> ratio_figures(std::span<const bench::Row* const> rows);
 
 }  // namespace thaum::plot

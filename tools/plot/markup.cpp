@@ -12,7 +12,8 @@ constexpr std::string_view ellipsis = "\xE2\x80\xA6";
 
 bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
-/// U+FFFE and U+FFFF are the only ones above the control characters that XML forbids and UTF-8 allows.
+/// Tests for U+FFFE and U+FFFF, the only characters above the control characters that UTF-8 allows and XML
+/// forbids.
 bool is_forbidden_triple(std::string_view at) {
     return at.starts_with("\xEF\xBF\xBE") || at.starts_with("\xEF\xBF\xBF");
 }

@@ -1,21 +1,21 @@
-// tools/plot/markup.h: text and numbers as SVG and HTML want them.
+// tools/plot/markup.h: text and numbers escaped and formatted for SVG and HTML.
 #pragma once
 #include <string>
 #include <string_view>
 
 namespace thaum::plot {
 
-/// UTF-8 as the content of an element or of an attribute in quotes. What XML cannot hold, such as a control character, becomes
-/// U+FFFD.
+/// UTF-8 text as the content of an element or of an attribute in quotes. Characters that XML forbids, such as
+/// control characters, become U+FFFD.
 std::string escaped(std::string_view utf8);
 
-/// At most `letters` code points, the last being an ellipsis where something was cut.
+/// Text of at most `letters` code points; cut text ends with an ellipsis.
 std::string cut(std::string_view utf8, std::size_t letters);
 
-/// Code points.
+/// Number of code points.
 std::size_t letters_of(std::string_view utf8);
 
-/// A coordinate, to a hundredth of a pixel.
+/// Coordinate in pixels, rounded to 0.01.
 std::string px(double value);
 
 }  // namespace thaum::plot

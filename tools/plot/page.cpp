@@ -51,7 +51,7 @@ struct Cell {
     bool is_word = false;
 };
 
-/// A number that is not finite has no figure.
+/// Cell with a number; "-" if the number is not finite.
 Cell cell_of(double value) { return {std::isfinite(value) ? bench::shown(value) : "-"}; }
 
 struct Column {
@@ -59,12 +59,13 @@ struct Column {
     bool is_word = false;
 };
 
-// ---- tables -------------------------------------------------------------------------------------------------------
+// ---- tables -----------------------------------------------------------------------------------------------
 
-/// The columns of one table, in the order of setting, time, error, marks, metrics, hash; settings and metrics sorted.
+/// Columns of one table, in this order: setting, time, error, marks, metrics, hash. Settings and metrics are
+/// sorted.
 struct Table {
     std::vector<std::string> settings, errors, metrics;
-    std::set<std::string> words;  ///< settings with a text in some row
+    std::set<std::string> words;  ///< names of settings that are text in some row
     bool has_time = false, has_mark = false, has_hash = false;
 };
 
@@ -106,7 +107,7 @@ std::string mark_of(const Row& row) {
     return row.front ? "front" : row.is_default ? "default" : "";
 }
 
-/// The value of that name, or an empty cell.
+/// Value of that name, or an empty cell.
 template <class Items, class Show>
 Cell found(const Items& items, const std::string& name, const Show& show) {
     const auto at = std::ranges::find(items, name, [](const auto& item) { return item.first; });
@@ -152,9 +153,9 @@ std::string html_table(const Rows& rows) {
     return out + "</table></div>\n";
 }
 
-// ---- figures ------------------------------------------------------------------------------------------------------
+// ---- figures ----------------------------------------------------------------------------------------------
 
-/// Small letters, digits, '-' and '_' only.
+/// Name for a file: only lower-case letters, digits, '-' and '_'.
 std::string safe_name(std::string_view words) {
     constexpr std::size_t longest = 100;
     std::string out;
@@ -182,7 +183,7 @@ public:
     }
 
 private:
-    /// Two names may look alike once they are safe.
+    /// File name that no other figure has; two names may become equal when made safe.
     std::string unused(const std::string& name) {
         auto file = text(name, ".svg");
         for (int n = 2; !names_.insert(file).second; ++n) file = text(name, "-", n, ".svg");
@@ -193,9 +194,9 @@ private:
     std::set<std::string> names_;
 };
 
-// ---- the page -----------------------------------------------------------------------------------------------------
+// ---- the page ---------------------------------------------------------------------------------------------
 
-/// Rows without a time come last, as the report has them.
+/// Time for sorting; rows without a time come last, in the report's order.
 double time_of(const Row* row) {
     return row->time_us && std::isfinite(row->time_us->median) ? row->time_us->median : HUGE_VAL;
 }

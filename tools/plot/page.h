@@ -1,4 +1,4 @@
-// tools/plot/page.h: a report as one HTML page that needs nothing else, and its figures as files.
+// tools/plot/page.h: a report as one HTML page without other files, and its figures as SVG files.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -10,7 +10,7 @@
 namespace thaum::plot {
 
 struct SvgFile {
-    std::string name;  ///< "fluid-taylor_green_moving-rms_velocity.svg": safe in any folder, no two alike
+    std::string name;  ///< unique name, safe in any folder: "fluid-taylor_green_moving-rms_velocity.svg"
     std::string svg;
 };
 
@@ -18,15 +18,17 @@ struct Page {
     std::string html;
     std::vector<SvgFile> figures;
     std::size_t
-        not_drawn{};  ///< cases and areas beyond the most figures of a page; their rows are in the tables
+        /// number of cases and areas without a figure because the page has most_figures; the tables have
+        /// their rows
+        not_drawn{};
 };
 
 inline constexpr std::size_t most_figures = 200;
 
-/// Areas, cases and, by their time, rows, all sorted. Every row is in a table.
+/// Makes a page with all areas, cases and rows; rows are sorted by time. Every row is in a table.
 Page make_page(const bench::Report&);
 
-/// index.html and the SVG files, in a folder that is made where it is missing.
+/// Writes index.html and the SVG files. Makes the folder if it is missing.
 Expected<void> write_page(const Page&, const std::filesystem::path& folder);
 
 }  // namespace thaum::plot

@@ -1,5 +1,6 @@
-// Colours stand twice: as attributes, which every viewer knows, for a light page, and in a style sheet that replaces them on a
-// dark screen. The series' colours are those of Okabe and Ito, which the colour-blind tell apart; the marks differ in form as well.
+// Colours are written twice: as attributes for a light page, which every viewer supports, and in a style
+// sheet that replaces them on a dark screen. The series have the colours of Okabe and Ito, which colour-blind
+// readers can tell apart; the marks differ in shape as well.
 #include "tools/plot/svg.h"
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 namespace thaum::plot {
 namespace {
 
-constexpr double letter_px = 6.6;  ///< of the labels' type, generously
+constexpr double letter_px = 6.6;  ///< width of a letter in the labels, estimated generously
 constexpr double line_px = 15;
 constexpr double legend_line_px = 20;
 constexpr double mark_px = 5;
@@ -84,7 +85,7 @@ std::string outline(const Rect& r) {
                 "\" height=\"", px(r.height), "\" fill=\"none\" stroke=\"", ink, "\"/>\n");
 }
 
-// ---- time against error -------------------------------------------------------------------------------------------
+// ---- time against error -----------------------------------------------------------------------------------
 
 constexpr double front_width = 760;
 constexpr double plot_height = 330;
@@ -92,7 +93,7 @@ constexpr double left = 78, right = 24, title_band = 34, axis_band = 48;
 
 std::size_t legend_letters(const std::string& name) { return std::min<std::size_t>(letters_of(name), 60); }
 
-/// One line holds what fits into the width.
+/// Place of a series' entry in the legend; a line holds as many entries as fit its width.
 struct LegendPlace {
     double x;
     std::size_t line;
@@ -121,7 +122,7 @@ Rect frame_of(const FrontFigure& figure) {
     return {left, title_band + legend, front_width - left - right, plot_height};
 }
 
-/// A mark of the series' own form, centred on the origin.
+/// Mark with the series' own shape, centred on the origin.
 std::string form_of(std::size_t series) {
     const std::string d = px(mark_px);
     switch (series % 3) {
@@ -135,7 +136,7 @@ std::string form_of(std::size_t series) {
     }
 }
 
-/// Full on the front, else an outline.
+/// Mark of a point: filled on the front, else an outline.
 std::string mark(std::size_t series, bool full, double x, double y, std::string_view tooltip) {
     const auto& colour = series_colours.at(series).light;
     const auto filled = text(" class=\"t-fill-", series, " t-line-", series, "\" fill=\"", colour, "\"");
@@ -197,7 +198,7 @@ std::string label_of(const Point& p) {
     return p.label.empty() ? "default" : text(cut(p.label, 40), " (default)");
 }
 
-/// Beside a mark at (x, y), in order of liking.
+/// Places for a label beside a mark at (x, y), best first.
 std::array<Rect, 6> places_beside(double x, double y, double width) {
     const double gap = 2 * mark_px + 2;
     return {{{x + gap, y - line_px, width, line_px},
@@ -208,7 +209,8 @@ std::array<Rect, 6> places_beside(double x, double y, double width) {
              {x - width / 2, y + gap, width, line_px}}};
 }
 
-/// Defaults first, then the front; each takes the first place that meets neither a label nor a mark of the front.
+/// Labels of the points: defaults first, then the front. Each takes the first place that overlaps neither a
+/// label nor a mark of the front.
 class Labels {
 public:
     Labels(const FrontFigure& figure, const FrontAxes& axes, const Rect& frame) : frame_(frame) {
@@ -224,7 +226,7 @@ public:
     std::string take() { return std::move(out_); }
 
 private:
-    static constexpr std::size_t most = 24;  ///< more would be a wall of text
+    static constexpr std::size_t most = 24;  ///< largest number of labels; more would be unreadable
     static bool worth(const Point& p) { return p.is_default || p.front; }
     static Rect around(double x, double y) { return {x - mark_px, y - mark_px, 2 * mark_px, 2 * mark_px}; }
 
@@ -250,7 +252,7 @@ private:
 
 std::string marks(const FrontFigure& figure, const FrontAxes& axes) {
     std::string out;
-    for (const bool front : {false, true}) {  // the front lies on top
+    for (const bool front : {false, true}) {  // the front is drawn last, on top
         for (const auto& p : figure.points) {
             if (p.front != front) continue;
             const double x = axes.time.at(p.time_us), y = axes.error.at(p.error);
@@ -271,7 +273,7 @@ std::string front_names(const FrontFigure& figure, const Rect& frame) {
                 text_at(front_width - right, 22, "full: on the front; ring: default", {"end", false, true}));
 }
 
-// ---- ratios -------------------------------------------------------------------------------------------------------
+// ---- ratios -----------------------------------------------------------------------------------------------
 
 constexpr double bar_step = 22, bar_height = 14;
 constexpr double name_width = 330, number_width = 64, bars_width = 420;

@@ -1,5 +1,5 @@
-// tools/plot/svg.h: figures as SVG that stands alone. Legible on white paper and, where the reader asks for it, on a dark
-// screen; needs no script and no font of its own.
+// tools/plot/svg.h: figures as self-contained SVG. They are legible on white paper and, if the reader's
+// system asks for dark colours, on a dark screen. They need no script and no font of their own.
 #pragma once
 #include <string>
 
@@ -8,18 +8,18 @@
 
 namespace thaum::plot {
 
-/// The axes that to_svg(FrontFigure) draws by.
+/// Axes used by to_svg(FrontFigure).
 struct FrontAxes {
-    LogAxis time;   ///< to the right
-    LogAxis error;  ///< upwards
+    LogAxis time;   ///< horizontal, to the right
+    LogAxis error;  ///< vertical, upwards
 };
 FrontAxes axes_of(const FrontFigure&);
 
-/// Every point is there, with its row as a tooltip. The front is joined and labelled, the default ringed; a label that finds
-/// no room is left out.
+/// Draws every point with its row as a tooltip. The front is joined by lines and labelled, and the default is
+/// ringed. Labels without room are left out.
 std::string to_svg(const FrontFigure&);
 
-/// Bars from 1 to the ratio, on a logarithmic axis, with their numbers.
+/// Draws bars from 1 to the ratio with their numbers, on a logarithmic axis.
 std::string to_svg(const RatioFigure&);
 
 }  // namespace thaum::plot

@@ -241,4 +241,11 @@ ArmReading read(const Api& api, std::int64_t now_ns) {
 
 void write(const Api& api, vec3 force) { api.hdSetDoublev(current_force, &force.x); }
 
+bool write_zero_frame(const Api& api, Handle handle) {
+    api.hdBeginFrame(handle);
+    write(api, vec3(0));
+    api.hdEndFrame(handle);
+    return take_error(api) == 0;
+}
+
 }  // namespace thaum::input::hd

@@ -123,5 +123,7 @@ ArmFacts facts_of(const Api& api);
 ArmReading read(const Api& api, std::int64_t now_ns);
 /// N, device frame; in a frame.
 void write(const Api& api, vec3 force);
+/// A frame that tells the arm to exert nothing. False where the library refuses it.
+bool write_zero_frame(const Api& api, Handle handle);
 
 }  // namespace thaum::input::hd

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/clock.h"
+#include "core/threads.h"
 #include "input/detail/silence.h"
 
 namespace thaum::input::hd {
@@ -18,7 +19,10 @@ enum Phase : std::uint64_t { nobody = 0, with_library = 1, in_step = 2, left_beh
 std::atomic<std::uint64_t> gate{0};
 std::atomic<Ticks*> current{nullptr};
 std::atomic<bool> silence{false};
+std::atomic<int> stops{0};
 thread_local Phase phase_of_thread = nobody;
+/// The thread of the newest tick, named by its phase_of_thread.
+std::atomic<const Phase*> newest_thread{nullptr};
 
 constexpr std::uint64_t word(std::uint64_t number, Phase phase) { return number << 2U | phase; }
 
@@ -39,12 +43,19 @@ bool prefer_this_thread() {
     return ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted) == 0;
 }
 
-/// The frame ends without force, and so do the ticks.
+/// At its first tick.
+void prepare_this_thread(Ticks& ticks) {
+    static FaultStack stack;  // of the one thread that ticks
+    stack.begin_use();
+    ticks.preferred = prefer_this_thread();
+}
+
+/// The frame ends without force, and so do the ticks. The frame may have failed, so another one is tried.
 unsigned int end_ticks(Ticks& ticks, unsigned int code) {
     const auto& api = *ticks.api;
     write(api, vec3(0));
     api.hdEndFrame(ticks.handle);
-    take_error(api);
+    ticks.without_force = take_error(api) == 0 || write_zero_frame(api, ticks.handle);
     if (code != 0) copy_error_string(api, code, ticks.error_said.data(), ticks.error_said.size());
     ticks.code = code;
     ticks.ended = true;
@@ -62,12 +73,13 @@ std::optional<vec3> answer(Ticks& ticks, const ArmReading& reading) {
 unsigned int do_tick(Ticks& ticks) {
     const auto& api = *ticks.api;
     const auto now = monotonic_ns();
-    if (ticks.times.newest_ns() == 0) ticks.preferred = prefer_this_thread();
+    if (ticks.times.newest_ns() == 0) prepare_this_thread(ticks);
     ticks.times.begins(now);
     api.hdBeginFrame(ticks.handle);
     const auto reading = read(api, now);
     if (const auto code = take_error(api); code != 0) return end_ticks(ticks, code);
-    const bool silent = silence;
+    ticks.silent = false;  // before the look: whoever wants silence after it waits for the next tick
+    const bool silent = silence || stops != 0 || !ticks.accepted;
     const auto force = ticks.ending ? std::nullopt : silent ? vec3(0) : answer(ticks, reading);
     if (!force) return end_ticks(ticks, 0);
     write(api, *force);
@@ -97,6 +109,7 @@ unsigned int run_tick(void* argument) {
     const auto number = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(argument));
     if (!change(number, nobody, with_library))
         return gate.load() >> 2U == number ? callback_continue : callback_done;
+    newest_thread = &phase_of_thread;
     const auto next = do_tick(*current);
     change(number, with_library, nobody);
     phase_of_thread = nobody;
@@ -119,6 +132,8 @@ bool close_ticks(Ticks& ticks) {
 // ---- silence -----------------------------------------------------------------------------------------------------------
 
 void silence_ticks(bool wanted) noexcept { silence = wanted; }
+void begin_stop() noexcept { ++stops; }
+void end_stop() noexcept { --stops; }
 
 bool ticks_are_silent() noexcept {
     const auto now = gate.load();
@@ -127,11 +142,12 @@ bool ticks_are_silent() noexcept {
     return ticks.silent || ticks.ended;
 }
 
-bool is_in_tick() noexcept { return phase_of_thread != nobody; }
+bool is_arms_thread() noexcept { return gate != 0 && newest_thread == &phase_of_thread; }
 
-void end_broken_step() noexcept {
-    if (phase_of_thread != in_step) return;
+void end_broken_tick() noexcept {
     const Ticks& ticks = *current;
+    if (ticks.ended) return;
+    if (phase_of_thread == nobody) ticks.api->hdBeginFrame(ticks.handle);
     write(*ticks.api, vec3(0));
     ticks.api->hdEndFrame(ticks.handle);
 }

@@ -22,10 +22,12 @@ struct Ticks {
     TickTimes times{};
     std::array<char, 96> error_said{};  ///< the library's name of `code`; written before that
     std::atomic<unsigned int> code{0};  ///< the error that ended the ticks
+    std::atomic<bool> accepted{false};  ///< the library has taken them up; before, they give no force
     std::atomic<bool> ending{false};    ///< the next tick is the last
     std::atomic<bool> ended{false};
+    std::atomic<bool> without_force{false};  ///< the ticks have ended, and the library took their last zero
     std::atomic<bool> preferred{false};
-    std::atomic<bool> silent{false};  ///< the newest tick told the arm to exert nothing since it shall
+    std::atomic<bool> silent{false};  ///< the newest tick gave no force, since it shall; none runs
 };
 
 /// Makes these the ticks that count. Only one arm's do.

@@ -4,11 +4,10 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
-#include <system_error>
-#include <thread>
 
 #include "core/clock.h"
 #include "core/text.h"
+#include "core/threads.h"
 
 namespace thaum::input {
 namespace {
@@ -54,12 +53,10 @@ Watched run_watched(std::int64_t limit_ns, const std::atomic<bool>* enough, std:
     const auto job = std::make_shared<Job>();
     job->work = std::move(work);
     job->if_late = std::move(if_late);
-    try {
-        std::thread([job] { do_job(*job); }).detach();
-    } catch (const std::system_error& error) {
-        return {Watched::End::no_thread, text("there is no thread for the arm's library: ", error.what())};
-    }
-    const auto until = monotonic_ns() + limit_ns;
+    auto thread = start_thread([job] { do_job(*job); });
+    if (!thread) return {Watched::End::no_thread, thread.error().message};
+    thread->detach();
+    const auto begun = monotonic_ns(), until = begun + limit_ns;
     std::unique_lock lock(job->mutex);
     while (!job->ended && monotonic_ns() < until && (enough == nullptr || !*enough))
         job->changed.wait_for(lock, look, [&] { return job->ended; });
@@ -68,7 +65,7 @@ Watched run_watched(std::int64_t limit_ns, const std::atomic<bool>* enough, std:
     const char* call = job->in_call.load(std::memory_order_relaxed);
     return {Watched::End::hangs,
             text("the arm's library hangs: ", call != nullptr ? call : "it", " has not returned for ",
-                 fixed(static_cast<double>(limit_ns) * 1e-9, 1),
+                 fixed(static_cast<double>(monotonic_ns() - begun) * 1e-9, 1),
                  " s; end this program, switch the arm off and on, and start again")};
 }
 

@@ -20,7 +20,7 @@ struct OpenHaptics::State {
     Handle handle = invalid_handle;
     ArmFacts facts{};
     bool running = false;                ///< the library's scheduler
-    std::atomic<unsigned long> task{0};  ///< the scheduler's number of our ticks; 0: none
+    std::atomic<unsigned long> task{0};  ///< the scheduler's number of our ticks, once they are accepted
     std::int64_t started_ns = 0;         ///< when ticks were asked for; 0: not yet
     std::unique_ptr<Ticks> ticks = std::make_unique<Ticks>();
 };
@@ -129,22 +129,12 @@ Expected<void> start_library(State& s, const std::string& library) {
     return {};
 }
 
-/// Where the last tick has not left the arm without force.
-void write_last_zero(const Api& api, Handle handle) {
-    api.hdBeginFrame(handle);
-    write(api, vec3(0));
-    api.hdEndFrame(handle);
-    take_error(api);
-}
-
 template <class State>
 void stop_library(State& s) {
     if (s.running) {
         s.api->hdStopScheduler();
-        if (s.task != 0 && !s.ticks->ended) {
-            s.api->hdUnschedule(s.task);
-            write_last_zero(*s.api, s.handle);
-        }
+        if (s.started_ns != 0 && !s.ticks->without_force) write_zero_frame(*s.api, s.handle);
+        if (s.ticks->accepted && !s.ticks->ended) s.api->hdUnschedule(s.task);
     }
     if (s.handle != invalid_handle) s.api->hdDisableDevice(s.handle);
     if (s.api != nullptr) take_error(*s.api);
@@ -152,19 +142,21 @@ void stop_library(State& s) {
 
 // ---- watched -----------------------------------------------------------------------------------------------------------
 
-/// Work that hangs, until it returns after all.
-struct LeftBehind {
-    void begins() const { ++hanging; }
-    void ends() const {
+/// run_watched, which counts work that hangs until it returns after all.
+Watched run_counted(std::int64_t limit_ns, const std::atomic<bool>* enough, std::function<void()> work,
+                    const std::function<void()>& if_late) {
+    auto watched = run_watched(limit_ns, enough, std::move(work), [=] {
+        if_late();
         --hanging;
-        in_use = false;
-    }
-};
+    });
+    if (watched.end == Watched::End::hangs) ++hanging;
+    return watched;
+}
 
 template <class State>
 Expected<void> open_watched(const std::shared_ptr<State>& state, const std::string& library) {
     const auto result = std::make_shared<Expected<void>>();
-    const auto watched = run_watched(
+    const auto watched = run_counted(
         state->patience.open_ns, state->patience.enough,
         [=] {
             *result = start_library(*state, library);
@@ -172,13 +164,10 @@ Expected<void> open_watched(const std::shared_ptr<State>& state, const std::stri
         },
         [=] {
             if (*result) stop_library(*state);
-            LeftBehind().ends();
+            in_use = false;
         });
     if (watched.end == Watched::End::in_time && *result) return {};
-    if (watched.end == Watched::End::hangs)
-        LeftBehind().begins();
-    else
-        in_use = false;
+    if (watched.end != Watched::End::hangs) in_use = false;
     return watched.end == Watched::End::in_time ? *result : fail(watched.line);
 }
 
@@ -193,13 +182,12 @@ void end_ticks(Ticks& ticks) {
 template <class State>
 void close_watched(const std::shared_ptr<State>& state) {
     const auto stop = [=] { stop_library(*state); };
-    const auto watched = run_watched(state->patience.close_ns, nullptr, stop, [] { LeftBehind().ends(); });
+    const auto watched = run_counted(state->patience.close_ns, nullptr, stop, [] { in_use = false; });
     if (watched.end == Watched::End::no_thread) stop();
     if (watched.end != Watched::End::hangs) {
         in_use = false;
         return;
     }
-    LeftBehind().begins();
     // The arm may still exert the last force. Its other door may be open, though the scheduler hangs.
     const auto disable = [=] {
         if (state->handle != invalid_handle) state->api->hdDisableDevice(state->handle);
@@ -225,13 +213,13 @@ OpenHaptics::OpenHaptics(std::shared_ptr<State> state) : state_(std::move(state)
 OpenHaptics::~OpenHaptics() {
     auto& s = *state_;
     if (s.started_ns != 0) {
-        if (s.task != 0) end_ticks(*s.ticks);
+        end_ticks(*s.ticks);
         if (!close_ticks(*s.ticks)) keep_for_ever(state_);
     }
     close_watched(state_);
 }
 
-bool OpenHaptics::hangs() { return hanging != 0; }
+bool OpenHaptics::hangs() { return hanging > 0; }
 
 Expected<std::unique_ptr<OpenHaptics>> OpenHaptics::open(const std::string& library,
                                                          const ArmPatience& patience) {
@@ -263,10 +251,12 @@ Expected<void> OpenHaptics::start(ArmTick tick) {
     const auto schedule = [state = state_, result] {
         const auto& api = *state->api;
         state->task = api.hdScheduleAsynchronous(run_tick, argument_of(*state->ticks), first_priority);
-        if (const auto code = take_error(api); code != 0) *result = fail(advice(api, code));
+        if (const auto code = take_error(api); code != 0)
+            *result = fail(advice(api, code));
+        else
+            state->ticks->accepted = true;
     };
-    const auto watched = run_watched(s.patience.open_ns, s.patience.enough, schedule, [] { --hanging; });
-    if (watched.end == Watched::End::hangs) ++hanging;
+    const auto watched = run_counted(s.patience.open_ns, s.patience.enough, schedule, [] {});
     if (watched.end != Watched::End::in_time) return fail(watched.line);
     if (*result) s.started_ns = monotonic_ns();
     return *result;

@@ -3,6 +3,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace thaum::physics::detail {
 namespace {
@@ -30,19 +31,38 @@ Closing closing_at(const btManifoldPoint& point, const btRigidBody* a, const btR
     return {now, now - point.m_normalWorldOnB.dot(gained)};
 }
 
+/// Speed at which two bodies part at the end of the step in which they bounce (m/s). They bounce with their speed at
+/// the time of contact: at the start of the step they are `gap` before that, or beyond it by -gap. On their way apart,
+/// which is as long as the step makes it, their acceleration takes its share, as in a free flight. Depth in each other
+/// earns nothing: it is taken out without any speed.
+btScalar rebound(const Closing& closing, btScalar gap, btScalar e, btScalar dt, btScalar taken_out) {
+    const btScalar gained = closing.end - closing.now, acceleration = gained / dt;
+    const btScalar at_contact = closing.now * closing.now + 2 * acceleration * gap;  // squared
+    const btScalar speed = e * std::sqrt(std::max(btScalar(0), at_contact));
+    const btScalar start = gap > 0 ? -e * gap : (1 - taken_out) * gap;  // the way apart is this and v dt
+    if (start + speed * dt <= 0) return speed;
+    // v^2 = speed^2 - 2 acceleration (start + v dt)
+    const btScalar root = gained * gained + speed * speed - 2 * acceleration * start;
+    return std::max(btScalar(0), std::sqrt(std::max(btScalar(0), root)) - gained);
+}
+
 }  // namespace
 
 void BouncingWorld::time_contact(btPersistentManifold& manifold, btScalar dt, btScalar least_speed) {
     const btRigidBody* const a = btRigidBody::upcast(manifold.getBody0());
     const btRigidBody* const b = btRigidBody::upcast(manifold.getBody1());
+    const btScalar e = manifold.getBody0()->getRestitution() * manifold.getBody1()->getRestitution();
     btScalar most = 0;
     btVector3 normal(0, 0, 0);
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         btManifoldPoint& point = manifold.getContactPoint(i);
-        const btScalar gap = point.getDistance(), e = point.m_combinedRestitution;
-        if (gap <= 0 || e <= 0) continue;
+        const btScalar gap = point.getDistance();
+        point.m_combinedRestitution = e;
         const Closing closing = closing_at(point, a, b, dt);
         if (closing.now < least_speed) continue;  // the solver lets this one come to rest
+        if (exact_flight && gap < closing.end * dt)
+            point.m_combinedRestitution = rebound(closing, gap, e, dt, getSolverInfo().m_erp2) / closing.now;
+        if (gap <= 0) continue;
         if (gap >= closing.end * dt) {
             point.setDistance(std::max(gap, (e * closing.now + closing.end) * dt));
             continue;
@@ -76,7 +96,8 @@ void BouncingWorld::solveConstraints(btContactSolverInfo& info) {
     btDispatcher& dispatcher = *getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        if (manifold.getNumContacts() == 0 || manifold.getContactPoint(0).m_combinedRestitution <= 0)
+        if (manifold.getNumContacts() == 0 ||
+            manifold.getBody0()->getRestitution() * manifold.getBody1()->getRestitution() <= 0)
             continue;
         time_contact(manifold, info.m_timeStep, info.m_restitutionVelocityThreshold);
     }

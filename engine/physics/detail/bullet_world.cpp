@@ -236,6 +236,7 @@ BulletWorld::BulletWorld(const Settings& settings)
       broadphase_(to_bullet(vec3(-settings.world_half_extent)), to_bullet(vec3(settings.world_half_extent)),
                   settings.max_bodies + 1, nullptr, true),
       world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
+    world_.exact_flight = settings.exact_flight;
     world_.setGravity(to_bullet(settings.gravity));
     world_.getDispatchInfo().m_deterministicOverlappingPairs = true;
     world_.getPairCache()->setOverlapFilterCallback(&no_static_pairs());

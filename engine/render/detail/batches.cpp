@@ -12,19 +12,20 @@ namespace {
 
 constexpr float far_off = std::numeric_limits<float>::max();
 
-/// m along the way the camera looks.
+/// Distance of the sphere's nearest point along the view direction (m).
 float ahead(const fmat4& view_projection, const Bounds& there) {
     return (view_projection * fvec4(there.centre, 1)).w - there.radius;
 }
 
-/// px: what moves less is not seen to.
+/// Displacements below this are invisible (px).
 constexpr float unseen = 1;
 
-/// The coarsest whose error is too small to be seen at the instance's nearest point.
+/// Chooses the coarsest copy whose error is invisible at the instance's nearest point.
 MeshId level_for(MeshId mesh, const MeshTables& meshes, const Bounds& there, const Sight& sight) {
     if (mesh >= meshes.levels.size() || meshes.levels[mesh].empty()) return mesh;
     const float scale = there.radius / meshes.bounds[mesh].radius;
-    const float pixel = sight.pixel_angle * ahead(sight.to_clip, there);  // m
+    // Size of a pixel at that distance (m).
+    const float pixel = sight.pixel_angle * ahead(sight.to_clip, there);
     MeshId best = mesh;
     for (const auto& coarser : meshes.levels[mesh]) {
         if (coarser.error * scale > unseen * pixel) break;
@@ -67,7 +68,7 @@ std::size_t collect(std::span<const Instance> instances, const MeshTables& meshe
         const auto& instance = instances[i];
         THAUM_ASSERT(instance.mesh < meshes.bounds.size(), "an instance of a mesh that was never uploaded");
         const auto& own = meshes.bounds[instance.mesh];
-        if (own.radius <= 0 || !finite(instance.model)) continue;  // an empty mesh, or nowhere
+        if (own.radius <= 0 || !finite(instance.model)) continue;  // an empty mesh, or an invalid place
         const auto there = placed(own, instance.model);
         if (within(planes, there) && !is_hidden(sight.hidden, there.centre, fvec3(there.radius)))
             seen.emplace_back(level_for(instance.mesh, meshes, there, sight), i);

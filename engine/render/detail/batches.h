@@ -1,4 +1,4 @@
-// Which instances a view sees, sorted into one draw per mesh. Pure: no OpenGL.
+// Selects the instances that a view sees and sorts them into one draw call per mesh. No OpenGL.
 #pragma once
 #include <span>
 #include <vector>
@@ -9,36 +9,37 @@
 
 namespace thaum::render::detail {
 
-/// As the vertex shader takes it.
+/// An instance in the layout of the vertex shader.
 struct GpuInstance {
     fmat4 model;
     fvec4 tint_glow;
     float sun;
 };
 
-/// A mesh that may stand for a finer one where nobody sees the difference.
+/// A coarser copy of a mesh, used if the difference is invisible.
 struct Coarser {
     MeshId mesh{};
-    float error{};  // m, as the finer one is made
+    float error{};  // greatest displacement of a vertex, before the instance's scale (m)
 };
-/// Of one mesh, ever coarser; may be empty.
+/// Copies of one mesh, in order of increasing coarseness. May be empty.
 using Levels = std::vector<Coarser>;
 
 struct Batch {
     MeshId mesh{};
-    std::size_t first{}, count{};  // in Batches::instances
-    float distance{};              // m ahead, of the nearest
-    ChosenPatches patches{};       // of a patchwork, in Batches::patch_indices
+    std::size_t first{}, count{};  // range in Batches::instances
+    float distance{};              // distance of the nearest instance along the view direction (m)
+    ChosenPatches patches{};       // patches of a patchwork, in Batches::patch_indices
 };
 
-/// All views of one frame share one buffer of instances and one of patches, so that each is sent once.
+/// Batches of a frame. All its views share one buffer of instances and one of patches, so each buffer is sent
+/// once.
 struct Batches {
     std::vector<GpuInstance> instances;
     std::vector<Batch> batches;
     std::vector<std::uint32_t> patch_indices;
     std::size_t culled{};
 
-    // Kept between frames for its memory.
+    // Scratch memory, kept between frames.
     std::vector<std::pair<MeshId, std::uint32_t>> seen;
     PatchOrder order;
     std::vector<Hidden> hidden;
@@ -47,27 +48,28 @@ struct Batches {
 };
 
 fmat4 view_matrix(const Camera& camera);
-/// Of a viewport `aspect` times as wide as high.
+/// Projection for a viewport `aspect` times as wide as high.
 fmat4 projection_matrix(const Camera& camera, float aspect);
 
-/// Is every number of it one?
+/// Returns true if every element of the matrix is finite.
 bool finite(const fmat4& m);
 
-/// The mesh's sphere where the instance has it, world frame.
+/// The bounding sphere of a mesh where the instance places it (m, world).
 Bounds placed(const Bounds& bounds, const fmat4& model);
 
-/// What there is to draw, by mesh. Of `levels` there may be none.
+/// Tables of the uploaded meshes, indexed by mesh. `levels` may be empty.
 struct MeshTables {
     std::span<const Bounds> bounds;
     std::span<const Levels> levels{};
 };
 
-/// Appends what a view sees, each as coarse as it may be there; returns the number of batches added.
+/// Appends the instances that a view sees, each as the coarsest copy that looks the same at its
+/// distance. Returns the number of batches added.
 std::size_t collect(std::span<const Instance> instances, const MeshTables& meshes, const Sight& sight,
                     Batches& out);
 
-/// Chooses the patches of the batches from `first` on, and puts what is near before what is far: what hides is drawn
-/// before what it hides. Patchworks are last, since they stand behind everything.
+/// Chooses the patches of the batches from `first` on. Sorts the batches by distance, nearest first, so that
+/// objects are drawn before those that they hide. Patchworks come last, since they are behind everything.
 void arrange(std::size_t first, std::span<const PatchTable> tables, const Sight& world, Batches& out);
 
 }  // namespace thaum::render::detail

@@ -1,4 +1,4 @@
-// The six sides of what a camera sees.
+// The six planes that bound the view of a camera.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@ namespace thaum::render::detail {
 
 using Planes = std::array<fvec4, 6>;
 
-/// Normals inwards (Gribb and Hartmann 2001), in the frame that the matrix takes to clip space.
+/// Planes with inward normals (Gribb and Hartmann 2001), in the frame that `to_clip` maps to clip space.
 inline Planes frustum_planes(const fmat4& to_clip) {
     const fmat4 rows = glm::transpose(to_clip);
     Planes planes{rows[3] + rows[0], rows[3] - rows[0], rows[3] + rows[1],
@@ -18,7 +18,7 @@ inline Planes frustum_planes(const fmat4& to_clip) {
     return planes;
 }
 
-/// Whether some of it may be.
+/// Returns true if part of the sphere may be inside.
 inline bool within(const Planes& planes, const Bounds& bounds) {
     return std::all_of(planes.begin(), planes.end(), [&](const fvec4& plane) {
         return glm::dot(plane, fvec4(bounds.centre, 1)) > -bounds.radius;

@@ -1,4 +1,4 @@
-// OpenGL names that free themselves. The context they were made in must be current then.
+// OpenGL object names that delete themselves. The context they were made in must be current at that moment.
 #pragma once
 #include <epoxy/gl.h>
 
@@ -6,7 +6,7 @@
 
 namespace thaum::render::detail {
 
-/// Free is the glDelete... function for one name.
+/// `Free` is the glDelete... function for one name.
 template <auto Free>
 class GlName {
 public:
@@ -26,7 +26,7 @@ private:
     GLuint name_{};
 };
 
-// epoxy's functions are pointers, so they cannot be template arguments themselves.
+// epoxy's functions are pointers, so they cannot be template arguments.
 inline void free_buffer(GLuint n) { glDeleteBuffers(1, &n); }
 inline void free_vertex_array(GLuint n) { glDeleteVertexArrays(1, &n); }
 inline void free_texture(GLuint n) { glDeleteTextures(1, &n); }

@@ -1,4 +1,4 @@
-// Meshes and instances as OpenGL has them.
+// Meshes and instances in OpenGL buffers.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -12,18 +12,20 @@ namespace thaum::render::detail {
 struct GpuMesh {
     VertexArray array;
     Buffer vertices, indices;
-    GLsizei index_count{};  ///< of a patchwork: of all in full detail
+    GLsizei index_count{};  ///< number of indices; for a patchwork those of all patches in full detail
 };
 
 GpuMesh make_mesh();
 void fill_mesh(GpuMesh& mesh, const MeshData& data);
 
-/// One draw call of a whole mesh; the program is in use, and `instances` holds what the batch counts in. Returns the triangles.
+/// Draws a whole mesh with one call and returns the number of triangles. The program must be in use;
+/// `instances` holds Batches::instances.
 std::size_t draw_batch(const GpuMesh& mesh, const Batch& batch, const Buffer& instances);
-/// The same of some patches, for a program that has the instance already; `indices` holds Batches::patch_indices.
+/// Draws some patches and returns the number of triangles. The program must have the instance already;
+/// `indices` holds Batches::patch_indices.
 std::size_t draw_patches(const GpuMesh& mesh, IndexRange which, const Buffer& indices);
 
-/// A float attribute of the array that is bound, `start` bytes into the buffer that is bound.
+/// Declares a float attribute of the bound vertex array, `start` bytes into the bound buffer.
 void attribute(GLuint index, GLint floats, std::size_t stride, std::size_t start);
 
 template <class T>

@@ -19,7 +19,7 @@ void add_plane(vec3 inwards, vec3 through, Hidden& out) {
     out.planes[out.count++] = fvec4(fvec3(n), static_cast<float>(-glm::dot(n, through)));
 }
 
-/// Behind the faces that the eye sees.
+/// Adds the planes of the visible faces; the hidden region is behind them.
 void add_faces(const Block& block, const std::array<int, 3>& seen, Hidden& out) {
     for (int axis = 0; axis < 3; ++axis) {
         const int side = seen[static_cast<std::size_t>(axis)];
@@ -30,8 +30,8 @@ void add_faces(const Block& block, const std::array<int, 3>& seen, Hidden& out) 
     }
 }
 
-/// The edge where the face across `a` on side `side_a` meets that across `b`, if it is part of the outline: one of the two is
-/// seen, the other is not.
+/// Adds the plane through the edge where the face across axes[0] meets the face across axes[1]. Adds it only
+/// if the edge is part of the outline: one face is visible, the other is not.
 void add_edge(const Block& block, vec3 eye, const std::array<int, 3>& seen, glm::ivec2 axes, glm::ivec2 sides,
               Hidden& out) {
     const auto is_seen = [&](int i) { return seen[static_cast<std::size_t>(axes[i])] == sides[i]; };

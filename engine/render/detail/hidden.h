@@ -1,4 +1,4 @@
-// What a block hides from an eye. Pure: no OpenGL.
+// The region that a block hides from an eye. No OpenGL.
 #pragma once
 #include <array>
 #include <span>
@@ -8,20 +8,21 @@
 
 namespace thaum::render::detail {
 
-/// The places from which every way to the eye leads through one block: its shadow, were the eye a lamp. It is convex, so what
-/// has all its corners in it is hidden. Planes look inwards; in a frame that is moved they need not be unit.
+/// The region hidden by one block: its shadow if the eye were a lamp. The region is convex, so an object with
+/// all its corners inside is hidden. Planes face inwards. In a moved frame they need not be unit.
 struct Hidden {
     std::array<fvec4, 9> planes{};  ///< at most three faces and six edges
     std::size_t count{};
 };
 
-/// Appends what each block hides; none that the eye is in, nor one that is not finite.
+/// Appends the region that each block hides. Skips blocks that contain the eye and blocks that are not
+/// finite.
 void add_hidden(std::span<const Block> blocks, vec3 eye, std::vector<Hidden>& out);
 
-/// The same in the frame from which `to_world` leads.
+/// Transforms a region to the frame from which `to_world` leads.
 Hidden moved(const Hidden& hidden, const fmat4& to_world);
 
-/// Whether one of them holds the whole box.
+/// Returns true if one of the regions contains the whole box.
 bool is_hidden(std::span<const Hidden> hidden, fvec3 centre, fvec3 half);
 
 }  // namespace thaum::render::detail

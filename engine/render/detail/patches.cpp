@@ -8,10 +8,11 @@
 namespace thaum::render::detail {
 namespace {
 
-// A line of this width in the ground, seen from a wizard's eyes, fades from where it is less than a pixel high.
+// A ground line of this width, seen from a wizard's eye height, starts to fade where it is less than a pixel
+// high.
 constexpr float line_width = 0.06F, eye_height = 1.7F;  // m
 
-/// Of the box around it.
+/// Half size of the box around the mesh.
 fvec3 half_of(const MeshData& mesh) {
     const fvec3 centre = bounds(mesh).centre;
     fvec3 half(0);
@@ -19,14 +20,14 @@ fvec3 half_of(const MeshData& mesh) {
     return half;
 }
 
-/// Half a triangle's area times its normal, twice.
+/// Normal of a triangle, with twice its area as length.
 fvec3 across(const MeshData& mesh, std::size_t first) {
     const auto at = [&](std::size_t k) { return mesh.vertices[mesh.indices[first + k]].position; };
     return glm::cross(at(1) - at(0), at(2) - at(0));
 }
 
-/// The cone behind which nobody sees a front (Shirman and Abi-Ezzi 1993): all normals lie within it, and its apex lies
-/// behind every triangle.
+/// Fits the cone from which no front face is visible (Shirman and Abi-Ezzi 1993). All normals are within the
+/// cone, and its apex is behind every triangle.
 void fit_cone(const MeshData& mesh, PlacedPatch& patch) {
     fvec3 sum(0);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) sum += across(mesh, i);
@@ -39,7 +40,7 @@ void fit_cone(const MeshData& mesh, PlacedPatch& patch) {
         const float area = glm::length(n);
         if (area <= 0) continue;
         const float along = glm::dot(axis, n) / area;
-        // So wide that hardly any place sees backs alone.
+        // A cone so wide is of no use: hardly any place sees only backs.
         if (along < 0.2F) return;
         widest = std::min(widest, along);
         const fvec3 corner = mesh.vertices[mesh.indices[i]].position;
@@ -68,7 +69,7 @@ bool shows_backs(const PlacedPatch& patch, fvec3 eye) {
     return glm::dot(to, patch.axis) >= patch.backs * glm::length(to);
 }
 
-/// Behind others of the patchwork.
+/// Returns true if the patch is behind other patches of the patchwork.
 bool is_behind(const PlacedPatch& patch) { return patch.full.count == 0; }
 
 IndexRange append_chosen(const PatchTable& table, const Sight& sight, const PatchOrder& order, bool sunless,
@@ -78,7 +79,7 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
     for (const auto& [farthest, i] : order.near_first) {
         const auto& patch = table.patches[i];
         if (patch.sunless != sunless) continue;
-        // What is behind others shows where the farthest of them may be plain.
+        // A patch behind others shows where the farthest of them may be plain.
         const float across = 2 * patch.bounds.radius;
         const float distance = farthest - (is_behind(patch) ? across / 2 : across);
         const bool fine = distance * sight.pixel_angle > patch.detail && distance > gone;
@@ -93,7 +94,7 @@ IndexRange append_chosen(const PatchTable& table, const Sight& sight, const Patc
 
 Fading fading_of(float pixel_angle) {
     const float from = std::sqrt(line_width * eye_height / std::max(pixel_angle, 1e-5F));
-    // A third of a pixel high by then, and broken into dashes.
+    // The line is then a third of a pixel high and broken into dashes.
     return {from, 1.8F * from};
 }
 
@@ -125,8 +126,8 @@ ChosenPatches choose_patches(const PatchTable& table, const Sight& sight, PatchO
         const auto& patch = table.patches[i];
         if (shows_backs(patch, sight.eye) || !within(planes, patch.bounds)) continue;
         if (is_hidden(sight.hidden, patch.bounds.centre, patch.half)) continue;
-        // By what is farthest of it: a small block in front of a large sheet is drawn before it. Those in front of what is behind
-        // them reach beyond it.
+        // The key is the farthest point, so a small block is drawn before a large sheet behind it. Patches
+        // behind others get twice the radius, since those in front extend beyond them.
         const float beyond = (is_behind(patch) ? 2 : 1) * patch.bounds.radius;
         near_first.emplace_back(glm::distance(patch.bounds.centre, sight.eye) + beyond, i);
     }

@@ -1,4 +1,4 @@
-// Which patches of a patchwork a view sees, in how much detail and in which order. Pure: no OpenGL.
+// Selects the patches of a patchwork that a view sees, with their detail and order. No OpenGL.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace thaum::render::detail {
 
-/// Where a view is looked at from, in the frame of what is looked at.
+/// The eye and projection of a view, in the frame of the objects it sees.
 struct Sight {
     fmat4 to_clip{1};
     fvec3 eye{0};
-    float pixel_angle{};  ///< rad, of one pixel in the middle of the view, or of finest_px of them
+    float pixel_angle{};  ///< angle of one pixel in the middle of the view, or of finest_px pixels (rad)
     std::span<const Hidden> hidden{};
 };
 
@@ -21,7 +21,8 @@ struct IndexRange {
     std::uint32_t first{}, count{};
 };
 
-/// What a view sees of a patchwork: those that the sun may reach, and directly after them the others.
+/// The patches of a patchwork that a view sees: first those that the sun may reach, directly followed by the
+/// others.
 struct ChosenPatches {
     IndexRange sunlit{}, sunless{};
     IndexRange all() const { return {sunlit.first, sunlit.count + sunless.count}; }
@@ -29,41 +30,44 @@ struct ChosenPatches {
 
 struct PlacedPatch {
     Bounds bounds;
-    fvec3 half{0};  ///< m, of the box around it, which has the same centre
-    /// Seen from a point p, all triangles of the patch show their backs if the angle between p - apex and -axis has a
-    /// cosine of at least `backs` (a cone of normals; > 1 where they face all ways).
+    fvec3 half{0};  ///< half size of the box around the patch, centred like `bounds` (m)
+    /// Cone of normals. All triangles of the patch face away from a point p if the angle between p - apex and
+    /// -axis has a cosine of at least `backs`. `backs` is > 1 if the triangles face in all directions.
     fvec3 apex{0}, axis{0};
     float backs = 2;
-    float detail{};  ///< m
+    float detail{};  ///< size of the detail that `plain` lacks (m)
     bool sunless{};
-    IndexRange full{}, plain{};  ///< `plain` may be empty
+    IndexRange full{}, plain{};  ///< ranges in PatchTable::indices; `plain` may be empty
 };
 
 /// The patches of one patchwork; empty for an ordinary mesh.
 struct PatchTable {
     std::vector<PlacedPatch> patches;
-    std::vector<std::uint32_t> indices;  ///< those of all full patches come first
-    std::uint32_t full_count{};          ///< of these
+    std::vector<std::uint32_t> indices;  ///< indices of all full patches, then those of the plain ones
+    std::uint32_t full_count{};          ///< number of indices of full patches
 };
 
 struct JoinedPatches {
-    MeshData mesh;  ///< all vertices; the indices are the table's
+    MeshData mesh;  ///< vertices of all patches; the indices are in `table`
     PatchTable table;
 };
 JoinedPatches joined(const Patchwork& patchwork);
 
-/// How far off fine lines are told by colour (Vertex::far_away): m, where they begin to fade and where they are gone.
+/// Distances between which fine lines fade to the colour of Vertex::far_away: where the fading starts and
+/// where it is complete (m).
 struct Fading {
     float from{}, gone{};
 };
 Fading fading_of(float pixel_angle);
 
-/// Kept between frames for its memory.
+/// Scratch memory, kept between frames.
 struct PatchOrder {
-    std::vector<std::pair<float, std::uint32_t>> near_first;  // m from the eye to its far end, patch
+    // Distance from the eye to the far end of each patch (m), and the patch.
+    std::vector<std::pair<float, std::uint32_t>> near_first;
 };
 
-/// Appends the indices of what is seen, what is near first, so that it hides what is far before that is paid for.
+/// Appends the indices of the visible patches, nearest first, so that near patches hide far ones before those
+/// are shaded.
 ChosenPatches choose_patches(const PatchTable& table, const Sight& sight, PatchOrder& order,
                              std::vector<std::uint32_t>& out);
 

@@ -1,4 +1,4 @@
-// Shader programs from files.
+// Loads shader programs from files.
 #pragma once
 #include <filesystem>
 #include <string_view>
@@ -9,12 +9,13 @@
 
 namespace thaum::render::detail {
 
-/// Compiles and links files. The ending tells the stage: .vert, .frag; .glsl belongs to the stage of the file before
-/// it. Each of `variant` is defined in all files. The error names the file and the first line of the driver's log.
+/// Compiles and links files. The file extension selects the stage: .vert, .frag; a .glsl file belongs to the
+/// stage of the file before it. Each name in `variant` is defined in all files. The error names the file and
+/// the first line of the driver's log.
 Expected<Program> load_program(const std::vector<std::filesystem::path>& files,
                                const std::vector<std::string_view>& variant = {});
 
-/// -1, which OpenGL ignores, for a uniform the driver found unused.
+/// Location of a uniform. Returns -1, which OpenGL ignores, if the driver found the uniform unused.
 GLint uniform(const Program& program, const char* name);
 
 }  // namespace thaum::render::detail

@@ -10,7 +10,7 @@ namespace {
 using Folder = std::filesystem::path;
 using Variant = std::vector<std::string_view>;
 
-constexpr std::size_t lights_at_low = 4;  // as light.glsl has it
+constexpr std::size_t lights_at_low = 4;  // same value as in light.glsl
 
 Variant variant_of(Quality quality) {
     switch (quality) {
@@ -21,7 +21,8 @@ Variant variant_of(Quality quality) {
     return {};
 }
 
-/// A .glsl belongs to the stage of the file before it: light and tone curve are where the variant uses them.
+/// Files of a variant. A .glsl file belongs to the stage of the file before it, so light and tone curve go to
+/// the stage that uses them.
 std::vector<Folder> mesh_files(const Folder& shaders, Quality quality) {
     const auto vert = shaders / "mesh.vert", light = shaders / "light.glsl", tone = shaders / "tone.glsl",
                shadow = shaders / "shadow.glsl";
@@ -147,7 +148,7 @@ Expected<Programs> load_programs(const Folder& shaders) {
         loading.take(load_mesh_program(shaders, quality, variant), out.mesh[q]);
         loading.take(load_mesh_program(shaders, quality, alone(variant)), out.alone[q]);
     }
-    // As low does, but with all lights.
+    // The variant of low, but with all lights.
     loading.take(load_mesh_program(shaders, Quality::low, alone({})), out.sunless);
     loading.take(load_sky_program(shaders, {}), out.sky);
     loading.take(load_sky_program(shaders, {"LINEAR"}), out.sky_of_light);
@@ -179,7 +180,7 @@ void use_mesh_program(const MeshProgram& p, const ViewScene& view, const Sight& 
     set(p.ambient_above, e.ambient.above);
     set(p.ambient_below, e.ambient.below);
     set(p.fog_colour, e.fog.colour);
-    // exp2(-rate d^2) is exp(-(density d)^2).
+    // exp2(-rate d^2) equals exp(-(density d)^2).
     glUniform1f(p.fog_rate, e.fog.density * e.fog.density * 1.442695F);
     const auto fading = fading_of(sight.pixel_angle);
     glUniform2f(p.detail_range, fading.from, 1 / (fading.gone - fading.from));

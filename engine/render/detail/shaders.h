@@ -1,4 +1,4 @@
-// The programs of the renderer and how a view's numbers get into them.
+// The shader programs of the renderer, and the uniforms that a view sets in them.
 #pragma once
 #include <array>
 
@@ -9,7 +9,7 @@
 
 namespace thaum::render::detail {
 
-// Texture units; the overlay uses the first as well.
+// Texture units. The overlay uses the first one as well.
 inline constexpr GLint picture_unit = 0, shadow_unit = 1, bloom_unit = 2;
 
 struct MeshProgram {
@@ -17,7 +17,7 @@ struct MeshProgram {
     GLint view_projection{}, eye{}, sun_direction{}, sun_colour{}, ambient_above{}, ambient_below{};
     GLint light_position{}, light_colour{}, fog_colour{}, fog_rate{}, detail_range{};
     GLint shadow_matrix{}, shadow_lift{}, shadow_texel{};
-    GLint model{}, tint_glow{}, instance_sun{};  ///< of one that draws a single instance
+    GLint model{}, tint_glow{}, instance_sun{};  ///< only in programs that draw a single instance
 };
 
 struct SkyProgram {
@@ -35,42 +35,43 @@ struct MistProgram {
 struct SmallProgram {
     Program program;
     GLint parameter{};
-    GLint part{};  ///< uniform for the part of the picture that screen.vert reads; -1 where there is none
+    /// Uniform for the part of the picture that screen.vert reads; -1 if there is none.
+    GLint part{};
 };
 
 struct Programs {
-    std::array<MeshProgram, qualities> mesh;   ///< by Quality
-    std::array<MeshProgram, qualities> alone;  ///< by Quality, for a single instance
-    MeshProgram sunless;                       ///< at medium, for a single one that the sun never reaches
-    SkyProgram sky, sky_of_light;              ///< tone mapped, and for what the last pass tone maps
-    MistProgram mist, mist_of_light;           ///< likewise
-    SmallProgram shadow, shade;                ///< view_projection
-    SmallProgram bright, blur;                 ///< texel, way
-    SmallProgram compose;                      ///< bloom_strength
-    SmallProgram overlay, shape;               ///< pixel; for text, and for all else
+    std::array<MeshProgram, qualities> mesh;   ///< indexed by Quality
+    std::array<MeshProgram, qualities> alone;  ///< indexed by Quality, for a single instance
+    MeshProgram sunless;              ///< at medium, for a single instance that the sun never reaches
+    SkyProgram sky, sky_of_light;     ///< tone mapped; in linear light for the last pass
+    MistProgram mist, mist_of_light;  ///< tone mapped; in linear light for the last pass
+    SmallProgram shadow, shade;       ///< parameter: view_projection
+    SmallProgram bright, blur;        ///< parameter: texel; way
+    SmallProgram compose;             ///< parameter: bloom_strength
+    SmallProgram overlay, shape;      ///< parameter: pixel; for text, and for all other items
 };
 
-/// Finds the uniforms of a program that lights as meshes are lit.
+/// Looks up the uniforms of a program with the lighting of meshes.
 MeshProgram mesh_program(Program program);
 
-/// The error names the file.
+/// Loads all programs. The error names the file.
 Expected<Programs> load_programs(const std::filesystem::path& shaders);
 
-/// How the sun's map is read.
+/// How to read the sun's shadow map.
 struct ShadowView {
-    fmat4 to_map{1};  ///< world to [0, 1]
-    float lift{};     ///< m
-    float texel{};    ///< of the map's width
+    fmat4 to_map{1};  ///< maps the world to [0, 1]
+    float lift{};     ///< offset along the normal, against self-shadowing (m)
+    float texel{};    ///< size of a texel, as a share of the map's width
 };
 
 void use_mesh_program(const MeshProgram& program, const ViewScene& view, const Sight& sight, Quality quality,
                       const ShadowView& shadow);
-/// For one of Programs::alone, which is in use.
+/// Sets the instance of one of Programs::alone, which must be in use.
 void set_instance(const MeshProgram& program, const GpuInstance& instance);
-/// `cleared_to_fog`: what nothing covers has the colour of the view's fog already.
+/// `cleared_to_fog`: the framebuffer was cleared to the colour of the view's fog.
 void use_sky_program(const SkyProgram& program, const ViewScene& view, float aspect, bool cleared_to_fog);
 
-/// As tone.glsl has it.
+/// Same formula as tone.glsl.
 fvec3 tone_mapped(fvec3 light);
 
 }  // namespace thaum::render::detail

@@ -10,19 +10,19 @@
 namespace thaum::render::detail {
 namespace {
 
-constexpr GLsizei side = 2048;  // texels
+constexpr GLsizei side = 2048;  // side of the map (texels)
 
 Texture make_depth_texture() {
     Texture texture = make_texture();
     glBindTexture(GL_TEXTURE_2D, texture.get());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, side, side, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT,
                  nullptr);
-    // Comparing and blending four texels is one access.
+    // Linear filtering compares and blends four texels in one access.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    // Beyond the map all is in the sun.
+    // Outside the map everything is in the sun.
     constexpr GLfloat lit[] = {1, 1, 1, 1};
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
@@ -40,7 +40,7 @@ Framebuffer make_depth_target(const Texture& texture) {
     return target;
 }
 
-/// World to axes in which the sun stands at +z.
+/// Rotates the world to axes with the sun at +z.
 glm::mat3 sun_axes(fvec3 towards_sun) {
     const fvec3 z = glm::normalize(towards_sun);
     const fvec3 other = std::abs(z.y) < 0.99F ? fvec3(0, 1, 0) : fvec3(1, 0, 0);
@@ -102,7 +102,7 @@ ShadowMap::Counts ShadowMap::draw(std::span<const Instance> instances, std::span
 
 ShadowMap::Print ShadowMap::print_of(const Bounds& there) const {
     const fvec3 at = fvec3(to_clip_ * fvec4(there.centre, 1));
-    // Rows of the matrix: how far 1 m goes in the map.
+    // Rows of the matrix give the distance in the map per metre.
     const auto reach = [&](int row) {
         const fvec3 per_m(to_clip_[0][row], to_clip_[1][row], to_clip_[2][row]);
         return there.radius * glm::length(per_m);
@@ -151,11 +151,11 @@ ShadowMap::Counts ShadowMap::update(const Casters& casters, fvec3 towards_sun,
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
-    // Walls have no outer faces and nothing has holes: both sides of a triangle keep the sun away.
+    // Walls have no outer faces and no mesh has holes, so both sides of a triangle cast a shadow.
     glDisable(GL_CULL_FACE);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5F, 4);
-    // What stands between the sun and the map's near side still casts.
+    // Objects between the sun and the map's near plane still cast.
     glEnable(GL_DEPTH_CLAMP);
     Counts counts;
     if (anew) {

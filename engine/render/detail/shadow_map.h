@@ -1,6 +1,8 @@
-// The sun's shadow map: depth as the sun sees the court. What never moves is drawn once into a map of its own; when
-// something that moves has moved, the place it was at is copied back from there, and it is drawn again with those that stood
-// in that place as well. A picture in which nothing moved costs nothing.
+// The sun's shadow map: the depth of the arena seen from the sun.
+//
+// Fixed casters are drawn once into a map of their own. When a moving caster has moved, its old place is
+// copied back from that map. Then this caster and all others in the same place are drawn again. A picture
+// without movement costs nothing.
 #pragma once
 #include <vector>
 
@@ -15,10 +17,11 @@ public:
         std::size_t draws{}, triangles{};
     };
 
-    /// Brings the map up to date. `revision` changes whenever a mesh does. Without fixed casters all is in the sun.
+    /// Updates the map. `revision` changes whenever a mesh does. Without fixed casters everything is in the
+    /// sun.
     Counts update(const Casters& casters, fvec3 towards_sun, std::span<const GpuMesh> meshes,
                   std::span<const Bounds> mesh_bounds, std::uint64_t revision, const SmallProgram& program);
-    /// For the shaders of this quality; the map is bound to shadow_unit.
+    /// Binds the map to shadow_unit and returns how the shaders read it.
     ShadowView bind() const;
 
 private:
@@ -44,13 +47,13 @@ private:
     float texel_m_{};
     std::uint64_t fixed_key_{};
     bool made_ = false;
-    std::vector<Instance> moving_;  // as drawn last
-    std::vector<Print> prints_;     // where, by the same number
+    std::vector<Instance> moving_;  // moving casters as drawn last
+    std::vector<Print> prints_;     // place of each of `moving_`
 
-    // Of this picture.
-    std::vector<Print> left_;        // places to be copied back
-    std::vector<Instance> drawn_;    // what is to be drawn
-    std::vector<Print> new_prints_;  // of all that moves
+    // Scratch memory for the current picture.
+    std::vector<Print> left_;        // places to copy back
+    std::vector<Instance> drawn_;    // casters to draw
+    std::vector<Print> new_prints_;  // places of all moving casters
 };
 
 }  // namespace thaum::render::detail

@@ -51,7 +51,7 @@ float area_twice(std::span<const fvec2> corners) {
     return sum;
 }
 
-/// For each corner the way outwards, so long that moving by it moves both edges by one pixel.
+/// For each corner the vector outwards that moves both adjacent edges by one pixel.
 std::vector<fvec2> outward(std::span<const fvec2> corners) {
     const float side = area_twice(corners) > 0 ? 1.0F : -1.0F;
     const auto count = corners.size();
@@ -62,14 +62,14 @@ std::vector<fvec2> outward(std::span<const fvec2> corners) {
     std::vector<fvec2> out;
     for (std::size_t i = 0; i < count; ++i) {
         const fvec2 sum = normal((i + count - 1) % count) + normal(i);
-        // Sharp corners would run far out: no more than two pixels.
+        // Limits sharp corners, which would move far out, to two pixels.
         out.push_back(sum / std::max(0.5F * glm::dot(sum, sum), 0.5F));
     }
     return out;
 }
 
-/// A convex polygon, halved until triangles are left. A fan would be slivers as long as the
-/// polygon, which a software rasteriser pays for by what they touch.
+/// Fills a convex polygon by halving it down to triangles. A fan would consist of slivers as long as the
+/// polygon, and a software rasteriser pays for every pixel block they touch.
 void fill(const Pen& pen, std::span<const OverlayVertex> corners) {
     if (corners.size() < 3) return;
     const auto middle = corners.size() / 2;
@@ -78,7 +78,7 @@ void fill(const Pen& pen, std::span<const OverlayVertex> corners) {
     fill(pen, corners.subspan(middle));
 }
 
-/// A convex polygon with a soft edge.
+/// Draws a convex polygon with a soft edge.
 void convex(const Pen& pen, std::span<const fvec2> corners, fvec4 colour) {
     const auto full = packed(colour), none = faded(full);
     const auto out = outward(corners);
@@ -93,14 +93,14 @@ void convex(const Pen& pen, std::span<const fvec2> corners, fvec4 colour) {
     }
 }
 
-/// Sides of a circle so that it is no more than a fifth of a pixel from round, over `sweep`.
+/// Number of sides of an arc over `sweep`, so that it deviates from round by at most a fifth of a pixel.
 int arc_steps(float radius, float sweep) {
     if (!std::isfinite(radius) || !std::isfinite(sweep)) return 1;
     const float one = 2 * std::acos(1 - 0.2F / std::max(radius, 1.0F));
     return std::clamp(static_cast<int>(std::ceil(std::abs(sweep) / one)), 1, 256);
 }
 
-/// Unit vector at an angle as on a clock.
+/// Unit vector at a clockwise angle from the top.
 fvec2 clockwise(float angle) { return {std::sin(angle), -std::cos(angle)}; }
 
 std::vector<fvec2> rounded_corners(const RectItem& r, float radius) {
@@ -133,7 +133,7 @@ void draw(const Pen& pen, const TriangleItem& t) { convex(pen, std::array{t.a, t
 void draw(const Pen& pen, const LineItem& l) {
     const fvec2 along = unit_or_zero(l.to - l.from);
     const fvec2 side = 0.5F * std::max(l.width, 1.0F) * fvec2(-along.y, along.x);
-    // What is thinner than a pixel is a pixel of less colour.
+    // A line thinner than a pixel is drawn one pixel wide with less opacity.
     const fvec4 colour(fvec3(l.colour), l.colour.a * std::clamp(l.width, 0.0F, 1.0F));
     convex(pen, std::array{l.from - side, l.to - side, l.to + side, l.from + side}, colour);
 }
@@ -191,7 +191,7 @@ void draw_text(const Pen& pen, const TextItem& item, Font& font, Atlas& atlas) {
     float top = std::round(item.position.y);
     for (const auto& line : lines_of(item.text)) {
         const auto laid = font.lay_out(line, size);
-        // Whole pixels: a glyph between them would be blurred.
+        // Rounded to whole pixels, since a glyph between pixels would be blurred.
         const float left = std::round(aligned(item, laid.width));
         for (const auto& placed : laid.glyphs) {
             const auto& glyph = font.glyph(placed.character, size);

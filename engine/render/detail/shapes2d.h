@@ -1,5 +1,5 @@
-// Overlay shapes as triangles in pixels. Slanted edges are smoothed by a fringe one pixel wide over which the colour
-// fades out, which costs nothing where multisampling would cost everything. Pure: no OpenGL.
+// Overlay shapes as triangles in pixels. Slanted edges get a fringe one pixel wide over which the colour
+// fades out. The fringe costs almost nothing, while multisampling is expensive. No OpenGL.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,29 +9,30 @@
 
 namespace thaum::render::detail {
 
-/// As the overlay's vertex shader takes it.
+/// A vertex in the layout of the overlay's vertex shader.
 struct OverlayVertex {
-    fvec2 position;        // px from the top left
-    fvec2 texel;           // of the glyph atlas
-    std::uint32_t colour;  // sRGB and alpha, one byte each, red lowest
+    fvec2 position;        // position from the top left (px)
+    fvec2 texel;           // position in the glyph atlas (texels)
+    std::uint32_t colour;  // sRGB and alpha, one byte each, red in the lowest
 };
 
-/// Grey pictures of characters on one sheet of fixed width that grows downwards.
+/// Grey pictures of characters on one sheet, of fixed width and growing height.
 class Atlas {
 public:
-    static constexpr int width = 1024;  // px; also the widest glyph
-    static constexpr int limit = 4096;  // px of height; beyond, it starts anew with the next frame
+    static constexpr int width = 1024;  // width; also the widest glyph (px)
+    // Greatest height; beyond it the atlas is cleared at the next frame (px).
+    static constexpr int limit = 4096;
 
     Atlas() { clear(); }
-    /// Top-left texel of a glyph's picture; negative if there is no place left.
+    /// Top-left texel of a glyph's picture; negative if the atlas is full.
     glm::ivec2 place(char32_t character, int size, const Glyph& glyph);
-    /// The middle of a texel that is all covered, for what is not text.
+    /// Middle of a fully covered texel, for shapes that are not text.
     fvec2 solid() const { return {0.5F, 0.5F}; }
     void start_frame();
 
     int height() const { return static_cast<int>(texels_.size()) / width; }
     const std::vector<std::uint8_t>& texels() const { return texels_; }
-    /// Whether texels changed since the last call.
+    /// Returns true if texels changed since the last call.
     bool take_changed();
 
 private:
@@ -53,7 +54,7 @@ private:
     bool full_{}, changed_{};
 };
 
-/// Three vertices a triangle, in the items' order.
+/// Builds the triangles, three vertices each, in the order of the items.
 void build(const Overlay& overlay, Font& font, Atlas& atlas, std::vector<OverlayVertex>& out);
 
 }  // namespace thaum::render::detail

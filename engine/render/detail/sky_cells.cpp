@@ -35,7 +35,8 @@ void look_through_corners(const Camera& camera, float aspect, std::span<const Bl
     }
 }
 
-/// Seen from one place a block covers a convex part of a picture: with its four corners it covers a cell.
+/// Returns true if the sky may be visible in the cell. From one place a block covers a convex part of the
+/// picture. A block that covers the four corners of a cell therefore covers the cell.
 bool is_open(const std::vector<std::uint64_t>& hidden, int column, int row) {
     const auto at = [&](int x, int y) {
         return hidden[static_cast<std::size_t>(y) * (sky_columns + 1) + static_cast<std::size_t>(x)];

@@ -1,4 +1,4 @@
-// Where the sky may be seen: the cells of sky.vert's grid. Pure: no OpenGL.
+// Finds the cells of sky.vert's grid in which the sky may be visible. No OpenGL.
 #pragma once
 #include <vector>
 
@@ -6,18 +6,19 @@
 
 namespace thaum::render::detail {
 
-// As sky.vert has them.
+// The same values as in sky.vert.
 inline constexpr int sky_columns = 16, sky_rows = 10, corners_of_sky_cell = 6;
 
-/// Runs of cells, as glMultiDrawArrays takes them.
+/// Runs of cells, in the form of glMultiDrawArrays.
 struct SkyCells {
-    std::vector<std::int32_t> firsts, counts;  // vertices
+    std::vector<std::int32_t> firsts, counts;  // first vertex and number of vertices of each run
 
-    // Kept between frames for its memory.
+    // Scratch memory, kept between frames.
     std::vector<std::uint64_t> hidden;
 };
 
-/// All but those that lie wholly within what one block covers. A block that the eye is in hides nothing.
+/// Finds all cells except those that one block covers completely. A block that contains the eye hides
+/// nothing.
 void open_sky_cells(const Camera& camera, float aspect, std::span<const Block> blocks, SkyCells& out);
 
 }  // namespace thaum::render::detail

@@ -8,7 +8,7 @@
 namespace thaum::render::detail {
 namespace {
 
-constexpr int bloom_share = 4;  // of the picture's width and height
+constexpr int bloom_share = 4;  // the bloom has 1 / bloom_share of the picture's width and height
 constexpr float bloom_strength = 0.55F;
 
 void bind(GLint unit, const Texture& texture) {
@@ -23,7 +23,7 @@ void fill(const Target& target) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/// One way of the blur, from texture to target.
+/// Blurs along one axis, from texture to target.
 void blur(const SmallProgram& program, const Texture& from, const Target& to, fvec2 way) {
     glUseProgram(program.program.get());
     glUniform2f(program.parameter, way.x, way.y);
@@ -31,7 +31,7 @@ void blur(const SmallProgram& program, const Texture& from, const Target& to, fv
     fill(to);
 }
 
-/// The part of the picture that the view covers, in texture coordinates.
+/// Sets the part of the picture that the view covers, in texture coordinates.
 void set_part(const SmallProgram& program, const Target& light, const Rect& drawn) {
     const fvec2 size(static_cast<float>(light.width), static_cast<float>(light.height));
     glUniform4f(program.part, static_cast<float>(drawn.x) / size.x, static_cast<float>(drawn.y) / size.y,
@@ -89,7 +89,7 @@ std::size_t compose(const Target& light, const ViewPlace& view, Bloom* bloom, co
     set_part(programs.compose, light, view.drawn);
     glUniform1f(programs.compose.parameter, bloom != nullptr ? bloom_strength : 0);
     bind(picture_unit, light.colour);
-    // Without bloom it is multiplied by 0, but something must be there.
+    // Without bloom this texture is multiplied by 0, but one must be bound.
     bind(bloom_unit, bloom != nullptr ? bloom->bright.colour : light.colour);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     return bloom != nullptr ? 4 : 1;

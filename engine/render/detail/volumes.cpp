@@ -8,14 +8,14 @@
 namespace thaum::render::detail {
 namespace {
 
-// Beside those of detail/shaders.h.
+// Texture units after those of detail/shaders.h.
 constexpr GLint texels_unit = 3, opaque_unit = 4;
 constexpr GLuint skin_position = 0, skin_normal = 1, skin_foam = 2;
 
 bool all_finite(fvec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 bool positive(fvec3 v) { return all_finite(v) && v.x > 0 && v.y > 0 && v.z > 0; }
 
-/// The box of the round, m.
+/// Bounding box of the round (m).
 Block box_of(const Volume& volume) {
     return {vec3(volume.centre - volume.radii), vec3(volume.centre + volume.radii)};
 }
@@ -25,7 +25,7 @@ bool is_inside(const Volume& volume, fvec3 eye) {
     return eye.y < volume.centre.y && glm::dot(from, from) < 1;
 }
 
-/// The pixels of the view that the skin may cover; all of them where some of it is behind the eye.
+/// Pixels of the view that the skin may cover. Returns the whole view if part of the skin is behind the eye.
 Rect part_of(const Volume& volume, const Sight& sight, const Rect& view) {
     fvec3 low(std::numeric_limits<float>::max()), high(-low);
     for (const auto& v : volume.skin) low = glm::min(low, v.position), high = glm::max(high, v.position);
@@ -41,7 +41,7 @@ Rect part_of(const Volume& volume, const Sight& sight, const Rect& view) {
     least = glm::clamp(least, -1.0F, 1.0F);
     most = glm::clamp(most, -1.0F, 1.0F);
     const auto pixel = [](float at, int length) { return (0.5F * at + 0.5F) * static_cast<float>(length); };
-    // One more around, which is what lies between pixels is made of.
+    // One more pixel on each side, for interpolation between pixels.
     const int x0 = std::max(static_cast<int>(std::floor(pixel(least.x, view.width))) - 1, 0),
               y0 = std::max(static_cast<int>(std::floor(pixel(least.y, view.height))) - 1, 0),
               x1 = std::min(static_cast<int>(std::ceil(pixel(most.x, view.width))) + 1, view.width),

@@ -1,5 +1,6 @@
-// Volumes as OpenGL has them. What is behind the skin is marched first, into a target of its own and with fewer pixels, since
-// it has no edges but those of what stands in it; the skin, drawn with the view, shows it.
+// Volumes in OpenGL. The part behind the skin is marched first, into a separate target with fewer pixels.
+// Fewer suffice, since its only edges are those of objects in the volume. The skin is drawn with the view and
+// shows the result.
 #pragma once
 #include <cstddef>
 
@@ -9,42 +10,43 @@
 
 namespace thaum::render::detail {
 
-/// One view's volume.
+/// A volume as one view sees it.
 struct SeenVolume {
-    const Volume* volume{};        ///< null: there is none, or it is not seen
-    bool inside{};                 ///< the eye is
-    Rect view{};                   ///< px of the marched target, from the bottom left: where the view is
-    Rect part{};                   ///< of it, what is marched
-    std::size_t first{}, count{};  ///< batches of what stands in it
+    const Volume* volume{};  ///< null if there is no volume or it is not visible
+    bool inside{};           ///< the eye is inside the volume
+    /// Place of the view in the marched target, from the bottom left (px).
+    Rect view{};
+    Rect part{};                   ///< part of `view` that is marched
+    std::size_t first{}, count{};  ///< batches of the objects that stand in the volume
 };
 
-/// Whether it can be drawn at all: texels as many as cells, all numbers finite, a round of some size.
+/// Returns true if the volume can be drawn: one texel per cell, all numbers finite, a round of positive size.
 bool drawable(const Volume& volume);
-/// Where the view sees it. `view`: as SeenVolume::view.
+/// Finds the part of the volume that the view sees. `view` has the meaning of SeenVolume::view.
 SeenVolume seen(const Volume& volume, const Camera& camera, const Sight& sight, const Rect& view);
-/// Those of the instances that may stand in it. Pieces of a patchwork never do.
+/// Appends the instances that may stand in the volume. Pieces of a patchwork never do.
 void add_dipped(const Volume& volume, std::span<const Instance> instances,
                 std::span<const Bounds> mesh_bounds, std::span<const PatchTable> patches,
                 std::vector<Instance>& out);
 
-/// Pixels of a view for each of the marched target, along a side.
+/// Number of view pixels per marched pixel, along a side.
 int march_share(Quality quality);
 
 class Volumes {
 public:
     static Expected<Volumes> load(const std::filesystem::path& shaders);
     VolumeId make();
-    /// Makes room for a frame so many marched pixels wide and high.
+    /// Allocates the marched target for a frame of this size (marched pixels).
     void begin(int width, int height, Quality quality);
-    /// Sends what is new and makes ready for what stands in one view's volume to be drawn, with `depth_program`, which has the
-    /// view's matrix then.
+    /// Sends new texels and skin. Then prepares drawing the depth of the objects in one view's volume with
+    /// `depth_program`, and sets the view's matrix in it.
     void begin_depth(const SeenVolume& its, const Sight& sight, const SmallProgram& depth_program);
-    /// What is behind the skin in one view, up to the depth that was drawn.
+    /// Marches the part behind the skin in one view, up to the depth that was drawn.
     void march(const ViewScene& view, const SeenVolume& its, const Sight& sight, Quality quality,
                const VertexArray& no_attributes);
-    /// Over the view that is drawn; `at` is its place in its target, px from the bottom left.
+    /// Draws the skin over the drawn view. `at` is the view's place in its target, from the bottom left (px).
     void show(const SeenVolume& its, const Sight& sight, const Rect& at, const VertexArray& no_attributes);
-    /// Texels and skins sent so far, for tests.
+    /// Number of times texels and skins were sent, for tests.
     std::size_t sent() const { return sent_; }
 
 private:
@@ -75,12 +77,12 @@ private:
     void draw(const SeenVolume& its, const VertexArray& no_attributes) const;
 
     std::vector<Gpu> all_;
-    std::array<std::array<MarchProgram, 2>, 2> march_;  // outside, inside; pixels, light
-    std::array<SkinProgram, 2> skin_;                   // outside, inside
+    std::array<std::array<MarchProgram, 2>, 2> march_;  // [outside, inside][pixels, linear light]
+    std::array<SkinProgram, 2> skin_;                   // [outside, inside]
     Framebuffer depth_target_;
     Texture depth_;
     Target marched_;
-    GLint format_{};  // of it
+    GLint format_{};  // format of `marched_`
     std::size_t sent_{};
 };
 

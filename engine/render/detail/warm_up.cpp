@@ -34,7 +34,7 @@ void warm_up(Renderer& renderer) {
     for (const auto quality : {Quality::low, Quality::medium, Quality::high}) {
         frame.quality = quality;
         frame.internal_scale = quality == Quality::medium ? 0.5F : 1.0F;
-        // From without and from within.
+        // Draws the volume seen from outside and from inside.
         for (const fvec3 centre : {fvec3(0, 1, -3), fvec3(0, 2, 0)}) {
             volume.centre = centre;
             renderer.draw(frame);

@@ -1,5 +1,5 @@
-// game/scenario/detail/arguments.h: what verbs read from Lua's stack. A wrong argument is thrown as ScriptFault that names it.
-// Nothing here calls metamethods or raises Lua errors.
+// game/scenario/detail/arguments.h: reads the arguments of verbs from Lua's stack. A wrong argument throws a
+// ScriptFault that names it. No function here calls metamethods or raises Lua errors.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ inline std::string string(lua_State* lua, int index, std::string_view name) {
     return {chars, size};
 }
 
-/// Letters, digits and _: fit for a file.
+/// Text of lower-case letters, digits and _, safe as a file name.
 inline std::string plain_name(lua_State* lua, int index, std::string_view name) {
     auto value = string(lua, index, name);
     const bool plain =
@@ -61,7 +61,7 @@ inline std::uint32_t player(lua_State* lua, int index) {
     return static_cast<std::uint32_t>(integer(lua, index, "a player", {1, 2}) - 1);
 }
 
-/// {x, y, z} or {x = , y = , z = }, each in the range.
+/// Reads {x, y, z} or {x = , y = , z = }. Each value must lie within +-most.
 inline vec3 place(lua_State* lua, int index, std::string_view name, double most) {
     if (!lua_istable(lua, index))
         fault(name, " must be {x, y, z}, not ", std::string_view(luaL_typename(lua, index)));
@@ -90,8 +90,8 @@ inline void push_place(lua_State* lua, vec3 value) {
     lua_setfield(lua, -2, "z");
 }
 
-/// The table of options at `index`, each of whose keys must be among `names`. Fields are pushed by `has` and stay on
-/// the stack, which goes when the verb returns.
+/// The table of options at `index`. Each of its keys must be in `names`. `has` pushes fields and leaves them
+/// on the stack, which is cleared when the verb returns.
 class Options {
 public:
     Options(lua_State* lua, int index, std::string_view verb, std::initializer_list<std::string_view> names)
@@ -104,7 +104,7 @@ public:
                 fault(verb, " knows no '", key, "'");
         }
     }
-    /// If there is such an option, it is on top of the stack.
+    /// Returns true if the option exists. Its value is then on top of the stack.
     bool has(const char* name) const {
         lua_pushstring(lua_, name);
         return lua_rawget(lua_, index_) != LUA_TNIL;

@@ -1,4 +1,4 @@
-// game/scenario/detail/prelude.h: the verbs that are best said in Lua, on top of those in verbs.cpp.
+// game/scenario/detail/prelude.h: verbs written in Lua, on top of those in verbs.cpp.
 #pragma once
 #include <string_view>
 

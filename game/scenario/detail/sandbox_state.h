@@ -1,7 +1,7 @@
-// game/scenario/detail/sandbox_state.h: what the sandbox and its library share.
+// game/scenario/detail/sandbox_state.h: state shared by the sandbox and its library.
 //
-// Lua is C: an error jumps over our frames without destroying anything. So a function that may raise one holds nothing that
-// needs to be destroyed while it calls Lua.
+// Lua is C, so an error jumps over C++ frames without running destructors. A function that can raise an error
+// therefore holds no object with a destructor while it calls Lua.
 #pragma once
 #include <limits>
 #include <lua.hpp>
@@ -15,21 +15,23 @@ inline constexpr const char* prelude_name = "=prelude";
 
 struct Sandbox::State {
     SandboxLimits limits;
-    lua_State* lua = nullptr;     ///< the main state; no script runs in it, but the prelude
-    lua_State* script = nullptr;  ///< the script's coroutine, while there is one
+    lua_State* lua = nullptr;     ///< main state; only the prelude runs in it
+    lua_State* script = nullptr;  ///< coroutine of the script, if one is loaded
     std::size_t memory = 0;
     std::uint64_t steps = 0;
-    bool trusted = false;    ///< our own code runs, which no allocation may interrupt
-    bool exhausted = false;  ///< from now on every error passes through all pcalls
-    bool late = false;       ///< exhausted by the wall clock
-    std::int64_t deadline_ns =
-        std::numeric_limits<std::int64_t>::max();  ///< monotonic clock, while a script runs
-    std::int64_t computed_ns = 0;                  ///< time that the script has computed before
-    std::string name;                              ///< of the script
+    bool trusted = false;    ///< trusted code is running, and no allocation may interrupt it
+    bool exhausted = false;  ///< every error now passes through all pcalls
+    bool late = false;       ///< the processor time was used up
+    /// Thread processor time at which the script must have ended (ns). It is far in the future while no
+    /// script runs.
+    std::int64_t deadline_ns = std::numeric_limits<std::int64_t>::max() / 2;
+    std::int64_t computed_ns = 0;  ///< processor time used in earlier resumes
+    std::int64_t verbs_ns = 0;     ///< processor time used by verbs
+    std::string name;              ///< name of the script
     std::string output;
-    std::string fault;  ///< of the verb that has just failed
+    std::string fault;  ///< message of the verb that has just failed
 
-    /// Counts; false, and for good, when there are none left.
+    /// Counts steps. Returns false from the moment when they are used up.
     bool spend(std::uint64_t count) {
         steps += count;
         exhausted = exhausted || steps > limits.steps;
@@ -41,17 +43,23 @@ inline Sandbox::State& state_of(lua_State* lua) {
     return **static_cast<Sandbox::State**>(lua_getextraspace(lua));
 }
 
-/// Raises "NAME:LINE: message" with the line of the innermost function of the script (not of the prelude); the message
-/// is on top of the stack.
+/// Instructions between two checks of steps and time.
+inline constexpr int hook_steps = 1000;
+
+/// Counts steps. Raises an error that no pcall catches if the steps or the processor time are used up.
+void charge(lua_State* lua, std::uint64_t steps);
+
+/// Raises "NAME:LINE: message" with the line of the innermost script function, not of the prelude. The
+/// message is on top of the stack.
 int raise_at_script(lua_State* lua);
 
-/// The safe parts of Lua's libraries, and our own in place of the others.
+/// Opens the safe parts of Lua's libraries, and replacements for the others.
 void open_library(lua_State* lua);
 
-/// Puts find, match, gmatch and gsub, whose work is counted, into the table on top of the stack.
+/// Adds the counted find, match, gmatch and gsub to the table on top of the stack.
 void set_matching(lua_State* lua);
 
-/// Line of the first operator ^ in a source, if there is one.
+/// Line of the first operator ^ in a source; std::nullopt if there is none.
 std::optional<int> line_of_power(std::string_view source);
 
 }  // namespace thaum::game

@@ -1,4 +1,4 @@
-// game/scenario/detail/verb.h: what all files of verbs share, and the lists in which they name their own.
+// game/scenario/detail/verb.h: declarations shared by all files of verbs, and the lists of their verbs.
 #pragma once
 #include <span>
 
@@ -8,7 +8,7 @@
 
 namespace thaum::game {
 
-/// A name that begins with raw_ is taken by the prelude, and gone when a script begins.
+/// A verb and its name. The prelude takes over verbs whose names begin with raw_ and removes the names.
 struct VerbName {
     const char* name;
     Sandbox::Verb verb;
@@ -18,11 +18,11 @@ std::span<const VerbName> thing_verbs();
 std::span<const VerbName> report_verbs();
 std::span<const VerbName> brew_verbs();
 
-// What the physics can bear, whatever a script asks for.
-inline constexpr double farthest = 500;  ///< m
-inline constexpr double fastest = 200;   ///< m/s
+// Limits that keep a script's values in the range of the physics.
+inline constexpr double farthest = 500;  ///< greatest distance from the origin (m)
+inline constexpr double fastest = 200;   ///< greatest speed (m/s)
 
-/// The play that is a verb's context, with a match.
+/// Returns the play behind a verb. Throws a fault if there is no match yet.
 inline Play& began(void* context) {
     auto& play = *static_cast<Play*>(context);
     if (!play.match) arguments::fault("there is no match yet: match{...} comes first");

@@ -227,7 +227,11 @@ FAKE_HD_CALL void hdStopScheduler() {
 
 FAKE_HD_CALL unsigned long hdScheduleAsynchronous(Callback run, void* context, unsigned short priority) {
     if (misbehave(library(), "hdScheduleAsynchronous") != 0) return 0;
-    return schedule(library(), run, context, priority, false);
+    auto& l = library();
+    const auto number = schedule(l, run, context, priority, false);
+    if (l.script.is("hdScheduleAsynchronous", "returns_late"))
+        std::this_thread::sleep_for(std::chrono::seconds(2));
+    return number;
 }
 
 #ifndef FAKE_HD_OLD

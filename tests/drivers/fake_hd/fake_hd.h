@@ -23,6 +23,7 @@ struct FakeHdReport {
     double greatest_force;                            ///< N, of any tick
     std::array<double, 3> position;                   ///< m, where the tip is
     std::uint64_t calls_after_end;  ///< of tasks, after the device was disabled (callback=after_end)
+    std::array<double, 3> left;     ///< force at hdDisableDevice (N): a real arm may go on exerting it
 };
 
 /// The file of the word `live`, which stays behind when the program dies.
@@ -31,4 +32,5 @@ struct FakeHdLive {
     double greatest_force;        ///< N, of any tick
     std::uint64_t ticks;          ///< of the library's thread
     std::uint64_t initiated;      ///< 1: a program has the device
+    std::array<double, 3> left;   ///< force at hdDisableDevice (N)
 };

@@ -52,6 +52,8 @@ FakeHdLive* map_live(const std::string& file) {
     return memory == MAP_FAILED ? nullptr : static_cast<FakeHdLive*>(memory);
 }
 
+std::array<double, 3> numbers_of(vec3 v) { return {v.x, v.y, v.z}; }
+
 /// What the script's ticks are counted by.
 std::uint64_t script_ticks(const Library& l) {
     if (!l.script.has("felt")) return l.report.ticks;
@@ -100,6 +102,7 @@ void let_go(Library& l) {
     // What it was told last may have come after its last tick.
     record(l, exerted(l));
     write_record(l);
+    l.report.left = numbers_of(exerted(l));
     l.initiated = false;
     update_live(l);
 }
@@ -112,10 +115,8 @@ void move_arm(Library& l) {
     l.arm = haptics::step(l.device, l.arm, place.target, force);
     l.buttons = place.buttons;
     ++l.report.ticks;
-    for (int i = 0; i < 3; ++i) {
-        l.report.force[static_cast<std::size_t>(i)] = force[i];
-        l.report.position[static_cast<std::size_t>(i)] = l.arm.position[i];
-    }
+    l.report.force = numbers_of(force);
+    l.report.position = numbers_of(l.arm.position);
     l.report.greatest_force = std::max(l.report.greatest_force, glm::length(force));
     if (l.felt_at == 0 && force != vec3(0)) l.felt_at = l.report.ticks;
     record(l, force);
@@ -124,8 +125,8 @@ void move_arm(Library& l) {
 
 void update_live(Library& l) {
     if (l.live == nullptr) return;
-    const vec3 force = exerted(l);
-    l.live->force = {force.x, force.y, force.z};
+    l.live->force = numbers_of(exerted(l));
+    l.live->left = l.report.left;
     l.live->greatest_force = std::max(l.live->greatest_force, l.report.greatest_force);
     l.live->ticks = l.report.ticks;
     l.live->initiated = l.initiated ? 1 : 0;

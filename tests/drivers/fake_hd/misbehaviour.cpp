@@ -32,8 +32,9 @@ void call_back(Library& l) {
 std::string due(Library& l, const char* call) {
     const Lock lock(l.mutex);
     auto how = l.script.of(call);
-    if (how.empty() || ++l.calls[call] < l.script.number("from")) return {};
-    return how;
+    if (how.empty()) return {};
+    const auto calls = ++l.calls[call], until = l.script.number("until");
+    return calls < l.script.number("from") || (until != 0 && calls >= until) ? "" : how;
 }
 
 }  // namespace
@@ -45,6 +46,8 @@ unsigned int misbehave(Library& l, const char* call) {
         for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
     }
     if (how == "crashes") std::raise(SIGSEGV);
+    if (how == "interrupts") return std::raise(SIGTERM), 0U;
+    if (how == "returns_late") return 0;  // by the function itself
     if (how == "calls_back") return call_back(l), 0U;
     if (how == "slow") return std::this_thread::sleep_for(std::chrono::seconds(2)), 0U;
     const auto code = static_cast<unsigned int>(std::strtoul(how.c_str(), nullptr, 16));

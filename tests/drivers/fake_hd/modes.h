@@ -57,6 +57,7 @@ inline std::vector<Mode> modes_of_calls() {
     for (const char* call : {"hdBeginFrame", "hdEndFrame", "hdGetIntegerv", "hdGetDoublev", "hdSetDoublev"}) {
         modes.push_back({std::string(call) + "=0302,from=200", lost});
         modes.push_back({std::string(call) + "=0200,from=200", lost});
+        modes.push_back({std::string(call) + "=0302,from=200,until=201", lost});
         modes.push_back({std::string(call) + "=blocks,from=200", lost});
         modes.push_back({std::string(call) + "=calls_back,from=20", plays});
     }
@@ -65,6 +66,7 @@ inline std::vector<Mode> modes_of_calls() {
     modes.push_back({"hdInitDevice=slow", refused});
     modes.push_back({"hdStartScheduler=slow", refused});
     modes.push_back({"hdScheduleAsynchronous=slow", refused});
+    modes.push_back({"hdScheduleAsynchronous=returns_late", refused});
     modes.push_back({"hdStopScheduler=slow", plays});
     return modes;
 }
@@ -93,6 +95,7 @@ inline std::vector<Mode> modes_of_answers() {
     add("callback", {"never", "once"}, lost);
     add("callback", {"twice", "two_threads", "after_end"}, plays);
     add("sync", {"never", "late", "twice"}, refused);
+    add("task", {"zero"}, plays);
     add("rate", {"100", "500", "2000"}, plays);
     add("hdInitDevice", {"0300", "0301", "0303", "0304", "0600", "ffff"}, refused);
     for (const char* word : {"absent", "busy", "no_permission", "no_licence", "manual", "mute"})

@@ -1,6 +1,7 @@
 // The library's clock: its thread, and the tasks that it calls.
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <thread>
 
 #include "drivers/fake_hd/library.h"
@@ -41,6 +42,7 @@ void run_thread(Library& l) {
         due += period;
         std::uint64_t tick = 0;
         bool asynchronous = false;
+        int signal = 0;
         {
             const Lock lock(l.mutex);
             move_arm(l);
@@ -48,7 +50,9 @@ void run_thread(Library& l) {
             const bool scheduled =
                 std::any_of(l.tasks.begin(), l.tasks.end(), [](auto& t) { return !t.synchronous; });
             asynchronous = scheduled && comes(l) && !goes_wrong(l, "stop");
+            signal = goes_wrong(l, "crash") ? SIGSEGV : goes_wrong(l, "interrupt") ? SIGTERM : 0;
         }
+        if (signal != 0) std::raise(signal);
         wait_for_next(l, tick, due);
         run_tasks(l, !asynchronous);
         if (l.script.is("callback", "twice")) run_tasks(l, !asynchronous);
@@ -116,9 +120,10 @@ void stop_threads(Library& l) {
 unsigned long schedule(Library& l, Callback run, void* context, unsigned short priority, bool synchronous) {
     const Lock lock(l.mutex);
     if (!l.initiated) broken(l, fake_hd_wrong_order, invalid_operation);
-    l.tasks.push_back({l.next_task, priority, run, context, synchronous});
+    const auto number = !synchronous && l.script.is("task", "zero") ? 0 : l.next_task++;
+    l.tasks.push_back({number, priority, run, context, synchronous});
     if (!synchronous) l.newest_ticks = l.tasks.back();
-    return l.next_task++;
+    return number;
 }
 
 }  // namespace thaum::fake_hd

@@ -17,13 +17,17 @@
 //
 // Misbehaviour (modes.h has all of it as a table):
 //
-//     CALL=HOW          the function CALL misbehaves: blocks, slow (2 s), crashes (SIGSEGV), calls_back (runs the tasks within it), or is
-//                       an error code in hexadecimal;  from=N: at its Nth call and all that follow
+//     CALL=HOW          the function CALL misbehaves: blocks, slow (2 s), crashes (SIGSEGV), interrupts (its thread gets SIGTERM),
+//                       calls_back (runs the tasks within it), or is an error code in hexadecimal;  from=N: at its Nth call and
+//                       all that follow;  until=N: from its Nth call on all is well again
+//     hdScheduleAsynchronous=returns_late    its ticks come at once, but it returns after 2 s
+//     task=zero         the number that hdScheduleAsynchronous gives is 0
+//     crash=N, interrupt=N    from tick N on the library's own thread gets SIGSEGV or SIGTERM between its tasks
 //     pose=HOW, turn=HOW    what is measured: nan, inf, huge, stuck, jumps; turn also zero
 //     buttons=all       all 32 are down
 //     limits=HOW        forces, stiffness, damping: nan, inf, negative, huge, zero
 //     box=HOW           the workspace: nan, inverted, huge;  dof=HOW: negative, huge
-//     strings=HOW, error_strings=HOW    null, empty, control, invalid, long, endless
+//     strings=HOW, error_strings=HOW    null, empty, control, invalid, long
 //     style=garbage, calibration=garbage, handle=zero|other, errors=endless
 //     callback=HOW      never, once, twice (in a tick), two_threads, after_end
 //     sync=HOW          hdScheduleSynchronous: never (returns without running the task), late (runs it after it has returned), twice

@@ -1,33 +1,34 @@
-#include "game/wands/tug.h"
+#include "game/wands/wand_coupling.h"
 
 #include <cmath>
 
 namespace thaum::game {
 
-vec3 tugged_velocity(const physics::Physics& physics, physics::Key body, const Tug& tug) {
-    return physics.velocity(body) + tug.owed;
+vec3 coupled_velocity(const physics::Physics& physics, physics::Key body, const WandCoupling& coupling) {
+    return physics.velocity(body) + coupling.owed;
 }
 
-// A free body flies exactly: v0 dt + g dt^2/2, and v0 + g dt at the end.
-void give_tug(physics::Physics& physics, physics::Key body, const haptics::CouplingResult& result, double dt,
-              Tug& tug) {
+// The result is exact for a free body. Its displacement is v0 dt + g dt^2/2, its end velocity v0 + g dt.
+void apply_coupling(physics::Physics& physics, physics::Key body, const haptics::CouplingResult& result,
+                    double dt, WandCoupling& coupling) {
     const auto& state = physics.state(body);
     const vec3 fall = physics.settings().gravity * dt;
     const vec3 start = result.displacement / dt - 0.5 * fall;
-    const vec3 end = state.velocity + tug.owed + result.velocity_change;
+    const vec3 end = state.velocity + coupling.owed + result.velocity_change;
     physics.apply_central_impulse(body, physics.desc(body).mass * (start - state.velocity));
-    tug.expected = start + fall;
-    tug.owed = end - tug.expected;
+    coupling.expected = start + fall;
+    coupling.owed = end - coupling.expected;
 }
 
-void end_tug(physics::Physics& physics, physics::Key body, Tug& tug) {
-    physics.apply_central_impulse(body, physics.desc(body).mass * tug.owed);
-    tug = {};
+void end_coupling(physics::Physics& physics, physics::Key body, WandCoupling& coupling) {
+    physics.apply_central_impulse(body, physics.desc(body).mass * coupling.owed);
+    coupling = {};
 }
 
-// The length obeys the spring, gravity's part along the rope and the centrifugal acceleration; that is solved exactly as if the last two
-// were constant over the step. The force then acts along the rope as it stands in the middle of the step: with the direction at its
-// start the swing would gain energy, 5 % a minute at 1 ms.
+// The rope's length follows the spring, gravity along the rope and the centrifugal acceleration. The equation
+// is solved exactly, with the last two held constant over the step. The force acts along the direction of the
+// rope in the middle of the step. With the direction at the start the swing would gain energy, 5 % a minute
+// at 1 ms.
 std::optional<haptics::CouplingResult> hang(const Rope& rope, double mass, vec3 place, vec3 velocity,
                                             vec3 gravity, double dt) {
     const vec3 to = rope.anchor - place;

@@ -1,4 +1,4 @@
-#include "game/match/stage.h"
+#include "game/match/match_context.h"
 
 #include <cmath>
 
@@ -8,20 +8,20 @@
 namespace thaum::game {
 namespace {
 
-void add_up(const Event& event, std::array<std::array<Deeds, causes.size()>, players>& deeds) {
+void add_up(const Event& event, std::array<std::array<MatchStats, causes.size()>, players>& match_stats) {
     const bool about_cause = event.kind == EventKind::shot || event.kind == EventKind::death;
     const auto cause = cause_of(about_cause ? static_cast<EventKind>(event.detail) : event.kind);
     if (cause == causes.size() || event.subject >= players) return;
     if (event.kind == EventKind::shot) {
-        ++deeds[event.subject][cause].shots;
+        ++match_stats[event.subject][cause].shots;
         return;
     }
     const bool foes_deed = event.by < players && event.by != event.subject;
     if (event.kind == EventKind::death) {
-        foes_deed ? ++deeds[event.by][cause].kills : ++deeds[event.subject][cause].own_deaths;
+        foes_deed ? ++match_stats[event.by][cause].kills : ++match_stats[event.subject][cause].own_deaths;
     } else if (foes_deed) {
-        ++deeds[event.by][cause].hits;
-        deeds[event.by][cause].damage += event.amount;
+        ++match_stats[event.by][cause].hits;
+        match_stats[event.by][cause].damage += event.amount;
     }
 }
 
@@ -43,11 +43,11 @@ void declare_components(ecs::World& world) {
     world.declare<Dead>();
     world.declare<Blows>();
     world.declare<WandBelt>();
-    world.declare<Grip>();
+    world.declare<HandState>();
     world.declare<Score>();
     world.declare<Match>();
     world.declare<Dice>();
-    world.declare<Chronicle>();
+    world.declare<EventLog>();
     for (const auto& kind : wand_kinds()) kind.declare(world);
     world.declare<Cauldron>();
     world.declare<BrewPage>();
@@ -55,7 +55,7 @@ void declare_components(ecs::World& world) {
     world.declare<Ladle>();
     world.declare<Niche>();
     world.declare<Pouch>();
-    // Last, so that they change no hash of a match without them.
+    // Arms are declared last, so that the hashes of matches without arms stay the same.
     world.declare<Arm>();
     world.declare<PastModel>();
 }
@@ -73,7 +73,8 @@ vec3 eye_of(const WizardRules& rules, vec3 body_centre) {
 }
 
 std::optional<double> way_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most) {
-    constexpr double same_floor = 1;  // m between feet and place; more is another one
+    // Height difference (m) up to which feet and place are on the same floor.
+    constexpr double same_floor = 1;
     const vec3 off = body_centre - vec3(0, rules.height / 2, 0) - place;
     const double distance = std::sqrt(off.x * off.x + off.z * off.z);
     if (distance > most || std::abs(off.y) > same_floor) return std::nullopt;
@@ -81,10 +82,10 @@ std::optional<double> way_on_floor(const WizardRules& rules, vec3 body_centre, v
 }
 
 void record(ecs::World& world, const Event& event) {
-    auto& chronicle = world.single<Chronicle>();
-    chronicle.events[chronicle.count % chronicle.events.size()] = event;
-    ++chronicle.count;
-    add_up(event, chronicle.deeds);
+    auto& event_log = world.single<EventLog>();
+    event_log.events[event_log.count % event_log.events.size()] = event;
+    ++event_log.count;
+    add_up(event, event_log.match_stats);
 }
 
 void hurt(ecs::World& world, ecs::Entity wizard, Tick tick, const Hurt& hurt) {

@@ -1,5 +1,6 @@
-// game/components/grip.h: the force feedback device in a wizard's hand: simulated, held by a simulated hand. Mouse, pad and
-// bots move that hand's target, and forces move the device as they would a real one.
+// game/components/hand_state.h: the force feedback device in a wizard's hand, simulated together with the
+// hand that holds it. Mouse, gamepad and bots move the target of that hand. Forces move the simulated device
+// as they would move a real one.
 #pragma once
 #include "ecs/component.h"
 #include "haptics/servo.h"
@@ -108,29 +109,34 @@ namespace thaum::game {
 
 using ecs::field;
 
-struct Grip {
+struct HandState {
     haptics::SimulatedState device{};
     haptics::ServoState servo{};
-    haptics::Pulse kick{};  ///< the newest
-    haptics::Lean lean{};   ///< these two are the wand's
+    haptics::Pulse kick{};  ///< newest kick
+    haptics::Lean lean{};   ///< steady force set by the wand in hand
+    /// Spring to a point, set by the wand in hand.
     haptics::Tether tether{};
-    vec3 home{};          ///< m, device frame: where the player wants the hand to be
-    vec3 pull{};          ///< m, from there: where the wand in hand takes it (a bow is drawn by a trigger)
-    vec3 frame_origin{};  ///< m, world: where the device's frame was in the last tick
-    quat frame_turn{1, 0, 0, 0};   ///< likewise
-    std::uint64_t probe_number{};  ///< counts the times that the wand's tip came back or jumped
-    std::uint64_t probing{};       ///< 1: the tip felt for surfaces in the last tick
-    std::uint32_t panic_held{};    ///< 1 while the player's panic key is down
-    std::uint32_t rearm{};         ///< 1: it was pressed while forces were shut off
-    static constexpr std::string_view name = "Grip";
+    vec3 home{};  ///< hand position chosen by the player (m, device frame)
+    /// Displacement from `home` that the wand in hand adds, for example a drawn sling (m, device frame).
+    vec3 pull{};
+    vec3 frame_origin{};           ///< origin of the device frame in the last tick (m, world)
+    quat frame_turn{1, 0, 0, 0};   ///< orientation of the device frame in the last tick (device to world)
+    std::uint64_t probe_number{};  ///< number of times that the wand's tip appeared or jumped
+    /// 1: surfaces around the wand's tip were given to the servo in the last tick
+    std::uint64_t probing{};
+    std::uint32_t panic_held{};  ///< 1 while the player holds the panic key
+    /// 1: in this tick the player pressed the panic key to switch forces on again
+    std::uint32_t rearm{};
+    static constexpr std::string_view name = "HandState";
     static constexpr auto fields() {
-        return std::tuple(field("device", &Grip::device), field("servo", &Grip::servo),
-                          field("kick", &Grip::kick), field("lean", &Grip::lean),
-                          field("tether", &Grip::tether), field("home", &Grip::home),
-                          field("pull", &Grip::pull), field("frame_origin", &Grip::frame_origin),
-                          field("frame_turn", &Grip::frame_turn), field("probe_number", &Grip::probe_number),
-                          field("probing", &Grip::probing), field("panic_held", &Grip::panic_held),
-                          field("rearm", &Grip::rearm));
+        return std::tuple(field("device", &HandState::device), field("servo", &HandState::servo),
+                          field("kick", &HandState::kick), field("lean", &HandState::lean),
+                          field("tether", &HandState::tether), field("home", &HandState::home),
+                          field("pull", &HandState::pull), field("frame_origin", &HandState::frame_origin),
+                          field("frame_turn", &HandState::frame_turn),
+                          field("probe_number", &HandState::probe_number),
+                          field("probing", &HandState::probing), field("panic_held", &HandState::panic_held),
+                          field("rearm", &HandState::rearm));
     }
 };
 

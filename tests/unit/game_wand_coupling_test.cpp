@@ -1,5 +1,5 @@
 // Bodies of the physics that a coupling moves by force alone.
-#include "game/wands/tug.h"
+#include "game/wands/wand_coupling.h"
 
 #include <gtest/gtest.h>
 
@@ -19,25 +19,26 @@ physics::Physics world_with(double mass, vec3 place) {
 }
 
 /// One step of a spring to `to`, gravity held off.
-void step_spring(physics::Physics& physics, const haptics::CouplingStep& step, vec3 to, Tug& tug) {
+void step_spring(physics::Physics& physics, const haptics::CouplingStep& step, vec3 to,
+                 WandCoupling& coupling) {
     const auto result = haptics::couple(step, {.hand = to,
                                                .hand_velocity = {},
                                                .object = physics.state(body).position,
-                                               .object_velocity = tugged_velocity(physics, body, tug),
+                                               .object_velocity = coupled_velocity(physics, body, coupling),
                                                .drag_velocity = {},
                                                .object_acceleration = {}});
-    give_tug(physics, body, result, dt, tug);
+    apply_coupling(physics, body, result, dt, coupling);
     physics.step(dt);
 }
 
-TEST(Tug, AFreeBodyFollowsTheSpringsClosedForm) {
+TEST(WandCoupling, AFreeBodyFollowsTheSpringsClosedForm) {
     constexpr double mass = 5, stiffness = 4000, damping = 25, start = 0.3;
     auto physics = world_with(mass, {start, 0, 0});
     const auto step = haptics::coupling_step({stiffness, damping, 0}, 1 / mass, 0, dt);
-    Tug tug;
+    WandCoupling coupling;
     const double decay = damping / (2 * mass), rate = std::sqrt(stiffness / mass - decay * decay);
     for (int i = 1; i <= 2000; ++i) {
-        step_spring(physics, step, {}, tug);
+        step_spring(physics, step, {}, coupling);
         const double t = i * dt;
         const double exact =
             start * std::exp(-decay * t) * (std::cos(rate * t) + decay / rate * std::sin(rate * t));
@@ -46,34 +47,34 @@ TEST(Tug, AFreeBodyFollowsTheSpringsClosedForm) {
     EXPECT_NEAR(physics.state(body).position.y, 0, 1e-9) << "its weight is held up";
 }
 
-TEST(Tug, WhatIsOwedIsPaidAtTheEnd) {
+TEST(WandCoupling, WhatIsOwedIsPaidAtTheEnd) {
     auto physics = world_with(2, {0.1, 0, 0});
     const auto step = haptics::coupling_step({4000, 0, 0}, 0.5, 0, dt);
-    Tug tug;
-    for (int i = 0; i < 7; ++i) step_spring(physics, step, {}, tug);
-    const vec3 truly = tugged_velocity(physics, body, tug);
+    WandCoupling coupling;
+    for (int i = 0; i < 7; ++i) step_spring(physics, step, {}, coupling);
+    const vec3 truly = coupled_velocity(physics, body, coupling);
     const double rate = std::sqrt(2000.0);
     EXPECT_NEAR(truly.x, -0.1 * rate * std::sin(rate * 7 * dt), 1e-9);
-    end_tug(physics, body, tug);
+    end_coupling(physics, body, coupling);
     EXPECT_NEAR(physics.velocity(body).x, truly.x, 1e-12);
-    EXPECT_EQ(tug.owed, vec3(0));
+    EXPECT_EQ(coupling.owed, vec3(0));
 }
 
-TEST(Tug, AWallHoldsWhatIsPulledThroughIt) {
+TEST(WandCoupling, AWallHoldsWhatIsPulledThroughIt) {
     auto physics = world_with(20, {0, 0, 0});
     physics.add(2, {.shape = physics::Shape::box, .size = {0.05, 5, 5}, .mass = 0},
                 {.position = {0.5, 0, 0}});
     const auto step = haptics::coupling_step({4000, 25, 100}, 1.0 / 20, 0, dt);
-    Tug tug;
+    WandCoupling coupling;
     for (int i = 0; i < 3000; ++i) {
-        step_spring(physics, step, {2, 0, 0}, tug);
+        step_spring(physics, step, {2, 0, 0}, coupling);
         ASSERT_LT(physics.state(body).position.x, 0.26)
             << i;  // 0.45 less the radius, and a little that Bullet gives way
     }
     EXPECT_LT(glm::length(physics.velocity(body)), 0.05);
 }
 
-TEST(Tug, ARopeKeepsASwingsEnergyAndIsSlackWithinItsLength) {
+TEST(WandCoupling, ARopeKeepsASwingsEnergyAndIsSlackWithinItsLength) {
     const Rope rope{.anchor = {}, .length = 5, .stiffness = 4000};
     EXPECT_FALSE(hang(rope, 75, {3, 0, 0}, {}, {0, -9.81, 0}, dt));
     EXPECT_FALSE(hang(rope, 75, {0, 0, 0}, {}, {0, -9.81, 0}, dt));
@@ -84,14 +85,14 @@ TEST(Tug, ARopeKeepsASwingsEnergyAndIsSlackWithinItsLength) {
         return 75 * (glm::dot(velocity, velocity) / 2 + 9.81 * place.y) + 2000 * stretch * stretch;
     };
     const double before = energy({});
-    Tug tug;
+    WandCoupling coupling;
     double off = 0, lowest = 0;
     for (int i = 0; i < 20'000; ++i) {
-        const auto result = hang(rope, 75, physics.state(body).position, tugged_velocity(physics, body, tug),
-                                 {0, -9.81, 0}, dt);
-        result ? give_tug(physics, body, *result, dt, tug) : end_tug(physics, body, tug);
+        const auto result = hang(rope, 75, physics.state(body).position,
+                                 coupled_velocity(physics, body, coupling), {0, -9.81, 0}, dt);
+        result ? apply_coupling(physics, body, *result, dt, coupling) : end_coupling(physics, body, coupling);
         physics.step(dt);
-        off = std::max(off, std::abs(energy(tugged_velocity(physics, body, tug)) - before));
+        off = std::max(off, std::abs(energy(coupled_velocity(physics, body, coupling)) - before));
         lowest = std::min(lowest, physics.state(body).position.y);
     }
     EXPECT_LT(lowest, -5) << "it swings";

@@ -5,16 +5,16 @@
 
 #include "core/hash.h"
 #include "core/text.h"
-#include "game/wands/tug.h"
+#include "game/wands/wand_coupling.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
 
 namespace thaum::bench {
 namespace {
 
-using game::give_tug;
-using game::Tug;
-using game::tugged_velocity;
+using game::apply_coupling;
+using game::coupled_velocity;
+using game::WandCoupling;
 
 constexpr physics::Key body = 1;
 constexpr std::array<std::int64_t, 4> tug_steps_ms{1, 2, 4, 8};
@@ -46,12 +46,12 @@ Held hold(double dt) {
     auto physics = world_with(held_mass, {});
     const double drag = 0.7 * 2 * std::sqrt(held_stiffness * held_mass);
     const auto step = haptics::coupling_step({held_stiffness, held_damping, drag}, 1 / held_mass, 0, dt);
-    Tug tug;
+    WandCoupling coupling;
     Held held;
     const auto steps = static_cast<int>(std::lround(held_seconds / dt));
     for (int i = 0; i < steps; ++i) {
         const double from = hand_at(i * dt), to = hand_at((i + 1) * dt);
-        const vec3 velocity = tugged_velocity(physics, body, tug);
+        const vec3 velocity = coupled_velocity(physics, body, coupling);
         held.place.push_back(physics.state(body).position.x);
         held.speed.push_back(velocity.x);
         const auto result = haptics::couple(step, {.hand = {from, 0, 0},
@@ -60,7 +60,7 @@ Held hold(double dt) {
                                                    .object_velocity = velocity,
                                                    .drag_velocity = {},
                                                    .object_acceleration = {}});
-        give_tug(physics, body, result, dt, tug);
+        apply_coupling(physics, body, result, dt, coupling);
         physics.step(dt);
     }
     return held;
@@ -136,7 +136,7 @@ Swung swing_for(double dt, double seconds) {
     auto physics = world_with(wizard_mass, let_go_at);
     const game::Rope rope{.anchor = {}, .length = rope_length, .stiffness = rope_stiffness};
     const vec3 gravity = physics.settings().gravity;
-    Tug tug;
+    WandCoupling coupling;
     const double before = energy_of(let_go_at, {});
     const double swing = before - energy_of({0, -rope_length, 0}, {});
     double first = 0, last = 0;
@@ -145,8 +145,8 @@ Swung swing_for(double dt, double seconds) {
     const auto steps = static_cast<int>(std::lround(seconds / dt));
     for (int i = 0; i < steps; ++i) {
         const auto result =
-            game::hang(rope, wizard_mass, place, tugged_velocity(physics, body, tug), gravity, dt);
-        result ? give_tug(physics, body, *result, dt, tug) : end_tug(physics, body, tug);
+            game::hang(rope, wizard_mass, place, coupled_velocity(physics, body, coupling), gravity, dt);
+        result ? apply_coupling(physics, body, *result, dt, coupling) : end_coupling(physics, body, coupling);
         physics.step(dt);
         const vec3 next = physics.state(body).position;
         if (place.x < 0 && next.x >= 0) {
@@ -155,7 +155,7 @@ Swung swing_for(double dt, double seconds) {
         }
         place = next;
     }
-    const double after = energy_of(place, tugged_velocity(physics, body, tug));
+    const double after = energy_of(place, coupled_velocity(physics, body, coupling));
     return {.energy_drift = (after - before) / swing,
             .period = crossings > 1 ? (last - first) / (crossings - 1) : 0,
             .hash = hash_bytes(std::as_bytes(std::span(&place, 1)))};
@@ -189,7 +189,7 @@ void pendulum(const Options& options, Report& report) {
 
 }  // namespace
 
-void tug(const Options& options, Report& report) {
+void wand_coupling(const Options& options, Report& report) {
     in_bullet(options, report);
     pendulum(options, report);
 }
