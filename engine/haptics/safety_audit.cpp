@@ -29,6 +29,22 @@ double distance_from_line(vec3 point, vec3 end) {
     return size_of(point - along * end);
 }
 
+/// Distance of a point from the parallelogram of all a * u + b * v, with a and b from 0 to 1.
+double distance_from_parts(vec3 point, vec3 u, vec3 v) {
+    vec3 across =
+        v;  // the part of v that is square to u; taken twice, since one subtraction leaves rounding along u
+    for (int pass = 0; pass < 2 && u != vec3(0); ++pass) across -= u * (glm::dot(across, u) / glm::dot(u, u));
+    const double height = glm::dot(v, across);
+    if (u != vec3(0) && height > 1e-24 * glm::dot(v, v)) {
+        const double b = glm::dot(point, across) / height;
+        const vec3 rest = point - b * v;
+        const double a = glm::dot(rest, u) / glm::dot(u, u);
+        if (a >= 0 && a <= 1 && b >= 0 && b <= 1) return size_of(rest - a * u);
+    }
+    return std::fmin(std::fmin(distance_from_line(point, u), distance_from_line(point, v)),
+                     std::fmin(distance_from_line(point - v, u), distance_from_line(point - u, v)));
+}
+
 /// By halving: the largest share of `change`, 0 to 1, that leads from `force` to a place within the cap; 0 where none does.
 double share_within(double cap, vec3 force, vec3 change) {
     const auto within = [&](double share) { return size_of(force + share * change) <= cap * (1 + 1e-15); };
@@ -203,14 +219,16 @@ void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput&
     if (known_) {
         fade_on(limits, goal, begins ? tip_ : input.tip);
         const vec3 expected = within_cap(goal + offset_, limits.cap);
-        // Where the cap leaves next to nothing of an offset that is square to it, rounding decides how much: the root of an ulp.
-        const bool grazes = size_of(offset_) < limits.slew * tick_seconds;
-        const double tolerance = rounding(expected) + (grazes ? 1e-6 : limits.slew * tick_seconds * 1e-8);
+        // Where the cap leaves next to nothing of an offset that is square to the force, rounding decides how much:
+        // the root of an ulp of the cap's square, a few 1e-8 of the cap.
+        const double fade_step = limits.slew * tick_seconds;
+        const bool grazes = size_of(offset_) < fade_step;
+        const double tolerance = rounding(expected) + (grazes ? 3e-7 * limits.cap : 1e-8 * fade_step);
         count(SafetyRule::slew, size_of(output - expected) > tolerance);
         maybe_fading_ = known_ = offset_ != vec3(0);
     } else if (!maybe_fading_) {
-        const bool judged = cool || brake == vec3(0);
-        count(SafetyRule::unasked, judged && distance_from_line(output, goal) > rounding(wanted));
+        const double off = unscaled_ ? size_of(output - goal) : distance_from_parts(output, wanted, brake);
+        count(SafetyRule::unasked, off > rounding(wanted));
     }
     if (now_ > last_fading_) maybe_fading_ = known_ = false;
 }

@@ -26,7 +26,7 @@ enum class SafetyRule : std::uint32_t {
     cap,      ///< not longer than it, to the bit
     budget,   ///< mean square over exactly the last 10 s
     slew,     ///< no jump at a switch; then wanted force and an offset that fades by time, work and cap
-    unasked,  ///< else a part of what is wanted, from 0 to 1
+    unasked,  ///< otherwise: wanted force and brake in full, or parts of both while the motors are warm
     stale,    ///< not above the line to zero in 50 ms
     waiting,  ///< zero before the first wanted force in range; the others below likewise
     over_speed,

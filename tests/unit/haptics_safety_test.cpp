@@ -473,6 +473,18 @@ TEST(HapticsSafetyAudit, SeesEveryKindOfFault) {
     expect_caught(SafetyRule::unasked, as_usual, at_500(0.001));
     expect_caught(SafetyRule::unasked, as_usual,
                   [](int tick, vec3 output) { return tick == 500 ? output * 1.001 : output; });
+    // Cool motors get all of what is wanted.
+    expect_caught(SafetyRule::unasked, as_usual,
+                  [](int tick, vec3 output) { return tick == 500 ? output * 0.999 : output; });
+    // Warm motors get less of the wanted force but all of the brake, which may point elsewhere.
+    const auto presses_and_brakes = [](int, SafetyInput& input) {
+        input.wanted = {3.3, 0, 0};
+        input.brake = {0, 0.2, 0};
+    };
+    for (const vec3 shift : {vec3(0, 0, 1e-9), vec3(0, 0.3, 0), vec3(0, -0.3, 0), vec3(-2, 0, 0)}) {
+        expect_caught(SafetyRule::unasked, presses_and_brakes,
+                      [shift](int tick, vec3 output) { return tick == 900 ? output + shift : output; });
+    }
     const auto goes = [](int tick, SafetyInput& input) {
         input.switched = tick == 500;
         if (tick >= 500) input.wanted = {};
