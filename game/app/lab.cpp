@@ -12,9 +12,9 @@
 #include "core/write_rule.h"
 #include "game/app/arguments.h"
 #include "game/app/command.h"
+#include "game/data/match_data.h"
 #include "game/lab/lab_file.h"
 #include "game/lab/lab_trace.h"
-#include "game/match/data.h"
 
 namespace thaum::app {
 

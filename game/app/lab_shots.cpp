@@ -3,7 +3,7 @@
 #include "core/text.h"
 #include "game/app/lab.h"
 #include "game/app/lab_picture.h"
-#include "game/match/data.h"
+#include "game/data/match_data.h"
 
 namespace thaum::app {
 

@@ -13,8 +13,8 @@
 #include "game/app/lab.h"
 #include "game/app/lab_picture.h"
 #include "game/app/settings.h"
+#include "game/data/match_data.h"
 #include "game/lab/lab_file.h"
-#include "game/match/data.h"
 #include "render/pace.h"
 
 namespace thaum::app {

@@ -6,7 +6,7 @@
 #include "game/app/live_practice.h"
 #include "game/app/live_shared.h"
 #include "game/bots/bot.h"
-#include "game/match/arm.h"
+#include "game/hand/arm_system.h"
 #include "game/match/record.h"
 
 namespace thaum::app {
@@ -272,7 +272,8 @@ void run_tick(SimulationThread& s) {
     follow_practice(s);
     const auto frame = take_frame(s);
     game::tick_and_record(*round.match, frame, log_of(round));
-    if (holds_arm(s) && game::fill_order(*round.match, s.shared.arm_player, s.shared.servo.order()))
+    if (holds_arm(s) && game::fill_order(round.match->world(), round.match->touch(), s.shared.arm_player,
+                                         s.shared.servo.order()))
         s.shared.servo.publish();
     const auto now = round.match->now();
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;

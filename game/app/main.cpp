@@ -16,7 +16,7 @@
 #include "core/write_rule.h"
 #include "game/app/command.h"
 #include "game/app/settings.h"
-#include "game/match/data.h"
+#include "game/data/match_data.h"
 #include "input/drivers/openhaptics.h"
 
 namespace thaum::app {

@@ -3,7 +3,7 @@
 #include <array>
 #include <filesystem>
 
-#include "game/match/data.h"
+#include "game/data/match_data.h"
 
 namespace thaum::app {
 

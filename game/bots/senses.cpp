@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/match/touch.h"
+#include "game/context/hand_forces.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {

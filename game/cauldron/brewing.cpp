@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "game/cauldron/ladle.h"
-#include "game/match/touch.h"
+#include "game/context/hand_forces.h"
 
 namespace thaum::game {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/assert.h"
-#include "game/cauldron/brew_pages.h"
+#include "game/brew/brew_pages.h"
 
 namespace thaum::game {
 namespace {

@@ -11,9 +11,9 @@
 #include <memory>
 
 #include "core/jobs.h"
-#include "game/cauldron/brew.h"
+#include "game/brew/brew.h"
 #include "game/components/cauldron.h"
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

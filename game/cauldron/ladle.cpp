@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/cauldron/brew_pages.h"
+#include "game/brew/brew_pages.h"
 #include "game/components/hand_state.h"
-#include "game/match/touch.h"
 
 namespace thaum::game {
 namespace {

@@ -9,7 +9,7 @@
 #pragma once
 #include "game/cauldron/cauldron.h"
 #include "game/components/hand_state.h"
-#include "game/match/surfaces.h"
+#include "game/context/surfaces.h"
 
 namespace thaum::game {
 

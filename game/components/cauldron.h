@@ -44,7 +44,7 @@ struct Strokes {
 };
 
 /// State of the cauldron. The brew frame has its origin at `middle` and the axes of the world
-/// (game/cauldron/brew.h).
+/// (game/brew/brew.h).
 struct Cauldron {
     vec3 middle{};  ///< middle of the level surface (m, world)
     /// Height of the surface under each ladle (m, above the level surface).

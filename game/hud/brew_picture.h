@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "game/cauldron/brew.h"
+#include "game/brew/brew.h"
 #include "game/components/match.h"
 #include "game/components/wizard.h"
 

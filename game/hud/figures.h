@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/maths.h"
-#include "game/wands/wand.h"
+#include "game/data/wand.h"
 #include "render/mesh.h"
 
 namespace thaum::game {

@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "game/cauldron/ladle.h"
-#include "game/match/touch.h"
+#include "game/context/arms.h"
+#include "game/context/hand_forces.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "game/context/arms.h"
 #include "game/hud/brew_picture.h"
-#include "game/match/arm.h"
 #include "game/match/result.h"
 #include "haptics/safety.h"
 

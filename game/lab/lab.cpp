@@ -7,7 +7,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "fluid/resample.h"
-#include "game/match/data.h"
+#include "game/data/match_data.h"
 
 namespace thaum::game {
 namespace {

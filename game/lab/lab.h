@@ -3,7 +3,7 @@
 //     LabInput (ladle, pours, changed settings) -> step of 16 ms -> LabState, LabFigures
 //
 // A deterministic session: the same inputs give the same bits, from a person or a script. The lab stirs the
-// match's own brew (game/cauldron/brew.h) with the same ladle; LabSettings adds more settings. Frame: the
+// match's own brew (game/brew/brew.h) with the same ladle; LabSettings adds more settings. Frame: the
 // brew's, origin in the middle of the level surface. The fluid step and the surface step are independent, so
 // they may run in parallel.
 #pragma once
@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/jobs.h"
-#include "game/cauldron/brew.h"
+#include "game/brew/brew.h"
 
 namespace thaum::game {
 

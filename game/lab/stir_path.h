@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
-#include "game/cauldron/brew.h"
+#include "game/brew/brew.h"
 
 namespace thaum::game {
 

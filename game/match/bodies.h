@@ -1,7 +1,7 @@
 // game/match/bodies.h: keeps World and physics in step: adds and removes bodies, runs Bullet, counts blows of
 // loose things against wizards, and copies the new motions back into the World.
 #pragma once
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

@@ -6,9 +6,9 @@
 #include "ecs/snapshot.h"
 #include "game/cauldron/cauldron.h"
 #include "game/components/hand_state.h"
-#include "game/match/arm.h"
+#include "game/context/hand_forces.h"
+#include "game/hand/arm_system.h"
 #include "game/match/bodies.h"
-#include "game/match/touch.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 

@@ -5,7 +5,7 @@
 // of its feet, and energy follows its wand to another slot. If the arena differs, the scene is created again
 // from the new arena. Both wizards keep position, direction of view and state there.
 #pragma once
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

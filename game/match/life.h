@@ -1,6 +1,6 @@
 // game/match/life.h: death, return to life, and the slow loss of health above the start value.
 #pragma once
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

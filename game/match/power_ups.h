@@ -1,6 +1,6 @@
 // game/match/power_ups.h: wizards pick up power-ups by walking over them.
 #pragma once
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

@@ -2,8 +2,8 @@
 
 #include "game/arena/spawn.h"
 #include "game/cauldron/brewing.h"
-#include "game/match/arm.h"
-#include "game/match/touch.h"
+#include "game/context/hand_forces.h"
+#include "game/hand/arm_system.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 

@@ -1,6 +1,6 @@
 // game/match/round.h: begins and ends the rounds of a match and decides who has won.
 #pragma once
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

@@ -4,14 +4,14 @@
 #include "game/cauldron/brewing.h"
 #include "game/cauldron/ladle.h"
 #include "game/cauldron/splash.h"
-#include "game/match/arm.h"
-#include "game/match/bare_probe.h"
+#include "game/hand/arm_system.h"
+#include "game/hand/bare_probe.h"
+#include "game/hand/hand_system.h"
 #include "game/match/bodies.h"
 #include "game/match/carry_over.h"
 #include "game/match/life.h"
 #include "game/match/power_ups.h"
 #include "game/match/round.h"
-#include "game/match/touch.h"
 #include "game/player/controls.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
@@ -104,7 +104,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     add_pause_system(context, always_);
 
     if (data_->cauldron) add_stir_system(context, live_);
-    add_touch_system(context, live_);
+    add_hand_system(context, live_);
     if (data_->cauldron) add_ladle_system(context, live_);
     add_walk_system(context, live_);
     add_probe_system(context, live_);

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "core/bytes.h"
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

@@ -3,7 +3,7 @@
 #include "core/text.h"
 #include "game/components/hand_state.h"
 #include "game/components/power_up.h"
-#include "game/match/arm.h"
+#include "game/context/arms.h"
 #include "game/wands/belt.h"
 
 namespace thaum::game {

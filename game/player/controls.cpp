@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "game/components/cauldron.h"
-#include "game/match/arm.h"
+#include "game/context/arms.h"
 
 namespace thaum::game {
 namespace {

@@ -1,7 +1,7 @@
 // game/player/controls.h: decodes a device's integer counts into what a wizard does with hands, feet and
 // view.
 #pragma once
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

@@ -1,6 +1,6 @@
 // game/player/walk.h: moves wizards: walking, jumping and harm by falls.
 #pragma once
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

@@ -1,6 +1,6 @@
 #include "game/scenario/script_arm.h"
 
-#include "game/match/arm.h"
+#include "game/hand/arm_system.h"
 
 namespace thaum::game {
 namespace {
@@ -38,7 +38,7 @@ void take_samples(ScriptArms& arms, input::InputFrame& frame) {
 void publish_orders(const Simulation& match, ScriptArms& arms) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& arm = arms[player];
-        if (arm && fill_order(match, player, arm->servo.order())) arm->servo.publish();
+        if (arm && fill_order(match.world(), match.touch(), player, arm->servo.order())) arm->servo.publish();
     }
 }
 

@@ -1,6 +1,6 @@
 // game/wands/belt.h: the systems that all wands share.
 #pragma once
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

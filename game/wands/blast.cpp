@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "game/match/touch.h"
+#include "game/context/hand_forces.h"
 #include "game/wands/shot.h"
 
 namespace thaum::game {

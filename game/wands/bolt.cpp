@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/match/match_context.h"
-#include "game/match/touch.h"
+#include "game/context/hand_forces.h"
+#include "game/context/match_context.h"
 #include "game/wands/shot.h"
 
 namespace thaum::game {

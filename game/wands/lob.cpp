@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "game/components/hand_state.h"
-#include "game/match/arm.h"
-#include "game/match/touch.h"
+#include "game/context/arms.h"
+#include "game/context/hand_forces.h"
 #include "game/wands/shot.h"
 
 namespace thaum::game {

@@ -6,7 +6,7 @@
 
 #include "core/text.h"
 #include "game/components/hand_state.h"
-#include "game/match/touch.h"
+#include "game/context/hand_forces.h"
 
 namespace thaum::game {
 namespace {

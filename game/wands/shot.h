@@ -1,7 +1,7 @@
 // game/wands/shot.h: common parts of wands that shoot: the muzzle, the cost of a shot and its burst.
 #pragma once
-#include "game/match/match_context.h"
-#include "game/wands/wand.h"
+#include "game/context/match_context.h"
+#include "game/data/wand.h"
 
 namespace thaum::game {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/match/touch.h"
+#include "game/context/hand_forces.h"
+#include "game/data/wand.h"
 #include "game/wands/shot.h"
-#include "game/wands/wand.h"
 #include "game/wands/wand_coupling.h"
 
 namespace thaum::game {

@@ -1,8 +1,8 @@
 // Saved states of the lab: what is accepted must be a brew that goes on.
 #include "core/hash.h"
 #include "fuzz/fuzz.h"
+#include "game/data/match_data.h"
 #include "game/lab/lab_file.h"
-#include "game/match/data.h"
 
 namespace thaum::fuzz {
 namespace {

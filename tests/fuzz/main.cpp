@@ -21,7 +21,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "fuzz/fuzz.h"
-#include "game/match/data.h"
+#include "game/data/match_data.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define THAUM_HAS_ASAN 1

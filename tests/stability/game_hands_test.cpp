@@ -7,7 +7,7 @@
 #include "core/text.h"
 #include "game/arena/spawn.h"
 #include "game/components/body.h"
-#include "game/match/arm.h"
+#include "game/hand/arm_system.h"
 #include "game/player/walk.h"
 #include "game/wands/belt.h"
 #include "haptics/safety_audit.h"
@@ -534,7 +534,7 @@ TEST_P(StressedHands, OfAnArmWhileTheMatchStalls) {
                     step();
                 }
                 court.run(1);
-                if (fill_order(court.match, 0, servo->order())) servo->publish();
+                if (fill_order(court.match.world(), court.match.touch(), 0, servo->order())) servo->publish();
             }
         };
         // What Court::take and hang do, with the arm's thread beside.
@@ -545,7 +545,7 @@ TEST_P(StressedHands, OfAnArmWhileTheMatchStalls) {
             } else {
                 step();
             }
-            if (fill_order(court.match, 0, servo->order())) servo->publish();
+            if (fill_order(court.match.world(), court.match.touch(), 0, servo->order())) servo->publish();
             inner(frame);
         };
         GetParam().begin(court);

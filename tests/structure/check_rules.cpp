@@ -49,7 +49,8 @@ TEST_F(Rules, ArrowsMayPointDown) {
     EXPECT_EQ(arrow("engine/core/a.cpp", "<vector>"), Faults{});
     EXPECT_EQ(arrow("engine/core/a.cpp", "<toml++/toml.h>"), Faults{});
     EXPECT_EQ(arrow("engine/core/a.cpp", "\"core/detail/a.h\""), Faults{});
-    EXPECT_EQ(arrow("game/match/a.cpp", "\"game/hud/a.h\""), Faults{});
+    EXPECT_EQ(arrow("game/hud/a.cpp", "\"game/match/a.h\""), Faults{});
+    EXPECT_EQ(arrow("game/wands/a.cpp", "\"game/context/a.h\""), Faults{});
     EXPECT_EQ(arrow("game/match/a.cpp", "\"render/a.h\""), Faults{});
     EXPECT_EQ(arrow("game/components/a.h", "\"game/components/b.h\""), Faults{});
     EXPECT_EQ(arrow("game/components/a.h", "\"physics/b.h\""), Faults{});
@@ -64,6 +65,16 @@ TEST_F(Rules, ArrowsMustNotPointUp) {
     EXPECT_EQ(arrow("engine/physics/a.h", "\"render/mesh.h\"").size(), 1);
     EXPECT_EQ(arrow("engine/haptics/a.h", "\"input/log.h\"").size(), 1);
     EXPECT_EQ(arrow("engine/ecs/a.h", "\"field/grid.h\"").size(), 1);
+}
+
+TEST_F(Rules, RoomsOfTheGameHaveFloors) {
+    EXPECT_EQ(arrow("game/context/a.h", "\"game/match/a.h\""),
+              Faults{"game/context/a.h:2: game/context -> game/match/a.h: the arrow must point down"});
+    EXPECT_EQ(arrow("game/cauldron/a.cpp", "\"game/wands/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/wands/a.cpp", "\"game/player/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/match/a.cpp", "\"game/hud/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/match/a.cpp", "\"game/attic/a.h\"").size(), 1);
+    EXPECT_EQ(arrow("game/attic/a.cpp", "\"game/data/a.h\"").size(), 1);
 }
 
 TEST_F(Rules, NumericalPartsKnowNoEntities) {

@@ -21,6 +21,19 @@ const std::map<std::string, int, std::less<>> floors = {
     {"audio", 2}, {"tactile", 2}, {"gesture", 2}, {"input", 2},   {"render", 2}, {"game", 3},
 };
 
+/// Rooms of the game, game/ROOM. A room may include rooms of lower floors and itself.
+const std::map<std::string, int, std::less<>> game_floors = {
+    {"components", 0},                              // plain data of the World
+    {"arena", 1},                                   // shape of the arena
+    {"brew", 2},                                    // the cauldron's fluid
+    {"data", 3},                                    // what files say
+    {"context", 4},                                 // what all systems share
+    {"cauldron", 5},                                // systems of the brew
+    {"wands", 6},      {"player", 6}, {"hand", 7},  // forces on hands and arms
+    {"match", 8},                                   // order of the systems, logs, results
+    {"bots", 9},       {"hud", 9},    {"lab", 9},  {"scenario", 10}, {"app", 11},
+};
+
 /// Arrows that stay on one floor.
 const std::set<std::pair<std::string, std::string>> level_arrows = {{"input", "haptics"},
                                                                     {"input", "tactile"}};
@@ -102,14 +115,23 @@ std::string included_file(const fs::path& root, const fs::path& from, const std:
     return quoted ? "engine/" + name : "";
 }
 
-bool on_components(const Place& place) { return place.folder == "game/components"; }
+/// Room of a place in the game; empty outside the game.
+std::string room_of(const Place& place) {
+    const std::string_view game = "game/";
+    return place.folder.starts_with(game) ? place.folder.substr(game.size()) : "";
+}
+
+/// Fault of an arrow between two rooms of the game; empty if there is none.
+std::string room_fault(const std::string& from, const std::string& to) {
+    if (from == to) return "";
+    if (!game_floors.contains(to) || !game_floors.contains(from)) return "is no room of the game";
+    return game_floors.at(to) < game_floors.at(from) ? "" : "the arrow must point down";
+}
 
 /// What is wrong with an arrow, or nothing.
 std::string arrow_fault(const Place& from, const Place& to) {
     if (to.in_detail && from.folder != to.folder) return "detail/ belongs to its folder alone";
-    if (on_components(from) && to.part == "game" && !on_components(to)) {
-        return "game/components may include engine only";
-    }
+    if (from.part == "game" && to.part == "game") return room_fault(room_of(from), room_of(to));
     if (from.part == to.part) return "";
     if (!floors.contains(to.part) || !floors.contains(from.part)) return "is no part of the house";
     if (to.part == "ecs" && numerical.contains(from.part)) return "numerical parts know nothing of entities";

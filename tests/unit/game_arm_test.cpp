@@ -2,8 +2,8 @@
 #include <cmath>
 #include <map>
 
-#include "game/match/arm.h"
-#include "game/match/touch.h"
+#include "game/context/arms.h"
+#include "game/hand/arm_system.h"
 #include "game/wands/belt.h"
 #include "unit/game_duel.h"
 
@@ -76,7 +76,7 @@ struct ArmMatch {
             hashes[match.now()] = match.state_hash();
             force_hashes[match.now()] = match.force_hash();
         }
-        if (fill_order(match, 0, servo.order())) servo.publish();
+        if (fill_order(match.world(), match.touch(), 0, servo.order())) servo.publish();
     }
 
     void run(int ticks) {

@@ -5,8 +5,7 @@
 
 #include "core/hash.h"
 #include "game/components/hand_state.h"
-#include "game/match/arm.h"
-#include "game/match/touch.h"
+#include "game/hand/arm_system.h"
 #include "input/arm_servo.h"
 #include "tools/bench/stirring_hands.h"
 #include "unit/game_duel.h"
@@ -124,7 +123,7 @@ struct HeldLadle {
             if (t > 600 && t < 620) frame.devices[0].press(input::Button::fire);
             frame.devices[2] = servo.take();
             match->tick(frame);
-            if (fill_order(*match, 0, servo.order())) servo.publish();
+            if (fill_order(match->world(), match->touch(), 0, servo.order())) servo.publish();
             const vec3 force =
                 match->world().get<HandState>(wizard_of(match->world(), 0)).servo.safety.output;
             felt += glm::length(force);

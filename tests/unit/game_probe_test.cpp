@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/random.h"
-#include "game/match/surfaces.h"
+#include "game/context/surfaces.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "game/context/hand_forces.h"
 #include "game/match/tables.h"
-#include "game/match/touch.h"
 #include "haptics/safety_audit.h"
 #include "unit/game_duel.h"
 

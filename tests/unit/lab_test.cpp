@@ -2,11 +2,11 @@
 // what is wrong is refused and nothing is lost.
 #include <gtest/gtest.h>
 
+#include "game/data/match_data.h"
 #include "game/lab/controls.h"
 #include "game/lab/lab_file.h"
 #include "game/lab/lab_trace.h"
 #include "game/lab/script.h"
-#include "game/match/data.h"
 
 namespace thaum::game {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "game/match/data.h"
+#include "game/data/match_data.h"
 #include "tools/bench/measure.h"
 
 namespace thaum::bench {

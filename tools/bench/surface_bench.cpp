@@ -7,7 +7,7 @@
 #include "core/hash.h"
 #include "core/text.h"
 #include "core/units.h"
-#include "game/match/surfaces.h"
+#include "game/context/surfaces.h"
 #include "haptics/servo.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"

@@ -1,5 +1,5 @@
 # thaum_engine(core SOURCES ... LINK ...): one engine folder as one static library. Includes are written from
-# engine/ ("core/error.h") and, for the game, from the top ("game/match/match.h").
+# engine/ ("core/error.h") and, for the game, from the top ("game/match/simulation.h").
 function(thaum_engine name)
     cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
     add_library(thaum_${name} STATIC ${ARG_SOURCES})

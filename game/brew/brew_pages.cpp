@@ -1,4 +1,4 @@
-#include "game/cauldron/brew_pages.h"
+#include "game/brew/brew_pages.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "game/match/rules.h"
+#include "game/data/rules.h"
 
 #include <cmath>
 

@@ -1,10 +1,9 @@
-#include "game/match/bare_probe.h"
+#include "game/hand/bare_probe.h"
 
 #include <algorithm>
 
 #include "game/components/cauldron.h"
-#include "game/match/surfaces.h"
-#include "game/match/touch.h"
+#include "game/context/surfaces.h"
 
 namespace thaum::game {
 namespace {

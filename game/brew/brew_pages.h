@@ -1,4 +1,4 @@
-// game/cauldron/brew_pages.h: samples of the brew as pages in the World, where they are part of the state.
+// game/brew/brew_pages.h: samples of the brew as pages in the World, where they are part of the state.
 // The pages are contiguous. The haptics and the picture read the newest two fluid states there while a job
 // computes the next one.
 #pragma once
@@ -6,7 +6,7 @@
 
 #include "ecs/world.h"
 #include "field/field.h"
-#include "game/cauldron/brew.h"
+#include "game/brew/brew.h"
 #include "game/components/cauldron.h"
 
 namespace thaum::game {

@@ -1,4 +1,4 @@
-// game/match/match_context.h: the context of a match: everything that its systems read and write.
+// game/context/match_context.h: the context of a match: everything that its systems read and write.
 #pragma once
 #include <memory>
 #include <optional>
@@ -8,7 +8,7 @@
 #include "ecs/world.h"
 #include "game/components/match.h"
 #include "game/components/power_up.h"
-#include "game/match/data.h"
+#include "game/data/match_data.h"
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
 #include "input/frame.h"

@@ -1,13 +1,13 @@
-// game/match/data.h: all data that a match reads from files, loaded and checked once.
+// game/data/match_data.h: all data that a match reads from files, loaded and checked once.
 #pragma once
 #include <filesystem>
 #include <string>
 #include <vector>
 
 #include "game/arena/arena.h"
-#include "game/cauldron/brew.h"
-#include "game/match/rules.h"
-#include "game/wands/wand.h"
+#include "game/brew/brew.h"
+#include "game/data/rules.h"
+#include "game/data/wand.h"
 #include "haptics/device.h"
 #include "input/log.h"
 

@@ -1,4 +1,4 @@
-// game/wands/wand.h: the interface of wands. A wand is one data file (assets/wands/NAME.toml) and one .cpp in
+// game/data/wand.h: the interface of wands. A wand is one data file (assets/wands/NAME.toml) and one .cpp in
 // this folder that registers a WandKind. The rest of the game uses wands only through this interface, so a
 // new wand changes no other file.
 #pragma once

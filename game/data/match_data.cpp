@@ -1,4 +1,4 @@
-#include "game/match/data.h"
+#include "game/data/match_data.h"
 
 #include <algorithm>
 #include <cstdlib>

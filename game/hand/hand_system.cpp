@@ -1,17 +1,16 @@
-#include "game/match/touch.h"
+#include "game/hand/hand_system.h"
 
 #include "core/hash.h"
 #include "game/cauldron/ladle.h"
-#include "game/match/arm.h"
-#include "game/match/bare_probe.h"
+#include "game/context/arms.h"
+#include "game/hand/arm_system.h"
+#include "game/hand/bare_probe.h"
 
 namespace thaum::game {
 namespace {
 
 using input::Button;
 
-/// Peak force of the device for which forces in the wands' files are meant (N).
-constexpr double reference_peak = 3.3;
 constexpr double metres_per_micrometre = 1e-6;
 
 /// Handles the panic key of one player. Returns true for a press that shuts off everybody's forces. A press
@@ -54,12 +53,6 @@ double feel(MatchContext& context, ecs::Entity wizard, const Controls& controls,
     return glm::length(force);
 }
 
-/// Force at this player's device for one newton in the wands' files (N/N). It depends on device and player.
-double felt_share(const MatchContext& context, ecs::Entity wizard) {
-    const auto player = context.world.get<Wizard>(wizard).player;
-    return context.touch.servos[player].limits.cap / reference_peak;
-}
-
 }  // namespace
 
 const haptics::HapticModel& next_model(MatchContext& context, ecs::Entity wizard, HandState& hand_state,
@@ -82,13 +75,7 @@ const haptics::HapticModel& next_model(MatchContext& context, ecs::Entity wizard
     return model;
 }
 
-HandState empty_hand_state() {
-    HandState hand_state;
-    hand_state.device = haptics::resting_at({});
-    return hand_state;
-}
-
-void add_touch_system(MatchContext& context, ecs::Schedule& schedule) {
+void add_hand_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add(
         {.name = "touch",
@@ -107,44 +94,6 @@ void add_touch_system(MatchContext& context, ecs::Schedule& schedule) {
                                                  : feel(context, e, controls, panic, hand_state));
                  });
          }});
-}
-
-void kick(MatchContext& context, ecs::Entity wizard, double newtons, Tick length) {
-    kick(context, wizard, vec3(0, 0, newtons), length);
-}
-
-void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length) {
-    auto& hand_state = context.world.get<HandState>(wizard);
-    hand_state.kick = {.peak = newtons * felt_share(context, wizard),
-                       .length = static_cast<std::uint32_t>(length),
-                       .number = hand_state.kick.number + 1};
-}
-
-void lean(MatchContext& context, ecs::Entity wizard, vec3 newtons) {
-    context.world.get<HandState>(wizard).lean.force = newtons * felt_share(context, wizard);
-}
-
-void tether(MatchContext& context, ecs::Entity wizard, const haptics::Tether& to) {
-    auto& held = context.world.get<HandState>(wizard).tether;
-    const bool jumps = (held.stiffness > 0) != (to.stiffness > 0);
-    const auto number = held.number + (jumps ? 1 : 0);
-    held = to;
-    held.number = number;
-}
-
-void let_go(MatchContext& context, ecs::Entity wizard) {
-    auto& hand_state = context.world.get<HandState>(wizard);
-    if (hand_state.lean.force != vec3(0))
-        hand_state.lean = {.force = {}, .number = hand_state.lean.number + 1};
-    tether(context, wizard, {});
-    hand_state.pull = {};
-}
-
-vec3 wand_tip_of(double wand_per_hand, const HandState& hand_state) {
-    const auto& servo = hand_state.servo;
-    const bool touches = servo.surface.contacts != 0;
-    return wand_tip +
-           wand_per_hand * (touches ? servo.surface.proxy : hand_state.device.position + servo.shift);
 }
 
 std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before) {

@@ -1,4 +1,4 @@
-#include "game/match/surfaces.h"
+#include "game/context/surfaces.h"
 
 #include <algorithm>
 

@@ -1,25 +1,14 @@
-// game/match/arm.h: real arms in a match. Each tick takes one sample of each arm and repeats the servo step
+// game/hand/arm_system.h: real arms in a match. Each tick takes one sample of each arm and repeats the servo step
 // that the arm's own thread made with that sample. The step uses the haptic model which that thread had at
 // the time. So the forces of match, replay and arm are equal bit for bit.
 #pragma once
 #include <vector>
 
 #include "game/components/arm.h"
-#include "game/match/simulation.h"
+#include "game/context/match_context.h"
+#include "input/arm_servo.h"
 
 namespace thaum::game {
-
-/// Condition of a player's real arm. While the arm is gone, the simulated hand plays on, moved by mouse or
-/// gamepad. An arm that is back gives forces again after it was held still.
-enum class ArmCondition : std::uint8_t { none, felt, clutched, gone, back };
-ArmCondition arm_condition(const ecs::World& world, std::uint32_t player);
-
-/// Rotation of the player's stylus as axis times angle (rad, device frame); zero if the player holds no real
-/// arm. It only turns the wand about the tip. Aiming uses the direction of view.
-vec3 stylus_turn(const ecs::World& world, std::uint32_t player);
-
-/// Whether a real arm moves the player's hand in this tick.
-bool plays_by_arm(const ecs::World& world, std::uint32_t player);
 
 /// Returns all arms; called before the scene is cleared.
 std::vector<Arm> arms_in(const ecs::World& world);
@@ -40,6 +29,7 @@ void tell_arms(ecs::World& world, bool panic);
 
 /// Fills the order for the player's arm after the last tick. Returns false if the player has no arm or no
 /// model was made yet.
-bool fill_order(const Simulation& match, std::uint32_t player, input::ArmOrder& order);
+bool fill_order(const ecs::World& world, const HapticSetup& setup, std::uint32_t player,
+                input::ArmOrder& order);
 
 }  // namespace thaum::game

@@ -1,4 +1,4 @@
-// game/match/surfaces.h: collects the surfaces near a hand from the physics and transforms them to the device
+// game/context/surfaces.h: collects the surfaces near a hand from the physics and transforms them to the device
 // frame.
 #pragma once
 #include "haptics/servo.h"

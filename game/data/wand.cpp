@@ -1,4 +1,4 @@
-#include "game/wands/wand.h"
+#include "game/data/wand.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-// game/cauldron/brew.h: the contents of the cauldron as plain data: a flow, up to three substances, and the
+// game/brew/brew.h: the contents of the cauldron as plain data: a flow, up to three substances, and the
 // surface on top. The match, the lab, scenarios and benchmarks all stir this one brew.
 //
 //            level ──── ~~~~~~~~~~~~~ ────   origin of the brew's frame: middle of the surface, +y up

@@ -1,10 +1,11 @@
-#include "game/match/arm.h"
+#include "game/hand/arm_system.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
 
-#include "game/match/touch.h"
+#include "game/context/arms.h"
+#include "game/hand/hand_system.h"
 
 namespace thaum::game {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 constexpr std::uint32_t press_kept = 40;
 /// Limit of hand positions (m). No arm reaches farther, but a damaged log might.
 constexpr double furthest = 0.5;
-/// Ticks without a sample after which the arm counts as gone and the simulated hand plays on.
-constexpr std::uint32_t gone_after = 250;
 /// An arm that is back must be held still for `still_ticks` ticks within `still_within` um before it gives
 /// forces again.
 constexpr std::uint32_t still_ticks = 300;
@@ -47,8 +46,6 @@ void hold(const input::ArmState& state, HandState& hand_state) {
     device.target = device.position;
     device.force = state.servo.safety.output;
 }
-
-bool is_gone(const Arm& arm) { return arm.state.without >= gone_after; }
 
 /// Lets the simulated hand continue from the position of the arm's hand.
 void take_over(const MatchContext& context, const Arm& arm, HandState& hand_state) {
@@ -108,36 +105,7 @@ void go_on_with(const Arm& old, Arm& arm) {
     arm.still_um = old.still_um;
 }
 
-const Arm* arm_of(const ecs::World& world, std::uint32_t player) {
-    const Arm* found = nullptr;
-    world.view<const Arm>().each([&](const Arm& arm) {
-        if (arm.player == player) found = &arm;
-    });
-    return found;
-}
-
 }  // namespace
-
-ArmCondition arm_condition(const ecs::World& world, std::uint32_t player) {
-    const auto* arm = arm_of(world, player);
-    if (arm == nullptr) return ArmCondition::none;
-    if (is_gone(*arm)) return ArmCondition::gone;
-    if (arm->away != 0) return ArmCondition::back;
-    return arm->state.rests != 0 ? ArmCondition::clutched : ArmCondition::felt;
-}
-
-vec3 stylus_turn(const ecs::World& world, std::uint32_t player) {
-    constexpr double rad_per_urad = 1e-6;
-    const auto* arm = arm_of(world, player);
-    if (arm == nullptr || is_gone(*arm)) return vec3(0);
-    const auto& urad = arm->state.rotation_urad;
-    return limited(vec3(urad[0], urad[1], urad[2]) * rad_per_urad, pi);
-}
-
-bool plays_by_arm(const ecs::World& world, std::uint32_t player) {
-    const auto* arm = arm_of(world, player);
-    return arm != nullptr && !is_gone(*arm);
-}
 
 std::vector<Arm> arms_in(const ecs::World& world) {
     std::vector<Arm> arms;
@@ -214,11 +182,12 @@ void tell_arms(ecs::World& world, bool panic) {
     });
 }
 
-bool fill_order(const Simulation& match, std::uint32_t player, input::ArmOrder& order) {
-    const auto* arm = arm_of(match.world(), player);
+bool fill_order(const ecs::World& world, const HapticSetup& setup, std::uint32_t player,
+                input::ArmOrder& order) {
+    const auto* arm = arm_of(world, player);
     if (arm == nullptr || arm->state.number == 0) return false;
-    const auto newest = recalled(model_in(match.world(), *arm, arm->state.number));
-    order = {.servo = match.touch().servos[player],
+    const auto newest = recalled(model_in(world, *arm, arm->state.number));
+    order = {.servo = setup.servos[player],
              .model = newest.model,
              .offset = newest.offset,
              .start = arm->state.servo,

@@ -1,4 +1,4 @@
-#include "game/cauldron/brew.h"
+#include "game/brew/brew.h"
 
 #include <algorithm>
 #include <cmath>

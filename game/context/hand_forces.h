@@ -1,20 +1,13 @@
-// game/match/touch.h: forces on a wizard's hand and its position: the servo step and the simulated device,
-// every tick.
+// game/context/hand_forces.h: forces that the game sets on a wizard's hand, and the position of the wand's tip. The
+// servo step of game/hand/hand_system.h applies the forces.
 #pragma once
 #include "game/components/hand_state.h"
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 
 /// Hand state with a device at rest.
 HandState empty_hand_state();
-
-/// Fills and returns the haptic model for the wizard's hand in this tick.
-const haptics::HapticModel& next_model(MatchContext& context, ecs::Entity wizard, HandState& hand_state,
-                                       bool panic);
-
-/// Adds the system that runs every tick: the hand's target, the servo step, the simulated device.
-void add_touch_system(MatchContext& context, ecs::Schedule& schedule);
 
 /// Kicks the hand with half a sine wave. `newtons` is the peak for a device with a peak force of 3.3 N and a
 /// player who wants full force; for others it scales in proportion (game.md). A number kicks towards the
@@ -34,8 +27,5 @@ void let_go(MatchContext& context, ecs::Entity wizard);
 
 /// Position of the wand's tip (m, eye frame). The tip follows the hand and stays outside of touched surfaces.
 vec3 wand_tip_of(double wand_per_hand, const HandState& hand_state);
-
-/// Hash of the forces of this tick, chained to the hash of the ticks before.
-std::uint64_t chained_force_hash(const ecs::World& world, std::uint64_t before);
 
 }  // namespace thaum::game

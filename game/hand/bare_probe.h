@@ -1,4 +1,4 @@
-// game/match/bare_probe.h: the wand's tip as a probe: walls, props and the bowl's rim push the hand that
+// game/hand/bare_probe.h: the wand's tip as a probe: walls, props and the bowl's rim push the hand that
 // holds the wand.
 //
 // The origin of the device frame is at the tip of a wand whose hand is at rest. The frame turns with the
@@ -8,7 +8,7 @@
 // are pushed with the opposite force: one newton on a prop is n_per_n newtons at the hand.
 #pragma once
 #include "game/components/hand_state.h"
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 namespace thaum::game {
 

@@ -1,4 +1,4 @@
-// game/match/rules.h: rules of rounds, wizards and hands, read from data files (assets/rules, assets/wizards,
+// game/data/rules.h: rules of rounds, wizards and hands, read from data files (assets/rules, assets/wizards,
 // assets/haptics.toml).
 #pragma once
 #include <array>

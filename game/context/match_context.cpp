@@ -1,4 +1,4 @@
-#include "game/match/match_context.h"
+#include "game/context/match_context.h"
 
 #include <cmath>
 

@@ -1,0 +1,25 @@
+// game/context/arms.h: which player holds a real arm, and its condition.
+#pragma once
+#include "ecs/world.h"
+#include "game/components/arm.h"
+
+namespace thaum::game {
+
+/// Condition of a player's real arm. While the arm is gone, the simulated hand plays on, moved by mouse or
+/// gamepad. An arm that is back gives forces again after it was held still.
+enum class ArmCondition : std::uint8_t { none, felt, clutched, gone, back };
+ArmCondition arm_condition(const ecs::World& world, std::uint32_t player);
+
+/// Rotation of the player's stylus as axis times angle (rad, device frame); zero if the player holds no real
+/// arm. It only turns the wand about the tip. Aiming uses the direction of view.
+vec3 stylus_turn(const ecs::World& world, std::uint32_t player);
+
+/// Whether a real arm moves the player's hand in this tick.
+bool plays_by_arm(const ecs::World& world, std::uint32_t player);
+
+/// The arm of a player; null if there is none.
+const Arm* arm_of(const ecs::World& world, std::uint32_t player);
+/// Whether the arm sent no sample for so long that the simulated hand plays on.
+bool is_gone(const Arm& arm);
+
+}  // namespace thaum::game
