@@ -16,7 +16,8 @@ inline constexpr int wrong_use = 2;      ///< wrong usage or input
 struct Command {
     std::string_view name;
     std::string_view summary;  ///< one line for the list of commands
-    std::string_view help;     ///< text of `thaum WORD --help`; fits a screen
+    /// Text of `thaum WORD --help`; fits a screen. Empty if `run` prints it.
+    std::string_view help;
     int (*run)(const std::vector<std::string>& words);
 };
 

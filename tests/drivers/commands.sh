@@ -52,6 +52,17 @@ expect 2 "not an ordinary file" replay "$folder" --verify
 expect 2 "replay needs one log" replay
 expect 2 "diff needs two dumps" diff
 expect 2 "no area" bench nothing
+# The benchmarks are a program of their own: players' program replaces no malloc, and says so if theirs is not there.
+if nm --defined-only "$thaum" 2>/dev/null | grep -qE ' [TW] (malloc|calloc|realloc)$'; then
+    echo "failed: players' program replaces malloc"
+    failures=$((failures + 1))
+fi
+mkdir "$folder/alone"
+cp "$thaum" "$folder/alone/thaum"
+with_benchmarks=$thaum thaum=$folder/alone/thaum
+expect 2 "build it" bench ecs
+thaum=$with_benchmarks
+rm -r "$folder/alone"
 expect 2 "--bots needs two levels" --headless --bots 2
 expect 2 "must be a number from 1 to 3" --headless --bots 2,x
 expect 2 "is for --demo" --vs --bots 1,2

@@ -309,8 +309,9 @@ TEST(OpenHaptics, TicksThatStopAreALostArm) {
     auto arm = open_fake("stop=60");
     ASSERT_TRUE(arm);
     ASSERT_TRUE((*arm)->start(hand.tick()));
-    ASSERT_TRUE(soon([&] { return (*arm)->status().state == ArmPresence::lost; }));
-    EXPECT_TRUE(has((*arm)->status().text, "ticks have stopped"));
+    // Before its first tick, a library that gets no processor for 0.5 s counts as lost for another reason.
+    ASSERT_TRUE(soon([&] { return has((*arm)->status().text, "ticks have stopped"); }));
+    EXPECT_EQ((*arm)->status().state, ArmPresence::lost);
     EXPECT_EQ(caption_of((*arm)->status()), "The arm's ticks have stopped: plug it in again");
     arm->reset();
     expect_no_rule_broken();

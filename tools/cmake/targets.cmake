@@ -17,3 +17,14 @@ function(thaum_quick_to_build)
         target_compile_options(${target} PRIVATE -O0)
     endforeach()
 endfunction()
+
+# thaum_start_check(PROGRAM): the program tests the processor before its first constructor runs.
+function(thaum_start_check program)
+    if(THAUM_PORTABLE)
+        return()
+    endif()
+    set(check ${PROJECT_SOURCE_DIR}/game/app/start_check.cpp)
+    target_sources(${program} PRIVATE ${check})
+    set_source_files_properties(${check} PROPERTIES
+        SKIP_UNITY_BUILD_INCLUSION ON COMPILE_OPTIONS "${THAUM_ANY_PROCESSOR}")
+endfunction()

@@ -1,8 +1,10 @@
-// thaum bench: time, error and cost, as a table and as JSON. It stands here and not with the other commands, since
-// the game must not include its tools.
-#include "game/app/command.h"
+// thaum-bench: time, error and cost, as a table and as JSON. `thaum bench` starts this program.
+#include <cstdio>
+
 #include "core/text.h"
 #include "game/app/arguments.h"
+#include "game/app/command.h"
+#include "game/app/program.h"
 #include "tools/bench/bench.h"
 
 namespace thaum::app {
@@ -39,7 +41,12 @@ std::string names_of_areas() {
     return result.append("\n");
 }
 
-int run_bench(const std::vector<std::string>& words) {
+int run_bench(std::vector<std::string> words) {
+    if (asks_for_help(words)) {
+        std::printf("%s", text(bench_usage, names_of_areas(), bench_options).c_str());
+        return done;
+    }
+    protect_inputs("bench");
     static constexpr Option options[] = {{"--quick"}, {"--stress"}, {"--ticks", 1}, {"--json", 1}};
     const auto arguments = Arguments::parse(words, options);
     if (!arguments) return refuse(arguments.error());
@@ -59,9 +66,6 @@ int run_bench(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Command bench_command() {
-    static const std::string help = text(bench_usage, names_of_areas(), bench_options);
-    return {"bench", "measure time against error", help, run_bench};
-}
-
 }  // namespace thaum::app
+
+int main(int argc, char** argv) { return thaum::app::run_program(argc, argv, thaum::app::run_bench); }

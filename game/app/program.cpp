@@ -1,0 +1,76 @@
+#include "game/app/program.h"
+
+#include <cerrno>
+#include <cfenv>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <new>
+#include <system_error>
+
+#include "core/memory.h"
+#include "core/text.h"
+#include "core/write_rule.h"
+#include "game/app/command.h"
+#include "game/app/settings.h"
+#include "game/data/match_data.h"
+#include "input/drivers/openhaptics.h"
+
+namespace thaum::app {
+namespace {
+
+/// Runs a command. Reports an exception that no other code handled in one line.
+int dispatch_guarded(Dispatch dispatch, std::vector<std::string> words) {
+    try {
+        return dispatch(std::move(words));
+    } catch (const std::system_error& refused) {
+        return refuse({text("the system refused a resource that the program needs: ", refused.what())});
+    } catch (const std::bad_alloc&) {
+        return refuse({"out of memory"});
+    }
+}
+
+/// Tests whether all printed text was written: a disk may be full, or a pipe closed. Without that a command
+/// would succeed silently.
+int with_output_checked(int code) {
+    const bool failed = std::ferror(stdout) != 0;
+    if (std::fflush(stdout) == 0 && !failed) return code;
+    return refuse({text("cannot write to standard output: ", std::strerror(errno))});
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv, Dispatch dispatch) {
+    // Resets the rounding mode, which a parent process may have changed; no result may depend on it. Threads
+    // inherit the mode.
+    std::fesetenv(FE_DFL_ENV);
+    // Without this signal a file beyond the shell's size limit is a failed write, as on a full disk, and does
+    // not end the program.
+    std::signal(SIGXFSZ, SIG_IGN);
+    keep_freed_memory();
+    const int code = with_output_checked(dispatch_guarded(dispatch, {argv + 1, argv + argc}));
+    if (!input::OpenHaptics::hangs()) return code;
+    // Skips all clean-up at exit, because a library that hangs would hang there too.
+    std::fflush(nullptr);
+    std::_Exit(code);
+}
+
+void protect_inputs(std::string_view command) {
+    protect_input("/proc/self/exe");
+    const bool has_menu = command == "play" || command == "range" || command == "replay";
+    if (const auto settings = settings_file(); !has_menu && !settings.empty()) protect_input(settings);
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(game::find_assets(), unreadable))
+        if (entry.path().filename() != "pictures") protect_input(entry.path());
+}
+
+bool asks_for_help(const std::vector<std::string>& words) {
+    for (const auto& word : words) {
+        if (word == "--help" || word == "-h") return true;
+    }
+    return false;
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,24 @@
+// game/app/program.h: what each of our programs does before and after its work.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace thaum::app {
+
+/// Work of a program: takes the words of its command line and returns an exit code.
+using Dispatch = int (*)(std::vector<std::string> words);
+
+/// Runs a program: sets the floating-point mode that results depend on, turns exceptions into one line of text, and
+/// tests whether all output was written. Returns the exit code, or ends the process if a library hangs.
+int run_program(int argc, char** argv, Dispatch dispatch);
+
+/// Protects the data files of matches and the program from being overwritten by any command. The pictures beside
+/// the data stay writable, because this program makes them. The settings are protected from commands without a
+/// menu, which is where they are changed.
+void protect_inputs(std::string_view command);
+
+/// Whether the words contain --help or -h.
+bool asks_for_help(const std::vector<std::string>& words);
+
+}  // namespace thaum::app
