@@ -11,7 +11,7 @@ constexpr double in_view = 0.95;
 bool something_flies(const game::Simulation& match) {
     std::size_t missiles = 0;
     for (const auto& wand : match.data().wands)
-        wand.kind->show(match.world(), [&](const game::Missile&) { ++missiles; });
+        wand.rules->show(match.world(), [&](const game::Missile&) { ++missiles; });
     return missiles > 0;
 }
 

@@ -38,21 +38,21 @@ bool hidden(const Mind& mind, Tick tick) {
            tick < mind.foe_seen_at + ticks(1.2);
 }
 
-/// Draw of a throw, 0 to 1. The throw is half as fast again as the slowest one that reaches the foe, so that
+/// Draw of a throw, 0 to 1, with a wand that shoots. The throw is half as fast again as the slowest one that reaches the foe, so that
 /// it is flat. A throw over cover is hardly faster than the slowest one.
 double draw_for(const LoadedWand& wand, const Prospect& prospect) {
     const double reach =
         prospect.up + std::sqrt(prospect.up * prospect.up + prospect.distance * prospect.distance);
-    const auto slow = wand.kind->shot(wand.data.get(), 0), fast = wand.kind->shot(wand.data.get(), 1);
+    const auto slow = *wand.rules->shot(0), fast = *wand.rules->shot(1);
     const double least = std::sqrt(std::max(0.0, fast.fall * reach));
     const double speed = least * (prospect.hidden ? 1.05 : 1.5);
     const double range = fast.speed - slow.speed;
     return range > 0 ? std::clamp((speed - slow.speed) / range, 0.1, 1.0) : 1;
 }
 
-/// Readiness to which the bot would ready this wand; negative if the wand is of no use now.
+/// Readiness to which the bot would ready this wand, which shoots; negative if the wand is of no use now.
 double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospect& prospect, Random& random) {
-    const auto shot = [&](double share) { return wand.kind->shot(wand.data.get(), share); };
+    const auto shot = [&](double share) { return *wand.rules->shot(share); };
     const double energy = belt.energy[wand.stats.energy_slot];
     if (energy < shot(0).energy || energy < wand.stats.energy_cost) return -1;
     const auto way = way_of(shot(0));
@@ -69,7 +69,8 @@ double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospec
 /// Chooses the first useful wand of that kind and writes its slot and readiness to `mind`.
 bool take(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Way way, Mind& mind) {
     for (const auto& wand : data.wands) {
-        if (wand.kind->shot == nullptr || way_of(wand.kind->shot(wand.data.get(), 0)) != way) continue;
+        const auto shot = wand.rules->shot(0);
+        if (!shot || way_of(*shot) != way) continue;
         const double readiness = readiness_for(wand, belt, prospect, mind.random);
         if (readiness < 0) continue;
         mind.wand = wand.stats.slot;
@@ -90,7 +91,7 @@ void choose_anew(const MatchData& data, const WandBelt& belt, const Prospect& pr
         return;
     if (take(data, belt, prospect, Way::arc, mind)) return;
     // No wand has enough energy. The bot chooses one that shoots, so that it notices the missing energy.
-    const auto shoots = [](const LoadedWand& wand) { return wand.kind->shot != nullptr; };
+    const auto shoots = [](const LoadedWand& wand) { return wand.rules->shot(0).has_value(); };
     const auto in_mind = [&](const LoadedWand& wand) { return shoots(wand) && wand.stats.slot == mind.wand; };
     if (std::any_of(data.wands.begin(), data.wands.end(), in_mind)) return;
     const auto first = std::find_if(data.wands.begin(), data.wands.end(), shoots);

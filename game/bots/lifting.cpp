@@ -39,8 +39,9 @@ struct Lifter {
 std::optional<Lifter> lifter_of(const Simulation& match, const Seat& seat) {
     const auto& belt = match.world().get<WandBelt>(wizard_of(match.world(), seat.player));
     for (const auto& wand : match.data().wands) {
-        if (wand.kind->grasp == nullptr) continue;
-        return Lifter{wand, wand.kind->grasp(wand.data.get()), belt.energy[wand.stats.energy_slot]};
+        const auto grasp = wand.rules->grasp();
+        if (!grasp) continue;
+        return Lifter{wand, *grasp, belt.energy[wand.stats.energy_slot]};
     }
     return {};
 }

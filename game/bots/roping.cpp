@@ -37,7 +37,7 @@ vec3 across(const SwingPlan& c) {
 
 const LoadedWand* roper_of(const Simulation& match) {
     for (const auto& wand : match.data().wands) {
-        if (wand.kind->rope != nullptr) return &wand;
+        if (wand.rules->rope()) return &wand;
     }
     return nullptr;
 }
@@ -80,7 +80,7 @@ void latch(const Self& self, const LoadedWand& roper, Mind& mind, SwingPlan& swi
     }
     const vec3 to = swing_plan.anchor - self.eye;
     const vec3 ahead = look_rotation(self.yaw, self.pitch) * vec3(0, 0, -1);
-    const double aim = det::acos(roper.kind->rope(roper.data.get()).aim_cos) * aim_share;
+    const double aim = det::acos(roper.rules->rope()->aim_cos) * aim_share;
     if (glm::dot(to, ahead) < glm::length(to) * det::cos(aim)) return;
     mind.buttons |= fire;
     mind.fire_from = tick;
@@ -92,7 +92,7 @@ std::vector<Crossing> find_crossings(const Simulation& match, const WalkGrid& gr
     std::vector<Crossing> crossings;
     const auto* roper = roper_of(match);
     if (roper == nullptr) return crossings;
-    const auto rope = roper->kind->rope(roper->data.get());
+    const auto rope = *roper->rules->rope();
     for (const vec3 anchor : match.data().arena.anchors) {
         for (const vec3 way : {vec3(1, 0, 0), vec3(-1, 0, 0), vec3(0, 0, 1), vec3(0, 0, -1)}) {
             Crossing c{flat(anchor) - way * half_gap, anchor, flat(anchor) + way * half_gap};

@@ -91,14 +91,13 @@ Self self_of(const Simulation& match, std::uint32_t player, double readiness) {
     if (const auto* wand = wand_in_hand(match.data(), belt)) {
         const auto& stats = wand->stats;
         self.wand = stats.slot;
-        if (wand->kind->readiness != nullptr) self.readiness = wand->kind->readiness(world, wizard);
-        if (wand->kind->shot != nullptr)
-            self.shot = wand->kind->shot(wand->data.get(), std::max(readiness, self.readiness));
+        self.readiness = wand->rules->readiness(world, wizard).value_or(self.readiness);
+        const auto shot = wand->rules->shot(std::max(readiness, self.readiness));
+        self.shot = shot.value_or(self.shot);
         const double energy = energy_in_hand(match.data(), belt);
-        self.can_shoot =
-            wand->kind->shot != nullptr && energy >= std::max(stats.energy_cost, self.shot.energy);
+        self.can_shoot = shot && energy >= std::max(stats.energy_cost, self.shot.energy);
         self.energy_share = stats.energy_cap > 0 ? energy / stats.energy_cap : 1;
-        self.held = wand->kind->held_at(world, wizard);
+        self.held = wand->rules->held_at(world, wizard);
     }
     return self;
 }
@@ -166,7 +165,7 @@ bool sees_a_shot_come(const Simulation& match, const Self& self, const Seat& sea
     };
     for (const auto& wand : match.data().wands) {
         // A lambda with one reference fits into std::function without an allocation.
-        wand.kind->show(match.world(), [&note](const Missile& missile) { note(missile); });
+        wand.rules->show(match.world(), [&note](const Missile& missile) { note(missile); });
     }
     return comes;
 }
@@ -174,7 +173,7 @@ bool sees_a_shot_come(const Simulation& match, const Self& self, const Seat& sea
 std::int32_t step_aside(const Simulation& match, const Self& self, const Seat& seat, const Mind& mind) {
     Threat threat{.self = self, .seat = seat, .mind = mind};
     for (const auto& wand : match.data().wands) {
-        wand.kind->show(match.world(), [&threat](const Missile& missile) { judge(missile, threat); });
+        wand.rules->show(match.world(), [&threat](const Missile& missile) { judge(missile, threat); });
     }
     return threat.step;
 }

@@ -25,7 +25,7 @@ const std::vector<WandKind>& wand_kinds() { return kinds(); }
 LoadedWand read_wand(const WandKind& kind, const Config& file) {
     const auto root = file.root();
     const auto energy = root.table("energy");
-    LoadedWand wand{.kind = &kind, .stats = {}, .data = nullptr};
+    LoadedWand wand{.kind = &kind, .stats = {}, .rules = nullptr};
     wand.stats.slot = static_cast<std::uint32_t>(root.integer("slot", {1, wand_slots}) - 1);
     wand.stats.energy_slot =
         static_cast<std::uint32_t>(energy.integer("of_slot", {1, wand_slots}, wand.stats.slot + 1) - 1);
@@ -34,7 +34,7 @@ LoadedWand read_wand(const WandKind& kind, const Config& file) {
     wand.stats.energy_cap = energy.number("cap", {0, 1e6});
     wand.stats.energy_cost = energy.number("cost", {0, 1e6});
     wand.stats.energy_regain = energy.number("regain_per_s", {0, 1e6});
-    wand.data = kind.read(root);
+    wand.rules = kind.read(root);
     return wand;
 }
 

@@ -32,13 +32,12 @@ struct WandStats {
     double energy_regain{};  ///< energy per second
 };
 
-/// Arguments of WandKind::use and WandKind::put_away.
+/// Arguments of WandRules::use and WandRules::put_away.
 struct WandUse {
     MatchContext& context;
     ecs::Entity wizard;
     Tick tick;  ///< tick of play
     const WandStats& stats;
-    const void* data;  ///< the value that WandKind::read returned
 };
 
 /// Arguments with which a wand adds its systems.
@@ -87,39 +86,51 @@ struct RopeKind {
 /// Position of the wand's tip for a hand at rest (m, eye frame).
 inline constexpr vec3 wand_tip{0.22, -0.2, -0.75};
 
-/// Interface of one kind of wand: its functions and what bots know of it.
+/// Rules of one wand with the numbers of its data file: what it does, and what bots and the picture know of it. Its state in a
+/// match is in the World. All matches with the same data share it. A wand overrides only what it can do.
+class WandRules {
+public:
+    WandRules() = default;
+    WandRules(const WandRules&) = delete;
+    WandRules& operator=(const WandRules&) = delete;
+    virtual ~WandRules() = default;
+
+    /// Adds to a new wizard the components that this wand needs.
+    virtual void outfit(ecs::World& world, ecs::Entity wizard) const = 0;
+    /// Uses the wand. Called every gameplay tick for each living wizard who has it in hand.
+    virtual void use(const WandUse& use) const = 0;
+    /// Ends what was begun. Called once when another wand is selected, and while the wizard is dead or stirs.
+    virtual void put_away(const WandUse&) const {}
+    /// Components that `use` and `put_away` write, besides WandBelt.
+    virtual ecs::Mask writes(const ecs::World& world) const = 0;
+    /// Adds systems that push bodies. They run every tick, after the servo step and before bodies move.
+    virtual void add_forces(const WandSystems&) const {}
+    /// Adds systems that move the wand's missiles.
+    virtual void add_missiles(const WandSystems&) const {}
+
+    /// Calls back for every missile in flight.
+    virtual void show(const ecs::World&, const std::function<void(const Missile&)>&) const {}
+    /// The point that this wizard holds or hangs on by the wand (m, world); std::nullopt if there is none.
+    virtual std::optional<vec3> held_at(const ecs::World&, ecs::Entity) const { return std::nullopt; }
+    /// While the wand holds a thing, the wheel moves the thing and does not select wands.
+    virtual bool moves_by_wheel() const { return false; }
+    /// Present charge or draw, 0 to 1; std::nullopt if the wand is not readied.
+    virtual std::optional<double> readiness(const ecs::World&, ecs::Entity) const { return std::nullopt; }
+    /// A shot after readying the wand to `readiness`, 0 to 1; std::nullopt if the wand does not shoot.
+    virtual std::optional<ShotKind> shot(double) const { return std::nullopt; }
+    /// How the wand takes things up; std::nullopt if it does not.
+    virtual std::optional<GraspKind> grasp() const { return std::nullopt; }
+    /// The wand's rope; std::nullopt if it has none.
+    virtual std::optional<RopeKind> rope() const { return std::nullopt; }
+};
+
+/// One kind of wand, as its .cpp registers it.
 struct WandKind {
-    std::string_view name;
-    /// Reads the wand's own numbers. All matches with this data share them.
-    std::shared_ptr<const void> (*read)(const ConfigTable& root);
+    std::string_view name;  ///< assets/wands/NAME.toml
     /// Declares the wand's components.
     void (*declare)(ecs::World&);
-    /// Adds to a new wizard the components that this wand needs.
-    void (*outfit)(ecs::World&, ecs::Entity wizard);
-    /// Uses the wand. Called every gameplay tick for each living wizard who has it in hand.
-    void (*use)(const WandUse&);
-    /// Ends what was begun. Called once when another wand is selected, and while the wizard is dead or stirs.
-    void (*put_away)(const WandUse&);
-    /// Components that `use` and `put_away` write, besides WandBelt.
-    ecs::Mask (*writes)(const ecs::World&);
-    /// Adds systems that push bodies. They run every tick, after the servo step and before bodies move.
-    void (*add_forces)(const WandSystems& to, const void* data);
-    /// Adds systems that move the wand's missiles.
-    void (*add_systems)(const WandSystems& to, const void* data);
-    /// Calls back for every missile in flight.
-    void (*show)(const ecs::World&, const std::function<void(const Missile&)>&);
-    /// The point that this wizard holds or hangs on by the wand (m, world); std::nullopt if there is none.
-    std::optional<vec3> (*held_at)(const ecs::World&, ecs::Entity wizard);
-    /// While the wand holds a thing, the wheel moves the thing and does not select wands.
-    bool moves_by_wheel = false;
-    /// A shot after readying the wand to `readiness`, 0 to 1. Null: the wand does not shoot.
-    ShotKind (*shot)(const void* data, double readiness) = nullptr;
-    /// Present charge or draw, 0 to 1. Null: the wand is not readied.
-    double (*readiness)(const ecs::World&, ecs::Entity wizard) = nullptr;
-    /// Null: the wand takes nothing up.
-    GraspKind (*grasp)(const void* data) = nullptr;
-    /// Null: the wand has no rope.
-    RopeKind (*rope)(const void* data) = nullptr;
+    /// Reads the wand's own numbers.
+    std::shared_ptr<const WandRules> (*read)(const ConfigTable& root);
 };
 
 /// Registers a kind of wand when the program starts.
@@ -134,7 +145,7 @@ const std::vector<WandKind>& wand_kinds();
 struct LoadedWand {
     const WandKind* kind{};
     WandStats stats;
-    std::shared_ptr<const void> data;
+    std::shared_ptr<const WandRules> rules;
 };
 
 LoadedWand read_wand(const WandKind& kind, const Config& file);

@@ -44,7 +44,7 @@ void take_things(const ecs::World& world, Picture& out) {
 void take_missiles(const Simulation& match, Picture& out) {
     out.missiles.clear();
     for (const auto& wand : match.data().wands) {
-        wand.kind->show(match.world(), [&](const Missile& m) {
+        wand.rules->show(match.world(), [&](const Missile& m) {
             out.missiles.push_back({m.entity, m.player, m.position, m.velocity, m.look, m.size});
         });
     }
@@ -66,13 +66,12 @@ void take_belt(const Simulation& match, ecs::Entity wizard, const WandBelt& belt
     out.silhouette = wand == nullptr ? Silhouette{} : wand->stats.silhouette;
     out.energy = energy_in_hand(match.data(), belt);
     out.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;
-    const bool grows = wand != nullptr && wand->kind->readiness != nullptr;
-    out.readiness = grows ? wand->kind->readiness(match.world(), wizard) : 0;
+    out.readiness = wand != nullptr ? wand->rules->readiness(match.world(), wizard).value_or(0) : 0;
 }
 
 void take_held(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
     if (const auto* wand = wand_in_hand(match.data(), belt))
-        out.held = wand->kind->held_at(match.world(), wizard);
+        out.held = wand->rules->held_at(match.world(), wizard);
 }
 
 void take_force(const Simulation& match, std::uint32_t player, const HandState& hand_state,

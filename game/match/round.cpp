@@ -36,7 +36,7 @@ void spawn_wizards(MatchContext& context) {
                                     Health{.points = rules.health, .hurt_by = no_player}, Blows{},
                                     full_belt(context.data), empty_hand_state(), Score{},
                                     Look{Surface::wizard}, standing_at(rules, pad.feet));
-        for (const auto& wand : context.data.wands) wand.kind->outfit(world, e);
+        for (const auto& wand : context.data.wands) wand.rules->outfit(world, e);
         world.add(e, wizard_body(rules));
     }
 }

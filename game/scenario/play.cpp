@@ -187,8 +187,8 @@ void end_match(Play& play) {
 
 double readiness(const Play& play, std::uint32_t player) {
     const auto* wand = wand_in_hand(*play.data, part<WandBelt>(play, player));
-    if (wand == nullptr || wand->kind->readiness == nullptr) return 0;
-    return wand->kind->readiness(play.match->world(), wizard_entity(play, player));
+    if (wand == nullptr) return 0;
+    return wand->rules->readiness(play.match->world(), wizard_entity(play, player)).value_or(0);
 }
 
 ecs::Entity wizard_entity(const Play& play, std::uint32_t player) {

@@ -123,7 +123,7 @@ int verb_missiles(lua_State* lua, void* context) {
     lua_newtable(lua);
     lua_Integer count = 0;
     for (const auto& wand : play.data->wands) {
-        wand.kind->show(world_of(play), [&](const Missile& missile) {
+        wand.rules->show(world_of(play), [&](const Missile& missile) {
             lua_createtable(lua, 0, 4);
             arg::push_place(lua, missile.position);
             lua_setfield(lua, -2, "position");

@@ -26,7 +26,7 @@ std::uint32_t next_slot(const MatchData& data, std::uint32_t from, std::uint32_t
 }
 
 bool needs_wheel(const ecs::World& world, ecs::Entity wizard, const LoadedWand* wand) {
-    return wand != nullptr && wand->kind->moves_by_wheel && wand->kind->held_at(world, wizard);
+    return wand != nullptr && wand->rules->moves_by_wheel() && wand->rules->held_at(world, wizard);
 }
 
 void choose(const MatchData& data, const Controls& controls, bool wheel_is_taken, WandBelt& belt) {
@@ -50,7 +50,7 @@ void regain(const MatchData& data, WandBelt& belt) {
 }
 
 void put_away(MatchContext& context, ecs::Entity wizard, const LoadedWand* wand, Tick tick) {
-    if (wand != nullptr) wand->kind->put_away({context, wizard, tick, wand->stats, wand->data.get()});
+    if (wand != nullptr) wand->rules->put_away({context, wizard, tick, wand->stats});
 }
 
 void use_wands(MatchContext& context, ecs::Entity wizard, const Controls& controls, WandBelt& belt,
@@ -60,7 +60,7 @@ void use_wands(MatchContext& context, ecs::Entity wizard, const Controls& contro
     regain(context.data, belt);
     const auto* wand = wand_in_hand(context.data, belt);
     if (wand != before) put_away(context, wizard, before, tick);
-    if (wand != nullptr) wand->kind->use({context, wizard, tick, wand->stats, wand->data.get()});
+    if (wand != nullptr) wand->rules->use({context, wizard, tick, wand->stats});
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     auto writes = world.mask<WandBelt>();
     for (const auto& wand : context.data.wands) {
-        const auto its = wand.kind->writes(world);
+        const auto its = wand.rules->writes(world);
         for (std::size_t i = 0; i < writes.words.size(); ++i) writes.words[i] |= its.words[i];
     }
     schedule.add({.name = "wands",
@@ -107,11 +107,11 @@ void add_belt_system(MatchContext& context, ecs::Schedule& schedule) {
 }
 
 void add_wand_forces(MatchContext& context, ecs::Schedule& schedule) {
-    for (const auto& wand : context.data.wands) wand.kind->add_forces({context, schedule}, wand.data.get());
+    for (const auto& wand : context.data.wands) wand.rules->add_forces({context, schedule});
 }
 
 void add_missile_systems(MatchContext& context, ecs::Schedule& schedule) {
-    for (const auto& wand : context.data.wands) wand.kind->add_systems({context, schedule}, wand.data.get());
+    for (const auto& wand : context.data.wands) wand.rules->add_missiles({context, schedule});
 }
 
 }  // namespace thaum::game

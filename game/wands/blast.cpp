@@ -65,7 +65,7 @@ struct BlastHand {
     }
 };
 
-std::shared_ptr<const void> read(const ConfigTable& root) {
+BlastData read(const ConfigTable& root) {
     BlastData data;
     data.energy = read_growing(root.table("energy"), "cost", "cost_full", {0, 1e6});
     const auto charge = root.table("charge");
@@ -87,10 +87,8 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
     const auto recoil = root.table("recoil");
     data.recoil = recoil.number("force_n", {0, 100});
     data.recoil_length = std::max<Tick>(1, ticks(recoil.number("length_s", {0.001, 10})));
-    return std::make_shared<BlastData>(data);
+    return data;
 }
-
-const BlastData& data_of(const WandUse& use) { return *static_cast<const BlastData*>(use.data); }
 
 /// The charge that this energy pays for; negative if the energy is too low for any shot.
 double affordable(const Growing& energy, double left) {
@@ -105,8 +103,7 @@ double recoil_of(const BlastData& data, double charge) {
     return data.recoil * energy * data.speed.at(charge) / data.speed.most;
 }
 
-void shoot(const WandUse& use, double charge) {
-    const auto& data = data_of(use);
+void shoot(const WandUse& use, const BlastData& data, double charge) {
     auto& world = use.context.world;
     const auto muzzle = muzzle_of(use, data.radius);
     world.commands().create(Blast{.position = muzzle.tip,
@@ -119,7 +116,7 @@ void shoot(const WandUse& use, double charge) {
     kick(use.context, use.wizard, recoil_of(data, charge), data.recoil_length);
 }
 
-void put_away(const WandUse& use) {
+void stop_charging(const WandUse& use) {
     use.context.world.get<BlastHand>(use.wizard) = {};
     let_go(use.context, use.wizard);
 }
@@ -134,8 +131,7 @@ void give_way(MatchContext& context, const BlastData& data, ecs::Entity wizard, 
     if (left == 0) hand.leaning = 0;
 }
 
-void use(const WandUse& use) {
-    const auto& data = data_of(use);
+void fire(const WandUse& use, const BlastData& data) {
     auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
     auto& hand = world.get<BlastHand>(use.wizard);
@@ -154,9 +150,9 @@ void use(const WandUse& use) {
     if (holds_fire(controls)) return;
     const bool goes_off = use.tick >= hand.began + data.from;
     const double charge = std::min(hand.charge, most);
-    if (!goes_off || most < 0 || !spend(belt, use.stats, data.energy.at(charge))) return put_away(use);
+    if (!goes_off || most < 0 || !spend(belt, use.stats, data.energy.at(charge))) return stop_charging(use);
     hand = {.leaning = hand.charge, .went_off = use.tick};
-    shoot(use, charge);
+    shoot(use, data, charge);
     give_way(use.context, data, use.wizard, use.tick, hand);
 }
 
@@ -167,14 +163,13 @@ void charge(MatchContext& context, const BlastData& data, ecs::Entity wizard, Ti
     lean(context, wizard, {0, 0, data.lean * hand.charge});
 }
 
-void add_forces(const WandSystems& to, const void* wand) {
+void add_force_systems(const WandSystems& to, const BlastData& data) {
     auto& world = to.context.world;
     to.schedule.add({.name = "blast charges",
                      .reads = world.mask<Wizard>(),
                      .writes = world.mask<BlastHand, HandState>(),
                      .needs = world.mask<BlastHand>(),
-                     .run = [&context = to.context, wand](ecs::World& w, Tick tick) {
-                         const auto& data = *static_cast<const BlastData*>(wand);
+                     .run = [&context = to.context, &data](ecs::World& w, Tick tick) {
                          w.view<BlastHand>().each([&](ecs::Entity e, BlastHand& hand) {
                              charge(context, data, e, tick, hand);
                              give_way(context, data, e, tick, hand);
@@ -212,54 +207,63 @@ void fly(MatchContext& context, const BlastData& data, Tick tick) {
     });
 }
 
-void add_systems(const WandSystems& to, const void* wand) {
+void add_missile_systems(const WandSystems& to, const BlastData& data) {
     auto& world = to.context.world;
-    to.schedule.add({.name = "blasts",
-                     .period = physics_period,
-                     .reads = world.mask<Body, Motion, Wizard, Dead>(),
-                     .writes = world.mask<Blast, Health, EventLog, Prop>(),
-                     .needs = world.mask<Blast>(),
-                     .run = [&context = to.context, wand](ecs::World&, Tick tick) {
-                         fly(context, *static_cast<const BlastData*>(wand), tick);
-                     }});
+    to.schedule.add(
+        {.name = "blasts",
+         .period = physics_period,
+         .reads = world.mask<Body, Motion, Wizard, Dead>(),
+         .writes = world.mask<Blast, Health, EventLog, Prop>(),
+         .needs = world.mask<Blast>(),
+         .run = [&context = to.context, &data](ecs::World&, Tick tick) { fly(context, data, tick); }});
 }
+
+class BlastWand final : public WandRules {
+public:
+    explicit BlastWand(const BlastData& data) : data_(data) {}
+
+    void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, BlastHand{}); }
+    void use(const WandUse& use) const override { fire(use, data_); }
+    void put_away(const WandUse& use) const override { stop_charging(use); }
+    ecs::Mask writes(const ecs::World& world) const override {
+        return world.mask<BlastHand, EventLog, Health, HandState>();
+    }
+    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
+    void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_); }
+    void show(const ecs::World& world, const std::function<void(const Missile&)>& show) const override {
+        world.view<const Blast>().each([&](ecs::Entity e, const Blast& b) {
+            show({.entity = e,
+                  .position = b.position,
+                  .velocity = b.velocity,
+                  .player = b.player,
+                  .look = MissileLook::fireball,
+                  .size = 0.12 + 0.1 * b.charge});
+        });
+    }
+    std::optional<ShotKind> shot(double readiness) const override {
+        return ShotKind{.speed = data_.speed.at(readiness),
+                        .radius = data_.reach.at(readiness),
+                        .energy = data_.energy.at(readiness),
+                        .held = true};
+    }
+    std::optional<double> readiness(const ecs::World& world, ecs::Entity wizard) const override {
+        return world.get<BlastHand>(wizard).charge;
+    }
+
+private:
+    BlastData data_;
+};
 
 const WandRegistration registration({
     .name = "blast",
-    .read = read,
     .declare =
         [](ecs::World& world) {
             world.declare<Blast>();
             world.declare<BlastHand>();
         },
-    .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, BlastHand{}); },
-    .use = use,
-    .put_away = put_away,
-    .writes = [](const ecs::World& world) { return world.mask<BlastHand, EventLog, Health, HandState>(); },
-    .add_forces = add_forces,
-    .add_systems = add_systems,
-    .show =
-        [](const ecs::World& world, const std::function<void(const Missile&)>& show) {
-            world.view<const Blast>().each([&](ecs::Entity e, const Blast& b) {
-                show({.entity = e,
-                      .position = b.position,
-                      .velocity = b.velocity,
-                      .player = b.player,
-                      .look = MissileLook::fireball,
-                      .size = 0.12 + 0.1 * b.charge});
-            });
-        },
-    .held_at = [](const ecs::World&, ecs::Entity) -> std::optional<vec3> { return std::nullopt; },
-    .shot =
-        [](const void* wand, double readiness) {
-            const auto& data = *static_cast<const BlastData*>(wand);
-            return ShotKind{.speed = data.speed.at(readiness),
-                            .radius = data.reach.at(readiness),
-                            .energy = data.energy.at(readiness),
-                            .held = true};
-        },
-    .readiness = [](const ecs::World& world,
-                    ecs::Entity wizard) { return world.get<BlastHand>(wizard).charge; },
+    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
+        return std::make_shared<BlastWand>(read(root));
+    },
 });
 
 }  // namespace

@@ -47,7 +47,7 @@ struct BoltHand {
     static constexpr auto fields() { return std::tuple(field("next_shot", &BoltHand::next_shot)); }
 };
 
-std::shared_ptr<const void> read(const ConfigTable& root) {
+BoltData read(const ConfigTable& root) {
     const auto shot = root.table("shot");
     BoltData data;
     data.interval = std::max<Tick>(1, ticks(1 / shot.number("per_s", {0.01, 1000})));
@@ -59,7 +59,7 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
     const auto recoil = root.table("recoil");
     data.recoil = recoil.number("force_n", {0, 100});
     data.recoil_length = std::max<Tick>(1, ticks(recoil.number("length_s", {0.001, 10})));
-    return std::make_shared<BoltData>(data);
+    return data;
 }
 
 /// Random direction, uniform over the cap of half angle `spread` about `direction`.
@@ -85,8 +85,7 @@ void shoot(const WandUse& use, const BoltData& data) {
     kick(use.context, use.wizard, data.recoil, data.recoil_length);
 }
 
-void use(const WandUse& use) {
-    const auto& data = *static_cast<const BoltData*>(use.data);
+void fire(const WandUse& use, const BoltData& data) {
     auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
     auto& hand = world.get<BoltHand>(use.wizard);
@@ -123,42 +122,48 @@ void fly(MatchContext& context, const BoltData& data, Tick tick) {
     });
 }
 
-void add_systems(const WandSystems& to, const void* wand) {
+void add_missile_systems(const WandSystems& to, const BoltData& data) {
     auto& world = to.context.world;
-    to.schedule.add({.name = "bolts",
-                     .period = physics_period,
-                     .reads = world.mask<Wizard, Dead>(),
-                     .writes = world.mask<Bolt, Health, EventLog, Prop>(),
-                     .needs = world.mask<Bolt>(),
-                     .run = [&context = to.context, wand](ecs::World&, Tick tick) {
-                         fly(context, *static_cast<const BoltData*>(wand), tick);
-                     }});
+    to.schedule.add(
+        {.name = "bolts",
+         .period = physics_period,
+         .reads = world.mask<Wizard, Dead>(),
+         .writes = world.mask<Bolt, Health, EventLog, Prop>(),
+         .needs = world.mask<Bolt>(),
+         .run = [&context = to.context, &data](ecs::World&, Tick tick) { fly(context, data, tick); }});
 }
+
+class BoltWand final : public WandRules {
+public:
+    explicit BoltWand(const BoltData& data) : data_(data) {}
+
+    void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, BoltHand{}); }
+    void use(const WandUse& use) const override { fire(use, data_); }
+    ecs::Mask writes(const ecs::World& world) const override {
+        return world.mask<BoltHand, Dice, EventLog, Health, HandState>();
+    }
+    void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_); }
+    void show(const ecs::World& world, const std::function<void(const Missile&)>& show) const override {
+        world.view<const Bolt>().each([&](ecs::Entity e, const Bolt& b) {
+            show({.entity = e, .position = b.position, .velocity = b.velocity, .player = b.player});
+        });
+    }
+    std::optional<ShotKind> shot(double) const override { return ShotKind{.speed = data_.speed}; }
+
+private:
+    BoltData data_;
+};
 
 const WandRegistration registration({
     .name = "bolt",
-    .read = read,
     .declare =
         [](ecs::World& world) {
             world.declare<Bolt>();
             world.declare<BoltHand>();
         },
-    .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, BoltHand{}); },
-    .use = use,
-    .put_away = [](const WandUse&) {},
-    .writes =
-        [](const ecs::World& world) { return world.mask<BoltHand, Dice, EventLog, Health, HandState>(); },
-    .add_forces = [](const WandSystems&, const void*) {},
-    .add_systems = add_systems,
-    .show =
-        [](const ecs::World& world, const std::function<void(const Missile&)>& show) {
-            world.view<const Bolt>().each([&](ecs::Entity e, const Bolt& b) {
-                show({.entity = e, .position = b.position, .velocity = b.velocity, .player = b.player});
-            });
-        },
-    .held_at = [](const ecs::World&, ecs::Entity) -> std::optional<vec3> { return std::nullopt; },
-    .shot = [](const void* data,
-               double) { return ShotKind{.speed = static_cast<const BoltData*>(data)->speed}; },
+    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
+        return std::make_shared<BoltWand>(read(root));
+    },
 });
 
 }  // namespace

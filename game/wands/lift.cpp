@@ -79,7 +79,7 @@ constexpr Tick blow_length = 20;    ///< length of the kick (ticks)
 constexpr double blow_force = 2.5;  ///< largest kick (N)
 constexpr double throw_reach = 20;  ///< distance from the eye at which a throw crosses the line of sight (m)
 
-std::shared_ptr<const void> read(const ConfigTable& root) {
+LiftData read(const ConfigTable& root) {
     LiftData data;
     const auto energy = root.table("energy");
     data.energy_per_use = energy.number("per_s", {0, 1e6}) * gameplay_dt;
@@ -109,7 +109,7 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
     data.throw_speed = thrown.number("speed_m_s", {0, 100});
     data.recoil = thrown.number("recoil_n", {0, 100});
     data.recoil_length = std::max<Tick>(1, ticks(thrown.number("length_s", {0.001, 10})));
-    return std::make_shared<LiftData>(data);
+    return data;
 }
 
 /// Largest extent of a body (m).
@@ -241,8 +241,7 @@ void go_on(const WandUse& use, const LiftData& data, const Controls& controls, L
     world.get<HandState>(use.wizard).home.z -= controls.wheel * data.wheel / hand.metres_per_metre;
 }
 
-void use(const WandUse& use) {
-    const auto& data = *static_cast<const LiftData*>(use.data);
+void fire(const WandUse& use, const LiftData& data) {
     auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
     auto& hand = world.get<LiftHand>(use.wizard);
@@ -389,44 +388,52 @@ void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick 
     if (glm::distance(hip, object) > data.lost) let_thing_go(context, wizard, hand);
 }
 
-void add_forces(const WandSystems& to, const void* wand) {
+void add_force_systems(const WandSystems& to, const LiftData& data) {
     auto& world = to.context.world;
     to.schedule.add({.name = "lift",
                      .period = physics_period,
                      .reads = world.mask<Wizard, Gaze, Motion, Body, Dead>(),
                      .writes = world.mask<LiftHand, HandState, WandBelt>(),
                      .needs = world.mask<LiftHand>(),
-                     .run = [&context = to.context, wand](ecs::World& w, Tick tick) {
+                     .run = [&context = to.context, &data](ecs::World& w, Tick tick) {
                          w.view<LiftHand, ecs::Without<Dead>>().each([&](ecs::Entity e, LiftHand& hand) {
-                             if (holds(context, hand))
-                                 pull(context, *static_cast<const LiftData*>(wand), e, tick, hand);
+                             if (holds(context, hand)) pull(context, data, e, tick, hand);
                          });
                      }});
 }
 
-const WandRegistration registration({
-    .name = "lift",
-    .read = read,
-    .declare = [](ecs::World& world) { world.declare<LiftHand>(); },
-    .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, LiftHand{}); },
-    .use = use,
-    .put_away =
-        [](const WandUse& use) {
-            auto& hand = use.context.world.get<LiftHand>(use.wizard);
-            if (hand.held) let_thing_go(use.context, use.wizard, hand);
-        },
-    .writes =
-        [](const ecs::World& world) { return world.mask<LiftHand, EventLog, Health, HandState, Prop>(); },
-    .add_forces = add_forces,
-    .add_systems = [](const WandSystems&, const void*) {},
-    .show = [](const ecs::World&, const std::function<void(const Missile&)>&) {},
-    .held_at = [](const ecs::World& world, ecs::Entity wizard) -> std::optional<vec3> {
+class LiftWand final : public WandRules {
+public:
+    explicit LiftWand(const LiftData& data) : data_(data) {}
+
+    void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, LiftHand{}); }
+    void use(const WandUse& use) const override { fire(use, data_); }
+    void put_away(const WandUse& use) const override {
+        auto& hand = use.context.world.get<LiftHand>(use.wizard);
+        if (hand.held) let_thing_go(use.context, use.wizard, hand);
+    }
+    ecs::Mask writes(const ecs::World& world) const override {
+        return world.mask<LiftHand, EventLog, Health, HandState, Prop>();
+    }
+    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
+    std::optional<vec3> held_at(const ecs::World& world, ecs::Entity wizard) const override {
         const auto held = world.get<LiftHand>(wizard).held;
         const auto* motion = held ? world.find<Motion>(held) : nullptr;
         return motion != nullptr ? std::optional(motion->position) : std::nullopt;
+    }
+    bool moves_by_wheel() const override { return true; }
+    std::optional<GraspKind> grasp() const override { return grasp_of(data_); }
+
+private:
+    LiftData data_;
+};
+
+const WandRegistration registration({
+    .name = "lift",
+    .declare = [](ecs::World& world) { world.declare<LiftHand>(); },
+    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
+        return std::make_shared<LiftWand>(read(root));
     },
-    .moves_by_wheel = true,
-    .grasp = [](const void* wand) { return grasp_of(*static_cast<const LiftData*>(wand)); },
 });
 
 }  // namespace

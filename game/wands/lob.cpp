@@ -90,7 +90,7 @@ haptics::Tether read_spring(const ConfigTable& spring, vec3 axis, double full) {
     return tether;
 }
 
-std::shared_ptr<const void> read(const ConfigTable& root) {
+LobData read(const ConfigTable& root) {
     LobData data;
     data.energy = root.table("energy").number("cost", {0, 1e6});
     const auto draw = root.table("draw");
@@ -112,22 +112,19 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
     data.reach = burst.number("radius_m", {0.01, 100});
     data.impulse = burst.number("impulse_n_s", {0, 1e4});
     data.fastest = burst.number("fastest_m_s", {0, 100});
-    return std::make_shared<LobData>(data);
+    return data;
 }
 
-const LobData& data_of(const WandUse& use) { return *static_cast<const LobData*>(use.data); }
-
-void begin(const WandUse& use, LobHand& hand) {
+void begin(const WandUse& use, const LobData& data, LobHand& hand) {
     const auto& hand_state = std::as_const(use.context.world).get<HandState>(use.wizard);
     hand.anchor = haptics::measured_position(use.context.touch.device, hand_state.device);
     hand.drawing = 1;
-    auto spring = data_of(use).spring;
+    auto spring = data.spring;
     spring.anchor = hand.anchor;
     tether(use.context, use.wizard, spring);
 }
 
-void shoot(const WandUse& use, double share) {
-    const auto& data = data_of(use);
+void shoot(const WandUse& use, const LobData& data, double share) {
     auto& world = use.context.world;
     const auto muzzle = muzzle_of(use, data.radius);
     world.commands().create(Lob{.position = muzzle.tip,
@@ -138,20 +135,19 @@ void shoot(const WandUse& use, double share) {
     note_shot(use, EventKind::lob_hit, muzzle.tip);
 }
 
-void put_away(const WandUse& use) {
+void stop_drawing(const WandUse& use) {
     use.context.world.get<LobHand>(use.wizard) = {};
     let_go(use.context, use.wizard);
 }
 
-void use(const WandUse& use) {
-    const auto& data = data_of(use);
+void fire(const WandUse& use, const LobData& data) {
     auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
     auto& hand = world.get<LobHand>(use.wizard);
     auto& belt = world.get<WandBelt>(use.wizard);
     if (hand.drawing == 0) {
         if (!holds_fire(controls) || hand.target > 0) return;
-        if (belt.energy[use.stats.energy_slot] >= data.energy) return begin(use, hand);
+        if (belt.energy[use.stats.energy_slot] >= data.energy) return begin(use, data, hand);
         if ((controls.pressed & input::bit(input::Button::fire)) != 0) note_dry(use);
         return;
     }
@@ -159,7 +155,7 @@ void use(const WandUse& use) {
     const double drawn = std::exchange(hand.drawn, 0);
     hand.drawing = 0;
     tether(use.context, use.wizard, {});
-    if (drawn * data.full >= data.least && spend(belt, use.stats, data.energy)) shoot(use, drawn);
+    if (drawn * data.full >= data.least && spend(belt, use.stats, data.energy)) shoot(use, data, drawn);
 }
 
 /// Displacement at which the hand should be (m): given by the trigger while fire is held, zero after the
@@ -188,15 +184,13 @@ void draw(MatchContext& context, const LobData& data) {
         });
 }
 
-void add_forces(const WandSystems& to, const void* wand) {
+void add_force_systems(const WandSystems& to, const LobData& data) {
     auto& world = to.context.world;
     to.schedule.add({.name = "lob draws",
                      .reads = world.mask<Wizard, Controls, Arm>(),
                      .writes = world.mask<LobHand, HandState>(),
                      .needs = world.mask<LobHand>(),
-                     .run = [&context = to.context, wand](ecs::World&, Tick) {
-                         draw(context, *static_cast<const LobData*>(wand));
-                     }});
+                     .run = [&context = to.context, &data](ecs::World&, Tick) { draw(context, data); }});
 }
 
 void go_off(MatchContext& context, const Lob& lob, const LobData& data, vec3 place, Tick tick) {
@@ -243,57 +237,67 @@ bool fly(MatchContext& context, const LobData& data, Lob& lob, Tick tick) {
     return false;
 }
 
-void add_systems(const WandSystems& to, const void* wand) {
+void add_missile_systems(const WandSystems& to, const LobData& data) {
     auto& world = to.context.world;
     to.schedule.add({.name = "lobs",
                      .period = physics_period,
                      .reads = world.mask<Body, Motion, Wizard, Dead>(),
                      .writes = world.mask<Lob, Health, EventLog, Prop>(),
                      .needs = world.mask<Lob>(),
-                     .run = [&context = to.context, wand](ecs::World& w, Tick tick) {
-                         const auto& data = *static_cast<const LobData*>(wand);
+                     .run = [&context = to.context, &data](ecs::World& w, Tick tick) {
                          w.view<Lob>().each([&](ecs::Entity e, Lob& lob) {
                              if (fly(context, data, lob, tick)) w.commands().destroy(e);
                          });
                      }});
 }
 
+class LobWand final : public WandRules {
+public:
+    explicit LobWand(const LobData& data) : data_(data) {}
+
+    void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, LobHand{}); }
+    void use(const WandUse& use) const override { fire(use, data_); }
+    void put_away(const WandUse& use) const override { stop_drawing(use); }
+    ecs::Mask writes(const ecs::World& world) const override {
+        return world.mask<LobHand, EventLog, Health, HandState>();
+    }
+    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
+    void add_missiles(const WandSystems& to) const override { add_missile_systems(to, data_); }
+    void show(const ecs::World& world, const std::function<void(const Missile&)>& show) const override {
+        world.view<const Lob>().each([&](ecs::Entity e, const Lob& b) {
+            show({.entity = e,
+                  .position = b.position,
+                  .velocity = b.velocity,
+                  .player = b.player,
+                  .look = MissileLook::stone,
+                  .size = 0.1});
+        });
+    }
+    std::optional<ShotKind> shot(double readiness) const override {
+        return ShotKind{.speed = data_.speed.at(readiness),
+                        .fall = -physics::Settings{}.gravity.y,
+                        .radius = data_.reach,
+                        .energy = data_.energy,
+                        .held = true};
+    }
+    std::optional<double> readiness(const ecs::World& world, ecs::Entity wizard) const override {
+        return world.get<LobHand>(wizard).drawn;
+    }
+
+private:
+    LobData data_;
+};
+
 const WandRegistration registration({
     .name = "lob",
-    .read = read,
     .declare =
         [](ecs::World& world) {
             world.declare<Lob>();
             world.declare<LobHand>();
         },
-    .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, LobHand{}); },
-    .use = use,
-    .put_away = put_away,
-    .writes = [](const ecs::World& world) { return world.mask<LobHand, EventLog, Health, HandState>(); },
-    .add_forces = add_forces,
-    .add_systems = add_systems,
-    .show =
-        [](const ecs::World& world, const std::function<void(const Missile&)>& show) {
-            world.view<const Lob>().each([&](ecs::Entity e, const Lob& b) {
-                show({.entity = e,
-                      .position = b.position,
-                      .velocity = b.velocity,
-                      .player = b.player,
-                      .look = MissileLook::stone,
-                      .size = 0.1});
-            });
-        },
-    .held_at = [](const ecs::World&, ecs::Entity) -> std::optional<vec3> { return std::nullopt; },
-    .shot =
-        [](const void* wand, double readiness) {
-            const auto& data = *static_cast<const LobData*>(wand);
-            return ShotKind{.speed = data.speed.at(readiness),
-                            .fall = -physics::Settings{}.gravity.y,
-                            .radius = data.reach,
-                            .energy = data.energy,
-                            .held = true};
-        },
-    .readiness = [](const ecs::World& world, ecs::Entity wizard) { return world.get<LobHand>(wizard).drawn; },
+    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
+        return std::make_shared<LobWand>(read(root));
+    },
 });
 
 }  // namespace

@@ -46,7 +46,7 @@ struct SwingHand {
     }
 };
 
-std::shared_ptr<const void> read(const ConfigTable& root) {
+SwingData read(const ConfigTable& root) {
     SwingData data;
     data.energy_per_use = root.table("energy").number("per_s", {0, 1e6}) * gameplay_dt;
     const auto rope = root.table("rope");
@@ -61,7 +61,7 @@ std::shared_ptr<const void> read(const ConfigTable& root) {
     data.metres_per_metre = hand.number("metres_per_metre", {0, 1000});
     data.newtons_per_newton = hand.number("newtons_per_newton", {0, 1});
     data.force_max = hand.number("force_max_n", {0, 100});
-    return std::make_shared<SwingData>(data);
+    return data;
 }
 
 // ---- attaching --------------------------------------------------------------------------------------------
@@ -110,8 +110,7 @@ void latch(const WandUse& use, const SwingData& data, SwingHand& hand) {
     hand.coupling.expected = use.context.physics.velocity(use.wizard.index);
 }
 
-void use(const WandUse& use) {
-    const auto& data = *static_cast<const SwingData*>(use.data);
+void fire(const WandUse& use, const SwingData& data) {
     auto& world = use.context.world;
     const auto& controls = std::as_const(world).get<Controls>(use.wizard);
     auto& hand = world.get<SwingHand>(use.wizard);
@@ -173,46 +172,52 @@ void pull(MatchContext& context, const SwingData& data, ecs::Entity wizard, Swin
     context.world.get<HandState>(wizard).lean.force = felt(context, data, wizard, way, hand.tension);
 }
 
-void add_forces(const WandSystems& to, const void* wand) {
+void add_force_systems(const WandSystems& to, const SwingData& data) {
     auto& world = to.context.world;
     to.schedule.add({.name = "swing",
                      .period = physics_period,
                      .reads = world.mask<Wizard, Gaze, Motion, Dead>(),
                      .writes = world.mask<SwingHand, Stance, HandState>(),
                      .needs = world.mask<SwingHand>(),
-                     .run = [&context = to.context, wand](ecs::World& w, Tick) {
+                     .run = [&context = to.context, &data](ecs::World& w, Tick) {
                          w.view<SwingHand, ecs::Without<Dead>>().each([&](ecs::Entity e, SwingHand& hand) {
-                             if (hand.length > 0)
-                                 pull(context, *static_cast<const SwingData*>(wand), e, hand);
+                             if (hand.length > 0) pull(context, data, e, hand);
                          });
                      }});
 }
 
-const WandRegistration registration({
-    .name = "swing",
-    .read = read,
-    .declare = [](ecs::World& world) { world.declare<SwingHand>(); },
-    .outfit = [](ecs::World& world, ecs::Entity wizard) { world.add(wizard, SwingHand{}); },
-    .use = use,
-    .put_away =
-        [](const WandUse& use) {
-            auto& hand = use.context.world.get<SwingHand>(use.wizard);
-            if (hand.length > 0) unlatch(use.context, use.wizard, hand);
-        },
-    .writes =
-        [](const ecs::World& world) { return world.mask<SwingHand, Stance, EventLog, HandState, Anchor>(); },
-    .add_forces = add_forces,
-    .add_systems = [](const WandSystems&, const void*) {},
-    .show = [](const ecs::World&, const std::function<void(const Missile&)>&) {},
-    .held_at = [](const ecs::World& world, ecs::Entity wizard) -> std::optional<vec3> {
+class SwingWand final : public WandRules {
+public:
+    explicit SwingWand(const SwingData& data) : data_(data) {}
+
+    void outfit(ecs::World& world, ecs::Entity wizard) const override { world.add(wizard, SwingHand{}); }
+    void use(const WandUse& use) const override { fire(use, data_); }
+    void put_away(const WandUse& use) const override {
+        auto& hand = use.context.world.get<SwingHand>(use.wizard);
+        if (hand.length > 0) unlatch(use.context, use.wizard, hand);
+    }
+    ecs::Mask writes(const ecs::World& world) const override {
+        return world.mask<SwingHand, Stance, EventLog, HandState, Anchor>();
+    }
+    void add_forces(const WandSystems& to) const override { add_force_systems(to, data_); }
+    std::optional<vec3> held_at(const ecs::World& world, ecs::Entity wizard) const override {
         const auto& hand = world.get<SwingHand>(wizard);
         return hand.length > 0 ? std::optional(hand.anchor) : std::nullopt;
+    }
+    std::optional<RopeKind> rope() const override {
+        return RopeKind{.reach = data_.reach, .aim_cos = data_.aim_cos};
+    }
+
+private:
+    SwingData data_;
+};
+
+const WandRegistration registration({
+    .name = "swing",
+    .declare = [](ecs::World& world) { world.declare<SwingHand>(); },
+    .read = [](const ConfigTable& root) -> std::shared_ptr<const WandRules> {
+        return std::make_shared<SwingWand>(read(root));
     },
-    .rope =
-        [](const void* wand) {
-            const auto& data = *static_cast<const SwingData*>(wand);
-            return RopeKind{.reach = data.reach, .aim_cos = data.aim_cos};
-        },
 });
 
 }  // namespace

@@ -147,8 +147,7 @@ struct Court {
     }
     bool busy(std::uint32_t p) const {
         const auto* wand = wand_in_hand(match.data(), match.world().get<WandBelt>(wizard(p)));
-        return wand != nullptr && wand->kind->held_at != nullptr &&
-               wand->kind->held_at(match.world(), wizard(p)).has_value();
+        return wand != nullptr && wand->rules->held_at(match.world(), wizard(p)).has_value();
     }
     void run(Tick ticks) {
         for (Tick t = 0; t < ticks && !testing::Test::HasFatalFailure(); ++t) {

@@ -328,8 +328,8 @@ void take_wand(ArmMatch& m, std::string_view name) {
     m.run(20);
 }
 
-const WandKind& kind_of(const ArmMatch& m) {
-    return *wand_in_hand(*m.data, m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)))->kind;
+const WandRules& wand_of(const ArmMatch& m) {
+    return *wand_in_hand(*m.data, m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)))->rules;
 }
 std::uint32_t shots_of(const ArmMatch& m) {
     return m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)).fired;
@@ -362,7 +362,7 @@ TEST(Arm, DrawsALobByPullingBack) {
         m.run(1);
     }
     m.run(100);
-    const double drawn = kind_of(m).readiness(m.match.world(), wizard_of(m.match.world(), 0));
+    const double drawn = *wand_of(m).readiness(m.match.world(), wizard_of(m.match.world(), 0));
     EXPECT_NEAR(drawn, 0.06 * 0.51 / 0.055, 0.03);
     const vec3 felt = m.told.back();
     EXPECT_LT(felt.z, -0.3) << "the spring pulls back";
@@ -393,7 +393,7 @@ TEST(Arm, SwingsAndShortensTheRope) {
     look_at(m, motion.position + vec3(1, -0.6, 0.5));  // the ground
     m.arm_buttons = 1;
     m.run(60);
-    EXPECT_TRUE(kind_of(m).held_at(m.match.world(), wizard_of(m.match.world(), 0)));
+    EXPECT_TRUE(wand_of(m).held_at(m.match.world(), wizard_of(m.match.world(), 0)));
     m.expect_same_forces();
 }
 
@@ -409,19 +409,19 @@ TEST(Arm, LiftsWhatTheHandMoves) {
         look_at(m, thing);
         m.arm_buttons = 1;
         m.run(30);
-        held = kind_of(m).held_at(m.match.world(), wizard);
+        held = wand_of(m).held_at(m.match.world(), wizard);
         if (held) break;
         m.arm_buttons = 0;
         m.run(20);
     }
     ASSERT_TRUE(held) << "of " << things.size() << " things";
     m.run(500);
-    const vec3 before = *kind_of(m).held_at(m.match.world(), wizard);
+    const vec3 before = *wand_of(m).held_at(m.match.world(), wizard);
     m.resting = false;  // to and fro by 2 cm
     double farthest = 0;
     for (int t = 0; t < 200; ++t) {
         m.run(1);
-        if (const auto at = kind_of(m).held_at(m.match.world(), wizard))
+        if (const auto at = wand_of(m).held_at(m.match.world(), wizard))
             farthest = std::max(farthest, glm::distance(*at, before));
     }
     EXPECT_GT(farthest, 0.02) << "the hand's centimetres move it";

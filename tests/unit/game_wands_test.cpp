@@ -59,14 +59,14 @@ struct Wandsman {
     std::vector<Missile> missiles() const {
         std::vector<Missile> all;
         for (const auto& wand : match.data().wands)
-            wand.kind->show(match.world(), [&](const Missile& m) { all.push_back(m); });
+            wand.rules->show(match.world(), [&](const Missile& m) { all.push_back(m); });
         return all;
     }
     double readiness() const {
         const auto& belt = match.world().get<WandBelt>(me());
         for (const auto& wand : match.data().wands) {
-            if (wand.stats.slot == belt.selected && wand.kind->readiness != nullptr)
-                return wand.kind->readiness(match.world(), me());
+            if (wand.stats.slot == belt.selected)
+                return wand.rules->readiness(match.world(), me()).value_or(0);
         }
         return 0;
     }

@@ -219,7 +219,7 @@ void tick_duel_haptic(const Options& options, Report& report) {
     int held = 0;
     match.world().view<const game::WandBelt, const game::HandState>().each(
         [&](ecs::Entity wizard, const game::WandBelt& belt, const game::HandState& hand_state) {
-            held += game::wand_in_hand(match.data(), belt)->kind->held_at(match.world(), wizard) ? 1 : 0;
+            held += game::wand_in_hand(match.data(), belt)->rules->held_at(match.world(), wizard) ? 1 : 0;
             created = std::max(created, hand_state.servo.energy.most_created);
         });
     report.rows.push_back({.area = "tick",
