@@ -2,7 +2,7 @@ thaum_test(test_hud
     SOURCES unit/brew_look_test.cpp unit/hud_test.cpp unit/hud_pictures_test.cpp
     LINK thaum_hud)
 thaum_test(test_live
-    SOURCES unit/menu_test.cpp unit/practice_test.cpp unit/settings_test.cpp
+    SOURCES unit/arm_pace_test.cpp unit/menu_test.cpp unit/practice_test.cpp unit/settings_test.cpp
     LINK thaum_live)
 
 add_executable(live_shot drivers/shot.cpp)

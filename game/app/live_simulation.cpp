@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/text.h"
+#include "game/app/arm_pace.h"
 #include "game/app/live_practice.h"
 #include "game/app/live_shared.h"
 #include "game/bots/bot.h"
@@ -188,16 +189,10 @@ input::InputFrame take_frame(SimulationThread& s) {
     return frame;
 }
 
-/// Adjusts the match's clock to the arm's by at most 4 %. The arm ticks by a clock of its own, and each of
-/// the match's ticks needs one of its samples. `behind` is the number of ticks that are due, this one
-/// included.
+/// Adjusts the match's clock to the arm's. `behind` is the number of ticks that are due, this one included.
 void keep_pace_with_arm(SimulationThread& s, Tick behind) {
-    constexpr std::int64_t in_reserve = 2, most = 10, step_ns = 4000;
     if (!holds_arm(s) || going_of(s.round.match->match()) != Going::playing) return;
-    const auto waiting = static_cast<std::int64_t>(s.shared.servo.waiting());
-    if (waiting == 0) return;  // the arm may have stopped
-    const auto ahead = waiting - static_cast<std::int64_t>(behind - 1) - in_reserve;
-    s.start_ns -= step_ns * std::clamp(ahead, -most, most);
+    s.start_ns += arm_pace_correction(static_cast<std::int64_t>(s.shared.servo.waiting()), behind);
 }
 
 /// Handles buttons of any device that act on the session and not on the match.

@@ -70,10 +70,8 @@ eventually "the start screen does not see that it goes" grep -q 'plug it in' "$f
 kill -TERM $start
 wait $start || failed "no start screen with an arm"
 
-# An arm whose clock is faster than ours: the match follows it, else samples would pile up until the forces were old ones.
+# An arm whose clock is faster than the match's. That the match keeps pace with it is tested without a clock (arm_pace_test.cpp).
 play faster 5 "path=$folder/way,rate=1008"
-tail -n 1000 "$folder/faster.csv" | awk -F, '$9 == "stale" { stale++ } END { print "stale for", stale + 0, "of the last", NR
-    exit !(stale < NR / 2) }' || failed "the match does not keep pace with the arm"
 
 # No arm: one line that says what to do, and no match.
 refuses() { # LIBRARY FAKE_HD WORDS

@@ -1,0 +1,91 @@
+// A match that follows the clock of a real arm, in computed time: no clock of the machine is read.
+#include "game/app/arm_pace.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace thaum::app {
+namespace {
+
+constexpr double ns_per_second = 1e9;
+constexpr std::int64_t ns_per_tick = 1'000'000;
+
+/// An arm and a live match for some seconds of computed time, as live_simulation.cpp paces them.
+struct Rig {
+    double arm_ticks_per_s = 1000;
+    bool follows = true;
+    std::int64_t stall_at = -1, stall_ns = 0;  ///< the match gets no processor for so long
+    double jitter = 0;                         ///< the arm's samples come late by up to this share of a tick
+
+    std::size_t most_waiting = 0;  ///< of the last second
+    int without_sample = 0;        ///< ticks of the last second that found none
+
+    void run(double seconds) {
+        const auto arm_period = ns_per_second / arm_ticks_per_s;
+        const auto end = static_cast<std::int64_t>(seconds * ns_per_second);
+        std::int64_t start = 0, now = 0;
+        std::int64_t done = 0, arm_sent = 0, waiting = 0;
+        while (now < end) {
+            const auto deadline = start + (done + 1) * ns_per_tick;
+            now = std::max(now, deadline);
+            if (stall_at >= 0 && now >= stall_at) {
+                now += stall_ns;
+                stall_at = -1;
+            }
+            const auto sent = arrived(now, arm_period);
+            waiting += sent - arm_sent;
+            arm_sent = sent;
+            const auto behind = static_cast<Tick>((now - start) / ns_per_tick - done);
+            if (follows) start += arm_pace_correction(waiting, behind);
+            const bool last_second = now > end - static_cast<std::int64_t>(ns_per_second);
+            if (last_second) most_waiting = std::max(most_waiting, static_cast<std::size_t>(waiting));
+            if (last_second && waiting == 0) ++without_sample;
+            if (waiting > 0) --waiting;
+            ++done;
+        }
+    }
+
+private:
+    /// Samples that have arrived; each second one of them is late.
+    std::int64_t arrived(std::int64_t now, double period) const {
+        const auto at = static_cast<std::int64_t>(static_cast<double>(now) / period);
+        const bool late =
+            at % 2 == 1 && static_cast<double>(now) - static_cast<double>(at) * period < jitter * period;
+        return late ? at - 1 : at;
+    }
+};
+
+TEST(ArmPace, AFasterArmsSamplesDoNotPileUp) {
+    for (const double rate : {1001.0, 1008.0, 1030.0}) {
+        Rig rig{.arm_ticks_per_s = rate};
+        rig.run(20);
+        EXPECT_LE(rig.most_waiting, 12U) << rate;  // an age at which a model counts as fresh is 20
+        EXPECT_EQ(rig.without_sample, 0) << rate;
+    }
+    Rig alone{.arm_ticks_per_s = 1008, .follows = false};
+    alone.run(20);
+    EXPECT_GT(alone.most_waiting, 150U) << "the rig cannot fail";
+}
+
+TEST(ArmPace, ASlowerArmIsWaitedFor) {
+    for (const double rate : {999.0, 998.0, 997.0}) {
+        Rig rig{.arm_ticks_per_s = rate};
+        rig.run(20);
+        EXPECT_EQ(rig.without_sample, 0) << rate;
+        Rig alone{.arm_ticks_per_s = rate, .follows = false};
+        alone.run(20);
+        EXPECT_GT(alone.without_sample, 0) << "the rig cannot fail at " << rate;
+    }
+}
+
+TEST(ArmPace, AStalledMatchCatchesUp) {
+    Rig rig{.arm_ticks_per_s = 1008, .stall_at = 5'000'000'000, .stall_ns = 40'000'000, .jitter = 0.5};
+    rig.run(20);
+    EXPECT_LE(rig.most_waiting, 12U);
+}
+
+TEST(ArmPace, AnArmThatStoppedChangesNothing) { EXPECT_EQ(arm_pace_correction(0, 5), 0); }
+
+}  // namespace
+}  // namespace thaum::app
