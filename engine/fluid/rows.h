@@ -30,6 +30,8 @@ Rows whole_rows(const Lattice& lattice);
 Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open);
 /// Of the cells whose value is above 0.
 Rows rows_above_zero(const Lattice& lattice, const Samples& values);
+/// Sets the samples in the rows to 0.
+void clear(const Rows& rows, Samples& samples);
 
 /// Calls with each Row that has any fluid, of one layer or of all.
 template <class Visit>

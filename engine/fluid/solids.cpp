@@ -38,10 +38,6 @@ void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     });
 }
 
-void clear(const Rows& rows, Samples& samples) {
-    each_row(rows, [&](Row row) { std::fill_n(samples.data() + row.at, row.count, 0.0F); });
-}
-
 /// Walls are closed faces, and what is beyond a closed face counts for nothing.
 void fill_round(const Rows& rows, Samples& potential) {
     for (std::size_t axis = 0; axis < 3; ++axis)

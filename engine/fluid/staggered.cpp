@@ -45,6 +45,15 @@ constexpr int transports_of_fall_back = 7;
 /// m/s. What is slower comes to rest, where nothing makes it faster.
 constexpr double rest_speed = 1e-6;
 
+/// Whether one of the samples of a row is not 0. Eight are looked at together, the last ones beyond the row's end.
+bool any_in(const Row& row, const float* samples) {
+    auto any = load(samples + row.at) != none;
+    for (std::ptrdiff_t i = 8; i < row.count; i += 8) any |= load(samples + row.at + i) != none;
+    int lanes = 0;
+    for (std::ptrdiff_t lane = 0; lane < 8; ++lane) lanes |= any[lane];
+    return lanes != 0;
+}
+
 double sum_of_largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     double sum = 0;
     for (const Samples& component : velocity) sum += largest(rows, component);
@@ -114,7 +123,7 @@ void Staggered::gather_forces(const Settings& settings, const State& now, double
     forced_ = now.pushed || solids_ != nullptr;
     const auto factor = static_cast<float>(share);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        each_row(rows_, [&](Row row) { std::fill_n(force_[axis].data() + row.at, row.count, 0.0F); });
+        clear(rows_, force_[axis]);
         if (!now.pushed) continue;
         const float* push = now.push[axis].data();
         each_row(pushed_[axis], [&](Row row) {
@@ -274,18 +283,23 @@ void Staggered::end_step(const Settings& settings, State& now, double dt, StepRe
     std::swap(now.velocity, sum_);
 }
 
-/// Where pushes stand: rows of the fluid in which one is not 0.
+/// Finds the rows of the fluid in which a push is not 0.
 void Staggered::find_pushes(const State& now) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float* push = now.push[axis].data();
         for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
             const Row row = rows_.rows[r];
-            const float* push = now.push[axis].data() + row.at;
-            bool any = false;
-            if (now.pushed)
-                for (std::ptrdiff_t i = 0; i < row.count; ++i) any |= push[i] != 0;
-            pushed_[axis].rows[r] = {row.at, any ? row.count : 0};
+            const bool pushed = now.pushed && row.count > 0 && any_in(row, push);
+            pushed_[axis].rows[r] = {row.at, pushed ? row.count : 0};
         }
     }
+}
+
+/// Pushes count once. They stand in the rows that find_pushes found, since `push` adds none to a solid.
+void Staggered::clear_pushes(State& now) const {
+    if (!now.pushed) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) clear(pushed_[axis], now.push[axis]);
+    now.pushed = false;
 }
 
 /// Work of the pushes at the velocity given: their force times that (m^2/s^2, summed over cells, for the whole step).
@@ -481,9 +495,7 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
         substep(settings, now, sub, dt, report);
         left = wanted > 1 ? left - sub : 0;
     }
-    if (now.pushed)
-        for (auto& push : now.push) std::fill(push.begin(), push.end(), 0.0F);
-    now.pushed = false;
+    clear_pushes(now);
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
     const Motion is = moving_ ? *moving_ : motion(rows_, now.velocity);
     report.energy = is.half_square * lattice_.h * lattice_.h * lattice_.h;
