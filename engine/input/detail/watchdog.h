@@ -26,8 +26,9 @@ struct Watched {
     std::string line{};
 };
 
-/// Runs `work` on a thread of its own and waits for it, at most limit_ns, and no longer than until `enough` (null: never) is true. Work
-/// that ends after it was given up is followed by `if_late`, on the same thread.
+/// Runs `work` on a thread of its own and waits for it, but no longer than until `enough` (null: never) is true. It
+/// waits limit_ns in slices of 20 ms, which are longer while other programs take the processor. Work that ends after it
+/// was given up is followed by `if_late`, on the same thread.
 Watched run_watched(std::int64_t limit_ns, const std::atomic<bool>* enough, std::function<void()> work,
                     std::function<void()> if_late);
 
