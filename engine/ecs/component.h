@@ -12,6 +12,14 @@
 // The names make snapshots self-describing; ecs/diff.h prints them. The absence of padding is checked at
 // compile time. It makes the bytes of a component a function of its value, so the bytes can be hashed. An
 // empty struct with a name is a tag. A tag costs one bit per entity, and adding or removing it moves no data.
+//
+// State that is one large array of numbers, such as the samples of a fluid, is a blob. A World has one array
+// per blob, which no entity owns. Systems declare access to it as to a component:
+//
+//     struct FluidSamples {
+//         using Element = float;
+//         static constexpr std::string_view name = "FluidSamples";
+//     };
 #pragma once
 #include <array>
 #include <atomic>
@@ -209,16 +217,29 @@ inline const std::uint32_t type_number = next_type_number();
 
 }  // namespace detail
 
+/// A type that names a blob, and its elements: numbers of one type.
+template <class T>
+concept Blob = std::is_arithmetic_v<typename T::Element> && requires {
+    std::string_view(T::name);
+};
+
 /// A type that may be a component.
 template <class T>
-concept Component = std::is_trivially_copyable_v<T> && requires {
+concept Component = !Blob<T> && std::is_trivially_copyable_v<T> && requires {
     std::string_view(T::name);
-} &&(Tag<T> || (Described<T> && detail::packed_size<T>() == sizeof(T)));
+}
+&&(Tag<T> || (Described<T> && detail::packed_size<T>() == sizeof(T)));
 
+/// A type that a World can declare.
+template <class T>
+concept Declarable = Component<T> || Blob<T>;
+
+/// Description of a component or a blob.
 struct ComponentInfo {
     std::string_view name;
-    std::uint32_t size{};  ///< size; 0 for a tag (bytes)
+    std::uint32_t size{};  ///< size; 0 for a tag; of one element for a blob (bytes)
     std::vector<FieldInfo> fields;
+    bool is_blob{};
 };
 
 template <Component T>
@@ -230,6 +251,12 @@ ComponentInfo component_info() {
         });
     }
     return info;
+}
+
+template <Blob T>
+ComponentInfo blob_info() {
+    using Element = typename T::Element;
+    return {T::name, sizeof(Element), {{"", 0, detail::scalar_of<Element>()}}, true};
 }
 
 }  // namespace thaum::ecs

@@ -7,6 +7,7 @@
 
 #include "core/text.h"
 #include "ecs/component.h"
+#include "ecs/snapshot.h"
 #include "ecs/table.h"
 
 // Snapshots are read by their own description and without a World, so that dumps of other builds can be
@@ -17,6 +18,7 @@ namespace {
 struct Described {
     std::string name;
     std::uint32_t size{};
+    bool is_blob{};
     std::vector<FieldInfo> fields;
 };
 
@@ -26,15 +28,19 @@ using Parts = std::map<std::string, std::span<const std::byte>>;
 struct Parsed {
     std::map<std::string, Described> components;
     std::map<std::uint32_t, Parts> entities;
+    Parts blobs;
 };
 
 std::optional<std::vector<Described>> get_components(ByteReader& in) {
-    const auto magic = in.get_bytes(8);
-    if (!in.ok() || std::memcmp(magic.data(), "THAUMECS", 8) != 0 || in.get<std::uint32_t>() != 1) return {};
+    const auto magic = in.get_bytes(snapshot_magic.size());
+    if (!in.ok() || std::memcmp(magic.data(), snapshot_magic.data(), magic.size()) != 0) return {};
+    if (in.get<std::uint32_t>() != snapshot_format) return {};
     std::vector<Described> result(std::min<std::size_t>(in.get<std::uint32_t>(), max_components));
     for (auto& c : result) {
         c.name = in.get_string();
         c.size = in.get<std::uint32_t>();
+        c.is_blob = in.get<std::uint8_t>() != 0;
+        if (c.is_blob && c.size == 0) return {};
         const auto fields = in.get<std::uint32_t>();
         for (std::uint32_t f = 0; f < fields && in.ok(); ++f) {
             FieldInfo field{in.get_string(), in.get<std::uint32_t>(), in.get<Scalar>()};
@@ -80,6 +86,16 @@ bool get_table(ByteReader& in, const std::vector<Described>& components, Parsed&
     return in.ok();
 }
 
+bool get_blobs(ByteReader& in, const std::vector<Described>& components, Parsed& out) {
+    for (const auto& c : components) {
+        if (!c.is_blob) continue;
+        const auto elements = in.get<std::uint64_t>();
+        if (!in.ok() || elements > in.left() / c.size) return false;
+        out.blobs[c.name] = in.get_bytes(elements * c.size);
+    }
+    return in.ok();
+}
+
 Expected<Parsed> parse(std::span<const std::byte> snapshot, std::string_view which) {
     ByteReader in(snapshot);
     Parsed result;
@@ -93,7 +109,7 @@ Expected<Parsed> parse(std::span<const std::byte> snapshot, std::string_view whi
     for (std::uint32_t t = 0; t < tables; ++t) {
         if (!in.ok() || !get_table(in, *components, result)) return damaged;
     }
-    if (!in.ok()) return damaged;
+    if (!in.ok() || !get_blobs(in, *components, result)) return damaged;
     for (const auto& c : *components) result.components[c.name] = c;
     return result;
 }
@@ -141,6 +157,38 @@ void diff_fields(const Described& a, std::span<const std::byte> bytes_a, const D
     }
 }
 
+/// Lists elements of a blob that differ. A blob that one side lacks, or that has another size or type there,
+/// is one difference.
+void diff_blob(const Parsed& a, const Parsed& b, const std::string& name, std::size_t limit,
+               std::vector<Difference>& out) {
+    const auto bytes_of = [&](const Parsed& side) {
+        const auto found = side.blobs.find(name);
+        return found == side.blobs.end() ? std::span<const std::byte>() : found->second;
+    };
+    const auto left = bytes_of(a), right = bytes_of(b);
+    const auto& type = (a.blobs.contains(name) ? a : b).components.at(name);
+    const auto elements = [&](std::span<const std::byte> bytes) {
+        return text(bytes.size() / type.size, " elements");
+    };
+    if (left.size() != right.size()) {
+        out.push_back({name, none, "", elements(left), elements(right)});
+        return;
+    }
+    for (std::size_t at = 0; at + type.size <= left.size() && out.size() < limit; at += type.size) {
+        const auto *x = left.data() + at, *y = right.data() + at;
+        if (std::memcmp(x, y, type.size) == 0) continue;
+        const auto scalar = type.fields.front().scalar;
+        out.push_back(
+            {name, none, text("[", at / type.size, "]"), value_text(x, scalar), value_text(y, scalar)});
+    }
+}
+
+void diff_blobs(const Parsed& a, const Parsed& b, std::size_t limit, std::vector<Difference>& out) {
+    for (const auto& [name, bytes] : a.blobs) diff_blob(a, b, name, limit, out);
+    for (const auto& [name, bytes] : b.blobs)
+        if (!a.blobs.contains(name)) diff_blob(a, b, name, limit, out);
+}
+
 void diff_entity(const Parsed& a, const Parts* pa, const Parsed& b, const Parts* pb, std::uint32_t entity,
                  std::vector<Difference>& out) {
     if (pa == nullptr || pb == nullptr) {
@@ -179,6 +227,7 @@ Expected<std::vector<Difference>> diff(std::span<const std::byte> a, std::span<c
         if (take_a) ++ia;
         if (take_b) ++ib;
     }
+    diff_blobs(*pa, *pb, limit, out);
     if (out.empty() && !std::equal(a.begin(), a.end(), b.begin(), b.end())) {
         out.push_back({"", 0, "order", "differs", "differs"});
     }

@@ -9,13 +9,15 @@
 namespace thaum::ecs {
 
 struct Difference {
-    std::string component;  ///< empty if the entity exists on one side only
-    std::uint32_t entity{};
-    std::string field;  ///< such as "position.x"; empty if the component exists on one side only
-    std::string a, b;   ///< both values; "-" if there is none
+    std::string component;   ///< component or blob; empty if the entity exists on one side only
+    std::uint32_t entity{};  ///< number of the entity; `none` for a blob
+    /// Such as "position.x", or "[7]" in a blob. Empty if the component exists on one side only, or if the blob
+    /// has another size there.
+    std::string field;
+    std::string a, b;  ///< both values; "-" if there is none
 };
 
-/// Returns at most `limit` differences, sorted by entity, then component, then field. Entities are matched by
+/// Returns at most `limit` differences, sorted by entity, then component, then field, blobs last. Entities are matched by
 /// number and components by name. If only the order of iteration or the free list differs, one Difference has
 /// the field "order". The error says which snapshot cannot be read.
 Expected<std::vector<Difference>> diff(std::span<const std::byte> a, std::span<const std::byte> b,

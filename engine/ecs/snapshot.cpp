@@ -8,9 +8,8 @@
 namespace thaum::ecs {
 namespace {
 
-constexpr std::string_view magic = "THAUMECS";
-constexpr std::uint32_t format = 1;
 constexpr std::uint32_t max_rows = 1U << 28U;
+constexpr std::uint64_t max_blob_bytes = std::uint64_t{1} << 32U;
 
 template <class T>
 std::span<const std::byte> raw(const T* data, std::size_t count) {
@@ -22,12 +21,13 @@ std::span<const std::byte> cells(const Table& table, const Column& column) {
 }
 
 void put_components(ByteWriter& out, const World& world) {
-    out.put_bytes(raw(magic.data(), magic.size()));
-    out.put(format);
+    out.put_bytes(raw(snapshot_magic.data(), snapshot_magic.size()));
+    out.put(snapshot_format);
     out.put(static_cast<std::uint32_t>(world.components().size()));
     for (const auto& info : world.components()) {
         out.put_string(info.name);
         out.put(info.size);
+        out.put(static_cast<std::uint8_t>(info.is_blob));
         out.put(static_cast<std::uint32_t>(info.fields.size()));
         for (const auto& field : info.fields) {
             out.put_string(field.name);
@@ -48,6 +48,7 @@ struct SnapshotAccess {
             for (const auto& column : table->columns) bytes += std::size_t{table->rows} * column.size;
             bytes += table->tags.size() * (4 + words_for(table->rows) * 8);
         }
+        for (const auto& blob : world.blobs_) bytes += 8 + blob.size();
         return bytes;
     }
 
@@ -64,6 +65,11 @@ struct SnapshotAccess {
         body.put(world.free_);
         body.put(static_cast<std::uint32_t>(world.tables_.size()));
         for (const auto& table : world.tables_) put_table(body, *table);
+        for (std::size_t c = 0; c < world.infos_.size(); ++c) {
+            if (!world.infos_[c].is_blob) continue;
+            body.put(std::uint64_t{world.blobs_[c].size() / world.infos_[c].size});
+            body.put_bytes(world.blobs_[c]);
+        }
     }
 
     static void put_table(ByteWriter& out, const Table& table) {
@@ -89,6 +95,9 @@ struct SnapshotAccess {
                 h = hash_combine(h, hash_bytes(raw(tag.words.data(), words_for(table->rows)), tag.component));
             }
         }
+        for (std::size_t c = 0; c < world.blobs_.size(); ++c) {
+            if (!world.blobs_[c].empty()) h = hash_combine(h, hash_bytes(world.blobs_[c], c));
+        }
         return h;
     }
 
@@ -100,18 +109,19 @@ struct SnapshotAccess {
         world.tables_.push_back(make_pooled<Table>(world.memory_));
         world.free_ = none;
         world.counts_.fill(0);
+        for (auto& blob : world.blobs_) blob.clear();
         for (auto& query : world.queries_) query.reset();
         world.forget_packs();
     }
 
     static bool same_components(ByteReader& in, const World& world) {
-        const auto name = in.get_bytes(magic.size());
-        if (!in.ok() || std::memcmp(name.data(), magic.data(), magic.size()) != 0) return false;
-        if (in.get<std::uint32_t>() != format) return false;
+        const auto name = in.get_bytes(snapshot_magic.size());
+        if (!in.ok() || std::memcmp(name.data(), snapshot_magic.data(), name.size()) != 0) return false;
+        if (in.get<std::uint32_t>() != snapshot_format) return false;
         Bytes head;
         ByteWriter writer(head);
         put_components(writer, world);
-        const std::size_t rest = head.size() - magic.size() - 4;
+        const std::size_t rest = head.size() - snapshot_magic.size() - 4;
         const auto theirs = in.get_bytes(rest);
         return in.ok() && std::memcmp(theirs.data(), head.data() + (head.size() - rest), rest) == 0;
     }
@@ -128,7 +138,21 @@ struct SnapshotAccess {
         for (std::uint32_t t = 0; t < tables; ++t) {
             if (!get_table(in, world, t)) return false;
         }
+        if (!get_blobs(in, world)) return false;
         return in.ok() && in.left() == 0 && tables > 0 && consistent(world);
+    }
+
+    static bool get_blobs(ByteReader& in, World& world) {
+        for (std::uint32_t c = 0; c < world.infos_.size(); ++c) {
+            const auto& info = world.infos_[c];
+            if (!info.is_blob) continue;
+            const auto elements = in.get<std::uint64_t>();
+            if (!in.ok() || elements > max_blob_bytes / info.size || elements * info.size > in.left())
+                return false;
+            world.resize_blob(c, elements * info.size);
+            if (!copy(in, world.blobs_[c].data(), world.blobs_[c].size())) return false;
+        }
+        return true;
     }
 
     static bool get_table(ByteReader& in, World& world, std::uint32_t number) {
@@ -137,7 +161,7 @@ struct SnapshotAccess {
         const auto rows = in.get<std::uint32_t>();
         if (!in.ok() || rows > max_rows) return false;
         for (std::uint32_t c = 0; c < max_components; ++c) {
-            if (mask.test(c) && (c >= world.infos_.size() || world.infos_[c].size == 0)) return false;
+            if (mask.test(c) && (c >= world.infos_.size() || !has_cells(world.infos_[c]))) return false;
         }
         // a duplicate, or the first table has components
         if (world.table_with(mask) != number) return false;
@@ -153,6 +177,9 @@ struct SnapshotAccess {
         }
         return get_tags(in, world, table);
     }
+
+    /// Whether it is a component with data: tags and blobs have no column.
+    static bool has_cells(const ComponentInfo& info) { return info.size != 0 && !info.is_blob; }
 
     static bool get_tags(ByteReader& in, World& world, Table& table) {
         const auto tags = in.get<std::uint32_t>();

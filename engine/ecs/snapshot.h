@@ -2,23 +2,28 @@
 //
 // Layout, little-endian:
 //     "THAUMECS", format u32
-//     components: count u32, then for each name, size u32, fields (count u32, then for each name, offset u32,
-//         scalar u8)
+//     components and blobs: count u32, then for each name, size u32, whether it is a blob u8, fields (count
+//         u32, then for each name, offset u32, scalar u8)
 //     entity records: count u32, then for each generation, table, row u32; first free record u32
 //     tables: count u32, then for each mask 2 x u64, rows u32, entities, the cells of each column,
 //         tags (count u32, then for each component u32 and words)
+//     for each blob, in the order of declaration: elements u64, their values
 //
 // A string is its length u32 followed by its characters. A snapshot describes itself, so ecs/diff.h can
 // compare two snapshots without the program that wrote them.
 #pragma once
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "core/bytes.h"
 #include "core/error.h"
 #include "ecs/world.h"
 
 namespace thaum::ecs {
+
+inline constexpr std::string_view snapshot_magic = "THAUMECS";
+inline constexpr std::uint32_t snapshot_format = 2;
 
 /// Overwrites `out`. Reusing the same `out` avoids allocation.
 void save(const World& world, Bytes& out);
@@ -27,8 +32,8 @@ void save(const World& world, Bytes& out);
 /// owner of any data derived from the World must rebuild that data. On an error the World is empty.
 Expected<void> restore(World& world, std::span<const std::byte> snapshot);
 
-/// Hash of everything that decides how the World behaves from here on: components, entities, order of
-/// iteration and free entity numbers.
+/// Hash of everything that decides how the World behaves from here on: components, entities, blobs,
+/// order of iteration and free entity numbers.
 std::uint64_t state_hash(const World& world);
 
 }  // namespace thaum::ecs

@@ -21,6 +21,12 @@ void World::declare_info(ComponentInfo info, std::uint32_t type_number) {
     THAUM_ASSERT(id_of_type_[type_number] == none, text("component ", info.name, " is declared twice"));
     id_of_type_[type_number] = static_cast<std::uint32_t>(infos_.size());
     infos_.push_back(std::move(info));
+    blobs_.emplace_back();
+}
+
+void World::resize_blob(std::uint32_t component, std::size_t bytes) {
+    blobs_[component].assign(bytes, std::byte{});
+    counts_[component] = bytes > 0 ? 1 : 0;
 }
 
 std::string World::component_message(std::string_view what, std::uint32_t component, Entity entity) const {
@@ -157,6 +163,9 @@ void World::removing_all(const Table& table, std::uint32_t row) {
 void World::clear() {
     for (std::uint32_t i = 0; i < records_.size(); ++i) {
         if (records_[i].table != none) destroy({i, records_[i].generation});
+    }
+    for (std::uint32_t c = 0; c < infos_.size(); ++c) {
+        if (infos_[c].is_blob) resize_blob(c, 0);
     }
 }
 

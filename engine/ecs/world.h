@@ -51,9 +51,9 @@ public:
     World(const World&) = delete;
     World& operator=(const World&) = delete;
 
-    /// Declares a component. All components are declared before the first entity. Their order is part of the
-    /// snapshot format.
-    template <Component C>
+    /// Declares a component or a blob. All of them are declared before the first entity. Their order is part
+    /// of the snapshot format.
+    template <Declarable C>
     void declare();
     /// Reserves memory for `count` entities, or for `rows` rows of one set of components. The main loop then
     /// need not allocate.
@@ -66,8 +66,8 @@ public:
     template <Component... Cs>
     Entity create(Cs... components);
     void destroy(Entity entity);
-    /// Destroys every entity in the order of their numbers and calls the hooks. The history goes on:
-    /// generations and free entity numbers are kept.
+    /// Destroys every entity in the order of their numbers, calls the hooks, and empties every blob. The
+    /// history goes on: generations and free entity numbers are kept.
     void clear();
     bool alive(Entity entity) const {
         // Compares bytes, since counting the records would need a division by their size.
@@ -104,11 +104,20 @@ public:
     template <Component C>
     const C& single() const;
 
-    /// Number of entities that have C.
-    template <Component C>
+    /// Number of entities that have C. For a blob: 1 if it has elements, otherwise 0.
+    template <Declarable C>
     std::uint32_t count() const {
         return counts_[id<C>()];
     }
+
+    /// Gives a blob `elements` elements, all 0. Spans of it that were taken before are invalid afterwards.
+    template <Blob B>
+    void resize(std::size_t elements);
+    /// Elements of a blob. The span is valid until the blob is resized, the World cleared or restored.
+    template <Blob B>
+    std::span<typename B::Element> blob();
+    template <Blob B>
+    std::span<const typename B::Element> blob() const;
 
     /// Terms: `C` to write, `const C` to read, a tag to require, Maybe<C> for a pointer or null, Without<C>.
     template <class... Terms>
@@ -132,9 +141,9 @@ public:
     void apply_commands();
 
     // Access for the schedule, snapshots and tools.
-    template <Component C>
+    template <Declarable C>
     std::uint32_t id() const;
-    template <Component... Cs>
+    template <Declarable... Cs>
     Mask mask() const {
         Mask m;
         (m.set(id<Cs>()), ...);
@@ -257,6 +266,7 @@ private:
     const void* single_bytes(std::uint32_t component) const;
     void refresh(Query& query) const;
     void declare_info(ComponentInfo info, std::uint32_t type_number);
+    void resize_blob(std::uint32_t component, std::size_t bytes);
     template <class... Cs>
     const Pack& pack_of();
     template <class... Cs>
@@ -269,6 +279,7 @@ private:
     std::array<Hook, max_components> added_{}, removed_{};
     bool has_remove_hooks_ = false;
     std::array<std::uint32_t, max_components> counts_{};
+    std::vector<Bytes> blobs_;  // bytes of each blob, by component number; empty for components
     TableMemory memory_{table_memory_bytes};
     std::vector<Pooled<Table>> tables_;  // the first table has no components
     const TableEdge no_edge_{memory_};
@@ -293,12 +304,39 @@ template <class... Cs>
 struct Pack {};
 }  // namespace detail
 
-template <Component C>
+template <Declarable C>
 void World::declare() {
-    declare_info(component_info<C>(), detail::type_number<C>);
+    if constexpr (Blob<C>) {
+        declare_info(blob_info<C>(), detail::type_number<C>);
+    } else {
+        declare_info(component_info<C>(), detail::type_number<C>);
+    }
 }
 
-template <Component C>
+template <Blob B>
+void World::resize(std::size_t elements) {
+    const auto b = id<B>();
+    check_write(b);
+    resize_blob(b, elements * sizeof(typename B::Element));
+}
+
+template <Blob B>
+std::span<const typename B::Element> World::blob() const {
+    const auto b = id<B>();
+    check_read(b);
+    const auto& bytes = blobs_[b];
+    return {reinterpret_cast<const typename B::Element*>(bytes.data()),
+            bytes.size() / sizeof(typename B::Element)};
+}
+
+template <Blob B>
+std::span<typename B::Element> World::blob() {
+    check_write(id<B>());
+    const auto elements = std::as_const(*this).template blob<B>();
+    return {const_cast<typename B::Element*>(elements.data()), elements.size()};
+}
+
+template <Declarable C>
 [[gnu::always_inline]] inline std::uint32_t World::id() const {
     const auto type = detail::type_number<C>;
     const auto component = id_of_type_[type];

@@ -41,7 +41,8 @@ constexpr std::size_t max_dump = std::size_t{1} << 30U;
 int print(const std::vector<ecs::Difference>& differences) {
     for (const auto& d : differences) {
         const auto what = d.component.empty() ? std::string("entity") : d.component;
-        std::printf("%-12s entity %-6u %-24s %s | %s\n", what.c_str(), d.entity, d.field.c_str(), d.a.c_str(),
+        const auto where = d.entity == ecs::none ? std::string("all entities") : text("entity ", d.entity);
+        std::printf("%-12s %-13s %-24s %s | %s\n", what.c_str(), where.c_str(), d.field.c_str(), d.a.c_str(),
                     d.b.c_str());
     }
     if (differences.empty()) std::printf("no difference\n");

@@ -1,4 +1,4 @@
-#include "game/brew/brew_pages.h"
+#include "game/brew/brew_state.h"
 
 #include <algorithm>
 
@@ -20,47 +20,24 @@ void each_array(State& state, Visit&& visit) {
 std::size_t arrays_of(const fluid::Fluid& fluid) { return fluid.now.substances.size() + 5; }
 std::size_t size_of(const fluid::Fluid& fluid) { return arrays_of(fluid) * fluid.lattice.size; }
 
-template <class Page>
-std::size_t pages_for(std::size_t samples) {
-    constexpr std::size_t each = std::tuple_size_v<decltype(Page::samples)>;
-    return (samples + each - 1) / each;
-}
-
-/// First sample of all pages, which form one contiguous array. They stay contiguous because a page entity has
-/// no other component and is never removed alone.
-template <class Page>
-auto* first_sample(auto& world) {
-    using Term =
-        std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(world)>>, const Page, Page>;
-    decltype(std::declval<Term&>().samples.data()) first = nullptr;
-    std::size_t number = 0;
-    world.template view<Term>().each([&](Term& page) {
-        if (first == nullptr) first = page.samples.data();
-        THAUM_ASSERT(page.samples.data() == first + number * page.samples.size(), "pages lie in a row");
-        ++number;
-    });
-    return first;
-}
-
 }  // namespace
 
-bool has_pages(const ecs::World& world) { return world.count<BrewPage>() > 0; }
+bool has_brew_state(const ecs::World& world) { return world.count<BrewSamples>() > 0; }
 
-void add_pages(ecs::World& world, const Brew& brew) {
-    const auto fluid = pages_for<BrewPage>(2 * size_of(brew.fluid));
-    const auto surface = pages_for<SurfacePage>(2 * brew.sheet.height.size());
-    world.reserve<BrewPage>(static_cast<std::uint32_t>(fluid));
-    for (std::size_t i = 0; i < fluid; ++i) world.create(BrewPage{});
-    for (std::size_t i = 0; i < surface; ++i) world.create(SurfacePage{});
+void make_brew_state(ecs::World& world, const Brew& brew) {
+    world.resize<BrewSamples>(2 * size_of(brew.fluid));
+    world.resize<SurfaceSamples>(2 * brew.sheet.height.size());
 }
 
 void write_fluid(ecs::World& world, std::size_t which, const fluid::Fluid& fluid) {
-    auto* to = first_sample<BrewPage>(world) + which * size_of(fluid);
+    auto* to = world.blob<BrewSamples>().data() + which * size_of(fluid);
     each_array(fluid.now, [&](const fluid::Samples& from) { to = std::copy(from.begin(), from.end(), to); });
 }
 
 void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid) {
-    const auto* from = first_sample<BrewPage>(world) + which * size_of(fluid);
+    const auto samples = world.blob<BrewSamples>();
+    THAUM_ASSERT(samples.size() == 2 * size_of(fluid), "the World holds the state of another fluid");
+    const auto* from = samples.data() + which * size_of(fluid);
     each_array(fluid.now, [&](fluid::Samples& to) {
         std::copy_n(from, to.size(), to.begin());
         from += to.size();
@@ -69,7 +46,7 @@ void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid)
 }
 
 void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& sheet) {
-    auto* to = first_sample<SurfacePage>(world);
+    auto to = world.blob<SurfaceSamples>().begin();
     to = std::copy(sheet.height.begin(), sheet.height.end(), to);
     std::copy(sheet.velocity.begin(), sheet.velocity.end(), to);
     cauldron.inside = sheet.inside;
@@ -77,9 +54,10 @@ void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& sh
 }
 
 void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Sheet& sheet) {
-    const auto* from = first_sample<SurfacePage>(world);
+    const auto from = world.blob<SurfaceSamples>().begin();
     std::copy_n(from, sheet.height.size(), sheet.height.begin());
-    std::copy_n(from + sheet.height.size(), sheet.velocity.size(), sheet.velocity.begin());
+    std::copy_n(from + static_cast<std::ptrdiff_t>(sheet.height.size()), sheet.velocity.size(),
+                sheet.velocity.begin());
     sheet.inside = cauldron.inside;
     sheet.asleep = cauldron.surface_asleep;
 }
@@ -87,7 +65,7 @@ void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Shee
 std::span<const float> brew_samples(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,
                                     std::size_t array) {
     const auto size = fluid.lattice.size;
-    return {first_sample<BrewPage>(world) + which * size_of(fluid) + array * size, size};
+    return world.blob<BrewSamples>().subspan(which * size_of(fluid) + array * size, size);
 }
 
 BrewFields fields_of(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,

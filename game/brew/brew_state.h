@@ -1,6 +1,5 @@
-// game/brew/brew_pages.h: samples of the brew as pages in the World, where they are part of the state.
-// The pages are contiguous. The haptics and the picture read the newest two fluid states there while a job
-// computes the next one.
+// game/brew/brew_state.h: samples of the brew as blobs in the World, where they are part of the state.
+// The haptics and the picture read the newest two fluid states there while a job computes the next one.
 #pragma once
 #include <span>
 
@@ -11,23 +10,23 @@
 
 namespace thaum::game {
 
-/// Adds the pages for this brew. Call it once, outside of any view.
-void add_pages(ecs::World& world, const Brew& brew);
-bool has_pages(const ecs::World& world);
+/// Makes the blobs for this brew. All samples are 0.
+void make_brew_state(ecs::World& world, const Brew& brew);
+bool has_brew_state(const ecs::World& world);
 
-/// Copies state 0 or 1 of the fluid to or from its pages.
+/// Copies state 0 or 1 of the fluid to or from the World.
 void write_fluid(ecs::World& world, std::size_t which, const fluid::Fluid& fluid);
 void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid);
 void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& sheet);
 void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Sheet& sheet);
 
 /// One array of a state: 0 to 2 are the velocity components, the substances start at 3. The span stays valid
-/// until a page is added or removed.
+/// until the World is cleared or restored.
 std::span<const float> brew_samples(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,
                                     std::size_t array);
 
-/// One state of the fluid as fields, in the frame of the fluid's box. They stay valid until a page is added
-/// or removed.
+/// One state of the fluid as fields, in the frame of the fluid's box. They stay valid until the World is
+/// cleared or restored.
 struct BrewFields {
     field::StaggeredGrid velocity{};
     std::array<field::Grid, fluid::substances_most> substances{};

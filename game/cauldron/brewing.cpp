@@ -210,9 +210,9 @@ void add_brewing_systems(MatchContext& context, ecs::Schedule& schedule) {
                   }});
     schedule.add({.name = "brewing",
                   .period = gameplay_period,
-                  .reads = world.mask<Wizard, Controls, Motion, Body, Dead, BrewPage, Ladle>(),
+                  .reads = world.mask<Wizard, Controls, Motion, Body, Dead, BrewSamples, Ladle>(),
                   .writes = world.mask<Cauldron, Pouch, WandBelt, Health, EventLog, HandState>(),
-                  .needs = world.mask<BrewPage>(),
+                  .needs = world.mask<BrewSamples>(),
                   .run = [&context](ecs::World& w, Tick tick) {
                       auto& cauldron = w.single<Cauldron>();
                       w.view<const Wizard, const Controls, const Ladle, const Pouch>().each(
@@ -228,7 +228,7 @@ void add_brewing_systems(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add(
         {.name = "light brew",
          .reads = world.mask<Cauldron, Wizard, Motion, Body, Dead>(),
-         .needs = world.mask<BrewPage>(),
+         .needs = world.mask<BrewSamples>(),
          .run = [&context](ecs::World& w, Tick) { lift_all(context, std::as_const(w).single<Cauldron>()); }});
 }
 

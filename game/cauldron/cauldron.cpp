@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/assert.h"
-#include "game/brew/brew_pages.h"
+#include "game/brew/brew_state.h"
 
 namespace thaum::game {
 namespace {
@@ -163,7 +163,7 @@ void spawn_cauldron(MatchContext& context) {
 void rebuild_brew(MatchContext& context) {
     if (context.brew) context.brew->step.wait();
     context.brew.reset();
-    if (!context.data.cauldron || !has_pages(context.world)) return;
+    if (!context.data.cauldron || !has_brew_state(context.world)) return;
     context.brew = make_work(context.data);
     auto& brew = context.brew->brew;
     auto& cauldron = context.world.single<Cauldron>();
@@ -181,7 +181,7 @@ void rebuild_brew(MatchContext& context) {
 BrewWork* touched_brew(MatchContext& context) {
     if (context.brew || !context.data.cauldron) return context.brew.get();
     context.brew = make_work(context.data);
-    add_pages(context.world, context.brew->brew);
+    make_brew_state(context.world, context.brew->brew);
     return context.brew.get();
 }
 
@@ -238,15 +238,15 @@ void add_brew_systems(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add({.name = "brew's surface",
                   .period = surface_period,
                   .reads = world.mask<Wizard, Ladle>(),
-                  .writes = world.mask<Cauldron, SurfacePage>(),
-                  .needs = world.mask<SurfacePage>(),
+                  .writes = world.mask<Cauldron, SurfaceSamples>(),
+                  .needs = world.mask<SurfaceSamples>(),
                   .run = [&context](ecs::World& w, Tick) {
                       if (context.brew) step_surface(context, w.single<Cauldron>());
                   }});
     schedule.add({.name = "brew",
                   .period = fluid_period,
-                  .writes = world.mask<Cauldron, BrewPage>(),
-                  .needs = world.mask<BrewPage>(),
+                  .writes = world.mask<Cauldron, BrewSamples>(),
+                  .needs = world.mask<BrewSamples>(),
                   .run = [&context](ecs::World& w, Tick tick) {
                       if (context.brew) step_fluid(context, w.single<Cauldron>(), tick);
                   }});

@@ -1,5 +1,5 @@
-// game/cauldron/cauldron.h: the brew in the match. Its state is in the World: Cauldron, BrewPage,
-// SurfacePage. The solver's memory is outside the World. It is made when the brew is first touched, and can be
+// game/cauldron/cauldron.h: the brew in the match. Its state is in the World: Cauldron, BrewSamples,
+// SurfaceSamples. The solver's memory is outside the World. It is made when the brew is first touched, and can be
 // rebuilt from the World.
 //
 //     tick:   16 k                        16 (k + 1)

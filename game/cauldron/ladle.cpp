@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "game/brew/brew_pages.h"
+#include "game/brew/brew_state.h"
 #include "game/components/hand_state.h"
 
 namespace thaum::game {
@@ -183,7 +183,7 @@ void add_stir_system(MatchContext& context, ecs::Schedule& schedule) {
     schedule.add({.name = "stir",
                   .period = gameplay_period,
                   .reads = world.mask<Controls, Motion, Dead>(),
-                  .writes = world.mask<Ladle, Cauldron, BrewPage, SurfacePage>(),
+                  .writes = world.mask<Ladle, Cauldron, BrewSamples, SurfaceSamples>(),
                   .needs = world.mask<Cauldron>(),
                   .run = [&context](ecs::World& w, Tick) { note_stirrers(context, w.single<Cauldron>()); }});
 }
@@ -191,7 +191,7 @@ void add_stir_system(MatchContext& context, ecs::Schedule& schedule) {
 void add_ladle_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add({.name = "ladles",
-                  .reads = world.mask<Wizard, HandState, Motion, BrewPage, SurfacePage>(),
+                  .reads = world.mask<Wizard, HandState, Motion, BrewSamples, SurfaceSamples>(),
                   .writes = world.mask<Ladle, Cauldron, Gaze>(),
                   .needs = world.mask<Ladle>(),
                   .run = [&context](ecs::World& w, Tick tick) {

@@ -105,7 +105,7 @@ void add_splash_system(MatchContext& context, ecs::Schedule& schedule) {
         {.name = "splashes",
          .period = surface_period,
          .reads = world.mask<Prop, Body, Motion, EventLog>(),
-         .writes = world.mask<Cauldron, BrewPage, SurfacePage>(),
+         .writes = world.mask<Cauldron, BrewSamples, SurfaceSamples>(),
          .needs = world.mask<Cauldron>(),
          .run = [&context, basin = basin_of(context.data.arena.bowl->size, context.data.cauldron->filled)](
                     ecs::World& w, Tick tick) {

@@ -83,21 +83,18 @@ struct Cauldron {
     }
 };
 
-/// One page of the fluid's samples. The pages hold two fluid states one after another. Each state has
-/// velocity, substances and pressure, ghost cells included. No pages exist until a player first touches the
-/// brew.
-struct BrewPage {
-    std::array<float, 1024> samples{};
-    static constexpr std::string_view name = "BrewPage";
-    static constexpr auto fields() { return std::tuple(field("samples", &BrewPage::samples)); }
+/// Blob with the samples of two fluid states, one after another. Each state has velocity, substances and
+/// pressure, ghost cells included. It is empty until a player first touches the brew.
+struct BrewSamples {
+    using Element = float;
+    static constexpr std::string_view name = "BrewSamples";
 };
 
-/// One page of the surface's samples: all heights, then all velocities. No pages exist until the brew is
-/// touched.
-struct SurfacePage {
-    std::array<double, 512> samples{};
-    static constexpr std::string_view name = "SurfacePage";
-    static constexpr auto fields() { return std::tuple(field("samples", &SurfacePage::samples)); }
+/// Blob with the samples of the surface: all heights (m), then all velocities (m/s). It is empty until a
+/// player first touches the brew.
+struct SurfaceSamples {
+    using Element = double;
+    static constexpr std::string_view name = "SurfaceSamples";
 };
 
 /// Ladle of a wizard who stirs. The probe of the wizard's hand moves it.

@@ -50,8 +50,8 @@ void declare_components(ecs::World& world) {
     world.declare<EventLog>();
     for (const auto& kind : wand_kinds()) kind.declare(world);
     world.declare<Cauldron>();
-    world.declare<BrewPage>();
-    world.declare<SurfacePage>();
+    world.declare<BrewSamples>();
+    world.declare<SurfaceSamples>();
     world.declare<Ladle>();
     world.declare<Niche>();
     world.declare<Pouch>();

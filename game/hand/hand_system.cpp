@@ -79,7 +79,7 @@ void add_hand_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
     schedule.add(
         {.name = "touch",
-         .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, Cauldron, BrewPage>(),
+         .reads = world.mask<Wizard, Controls, Gaze, Motion, Dead, Match, Cauldron, BrewSamples>(),
          .writes = world.mask<HandState, Arm, Ladle>(),
          .needs = world.mask<HandState>(),
          .run = [&context](ecs::World& w, Tick tick) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fluid/sample.h"
-#include "game/brew/brew_pages.h"
+#include "game/brew/brew_state.h"
 #include "game/cauldron/cauldron.h"
 #include "game/components/hand_state.h"
 #include "game/match/simulation.h"

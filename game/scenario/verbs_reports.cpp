@@ -187,6 +187,7 @@ void push_difference(lua_State* lua, const ecs::Difference& d) {
     set_text(lua, "field", d.field);
     set_text(lua, "before", d.a);
     set_text(lua, "after", d.b);
+    if (d.entity == ecs::none) return;  // a blob belongs to no entity
     lua_pushinteger(lua, d.entity);
     lua_setfield(lua, -2, "entity");
 }

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include "ecs/diff.h"
 #include "ecs/snapshot.h"
 #include "unit/ecs_components.h"
@@ -16,10 +20,23 @@ void fill(World& world, std::size_t n) {
     for (std::size_t i = 0; i < n; i += 5) world.destroy(all[i]);
 }
 
+/// Samples of a liquid that fills a World.
+struct Levels {
+    using Element = float;
+    static constexpr std::string_view name = "Levels";
+};
+
 struct EcsSnapshot : testing::Test {
     EcsSnapshot() {
-        declare_all(world);
-        declare_all(copy);
+        for (World* w : {&world, &copy}) {
+            declare_all(*w);
+            w->declare<Levels>();
+        }
+    }
+    /// Gives the World a blob of ten elements, 0 to 9.
+    void fill_levels() {
+        world.resize<Levels>(10);
+        std::iota(world.blob<Levels>().begin(), world.blob<Levels>().end(), 0.0F);
     }
     World world, copy;
     Bytes bytes;
@@ -83,8 +100,66 @@ TEST_F(EcsSnapshot, DiffNamesComponentEntityFieldAndBothValues) {
     EXPECT_TRUE(diff(bytes, bytes)->empty());
 }
 
+TEST_F(EcsSnapshot, ABlobIsSavedHashedAndEmptiedWithTheWorld) {
+    fill(world, 20);
+    const auto without = state_hash(world);
+    EXPECT_EQ(world.count<Levels>(), 0U);
+    fill_levels();
+    EXPECT_EQ(world.count<Levels>(), 1U);
+    const auto with = state_hash(world);
+    EXPECT_NE(with, without);
+    save(world, bytes);
+    copy.resize<Levels>(3);  // must vanish
+    ASSERT_TRUE(restore(copy, bytes).has_value());
+    EXPECT_EQ(state_hash(copy), with);
+    EXPECT_TRUE(std::ranges::equal(copy.blob<Levels>(), world.blob<Levels>()));
+    copy.blob<Levels>()[9] = std::nextafter(9.0F, 10.0F);
+    EXPECT_NE(state_hash(copy), with);
+    world.clear();
+    EXPECT_TRUE(world.blob<Levels>().empty());
+    EXPECT_EQ(world.count<Levels>(), 0U);
+    world.resize<Levels>(2);
+    EXPECT_EQ(world.blob<Levels>()[1], 0.0F);
+}
+
+TEST_F(EcsSnapshot, DiffNamesTheElementsOfABlob) {
+    fill_levels();
+    save(world, bytes);
+    world.blob<Levels>()[7] = 0.5F;
+    Bytes other;
+    save(world, other);
+    const auto differences = diff(bytes, other);
+    ASSERT_TRUE(differences.has_value());
+    ASSERT_EQ(differences->size(), 1U);
+    EXPECT_EQ((*differences)[0].component, "Levels");
+    EXPECT_EQ((*differences)[0].entity, none);
+    EXPECT_EQ((*differences)[0].field, "[7]");
+    EXPECT_EQ((*differences)[0].a, "7");
+    EXPECT_EQ((*differences)[0].b, "0.5");
+    world.resize<Levels>(4);
+    save(world, other);
+    const auto sizes = diff(bytes, other);
+    ASSERT_TRUE(sizes.has_value());
+    ASSERT_EQ(sizes->size(), 1U);
+    EXPECT_EQ((*sizes)[0].a, "10 elements");
+    EXPECT_EQ((*sizes)[0].b, "4 elements");
+}
+
+TEST_F(EcsSnapshot, ASystemMayUseOnlyTheBlobsItDeclared) {
+    fill_levels();
+    const Access reads{world.mask<Levels>(), {}, "reader"};
+    world.set_access(&reads);
+    EXPECT_EQ(std::as_const(world).blob<Levels>()[3], 3.0F);
+    EXPECT_DEATH(world.blob<Levels>(), "reader writes Levels without having declared it");
+    const Access nothing{{}, {}, "stranger"};
+    world.set_access(&nothing);
+    EXPECT_DEATH((void)std::as_const(world).blob<Levels>(), "stranger reads Levels");
+    world.set_access(nullptr);
+}
+
 TEST_F(EcsSnapshot, EveryTruncationAndEveryFlippedByteIsRefusedOrConsistent) {
     fill(world, 40);
+    fill_levels();
     save(world, bytes);
     for (std::size_t n = 0; n < bytes.size(); ++n) {
         ASSERT_FALSE(restore(copy, std::span(bytes).first(n)).has_value()) << n;

@@ -134,10 +134,8 @@ struct HeldLadle {
 
     std::uint64_t hash_of_brew() const {
         auto hash = hash_value(match->world().single<Cauldron>(), 1);
-        match->world().view<const BrewPage>().each(
-            [&](const BrewPage& page) { hash = hash_value(page, hash); });
-        match->world().view<const SurfacePage>().each(
-            [&](const SurfacePage& page) { hash = hash_value(page, hash); });
+        hash = hash_bytes(std::as_bytes(match->world().blob<BrewSamples>()), hash);
+        hash = hash_bytes(std::as_bytes(match->world().blob<SurfaceSamples>()), hash);
         return hash;
     }
 };
