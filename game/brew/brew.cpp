@@ -167,7 +167,7 @@ Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
     if (!surface) return tl::unexpected(surface.error());
     const vec3 corner = corner_of(fluid->settings);
     return Brew{
-        .fluid = std::move(*fluid), .sheet = fluid::sheet_of(*surface), .scratch = {}, .corner = corner};
+        .fluid = std::move(*fluid), .surface = fluid::sheet_of(*surface), .scratch = {}, .corner = corner};
 }
 
 std::optional<std::size_t> substance_for(const Contents& what, std::uint32_t ingredient) {

@@ -105,7 +105,7 @@ using Contents = std::array<std::uint32_t, fluid::substances_most>;
 
 struct Brew {
     fluid::Fluid fluid;
-    fluid::Sheet sheet;
+    fluid::Sheet surface;
     fluid::SheetScratch scratch;
     Contents what{no_ingredient, no_ingredient, no_ingredient};
     /// Origin of the fluid's box (m, brew's frame). A point p of the brew is p - corner in the fluid's frame.

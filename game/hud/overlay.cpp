@@ -81,9 +81,9 @@ void add_needle(Overlay& out, fvec2 tail, float length, float width, double shar
     };
     end_from(0, filled > 0 ? full : track);
     if (filled > 0 && filled < 1) end_from(filled, opaque(fvec3(track)));
-    const fvec2 hand_state(0.05F * length, 0.3F * width);
-    out.items.emplace_back(render::RectItem{tail - fvec2(2, 1) * hand_state, tail + fvec2(0, 1) * hand_state,
-                                            full, 0.2F * width});
+    const fvec2 handle(0.05F * length, 0.3F * width);
+    out.items.emplace_back(
+        render::RectItem{tail - fvec2(2, 1) * handle, tail + fvec2(0, 1) * handle, full, 0.2F * width});
 }
 
 std::string capitalised(std::string_view name) {

@@ -75,7 +75,7 @@ double stir(LabState& lab, vec3 to) {
 }
 
 bool is_wet(const LabState& lab, vec3 place) {
-    return is_finite(place) && place.y < fluid::height_at(lab.brew.sheet, {place.x, place.z});
+    return is_finite(place) && place.y < fluid::height_at(lab.brew.surface, {place.x, place.z});
 }
 
 /// Moves the ladle and returns the force of the brew on it (N).
@@ -96,7 +96,7 @@ fluid::SheetStep step_surface(LabState& lab) {
     std::array<fluid::SheetProbe, 1> probe{};
     if (lab.ladle) probe[0] = {{lab.ladle->x, lab.ladle->z}, lab.ladle->y, lab.rules.ladle.radius};
     const auto probes = std::span(probe).first(lab.ladle ? 1 : 0);
-    return fluid::advance(lab.brew.sheet, lab.brew.scratch, probes, lab_dt);
+    return fluid::advance(lab.brew.surface, lab.brew.scratch, probes, lab_dt);
 }
 
 /// Returns f's result and writes the computing time (us).

@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
     const double start = now_ms();
     std::cout << "shaders " << fixed(start - opened, 1) << " ms\n";
     const auto arena_scene = make_arena_scene(renderer, *data);
-    std::cout << "court " << fixed(now_ms() - start, 1) << " ms\n";
+    std::cout << "arena " << fixed(now_ms() - start, 1) << " ms\n";
     auto picture = make_picture();
     const double before = now_ms();
     for (int i = 0; i < 1000; ++i) take_picture(match, picture);

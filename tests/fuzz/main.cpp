@@ -47,14 +47,14 @@ struct Progress {
     std::array<char, 1000> fault{};
 };
 
-struct Wish {
+struct RunPlan {
     const Reader* reader{};
     std::uint64_t runs = 10'000, seed = 1, from = 0;
 };
 
-std::string input_of(const Wish& wish, const std::vector<std::string>& seeds, std::uint64_t run) {
-    Random random = random_stream(wish.seed, run);
-    return wish.reader->mutate(seeds, random);
+std::string input_of(const RunPlan& plan, const std::vector<std::string>& seeds, std::uint64_t run) {
+    Random random = random_stream(plan.seed, run);
+    return plan.reader->mutate(seeds, random);
 }
 
 /// A message is one line of text that a terminal can show.
@@ -73,13 +73,13 @@ void limit_memory() {
     ::setrlimit(RLIMIT_AS, &limit);
 }
 
-void run_all(const Wish& wish, const std::vector<std::string>& seeds, const Places& places,
+void run_all(const RunPlan& plan, const std::vector<std::string>& seeds, const Places& places,
              Progress& progress) {
     limit_memory();
-    for (auto run = wish.from; run < wish.from + wish.runs; ++run) {
-        const auto input = input_of(wish, seeds, run);
+    for (auto run = plan.from; run < plan.from + plan.runs; ++run) {
+        const auto input = input_of(plan, seeds, run);
         const auto before = Clock::now();
-        const auto outcome = wish.reader->read(input, places);
+        const auto outcome = plan.reader->read(input, places);
         const auto took =
             std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - before).count();
         progress.slowest_us = std::max(progress.slowest_us.load(), static_cast<std::uint64_t>(took));
@@ -120,27 +120,27 @@ std::string watch(pid_t child, const Progress& progress, long& peak_mib) {
     }
 }
 
-int report(const Wish& wish, const std::vector<std::string>& seeds, const Progress& progress,
+int report(const RunPlan& plan, const std::vector<std::string>& seeds, const Progress& progress,
            const std::string& fault, long peak_mib) {
-    const auto name = std::string(wish.reader->name);
+    const auto name = std::string(plan.reader->name);
     if (!fault.empty()) {
-        const auto run = wish.from + progress.done;
-        const auto file = text("fuzz_", name, "_", wish.seed, "_", run);
-        (void)write_text_file(file, input_of(wish, seeds, run));
+        const auto run = plan.from + progress.done;
+        const auto file = text("fuzz_", name, "_", plan.seed, "_", run);
+        (void)write_text_file(file, input_of(plan, seeds, run));
         std::printf(
             "%s: run %llu: %s\n  its input is in ./%s; again: thaum_fuzz %s --seed %llu --from %llu --runs "
             "1\n",
             name.c_str(), static_cast<unsigned long long>(run), fault.c_str(), file.c_str(), name.c_str(),
-            static_cast<unsigned long long>(wish.seed), static_cast<unsigned long long>(run));
+            static_cast<unsigned long long>(plan.seed), static_cast<unsigned long long>(run));
         return 1;
     }
     std::printf("%s: %llu runs, %llu accepted, %llu refused in one line; slowest %.1f ms, at most %ld MiB\n",
-                name.c_str(), static_cast<unsigned long long>(wish.runs),
+                name.c_str(), static_cast<unsigned long long>(plan.runs),
                 static_cast<unsigned long long>(progress.accepted),
                 static_cast<unsigned long long>(progress.refused),
                 static_cast<double>(progress.slowest_us) / 1e3, peak_mib);
     const bool proves =
-        wish.runs < proof || (progress.accepted > wish.runs / 100 && progress.refused > wish.runs / 100);
+        plan.runs < proof || (progress.accepted > plan.runs / 100 && progress.refused > plan.runs / 100);
     if (!proves) std::printf("%s: nearly all on one side: this proves little\n", name.c_str());
     return proves ? 0 : 1;
 }
@@ -172,11 +172,11 @@ std::vector<std::string> seeds_of(const Reader& reader, const Places& places) {
     return seeds;
 }
 
-int run(const Wish& wish) {
+int run(const RunPlan& plan) {
     std::string folder = (std::filesystem::temp_directory_path() / "thaum-fuzz-XXXXXX").string();
     if (::mkdtemp(folder.data()) == nullptr) return std::perror("thaum_fuzz"), 2;
     const auto places = make_places(folder);
-    const auto seeds = seeds_of(*wish.reader, places);
+    const auto seeds = seeds_of(*plan.reader, places);
     void* shared =
         ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (seeds.empty() || shared == MAP_FAILED)
@@ -184,30 +184,30 @@ int run(const Wish& wish) {
     auto& progress = *new (shared) Progress;
     const auto child = ::fork();
     if (child < 0) return std::perror("thaum_fuzz"), 2;
-    if (child == 0) run_all(wish, seeds, places, progress);
+    if (child == 0) run_all(plan, seeds, places, progress);
     long peak_mib = 0;
     const auto fault = watch(child, progress, peak_mib);
     std::filesystem::remove_all(folder);
-    return report(wish, seeds, progress, fault, peak_mib);
+    return report(plan, seeds, progress, fault, peak_mib);
 }
 
-std::optional<Wish> read_wish(std::span<char*> words) {
-    Wish wish;
+std::optional<RunPlan> read_wish(std::span<char*> words) {
+    RunPlan plan;
     for (const auto& reader : readers()) {
-        if (!words.empty() && reader.name == words[0]) wish.reader = &reader;
+        if (!words.empty() && reader.name == words[0]) plan.reader = &reader;
     }
-    if (wish.reader == nullptr || words.size() % 2 == 0) return {};
+    if (plan.reader == nullptr || words.size() % 2 == 0) return {};
     for (std::size_t i = 1; i + 1 < words.size(); i += 2) {
         const std::string_view name = words[i], value = words[i + 1];
-        auto* number = name == "--runs"   ? &wish.runs
-                       : name == "--seed" ? &wish.seed
-                       : name == "--from" ? &wish.from
+        auto* number = name == "--runs"   ? &plan.runs
+                       : name == "--seed" ? &plan.seed
+                       : name == "--from" ? &plan.from
                                           : nullptr;
         if (number == nullptr) return {};
         const auto end = value.data() + value.size();
         if (std::from_chars(value.data(), end, *number).ptr != end) return {};
     }
-    return wish;
+    return plan;
 }
 
 }  // namespace
@@ -222,13 +222,13 @@ std::span<const Reader> readers() {
 }  // namespace thaum::fuzz
 
 int main(int argc, char** argv) {
-    const auto wish = thaum::fuzz::read_wish({argv + 1, argv + argc});
-    if (!wish) {
+    const auto plan = thaum::fuzz::read_wish({argv + 1, argv + argc});
+    if (!plan) {
         std::fprintf(stderr, "usage: thaum_fuzz READER [--runs N] [--seed S] [--from I]\nreaders:");
         for (const auto& reader : thaum::fuzz::readers())
             std::fprintf(stderr, " %s", std::string(reader.name).c_str());
         std::fprintf(stderr, "\n");
         return 2;
     }
-    return thaum::fuzz::run(*wish);
+    return thaum::fuzz::run(*plan);
 }

@@ -3,7 +3,7 @@
 
 #include "game/bots/aim.h"
 #include "game/bots/league.h"
-#include "game/bots/roping.h"
+#include "game/bots/swinging.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

@@ -76,7 +76,7 @@ struct ArmMatch {
             hashes[match.now()] = match.state_hash();
             force_hashes[match.now()] = match.force_hash();
         }
-        if (fill_order(match.world(), match.touch(), 0, servo.order())) servo.publish();
+        if (fill_order(match.world(), match.haptic_setup(), 0, servo.order())) servo.publish();
     }
 
     void run(int ticks) {
@@ -312,7 +312,7 @@ TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     }
     const auto x = m.hand_state().device.position.x;
     EXPECT_GT(x, 0.06);
-    EXPECT_LT(x, m.match.touch().device.reach.x + 0.021) << "and one stroke";
+    EXPECT_LT(x, m.match.haptic_setup().device.reach.x + 0.021) << "and one stroke";
     m.expect_same_forces();
 }
 

@@ -123,7 +123,7 @@ struct HeldLadle {
             if (t > 600 && t < 620) frame.devices[0].press(input::Button::fire);
             frame.devices[2] = servo.take();
             match->tick(frame);
-            if (fill_order(match->world(), match->touch(), 0, servo.order())) servo.publish();
+            if (fill_order(match->world(), match->haptic_setup(), 0, servo.order())) servo.publish();
             const vec3 force =
                 match->world().get<HandState>(wizard_of(match->world(), 0)).servo.safety.output;
             felt += glm::length(force);

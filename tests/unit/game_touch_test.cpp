@@ -104,7 +104,7 @@ TEST(HapticSetup, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
 
 /// m: how far the player's wand goes to the right when the hand is at the edge of a device so many m wide.
 double reach_of_tip(const Simulation& match, std::uint32_t player, double width) {
-    const double wand_per_hand = match.touch().wand_per_hand[player];
+    const double wand_per_hand = match.haptic_setup().wand_per_hand[player];
     HandState hand_state = empty_hand_state();
     const double rests = wand_tip_of(wand_per_hand, hand_state).x;
     hand_state.device.position.x = width / 2;
@@ -135,7 +135,7 @@ TEST(HapticSetup, AnArmReachesAsFarOverTheBoxThatItReports) {
         const input::DeviceSpec arm{.player = 1, .kind = kind, .name = "arm", .box_um = box_um};
         const Simulation match(data, {.seed = 1, .devices = {bot_device(0, 1), bot_device(1, 1), arm}});
         EXPECT_NEAR(reach_of_tip(match, 0, data->device.workspace.x), 0.8, 1e-12);
-        EXPECT_EQ(match.touch().reach[0], data->device.workspace / 2.0);
+        EXPECT_EQ(match.haptic_setup().reach[0], data->device.workspace / 2.0);
         return reach_of_tip(match, 1, width);
     };
     EXPECT_NEAR(reach({100'000, 100'000, 100'000}, arm_kind, 0.1), 0.8, 1e-12);
@@ -187,7 +187,7 @@ TEST(HapticSetup, ARowOfForcesSaysWhatTheHandHad) {
 TEST(HapticSetup, TheAuditFindsNothingInAMinuteOfBots) {
     auto duel = make_duel(5);
     const auto& data = duel.match->data();
-    const auto limits = haptics::safety_limits(data.device, data.touch.share);
+    const auto limits = haptics::safety_limits(data.device, data.haptic_rules.share);
     std::array<haptics::SafetyAudit, players> audits;
     double felt = 0;
     for (int tick = 0; tick < 60'000; ++tick) {

@@ -16,8 +16,8 @@ using input::Button;
 constexpr Tick blast_full = ticks(1.6) + 2 * gameplay_period;
 
 /// A match of two scripted hands; the first does as the test says.
-struct Wandsman {
-    explicit Wandsman(std::vector<std::string> overrides = {}, const char* length = "quick")
+struct WandRig {
+    explicit WandRig(std::vector<std::string> overrides = {}, const char* length = "quick")
         : match(data_of(std::move(overrides), length), setup()) {}
 
     static std::shared_ptr<const MatchData> data_of(std::vector<std::string> overrides, const char* length) {
@@ -78,7 +78,7 @@ TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
     for (const auto& [device, peak] :
          {std::pair{"touch", 3.3}, {"premium", 8.5}, {"falcon", 8.0}, {"omega3", 12.0}}) {
         for (const double share : {0.1, 0.3}) {  // stronger, and a premium grows warm
-            Wandsman w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
+            WandRig w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
             w.take(Button::wand_2);
             w.hold(blast_full, Button::fire);
             const double cap = peak * share;
@@ -93,7 +93,7 @@ TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
 
 TEST(Blast, KicksByThePlayersCap) {
     for (const double share : {0.1, 0.45, 1.0}) {
-        Wandsman w({text("haptics.share=", share)});
+        WandRig w({text("haptics.share=", share)});
         w.take(Button::wand_2);
         w.hold(blast_full, Button::fire);
         double greatest = 0;
@@ -111,7 +111,7 @@ TEST(Blast, ItsRecoilIsWholeOnEveryDevice) {
         for (const double share : {0.1, 0.3, 1.0}) {
             if (share == 1 && device == std::string("premium"))
                 continue;  // whose motors the charge alone has warmed
-            Wandsman w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
+            WandRig w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
             w.take(Button::wand_2);
             w.hold(blast_full, Button::fire);
             const double felt = share * peak / 3.3, leaning = 2.6 * felt;
@@ -134,7 +134,7 @@ TEST(Blast, ItsRecoilIsWholeOnEveryDevice) {
 TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
     for (const auto wand : {Button::wand_2, Button::wand_3}) {
         for (const bool dies : {false, true}) {
-            Wandsman w;
+            WandRig w;
             w.take(wand);
             w.hold(1000, Button::fire);
             ASSERT_GT(w.readiness(), 0.5);
@@ -156,7 +156,7 @@ TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
 }
 
 TEST(Wands, NothingIsLeftOfARoundInTheNext) {
-    Wandsman w({"standard.seconds=3", "standard.interval_s=1"}, "standard");
+    WandRig w({"standard.seconds=3", "standard.interval_s=1"}, "standard");
     w.take(Button::wand_3);
     w.hold(1500, Button::fire);
     w.wait(gameplay_period);
@@ -171,8 +171,8 @@ TEST(Wands, NothingIsLeftOfARoundInTheNext) {
 }
 
 TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheCourt) {
-    Wandsman w({"lob.energy.cost=0", "lob.shot.fuse_s=6", "lob.burst.damage=0", "lob.burst.impulse_n_s=0",
-                "quick.seconds=600"});
+    WandRig w({"lob.energy.cost=0", "lob.shot.fuse_s=6", "lob.burst.damage=0", "lob.burst.impulse_n_s=0",
+               "quick.seconds=600"});
     w.take(Button::wand_3);
     Random random{11};
     std::size_t followed = 0, bounces = 0;
@@ -221,7 +221,7 @@ TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
                 match.tick(frame);
             }
         };
-        Wandsman w;
+        WandRig w;
         play(w.match, 0, keyframe_interval);
         EXPECT_EQ(w.shots(), 1U);
         EXPECT_FALSE(w.missiles().empty());
@@ -231,7 +231,7 @@ TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
         Bytes state;
         w.match.save(state);
         play(w.match, keyframe_interval, keyframe_interval + 1500);
-        Wandsman other;
+        WandRig other;
         ASSERT_TRUE(other.match.restore(state, keyframe_interval));
         play(other.match, keyframe_interval, keyframe_interval + 1500);
         EXPECT_EQ(other.match.state_hash(), w.match.state_hash());
@@ -241,9 +241,9 @@ TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
 
 TEST(Wands, AnyInputLeavesForcesEnergiesAndPlacesInRange) {
     Random random{4};
-    Wandsman w({"quick.seconds=600", "quick.kills=1000", "blast.energy.regain_per_s=20",
-                "lob.energy.regain_per_s=20"});
-    const double cap = w.match.touch().servos[0].limits.cap;
+    WandRig w({"quick.seconds=600", "quick.kills=1000", "blast.energy.regain_per_s=20",
+               "lob.energy.regain_per_s=20"});
+    const double cap = w.match.haptic_setup().servos[0].limits.cap;
     constexpr std::array buttons{Button::fire,   Button::fire,   Button::wand_2, Button::wand_3,
                                  Button::wand_1, Button::clutch, Button::jump};
     input::InputFrame frame;

@@ -63,7 +63,7 @@ Expected<void> stir(BrewScene& scene) {
         fluid::push(brew.fluid, {at - brew.corner, 0.25, 0.03 * vec3(-std::sin(angle), 0, std::cos(angle))});
         fluid::advance(brew.fluid, step);
         const fluid::SheetProbe probe{{at.x, at.z}, i % 40 < 20 ? -0.03 : 0.1, 0.1};
-        fluid::advance(brew.sheet, brew.scratch, {&probe, 1}, step);
+        fluid::advance(brew.surface, brew.scratch, {&probe, 1}, step);
     }
     return {};
 }
