@@ -1,5 +1,5 @@
-// Runs the inputs in a child, so that a crash, a hang or too much memory has a number: that of the run, which makes the same
-// input again.
+// Runs the inputs in a child process. A crash, a hang or too much memory can then be reported with the
+// number of the run, which makes the same input again.
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -37,11 +37,13 @@ namespace thaum::fuzz {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto most_time = std::chrono::seconds(10);  ///< for one input, on a busy machine under sanitizers
-constexpr rlim_t most_memory = rlim_t{1} << 30U;      ///< of address space, where there is no sanitizer
-constexpr std::uint64_t proof = 200;                  ///< runs that must reach both sides of the reader
+/// Longest time for one input, on a busy machine under sanitizers.
+constexpr auto most_time = std::chrono::seconds(10);
+constexpr rlim_t most_memory = rlim_t{1} << 30U;  ///< address space without sanitizers (bytes)
+/// Number of runs from which on both accepted and refused inputs must occur.
+constexpr std::uint64_t proof = 200;
 
-/// What the child tells.
+/// Progress of the child process, in shared memory.
 struct Progress {
     std::atomic<std::uint64_t> done{0}, accepted{0}, refused{0}, slowest_us{0};
     std::array<char, 1000> fault{};
@@ -57,7 +59,7 @@ std::string input_of(const RunPlan& plan, const std::vector<std::string>& seeds,
     return plan.reader->mutate(seeds, random);
 }
 
-/// A message is one line of text that a terminal can show.
+/// Fault of an outcome: its own, or a refusal that is not one line of printable text. Empty: none.
 std::string fault_of(const Outcome& outcome) {
     if (!outcome.fault.empty()) return outcome.fault;
     if (!outcome.accepted && outcome.refusal.empty()) return "refused without a word";
@@ -68,7 +70,8 @@ std::string fault_of(const Outcome& outcome) {
 }
 
 void limit_memory() {
-    if (THAUM_HAS_ASAN) return;  // its shadow is terabytes of address space; see __asan_default_options
+    // Its shadow memory takes terabytes of address space; see __asan_default_options.
+    if (THAUM_HAS_ASAN) return;
     const rlimit limit{most_memory, most_memory};
     ::setrlimit(RLIMIT_AS, &limit);
 }
@@ -93,7 +96,7 @@ void run_all(const RunPlan& plan, const std::vector<std::string>& seeds, const P
     std::exit(0);
 }
 
-/// What went wrong with the child; empty: nothing.
+/// Waits for the child process. Returns its fault; empty: none.
 std::string watch(pid_t child, const Progress& progress, long& peak_mib) {
     auto seen = progress.done.load();
     auto since = Clock::now();
@@ -159,12 +162,13 @@ std::vector<std::string> seeds_of(const Reader& reader, const Places& places) {
     std::vector<std::filesystem::path> files;
     std::error_code none;
     for (const auto& entry : std::filesystem::directory_iterator(folder, none)) files.push_back(entry.path());
-    if (seeds.empty()) return seeds;  // without a real one nothing is tested
+    if (seeds.empty()) return seeds;  // without a real input the test would prove nothing
     std::sort(files.begin(), files.end());
     for (const auto& file : files) {
         if (auto content = read_text_file(file, 1U << 20U)) seeds.push_back(std::move(*content));
     }
-    // A mutant of a whole file gets further than one of a scrap.
+    // The largest seed is a whole file. It is repeated, because mutants of a whole file get further than
+    // those of a fragment.
     constexpr std::size_t most_of_them = 6;
     const auto& whole = *std::max_element(seeds.begin(), seeds.end(),
                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
