@@ -52,7 +52,7 @@ const std::map<std::string, Part> parts{
     {"ry", {EV_ABS, ABS_RY}},       {"rt", {EV_ABS, ABS_RZ}},       {"hx", {EV_ABS, ABS_HAT0X}},
     {"hy", {EV_ABS, ABS_HAT0Y}}};
 
-// ---- answers to the program's questions about the pad -----------------------------------------------
+// ---- answers to the program's questions about the pad -----------------------------------------------------
 
 void set_bit(std::vector<guint8>& bits, unsigned bit) {
     if (bit / 8 < bits.size()) bits[bit / 8] = static_cast<guint8>(bits[bit / 8] | (1U << (bit % 8)));
@@ -108,7 +108,7 @@ gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer) {
     return TRUE;
 }
 
-// ---- changes of the pad -------------------------------------------------------------------------------
+// ---- changes of the pad -----------------------------------------------------------------------------------
 
 struct Pad {
     UMockdevTestbed* testbed{};

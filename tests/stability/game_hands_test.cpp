@@ -1,6 +1,7 @@
-// Hands on lift and swing under stress: poses that are none, teleports, hands that shake at 10 m/s, springs of 10^6 N/m, things that are
-// wedged, held by both or gone, devices that vanish, a match that stalls. Whatever happens, forces stay finite and within the cap,
-// energy bounded, things inside the walls, and nobody is flung about.
+// Stress on hands that use lift and swing: invalid poses, jumps of position, hands that shake at 10 m/s,
+// springs of 10^6 N/m, things that are wedged, held by both or destroyed, devices that vanish, and a match
+// that stalls. Forces must stay finite and within the cap, energy bounded, things inside the walls, and no
+// wizard may be launched.
 #include <functional>
 #include <memory>
 
@@ -18,15 +19,16 @@ namespace {
 
 using input::Button;
 
-constexpr double wall = 20;            // m, from the rig's middle to its walls
-constexpr double fastest_wizard = 30;  // m/s; a fall of 12 m ends with 15
-constexpr double most_created = 0.02;  // J, by passive sources
-constexpr double most_given = 1.0;     // J, in about a second, by active ones
+constexpr double wall = 20;            // distance from the middle of the arena to its walls (m)
+constexpr double fastest_wizard = 30;  // largest allowed speed (m/s); a fall of 12 m ends with 15 m/s
+constexpr double most_created = 0.02;  // largest energy that passive sources may create (J)
+constexpr double most_given = 1.0;     // largest energy that active sources may give in about a second (J)
 constexpr double jump_speed =
-    0.1 / 0.03;  // m/s: 10 cm within a tick, against a force that is told only afterwards
-constexpr std::uint32_t arm_device = 2;  // of player 0; 3: of player 1
+    0.1 / 0.03;  // 10 cm of hand motion within a tick, against a force that follows later (m/s)
+// Index of the arm of player 0 among the devices; the arm of player 1 is 3.
+constexpr std::uint32_t arm_device = 2;
 
-/// What is watched in every tick, of every body and both hands.
+/// Limits checked in every tick for all bodies and both hands.
 struct Watch {
     std::array<haptics::SafetyAudit, players> audits{};
     double fastest = 0, created = 0, given = 0, strongest = 0, energy = 0;
@@ -56,8 +58,8 @@ struct Watch {
                 energy = std::max(energy, body.mass * glm::dot(m.velocity, m.velocity) / 2);
             });
     }
-    /// speed: m/s, of a hand that turns round within a tick. Its velocity is taken over 8 ms and so is wrong for that long, in which
-    /// what should damp it drives it.
+    /// Expects all limits to hold. `speed` is the speed of a hand that reverses within a tick (m/s). The
+    /// measured velocity averages 8 ms, so for that long it has the wrong sign and damping drives the hand.
     void expect_tame(double speed = 0) const {
         for (const auto& audit : audits) {
             EXPECT_EQ(audit.violations(haptics::SafetyRule::finite), 0U);
@@ -70,12 +72,12 @@ struct Watch {
     }
 };
 
-/// A rig without props, two scripted wizards, of whom each may hold an arm.
+/// An arena without props and with two scripted wizards, of whom each may hold an arm.
 struct HandsRig {
     Simulation match;
     Watch watch{};
     input::InputFrame frame{};
-    std::function<void(input::InputFrame&)> before{};  ///< what devices do in a tick
+    std::function<void(input::InputFrame&)> before{};  ///< fills the device samples of a tick
     std::uint64_t held_ticks = 0;
 
     explicit HandsRig(std::vector<std::string> overrides = {}, int arms = 0)
@@ -123,7 +125,7 @@ struct HandsRig {
         match.world_to_change().get<Gaze>(wizard(p)) = {
             det::atan2(-way.x, -way.z), det::atan2(way.y, std::sqrt(way.x * way.x + way.z * way.z))};
     }
-    /// A thing, or with no mass a part of the rig.
+    /// Adds a prop, or a fixed part of the arena if the mass is 0.
     ecs::Entity box(vec3 size, double mass, vec3 at) {
         Thing thing;
         thing.prop = mass > 0;
@@ -165,7 +167,7 @@ struct HandsRig {
         run(40);
         EXPECT_TRUE(busy(p)) << "nothing is held";
     }
-    /// Hangs over the pit.
+    /// Makes the wizard hang on a rope over the pit.
     void hang(std::uint32_t p) {
         place(p, {4, 0, 5}, {0, 0, 1});
         run(50);
@@ -177,7 +179,7 @@ struct HandsRig {
     }
 };
 
-/// An arm's sample of a tick that felt the newest model.
+/// Arm sample for a tick whose force used the newest model.
 input::DeviceSample arm_sample(vec3 place) {
     input::DeviceSample sample;
     for (int axis = 0; axis < 3; ++axis)
@@ -187,7 +189,7 @@ input::DeviceSample arm_sample(vec3 place) {
     return sample;
 }
 
-/// To and fro at `speed` m/s over `width` m, about the middle.
+/// Triangle wave about 0 with a slope of `speed` (m/s) and a range of `width` (m).
 double shaken(Tick t, double speed, double width) {
     const double way = speed * tick_seconds * static_cast<double>(t) + width / 2;
     const double phase = std::fmod(way, 2 * width);
@@ -202,7 +204,7 @@ std::int32_t anything(Random& random) {
     }
 }
 
-/// Lift and swing alike.
+/// Start of a test with one wand, so that lift and swing share the tests.
 struct StressedWand {
     const char* name;
     void (*begin)(HandsRig&);
@@ -219,7 +221,7 @@ class StressedHands : public testing::TestWithParam<StressedWand> {};
 INSTANTIATE_TEST_SUITE_P(Each, StressedHands, testing::ValuesIn(stressed_wands),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-// ---- poses ------------------------------------------------------------------------------------------------------------
+// ---- poses ------------------------------------------------------------------------------------------------
 
 TEST_P(StressedHands, OfAnArmWhosePosesAreAnything) {
     HandsRig rig({}, 1);
@@ -279,7 +281,7 @@ TEST_P(StressedHands, ThatShakeAtTenMetresASecond) {
     }
 }
 
-/// The simulated hand, by mouse and wheel.
+/// Moves the simulated hand with mouse and wheel.
 TEST_P(StressedHands, OfAMouseThatDoesAnything) {
     HandsRig rig;
     Random random = random_stream(9, 1);
@@ -299,7 +301,7 @@ TEST_P(StressedHands, OfAMouseThatDoesAnything) {
     rig.watch.expect_tame();
 }
 
-// ---- stiffness --------------------------------------------------------------------------------------------------------
+// ---- stiffness --------------------------------------------------------------------------------------------
 
 TEST(LiftStress, OfAnyStiffnessAndMassStaysBounded) {
     for (const double stiffness : {1.0, 4000.0, 1e5, 1e6}) {
@@ -317,7 +319,8 @@ TEST(LiftStress, OfAnyStiffnessAndMassStaysBounded) {
             shake = true;
             rig.run(2500);
             rig.watch.expect_tame(0.4);
-            // No more than what a stretch of lost_m holds, or a thing that keeps up with its hand; and it falls.
+            // Energy of a spring stretched by lost_m, or of a thing as fast as its hand, plus that of a
+            // fall.
             constexpr double lost = 2.5, hand = 20 * 0.4;
             const double most =
                 std::max(stiffness * lost * lost / 2, mass * hand * hand * 2) + mass * 9.81 * 3;
@@ -346,9 +349,9 @@ TEST(SwingStress, OfAnyStiffnessStaysBounded) {
     }
 }
 
-// ---- what is held -----------------------------------------------------------------------------------------------------
+// ---- held things ------------------------------------------------------------------------------------------
 
-/// Between two blocks that nobody moves and the wall, pulled every way.
+/// The thing is wedged between two fixed blocks and the wall, and is pulled in all directions.
 TEST(LiftStress, AWedgedThingGoesThroughNothing) {
     for (const double stiffness : {4000.0, 1e6}) {
         SCOPED_TRACE(stiffness);
@@ -372,7 +375,7 @@ TEST(LiftStress, AWedgedThingGoesThroughNothing) {
             const vec3 at = rig.match.world().get<Motion>(thing).position;
             ASSERT_LT(at.x, 19.6) << i;
             ASSERT_GT(at.y, 0.3) << i;
-            // Not into the blocks; above them and before them it may go.
+            // The thing may pass above or in front of the blocks, but not into them.
             const bool between = at.x > 18.4 && at.y < 3;
             ASSERT_TRUE(!between || std::abs(at.z - 16) < 0.25) << i;
         }
@@ -435,7 +438,7 @@ TEST(LiftStress, WhatIsGoneIsHeldNoMore) {
         rig.run(300);
         EXPECT_GT(glm::length(rig.hand_state(0).servo.safety.output), 0.1);
         rig.match.world_to_change().destroy(thing);
-        const auto other = rig.box({1, 1, 1}, 60, {11, 0.5, 16});  // may get the same place in the store
+        const auto other = rig.box({1, 1, 1}, 60, {11, 0.5, 16});  // may reuse the freed entity's place
         rig.run(300);
         for (std::uint32_t p = 0; p < static_cast<std::uint32_t>(holders); ++p) {
             EXPECT_FALSE(rig.busy(p));
@@ -476,7 +479,7 @@ TEST(SwingStress, AnAnchorThatIsGoneStillHoldsOrLetsGo) {
     rig.watch.expect_tame();
 }
 
-// ---- devices that vanish, matches that stall -------------------------------------------------------------------------
+// ---- devices that vanish, matches that stall ---------------------------------------------------------------
 
 TEST_P(StressedHands, OfAnArmThatVanishesAndComesBackElsewhere) {
     for (const Tick gone : std::initializer_list<Tick>{1, 5, 19, 20, 60, 300, 3000}) {
@@ -491,7 +494,7 @@ TEST_P(StressedHands, OfAnArmThatVanishesAndComesBackElsewhere) {
         rig.run(300);
         there = false;
         rig.run(gone);
-        // Later than that the simulated hand plays on.
+        // After 250 ms the simulated hand takes over.
         EXPECT_TRUE(gone < 60 || gone > 250 || rig.hand_state(0).servo.safety.output == vec3(0));
         there = true;
         place = {0.06, 0.04, -0.03};
@@ -500,7 +503,7 @@ TEST_P(StressedHands, OfAnArmThatVanishesAndComesBackElsewhere) {
     }
 }
 
-/// The arm's own thread goes on while the match stands still; beyond 250 ms of backlog samples are left out.
+/// The arm's thread goes on while the match stalls. If the backlog exceeds 250 ms, samples are skipped.
 TEST_P(StressedHands, OfAnArmWhileTheMatchStalls) {
     for (const int stalled : {1, 5, 20, 50, 79, 120, 250, 700, 2000}) {
         SCOPED_TRACE(stalled);
@@ -537,7 +540,7 @@ TEST_P(StressedHands, OfAnArmWhileTheMatchStalls) {
                     servo->publish();
             }
         };
-        // What HandsRig::take and hang do, with the arm's thread beside.
+        // HandsRig::take and hang run ticks too, so the arm's thread must also run there.
         const auto inner = rig.before;
         rig.before = [&](input::InputFrame& frame) {
             if (behind > 0) {
@@ -563,7 +566,8 @@ TEST_P(StressedHands, OfAnArmWhileTheMatchStalls) {
             behind = stalled;
         }
         run(1000);
-        rig.watch.expect_tame(0.2 * std::min(stalled, 80) / 30);  // what the hand does by an old model
+        // The hand moves on for that long by an old model.
+        rig.watch.expect_tame(0.2 * std::min(stalled, 80) / 30);
         EXPECT_EQ(audit.violations(haptics::SafetyRule::cap), 0U);
         EXPECT_EQ(audit.violations(haptics::SafetyRule::finite), 0U);
         EXPECT_EQ(servo->troubles().differing, 0U);

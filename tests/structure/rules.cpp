@@ -87,7 +87,7 @@ std::vector<std::string> folders_of(const std::string& path) {
     return result;
 }
 
-// ---- includes -------------------------------------------------------------------------------------------
+// ---- includes ---------------------------------------------------------------------------------------------
 
 /// Place of a file in the tree: ("ecs", "ecs") or ("game", "game/components").
 struct Place {
@@ -160,7 +160,7 @@ void check_includes(const fs::path& root, const fs::path& file, Faults& faults) 
     }
 }
 
-// ---- paths of one machine -----------------------------------------------------------------------------
+// ---- paths of one machine ---------------------------------------------------------------------------------
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '}' || c == '-';

@@ -1,4 +1,5 @@
-// Recorded forces at an arm: the same forces, each for a tick; and what the safety stage makes of wilder ones.
+// Tests the playback of recorded forces at an arm: each force acts for one tick, and the safety stage
+// limits forces that are too strong, too fast or invalid.
 #include "input/arm_playback.h"
 
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ TEST(ArmPlayback, EachForceActsForATick) {
     for (int t = 0; t < 1000; ++t) {
         const vec3 force(0.3 * std::sin(t * 0.02), 0.1, t % 100 == 50 ? 1.2 : 0);
         const vec3 told = hand.play(force);
-        if (t < 20) continue;  // the gate lets it grow slowly at first
+        if (t < 20) continue;  // the safety gate limits the growth of the first forces
         ASSERT_EQ(told, force) << t;
         strongest = std::max(strongest, glm::length(force));
     }
@@ -61,7 +62,7 @@ TEST(ArmPlayback, EachForceActsForATick) {
 }
 
 TEST(ArmPlayback, BeginsAndEndsSlowly) {
-    constexpr double most_step = 0.04 * (1 + 1e-9);  // N a tick, of 40 N/s
+    constexpr double most_step = 0.04 * (1 + 1e-9);  // largest change of force in a tick (N), from 40 N/s
     Hand hand;
     vec3 before(0);
     const auto expect_slow = [&](vec3 told) {
@@ -70,7 +71,7 @@ TEST(ArmPlayback, BeginsAndEndsSlowly) {
     };
     for (int t = 0; t < 100; ++t) expect_slow(hand.play({1.5, 0, 0}));
     EXPECT_EQ(before, vec3(1.5, 0, 0));
-    expect_slow(hand.play({-1.5, 0, 0}, true));  // as where a pause lay between
+    expect_slow(hand.play({-1.5, 0, 0}, true));  // true: a pause was recorded before this force
     for (int t = 0; t < 100; ++t) expect_slow(hand.play({-1.5, 0, 0}));
     EXPECT_EQ(before, vec3(-1.5, 0, 0));
     hand.playback.end();
@@ -101,12 +102,12 @@ TEST(ArmPlayback, StoppedItGivesNoneAnyMore) {
 
 TEST(ArmPlayback, ThatItPushesTheHandIsLimited) {
     Hand hand;
-    hand.step_um = 1000;  // a metre a second, along with the force
+    hand.step_um = 1000;  // 1 m/s in the direction of the force
     double work = 0;
     for (int t = 0; t < 3000; ++t) work += hand.play({1, 0, 0}).x * 1e-3;
-    EXPECT_LT(
-        work,
-        4 * haptics::active_budget);  // of 1.5 J that the table would give; about the budget each second
+    EXPECT_LT(work,
+              // The table's forces would give 1.5 J. About one budget per second is allowed.
+              4 * haptics::active_budget);
     EXPECT_GT(work, haptics::active_budget);
     hand.step_um = -1000;
     for (int t = 0; t < 20; ++t) hand.play({1, 0, 0});
@@ -133,7 +134,7 @@ TEST(ArmPlayback, WhateverIsRecordedTheArmGetsWhatItMay) {
     Random random = random_stream(11, 1);
     const auto any = [&] { return wild[static_cast<std::size_t>(random.uniform() * std::size(wild))]; };
     for (int t = 0; t < 100'000; ++t) {
-        const auto phase = t % 4000;  // wild hand and forces, wild forces, tame ones
+        const auto phase = t % 4000;  // wild hand and forces, then wild forces, then tame ones
         hand.step_um = phase < 1000 ? static_cast<std::int32_t>(20'000 * random.uniform()) : 0;
         const vec3 wanted = phase < 3000 ? vec3(any(), any(), any()) : vec3(2, 0, 0);
         const vec3 told = hand.play(wanted, random.uniform() < 0.01);

@@ -1,4 +1,4 @@
-// What is measured about an arm before anything else sees it.
+// Tests the measurement of an arm's ticks and poses before other code uses them.
 #include "input/arm.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(Arm, HalfATurnIsEitherWayRound) {
     EXPECT_NEAR(std::abs(v.y), pi, 1e-9);
 }
 
-// ---- times ---------------------------------------------------------------------------------------------------------------
+// ---- times ------------------------------------------------------------------------------------------------
 
 constexpr std::int64_t us = 1000, ms = 1'000'000;
 
@@ -83,7 +83,7 @@ TEST(TickTimes, CountWhatCameUnevenly) {
     EXPECT_EQ(report.ticks, 1000U);
     EXPECT_EQ(report.missed, 3U);
     EXPECT_EQ(report.jitter_median, 0);
-    EXPECT_EQ(report.jitter_p99, 90);  // ten of 999, and the one that is worse
+    EXPECT_EQ(report.jitter_p99, 90);  // ten of 999 gaps, and the one that is worse
     EXPECT_EQ(report.jitter_worst, 3000);
     EXPECT_EQ(report.answer_median, 20);
     EXPECT_EQ(report.answer_p99, 20);

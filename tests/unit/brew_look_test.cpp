@@ -1,4 +1,4 @@
-// What a brew looks like, as numbers: colours, layers that follow the surface, arrows and streamlines.
+// Tests of the brew's look as numbers: colours, layers that follow the surface, arrows and streamlines.
 #include "game/hud/brew_look.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ protected:
         return out;
     }
 
-    /// At a place of the brew's frame.
+    /// Texel at a position (brew's frame).
     render::Texel texel_at(const std::vector<render::Texel>& all, vec3 at) const {
         const auto& l = brew.fluid.lattice;
         const vec3 cell = (at - brew.corner) / l.h;
@@ -54,7 +54,7 @@ protected:
         return all[i + static_cast<std::size_t>(l.cells[0]) * (j + static_cast<std::size_t>(l.cells[1]) * k)];
     }
 
-    /// The whole brew turns about +y, everywhere, `speed` rad/s.
+    /// Gives the whole brew a rigid rotation about +y (rad/s).
     void turn(double speed) {
         fluid::set_velocity(brew.fluid, [&](vec3 p) {
             const vec3 at = p + brew.corner;
@@ -134,7 +134,7 @@ TEST_F(BrewLookTest, ASideThatFacesUpIsLighter) {
 }
 
 TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
-    // A substance that grows linearly with depth tells by its density how far a layer was lifted.
+    // The density grows linearly with depth, so the density in a layer shows how far the layer was lifted.
     const double depth = place.basin.depth;
     const auto ramp = [&](vec3 p) { return std::clamp(-p.y / depth, 0.0, 1.0); };
     fill(0, ramp);
@@ -143,7 +143,7 @@ TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
     for (auto& height : brew.surface.height) height = lift;
     fluid::altered(brew.surface);
     const auto lifted = texels();
-    // Cover is linear in density; find by it what is at each layer.
+    // Cover is linear in density, so it gives the density of each layer.
     const auto density = [&](const std::vector<render::Texel>& all, double y) {
         return static_cast<double>(texel_at(all, {0.02, y, 0.02}).a) / 255;
     };
@@ -170,7 +170,7 @@ TEST_F(BrewLookTest, TheSkinFollowsTheSheetAndFoamsWhereItIsSteep) {
             EXPECT_EQ(v.foam, 0);
         }
     }
-    // A slope of a half along x.
+    // A slope of 1/2 along x.
     const auto& s = brew.surface.settings;
     for (std::size_t z = 0; z < s.nodes; ++z) {
         for (std::size_t x = 0; x < s.nodes; ++x)
@@ -211,7 +211,7 @@ TEST_F(BrewLookTest, AStreamlineOfSolidRotationCloses) {
 
 TEST_F(BrewLookTest, AStreamlinesErrorGoesWithTheFourthPowerOfItsStep) {
     turn(2);
-    // A metre of way on a circle of half a metre: two radians.
+    // One metre along a circle of radius 0.5 m is an angle of two radians.
     const auto on_circle = [](double angle) {
         return vec3(0.5 * std::cos(angle), -0.3, -0.5 * std::sin(angle));
     };
@@ -221,7 +221,7 @@ TEST_F(BrewLookTest, AStreamlinesErrorGoesWithTheFourthPowerOfItsStep) {
         EXPECT_EQ(line.size(), static_cast<std::size_t>(steps) + 1);
         return glm::distance(line.back() + brew.corner, on_circle(2));
     };
-    // Finer ones are not large against the rounding of the flow's samples.
+    // Smaller steps would have errors near the rounding of the flow's samples.
     for (const int steps : {4, 8})
         EXPECT_NEAR(std::log2(error(steps) / error(2 * steps)), 4, 0.25)
             << steps << " steps: " << error(steps);
@@ -294,7 +294,7 @@ TEST_F(BrewLookTest, IsMadeAnewOnlyForAnotherStateOrOverlay) {
     EXPECT_TRUE(look.flow.empty());
     EXPECT_EQ(look.volume.texels.size(), brew.fluid.lattice.cells[0] * brew.fluid.lattice.cells[1] *
                                              static_cast<std::size_t>(brew.fluid.lattice.cells[2]));
-    // What the brew stands in holds all of it.
+    // The box of the volume contains the whole brew.
     EXPECT_NEAR(look.volume.origin.y + look.volume.size.y, place.middle.y, 1e-5);
     EXPECT_LT(look.volume.origin.y, place.middle.y - place.basin.depth + 1e-5);
 }

@@ -1,4 +1,4 @@
-// Files that change under a program: each change is told once, and only when it is whole.
+// Tests of files that change during a program: each change is reported once, after the file is complete.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,7 +20,8 @@ protected:
 
     fs::path file(std::string_view name) const { return folder_ / name; }
     void write(std::string_view name, std::string_view words) const { std::ofstream(file(name)) << words; }
-    /// At the look after next: when a change has stood still.
+    /// Looks twice and returns the second result. A change is reported when the file has stayed the same
+    /// between two looks.
     static Paths two_looks(FileWatch& watch) {
         EXPECT_EQ(watch.look(), Paths());
         return watch.look();

@@ -1,4 +1,4 @@
-// The small parts of core: hash, random numbers, text, units, assertions.
+// Tests of the small parts of core: hashes, random numbers, text, units, assertions.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -92,7 +92,8 @@ TEST(CoreRandom, UniformStaysInItsInterval) {
     }
 }
 
-/// Pearson's statistic over ten faces: 9 degrees of freedom, 27.9 is passed once in a thousand.
+/// Pearson's chi-squared statistic for ten faces. With 9 degrees of freedom it exceeds 27.9 once in a
+/// thousand.
 TEST(CoreRandom, BelowIsEven) {
     constexpr int n = 100'000;
     Random random{3};

@@ -74,7 +74,7 @@ TEST(GameCauldron, WhatTheLadleGivesTheBrewGetsAndNotWhatTheHandIsTold) {
               0);
 }
 
-// ---- faders ----------------------------------------------------------------------------------------------------------
+// ---- faders -----------------------------------------------------------------------------------------------
 
 using Percents = std::array<std::uint32_t, input::fluid_faders>;
 

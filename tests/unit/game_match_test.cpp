@@ -62,7 +62,7 @@ TEST(GameMatch, AnOverrideReplacesAValueAndAWrongOneIsOneClearLine) {
     EXPECT_NE(message("quick.kills=[").find("no value"), std::string::npos);
 }
 
-// Rules -----------------------------------------------------------------------------------------------------------------
+// ---- rules ------------------------------------------------------------------------------------------------
 
 TEST(GameRules, TheRuleSetSwitchesWhatItsFileSays) {
     const auto thaum = duel_data();

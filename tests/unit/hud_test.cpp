@@ -43,7 +43,7 @@ bool has_text(const render::Overlay& overlay, std::string_view part) {
     });
 }
 
-// The picture as data ---------------------------------------------------------------------------------------------------
+// ---- the picture as data ----------------------------------------------------------------------------------
 
 TEST(TakePicture, HoldsTheStrongestForcesOfTheLastTwoSecondsInWholeColumns) {
     const auto match = new_match();
@@ -167,7 +167,7 @@ TEST(TakePicture, WhatWasPickedUpIsToldForAWhile) {
     EXPECT_TRUE(has_text(overlay, "Heart  +50 health"));
 }
 
-// Between two pictures --------------------------------------------------------------------------------------------------
+// ---- between two pictures ---------------------------------------------------------------------------------
 
 struct Two {
     Picture from = make_picture(), to = make_picture(), out = make_picture();
@@ -221,7 +221,7 @@ TEST(Interpolate, TurnsTheShortWayAcrossTheSeam) {
     EXPECT_NEAR(std::remainder(two.at(0.5).wizards[0].yaw - pi, 2 * pi), 0, 1e-9);
 }
 
-// Drawn -----------------------------------------------------------------------------------------------------------------
+// ---- drawn ------------------------------------------------------------------------------------------------
 
 class Drawn : public testing::Test {
 protected:
@@ -547,7 +547,7 @@ TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {
     EXPECT_FALSE(has_text(overlay, "Enter"));
 }
 
-// Captions of the device ------------------------------------------------------------------------------------------------
+// ---- captions of the device -------------------------------------------------------------------------------
 
 const render::TextItem* find_text(const render::Overlay& overlay, std::string_view words) {
     for (const auto& item : overlay.items) {

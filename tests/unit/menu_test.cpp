@@ -67,7 +67,7 @@ const std::vector<Control>& bound(const MenuState& s, DeviceKind kind, Action ac
     return s.settings.bindings_of(kind).of(action);
 }
 
-// Joining ------------------------------------------------------------------------------------------------------------------
+// ---- joining ----------------------------------------------------------------------------------------------
 
 TEST(StartScreen, TwoPressesOfAnyDeviceStart) {
     for (const auto& device : {keyboard, half, first_pad, second_pad}) {
@@ -178,7 +178,7 @@ TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
     EXPECT_EQ(after.rules[0].label, "a_long_one: first to 3, 11:05");
 }
 
-// The pause ----------------------------------------------------------------------------------------------------------------
+// ---- the pause --------------------------------------------------------------------------------------------
 
 TEST(PauseMenu, GoesOnLeavesAndComesBackFromPagesBelow) {
     auto s = opened({}, Page::pause);
@@ -210,7 +210,7 @@ TEST(PauseMenu, OnTheRangeItChangesTheDummy) {
     for (const auto& row : picture_of(s, context()).rows) EXPECT_NE(row.label, "Dummy");
 }
 
-// Bindings -----------------------------------------------------------------------------------------------------------------
+// ---- bindings ---------------------------------------------------------------------------------------------
 
 TEST(BindingsPage, AnActionTakesTheNextControlAndNothingElseHappensMeanwhile) {
     auto s = choose(bindings_of("Mouse and keyboard"), "Jump");
@@ -317,7 +317,7 @@ TEST(BindingsPage, EveryControlOfAHandHasALabelOfItsOwn) {
     EXPECT_EQ(label_of(key("left_alt")), "Left alt");
 }
 
-// Settings -----------------------------------------------------------------------------------------------------------------
+// ---- settings ---------------------------------------------------------------------------------------------
 
 TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
     auto s = choose(start_page(), "Settings");
@@ -336,7 +336,7 @@ TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
     EXPECT_EQ(choose(s, "Back").pages.size(), 1U);
 }
 
-// The cauldron -------------------------------------------------------------------------------------------------------------
+// ---- the cauldron -----------------------------------------------------------------------------------------
 
 constexpr std::string_view cauldron_row = "What hands feel of the cauldron";
 
@@ -384,7 +384,7 @@ TEST(CauldronPage, OpensForThePlayerWhoAsks) {
     EXPECT_EQ(opened_by(second_pad), "player 1") << "who plays with nothing";
 }
 
-// Anything at all ----------------------------------------------------------------------------------------------------------
+// ---- anything at all --------------------------------------------------------------------------------------
 
 /// Whatever comes, the state can be shown, no control is there twice where it may not be, and the settings can be written.
 TEST(MenuUnderWildHands, StaysWhole) {
@@ -422,7 +422,7 @@ TEST(MenuUnderWildHands, StaysWhole) {
     }
 }
 
-// Drawing ------------------------------------------------------------------------------------------------------------------
+// ---- drawing ----------------------------------------------------------------------------------------------
 
 struct Box {
     fvec2 low, high;

@@ -60,7 +60,7 @@ void expect_well_formed(const Page& page) {
     for (const auto& figure : page.figures) EXPECT_EQ(test::xml_fault(figure.svg), "") << figure.name;
 }
 
-// ---- axes -----------------------------------------------------------------------------------------------------------
+// ---- axes -------------------------------------------------------------------------------------------------
 
 TEST(PlotAxis, MapsPowersOfTenInEqualSteps) {
     const auto axis = log_axis(std::array{1e-3, 1.0}, 100, 400);
@@ -117,7 +117,7 @@ TEST(PlotAxis, HoldsOneValueAndTheWidestSpan) {
     EXPECT_LE(ticks(wide).size(), 9U);
 }
 
-// ---- figures --------------------------------------------------------------------------------------------------------
+// ---- figures ----------------------------------------------------------------------------------------------
 
 TEST(PlotFigure, WordsAreSeriesNumbersAreLabelsAndWhatIsTheSameIsNeither) {
     const auto report = two_solvers();
@@ -193,7 +193,7 @@ TEST(PlotSvg, RatiosAreBarsFromOne) {
     EXPECT_NE(svg.find(text("width=\"", px(420 * std::log10(4)), "\" height=\"14.00\"")), std::string::npos);
 }
 
-// ---- pages ----------------------------------------------------------------------------------------------------------
+// ---- pages ------------------------------------------------------------------------------------------------
 
 TEST(PlotPage, EveryRowIsInATable) {
     auto report = two_solvers();

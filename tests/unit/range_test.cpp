@@ -58,7 +58,7 @@ MatchStats bolts(const RangeMatch& range, std::uint32_t player) {
     return range.match->world().single<EventLog>().match_stats[player][cause_of(EventKind::bolt_hit)];
 }
 
-// Dummies -----------------------------------------------------------------------------------------------------------------
+// ---- dummies ----------------------------------------------------------------------------------------------
 
 TEST(Range, BothBeginFaceToFaceWithNothingBetween) {
     auto range = range_with(DummyKind::still);
@@ -181,7 +181,7 @@ TEST(Range, TheSameInputComesToTheSameState) {
     }
 }
 
-// No end, no loss ---------------------------------------------------------------------------------------------------------
+// ---- no end, no loss --------------------------------------------------------------------------------------
 
 TEST(Range, NoRoundEndsByKillsOrTime) {
     auto range =
@@ -241,7 +241,7 @@ TEST(Range, TheScoreCountsFromTheFirstShotAfterItWasWiped) {
               "12 of 64 hit (18 %), 72 HP, 1 kill, 144 HP a minute");
 }
 
-// Going on by other data ------------------------------------------------------------------------------------------------------
+// ---- going on by other data -------------------------------------------------------------------------------
 
 TEST(CarryOver, BySameDataTheStateIsTheSame) {
     auto range = range_with(DummyKind::strafing);
@@ -333,7 +333,7 @@ TEST(CarryOver, TheDeadStayDeadAndComeBack) {
     }
 }
 
-// Files that change -----------------------------------------------------------------------------------------------------------
+// ---- files that change ------------------------------------------------------------------------------------
 
 /// A range on a copy of the data files.
 class RangeFilesTest : public testing::Test {

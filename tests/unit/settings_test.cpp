@@ -130,7 +130,7 @@ TEST(Settings, AMissingFileIsMadeAndAnExistingOneIsLeftAlone) {
     EXPECT_EQ(*read_text_file(file, 1U << 20U), own);
 }
 
-// Writing ------------------------------------------------------------------------------------------------------------------
+// ---- writing ----------------------------------------------------------------------------------------------
 
 /// Settings in which every value that a file can have is another one than by default.
 Settings all_different() {

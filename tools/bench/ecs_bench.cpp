@@ -163,7 +163,7 @@ std::vector<C> column(World& world) {
     return out;
 }
 
-// --- one contest --------------------------------------------------------------------------------------------------
+// ---- one contest ------------------------------------------------------------------------------------------
 
 struct Side {
     std::function<void()> setup;  ///< empty where a run may follow a run
@@ -266,7 +266,7 @@ void hold(const Contest& contest, const Options& options, Report& report) {
     report.rows.push_back(std::move(thaum));
 }
 
-// --- iteration ----------------------------------------------------------------------------------------------------
+// ---- iteration --------------------------------------------------------------------------------------------
 
 Contest iterate_1(std::uint32_t n) {
     auto a = std::make_shared<Arrays>(arrays(n));
@@ -408,7 +408,7 @@ Contest empty_view(std::uint32_t n) {
     return {"empty_view", n, 1.0 * views, 0, 8, raw, thaum, 20, "ns_per_view"};
 }
 
-// --- access -------------------------------------------------------------------------------------------------------
+// ---- access -----------------------------------------------------------------------------------------------
 
 std::vector<std::uint32_t> shuffled(std::uint32_t n) {
     std::vector<std::uint32_t> order(n);
@@ -461,7 +461,7 @@ Contest random_get(std::uint32_t n) {
     return {"random_get", n, 1.0 * n, 8.0 * n, 16.0 * n, raw, thaum, calls_for(n)};
 }
 
-// --- structure ----------------------------------------------------------------------------------------------------
+// ---- structure --------------------------------------------------------------------------------------------
 
 /// Memory that is there already, and cells that have been touched; or a store that grows from nothing.
 Contest create_2(std::uint32_t n, bool reserved) {
@@ -671,7 +671,7 @@ Contest tag_churn(std::uint32_t n) {
     return {"tag_churn", n, 1.0 * n, n / 2.0, n / 8.0, raw, thaum, calls_for(n)};
 }
 
-// --- the whole state ----------------------------------------------------------------------------------------------
+// ---- the whole state --------------------------------------------------------------------------------------
 
 struct State {
     std::unique_ptr<World> world;

@@ -21,7 +21,7 @@ using haptics::FlowPatch;
 using haptics::FlowSample;
 using haptics::FlowSource;
 
-// ---- patches -------------------------------------------------------------------------------------------------------
+// ---- patches ----------------------------------------------------------------------------------------------
 
 constexpr std::size_t hand_places = 64;
 constexpr double brew_density = 8;  // kg/m^3
@@ -130,7 +130,7 @@ void hand_patches(const Options& options, Report& report) {
     }
 }
 
-// ---- the servo's step ----------------------------------------------------------------------------------------------
+// ---- the servo's step -------------------------------------------------------------------------------------
 
 struct StirLoad {
     std::string_view name;
@@ -227,7 +227,7 @@ void hand_steps(const Options& options, Report& report) {
     }
 }
 
-// ---- momentum ------------------------------------------------------------------------------------------------------
+// ---- momentum ---------------------------------------------------------------------------------------------
 
 /// A hand that is led along a straight stroke through the brew, whatever it feels.
 struct StrokingHand {

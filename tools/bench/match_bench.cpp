@@ -165,7 +165,7 @@ void replay_verify(const Options& options, Report& report) {
                            .hash = last.hash});
 }
 
-// ---- hands that hold -----------------------------------------------------------------------------------------------
+// ---- hands that hold --------------------------------------------------------------------------------------
 
 /// Each wizard before a pile of crates of his own.
 void place_before_crates(Simulation& match) {
@@ -235,7 +235,7 @@ void tick_duel_haptic(const Options& options, Report& report) {
                            .hash = hex(match.state_hash())});
 }
 
-// ---- hands that stir -----------------------------------------------------------------------------------------------
+// ---- hands that stir --------------------------------------------------------------------------------------
 
 /// Three ingredients, one after another, by who carries them.
 void drop_three(SceneMatch& scene) {

@@ -64,7 +64,7 @@ Row row_of(RenderScene& scene, Quality quality, const std::vector<double>& sampl
                         {"shadow_triangles", static_cast<double>(s.shadow_triangles)}}};
 }
 
-// Ticks beside pictures ------------------------------------------------------------------------------------------------
+// ---- ticks beside pictures --------------------------------------------------------------------------------
 
 /// Draws what was last handed over, on a thread of its own as a match on the screen does, while it may.
 class Drawer {

@@ -103,7 +103,7 @@ inline double simulated_limit(const haptics::DeviceSpec& spec, double kick = 1e-
     return largest_stable([&spec, kick](double k) { return wall_calms_down(spec, k, kick); });
 }
 
-// ---- with damping and the passivity controller ---------------------------------------------------------------------
+// ---- with damping and the passivity controller ------------------------------------------------------------
 
 struct Wall {
     double stiffness{};   ///< N/m
