@@ -1,4 +1,5 @@
-// A real arm in a match: what its thread told the device is what the match, a replay and a restored match come to, to the bit.
+// Tests of a real arm in a match: the forces that its thread sent to the device equal those of the match,
+// of a replay and of a restored match, bit for bit.
 #include <cmath>
 #include <map>
 
@@ -27,7 +28,8 @@ MatchSetup one_arm() {
                         {.player = 0, .kind = input::DeviceKind::arm, .name = "arm"}}};
 }
 
-/// A match, of short rounds where nothing else is said, and an arm's thread that runs beside it, now ahead, now behind, in an order that a generator gives.
+/// A match, with short rounds by default, and an arm's thread beside it. A random generator decides when
+/// the thread is ahead of or behind the match.
 struct ArmMatch {
     std::shared_ptr<const MatchData> data = short_rounds();
     Simulation match{data, one_arm()};
@@ -38,11 +40,11 @@ struct ArmMatch {
     int ahead = 0;
     std::uint32_t arm_buttons = 0, hand_buttons = 0;
     std::uint32_t epoch = 0, samples = 0;
-    bool still = false;        ///< the arm's ticks have stopped
-    bool resting = false;      ///< it is not moved
-    std::int32_t back_um = 0;  ///< towards the user
+    bool still = false;        ///< true: the arm sends no samples
+    bool resting = false;      ///< true: the arm stands still
+    std::int32_t back_um = 0;  ///< displacement towards the user (um)
     std::array<std::int32_t, 3> turned_urad{};
-    std::vector<vec3> told{{}};  ///< N, by height in um, which is the tick's number
+    std::vector<vec3> told{{}};  ///< force of each sample (N); the index is the sample's height in um
     std::map<std::int32_t, vec3> computed{};
     std::vector<input::InputFrame> frames{};
     std::map<Tick, std::uint64_t> hashes{};
@@ -52,7 +54,7 @@ struct ArmMatch {
     void move_arm() {
         now_ns += 1'000'000;
         input::ArmReading reading{.time_ns = now_ns, .buttons = arm_buttons};
-        // To and fro by 2 cm, half a metre a second; the height tells the tick.
+        // The arm moves to and fro by 2 cm at 0.5 m/s. Its height numbers the sample.
         const auto phase = resting ? 0 : (arm_ticks + 1) % 80;
         ++arm_ticks;
         reading.position_um = {500 * (phase < 40 ? phase : 80 - phase), arm_ticks, back_um};
@@ -97,7 +99,8 @@ struct ArmMatch {
     }
 };
 
-/// Shots, a pause, the end of a round and the next one, panic and its end, an arm that stops, and ticks that are left out.
+/// Plays shots, a pause, the end of a round and the next round, a panic press and its end, an arm that
+/// stops, and skipped samples.
 void play(ArmMatch& m) {
     m.run(200);
     m.arm_buttons = 1;  // fire
@@ -119,7 +122,7 @@ void play(ArmMatch& m) {
     m.still = true;
     m.run(150);
     m.still = false;
-    m.run(1500);  // into the next round
+    m.run(1500);  // reaches the next round
     m.hand_buttons = bit(Button::clutch);
     m.run(150);
     m.hand_buttons = 0;
@@ -173,7 +176,7 @@ TEST(Arm, ARestoredMatchGoesOnTheSame) {
     EXPECT_EQ(second.state_hash(), m.match.state_hash());
 }
 
-/// The model that a sample used is what the force hangs on: by another one the replay differs.
+/// The force depends on the model that a sample used. With another model the replay differs.
 TEST(Arm, AnotherModelIsAnotherForce) {
     ArmMatch m;
     play(m);
@@ -299,7 +302,7 @@ TEST(Arm, TheClutchMovesTheArmFreeOfTheHand) {
     m.expect_same_forces();
 }
 
-/// Stroke after stroke, but not out of reach.
+/// Repeated strokes with the clutch move the hand no farther than its reach.
 TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     ArmMatch m;
     m.run(100);
@@ -316,7 +319,7 @@ TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     m.expect_same_forces();
 }
 
-/// The wand of that name in hand, after the arm was held still in the middle.
+/// Holds the arm still in the middle and selects the wand of that name.
 void take_wand(ArmMatch& m, std::string_view name) {
     m.resting = true;
     m.run(100);
@@ -377,7 +380,7 @@ TEST(Arm, DrawsALobByPullingBack) {
     m.expect_same_forces();
 }
 
-/// Looks at a place, m.
+/// Turns the player's view to a place (m, world).
 void look_at(ArmMatch& m, vec3 place) {
     const auto wizard = wizard_of(m.match.world(), 0);
     const auto& motion = std::as_const(m.match.world_to_change()).get<Motion>(wizard);
@@ -417,7 +420,7 @@ TEST(Arm, LiftsWhatTheHandMoves) {
     ASSERT_TRUE(held) << "of " << things.size() << " things";
     m.run(500);
     const vec3 before = *wand_of(m).held_at(m.match.world(), wizard);
-    m.resting = false;  // to and fro by 2 cm
+    m.resting = false;  // the arm moves to and fro by 2 cm
     double farthest = 0;
     for (int t = 0; t < 200; ++t) {
         m.run(1);

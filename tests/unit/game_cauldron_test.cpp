@@ -1,4 +1,5 @@
-// The cauldron in the match: the same with any number of threads, restored, and absent where the rules have none.
+// Tests of the cauldron in a match: the same with any number of threads and after a restore, and absent if
+// the rule set has none.
 #include "game/cauldron/cauldron.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ input::DeviceSpec mouse(std::uint32_t player) {
     return {.player = player, .kind = input::DeviceKind::script, .name = "mouse", .look_rad_per_count = 1e-3};
 }
 
-/// Two players at opposite sides of the rim, with a thing above the bowl.
+/// A match with two players at opposite sides of the rim and a thing above the bowl.
 std::unique_ptr<Simulation> at_the_rim(MatchSetup setup, std::vector<std::string> overrides = {}) {
     auto match = std::make_unique<Simulation>(duel_data(std::move(overrides)), std::move(setup));
     bench::place_at_the_rim(*match);
@@ -54,7 +55,7 @@ TEST(GameCauldron, RestoredWhileItIsStirredItGoesOnToTheSameBits) {
     match->save(saved);
     for (Tick t = 0; t < 300; ++t) match->tick(stirring(keyframe_interval + t));
     const auto again = at_the_rim(1);
-    for (Tick t = 0; t < 100; ++t) again->tick(stirring(3 * t));  // some other history first
+    for (Tick t = 0; t < 100; ++t) again->tick(stirring(3 * t));  // gives the match another history first
     ASSERT_TRUE(again->restore(saved, keyframe_interval));
     for (Tick t = 0; t < 300; ++t) again->tick(stirring(keyframe_interval + t));
     EXPECT_EQ(again->state_hash(), match->state_hash());
@@ -62,7 +63,7 @@ TEST(GameCauldron, RestoredWhileItIsStirredItGoesOnToTheSameBits) {
 }
 
 TEST(GameCauldron, WhatTheLadleGivesTheBrewGetsAndNotWhatTheHandIsTold) {
-    // Forces off: the hand is told nothing, and stirs as hard.
+    // Without forces the hand feels nothing, but stirs as strongly.
     const auto felt = at_the_rim(0), unfelt = at_the_rim(0, {"haptics.share=0"});
     for (Tick t = 0; t < 400; ++t) {
         felt->tick(stirring(t));
@@ -78,13 +79,14 @@ TEST(GameCauldron, WhatTheLadleGivesTheBrewGetsAndNotWhatTheHandIsTold) {
 
 using Percents = std::array<std::uint32_t, input::fluid_faders>;
 
-/// Player 1 holds an arm whose hand goes where it goes, whatever it is told, and feels so much of the brew.
+/// Player 1 stirs with an arm on a fixed path, whatever its forces. `percents` are the shares of the brew's
+/// effects that the player feels.
 struct HeldLadle {
     std::unique_ptr<Simulation> match;
     input::ArmServo servo{};
-    std::vector<std::uint64_t> brews{};  ///< a hash of all that is of the brew, every 16 ticks
-    double felt = 0;                     ///< N, sum over ticks
-    std::uint64_t forces = 0;            ///< hash
+    std::vector<std::uint64_t> brews{};  ///< hash of the brew's components, every 16 ticks
+    double felt = 0;                     ///< sum of the force's magnitude over the ticks (N)
+    std::uint64_t forces = 0;            ///< hash of all forces
 
     explicit HeldLadle(const Percents& percents) {
         auto hand = mouse(0);
@@ -97,7 +99,8 @@ struct HeldLadle {
         world.add(wizard_of(world, 0), Pouch{.ingredient = 2});
     }
 
-    /// Rest, a circle, out into the wall, up through the surface and down on it again.
+    /// Path of the arm (um): rest, a circle, out to the wall and back, up through the surface and down
+    /// again.
     static std::array<std::int32_t, 3> hand_um(Tick tick) {
         const auto t = static_cast<std::int32_t>(tick);
         if (t < 400) return {};
@@ -218,7 +221,7 @@ TEST(GameCauldron, AFourthIngredientStaysInTheHand) {
 }
 
 TEST(GameCauldron, AnotherRoundBeginsWithAStillBrew) {
-    // What burst at the brew in the last round is not told again.
+    // A burst recorded in the last round must not act again.
     const auto match = at_the_rim(0, {"quick.seconds=1", "quick.rounds=3", "quick.interval_s=0.1"});
     auto& world = match->world_to_change();
     const auto middle = match->world().single<Cauldron>().middle;

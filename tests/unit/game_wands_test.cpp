@@ -1,4 +1,5 @@
-// Blast and lob: what their hands feel on any device and cap, what ends them, stones that never gain energy, any input at all.
+// Tests of blast and lob: forces on the hand for any device and cap, what ends a charge or draw, stones
+// that never gain energy, and random input.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,7 +16,7 @@ using input::Button;
 
 constexpr Tick blast_full = ticks(1.6) + 2 * gameplay_period;
 
-/// A match of two scripted hands; the first does as the test says.
+/// A match of two scripted hands. The test presses the buttons of the first.
 struct WandRig {
     explicit WandRig(std::vector<std::string> overrides = {}, const char* length = "quick")
         : match(data_of(std::move(overrides), length), setup()) {}
@@ -77,7 +78,8 @@ struct WandRig {
 TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
     for (const auto& [device, peak] :
          {std::pair{"touch", 3.3}, {"premium", 8.5}, {"falcon", 8.0}, {"omega3", 12.0}}) {
-        for (const double share : {0.1, 0.3}) {  // stronger, and a premium grows warm
+        // With larger forces the motors of the premium device grow warm.
+        for (const double share : {0.1, 0.3}) {
             WandRig w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
             w.take(Button::wand_2);
             w.hold(blast_full, Button::fire);
@@ -97,20 +99,20 @@ TEST(Blast, KicksByThePlayersCap) {
         w.take(Button::wand_2);
         w.hold(blast_full, Button::fire);
         double greatest = 0;
-        w.hold(gameplay_period, 0, [] {});  // until the wand looks, the charge leans on
+        w.hold(gameplay_period, 0, [] {});  // the charge presses on until the wand reads the fire button
         w.hold(80, 0, [&] { greatest = std::max(greatest, w.hand_state().servo.safety.output.z); });
         EXPECT_NEAR(greatest, 3.0 * share, 0.002 * share) << share;
     }
 }
 
 TEST(Blast, ItsRecoilIsWholeOnEveryDevice) {
-    // What leans gives way as the recoil rises, L (1 - half sine) up to its peak, so the two make up their sum and no more than
-    // the greater of them; the recoil's own part is 2/pi of its peak times its length.
+    // While the recoil rises, the steady force L falls as L (1 - half sine), so the sum stays below the
+    // larger of the two. The recoil's own impulse is 2/pi times its peak and its length.
     for (const auto& [device, peak] :
          {std::pair{"touch", 3.3}, {"omni", 3.3}, {"premium", 8.5}, {"falcon", 8.0}, {"omega3", 12.0}}) {
         for (const double share : {0.1, 0.3, 1.0}) {
             if (share == 1 && device == std::string("premium"))
-                continue;  // whose motors the charge alone has warmed
+                continue;  // the charge alone has warmed its motors
             WandRig w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
             w.take(Button::wand_2);
             w.hold(blast_full, Button::fire);
@@ -141,7 +143,8 @@ TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
             ASSERT_GT(glm::length(w.hand_state().servo.safety.output), 0.3);
             if (dies) {
                 w.match.world_to_change().get<Health>(w.me()).points = 0;
-                w.hold(2 * gameplay_period, Button::fire);  // who lets go as they die has shot before
+                // Fire stays held: a release in the tick of death would still shoot.
+                w.hold(2 * gameplay_period, Button::fire);
             } else {
                 w.take(Button::wand_1);
             }
@@ -181,7 +184,7 @@ TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheCourt) {
         for (const auto& m : w.missiles()) {
             const double energy = glm::dot(m.velocity, m.velocity) / 2 + 9.81 * m.position.y;
             const auto [known, fresh] = energies.try_emplace(m.entity.index, energy);
-            // A chord is at most g dt^2 / 8 from its parabola.
+            // A straight step lies at most g dt^2 / 8 from the parabola.
             if (!fresh) {
                 EXPECT_LE(energy, known->second + 1e-3);
                 bounces += energy < known->second - 0.1 ? 1 : 0;

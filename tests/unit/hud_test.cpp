@@ -1,4 +1,5 @@
-// Pictures of a match: what they hold, what lies between two of them, and what is drawn where.
+// Tests of pictures of a match: their contents, interpolation between two of them, and positions of drawn
+// things.
 #include "game/hud/hud.h"
 
 #include <gtest/gtest.h>
@@ -199,7 +200,7 @@ TEST(Interpolate, ThingsAreFoundByTheirEntity) {
     Two two;
     two.from.things.insert(two.from.things.begin(), {.entity = 2, .position = {9, 9, 9}});
     EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.05, 1e-12);
-    two.to.things[0].entity = 77;  // new
+    two.to.things[0].entity = 77;  // a thing that the earlier picture lacks
     EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.1, 1e-12);
 }
 
@@ -207,7 +208,7 @@ TEST(Interpolate, AResurrectionIsNoJourney) {
     Two two;
     two.to.wizards[0].centre = two.to.wizards[0].eye = {-15, 1, 15};
     EXPECT_EQ(two.at(0.25).wizards[0].eye, vec3(-15, 1, 15));
-    // Even one beside where they fell.
+    // Nothing is interpolated even if the new life begins beside the place of death.
     Two near;
     near.from.wizards[0].lives = 1;
     near.to.wizards[0].lives = 2;
@@ -253,7 +254,7 @@ protected:
         return count;
     }
 
-    /// How many of 8 levels of brightness occur on more than 1 % of the pixels.
+    /// Number of the 8 levels of brightness that occur on more than 1 % of the pixels.
     static int shades(const render::Image& image, const render::Rect& in) {
         std::array<int, 8> levels{};
         for (int y = in.y; y < in.y + in.height; ++y) {
@@ -291,7 +292,7 @@ TEST_F(Drawn, WhatOneSeesChangesOnlyTheirHalf) {
         picture = picture_of(*new_match());
         const auto before = draw(split(s));
         picture.wizards[0].yaw += 1;
-        // The other one sees the turned figure; so it is hidden from view by distance: behind the other's back.
+        // The other wizard faces away, so the turned figure is not in view.
         const auto after = draw(split(s));
         const auto views = views_of(split(s), size);
         EXPECT_GT(differing(before, after, views[0]), views[0].width * views[0].height / 3);
@@ -430,7 +431,7 @@ TEST_F(Drawn, SteamRisesFromTheBrewByItsHeat) {
     }
 }
 
-/// How far along its way a ray enters the block; infinite where it does not.
+/// Distance along a ray to its entry into the block; infinite if it misses the block.
 double entry(const render::Block& block, vec3 eye, vec3 way) {
     double enter = 0, leave = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
@@ -455,7 +456,7 @@ TEST_F(Drawn, WhereABlockHidesThingsThereIsStoneBeforeThem) {
     for (int i = 0; i < 20000; ++i) {
         const vec3 eye(random.uniform(-half, half), random.uniform(-4, top), random.uniform(-half, half));
         const vec3 way(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-        if (first_entry(arena_scene.shade.blocks, eye, way) == 0) continue;  // the eye is in stone
+        if (first_entry(arena_scene.shade.blocks, eye, way) == 0) continue;  // the eye is inside a block
         const double there = first_entry(blocks_seen_from(arena_scene, eye), eye, way);
         if (there == std::numeric_limits<double>::infinity()) continue;
         ++hidden;
@@ -479,12 +480,12 @@ TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
     ASSERT_EQ(level.size(), 1U);
     EXPECT_EQ(level[0].model[0].y, 0);
     EXPECT_NEAR(level[0].tint.r, 1, 1e-3);
-    // The ramp out of the pit falls from 0 at x = 8 to -5 m at x = 0.
+    // The ramp out of the pit falls from 0 at x = 8 m to -5 m at x = 0.
     const auto tilted = shades_at({4, -2.5, 9});
     ASSERT_EQ(tilted.size(), 1U);
     EXPECT_NEAR(tilted[0].model[0].y / tilted[0].model[0].x, 5.0 / 8, 1e-5);
     EXPECT_NEAR(tilted[0].model[3].y, -2.5, 0.05);
-    const auto edge = shades_at({-5, 0, 5.6});  // 0.4 m from the pit
+    const auto edge = shades_at({-5, 0, 5.6});  // 0.4 m from the edge of the pit
     ASSERT_EQ(edge.size(), 1U);
     EXPECT_LT(glm::length(edge[0].model[2]), 0.4F);
     EXPECT_LT(shades_at({-15, 1.5, 15})[0].tint.r, 0.5F) << "weaker in a jump";
@@ -517,7 +518,8 @@ TEST(Silhouettes, AWandsFileNamesOneOfFive) {
 TEST_F(Drawn, TrianglesStayWithinTheBudget) {
     draw({});
     EXPECT_LT(renderer->statistics().triangles, 2U * 26000U);
-    EXPECT_LT(renderer->statistics().draws, 120U);  // a coarser copy of a mesh is a draw of its own
+    // Each coarser copy of a mesh needs a draw call of its own.
+    EXPECT_LT(renderer->statistics().draws, 120U);
 }
 
 TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {
@@ -596,7 +598,7 @@ TEST(DeviceCaption, LongOnesAreSmallerSoThatTheViewHoldsThem) {
 }
 
 TEST(PowerUpMesh, TheKindsDifferInOutlineAndAreSmall) {
-    // How much of a 16 x 16 raster of the front each one covers.
+    // Cells of a 16 x 16 raster that each kind covers, seen from the front.
     std::vector<std::array<bool, 256>> outlines;
     for (const auto kind : {PowerUpKind::vial, PowerUpKind::heart, PowerUpKind::spark}) {
         const auto mesh = power_up_mesh(kind);

@@ -1,4 +1,4 @@
-// Menus: events in, state and rows out; and where rows are drawn and clicked.
+// Tests of menus: events in, state and rows out, and the places where rows are drawn and clicked.
 #include "game/app/menu.h"
 
 #include <gtest/gtest.h>
@@ -104,7 +104,7 @@ TEST(StartScreen, ASeatIsGivenUpByBackAndByUnplugging) {
     EXPECT_EQ(s.seats[0], first_pad);
     s = with(s, Kind::gone, first_pad);
     EXPECT_FALSE(s.seats[0]);
-    // Back of a pad that has no seat is a button like any other; of a keyboard it is the way out.
+    // A pad without a seat joins with any button, Back included. Back on a keyboard does not join.
     EXPECT_EQ(with(s, Kind::back, first_pad).seats[0], first_pad);
     s = with(s, Kind::back, keyboard);
     EXPECT_FALSE(s.seats[0]);
@@ -163,7 +163,7 @@ TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
     ASSERT_FALSE(before.rules.empty());
     EXPECT_EQ(before.levels.front(), 1);
 
-    // A longer match, one that is no match, and a level that is broken.
+    // Adds a longer match, a file that is no match, and a broken level.
     auto rules = read_text_file(source / "rules" / "quick.toml", 1U << 16U).value();
     const auto at = rules.find("seconds = 240");
     ASSERT_NE(at, std::string::npos);
@@ -220,7 +220,7 @@ TEST(BindingsPage, AnActionTakesTheNextControlAndNothingElseHappensMeanwhile) {
     EXPECT_EQ(picture_of(waiting, context()).cursor, picture_of(s, context()).cursor);
     EXPECT_FALSE(with(s, Kind::back).waiting);
     EXPECT_EQ(with(s, Kind::back).settings, s.settings);
-    // A pad's button is not on a keyboard.
+    // A pad's button cannot be bound to a keyboard.
     const auto wrong = press(s, button(PadButton::a));
     EXPECT_TRUE(wrong.waiting);
     EXPECT_FALSE(wrong.note.empty());
@@ -255,7 +255,7 @@ TEST(BindingsPage, OneKeyboardHasTwoHandsAndTheSession) {
     EXPECT_TRUE(s.settings.of(SessionKey::split).empty());
     s = press(choose(bindings_of("Keys for everybody"), "Split"), key("w"));
     EXPECT_TRUE(bound(s, DeviceKind::keyboard_mouse, Action::move_forward).empty());
-    // Pads are others' hands.
+    // A change of the pad's bindings leaves the keyboard's unchanged.
     s = press(choose(bindings_of("Pad"), "Jump"), button(PadButton::x));
     EXPECT_TRUE(bound(s, DeviceKind::pad, Action::stir).empty());
     EXPECT_EQ(bound(s, DeviceKind::keyboard_mouse, Action::jump),
@@ -263,7 +263,7 @@ TEST(BindingsPage, OneKeyboardHasTwoHandsAndTheSession) {
 }
 
 TEST(BindingsPage, WhatNeverActsAtTheSameTimeMayShare) {
-    // Each default, chosen again, takes nothing from anything: the defaults hold no conflict.
+    // Choosing each default again takes no control from any action, so the defaults have no conflict.
     for (std::size_t sheet = 0; sheet < sheets; ++sheet) {
         const auto actions = sheet == session_sheet ? session_keys : input::actions;
         for (std::size_t action = 0; action < actions; ++action) {
@@ -327,7 +327,8 @@ TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
         const MenuEvent less{.kind = Kind::left, .device = keyboard, .row = i};
         const MenuEvent more{.kind = Kind::right, .device = keyboard, .row = i};
         auto changed = step(s, more, context());
-        if (changed.settings == s.settings) changed = step(s, less, context());  // at the end of its range
+        // The value was at the end of its range.
+        if (changed.settings == s.settings) changed = step(s, less, context());
         const auto edits = changes(s.settings, changed.settings);
         ASSERT_EQ(edits.size(), 1U) << all_settings()[i].key;
         EXPECT_EQ(edits[0].key, all_settings()[i].key);
@@ -386,7 +387,8 @@ TEST(CauldronPage, OpensForThePlayerWhoAsks) {
 
 // ---- anything at all --------------------------------------------------------------------------------------
 
-/// Whatever comes, the state can be shown, no control is there twice where it may not be, and the settings can be written.
+/// After random events the state can be drawn, no control is bound twice in conflict, and the settings can
+/// be written.
 TEST(MenuUnderWildHands, StaysWhole) {
     Random dice = random_stream(7, 1);
     const auto roll = [&](std::uint64_t n) { return static_cast<int>(dice.next() % n); };
@@ -468,7 +470,8 @@ TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
     }
 }
 
-/// Points all over the window: each row that is shown is found where it is, in order, and the chosen one always is.
+/// Tries points over the whole window. Each visible row is found where it is drawn, in order, and the
+/// chosen row is always visible.
 TEST(MenuDrawing, RowsAreFoundWhereTheyAreDrawn) {
     auto s = bindings_of("Mouse and keyboard");
     for (const double scale : {1.0, 2.5}) {

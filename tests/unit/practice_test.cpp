@@ -1,5 +1,5 @@
-// The range in a live session: the thread that looks after its files, what is said on the screen, and that a match which is
-// recorded has no such thing.
+// Tests of the range in a live session: the thread that watches its files, the messages on the screen, and
+// that a recorded match has neither.
 #include "game/app/live_practice.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A value of this type is one of them; a session gets nothing else (MatchStart).
+// A value of this type holds either a log or a range's files, never both. A session gets nothing else
+// (MatchStart).
 static_assert(std::is_same_v<Recording, std::variant<std::monostate, input::LogWriter, game::RangeFiles>>);
 static_assert(std::is_same_v<decltype(MatchStart::recording), Recording>);
 
@@ -40,7 +41,7 @@ protected:
         std::ofstream(folder_ / "wands" / "bolt.toml")
             << bolt_.substr(0, at_) << value << bolt_.substr(at_ + 1);
     }
-    /// Waits until somebody has said something else; false after a limit that only a hang reaches.
+    /// Waits for another caption. Returns false after a time that only a hang takes.
     static bool caption_changes(Practice& practice) {
         const auto before = caption(practice).words;
         const auto end = monotonic_ns() + 60'000'000'000;
@@ -74,7 +75,8 @@ protected:
     const std::size_t at_ = bolt_.find("damage = 6") + 9;
 };
 
-/// Counts how often a thread that asks for 1 ms of sleep wakes up: a clock that a busy machine slows like any other thread's.
+/// Counts the wake-ups of a thread that sleeps 1 ms at a time. This clock slows down on a busy machine as
+/// other threads do.
 class WakeUps {
 public:
     ~WakeUps() {

@@ -1,4 +1,5 @@
-// The range: what dummies do, that nothing ends there, and data files that are read again while it runs.
+// Tests of the range: what dummies do, that no round ends there, and data files that are read again during
+// practice.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -77,7 +78,7 @@ TEST(Range, AStillDummyStaysAndDoesNothing) {
     EXPECT_EQ(of<Health>(range, practising).points, 100);
 }
 
-/// How far it went to each side, and how often it turned back.
+/// Largest distances to each side, and number of turns.
 struct Strafed {
     double west = 0, east = 0, along = 0;
     int turns = 0;
@@ -108,7 +109,7 @@ TEST(Range, AStrafingDummyWalksToAndFroWithinItsBounds) {
     EXPECT_NEAR(seen.east, stride, 0.4);
     EXPECT_NEAR(seen.west, -stride, 0.4);
     EXPECT_LT(seen.along, 0.1);
-    // 4.5 m/s over twice the stride, a little less where it turns.
+    // At 4.5 m/s the dummy needs a little more than 2 stride / 4.5 between turns.
     EXPECT_GE(seen.turns, 7);
     EXPECT_LE(seen.turns, 11);
     EXPECT_EQ(bolts(range, dummys).shots, 0U);
@@ -335,7 +336,7 @@ TEST(CarryOver, TheDeadStayDeadAndComeBack) {
 
 // ---- files that change ------------------------------------------------------------------------------------
 
-/// A range on a copy of the data files.
+/// A range with its own copy of the data files.
 class RangeFilesTest : public testing::Test {
 protected:
     RangeFilesTest() {
@@ -364,7 +365,8 @@ protected:
         ASSERT_NE(at, std::string::npos) << from;
         write(file, words.replace(at, from.size(), to));
     }
-    /// What one sees half a second later: two looks, the match in between as ever. Empty: nothing was read.
+    /// Plays half a second and looks twice for changed files. Returns the lines about reloads; empty: no
+    /// file was read.
     std::string half_a_second() {
         std::string lines;
         for (int look = 0; look < 2; ++look) {
@@ -376,7 +378,7 @@ protected:
         }
         return lines;
     }
-    /// HP that one bolt takes from the dummy.
+    /// Health that one bolt takes from the dummy (HP).
     double damage() {
         run(*range_, 1);
         const double before = of<Health>(*range_, dummys).points;

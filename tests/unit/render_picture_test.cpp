@@ -1,4 +1,4 @@
-// Pictures drawn without a display, judged by their pixels.
+// Tests of pictures drawn without a display, by their pixels.
 #include <unistd.h>
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ int count(const Image& image, Rect in, Test test) {
     return sum;
 }
 
-/// White light from everywhere and no fog: what is red is red.
+/// White light from all directions and no fog, so that red things look red.
 Environment plain_light() {
     Environment e;
     e.sun.colour = fvec3(0);
@@ -110,7 +110,8 @@ TEST_F(Picture, LowIsPlainFromHalfAsFarAsMedium) {
                .quality = quality});
         return renderer->statistics().triangles;
     };
-    const float pixel = 2 * std::tan(Camera{}.fov_y / 2) / static_cast<float>(height);  // rad
+    // Angle of a pixel (rad).
+    const float pixel = 2 * std::tan(Camera{}.fov_y / 2) / static_cast<float>(height);
     const float beyond_half = 0.75F * 0.1F / pixel + 2 * size;
     EXPECT_EQ(triangles(Quality::low, 2 * size), triangles(Quality::medium, 2 * size));
     EXPECT_LT(triangles(Quality::low, beyond_half), triangles(Quality::medium, beyond_half));
@@ -193,7 +194,7 @@ TEST_F(Picture, LightsReachTheirRadiusAndGlowNeedsNone) {
     EXPECT_GT(brightness(), 180);
 }
 
-/// A floor below a cube, with the sun straight above and nothing else but a little light from everywhere.
+/// A cube above a floor, with the sun straight above and a little light from all directions.
 class Shadowed : public Picture {
 protected:
     void SetUp() override {
@@ -203,7 +204,7 @@ protected:
         fixed = {{.mesh = floor, .model = translated({0, -1.1F, -4})}};
     }
 
-    /// Seen from above; the cubes in `moving` are drawn as well.
+    /// Frame seen from above, with the cubes in `moving` as well.
     Frame frame_of(Quality quality) {
         all = fixed;
         all.insert(all.end(), moving.begin(), moving.end());
@@ -211,7 +212,7 @@ protected:
         v.camera.position = {0, 5, -4};
         v.camera.orientation = glm::angleAxis(-1.5707963F, fvec3(1, 0, 0));
         v.environment.ambient = {fvec3(0.05F), fvec3(0.05F)};
-        // A little from the left: its shadow comes out from under the cube to the right.
+        // The sun shines a little from the left, so the cube's shadow appears on its right.
         v.environment.sun = {glm::normalize(fvec3(-1, 1, 0)), fvec3(1.5F)};
         return {.width = width,
                 .height = height,
@@ -221,7 +222,7 @@ protected:
                 .casters = {fixed, moving}};
     }
 
-    /// Brightness of the floor at x m to the right of the middle; 6.1 m below the camera.
+    /// Brightness of the floor at x (m) to the right of the middle, 6.1 m below the camera.
     int brightness(Quality quality, float x) {
         const auto image = drawn(frame_of(quality));
         const float pixels_per_m = 0.5F * height / std::tan(0.6F) / 6.0F;
@@ -234,7 +235,7 @@ protected:
 
 TEST_F(Shadowed, FallsOppositeTheSunAndNowhereElse) {
     for (const auto quality : {Quality::medium, Quality::high}) {
-        moving = {cube_at({0, 1, -4}, fvec3(1))};  // its shadow's middle is 2 m to the right
+        moving = {cube_at({0, 1, -4}, fvec3(1))};  // the middle of its shadow is 2 m to the right
         const int lit = brightness(quality, -1.6F), shaded = brightness(quality, 2);
         EXPECT_GT(lit, 2 * shaded) << static_cast<int>(quality);
         EXPECT_GT(shaded, 5) << "what comes from everywhere is left";
@@ -333,10 +334,10 @@ TEST_F(Picture, MistsHideMostWhereTheyFaceTheEyeAndNothingAtTheirOutline) {
         EXPECT_EQ(middle(drawn(frame)).r, before);
         const int hidden = middle(whole_mist).r;
         ASSERT_GT(std::abs(hidden - before), 20);
-        // Half of the way between, in light at high, as it is seen otherwise.
+        // Half a glow gives about half the change: in linear light at high quality, else in display values.
         EXPECT_GT(std::abs(half - before), 0.3 * std::abs(hidden - before));
         EXPECT_LT(std::abs(half - before), 0.8 * std::abs(hidden - before));
-        // Something solid before it hides it.
+        // A solid thing in front of the mist hides it.
         mist.glow = 1;
         mist.model = translated({0, 0, -8});
         EXPECT_NEAR(middle(drawn(frame)).r, before, 1);
@@ -415,7 +416,7 @@ TEST_F(Picture, ThingsThatAreNotNumbersAreNotDrawn) {
     const auto image = drawn({broken, cube_at({0, 0, -3}, green)});
     EXPECT_GT(count(image, whole, greenish), 50);
     EXPECT_EQ(count(image, whole, reddish), 0);
-    // A broken camera shows nothing of use, but must not end the game.
+    // A broken camera shows nothing useful but must not end the program.
     const std::vector<Instance> one{cube_at({0, 0, -2}, red)};
     auto v = view(whole, one);
     v.camera.position.x = nan;
@@ -448,7 +449,7 @@ TEST_F(Picture, TextStaysInItsMeasuredBox) {
         frame.overlay.items.push_back(TextItem{text, {100, 30}, 18, fvec4(1), align});
         const auto image = drawn(frame);
         const float part = align == Align::left ? 0.0F : align == Align::centre ? 0.5F : 1.0F;
-        // A half pixel of an odd width is rounded, hence one more on each side.
+        // Half a pixel is rounded if the width is odd, so the box gets one more pixel on each side.
         const Rect box{static_cast<int>(100 - part * size.x) - 1, 30, static_cast<int>(size.x) + 2,
                        static_cast<int>(size.y)};
         const auto inked = [](Pixel p) { return p.r > 0; };

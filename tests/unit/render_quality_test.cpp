@@ -1,4 +1,5 @@
-// How a preset is chosen: by what draws, and by measured times, without flapping.
+// Tests how a quality preset is chosen: by the OpenGL renderer and by measured times, without switching to
+// and fro.
 #include "render/quality.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +67,7 @@ TEST(AutoQuality, NeverFlapsWhateverTheTimes) {
         AutoQuality s{.now = static_cast<Quality>(random.below(qualities))};
         int changes = 0;
         for (int i = 0; i < 20'000; ++i) {
-            // Times that turn over every few hundred pictures.
+            // Times that change between fast and slow every 300 pictures.
             const double ms = (i / 300 + run) % 2 == 0 ? random.uniform(0, 8) : random.uniform(20, 200);
             const auto next = after_frame(s, ms);
             changes += next.now != s.now;

@@ -1,4 +1,5 @@
-// Reading reports: what to_json wrote comes back; what is wrong is refused with one line that says where.
+// Tests of reading reports: the output of to_json is read back unchanged, and an invalid report is refused
+// in one line that names the place.
 #include <gtest/gtest.h>
 
 #include <cmath>
