@@ -151,7 +151,7 @@ private:
         const vec3 from = tip_.position;
         tip_ = haptics::step(device_, tip_, target, force);
         created_ += glm::dot(tip_.force, tip_.position - from);
-        // Damping may have taken energy, but the source cannot hold less than zero.
+        // Only the stored energy can come back; damping has taken the rest.
         created_ = worse(created_, -source_.stored(tip_.position));
         most_here_ = worse(most_here_, created_);
         run_.most_created = worse(run_.most_created, created_);
