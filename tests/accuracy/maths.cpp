@@ -127,7 +127,7 @@ TEST_P(TurnAccuracy, HugeArgumentsNextToQuarterTurns) {
     expect_within_bound({1.0000001e9, -1e10, 1e22, largest, -largest, 6381956970095103.0 * 0x1p797});
 }
 
-TEST_P(TurnAccuracy, NoNumberForWhatIsNotFinite) {
+TEST_P(TurnAccuracy, ReturnsNaNForArgumentsThatAreNotFinite) {
     for (const double x : {infinity, -infinity, nan}) EXPECT_TRUE(std::isnan(GetParam().real(x))) << x;
 }
 

@@ -39,7 +39,7 @@ TEST(FormFactor, ARoofOverTheCornerOfARectangle) {
     }
 }
 
-TEST(FormFactor, IsWhatRaysCount) {
+TEST(FormFactor, EqualsTheShareOfRays) {
     const Block block{{0.5, -0.3, -1}, {1.5, 1.2, 0.7}};
     const vec3 point(0, 0.1, 0.2), normal = glm::normalize(vec3(0.3, 0.9, -0.2));
     const vec3 x = glm::normalize(glm::cross(normal, vec3(0, 0, 1))), z = glm::cross(x, normal);

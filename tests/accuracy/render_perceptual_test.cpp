@@ -52,7 +52,7 @@ TEST(Perceptual, KnownColours) {
     EXPECT_NEAR(d.mean, 100, 0.02);
 }
 
-TEST(Perceptual, WhatIsSmallShowsInItsTile) {
+TEST(Perceptual, ASmallChangeShowsInItsTile) {
     const auto a = plain(160, 160, 80, 80, 80);
     auto b = a;
     for (int y = 48; y < 64; ++y) {

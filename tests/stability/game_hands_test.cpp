@@ -223,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(Each, StressedHands, testing::ValuesIn(stressed_wands),
 
 // ---- poses ------------------------------------------------------------------------------------------------
 
-TEST_P(StressedHands, OfAnArmWhosePosesAreAnything) {
+TEST_P(StressedHands, StayTameForAnyPosesOfAnArm) {
     HandsRig rig({}, 1);
     Random random = random_stream(7, 1);
     bool wild = false;
@@ -250,7 +250,7 @@ TEST_P(StressedHands, OfAnArmWhosePosesAreAnything) {
     EXPECT_LT(glm::length(rig.hand_state(0).servo.safety.output), 0.1) << "and all is quiet again";
 }
 
-TEST_P(StressedHands, OfAnArmThatJumpsAcrossItsWorkspace) {
+TEST_P(StressedHands, StayTameWhenAnArmJumpsAcrossItsWorkspace) {
     HandsRig rig({}, 1);
     Random random = random_stream(8, 1);
     vec3 place{};
@@ -264,7 +264,7 @@ TEST_P(StressedHands, OfAnArmThatJumpsAcrossItsWorkspace) {
     EXPECT_GT(rig.held_ticks, 100U);
 }
 
-TEST_P(StressedHands, ThatShakeAtTenMetresASecond) {
+TEST_P(StressedHands, StayTameWhileShakingAtTenMetresASecond) {
     for (const double speed : {0.5, 3.9, 10.0}) {
         HandsRig rig({}, 1);
         Tick t = 0;
@@ -282,7 +282,7 @@ TEST_P(StressedHands, ThatShakeAtTenMetresASecond) {
 }
 
 /// Moves the simulated hand with mouse and wheel.
-TEST_P(StressedHands, OfAMouseThatDoesAnything) {
+TEST_P(StressedHands, StayTameForAnyMouseInput) {
     HandsRig rig;
     Random random = random_stream(9, 1);
     GetParam().begin(rig);
@@ -303,7 +303,7 @@ TEST_P(StressedHands, OfAMouseThatDoesAnything) {
 
 // ---- stiffness --------------------------------------------------------------------------------------------
 
-TEST(LiftStress, OfAnyStiffnessAndMassStaysBounded) {
+TEST(LiftStress, StaysBoundedForAnyStiffnessAndMass) {
     for (const double stiffness : {1.0, 4000.0, 1e5, 1e6}) {
         for (const double mass : {0.05, 5.0, 120.0}) {
             SCOPED_TRACE(text(stiffness, " N/m, ", mass, " kg"));
@@ -329,7 +329,7 @@ TEST(LiftStress, OfAnyStiffnessAndMassStaysBounded) {
     }
 }
 
-TEST(SwingStress, OfAnyStiffnessStaysBounded) {
+TEST(SwingStress, StaysBoundedForAnyStiffness) {
     for (const double stiffness : {1.0, 4000.0, 1e5, 1e6}) {
         for (const double tension : {4000.0, 1e6}) {
             SCOPED_TRACE(text(stiffness, " N/m, ", tension, " N"));
@@ -384,7 +384,7 @@ TEST(LiftStress, AWedgedThingGoesThroughNothing) {
     }
 }
 
-TEST(LiftStress, ToSlamAThingAgainstWallsDoesNotBringItThrough) {
+TEST(LiftStress, AThingSlammedAgainstWallsStaysInside) {
     HandsRig rig({"lift.hold.lost_m=100"}, 1);
     Random random = random_stream(4, 4);
     vec3 place{};
@@ -427,7 +427,7 @@ TEST(LiftStress, AThingHeldByBothIsTornAtByBoth) {
     EXPECT_EQ(rig.hand_state(1).servo.safety.output, vec3(0));
 }
 
-TEST(LiftStress, WhatIsGoneIsHeldNoMore) {
+TEST(LiftStress, ADestroyedThingIsNotHeld) {
     for (const int holders : {1, 2}) {
         HandsRig rig({}, 0);
         rig.place(1, {14, 0, 16}, {-1, 0, 0});
@@ -449,7 +449,7 @@ TEST(LiftStress, WhatIsGoneIsHeldNoMore) {
     }
 }
 
-TEST_P(StressedHands, OfWhoDiesLetGo) {
+TEST_P(StressedHands, LetGoWhenTheirWizardDies) {
     HandsRig rig;
     GetParam().begin(rig);
     rig.run(200);
@@ -481,7 +481,7 @@ TEST(SwingStress, AnAnchorThatIsGoneStillHoldsOrLetsGo) {
 
 // ---- devices that vanish, matches that stall ---------------------------------------------------------------
 
-TEST_P(StressedHands, OfAnArmThatVanishesAndComesBackElsewhere) {
+TEST_P(StressedHands, StayTameWhenAnArmVanishesAndComesBackElsewhere) {
     for (const Tick gone : std::initializer_list<Tick>{1, 5, 19, 20, 60, 300, 3000}) {
         SCOPED_TRACE(gone);
         HandsRig rig({}, 1);
@@ -504,7 +504,7 @@ TEST_P(StressedHands, OfAnArmThatVanishesAndComesBackElsewhere) {
 }
 
 /// The arm's thread goes on while the match stalls. If the backlog exceeds 250 ms, samples are skipped.
-TEST_P(StressedHands, OfAnArmWhileTheMatchStalls) {
+TEST_P(StressedHands, StayTameWhileTheMatchStalls) {
     for (const int stalled : {1, 5, 20, 50, 79, 120, 250, 700, 2000}) {
         SCOPED_TRACE(stalled);
         HandsRig rig({}, 1);

@@ -61,7 +61,7 @@ TEST(GameHostile, WildInputLeavesEverythingFiniteAndInBounds) {
     EXPECT_GT(match.match().played, 5000U);
 }
 
-TEST(GameHostile, WhoRunsOverPowerUpsInAnyStateStaysWithinTheCaps) {
+TEST(GameHostile, PowerUpsRespectTheCapsInAnyState) {
     Random random{31};
     const auto data = duel_data(
         {"quick.kills=1000", "thaum.vial.again_s=0.1", "thaum.heart.again_s=0.1", "thaum.spark.again_s=0.1"});
@@ -87,7 +87,7 @@ TEST(GameHostile, WhoRunsOverPowerUpsInAnyStateStaysWithinTheCaps) {
     EXPECT_GT(match.world().single<EventLog>().count, 100U);
 }
 
-TEST(GameHostile, ALogOfOtherRulesOrOtherDataIsRefusedInOneLineThatNamesWhatDiffers) {
+TEST(GameHostile, ALogOfOtherRulesOrDataIsRefusedInOneLineThatNamesTheDifference) {
     const auto data = duel_data();
     const MatchSetup setup{1, {bot_device(0, 1), bot_device(1, 1)}};
     const auto header = log_header(*data, setup, {"bot 1", "bot 1"});

@@ -109,7 +109,7 @@ TEST(GameReplay, OneSpoiltValueIsSeen) {
     EXPECT_LT(first_difference(*match, 1000, 1100), length);
 }
 
-TEST(GameReplay, SkippingWhatIsIdleChangesNothing) {
+TEST(GameReplay, SkippingIdleSystemsChangesNothing) {
     const auto match = fresh();
     match->live().skip_idle = false;
     match->always().skip_idle = false;

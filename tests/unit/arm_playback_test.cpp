@@ -92,7 +92,7 @@ TEST(ArmPlayback, WhereForcesFailToComeTheyFade) {
     EXPECT_LE(glm::length(hand.play({1, 0, 0})), 0.0401) << "and come back slowly";
 }
 
-TEST(ArmPlayback, StoppedItGivesNoneAnyMore) {
+TEST(ArmPlayback, GivesNoForceAfterAStop) {
     Hand hand;
     for (int t = 0; t < 100; ++t) hand.play({1, 0, 0});
     hand.playback.stop();
@@ -100,7 +100,7 @@ TEST(ArmPlayback, StoppedItGivesNoneAnyMore) {
     EXPECT_EQ(hand.ticks_of(haptics::SafetyCause::panic), 300U);
 }
 
-TEST(ArmPlayback, ThatItPushesTheHandIsLimited) {
+TEST(ArmPlayback, EnergyGivenToTheHandIsLimited) {
     Hand hand;
     hand.step_um = 1000;  // 1 m/s in the direction of the force
     double work = 0;
@@ -114,7 +114,7 @@ TEST(ArmPlayback, ThatItPushesTheHandIsLimited) {
     EXPECT_EQ(hand.play({1, 0, 0}), vec3(1, 0, 0)) << "against the hand it may";
 }
 
-TEST(ArmPlayback, APoseThatIsNoneEndsTheForce) {
+TEST(ArmPlayback, AnInvalidPoseEndsTheForce) {
     Hand hand;
     for (int t = 0; t < 100; ++t) hand.play({1, 0, 0});
     vec3 told;
@@ -126,7 +126,7 @@ TEST(ArmPlayback, APoseThatIsNoneEndsTheForce) {
     EXPECT_EQ(hand.playback.report().poses.unusable, 75U);
 }
 
-TEST(ArmPlayback, WhateverIsRecordedTheArmGetsWhatItMay) {
+TEST(ArmPlayback, ForcesStayWithinTheLimitsWhateverIsRecorded) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double wild[] = {0, 0.1, -1, 1.6, 4, -50, 1e9, 1e308, nan, infinity, -infinity};

@@ -38,7 +38,7 @@ TEST(Arm, HalfATurnIsEitherWayRound) {
 
 constexpr std::int64_t us = 1000, ms = 1'000'000;
 
-TEST(Arm, ItsCaptionIsTheFirstSentenceOfWhatIsWrong) {
+TEST(Arm, CaptionIsTheFirstSentenceOfTheFault) {
     EXPECT_EQ(caption_of({}), "");
     EXPECT_EQ(caption_of({ArmPresence::present, "all is well"}), "");
     EXPECT_EQ(caption_of({ArmPresence::fault, "the arm is warm: let it rest; WARM (0200)"}),
@@ -48,7 +48,7 @@ TEST(Arm, ItsCaptionIsTheFirstSentenceOfWhatIsWrong) {
     EXPECT_EQ(caption_of({ArmPresence::lost, ""}), "");
 }
 
-TEST(Arm, ItsBoxIsInWholeMicrometresOrNotSaid) {
+TEST(Arm, BoxIsInWholeMicrometresOrUnknown) {
     using Box = std::array<std::uint32_t, 3>;
     const auto box = [](vec3 workspace) {
         ArmFacts facts;
@@ -71,7 +71,7 @@ TEST(TickTimes, KnowNothingAtFirst) {
     EXPECT_EQ(times.newest_ns(), 0);
 }
 
-TEST(TickTimes, CountWhatCameUnevenly) {
+TEST(TickTimes, CountUnevenTicks) {
     TickTimes times;
     std::int64_t now = 5 * ms;
     for (int tick = 0; tick < 1000; ++tick) {

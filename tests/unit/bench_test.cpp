@@ -40,7 +40,7 @@ Report made_up() {
     return report;
 }
 
-TEST(BenchReport, FrontIsWhatNothingElseOfTheCaseBeats) {
+TEST(BenchReport, FrontHoldsTheRowsThatNoOtherRowBeats) {
     auto rows = made_up().rows;
     mark_fronts(rows);
     std::vector<bool> fronts;
@@ -78,7 +78,7 @@ TEST(BenchReport, JsonHasTheFieldsOfTheInterface) {
     EXPECT_EQ(r.at("hash"), "00ff");
 }
 
-TEST(BenchReport, JsonLeavesOutWhatARowDoesNotHave) {
+TEST(BenchReport, JsonLeavesOutMissingValues) {
     auto report = empty_report();
     report.rows.push_back({.area = "made_up", .name = "bare"});
     const auto r = nlohmann::json::parse(to_json(report)).at("rows").at(0);

@@ -126,7 +126,7 @@ MatchStats shots_at_a_walker(double lead) {
     return scene.bolts_of(0);
 }
 
-TEST(Bot, WhoAllowsForTheFoesMotionHitsMore) {
+TEST(Bot, LeadingTheFoeHitsMore) {
     const auto plain = shots_at_a_walker(0), leading = shots_at_a_walker(1);
     ASSERT_GT(plain.shots, 40U);
     ASSERT_GT(leading.shots, 40U);
@@ -164,7 +164,7 @@ TEST(Bot, WithItsLevelComeTheWandsThatItUses) {
     }
 }
 
-TEST(Bot, WhatFliesInAnArcIsAimedSoThatItComesDownThere) {
+TEST(Bot, AShotInAnArcComesDownOnTheTarget) {
     Self self{.tip = {1, 1.2, 0}, .shot = {.speed = 15, .fall = 9.81}};
     for (const vec3 target : {vec3(1, 1.2, -10), vec3(4, 3, -7), vec3(-6, -4, 8)}) {
         const auto aim = aim_of_shot(self, target);
@@ -240,13 +240,13 @@ TEST(Bot, DoesNotWaitForAChargeThatItCannotPay) {
     }
 }
 
-TEST(Bot, WhoDodgesIsHitLess) {
+TEST(Bot, DodgingIsHitLess) {
     const auto stands = hits_on_a_target(0), dodges = hits_on_a_target(1);
     EXPECT_GT(stands, 100U);
     EXPECT_LT(dodges, stands / 2);
 }
 
-TEST(Bot, KeepsItsReserveForAFoeWhoIsNear) {
+TEST(Bot, KeepsItsReserveForANearFoe) {
     auto skill = skill_of(3);
     skill.aim_error = 0;
     skill.reserve = 0.5;
@@ -290,7 +290,7 @@ TEST(Bot, FromLevelTwoItTakesThingsUpAndThrowsThem) {
     }
 }
 
-TEST(Bot, WhoMayNotLiftOrSwingNeverHoldsAnything) {
+TEST(Bot, HoldsNothingWithoutTheSkillToLiftOrSwing) {
     for (const bool may : {false, true}) {
         auto skill = skill_of(3);
         skill.lift.share = may ? 1 : 0;

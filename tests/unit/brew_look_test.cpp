@@ -299,7 +299,7 @@ TEST_F(BrewLookTest, IsMadeAnewOnlyForAnotherStateOrOverlay) {
     EXPECT_LT(look.volume.origin.y, place.middle.y - place.basin.depth + 1e-5);
 }
 
-TEST_F(BrewLookTest, NeitherNoNumberNorGiantsBreakAPicture) {
+TEST_F(BrewLookTest, NaNAndHugeNumbersBreakNoPicture) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     fill(0, [&](vec3 p) { return p.x < 0 ? nan : 1e30; });
     for (auto& height : brew.surface.height) height = nan;

@@ -71,7 +71,7 @@ TEST_F(CoreFile, TheLimitCountsBytes) {
     expect_refused(read_file(path, 4), path, "5 bytes, more than the limit of 4");
 }
 
-TEST_F(CoreFile, RefusesWhatIsNoOrdinaryFile) {
+TEST_F(CoreFile, RefusesObjectsThatAreNoOrdinaryFile) {
     expect_refused(read_file(in_folder("none"), 10), in_folder("none"), "No such file");
     fs::create_directory(in_folder("folder"));
     expect_refused(read_file(in_folder("folder"), 10), in_folder("folder"), "not an ordinary file");

@@ -41,7 +41,7 @@ TEST_F(FileWatchTest, TellsAChangeOnceAfterItStoodStill) {
     EXPECT_EQ(two_looks(watch), Paths());
 }
 
-TEST_F(FileWatchTest, WaitsForWhatIsStillBeingWritten) {
+TEST_F(FileWatchTest, WaitsForAFileThatIsStillBeingWritten) {
     write("a", "one");
     write("b", "one");
     FileWatch watch({file("a"), file("b")});
@@ -63,7 +63,7 @@ TEST_F(FileWatchTest, ARenamedFileIsAnotherThoughItsTimeAndSizeAreTheSame) {
     EXPECT_EQ(two_looks(watch), Paths{file("a")});
 }
 
-TEST_F(FileWatchTest, WhatGoesAndComesBackIsTold) {
+TEST_F(FileWatchTest, ReportsAFileThatWasDeletedAndMadeAgain) {
     write("a", "one");
     FileWatch watch({file("a"), file("never")});
     fs::remove(file("a"));

@@ -29,7 +29,7 @@ TEST(Threads, HaveAStackOnWhichAFullOneIsHandled) {
 
 class JobsByThreads : public ::testing::TestWithParam<unsigned> {};
 
-TEST_P(JobsByThreads, SameResultsWhateverTheThreads) {
+TEST_P(JobsByThreads, SameResultsWithAnyNumberOfThreads) {
     constexpr std::size_t n = 500;
     std::vector<std::uint64_t> results(n);
     {
@@ -60,7 +60,7 @@ TEST_P(JobsByThreads, AJobMayWaitForEarlierOnes) {
     EXPECT_EQ(sums.back(), 200);
 }
 
-TEST_P(JobsByThreads, TheDestructorFinishesWhatWasGiven) {
+TEST_P(JobsByThreads, TheDestructorFinishesAllJobs) {
     std::atomic<int> ran = 0;
     Jobs::Ticket last;
     {
@@ -72,7 +72,7 @@ TEST_P(JobsByThreads, TheDestructorFinishesWhatWasGiven) {
     last.wait();  // after the Jobs are destroyed
 }
 
-TEST_P(JobsByThreads, WhatAJobHoldsIsFreedWhenItHasRun) {
+TEST_P(JobsByThreads, AJobsCapturesAreFreedAfterItsRun) {
     Jobs jobs(GetParam());
     auto held = std::make_shared<int>(1);
     const auto ticket = jobs.run([held] { (void)held; });

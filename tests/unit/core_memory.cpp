@@ -29,7 +29,7 @@ long page_faults_of(void (*work)()) {
 }
 
 // Runs in a process of its own, because freed memory stays with the process that asked for it.
-TEST(CoreMemoryDeathTest, WhatIsFreedIsNotAskedOfTheSystemAgain) {
+TEST(CoreMemoryDeathTest, FreedMemoryIsUsedAgain) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(
         {

@@ -183,12 +183,12 @@ TEST(CoreAssert, LeavesAMetConditionAloneAndItsMessageUnbuilt) {
     EXPECT_EQ(built, 0);
 }
 
-TEST(Printable, LeavesWhatATerminalShows) {
+TEST(Printable, LeavesPrintableCharacters) {
     for (const auto* words : {"", "Touch F0000001", "größer", "触覚", "\xf0\x9f\x8e\xae"})
         EXPECT_EQ(printable(words, 80), words);
 }
 
-TEST(Printable, NamesTheBytesOfWhatATerminalObeys) {
+TEST(Printable, NamesTheBytesOfControlCharacters) {
     EXPECT_EQ(printable("a\x1b[2Jb\r\n\x7f", 80), "a\\x1b[2Jb\\x0d\\x0a\\x7f");
     EXPECT_EQ(printable("\xc2\x9b 31m", 80), "\\xc2\\x9b 31m") << "a control character of two bytes";
     for (const auto& [turns_writing, bytes] : {std::pair{"\xe2\x80\xae", "\\xe2\\x80\\xae"},

@@ -202,7 +202,7 @@ Cell<words> cell(std::uint32_t value) {
     return out;
 }
 
-TEST(EcsCells, OfEverySizeStayWithTheirEntityWhileItMovesBetweenTables) {
+TEST(EcsCells, StayWithTheirEntityWhenItMovesBetweenTables) {
     World world;
     [&]<std::size_t... words>(std::index_sequence<words...>) {
         (world.declare<Cell<words + 1>>(), ...);

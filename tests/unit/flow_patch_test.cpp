@@ -36,7 +36,7 @@ vec3 place_in(Random& random, double low, double high) {
     return {random.uniform(low, high), random.uniform(low, high), random.uniform(low, high)};
 }
 
-TEST(FlowPatch, ItsNodesAreTheFluidsFieldsThere) {
+TEST(FlowPatch, NodesHoldTheFluidsFields) {
     const auto fluid = wild_fluid();
     const auto source = source_of(fluid);
     auto velocity = source.velocity;

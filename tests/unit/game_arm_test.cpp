@@ -140,7 +140,7 @@ void play(ArmMatch& m) {
     m.run(1500);
 }
 
-TEST(Arm, FeelsWhatTheMatchComputes) {
+TEST(Arm, FeelsTheForcesThatTheMatchComputes) {
     ArmMatch m;
     play(m);
     m.expect_same_forces();
@@ -177,7 +177,7 @@ TEST(Arm, ARestoredMatchGoesOnTheSame) {
 }
 
 /// The force depends on the model that a sample used. With another model the replay differs.
-TEST(Arm, AnotherModelIsAnotherForce) {
+TEST(Arm, AnotherModelGivesAnotherForce) {
     ArmMatch m;
     play(m);
     Simulation again(m.data, one_arm());
@@ -199,7 +199,7 @@ TEST(Arm, TheHandIsWhereTheArmIs) {
     EXPECT_NEAR(device.position.y, m.arm_ticks * 1e-6, 20e-6);
 }
 
-TEST(Arm, ItsButtonUsesTheWand) {
+TEST(Arm, ButtonUsesTheWand) {
     ArmMatch m;
     m.run(100);
     m.arm_buttons = 1;
@@ -220,7 +220,7 @@ TEST(Arm, InAPauseNothingIsFelt) {
     for (auto t = static_cast<std::size_t>(then); t < m.told.size(); ++t) ASSERT_EQ(m.told[t], vec3(0));
 }
 
-TEST(Arm, ThatStopsIsNoReasonToStop) {
+TEST(Arm, MatchGoesOnWhenTheArmStops) {
     ArmMatch m;
     m.run(300);
     m.still = true;
@@ -233,7 +233,7 @@ TEST(Arm, ThatStopsIsNoReasonToStop) {
     EXPECT_LE(m.arm().state.without, 3U);
 }
 
-TEST(Arm, ThatIsGoneLeavesTheHandToTheMouse) {
+TEST(Arm, MouseMovesTheHandWhileTheArmIsGone) {
     ArmMatch m;
     m.run(310);
     const auto left_at = m.hand_state().device.position;
@@ -250,7 +250,7 @@ TEST(Arm, ThatIsGoneLeavesTheHandToTheMouse) {
     EXPECT_GT(glm::length(m.hand_state().device.velocity), 0) << "and the recoil moves it";
 }
 
-TEST(Arm, ThatIsBackIsFeltOnceItIsHeldStill) {
+TEST(Arm, IsFeltAgainAfterItWasHeldStill) {
     ArmMatch m;
     m.arm_buttons = 1;
     m.run(500);
@@ -400,7 +400,7 @@ TEST(Arm, SwingsAndShortensTheRope) {
     m.expect_same_forces();
 }
 
-TEST(Arm, LiftsWhatTheHandMoves) {
+TEST(Arm, LiftedThingFollowsTheHand) {
     ArmMatch m{duel_data()};
     take_wand(m, "lift");
     const auto wizard = wizard_of(m.match.world(), 0);
@@ -446,7 +446,7 @@ TEST(Arm, TheStylusTurnsTheWand) {
     EXPECT_EQ(stylus_turn(m.match.world(), 0), vec3(0)) << "an arm that is gone holds nothing";
 }
 
-TEST(Arm, NobodyElsePaysForIt) {
+TEST(Arm, AMatchWithoutAnArmHasNoArmComponents) {
     const Simulation match(duel_data(), {.seed = 1, .devices = {}});
     EXPECT_TRUE(arms_in(match.world()).empty());
     std::size_t models = 0;

@@ -62,7 +62,7 @@ TEST(GameCauldron, RestoredWhileItIsStirredItGoesOnToTheSameBits) {
     EXPECT_EQ(again->force_hash(), match->force_hash());
 }
 
-TEST(GameCauldron, WhatTheLadleGivesTheBrewGetsAndNotWhatTheHandIsTold) {
+TEST(GameCauldron, TheBrewGetsTheLadlesPushAndNotTheForceOnTheHand) {
     // Without forces the hand feels nothing, but stirs as strongly.
     const auto felt = at_the_rim(0), unfelt = at_the_rim(0, {"haptics.share=0"});
     for (Tick t = 0; t < 400; ++t) {
@@ -165,7 +165,7 @@ TEST(GameCauldron, FadersTakeFromTheHandAndNothingFromTheBrew) {
     }
 }
 
-TEST(GameCauldron, ThereIsNoneByClassicRules) {
+TEST(GameCauldron, ClassicRulesHaveNoCauldron) {
     DataChoice choice;
     choice.rules = "classic";
     auto data = load_match_data(assets(), choice);
@@ -191,7 +191,7 @@ TEST(GameCauldron, TheBasinIsTheBowlsInside) {
     }
 }
 
-TEST(GameCauldron, WhoWalksOverTwoNichesCarriesOne) {
+TEST(GameCauldron, AWizardAtTwoNichesCarriesOneIngredient) {
     const auto match = at_the_rim(0, {"cauldron.brewing.niche_radius_m=5"});
     for (Tick t = 0; t < 64; ++t) match->tick({});
     const auto& world = match->world();
@@ -233,7 +233,7 @@ TEST(GameCauldron, AnotherRoundBeginsWithAStillBrew) {
     EXPECT_EQ(match->brew(), nullptr);
 }
 
-TEST(GameCauldron, StrokesOfOneThingBecomeOneAndWhatDoesNotFitIsRefusedOrKept) {
+TEST(GameCauldron, StrokesOfOneThingAreMergedAndAFullQueueKeepsMomentum) {
     Cauldron cauldron;
     EXPECT_TRUE(add_stroke(cauldron, {.impulse = {1, 0, 0}, .ingredient = no_ingredient, .by = 7}));
     EXPECT_TRUE(add_stroke(cauldron, {.impulse = {0, 2, 0}, .ingredient = no_ingredient, .by = 7}));

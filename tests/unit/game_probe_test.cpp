@@ -26,7 +26,7 @@ vec3 moved(vec3 velocity, vec3 spin, vec3 pivot_now, vec3 place) {
     return pivot_now + (speed > 0 ? rotation(spin / speed, speed * tick_seconds) * arm : arm);
 }
 
-TEST(Probe, WhatRestsInTheWorldMovesOverATurningFrameExactly) {
+TEST(Probe, ThingsAtRestMoveExactlyInATurningFrame) {
     Random random{1};
     for (int n = 0; n < 200; ++n) {
         const HandFrame frame = any_frame(random);
@@ -80,7 +80,7 @@ TEST(Probe, SizesAndReachAreThoseOfTheDevice) {
 
 /// The wizard walks and turns for a minute over the whole arena, against walls, over the bowl and down the
 /// pits.
-TEST(Probe, WhoTurnsAndWalksPressesNothingIntoHisHand) {
+TEST(Probe, TurningAndWalkingGiveNoForce) {
     Simulation match(duel_data({}),
                      {.seed = 1,
                       .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},

@@ -245,7 +245,7 @@ TEST(GameTables, FieldsAreQuotedAsTheyNeed) {
     EXPECT_EQ(row, "plain,\"a,b\",\"say \"\"hi\"\"\",\"two\nlines\",,");
 }
 
-TEST(GameTables, WhatAChronicleNoLongerHoldsIsCounted) {
+TEST(GameTables, EventsThatTheLogNoLongerHoldsAreCounted) {
     EventLog event_log;
     std::uint64_t seen = 0;
     const auto add = [&](int count) {

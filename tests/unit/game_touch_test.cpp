@@ -166,7 +166,7 @@ TEST(HapticSetup, TheHashOfForcesSeesAForceThatTheStateNoLongerShows) {
     EXPECT_EQ(one.match.force_hash(), two.match.force_hash()) << "a new stretch of 128 ticks has begun";
 }
 
-TEST(HapticSetup, ARowOfForcesSaysWhatTheHandHad) {
+TEST(HapticSetup, ARowOfForcesHoldsTheForceOnTheHand) {
     Hands hands;
     hands.hold(3, input::bit(input::Button::fire));
     std::string row;

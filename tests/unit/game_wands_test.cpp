@@ -105,7 +105,7 @@ TEST(Blast, KicksByThePlayersCap) {
     }
 }
 
-TEST(Blast, ItsRecoilIsWholeOnEveryDevice) {
+TEST(Blast, TheWholeRecoilIsFeltOnEveryDevice) {
     // While the recoil rises, the steady force L falls as L (1 - half sine), so the sum stays below the
     // larger of the two. The recoil's own impulse is 2/pi times its peak and its length.
     for (const auto& [device, peak] :
@@ -133,7 +133,7 @@ TEST(Blast, ItsRecoilIsWholeOnEveryDevice) {
     }
 }
 
-TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
+TEST(Wands, DyingOrChangingTheWandEndsADrawWithoutAShot) {
     for (const auto wand : {Button::wand_2, Button::wand_3}) {
         for (const bool dies : {false, true}) {
             WandRig w;
@@ -281,7 +281,7 @@ TEST(Wands, AnyInputLeavesForcesEnergiesAndPlacesInRange) {
     EXPECT_GT(flown, 5000U);
 }
 
-TEST(Wands, WhatContradictsItselfInAFileIsOneLineThatNamesIt) {
+TEST(Wands, AContradictionInAFileIsNamedInOneLine) {
     for (const auto& [change, words] : {std::pair{"blast.energy.cost_full=3", "wands/blast.toml"},
                                         {"blast.charge.full_s=0.2", "'full_s'"},
                                         {"blast.shot.speed_full_m_s=2", "'speed_full_m_s'"},

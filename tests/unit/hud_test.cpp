@@ -71,7 +71,7 @@ TEST(TakePicture, HoldsTheStrongestForcesOfTheLastTwoSecondsInWholeColumns) {
     }
 }
 
-TEST(TakePicture, HoldsWhatAMomentLooksLike) {
+TEST(TakePicture, HoldsTheLookOfAMoment) {
     const auto match = new_match();
     const auto p = picture_of(*match);
     EXPECT_EQ(p.tick, 0U);
@@ -148,7 +148,7 @@ TEST(TakePicture, PowerUpsAreThereOrOnTheirWayBack) {
         EXPECT_NEAR(power_up.returned, power_up.kind == PowerUpKind::vial ? 0.75 : 1, 1e-9);
 }
 
-TEST(TakePicture, WhatWasPickedUpIsToldForAWhile) {
+TEST(TakePicture, ShowsAPickUpForAWhile) {
     const auto match = new_match();
     auto& world = match->world_to_change();
     const vec3 feet = std::as_const(world).get<Motion>(wizard_of(world, 0)).position -
@@ -287,7 +287,7 @@ TEST_F(Drawn, BothViewsShowTheCourt) {
     }
 }
 
-TEST_F(Drawn, WhatOneSeesChangesOnlyTheirHalf) {
+TEST_F(Drawn, AChangeOfOneViewChangesOnlyItsHalf) {
     for (const auto s : both_splits) {
         picture = picture_of(*new_match());
         const auto before = draw(split(s));
@@ -315,7 +315,7 @@ TEST_F(Drawn, NumbersChangeInTheirOwnHalf) {
     }
 }
 
-TEST_F(Drawn, WhoAsksForForcesSeesTheFlowOfABrewThatIsNear) {
+TEST_F(Drawn, TheForceDisplayShowsTheFlowOfANearBrew) {
     ASSERT_TRUE(arena_scene.brew);
     const auto& rules = *match_data()->cauldron;
     auto brew = make_brew(rules, arena_scene.brew->place.basin);
@@ -388,7 +388,7 @@ TEST_F(Drawn, APowerUpIsSeenAndWhenItIsGoneItsRingStays) {
     EXPECT_GT(differing(gone, nothing, view), 10);
 }
 
-TEST_F(Drawn, OnePlayerAloneHasTheWholeWindow) {
+TEST_F(Drawn, ASinglePlayerHasTheWholeWindow) {
     const HudSettings alone{.watch = Watch::first};
     const auto views = views_of(alone, size);
     EXPECT_EQ(views[0].width, size.width);
@@ -522,7 +522,7 @@ TEST_F(Drawn, TrianglesStayWithinTheBudget) {
     EXPECT_LT(renderer->statistics().draws, 120U);
 }
 
-TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {
+TEST(Result, ShowsTheWinnersOfRoundAndMatchAndTheStatistics) {
     auto p = picture_of(*new_match());
     p.phase = Phase::between;
     p.ending = Ending::kills;
@@ -559,7 +559,7 @@ const render::TextItem* find_text(const render::Overlay& overlay, std::string_vi
     return nullptr;
 }
 
-TEST(DeviceCaption, WhatADriverSaysStandsInItsPlayersViewAboveOurOwnWords) {
+TEST(DeviceCaption, ADriversMessageStandsInItsPlayersViewAboveOurText) {
     const render::Size size{1280, 720};
     auto picture = picture_of(*new_match());
     for (std::uint32_t player = 0; player < players; ++player) {

@@ -116,7 +116,7 @@ TEST(Lab, EveryChangeKeepsTheFlowAndTheAmounts) {
     EXPECT_GT(lab.steps, 40);
 }
 
-TEST(Lab, WhatIsWrongIsRefusedAndTheOldStateStays) {
+TEST(Lab, InvalidInputIsRefusedAndTheOldStateStays) {
     LabState lab = lab_of(small());
     run(lab, stirred(Stirring::circle), 12);
     const Bytes before = save_lab(lab);
@@ -201,7 +201,7 @@ TEST(Lab, AFileOfAnotherBowlOrNoneIsRefused) {
     EXPECT_FALSE(load_lab("/nowhere/at/all", data().rules).has_value());
 }
 
-TEST(LabControls, EveryKeyIsOnceInTheListAndChangesWhatItShows) {
+TEST(LabControls, EveryKeyIsListedOnceAndChangesTheShownValue) {
     std::vector<std::string_view> keys;
     for (const LabControl& control : lab_controls()) {
         LabHands hands{.settings = small()};

@@ -131,7 +131,7 @@ TEST(StartScreen, ShowsSeatsLevelsAndRules) {
     EXPECT_EQ(s.request, MenuRequest::none);
 }
 
-TEST(StartScreen, OnePressOnTheRangeStartsItForWhoPressed) {
+TEST(StartScreen, OnePressOnTheRangeStartsItForThatPlayer) {
     const auto s = choose(start_page(), "Range: practise on a dummy");
     EXPECT_EQ(s.request, MenuRequest::range);
     EXPECT_EQ(s.seats[0], keyboard);
@@ -262,7 +262,7 @@ TEST(BindingsPage, OneKeyboardHasTwoHandsAndTheSession) {
               Settings{}.bindings_of(DeviceKind::keyboard_mouse).of(Action::jump));
 }
 
-TEST(BindingsPage, WhatNeverActsAtTheSameTimeMayShare) {
+TEST(BindingsPage, ActionsThatNeverActTogetherMayShareAControl) {
     // Choosing each default again takes no control from any action, so the defaults have no conflict.
     for (std::size_t sheet = 0; sheet < sheets; ++sheet) {
         const auto actions = sheet == session_sheet ? session_keys : input::actions;

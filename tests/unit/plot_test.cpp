@@ -119,7 +119,7 @@ TEST(PlotAxis, HoldsOneValueAndTheWidestSpan) {
 
 // ---- figures ----------------------------------------------------------------------------------------------
 
-TEST(PlotFigure, WordsAreSeriesNumbersAreLabelsAndWhatIsTheSameIsNeither) {
+TEST(PlotFigure, WordsAreSeriesNumbersAreLabelsAndEqualSettingsAreNeither) {
     const auto report = two_solvers();
     const auto figures = front_figures(all(report));
     ASSERT_EQ(figures.size(), 1U);
@@ -135,7 +135,7 @@ TEST(PlotFigure, ErrorsOfTwoKindsAreTwoFigures) {
     EXPECT_EQ(front_figures(all(report)).size(), 2U);
 }
 
-TEST(PlotFigure, WhatIsNotFiniteIsNotDrawn) {
+TEST(PlotFigure, ValuesThatAreNotFiniteAreNotDrawn) {
     auto report = two_solvers();
     report.rows[0].error->value = NAN;
     report.rows[1].time_us->median = INFINITY;

@@ -93,7 +93,7 @@ private:
     }};
 };
 
-TEST_F(PracticeTest, ItsThreadReadsWhatChangedWithinASecondAndEndsAtOnce) {
+TEST_F(PracticeTest, ThreadReadsChangedFilesWithinASecondAndEndsAtOnce) {
     const WakeUps since;
     {
         DataWatcher watcher(files());
@@ -112,7 +112,7 @@ TEST_F(PracticeTest, ItsThreadReadsWhatChangedWithinASecondAndEndsAtOnce) {
     EXPECT_LT(since.count(), 1500) << "400 on a machine that is not loaded";
 }
 
-TEST_F(PracticeTest, SaysWhatWasReadForAWhileAndWhatIsWrongUntilItIsRight) {
+TEST_F(PracticeTest, ShowsAReloadForAWhileAndAFaultUntilItIsCorrected) {
     Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::still, 1);
     EXPECT_NE(caption(practice).words.find("nothing is recorded"), std::string::npos);
     play(practice, 9);
@@ -134,7 +134,7 @@ TEST_F(PracticeTest, SaysWhatWasReadForAWhileAndWhatIsWrongUntilItIsRight) {
     EXPECT_FALSE(caption(practice).fault);
 }
 
-TEST_F(PracticeTest, AnotherDummyCountsAnew) {
+TEST_F(PracticeTest, AnotherDummyResetsTheScore) {
     Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::still, 1);
     input::InputFrame firing;
     firing.devices[game::practising].press(input::Button::fire);
@@ -154,7 +154,7 @@ bool shows(const render::Overlay& overlay, std::string_view words) {
     return false;
 }
 
-TEST_F(PracticeTest, ItsScoreStandsInThePlaceOfAMatchsAndTheCaptionInTheWindow) {
+TEST_F(PracticeTest, ScoreStandsInThePlaceOfAMatchsAndCaptionInTheWindow) {
     Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::shooting, 1);
     auto shown = picture(practice);
     const game::HudSettings settings{.watch = game::Watch::first};

@@ -155,7 +155,7 @@ TEST(Range, AShootingDummyStandsAndHitsSometimes) {
     EXPECT_LT(shot.hits, shot.shots);
 }
 
-TEST(Range, AShootingDummySeesNobodyBehindItsBack) {
+TEST(Range, AShootingDummyDoesNotSeeBehindItsBack) {
     auto range = range_with(DummyKind::shooting);
     change<Gaze>(range, dummys).yaw = 0;
     run(range, 5);
@@ -194,7 +194,7 @@ TEST(Range, NoRoundEndsByKillsOrTime) {
     EXPECT_EQ(of<Health>(range, practising).points, 100);
 }
 
-TEST(Range, WhoPractisesComesBackAndGoesOn) {
+TEST(Range, AKilledPlayerReturnsAndGoesOn) {
     auto range = range_with(DummyKind::shooting, {"bolt.shot.damage=60", "bolt.energy.regain_per_s=100"});
     run(range, 60);
     EXPECT_GT(of<Score>(range, practising).deaths, 3);
@@ -265,7 +265,7 @@ TEST(CarryOver, FromAKeyframeItGoesOnToTheSameBits) {
     EXPECT_EQ(next->state_hash(), range.match->state_hash());
 }
 
-TEST(CarryOver, AnotherBodyStandsOnTheSameFeet) {
+TEST(CarryOver, AnotherBodySizeKeepsTheFeetInPlace) {
     auto range = range_with(DummyKind::still);
     run(range, 1);
     change<Gaze>(range, practising) = {0.3, -0.2};
@@ -292,7 +292,7 @@ TEST(CarryOver, EnergyFollowsItsWandToAnotherSlot) {
     EXPECT_EQ(of<WandBelt>(range, practising).energy[2], 10);
 }
 
-TEST(CarryOver, AnotherArenaBeginsAnewAroundThePlayers) {
+TEST(CarryOver, AnotherArenaIsBuiltAroundThePlayers) {
     auto range = range_with(DummyKind::still);
     run(range, 2, firing());
     change<Gaze>(range, practising).yaw = 0.25;

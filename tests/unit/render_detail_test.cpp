@@ -105,7 +105,7 @@ int open_cells(const Camera& camera, std::span<const Block> blocks) {
     return corners / detail::corners_of_sky_cell;
 }
 
-TEST(SkyCells, WhatABlockCoversIsLeftOut) {
+TEST(SkyCells, CellsCoveredByABlockAreLeftOut) {
     constexpr int all = detail::sky_columns * detail::sky_rows;
     const Camera camera{.position = {0, 0, 0}};
     const auto wall = [](double low, double high) { return Block{{-100, low, -11}, {100, high, -10}}; };
@@ -182,7 +182,7 @@ TEST(Hidden, BehindAWallUpToItsOutline) {
     EXPECT_FALSE(at(fvec3(std::numeric_limits<float>::quiet_NaN())));
 }
 
-TEST(Hidden, NoWayToTheEyeIsFreeAndNoneThatIsBlockedCounts) {
+TEST(Hidden, HiddenBoxesHaveNoFreeLineToTheEye) {
     Random random = random_stream(4, 2);
     const auto any = [&](double most) { return random.uniform(-most, most); };
     const auto anywhere = [&](double most) { return vec3(any(most), any(most), any(most)); };

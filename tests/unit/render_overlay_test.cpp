@@ -126,7 +126,7 @@ TEST(Pace, WaitsForWholePeriods) {
     EXPECT_GT(s, 0.045);
 }
 
-TEST(Culling, CountsWhatACameraSees) {
+TEST(Culling, CountsVisibleInstances) {
     const std::vector<Bounds> meshes{{fvec3(0), 1}};
     const Camera camera{.position = {0, 0, 0}};
     const auto matrix = detail::projection_matrix(camera, 1.5F) * detail::view_matrix(camera);

@@ -44,7 +44,7 @@ TEST(Patches, HaveAllTheirTrianglesAndTheFullOnesFirst) {
     for (const auto index : all.table.indices) EXPECT_LT(index, all.mesh.vertices.size());
 }
 
-TEST(Patches, PlainOnlyWhereWhatItLacksIsLessThanAPixelAndHasFaded) {
+TEST(Patches, PlainOnlyIfTheMissingDetailIsBelowAPixelAndHasFaded) {
     const Patch patch{.full = box(fvec3(1), grey, 0.1F), .plain = box(fvec3(1), grey), .detail = 0.1F};
     const auto table = joined({patch}).table;
     const auto triangles = [&](float distance) {
@@ -72,7 +72,7 @@ TEST(Patches, NearOnesFirstAndSmallOnesBeforeASheetAroundThem) {
     EXPECT_EQ(indices[12] / 4, 1U);
 }
 
-TEST(Patches, WhatTheSunNeverReachesIsApart) {
+TEST(Patches, PatchesInPermanentShadeAreSeparate) {
     const auto table =
         joined({{.full = sheet(-5), .sunless = true}, {.full = sheet(-9)}, {.full = sheet(-7)}}).table;
     std::vector<std::uint32_t> out(2);
@@ -86,7 +86,7 @@ TEST(Patches, WhatTheSunNeverReachesIsApart) {
     EXPECT_EQ(all.all().count, 18U);
 }
 
-TEST(Patches, WhatIsOutOfViewOrShowsItsBackIsLeftOut) {
+TEST(Patches, PatchesOutOfViewOrFacingAwayAreLeftOut) {
     const auto table = joined({{.full = sheet(-5)}}).table;
     EXPECT_EQ(chosen(table, sight_from(fvec3(0))).size(), 6U);
     EXPECT_TRUE(chosen(table, sight_from({0, 0, -10})).empty()) << "behind the eye";
@@ -95,7 +95,7 @@ TEST(Patches, WhatIsOutOfViewOrShowsItsBackIsLeftOut) {
     EXPECT_TRUE(chosen(turned, sight_from(fvec3(0))).empty()) << "seen from behind";
 }
 
-TEST(Patches, WhatIsBehindOthersShowsWhereTheyMayBePlain) {
+TEST(Patches, PlainOnlyPatchesAreDrawnWhereDetailIsBelowAPixel) {
     const auto table = joined({{.full = {}, .plain = sheet(-5), .detail = 0.05F}}).table;
     EXPECT_EQ(table.full_count, 0U);
     auto sight = sight_from(fvec3(0));
@@ -105,7 +105,7 @@ TEST(Patches, WhatIsBehindOthersShowsWhereTheyMayBePlain) {
     EXPECT_EQ(chosen(table, sight).size(), 6U);
 }
 
-TEST(Patches, WhatIsBehindOthersComesAfterThoseThatReachBeyondIt) {
+TEST(Patches, PlainPatchesComeAfterFullOnes) {
     const auto beside = transformed(sheet(-10), translated({1.5F, 0, 0}));
     const auto table =
         joined({{.full = {}, .plain = sheet(-10.05F), .detail = 0.05F}, {.full = beside}}).table;

@@ -157,7 +157,7 @@ TEST_F(Picture, NearHidesFar) {
     }
 }
 
-TEST_F(Picture, FogHidesWhatIsFar) {
+TEST_F(Picture, FogHidesDistantThings) {
     const std::vector<Instance> one{cube_at({0, 0, -20}, 3.0F * red)};
     auto v = view(whole, one);
     v.camera.fov_y = 0.1F;
@@ -272,7 +272,7 @@ TEST_F(Shadowed, CostsNothingWhileNothingMoves) {
     EXPECT_EQ(renderer->statistics().shadow_draws, 0U);
 }
 
-TEST_F(Shadowed, OnlyWhatMovedAndWhatStoodInItsPlaceIsDrawnAgain) {
+TEST_F(Shadowed, OnlyMovedThingsAndTheirOldPlacesAreDrawnAgain) {
     const auto near = cube_at({0, 1, -4}, fvec3(1));
     moving = {near, cube_at({0.2F, 1.2F, -4}, fvec3(1)), cube_at({-2.5F, 1, -4}, fvec3(1))};
     drawn(frame_of(Quality::medium));
@@ -297,7 +297,7 @@ TEST_F(Shadowed, CastersThatAreNotNumbersCastNothing) {
     EXPECT_GT(brightness(Quality::medium, -1.6F), 2 * shaded);
 }
 
-TEST_F(Shadowed, LowGoesByWhatTheInstanceSays) {
+TEST_F(Shadowed, LowQualityUsesTheShadeOfTheInstance) {
     moving = {cube_at({0, 0.5F, -4}, fvec3(1))};
     const auto top = [&] { return middle(drawn(frame_of(Quality::low))).g; };
     const int sunny = top();
@@ -305,7 +305,7 @@ TEST_F(Shadowed, LowGoesByWhatTheInstanceSays) {
     EXPECT_LT(3 * top(), sunny);
 }
 
-TEST_F(Picture, ShadesMultiplyWhatIsBelowThem) {
+TEST_F(Picture, ShadesMultiplyTheColourBelowThem) {
     const std::vector<Instance> one{cube_at({0, 0, -2}, fvec3(1))};
     MeshData sheet = transformed(box({0.4F, 0.4F, 0.01F}, fvec3(0.5F)), fmat4(1));
     const auto id = renderer->upload(sheet);
@@ -344,7 +344,7 @@ TEST_F(Picture, MistsHideMostWhereTheyFaceTheEyeAndNothingAtTheirOutline) {
     }
 }
 
-TEST_F(Picture, BloomShinesBeyondWhatIsBrightAndCanBeTurnedOff) {
+TEST_F(Picture, BloomShinesBeyondBrightEdgesAndCanBeTurnedOff) {
     auto bright = cube_at({0, 0, -6}, fvec3(3));
     bright.glow = 1;
     const std::vector<Instance> one{bright};
@@ -500,7 +500,7 @@ TEST_F(Picture, OverlayBlendsInOrder) {
     EXPECT_NEAR(p.g, 128, 2);
 }
 
-TEST_F(Picture, OverlayIsSharpWhateverTheInternalScale) {
+TEST_F(Picture, OverlayIsSharpAtAnyInternalScale) {
     Frame frame{
         .width = width, .height = height, .views = {view(whole, {})}, .overlay = {}, .internal_scale = 0.25F};
     frame.overlay.items = {RectItem{{51, 51}, {52, 52}, fvec4(1, 0, 0, 1)}};

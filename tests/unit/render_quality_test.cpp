@@ -54,14 +54,14 @@ TEST(AutoQuality, StepsUpOnlyWithRoomForTheNext) {
     EXPECT_EQ(after({.now = Quality::low}, 136, 5).now, Quality::high);
 }
 
-TEST(AutoQuality, WhatProvedTooSlowIsNotTriedAgain) {
+TEST(AutoQuality, AQualityThatWasTooSlowIsNotTriedAgain) {
     auto s = after({.now = Quality::medium}, 68, 50);
     ASSERT_EQ(s.now, Quality::low);
     s = after(s, 100'000, 1);
     EXPECT_EQ(s.now, Quality::low);
 }
 
-TEST(AutoQuality, NeverFlapsWhateverTheTimes) {
+TEST(AutoQuality, SwitchesRarelyForAnyTimes) {
     Random random = random_stream(5, 1);
     for (int run = 0; run < 50; ++run) {
         AutoQuality s{.now = static_cast<Quality>(random.below(qualities))};

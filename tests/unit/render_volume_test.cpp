@@ -120,7 +120,7 @@ protected:
 
 constexpr float pixel_step = 2.0F / 255;
 
-TEST_F(VolumeTest, SwallowsAsMuchOfWhatIsBehindAsTheLawOfBeerAndLambertSays) {
+TEST_F(VolumeTest, AbsorbsLightByTheLawOfBeerAndLambert) {
     stand({0, -3, 0}, {8, 1, 8}, {0.2F, 0.1F, 0.05F});
     for (const auto quality : {Quality::low, Quality::medium}) {
         const auto behind = middle_of(drawn(nullptr, quality));
@@ -145,7 +145,7 @@ TEST_F(VolumeTest, GivesLightAsLongAsTheWayThroughItIs) {
     }
 }
 
-TEST_F(VolumeTest, EndsAtWhatStandsInIt) {
+TEST_F(VolumeTest, EndsAtASolidThingInIt) {
     stand({0, -0.9F, 0}, {1, 1, 1}, {0.2F, 0.1F, 0.05F});  // the top is at y = -0.4 m
     const auto behind = middle_of(drawn(nullptr));
     const auto seen = middle_of(drawn(&volume));
@@ -153,7 +153,7 @@ TEST_F(VolumeTest, EndsAtWhatStandsInIt) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], left * behind[c], pixel_step);
 }
 
-TEST_F(VolumeTest, IsHiddenByWhatStandsBeforeIt) {
+TEST_F(VolumeTest, IsHiddenByASolidThingInFront) {
     stand({0, 1, 0}, {3, 0.2F, 3}, {0.2F, 0.1F, 0.05F});
     fill({255, 255, 255, 255});
     for (const auto quality : {Quality::low, Quality::high}) {
@@ -279,7 +279,7 @@ TEST_F(VolumeTest, IsSentOncePerVersion) {
     EXPECT_GT(middle_of(drawn(&volume)).g, 0.5F);
 }
 
-TEST_F(VolumeTest, WhatMakesNoSenseIsNotDrawn) {
+TEST_F(VolumeTest, AnInvalidVolumeIsNotDrawn) {
     fill({255, 255, 255, 255});
     const auto without = drawn(nullptr);
     EXPECT_EQ(renderer->statistics().volumes_drawn, 0U);

@@ -53,7 +53,7 @@ TEST(ScenarioRunner, AScenarioThatDoesSomethingPasses) {
     EXPECT_EQ(result.files, (std::vector<std::string>{"test.thaumlog", "test.json"}));
 }
 
-TEST(ScenarioRunner, ItsLogReplaysToTheSameState) {
+TEST(ScenarioRunner, LogReplaysToTheSameState) {
     const Folder folder;
     const auto result = run(walk, folder);
     auto log = input::LogReader::open(folder.path / "test.thaumlog").value();
@@ -106,7 +106,7 @@ TEST(ScenarioRunner, ADifferenceBetweenTheRunsIsFoundAndNamed) {
 }
 
 /// A change that is not in the input must be seen by the checks that replay the input.
-TEST(ScenarioRunner, SeekingAndLateFramesSeeWhatTheInputDoesNotTell) {
+TEST(ScenarioRunner, SeekingAndLateFramesDetectChangesOutsideTheInput) {
     const Folder folder;
     auto options = options_for(folder);
     options.spoil = [](Simulation& match, int) {
@@ -349,7 +349,7 @@ TEST(ScenarioRunner, EveryHapticScenarioHasItsForceTrace) {
     EXPECT_LT(bytes, 300'000U);
 }
 
-TEST(ScenarioRunner, AnArmFeelsWhatTheMatchComputes) {
+TEST(ScenarioRunner, AnArmFeelsTheForcesThatTheMatchComputes) {
     const Folder folder;
     constexpr std::string_view source = R"(
         match {arms = {true, false}}

@@ -99,7 +99,7 @@ TEST(Sandbox, PairsIsSorted) {
     EXPECT_TRUE(mentions(error_of("pairs(3)"), "table expected"));
 }
 
-TEST(Sandbox, TheSameOrderWhateverTheHistory) {
+TEST(Sandbox, SameOrderForAnyHistory) {
     // Lua's own order depends on a random seed per state and on earlier contents of the table.
     const auto order = [](const char* history) {
         return printed(
@@ -269,7 +269,7 @@ TEST(Sandbox, VerbsHaveATimeOfTheirOwn) {
     EXPECT_TRUE(mentions(ended.error().message, "processor time")) << ended.error().message;
 }
 
-TEST(Sandbox, ProcessorTimeEndsWhatNoStepCounts) {
+TEST(Sandbox, ProcessorTimeEndsWorkThatTakesNoSteps) {
     SandboxLimits limits{.steps = ~std::uint64_t{0} / 2};
     limits.compute_s = 0.1;
     for (const auto* source :

@@ -27,7 +27,7 @@ std::string refusal(const std::string& lines) {
     return settings ? "" : settings.error().message;
 }
 
-TEST(Settings, TheDocumentedFileSaysWhatTheDefaultsAre) {
+TEST(Settings, TheDocumentedFileHoldsTheDefaults) {
     const auto source = read_text_file(assets / "settings.toml", 1U << 20U);
     ASSERT_TRUE(source);
     const auto read = parse_settings(*source, "settings.toml");
@@ -194,7 +194,7 @@ TEST(SettingsWriter, CommentsAndOrderStay) {
               "fire = \"\"\n\n# end\n");
 }
 
-TEST(SettingsWriter, WhatCannotBeChangedLineByLineIsRefused) {
+TEST(SettingsWriter, FilesThatCannotBeEditedLineByLineAreRefused) {
     for (const auto* source : {
              "version = 1\nfov_deg = \"\"\"\n90\"\"\"\n",
              "version = 1\npad = { fire = \"pad b\" }\n",
