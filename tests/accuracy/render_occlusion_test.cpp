@@ -65,8 +65,8 @@ TEST(FormFactor, EqualsTheShareOfRays) {
 TEST(FormFactor, NothingBelowTheHorizonOrAroundThePointCounts) {
     const Block block{{-1, -3, -1}, {1, -1, 1}};
     EXPECT_EQ(form_factor(block, {0, 0, 0}, up), 0);
-    EXPECT_EQ(form_factor(block, {0, -1, 0}, up), 0) << "its own top";
-    EXPECT_EQ(form_factor(block, {0, -2, 0}, up), 0) << "within";
+    EXPECT_EQ(form_factor(block, {0, -1, 0}, up), 0) << "a block does not shade its own top";
+    EXPECT_EQ(form_factor(block, {0, -2, 0}, up), 0) << "inside the block";
     const double whole = form_factor({{-1, 1, -1}, {1, 2, 1}}, {0, 0, 0}, up);
     EXPECT_NEAR(form_factor({{-1, 1, -1}, {0, 2, 1}}, {0, 0, 0}, up), whole / 2, 1e-3);
     EXPECT_NEAR(form_factor({{-1, 1, -1}, {1, 1, 1}}, {0, 0, 0}, up), whole, 1e-12)
@@ -82,7 +82,7 @@ TEST(Meets, ForwardsOnlyAndAlongTheEdgesToo) {
     EXPECT_TRUE(meets(block, {0, 0, 0}, {5, 1, 1}));
     EXPECT_FALSE(meets(block, {0, 0, 0}, {-1, 0, 0}));
     EXPECT_FALSE(meets(block, {0, 2, 0}, {1, 0, 0}));
-    EXPECT_TRUE(meets(block, {1.5, 0, 0}, {0, 1, 0})) << "from within";
+    EXPECT_TRUE(meets(block, {1.5, 0, 0}, {0, 1, 0})) << "from inside the block";
 }
 
 }  // namespace

@@ -247,7 +247,7 @@ TEST_P(StressedHands, StayTameForAnyPosesOfAnArm) {
     wild = false;
     rig.release(0, Button::fire);
     rig.run(500);
-    EXPECT_LT(glm::length(rig.hand_state(0).servo.safety.output), 0.1) << "and all is quiet again";
+    EXPECT_LT(glm::length(rig.hand_state(0).servo.safety.output), 0.1) << "a force remains";
 }
 
 TEST_P(StressedHands, StayTameWhenAnArmJumpsAcrossItsWorkspace) {
@@ -398,7 +398,7 @@ TEST(LiftStress, AThingSlammedAgainstWallsStaysInside) {
         rig.run(60);
     }
     rig.watch.expect_tame();
-    EXPECT_GT(rig.held_ticks, 5000U) << "it was lost";
+    EXPECT_GT(rig.held_ticks, 5000U) << "the thing was lost";
 }
 
 TEST(LiftStress, AThingHeldByBothIsTornAtByBoth) {
@@ -417,7 +417,7 @@ TEST(LiftStress, AThingHeldByBothIsTornAtByBoth) {
     rig.take(1, {11, 0.5, 16});
     tear = true;
     rig.run(3000);
-    EXPECT_TRUE(rig.busy(0) || rig.busy(1)) << "both have lost it";
+    EXPECT_TRUE(rig.busy(0) || rig.busy(1)) << "both hands must lose the thing";
     rig.release(0, Button::fire);
     rig.run(500);
     rig.watch.expect_tame();

@@ -125,8 +125,9 @@ void expect_modes(const std::vector<Mode>& modes) {
     run_all(probes);
     for (std::size_t i = 0; i < probes.size(); ++i) {
         SCOPED_TRACE(modes[i].words + ": " + probes[i].line);
-        EXPECT_TRUE(probes[i].status) << "it hangs";
-        EXPECT_TRUE(!probes[i].status || probes[i].exited_well()) << "it dies, status " << *probes[i].status;
+        EXPECT_TRUE(probes[i].status) << "the process hangs";
+        EXPECT_TRUE(!probes[i].status || probes[i].exited_well())
+            << "the process dies, status " << *probes[i].status;
         expect_clear_line(probes[i]);
         expect_ending(probes[i], modes[i].wanted);
         expect_no_force(probes[i]);
@@ -170,7 +171,7 @@ void expect_ends(const std::vector<WayToEnd>& ways) {
     for (std::size_t i = 0; i < probes.size(); ++i) {
         SCOPED_TRACE(ways[i].end + ways[i].words);
         const auto& p = probes[i];
-        ASSERT_TRUE(p.status) << "it hangs";
+        ASSERT_TRUE(p.status) << "the process hangs";
         EXPECT_TRUE(ways[i].signal == 0 ? WIFEXITED(*p.status) : p.died_by(ways[i].signal)) << *p.status;
         EXPECT_GE(p.arm.ticks, 99U);
         EXPECT_EQ(p.arm.greatest_force, 1);

@@ -47,7 +47,7 @@ struct Hand {
 
 TEST(ArmPlayback, EachForceActsForATick) {
     Hand hand;
-    EXPECT_EQ(hand.tick(), vec3(0)) << "before the first";
+    EXPECT_EQ(hand.tick(), vec3(0)) << "before the first force";
     double strongest = 0;
     for (int t = 0; t < 1000; ++t) {
         const vec3 force(0.3 * std::sin(t * 0.02), 0.1, t % 100 == 50 ? 1.2 : 0);
@@ -89,7 +89,7 @@ TEST(ArmPlayback, WhereForcesFailToComeTheyFade) {
     for (int t = 0; t < 50; ++t) hand.tick();
     EXPECT_EQ(hand.tick(), vec3(0));
     EXPECT_EQ(hand.playback.report().starved, 71U);
-    EXPECT_LE(glm::length(hand.play({1, 0, 0})), 0.0401) << "and come back slowly";
+    EXPECT_LE(glm::length(hand.play({1, 0, 0})), 0.0401) << "forces come back too fast";
 }
 
 TEST(ArmPlayback, GivesNoForceAfterAStop) {
@@ -111,7 +111,7 @@ TEST(ArmPlayback, EnergyGivenToTheHandIsLimited) {
     EXPECT_GT(work, haptics::active_budget);
     hand.step_um = -1000;
     for (int t = 0; t < 20; ++t) hand.play({1, 0, 0});
-    EXPECT_EQ(hand.play({1, 0, 0}), vec3(1, 0, 0)) << "against the hand it may";
+    EXPECT_EQ(hand.play({1, 0, 0}), vec3(1, 0, 0)) << "a force against the hand's motion is allowed";
 }
 
 TEST(ArmPlayback, AnInvalidPoseEndsTheForce) {

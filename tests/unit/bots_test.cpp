@@ -173,7 +173,7 @@ TEST(Bot, AShotInAnArcComesDownOnTheTarget) {
         EXPECT_NEAR(15 * std::sin(aim.pitch) * flight - 9.81 / 2 * flight * flight, to.y, 1e-9);
         EXPECT_LT(aim.pitch, pi / 4 + 0.3) << "the lower way";
     }
-    EXPECT_NEAR(aim_of_shot(self, {1, 1.2, -100}).pitch, pi / 4, 1e-12) << "too far";
+    EXPECT_NEAR(aim_of_shot(self, {1, 1.2, -100}).pitch, pi / 4, 1e-12) << "beyond the largest range";
 }
 
 /// Hits in 30 s on a bot that stands 28 m from a foe. The foe shoots straight at the bot's first position.

@@ -88,7 +88,7 @@ TEST(BrewColour, MixRedGreenToYellow) {
     };
     const auto near = [](fvec3 a, fvec3 b) { return glm::length(a - b) < 1e-6F; };
     EXPECT_TRUE(near(mix(1, 1, 0), {1, 1, 0})) << "yellow";
-    EXPECT_TRUE(near(mix(0.5F, 0.5F, 0), {1, 1, 0})) << "as bright where both are half as dense";
+    EXPECT_TRUE(near(mix(0.5F, 0.5F, 0), {1, 1, 0})) << "half of each density must give the full brightness";
     EXPECT_TRUE(near(mix(1, 1, 1), {1, 1, 1}));
     EXPECT_TRUE(near(mix(1, 0.5F, 0), {1, 0.5F, 0})) << "orange";
     EXPECT_TRUE(near(mix(0, 0, 0), colours.base));
@@ -278,7 +278,7 @@ TEST_F(BrewLookTest, ArrowsPointAlongTheFlowAndAreLongerWhereItIsFaster) {
 TEST_F(BrewLookTest, IsMadeAnewOnlyForAnotherStateOrOverlay) {
     BrewLook look;
     look.place = place;
-    EXPECT_FALSE(show_brew(picture, {}, look)) << "nothing was taken yet";
+    EXPECT_FALSE(show_brew(picture, {}, look)) << "no picture was taken yet";
     EXPECT_EQ(look.volume.version, 0U);
     turn(1);
     taken();

@@ -49,7 +49,7 @@ TEST_F(FileWatchTest, WaitsForAFileThatIsStillBeingWritten) {
     write("b", "h");
     EXPECT_EQ(watch.look(), Paths());
     write("b", "ha");
-    EXPECT_EQ(watch.look(), Paths()) << "b grows, so a is not told either: they may belong together";
+    EXPECT_EQ(watch.look(), Paths()) << "b grows, so a is not reported either; they may belong together";
     write("b", "half");
     EXPECT_EQ(two_looks(watch), (Paths{file("a"), file("b")}));
 }

@@ -201,8 +201,8 @@ TEST(Printable, NamesTheBytesOfControlCharacters) {
 
 TEST(Printable, NamesBytesThatAreNoUtf8) {
     EXPECT_EQ(printable("\xff", 80), "\\xff");
-    EXPECT_EQ(printable("\xc0\xaf", 80), "\\xc0\\xaf") << "longer than it must be";
-    EXPECT_EQ(printable("\xed\xa0\x80", 80), "\\xed\\xa0\\x80") << "half of a pair";
+    EXPECT_EQ(printable("\xc0\xaf", 80), "\\xc0\\xaf") << "longer encoding than necessary";
+    EXPECT_EQ(printable("\xed\xa0\x80", 80), "\\xed\\xa0\\x80") << "half of a surrogate pair";
     EXPECT_EQ(printable("\xf4\x90\x80\x80", 80), "\\xf4\\x90\\x80\\x80") << "beyond the last character";
     EXPECT_EQ(printable("\xe8\xa7", 80), "\\xe8\\xa7") << "cut off";
 }

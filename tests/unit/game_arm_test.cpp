@@ -247,7 +247,7 @@ TEST(Arm, MouseMovesTheHandWhileTheArmIsGone) {
     m.run(300);
     EXPECT_GT(m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)).fired, fired);
     m.run(40);
-    EXPECT_GT(glm::length(m.hand_state().device.velocity), 0) << "and the recoil moves it";
+    EXPECT_GT(glm::length(m.hand_state().device.velocity), 0) << "the recoil does not move the hand";
 }
 
 TEST(Arm, IsFeltAgainAfterItWasHeldStill) {
@@ -273,7 +273,7 @@ TEST(Arm, IsFeltAgainAfterItWasHeldStill) {
     EXPECT_GT(m.strongest, 0.5);
     EXPECT_NEAR(glm::distance(m.hand_state().device.position, there), 0, 0.002) << "the hand did not jump";
     for (auto t = back; t + 1 < m.told.size() && m.told[t] == vec3(0); ++t)
-        ASSERT_LE(glm::length(m.told[t + 1]), 0.13) << "as a kick begins";
+        ASSERT_LE(glm::length(m.told[t + 1]), 0.13) << "the force jumps";
     m.expect_same_forces();
 }
 
@@ -315,7 +315,8 @@ TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     }
     const auto x = m.hand_state().device.position.x;
     EXPECT_GT(x, 0.06);
-    EXPECT_LT(x, m.match.haptic_setup().device.reach.x + 0.021) << "and one stroke";
+    EXPECT_LT(x, m.match.haptic_setup().device.reach.x + 0.021)
+        << "the hand is beyond its reach by more than a stroke";
     m.expect_same_forces();
 }
 
@@ -343,7 +344,7 @@ TEST(Arm, ChargesABlastByItsButton) {
     take_wand(m, "blast");
     m.arm_buttons = 1;
     m.run(1500);
-    EXPECT_GT(glm::length(m.told.back()), 0.5) << "the charge leans on the hand";
+    EXPECT_GT(glm::length(m.told.back()), 0.5) << "the charge must press on the hand";
     m.arm_buttons = 0;
     m.run(50);
     EXPECT_EQ(shots_of(m), 1U);
@@ -376,7 +377,7 @@ TEST(Arm, DrawsALobByPullingBack) {
     m.run(100);
     m.arm_buttons = 1;
     m.run(20);
-    EXPECT_GT(m.hand_state().tether.stiffness, 0) << "and can be drawn again at once";
+    EXPECT_GT(m.hand_state().tether.stiffness, 0) << "the sling cannot be drawn again at once";
     m.expect_same_forces();
 }
 
@@ -427,7 +428,7 @@ TEST(Arm, LiftedThingFollowsTheHand) {
         if (const auto at = wand_of(m).held_at(m.match.world(), wizard))
             farthest = std::max(farthest, glm::distance(*at, before));
     }
-    EXPECT_GT(farthest, 0.02) << "the hand's centimetres move it";
+    EXPECT_GT(farthest, 0.02) << "the held thing must follow the hand";
     EXPECT_GT(m.strongest, 0.1);
     m.expect_same_forces();
 }

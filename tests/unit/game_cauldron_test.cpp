@@ -44,7 +44,7 @@ TEST(GameCauldron, TheSameWithAnyNumberOfThreads) {
                 ASSERT_EQ(match->state_hash(), expected[t / 40]) << workers << " workers, tick " << t;
             }
         }
-        EXPECT_GT(match->world().single<Cauldron>().speed, 0.1) << "it was stirred";
+        EXPECT_GT(match->world().single<Cauldron>().speed, 0.1) << "the brew was not stirred";
     }
 }
 
@@ -150,8 +150,8 @@ TEST(GameCauldron, FadersTakeFromTheHandAndNothingFromTheBrew) {
     HeldLadle all({100, 100, 100, 100, 100, 100, 100}), none(Percents{});
     all.run(length);
     none.run(length);
-    EXPECT_GT(all.match->world().single<Cauldron>().speed, 0.02) << "it is stirred";
-    EXPECT_EQ(all.match->world().single<Cauldron>().what[0], 2U) << "and something is dropped in";
+    EXPECT_GT(all.match->world().single<Cauldron>().speed, 0.02) << "the brew is not stirred";
+    EXPECT_EQ(all.match->world().single<Cauldron>().what[0], 2U) << "no ingredient was dropped";
     EXPECT_EQ(none.brews, all.brews);
     EXPECT_GT(all.felt, 0);
     EXPECT_EQ(none.felt, 0);

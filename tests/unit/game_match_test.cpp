@@ -45,7 +45,7 @@ TEST(GameMatch, TheArenaFollowsTheDesign) {
     EXPECT_EQ(power_ups, 0.0) << "the power-ups are not mirror-symmetric";
     double total = 0;
     for (const auto& thing : data->arena.things) total += thing.position.z;
-    EXPECT_EQ(total, 0.0) << "the court is not mirror-symmetric";
+    EXPECT_EQ(total, 0.0) << "the arena is not mirror-symmetric";
 }
 
 TEST(GameMatch, AnOverrideReplacesAValueAndAWrongOneIsOneClearLine) {

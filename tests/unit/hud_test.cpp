@@ -332,7 +332,7 @@ TEST_F(Drawn, TheForceDisplayShowsTheFlowOfANearBrew) {
         make_frame(arena_scene, picture, {.forces = forces}, size, memory);
         EXPECT_EQ(count(0, arena_scene.brew->meshes.arrow) > 50, forces);
         EXPECT_EQ(count(0, arena_scene.brew->meshes.thread) > 50, forces);
-        EXPECT_EQ(count(1, arena_scene.brew->meshes.thread), 0) << "he is too far away";
+        EXPECT_EQ(count(1, arena_scene.brew->meshes.thread), 0) << "the wizard is too far away";
     }
 }
 
@@ -347,10 +347,10 @@ TEST_F(Drawn, ABurstInOnesFaceHidesNothing) {
             for (const auto& instance : memory.instances[0]) {
                 const double reach = glm::length(fvec3(instance.model[0]));
                 if (instance.mesh == arena_scene.teams[1].burst) {
-                    EXPECT_GT(distance, 1.2 * reach) << "its bars pass the eye";
+                    EXPECT_GT(distance, 1.2 * reach) << "the burst must not reach the eye";
                     ++seen;
                 } else if (instance.mesh == arena_scene.ember) {
-                    EXPECT_LT(reach, 0.2 * distance) << "its core fills the view";
+                    EXPECT_LT(reach, 0.2 * distance) << "the burst's core must not fill the view";
                 }
             }
         }

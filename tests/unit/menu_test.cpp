@@ -139,7 +139,7 @@ TEST(StartScreen, OnePressOnTheRangeStartsItForThatPlayer) {
     auto joined = with(with(start_page(), Kind::other, keyboard), Kind::other, first_pad);
     joined = step(joined, {.kind = Kind::confirm, .device = first_pad, .row = row}, context());
     EXPECT_EQ(joined.request, MenuRequest::range);
-    EXPECT_EQ(joined.seats[0], first_pad) << "whoever else had joined";
+    EXPECT_EQ(joined.seats[0], first_pad) << "the pad must keep its seat";
     EXPECT_FALSE(joined.seats[1]);
 }
 
@@ -382,7 +382,7 @@ TEST(CauldronPage, OpensForThePlayerWhoAsks) {
     };
     EXPECT_EQ(opened_by(first_pad), "player 1");
     EXPECT_EQ(opened_by(keyboard), "player 2");
-    EXPECT_EQ(opened_by(second_pad), "player 1") << "who plays with nothing";
+    EXPECT_EQ(opened_by(second_pad), "player 1") << "a device without a seat opens the page of player 1";
 }
 
 // ---- anything at all --------------------------------------------------------------------------------------

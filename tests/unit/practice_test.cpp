@@ -128,7 +128,7 @@ TEST_F(PracticeTest, ShowsAReloadForAWhileAndAFaultUntilItIsCorrected) {
     EXPECT_NE(caption(practice).words.find("wands/bolt.toml:11: 'damage' is -9"), std::string::npos);
     EXPECT_TRUE(caption(practice).fault);
     play(practice, 30);
-    EXPECT_TRUE(caption(practice).fault) << "still wrong";
+    EXPECT_TRUE(caption(practice).fault) << "the file is still faulty";
     set_damage("8");
     ASSERT_TRUE(caption_changes(practice));
     EXPECT_FALSE(caption(practice).fault);

@@ -124,9 +124,9 @@ TEST(Range, AStrafingDummyTurnsBackAtAPitAndAtAWall) {
     auto range = make_range(data, bot_device(practising, 1), DummyKind::strafing, 3);
     const auto seen = watch_strafing(range, 20);
     EXPECT_GE(seen.turns, 5);
-    EXPECT_NEAR(-12 + seen.west, -19.6, 1.2) << "there stands the wall";
-    EXPECT_NEAR(-12 + seen.east, -9, 1) << "the pit begins a metre on";
-    EXPECT_GT(place(range, dummys).y, 0.5) << "it did not fall";
+    EXPECT_NEAR(-12 + seen.west, -19.6, 1.2) << "the wall is on this side";
+    EXPECT_NEAR(-12 + seen.east, -9, 1) << "the pit begins 1 m farther";
+    EXPECT_GT(place(range, dummys).y, 0.5) << "the dummy fell";
     EXPECT_EQ(of<Health>(range, dummys).points, 100);
 }
 
@@ -210,7 +210,7 @@ TEST(Range, ADeadDummyComesBackInFrontOfThePlayer) {
     const auto seen = watch_strafing(range, 3);
     EXPECT_FALSE(range.match->world().has<Dead>(wizard_of(range.match->world(), dummys)));
     EXPECT_LT(glm::distance(home, place(range, dummys)), range_data().dummy.stride + 0.5);
-    EXPECT_GT(seen.east - seen.west, 1) << "and strafes again";
+    EXPECT_GT(seen.east - seen.west, 1) << "the dummy does not strafe again";
 }
 
 TEST(Range, TheWandFollowsItsRules) {
@@ -225,7 +225,7 @@ TEST(Range, TheScoreCountsFromTheFirstShotAfterItWasWiped) {
     RangeScorer scorer;
     EXPECT_EQ(words_of(scorer.score(*range.match)), "0 of 0 hit, 0 HP, 0 kills, 0 HP a minute");
     run(range, 5);
-    EXPECT_EQ(scorer.score(*range.match).minutes, 0) << "nobody has shot yet";
+    EXPECT_EQ(scorer.score(*range.match).minutes, 0) << "no shot was fired yet";
     for (int i = 0; i < 1000; ++i) {
         range.tick(firing());
         scorer.score(*range.match);
@@ -406,10 +406,10 @@ TEST_F(RangeFilesTest, ABadFileKeepsTheOldNumbersAndSaysSoInOneLine) {
     const auto line = half_a_second();
     EXPECT_NE(line.find("wands/bolt.toml:11: 'damage' is -6"), std::string::npos) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos);
-    EXPECT_EQ(half_a_second(), "") << "said once";
+    EXPECT_EQ(half_a_second(), "") << "the fault is reported once";
     EXPECT_EQ(damage(), 6);
     replace("wizards/wizard.toml", "start = 100", "start = 110");
-    EXPECT_NE(half_a_second().find("wands/bolt.toml:11"), std::string::npos) << "still wrong";
+    EXPECT_NE(half_a_second().find("wands/bolt.toml:11"), std::string::npos) << "the file is still faulty";
     replace("wands/bolt.toml", "damage = -6", "damage = 7");
     EXPECT_EQ(half_a_second(), "read wands/bolt.toml, wizards/wizard.toml");
     EXPECT_EQ(damage(), 7);

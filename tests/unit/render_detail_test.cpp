@@ -41,7 +41,8 @@ TEST(Clustered, NoVertexMovesFartherThanTheErrorSays) {
         // The remaining vertices still lie on the sphere, near their old positions.
         for (const auto& v : copy.mesh.vertices) EXPECT_NEAR(glm::length(v.position), 1, 1e-5F);
         for (const auto& v : copy.mesh.vertices)
-            EXPECT_LE(glm::distance(v.position, v.normal), copy.error + 0.35F) << "normals are those of old";
+            EXPECT_LE(glm::distance(v.position, v.normal), copy.error + 0.35F)
+                << "normals must stay those of the full mesh";
     }
 }
 
@@ -90,7 +91,7 @@ TEST(Levels, TheCoarsestWhoseErrorIsWithinAPixel) {
     EXPECT_EQ(drawn_at(21.1F, levels), 2U);
     EXPECT_EQ(drawn_at(200, levels), 3U);
     EXPECT_EQ(drawn_at(0.5F, levels), 0U) << "around the eye";
-    EXPECT_EQ(drawn_at(21.1F, levels, 2), 1U) << "what is larger is coarse later";
+    EXPECT_EQ(drawn_at(21.1F, levels, 2), 1U) << "a larger thing must stay detailed for longer";
     EXPECT_EQ(drawn_at(200, {}), 0U);
 }
 
@@ -155,7 +156,7 @@ TEST(SkyCells, NoRayToTheSkyGoesThroughACellThatIsLeftOut) {
                                     [&](const Block& b) { return meets(b, vec3(camera.position), way); }));
         }
     }
-    EXPECT_GT(left_out, 500) << "the test tests something";
+    EXPECT_GT(left_out, 500) << "the random cases must include this case";
 }
 
 bool hides(const Block& block, vec3 eye, fvec3 centre, fvec3 half) {
@@ -169,12 +170,12 @@ TEST(Hidden, BehindAWallUpToItsOutline) {
     const auto at = [&](fvec3 centre) { return hides(wall, vec3(0), centre, fvec3(0.5F)); };
     EXPECT_TRUE(at({0, 0, -6}));
     EXPECT_TRUE(at({0, 0, -100}));
-    EXPECT_FALSE(at({0, 0, -3})) << "before it";
+    EXPECT_FALSE(at({0, 0, -3})) << "in front of the block";
     EXPECT_FALSE(at({0, 0, 6})) << "behind the eye";
     // Seen from the eye, the near face hides an area that widens by 2 m in 4 m.
     EXPECT_TRUE(at({4.2F, 0, -10}));
     EXPECT_FALSE(at({4.3F, 0, -10}));
-    EXPECT_FALSE(hides(wall, {0, 0, -4.5}, {0, 0, -6}, fvec3(0.5F))) << "the eye in it";
+    EXPECT_FALSE(hides(wall, {0, 0, -4.5}, {0, 0, -6}, fvec3(0.5F))) << "the eye inside the block";
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(hides({vec3(nan), vec3(nan)}, vec3(0), {0, 0, -6}, fvec3(0.5F)));
     EXPECT_FALSE(hides({{-2, -2, -5}, {2, nan, -4}}, vec3(0), {0, 0, -6}, fvec3(0.5F)));
@@ -219,7 +220,7 @@ TEST(Hidden, HiddenBoxesHaveNoFreeLineToTheEye) {
         else
             EXPECT_TRUE(detail::is_hidden({&own, 1}, there, fvec3(0)));
     }
-    EXPECT_GT(hidden, 100) << "the test tests something";
+    EXPECT_GT(hidden, 100) << "the random cases must include this case";
 }
 
 }  // namespace

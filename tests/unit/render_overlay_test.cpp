@@ -71,7 +71,7 @@ TEST(AtlasTest, GrowsAndStartsAnewWhenFull) {
     char32_t c = 0;
     while (atlas.place(c, 400, big).x >= 0) ASSERT_LT(++c, 100U);
     EXPECT_EQ(c, 16U);  // two side by side in each of eight rows
-    EXPECT_GE(atlas.place(0, 400, big).x, 0) << "what is there stays for this frame";
+    EXPECT_GE(atlas.place(0, 400, big).x, 0) << "placed glyphs must stay for this frame";
     atlas.start_frame();
     EXPECT_GE(atlas.place(c, 400, big).x, 0);
 }

@@ -145,7 +145,7 @@ TEST_F(Picture, TheFirstViewIsOnTopAndRightIsRight) {
     EXPECT_GT(count(image, {width / 2, 0, width / 2, height / 2}, reddish), 20);
     EXPECT_EQ(count(image, {0, 0, width / 2, height}, reddish), 0);
     const auto below = at(image, 50, height - 5);
-    EXPECT_EQ(below.r + below.g + below.b, 0) << "what no view covers is black";
+    EXPECT_EQ(below.r + below.g + below.b, 0) << "pixels outside all views must be black";
 }
 
 TEST_F(Picture, NearHidesFar) {
@@ -238,10 +238,11 @@ TEST_F(Shadowed, FallsOppositeTheSunAndNowhereElse) {
         moving = {cube_at({0, 1, -4}, fvec3(1))};  // the middle of its shadow is 2 m to the right
         const int lit = brightness(quality, -1.6F), shaded = brightness(quality, 2);
         EXPECT_GT(lit, 2 * shaded) << static_cast<int>(quality);
-        EXPECT_GT(shaded, 5) << "what comes from everywhere is left";
+        EXPECT_GT(shaded, 5) << "ambient light must remain in the shadow";
         EXPECT_NEAR(brightness(quality, 3.2F), lit, 3);
     }
-    EXPECT_NEAR(brightness(Quality::low, 2), brightness(Quality::low, -1.6F), 3) << "low has no map";
+    EXPECT_NEAR(brightness(Quality::low, 2), brightness(Quality::low, -1.6F), 3)
+        << "low quality has no shadow map";
 }
 
 TEST_F(Shadowed, AShadowThatMovedOnLeavesNoTrace) {
@@ -264,7 +265,7 @@ TEST_F(Shadowed, CostsNothingWhileNothingMoves) {
     EXPECT_EQ(renderer->statistics().shadow_draws, 0U);
     moving[0].model[3].x += 0.01F;
     drawn(frame_of(Quality::medium));
-    EXPECT_EQ(renderer->statistics().shadow_draws, 1U) << "what is fixed is not drawn again";
+    EXPECT_EQ(renderer->statistics().shadow_draws, 1U) << "fixed things must not be drawn again";
     renderer->replace(floor, box({3, 0.1F, 3}, fvec3(1)));
     drawn(frame_of(Quality::medium));
     EXPECT_EQ(renderer->statistics().shadow_draws, 2U) << "a mesh has changed";
@@ -282,7 +283,8 @@ TEST_F(Shadowed, OnlyMovedThingsAndTheirOldPlacesAreDrawnAgain) {
     EXPECT_EQ(renderer->statistics().shadow_triangles, 12U);
     moving[1].model[3].x += 5;
     drawn(frame_of(Quality::medium));
-    EXPECT_EQ(renderer->statistics().shadow_triangles, 24U) << "it has left the first one's place";
+    EXPECT_EQ(renderer->statistics().shadow_triangles, 24U)
+        << "the shadow of the first place must be drawn again";
     EXPECT_NEAR(brightness(Quality::medium, 2), shaded, 3);
     moving = {near};
     EXPECT_NEAR(brightness(Quality::medium, 2), shaded, 3);

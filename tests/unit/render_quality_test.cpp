@@ -40,7 +40,8 @@ TEST(AutoQuality, StaysWhereTheTimeFits) {
 }
 
 TEST(AutoQuality, StepsDownWhenMostPicturesAreLateAndNotForAFew) {
-    EXPECT_EQ(after({.now = Quality::medium}, 67, 50).now, Quality::medium) << "not before it has judged";
+    EXPECT_EQ(after({.now = Quality::medium}, 67, 50).now, Quality::medium)
+        << "no change before enough times were measured";
     EXPECT_EQ(after({.now = Quality::medium}, 68, 50).now, Quality::low);
     AutoQuality hiccups{.now = Quality::medium};
     for (int i = 0; i < 3000; ++i) hiccups = after_frame(hiccups, i % 3 == 0 ? 200 : 20);

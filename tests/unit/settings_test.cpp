@@ -433,7 +433,7 @@ TEST(MatchLogs, RematchesAreCountedAfterTheirMatchAndALogInUseStays) {
     EXPECT_FALSE(std::filesystem::exists(name("01-2")));
     EXPECT_TRUE(std::filesystem::exists(name("01-10")));
     EXPECT_TRUE(std::filesystem::exists(name("02")));
-    EXPECT_TRUE(std::filesystem::exists(name("01-x"))) << "not a name of ours";
+    EXPECT_TRUE(std::filesystem::exists(name("01-x"))) << "not a name of a recorded match";
 }
 
 }  // namespace
