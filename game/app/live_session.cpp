@@ -100,10 +100,10 @@ void publish_screen(LiveSession& session) {
                   .forces = session.forces,
                   .menu = menu_open(session)};
     if (session.shared.arm_player < game::players)
-        screen.hud.device_says[session.shared.arm_player] = session.arm_says;
+        screen.hud.device_messages[session.shared.arm_player] = session.arm_says;
     for (std::uint32_t player = 0; player < game::players; ++player)
         if (session.shared.pad_lost[player])
-            screen.hud.device_says[player] = text("pad lost: ", how_to_rejoin);
+            screen.hud.device_messages[player] = text("pad lost: ", how_to_rejoin);
     screen.quality = settings.quality;
     screen.menu = picture_of(session.menu, session.menu_context);
     screen.arena_scene = menu_open(session) && session.menu.pages.front().page == Page::start;

@@ -46,7 +46,7 @@ enum class RowKind : std::uint8_t {
     undo,
     setting,
     cauldron,
-    whose,
+    fader_player,
     fader,
     all_felt,
     back,
@@ -152,10 +152,11 @@ void add_setting_rows(const MenuState& s, std::vector<Row>& rows) {
 }
 
 void add_cauldron_rows(const MenuState& s, std::vector<Row>& rows) {
-    rows.push_back({RowKind::whose,
-                    0,
-                    {.label = "Whose hand", .value = text("player ", s.whose + 1), .adjustable = true}});
-    const auto& faders = s.settings.cauldron[s.whose];
+    rows.push_back(
+        {RowKind::fader_player,
+         0,
+         {.label = "Whose hand", .value = text("player ", s.fader_player + 1), .adjustable = true}});
+    const auto& faders = s.settings.cauldron[s.fader_player];
     for (std::size_t i = 0; i < faders.size(); ++i) {
         rows.push_back({RowKind::fader,
                         i,
@@ -235,8 +236,8 @@ void adjust(MenuState& s, const Row& row, const MenuContext& context, int way) {
         case RowKind::rules: turn(s.rules, context.rules, way); break;
         case RowKind::dummy: turn(s.dummy, game::dummy_names, way); break;
         case RowKind::setting: change(all_settings()[row.index], s.settings, way); break;
-        case RowKind::whose: turn(s.whose, s.settings.cauldron, way); break;
-        case RowKind::fader: change(s.settings.cauldron[s.whose][row.index], way); break;
+        case RowKind::fader_player: turn(s.fader_player, s.settings.cauldron, way); break;
+        case RowKind::fader: change(s.settings.cauldron[s.fader_player][row.index], way); break;
         case RowKind::toggle: {
             auto& toggled = s.settings.bindings_of(settings_hands[s.sheet]).toggled[row.index];
             toggled = !toggled;
@@ -258,12 +259,12 @@ void set_defaults(MenuState& s) {
 
 /// Opens the cauldron's page with the faders of the player whose device asked for it.
 void open_cauldron(MenuState& s, const Device& device) {
-    s.whose = seat_of(s, device).value_or(s.whose);
+    s.fader_player = seat_of(s, device).value_or(s.fader_player);
     open(s, Page::cauldron);
 }
 
 void switch_fader(MenuState& s, std::size_t source) {
-    auto& fader = s.settings.cauldron[s.whose][source];
+    auto& fader = s.settings.cauldron[s.fader_player][source];
     fader.on = !fader.on;
 }
 
@@ -294,7 +295,7 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::undo: undo(s); break;
         case RowKind::cauldron: open_cauldron(s, event.device); break;
         case RowKind::fader: switch_fader(s, row.index); break;
-        case RowKind::all_felt: s.settings.cauldron[s.whose] = {}; break;
+        case RowKind::all_felt: s.settings.cauldron[s.fader_player] = {}; break;
         case RowKind::back: s.pages.pop_back(); break;
         default: adjust(s, row, context, 1);
     }
@@ -418,8 +419,8 @@ std::string start_line(const MenuState& s) {
 
 /// Line about the chosen fader, or about the whole page.
 std::string cauldron_line(const MenuState& s, const Row& row) {
-    if (row.kind == RowKind::fader) return std::string(told_of_fader(row.index));
-    return text("what player ", s.whose + 1, "'s hand feels while it stirs");
+    if (row.kind == RowKind::fader) return std::string(effect_of_fader(row.index));
+    return text("what player ", s.fader_player + 1, "'s hand feels while it stirs");
 }
 
 std::string hint_of(const MenuState& s) {

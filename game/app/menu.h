@@ -74,7 +74,7 @@ struct MenuState {
     std::size_t level = 0, rules = 0;  ///< indices into MenuContext::levels and MenuContext::rules
     std::size_t dummy = 0;             ///< game::DummyKind of the range's dummy
     std::size_t sheet = 0;             ///< sheet on the bindings page
-    std::size_t whose = 0;             ///< player whose faders the cauldron's page shows
+    std::size_t fader_player = 0;      ///< player whose faders the cauldron's page shows
     std::optional<Slot> waiting;       ///< slot that waits for a new control; std::nullopt: none
     Settings settings;
     std::optional<Settings> undo;  ///< settings before the last change of bindings

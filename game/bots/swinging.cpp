@@ -56,8 +56,8 @@ bool spans_a_gap(const Simulation& match, const WalkGrid& grid, const RopeKind& 
            (!seen || glm::distance(seen->point, c.anchor) < near_anchor);
 }
 
-void begin(SwingPlan& swing_plan, SwingStage what, Tick until) {
-    swing_plan.stage = what;
+void begin(SwingPlan& swing_plan, SwingStage stage, Tick until) {
+    swing_plan.stage = stage;
     swing_plan.until = until;
 }
 

@@ -61,9 +61,9 @@ haptics::FlowSource source_of(const MatchContext& context, std::size_t which) {
     haptics::FlowSource source{.viscosity = rules.density * rules.viscosity, .density = rules.density};
     for (std::size_t axis = 0; axis < 3; ++axis)
         source.velocity.component[axis] = in_brew(fields.velocity.component[axis]);
-    for (std::size_t s = 0; s < brew.what.size(); ++s) {
-        if (brew.what[s] == no_ingredient) continue;
-        const auto& substance = rules.ingredients[brew.what[s]].substance;
+    for (std::size_t s = 0; s < brew.contents.size(); ++s) {
+        if (brew.contents[s] == no_ingredient) continue;
+        const auto& substance = rules.ingredients[brew.contents[s]].substance;
         source.substances[s] = {.amount = in_brew(fields.substances[s]),
                                 .viscosity = rules.density * substance.viscosity,
                                 .density = rules.density * substance.weight};
@@ -160,7 +160,7 @@ void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t
     read_flow(context, cauldron, place, velocity_of(frame, hand_state), ladle, touch);
     touch.step_age = static_cast<std::uint64_t>(tick - cauldron.stepped - 1);
     touch.surface = {.height = cauldron.height[player],
-                     .velocity = cauldron.rise[player],
+                     .velocity = cauldron.surface_speed[player],
                      .stiffness = surface.settings.contact,
                      .pop_through = surface.settings.pop_through,
                      .cling = surface.settings.cling,

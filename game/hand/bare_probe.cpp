@@ -85,8 +85,8 @@ void add_probe_system(MatchContext& context, ecs::Schedule& schedule) {
                   }});
 }
 
-void feel_about(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
-                haptics::HapticModel& model) {
+void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
+                      haptics::HapticModel& model) {
     model.patch.count = 0;
     model.drift = {};
     model.patch_number = hand_state.probe_number;

@@ -65,7 +65,7 @@ const haptics::HapticModel& next_model(MatchContext& context, ecs::Entity wizard
     model.on = context.haptic_setup.on[player];
     model.panic = panic;
     model.rearm = hand_state.rearm != 0;
-    feel_about(context, wizard, hand_state, model);
+    fill_probe_model(context, wizard, hand_state, model);
     if (auto* ladle = context.world.find<Ladle>(wizard)) {
         feel_brew(context, hand_state, player, *ladle, std::as_const(context.world).single<Match>().played,
                   model.fluid);

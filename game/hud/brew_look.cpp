@@ -73,9 +73,9 @@ void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state
     out.colours.base = fvec3(rules.colour);
     for (std::size_t s = 0; s < out.densities.size(); ++s) {
         out.densities[s].clear();
-        if (brew.what[s] >= rules.ingredients.size()) continue;
+        if (brew.contents[s] >= rules.ingredients.size()) continue;
         out.densities[s] = fluid.now.substances[s];
-        out.colours.substances[s] = fvec3(rules.ingredients[brew.what[s]].colour);
+        out.colours.substances[s] = fvec3(rules.ingredients[brew.contents[s]].colour);
     }
     out.surface = brew.surface;
 }

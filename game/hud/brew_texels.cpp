@@ -140,11 +140,11 @@ void light_row(const Seen& seen, std::size_t j, std::size_t k, float per_two_h, 
 }
 
 /// Height, slopes and speed of the surface at a point.
-struct SurfacePoint {
+struct SkinPoint {
     float height{}, slope_x{}, slope_z{}, speed{};
 };
 
-SurfacePoint node(const fluid::Sheet& surface, std::size_t x, std::size_t z) {
+SkinPoint node(const fluid::Sheet& surface, std::size_t x, std::size_t z) {
     const auto& s = surface.settings;
     const std::size_t last = s.nodes - 1;
     const std::size_t x0 = x == 0 ? 0 : x - 1, x1 = std::min(x + 1, last), z0 = z == 0 ? 0 : z - 1,
@@ -158,28 +158,28 @@ SurfacePoint node(const fluid::Sheet& surface, std::size_t x, std::size_t z) {
 }
 
 /// All nodes, row by row along x. Empty for a surface at rest.
-std::vector<SurfacePoint> nodes_of(const fluid::Sheet& surface) {
-    std::vector<SurfacePoint> out;
+std::vector<SkinPoint> nodes_of(const fluid::Sheet& surface) {
+    std::vector<SkinPoint> out;
     if (surface.asleep != 0 || surface.height.empty()) return out;
     for (std::size_t z = 0; z < surface.settings.nodes; ++z) {
         for (std::size_t x = 0; x < surface.settings.nodes; ++x) {
             const auto n = node(surface, x, z);
             const bool is_one = std::isfinite(n.height + n.slope_x + n.slope_z + n.speed);
-            out.push_back(is_one ? n : SurfacePoint{});
+            out.push_back(is_one ? n : SkinPoint{});
         }
     }
     return out;
 }
 
 /// Interpolates the nodes at `from`, measured from the middle (m). Points outside are clamped to the border.
-SurfacePoint point(const fluid::SheetSettings& s, std::span<const SurfacePoint> nodes, vec2 from) {
+SkinPoint point(const fluid::SheetSettings& s, std::span<const SkinPoint> nodes, vec2 from) {
     if (nodes.empty()) return {};
     const vec2 at = glm::clamp((from + s.side / 2) / fluid::sheet_spacing(s), vec2(0), vec2(s.nodes - 1));
     const auto x = std::min(static_cast<std::size_t>(at.x), std::size_t{s.nodes} - 2),
                z = std::min(static_cast<std::size_t>(at.y), std::size_t{s.nodes} - 2);
     const auto px = static_cast<float>(at.x - static_cast<double>(x)),
                pz = static_cast<float>(at.y - static_cast<double>(z));
-    SurfacePoint sum;
+    SkinPoint sum;
     for (const std::size_t j : {0U, 1U}) {
         for (const std::size_t i : {0U, 1U}) {
             const auto& n = nodes[(z + j) * s.nodes + x + i];
@@ -194,7 +194,7 @@ SurfacePoint point(const fluid::SheetSettings& s, std::span<const SurfacePoint> 
 }
 
 /// Amount of foam. Foam appears where the surface is steep or moves fast.
-float foam_of(const SurfacePoint& p) {
+float foam_of(const SkinPoint& p) {
     return std::min(smooth(0.25F, 0.8F, std::hypot(p.slope_x, p.slope_z)) + smooth(0.35F, 1.5F, p.speed),
                     1.0F);
 }
@@ -202,7 +202,7 @@ float foam_of(const SurfacePoint& p) {
 /// Radius of the level surface (m).
 double surface_radius(const BrewPlace& place) { return width_at(place.basin, 0); }
 
-render::SkinVertex skin_vertex(const SurfacePoint& p, const BrewPlace& place, vec2 from) {
+render::SkinVertex skin_vertex(const SkinPoint& p, const BrewPlace& place, vec2 from) {
     // A ring of foam lies along the wall.
     const float rim =
         rim_foam * smooth(0.93F, 0.99F, static_cast<float>(glm::length(from) / surface_radius(place)));

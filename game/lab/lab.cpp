@@ -49,8 +49,8 @@ Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
     auto made = fluid::make_fluid(wanted);
     if (!made) return tl::unexpected(made.error());
     brew->fluid = std::move(*made);
-    brew->what.fill(no_ingredient);
-    for (std::uint32_t i = 0; i < settings.substances.size(); ++i) brew->what[i] = i;
+    brew->contents.fill(no_ingredient);
+    for (std::uint32_t i = 0; i < settings.substances.size(); ++i) brew->contents[i] = i;
     return brew;
 }
 
@@ -162,7 +162,7 @@ Expected<void> change_lab(LabState& lab, const LabSettings& settings) {
         fluid::take_over(brew->fluid, fluid);
         fluid = std::move(brew->fluid);
         lab.brew.corner = brew->corner;
-        lab.brew.what = brew->what;
+        lab.brew.contents = brew->contents;
     }
     lab.settings = settings;
     return {};

@@ -49,7 +49,7 @@ vec3 box_of(const input::DeviceSpec& device) {
 static_assert(haptics::fluid_modes.size() == input::fluid_faders);
 
 /// Reduces the brew's effects by the shares that the player does not want to feel.
-void keep_off(const input::DeviceSpec& device, haptics::FluidModes& modes) {
+void reduce_modes(const input::DeviceSpec& device, haptics::FluidModes& modes) {
     for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i)
         modes.*haptics::fluid_modes[i].strength *= 1 - device.fluid_kept_off[i] / 100.0;
 }
@@ -75,7 +75,7 @@ HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::Devi
         if (const vec3 box = box_of(device); box.x > 0) set_box(data, device.player, box, setup);
         setup.weight[device.player] *= 1 - device.weight_kept_off() / 100.0;
         setup.blows[device.player] *= 1 - device.blows_kept_off() / 100.0;
-        keep_off(device, setup.brew[device.player]);
+        reduce_modes(device, setup.brew[device.player]);
     }
     return setup;
 }

@@ -63,7 +63,7 @@ protected:
     }
 
     void fill(std::uint32_t ingredient, const std::function<double(vec3)>& density) {
-        const auto slot = substance_for(brew.what, ingredient);
+        const auto slot = substance_for(brew.contents, ingredient);
         ASSERT_TRUE(slot.has_value());
         assign(brew, rules, *slot, ingredient);
         ASSERT_TRUE(slot);

@@ -151,7 +151,7 @@ TEST(GameCauldron, FadersTakeFromTheHandAndNothingFromTheBrew) {
     all.run(length);
     none.run(length);
     EXPECT_GT(all.match->world().single<Cauldron>().speed, 0.02) << "the brew is not stirred";
-    EXPECT_EQ(all.match->world().single<Cauldron>().what[0], 2U) << "no ingredient was dropped";
+    EXPECT_EQ(all.match->world().single<Cauldron>().contents[0], 2U) << "no ingredient was dropped";
     EXPECT_EQ(none.brews, all.brews);
     EXPECT_GT(all.felt, 0);
     EXPECT_EQ(none.felt, 0);
@@ -216,7 +216,7 @@ TEST(GameCauldron, AFourthIngredientStaysInTheHand) {
         for (Tick t = 0; t < 40; ++t) match->tick(held);
         EXPECT_EQ(world.has<Pouch>(wizard), ingredient == 3) << ingredient;
     }
-    const auto& what = match->world().single<Cauldron>().what;
+    const auto& what = match->world().single<Cauldron>().contents;
     EXPECT_EQ(what, (std::array<std::uint32_t, 3>{0, 1, 2}));
 }
 

@@ -568,10 +568,10 @@ TEST(DeviceCaption, ADriversMessageStandsInItsPlayersViewAboveOurText) {
         render::Overlay overlay;
         make_overlay(picture, settings, size, overlay);
         EXPECT_NE(find_text(overlay, "The arm does not answer: mouse and keys play on"), nullptr);
-        settings.device_says[player] = "The arm's motors are too warm: let them rest";
+        settings.device_messages[player] = "The arm's motors are too warm: let them rest";
         make_overlay(picture, settings, size, overlay);
         EXPECT_EQ(find_text(overlay, "The arm does not answer: mouse and keys play on"), nullptr);
-        const auto* told = find_text(overlay, settings.device_says[player]);
+        const auto* told = find_text(overlay, settings.device_messages[player]);
         const auto* ours = find_text(overlay, "Mouse and keys play on");
         ASSERT_TRUE(told != nullptr && ours != nullptr);
         EXPECT_LT(told->position.y, ours->position.y);
@@ -587,11 +587,11 @@ TEST(DeviceCaption, ADriversMessageStandsInItsPlayersViewAboveOurText) {
 TEST(DeviceCaption, LongOnesAreSmallerSoThatTheViewHoldsThem) {
     const HudSettings side{.split = render::Split::side_by_side,
                            .text_scale = 2.5,
-                           .device_says = {std::string(200, 'w'), "short"}};
+                           .device_messages = {std::string(200, 'w'), "short"}};
     const render::Size size{640, 360};
     render::Overlay overlay;
     make_overlay(picture_of(*new_match()), side, size, overlay);
-    const auto* lengthy = find_text(overlay, side.device_says[0]);
+    const auto* lengthy = find_text(overlay, side.device_messages[0]);
     ASSERT_NE(lengthy, nullptr);
     EXPECT_LE(0.6F * 200 * lengthy->size, static_cast<float>(views_of(side, size)[0].width));
     EXPECT_LT(lengthy->size, find_text(overlay, "short")->size);

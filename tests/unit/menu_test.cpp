@@ -354,7 +354,7 @@ TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
             for (std::size_t p = 0; p < player; ++p) s = choose(s, "Whose hand", Kind::right);
             s = choose(choose(s, label, Kind::left), label, Kind::left);
             EXPECT_EQ(value_of(s, label), "90 %");
-            EXPECT_EQ(picture_of(s, context()).line, told_of_fader(i));
+            EXPECT_EQ(picture_of(s, context()).line, effect_of_fader(i));
             s = choose(s, label);
             EXPECT_EQ(value_of(s, label), "off (90 %)");
             EXPECT_TRUE(picture_of(s, context()).rows[row_named(s, label)].dim);

@@ -236,7 +236,7 @@ TEST(Range, TheScoreCountsFromTheFirstShotAfterItWasWiped) {
     EXPECT_EQ(score.damage, 6 * score.hits);
     EXPECT_NEAR(score.minutes, 2.0 / 60, 0.01);
     EXPECT_NEAR(score.damage_per_minute(), score.damage * 30, 0.3 * score.damage * 30);
-    scorer.wipe(*range.match);
+    scorer.reset(*range.match);
     EXPECT_EQ(scorer.score(*range.match).shots, 0U);
     EXPECT_EQ(words_of({.shots = 64, .hits = 12, .kills = 1, .damage = 72, .minutes = 0.5}),
               "12 of 64 hit (18 %), 72 HP, 1 kill, 144 HP a minute");

@@ -331,7 +331,7 @@ TEST(SettingsScreen, AFaderGoesByFivesAndIsSwitchedWhereItIs) {
     EXPECT_EQ(shown({.share = 0.333}), "33.3 %");
     for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
         EXPECT_FALSE(label_of_fader(i).empty());
-        EXPECT_FALSE(told_of_fader(i).empty());
+        EXPECT_FALSE(effect_of_fader(i).empty());
     }
 }
 

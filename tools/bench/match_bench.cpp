@@ -292,7 +292,7 @@ void tick_duel_cauldron(const Options& options, Report& report) {
          .is_default = true,
          .metrics = {{"mean_us", mean(samples)},
                      {"ingredients", static_cast<double>(std::count_if(
-                                         cauldron.what.begin(), cauldron.what.end(),
+                                         cauldron.contents.begin(), cauldron.contents.end(),
                                          [](std::uint32_t w) { return w != game::no_ingredient; }))},
                      {"substeps_per_step", substeps / static_cast<double>(samples.size())},
                      {"pressure_iterations_per_step", iterations / static_cast<double>(samples.size())},
