@@ -89,7 +89,7 @@ Finding data_files(const std::filesystem::path& assets, const Expected<Data>& da
 Finding hands(const Expected<Data>& data) {
     if (!data) return {"hands", State::note, "not known without data files", ""};
     const auto& device = (*data)->device;
-    const double cap = haptics::safety_limits(device, (*data)->touch.share).cap;
+    const double cap = haptics::safety_limits(device, (*data)->haptic_rules.share).cap;
     return {"hands", State::good,
             text("each holds a simulated ", device.name, " of ", fixed(device.peak_force, 1), " N; at most ",
                  fixed(cap, 2), " N reach the hand"),

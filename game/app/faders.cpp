@@ -58,7 +58,7 @@ void read_off(const ConfigTable& table, Faders& faders) {
 }  // namespace
 
 std::string_view label_of_fader(std::size_t source) { return fader_words[source].label; }
-std::string_view told_of_fader(std::size_t source) { return fader_words[source].told; }
+std::string_view effect_of_fader(std::size_t source) { return fader_words[source].told; }
 
 std::string shown(const Fader& fader) {
     const auto percent = text(std::round(1000 * fader.share) / 10, " %");

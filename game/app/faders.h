@@ -21,7 +21,7 @@ using Faders = std::array<Fader, haptics::fluid_modes.size()>;
 
 /// Name of the fader's source ("Viscosity"), and its effect in a few words.
 std::string_view label_of_fader(std::size_t source);
-std::string_view told_of_fader(std::size_t source);
+std::string_view effect_of_fader(std::size_t source);
 
 /// Text of a fader's value: "75 %", "off (75 %)".
 std::string shown(const Fader& fader);

@@ -20,7 +20,7 @@ game::LadlePicture ladle_picture(const game::LabState& lab, double newtons) {
     const vec3 out =
         glm::length(at) > 1e-6 ? glm::normalize(vec3(at.x, 0, at.z) + vec3(1e-6, 0, 0)) : vec3(1, 0, 0);
     return {.bowl = at,
-            .hand_state = at + handle * glm::normalize(0.45 * out + vec3(0, 1, 0)),
+            .top = at + handle * glm::normalize(0.45 * out + vec3(0, 1, 0)),
             .force_share = newtons * lab.rules.ladle.newtons_per_newton / hand_newtons};
 }
 

@@ -92,7 +92,7 @@ TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     spec.look_rad_per_count *= settings.sensitivity;
     spec.turn_rad_per_s = settings.turn_deg_per_s * radians_per_degree;
     if (settings.invert_y) spec.flags |= input::DeviceSpec::invert_y;
-    if (const auto percent = force_wishes[settings.force[player]].percent) spec.ask_for_force(*percent);
+    if (const auto percent = force_choices[settings.force[player]].percent) spec.ask_for_force(*percent);
     const auto percent_of = [](double share) { return static_cast<std::uint32_t>(std::lround(100 * share)); };
     spec.ask_for_carried(percent_of(settings.carried_weight), percent_of(settings.carried_blows));
     ask_for(settings.cauldron[player], spec);
@@ -111,8 +111,9 @@ std::array<Seat, game::players> joined_seats(const LiveSession& session) {
     std::array<Seat, game::players> seats;
     for (std::size_t p = 0; p < seats.size(); ++p) {
         const auto& device = session.menu.seats[p];
-        seats[p] = device ? seat_of(*device)
-                          : Seat{.kind = SeatKind::bot, .level = session.facts.levels[session.menu.level]};
+        seats[p] =
+            device ? seat_of(*device)
+                   : Seat{.kind = SeatKind::bot, .level = session.menu_context.levels[session.menu.level]};
     }
     for (auto& seat : seats) seat.arm = session.shared.arm && seat.kind == SeatKind::keyboard_mouse;
     if (session.range) seats[game::dummys] = {.kind = SeatKind::dummy};
@@ -209,7 +210,7 @@ void take_seats(LiveSession& session) {
 Expected<void> play_match(LiveSession& session, MatchStart start) {
     auto& shared = session.shared;
     shared.ended = shared.end_match = shared.rematch = false;
-    shared.going = Going::playing;
+    shared.going = PlayState::playing;
     shared.wants_pause = shared.wants_to_go_on = game::no_player;
     for (auto& lost : shared.pad_lost) lost = false;
     auto simulating = start_thread([&] { run_simulation(session.plan, shared, std::move(start)); });
@@ -230,7 +231,7 @@ Expected<void> play_matches(LiveSession& session) {
     for (std::uint64_t number = 1; !shared.stop; ++number) {
         if (session.plan.start_screen && !again && !run_start_screen(session)) break;
         take_seats(session);
-        session.facts.practice = session.range.has_value();
+        session.menu_context.practice = session.range.has_value();
         auto recording = recording_of(session, seed, number);
         // A log that the user named must be opened. If the default folder fails, the match is played without
         // a log.

@@ -86,7 +86,7 @@ void settings_changed(LiveSession& session, const Settings& before) {
 
 void menu_event(LiveSession& session, const MenuEvent& event) {
     const auto before = session.menu.settings;
-    session.menu = step(std::move(session.menu), event, session.facts);
+    session.menu = step(std::move(session.menu), event, session.menu_context);
     if (!(session.menu.settings == before)) settings_changed(session, before);
     session.shared.dummy = static_cast<game::DummyKind>(session.menu.dummy);
     session.stale = true;
@@ -114,7 +114,7 @@ namespace {
 
 std::optional<game::MenuPlace> place_of_mouse(const LiveSession& session) {
     if (!session.mouse) return {};
-    return game::place_at(picture_of(session.menu, session.facts), session.shared.window.size(),
+    return game::place_at(picture_of(session.menu, session.menu_context), session.shared.window.size(),
                           session.menu.settings.text_scale, *session.mouse);
 }
 
@@ -325,13 +325,13 @@ std::vector<MenuContext::Rules> all_rules(const LivePlan& plan) {
 }  // namespace
 
 MenuContext find_menu_context(const LivePlan& plan) {
-    MenuContext facts{.rules = all_rules(plan), .ends_match = plan.start_screen};
+    MenuContext context{.rules = all_rules(plan), .ends_match = plan.start_screen};
     for (int level = 1; level <= most_levels; ++level) {
-        if (game::load_bot_skill(plan.assets, level)) facts.levels.push_back(level);
+        if (game::load_bot_skill(plan.assets, level)) context.levels.push_back(level);
     }
     // level 1 stands in; the match will report the missing file
-    if (facts.levels.empty()) facts.levels.push_back(1);
-    return facts;
+    if (context.levels.empty()) context.levels.push_back(1);
+    return context;
 }
 
 }  // namespace thaum::app

@@ -59,7 +59,7 @@ void Practice::say(std::string words, Tick how_long) {
 void Practice::set_dummy(game::DummyKind kind) {
     if (kind == range_.dummy.kind()) return;
     range_.dummy.become(kind);
-    scorer_.wipe(match());
+    scorer_.reset(match());
 }
 
 std::shared_ptr<const game::RangeData> Practice::adopt_reload() {
@@ -70,7 +70,7 @@ std::shared_ptr<const game::RangeData> Practice::adopt_reload() {
     say(reload->line, reload->data ? reading_shown : until_next_reading);
     if (!reload->data) return nullptr;
     range_.adopt(*reload->data);
-    scorer_.wipe(match());
+    scorer_.reset(match());
     return reload->data;
 }
 

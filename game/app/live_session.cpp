@@ -58,14 +58,15 @@ DeviceKind kind_in_hand(const LiveSession& session, std::uint32_t player) {
 }  // namespace
 
 LiveSession::LiveSession(LiveShared& s, const LivePlan& p)
-    : shared(s), plan(p), data(p.data), facts(find_menu_context(p)), seated(p.settings) {
+    : shared(s), plan(p), data(p.data), menu_context(find_menu_context(p)), seated(p.settings) {
     menu.settings = p.settings;
     menu.dummy = static_cast<std::size_t>(p.practice.value_or(game::DummyKind::still));
     shared.dummy = p.practice.value_or(game::DummyKind::still);
     auto choice = p.data->choice;
     const auto chosen = [&](const MenuContext::Rules& r) { return r.name == length_of(choice); };
-    const auto found = std::find_if(facts.rules.begin(), facts.rules.end(), chosen);
-    if (found != facts.rules.end()) menu.rules = static_cast<std::size_t>(found - facts.rules.begin());
+    const auto found = std::find_if(menu_context.rules.begin(), menu_context.rules.end(), chosen);
+    if (found != menu_context.rules.end())
+        menu.rules = static_cast<std::size_t>(found - menu_context.rules.begin());
     publish_screen(*this);
 }
 
@@ -99,12 +100,12 @@ void publish_screen(LiveSession& session) {
                   .forces = session.forces,
                   .menu = menu_open(session)};
     if (session.shared.arm_player < game::players)
-        screen.hud.device_says[session.shared.arm_player] = session.arm_says;
+        screen.hud.device_messages[session.shared.arm_player] = session.arm_says;
     for (std::uint32_t player = 0; player < game::players; ++player)
         if (session.shared.pad_lost[player])
-            screen.hud.device_says[player] = text("pad lost: ", how_to_rejoin);
+            screen.hud.device_messages[player] = text("pad lost: ", how_to_rejoin);
     screen.quality = settings.quality;
-    screen.menu = picture_of(session.menu, session.facts);
+    screen.menu = picture_of(session.menu, session.menu_context);
     screen.arena_scene = menu_open(session) && session.menu.pages.front().page == Page::start;
     screen.frames_per_second = settings.frames_per_second;
     session.shared.screen.publish();
@@ -177,8 +178,8 @@ void match_key(LiveSession& session, int key) {
         return;
     }
     const auto going = shared.going.load();
-    if (going == Going::over) key_after_round(session, settings, key);
-    if (going == Going::playing && pause && !somebody_pauses_with(session, key))
+    if (going == PlayState::over) key_after_round(session, settings, key);
+    if (going == PlayState::playing && pause && !somebody_pauses_with(session, key))
         shared.wants_pause = first_person(shared).value_or(0);
 }
 
@@ -346,15 +347,15 @@ void follow_pads(LiveSession& session) {
 /// Opens the menu while the match is paused, and closes it when the match goes on.
 void follow_going(LiveSession& session) {
     const auto going = session.shared.going.load();
-    if (going == Going::over && session.over_since_ns == 0) session.over_since_ns = monotonic_ns();
-    if (going != Going::over) session.over_since_ns = 0;
+    if (going == PlayState::over && session.over_since_ns == 0) session.over_since_ns = monotonic_ns();
+    if (going != PlayState::over) session.over_since_ns = 0;
     if (session.plan.replay != nullptr) return;
-    if (going == Going::paused && !menu_open(session)) {
+    if (going == PlayState::paused && !menu_open(session)) {
         each_hands(session.shared, [](auto& hands) { hands.focus_lost(); });
         open_pause(session);
     }
-    if (going == Going::paused) tell_pause(session);
-    if (going != Going::paused && menu_open(session)) {
+    if (going == PlayState::paused) tell_pause(session);
+    if (going != PlayState::paused && menu_open(session)) {
         session.menu.pages.clear();
         session.menu.waiting.reset();
         session.stale = true;
@@ -362,9 +363,10 @@ void follow_going(LiveSession& session) {
 }
 
 void follow_wish(LiveSession& session) {
-    const auto wish = std::exchange(session.menu.wish, MenuRequest::none);
-    if (wish == MenuRequest::go_on) session.shared.wants_to_go_on = first_person(session.shared).value_or(0);
-    if (wish == MenuRequest::leave || wish == MenuRequest::quit) leave_match(session);
+    const auto request = std::exchange(session.menu.request, MenuRequest::none);
+    if (request == MenuRequest::go_on)
+        session.shared.wants_to_go_on = first_person(session.shared).value_or(0);
+    if (request == MenuRequest::leave || request == MenuRequest::quit) leave_match(session);
 }
 
 /// Shows the state of the arm. Without its arm the match goes on by mouse, and the ArmKeeper looks for the
@@ -379,9 +381,9 @@ void follow_arm(LiveSession& session) {
         session.arm_says = std::move(says);
         session.stale = true;
     }
-    if (shown == session.facts.arm) return;
-    const bool first = session.facts.arm.empty();
-    session.facts.arm = shown;
+    if (shown == session.menu_context.arm) return;
+    const bool first = session.menu_context.arm.empty();
+    session.menu_context.arm = shown;
     session.stale = true;
     if (first && !lost) return;
     std::fprintf(stderr, "%s\n", lost ? status.text.c_str() : "the arm is back");
@@ -438,7 +440,8 @@ void run_session(LiveSession& session) {
         follow_going(session);
         repeat_menu(session);
         follow_wish(session);
-        shared.window.capture_cursor(mouse && !session.plan.probe && shared.going.load() == Going::playing);
+        shared.window.capture_cursor(mouse && !session.plan.probe &&
+                                     shared.going.load() == PlayState::playing);
     }
     shared.window.capture_cursor(false);
 }
@@ -460,8 +463,8 @@ void show_arena(LiveSession& session) {
 void follow_plugs(LiveSession& session) {
     for (std::size_t i = 0; i < session.pads.size(); ++i) {
         const std::string name = session.pads[i].present ? session.pads[i].name : std::string();
-        if (name == session.facts.pads[i]) continue;
-        session.facts.pads[i] = name;
+        if (name == session.menu_context.pads[i]) continue;
+        session.menu_context.pads[i] = name;
         session.stale = true;
         if (!session.pads[i].present)
             menu_event(session,
@@ -480,7 +483,7 @@ bool note_fault(LiveSession& session, const Expected<void>& result) {
 /// Reloads the chosen match's data from the files, which may have been changed on the range.
 Expected<void> load_chosen(LiveSession& session) {
     auto choice = session.data->choice;
-    length_of(choice) = session.facts.rules[session.menu.rules].name;
+    length_of(choice) = session.menu_context.rules[session.menu.rules].name;
     auto data = game::load_match_data(session.plan.assets, choice);
     if (!data) return tl::unexpected(data.error());
     session.data = std::make_shared<const game::MatchData>(std::move(*data));
@@ -517,11 +520,11 @@ bool run_start_screen(LiveSession& session) {
         follow_plugs(session);
         follow_arm(session);
         repeat_menu(session);
-        const auto wish = std::exchange(session.menu.wish, MenuRequest::none);
-        if (wish == MenuRequest::start && note_fault(session, load_chosen(session))) return true;
-        if (wish == MenuRequest::range && note_fault(session, open_range(session))) return true;
+        const auto request = std::exchange(session.menu.request, MenuRequest::none);
+        if (request == MenuRequest::start && note_fault(session, load_chosen(session))) return true;
+        if (request == MenuRequest::range && note_fault(session, open_range(session))) return true;
         const bool closes = shared.window.should_close() || EndWatch::asked() || out_of_time(session);
-        if (wish == MenuRequest::quit || closes) shared.stop = true;
+        if (request == MenuRequest::quit || closes) shared.stop = true;
     }
     return false;
 }

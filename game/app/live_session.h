@@ -29,7 +29,7 @@ struct LiveSession {
     std::shared_ptr<const game::MatchData> data;  ///< data of the next match
     std::optional<game::RangeFiles> range;        ///< files of the range if the next match is practice
     MenuState menu;                               ///< menu state; its settings are the ones in force
-    MenuContext facts;
+    MenuContext menu_context;
     Settings seated;       ///< settings that the seats' DeviceSpecs were made from
     bool stale = true;     ///< true: shared.screen must be published again
     bool forces = false;   ///< true: the views show the forces that hands feel

@@ -17,7 +17,7 @@
 
 namespace thaum::app {
 
-enum class Going : std::uint8_t { playing, paused, over };
+enum class PlayState : std::uint8_t { playing, paused, over };
 
 /// Words that tell a player how to bring a lost pad back.
 inline constexpr std::string_view how_to_rejoin = "press a button on it to rejoin";
@@ -90,7 +90,7 @@ struct LiveShared {
     std::atomic<bool> ended{false};      ///< true: the simulation thread has ended its match
     /// set on the result screen; then the match ends by itself and another follows
     std::atomic<bool> rematch{false};
-    std::atomic<Going> going{Going::playing};
+    std::atomic<PlayState> going{PlayState::playing};
     std::atomic<std::uint32_t> paused_by{game::no_player};
     std::atomic<std::uint32_t> marks{0};  ///< number of presses of the session's mark key
     std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< wanted kind of the range's dummy

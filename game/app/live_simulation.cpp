@@ -60,7 +60,7 @@ struct SimulationThread {
 /// Log of the match; null if the match is not recorded.
 input::LogWriter* log_of(Round& round) { return std::get_if<input::LogWriter>(&round.kept); }
 /// Tests whether the match is paused or over.
-bool is_idle(const SimulationThread& s) { return s.shared.going.load() != Going::playing; }
+bool is_idle(const SimulationThread& s) { return s.shared.going.load() != PlayState::playing; }
 bool holds_arm(const SimulationThread& s) { return s.shared.arm && s.shared.arm_player < game::players; }
 Practice* practice_of(Round& round) { return std::get_if<Practice>(&round.kept); }
 
@@ -136,24 +136,24 @@ void follow_practice(SimulationThread& s) {
     show_scene(s.shared, reloaded->match);
 }
 
-Going going_of(const game::Match& match) {
-    if (match.phase != game::Phase::playing) return Going::over;
-    return match.paused != 0 ? Going::paused : Going::playing;
+PlayState play_state_of(const game::Match& match) {
+    if (match.phase != game::Phase::playing) return PlayState::over;
+    return match.paused != 0 ? PlayState::paused : PlayState::playing;
 }
 
 /// Presses the pause button for the main thread, which asked for a pause or for its end. The button is
 /// pressed in every input frame until the pause has begun or ended.
-void press_for_main(LiveShared& shared, Going going, input::InputFrame& frame) {
-    const auto press = [&](std::atomic<std::uint32_t>& wish, Going unless) {
-        const auto player = wish.load();
+void press_for_main(LiveShared& shared, PlayState going, input::InputFrame& frame) {
+    const auto press = [&](std::atomic<std::uint32_t>& request, PlayState unless) {
+        const auto player = request.load();
         if (player >= game::players) return;
-        if (going == Going::over || going == unless)
-            wish = game::no_player;
+        if (going == PlayState::over || going == unless)
+            request = game::no_player;
         else
             frame.devices[player].press(Button::pause);
     };
-    press(shared.wants_pause, Going::paused);
-    press(shared.wants_to_go_on, Going::playing);
+    press(shared.wants_pause, PlayState::paused);
+    press(shared.wants_to_go_on, PlayState::playing);
 }
 
 /// Stamps the newest input with the tick that takes it. Must run before the hands are sampled: then the tick
@@ -161,7 +161,7 @@ void press_for_main(LiveShared& shared, Going going, input::InputFrame& frame) {
 void stamp_input(SimulationThread& s) {
     const auto came = s.shared.input_came_ns.exchange(0);
     const auto tick = static_cast<std::int64_t>(s.round.match->now() + 1);
-    if (came != 0 && going_of(s.round.match->match()) == Going::playing)
+    if (came != 0 && play_state_of(s.round.match->match()) == PlayState::playing)
         s.shared.stamps.push({came, s.start_ns + tick * s.tick_ns});
 }
 
@@ -174,7 +174,7 @@ input::InputFrame take_frame(SimulationThread& s) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
     }
     if (holds_arm(s)) frame.devices[arm_device] = s.shared.servo.take();
-    press_for_main(s.shared, going_of(s.round.match->match()), frame);
+    press_for_main(s.shared, play_state_of(s.round.match->match()), frame);
     if (const auto marks = s.shared.marks.load(); marks != s.marks_seen) {
         frame.devices[0].press(Button::mark);
         s.marks_seen = marks;
@@ -191,7 +191,7 @@ input::InputFrame take_frame(SimulationThread& s) {
 
 /// Adjusts the match's clock to the arm's. `behind` is the number of ticks that are due, this one included.
 void keep_pace_with_arm(SimulationThread& s, Tick behind) {
-    if (!holds_arm(s) || going_of(s.round.match->match()) != Going::playing) return;
+    if (!holds_arm(s) || play_state_of(s.round.match->match()) != PlayState::playing) return;
     s.start_ns += arm_pace_correction(static_cast<std::int64_t>(s.shared.servo.waiting()), behind);
 }
 
@@ -214,7 +214,7 @@ void watch_buttons(SimulationThread& s, const input::InputFrame& frame) {
 }
 
 void tell_going(LiveShared& shared, const game::Match& match) {
-    const auto going = going_of(match);
+    const auto going = play_state_of(match);
     shared.paused_by = match.paused_by;
     if (shared.going.exchange(going) != going) shared.window.wake();
 }
@@ -267,8 +267,8 @@ void run_tick(SimulationThread& s) {
     follow_practice(s);
     const auto frame = take_frame(s);
     game::tick_and_record(*round.match, frame, log_of(round));
-    if (holds_arm(s) && game::fill_order(round.match->world(), round.match->touch(), s.shared.arm_player,
-                                         s.shared.servo.order()))
+    if (holds_arm(s) && game::fill_order(round.match->world(), round.match->haptic_setup(),
+                                         s.shared.arm_player, s.shared.servo.order()))
         s.shared.servo.publish();
     const auto now = round.match->now();
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;

@@ -11,11 +11,11 @@ using input::Control;
 using input::DeviceKind;
 using Kind = MenuEvent::Kind;
 
-std::string name_of(const Device& device, const MenuContext& facts) {
+std::string name_of(const Device& device, const MenuContext& context) {
     if (device.kind == DeviceKind::keyboard_mouse)
-        return facts.arm.empty() ? "Mouse and keyboard" : text("Mouse, keys and ", facts.arm);
+        return context.arm.empty() ? "Mouse and keyboard" : text("Mouse, keys and ", context.arm);
     if (device.kind == DeviceKind::keyboard_half) return "Half of the keyboard";
-    const auto& name = facts.pads.at(static_cast<std::size_t>(device.pad));
+    const auto& name = context.pads.at(static_cast<std::size_t>(device.pad));
     return name.empty() ? text("Pad ", device.pad + 1) : text("Pad ", device.pad + 1, " (", name, ")");
 }
 
@@ -46,7 +46,7 @@ enum class RowKind : std::uint8_t {
     undo,
     setting,
     cauldron,
-    whose,
+    fader_player,
     fader,
     all_felt,
     back,
@@ -71,18 +71,19 @@ std::string duel_label(const MenuState& s) {
     }
 }
 
-void add_start_rows(const MenuState& s, const MenuContext& facts, std::vector<Row>& rows) {
+void add_start_rows(const MenuState& s, const MenuContext& context, std::vector<Row>& rows) {
     rows.push_back({RowKind::duel, 0, {.label = duel_label(s)}});
     const bool alone = joined(s) < game::players;
     rows.push_back({RowKind::level,
                     0,
                     {.label = "Bot",
-                     .value = text("level ", facts.levels[s.level]),
-                     .adjustable = facts.levels.size() > 1,
+                     .value = text("level ", context.levels[s.level]),
+                     .adjustable = context.levels.size() > 1,
                      .dim = !alone}});
-    if (facts.rules.size() > 1) {
-        rows.push_back(
-            {RowKind::rules, 0, {.label = "Match", .value = facts.rules[s.rules].label, .adjustable = true}});
+    if (context.rules.size() > 1) {
+        rows.push_back({RowKind::rules,
+                        0,
+                        {.label = "Match", .value = context.rules[s.rules].label, .adjustable = true}});
     }
     rows.push_back({RowKind::range, 0, {.label = "Range: practise on a dummy"}});
     rows.push_back({RowKind::controls, 0, {.label = "Controls"}});
@@ -90,9 +91,9 @@ void add_start_rows(const MenuState& s, const MenuContext& facts, std::vector<Ro
     rows.push_back({RowKind::quit, 0, {.label = "Quit"}});
 }
 
-void add_pause_rows(const MenuState& s, const MenuContext& facts, std::vector<Row>& rows) {
+void add_pause_rows(const MenuState& s, const MenuContext& context, std::vector<Row>& rows) {
     rows.push_back({RowKind::go_on, 0, {.label = "Go on"}});
-    if (facts.practice) {
+    if (context.practice) {
         rows.push_back(
             {RowKind::dummy,
              0,
@@ -100,8 +101,8 @@ void add_pause_rows(const MenuState& s, const MenuContext& facts, std::vector<Ro
     }
     rows.push_back({RowKind::controls, 0, {.label = "Controls"}});
     rows.push_back({RowKind::settings, 0, {.label = "Settings"}});
-    const auto* leave = facts.practice ? "Leave the range" : "End this match";
-    rows.push_back({RowKind::leave, 0, {.label = facts.ends_match ? leave : "Quit"}});
+    const auto* leave = context.practice ? "Leave the range" : "End this match";
+    rows.push_back({RowKind::leave, 0, {.label = context.ends_match ? leave : "Quit"}});
 }
 
 std::string labels_of(const std::vector<Control>& controls) {
@@ -151,10 +152,11 @@ void add_setting_rows(const MenuState& s, std::vector<Row>& rows) {
 }
 
 void add_cauldron_rows(const MenuState& s, std::vector<Row>& rows) {
-    rows.push_back({RowKind::whose,
-                    0,
-                    {.label = "Whose hand", .value = text("player ", s.whose + 1), .adjustable = true}});
-    const auto& faders = s.settings.cauldron[s.whose];
+    rows.push_back(
+        {RowKind::fader_player,
+         0,
+         {.label = "Whose hand", .value = text("player ", s.fader_player + 1), .adjustable = true}});
+    const auto& faders = s.settings.cauldron[s.fader_player];
     for (std::size_t i = 0; i < faders.size(); ++i) {
         rows.push_back({RowKind::fader,
                         i,
@@ -167,11 +169,11 @@ void add_cauldron_rows(const MenuState& s, std::vector<Row>& rows) {
     rows.push_back({RowKind::back, 0, {.label = "Back"}});
 }
 
-std::vector<Row> rows_of(const MenuState& s, const MenuContext& facts) {
+std::vector<Row> rows_of(const MenuState& s, const MenuContext& context) {
     std::vector<Row> rows;
     switch (s.pages.back().page) {
-        case Page::start: add_start_rows(s, facts, rows); break;
-        case Page::pause: add_pause_rows(s, facts, rows); break;
+        case Page::start: add_start_rows(s, context, rows); break;
+        case Page::pause: add_pause_rows(s, context, rows); break;
         case Page::sheets:
             for (std::size_t i = 0; i < sheets; ++i)
                 rows.push_back({RowKind::sheet, i, {.label = label_of_sheet(i)}});
@@ -205,7 +207,7 @@ void join(MenuState& s, const Device& device) {
 /// Joins with a device's first press, and starts the match with its second one.
 void join_or_start(MenuState& s, const Device& device) {
     if (seat_of(s, device))
-        s.wish = MenuRequest::start;
+        s.request = MenuRequest::start;
     else
         join(s, device);
 }
@@ -213,7 +215,7 @@ void join_or_start(MenuState& s, const Device& device) {
 /// Requests the range for one player; the other seat stays empty.
 void practise(MenuState& s, const Device& device) {
     s.seats = {device};
-    s.wish = MenuRequest::range;
+    s.request = MenuRequest::range;
 }
 
 void leave_seat(MenuState& s, const Device& device) {
@@ -228,14 +230,14 @@ void turn(std::size_t& index, const List& list, int way) {
     index = (index + size + static_cast<std::size_t>(way + static_cast<int>(size))) % size;
 }
 
-void adjust(MenuState& s, const Row& row, const MenuContext& facts, int way) {
+void adjust(MenuState& s, const Row& row, const MenuContext& context, int way) {
     switch (row.kind) {
-        case RowKind::level: turn(s.level, facts.levels, way); break;
-        case RowKind::rules: turn(s.rules, facts.rules, way); break;
+        case RowKind::level: turn(s.level, context.levels, way); break;
+        case RowKind::rules: turn(s.rules, context.rules, way); break;
         case RowKind::dummy: turn(s.dummy, game::dummy_names, way); break;
         case RowKind::setting: change(all_settings()[row.index], s.settings, way); break;
-        case RowKind::whose: turn(s.whose, s.settings.cauldron, way); break;
-        case RowKind::fader: change(s.settings.cauldron[s.whose][row.index], way); break;
+        case RowKind::fader_player: turn(s.fader_player, s.settings.cauldron, way); break;
+        case RowKind::fader: change(s.settings.cauldron[s.fader_player][row.index], way); break;
         case RowKind::toggle: {
             auto& toggled = s.settings.bindings_of(settings_hands[s.sheet]).toggled[row.index];
             toggled = !toggled;
@@ -257,12 +259,12 @@ void set_defaults(MenuState& s) {
 
 /// Opens the cauldron's page with the faders of the player whose device asked for it.
 void open_cauldron(MenuState& s, const Device& device) {
-    s.whose = seat_of(s, device).value_or(s.whose);
+    s.fader_player = seat_of(s, device).value_or(s.fader_player);
     open(s, Page::cauldron);
 }
 
 void switch_fader(MenuState& s, std::size_t source) {
-    auto& fader = s.settings.cauldron[s.whose][source];
+    auto& fader = s.settings.cauldron[s.fader_player][source];
     fader.on = !fader.on;
 }
 
@@ -275,15 +277,15 @@ void undo(MenuState& s) {
     s.note = "undone";
 }
 
-void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuContext& facts) {
+void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuContext& context) {
     switch (row.kind) {
         case RowKind::duel: join_or_start(s, event.device); break;
         case RowKind::range: practise(s, event.device); break;
         case RowKind::controls: open(s, Page::sheets); break;
         case RowKind::settings: open(s, Page::settings); break;
-        case RowKind::quit: s.wish = MenuRequest::quit; break;
-        case RowKind::go_on: s.wish = MenuRequest::go_on; break;
-        case RowKind::leave: s.wish = MenuRequest::leave; break;
+        case RowKind::quit: s.request = MenuRequest::quit; break;
+        case RowKind::go_on: s.request = MenuRequest::go_on; break;
+        case RowKind::leave: s.request = MenuRequest::leave; break;
         case RowKind::sheet:
             s.sheet = row.index;
             open(s, Page::bindings);
@@ -293,15 +295,15 @@ void confirm(MenuState& s, const Row& row, const MenuEvent& event, const MenuCon
         case RowKind::undo: undo(s); break;
         case RowKind::cauldron: open_cauldron(s, event.device); break;
         case RowKind::fader: switch_fader(s, row.index); break;
-        case RowKind::all_felt: s.settings.cauldron[s.whose] = {}; break;
+        case RowKind::all_felt: s.settings.cauldron[s.fader_player] = {}; break;
         case RowKind::back: s.pages.pop_back(); break;
-        default: adjust(s, row, facts, 1);
+        default: adjust(s, row, context, 1);
     }
 }
 
 void go_back(MenuState& s, const MenuEvent& event, const std::vector<Row>& rows) {
     if (s.pages.back().page == Page::pause) {
-        s.wish = MenuRequest::go_on;
+        s.request = MenuRequest::go_on;
     } else if (s.pages.back().page != Page::start) {
         s.pages.pop_back();
     } else if (seat_of(s, event.device)) {
@@ -349,15 +351,15 @@ void move(std::size_t& cursor, std::size_t count, Kind kind) {
     }
 }
 
-void act(MenuState& s, const MenuEvent& event, const MenuContext& facts) {
-    const auto rows = rows_of(s, facts);
+void act(MenuState& s, const MenuEvent& event, const MenuContext& context) {
+    const auto rows = rows_of(s, context);
     auto& cursor = s.pages.back().cursor;
     cursor = std::min(event.row.value_or(cursor), rows.size() - 1);
     const auto& row = rows[cursor];
     switch (event.kind) {
-        case Kind::left: adjust(s, row, facts, -1); break;
-        case Kind::right: adjust(s, row, facts, 1); break;
-        case Kind::confirm: confirm(s, row, event, facts); break;
+        case Kind::left: adjust(s, row, context, -1); break;
+        case Kind::right: adjust(s, row, context, 1); break;
+        case Kind::confirm: confirm(s, row, event, context); break;
         case Kind::back: go_back(s, event, rows); break;
         case Kind::other:
             if (s.pages.back().page == Page::start) join_or_start(s, event.device);
@@ -371,12 +373,12 @@ void act(MenuState& s, const MenuEvent& event, const MenuContext& facts) {
 MenuState opened(MenuState state, Page page) {
     state.pages = {{page, 0}};
     state.note.clear();
-    state.wish = MenuRequest::none;
+    state.request = MenuRequest::none;
     return state;
 }
 
-MenuState step(MenuState state, const MenuEvent& event, const MenuContext& facts) {
-    state.wish = MenuRequest::none;
+MenuState step(MenuState state, const MenuEvent& event, const MenuContext& context) {
+    state.request = MenuRequest::none;
     // Mouse movements must not hide a note before it was read.
     if (event.kind != Kind::point && event.kind != Kind::gone) state.note.clear();
     if (event.kind == Kind::gone) {
@@ -386,7 +388,7 @@ MenuState step(MenuState state, const MenuEvent& event, const MenuContext& facts
     } else if (state.waiting) {
         wait_for_control(state, event);
     } else {
-        act(state, event, facts);
+        act(state, event, context);
     }
     return state;
 }
@@ -417,8 +419,8 @@ std::string start_line(const MenuState& s) {
 
 /// Line about the chosen fader, or about the whole page.
 std::string cauldron_line(const MenuState& s, const Row& row) {
-    if (row.kind == RowKind::fader) return std::string(told_of_fader(row.index));
-    return text("what player ", s.whose + 1, "'s hand feels while it stirs");
+    if (row.kind == RowKind::fader) return std::string(effect_of_fader(row.index));
+    return text("what player ", s.fader_player + 1, "'s hand feels while it stirs");
 }
 
 std::string hint_of(const MenuState& s) {
@@ -441,14 +443,14 @@ std::string hint_of(const MenuState& s) {
     }
 }
 
-std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuContext& facts) {
+std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuContext& context) {
     std::vector<game::MenuSeat> seats;
     for (std::size_t i = 0; i < s.seats.size(); ++i) {
         const auto& seat = s.seats[i];
         const bool bot = !seat && joined(s) == 1;
         seats.push_back({.head = text("Player ", i + 1, seat ? ": joined" : ""),
-                         .device = seat  ? name_of(*seat, facts)
-                                   : bot ? text("press to join, or bot level ", facts.levels[s.level])
+                         .device = seat  ? name_of(*seat, context)
+                                   : bot ? text("press to join, or bot level ", context.levels[s.level])
                                          : std::string("press to join"),
                          .taken = seat.has_value()});
     }
@@ -457,17 +459,17 @@ std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuContext& fact
 
 }  // namespace
 
-game::MenuPicture picture_of(const MenuState& s, const MenuContext& facts) {
+game::MenuPicture picture_of(const MenuState& s, const MenuContext& context) {
     game::MenuPicture picture;
     if (s.pages.empty()) return picture;
     const auto page = s.pages.back().page;
     picture.title = title_of(s);
     if (page == Page::start) {
         picture.line = start_line(s);
-        picture.seats = seats_of(s, facts);
+        picture.seats = seats_of(s, context);
     }
     if (page == Page::pause) picture.line = s.line;
-    auto rows = rows_of(s, facts);
+    auto rows = rows_of(s, context);
     picture.cursor = std::min(s.pages.back().cursor, rows.size() - 1);
     if (page == Page::cauldron) picture.line = cauldron_line(s, rows[picture.cursor]);
     for (auto& row : rows) picture.rows.push_back(std::move(row.look));

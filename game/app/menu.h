@@ -1,6 +1,6 @@
 // game/app/menu.h: the start screen, the pause and the pages below them, as plain data and one pure function:
 // (state, event) -> state. The menu depends on neither the window nor the match. Its caller (live_menu.cpp)
-// acts on MenuState::wish and on changed settings.
+// acts on MenuState::request and on changed settings.
 #pragma once
 #include <optional>
 #include <string>
@@ -74,28 +74,28 @@ struct MenuState {
     std::size_t level = 0, rules = 0;  ///< indices into MenuContext::levels and MenuContext::rules
     std::size_t dummy = 0;             ///< game::DummyKind of the range's dummy
     std::size_t sheet = 0;             ///< sheet on the bindings page
-    std::size_t whose = 0;             ///< player whose faders the cauldron's page shows
+    std::size_t fader_player = 0;      ///< player whose faders the cauldron's page shows
     std::optional<Slot> waiting;       ///< slot that waits for a new control; std::nullopt: none
     Settings settings;
     std::optional<Settings> undo;  ///< settings before the last change of bindings
     std::string head, line;        ///< title and reason of the pause: who paused, and why
     std::string note;              ///< result of the last event, or the reason why it had none
-    MenuRequest wish{};            ///< request of the last event to the caller
+    MenuRequest request{};         ///< request of the last event to the caller
 };
 
 /// Opens a page on a menu that is closed.
 MenuState opened(MenuState state, Page page);
 
-MenuState step(MenuState state, const MenuEvent& event, const MenuContext& facts);
+MenuState step(MenuState state, const MenuEvent& event, const MenuContext& context);
 
 /// Tests whether Esc ends the wait for a control. Esc does not end the wait for the pause's control, because
 /// Esc may be the wanted key.
 bool esc_ends_waiting(const MenuState& state);
 
 /// Picture of the menu.
-game::MenuPicture picture_of(const MenuState& state, const MenuContext& facts);
+game::MenuPicture picture_of(const MenuState& state, const MenuContext& context);
 
 /// Name of a device: "Mouse and keyboard", "Half of the keyboard", "Pad 2 (Xbox 360 Controller)".
-std::string name_of(const Device& device, const MenuContext& facts);
+std::string name_of(const Device& device, const MenuContext& context);
 
 }  // namespace thaum::app

@@ -48,7 +48,7 @@ constexpr Option play_options[] = {{"--vs"},           {"--solo", 1},  {"--demo"
                                    {"--seconds", 1},   {"--out", 1}};
 
 /// Checked options of the command line.
-struct Wish {
+struct PlayOptions {
     game::DataChoice data;
     std::optional<std::uint64_t> seed;
     std::optional<double> seconds;
@@ -89,83 +89,85 @@ Expected<std::array<int, game::players>> read_bots(std::string_view words) {
     return std::array{static_cast<int>(*first), static_cast<int>(*second)};
 }
 
-Expected<Wish> read_wish(const std::vector<std::string>& words) {
+Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, play_options);
     if (!arguments) return tl::unexpected(arguments.error());
     if (!arguments->plain().empty()) return fail(text("play takes no '", arguments->plain()[0], "'"));
-    Wish wish;
-    wish.headless = arguments->has("--headless");
-    wish.demo = arguments->has("--demo");
+    PlayOptions options;
+    options.headless = arguments->has("--headless");
+    options.demo = arguments->has("--demo");
     const auto level = arguments->whole("--solo", 1, game::bot_levels, 1);
     if (!level) return tl::unexpected(level.error());
-    if (arguments->has("--solo")) wish.solo = static_cast<int>(*level);
-    wish.vs = arguments->has("--vs");
-    const int ways = (wish.vs ? 1 : 0) + (wish.demo ? 1 : 0) + (wish.solo ? 1 : 0);
+    if (arguments->has("--solo")) options.solo = static_cast<int>(*level);
+    options.vs = arguments->has("--vs");
+    const int ways = (options.vs ? 1 : 0) + (options.demo ? 1 : 0) + (options.solo ? 1 : 0);
     if (ways > 1) return fail("--vs, --solo and --demo exclude each other");
-    if (wish.headless && (wish.vs || wish.solo)) return fail("--headless plays two bots: no --vs or --solo");
+    if (options.headless && (options.vs || options.solo))
+        return fail("--headless plays two bots: no --vs or --solo");
     if (const auto words = arguments->value("--hands")) {
         const auto hands = hands_of(*words);
         if (!hands) return tl::unexpected(hands.error());
-        wish.hands = *hands;
-        const bool start_screen = !wish.mode() && !wish.headless && hands->size() == 1 && hands->front().arm;
-        if (!wish.vs && !wish.solo && !start_screen) return fail("--hands goes with --vs or --solo");
-        if (wish.solo && wish.hands.size() > 1) return fail("--solo has one player: one hand");
+        options.hands = *hands;
+        const bool start_screen =
+            !options.mode() && !options.headless && hands->size() == 1 && hands->front().arm;
+        if (!options.vs && !options.solo && !start_screen) return fail("--hands goes with --vs or --solo");
+        if (options.solo && options.hands.size() > 1) return fail("--solo has one player: one hand");
     }
     const auto bots = read_bots(arguments->value("--bots").value_or("1,1"));
     if (!bots) return tl::unexpected(bots.error());
-    wish.bots = *bots;
-    if (arguments->has("--bots") && !wish.demo && !wish.headless)
+    options.bots = *bots;
+    if (arguments->has("--bots") && !options.demo && !options.headless)
         return fail("--bots is for --demo and --headless");
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0});
     if (!seed) return tl::unexpected(seed.error());
-    wish.seed = *seed;
+    options.seed = *seed;
     const auto duration = arguments->number("--seconds", 0.001, 36000);
     if (!duration) return tl::unexpected(duration.error());
-    wish.seconds = *duration;
-    wish.data.rules = arguments->value("--rules").value_or(wish.data.rules);
-    wish.data.match = arguments->value("--match").value_or(wish.data.match);
-    wish.data.arena = arguments->value("--arena").value_or(wish.data.arena);
-    wish.data.overrides = arguments->values("--set");
-    wish.record = arguments->value("--record").value_or("");
-    wish.out = arguments->value("--out").value_or(wish.out.string());
-    return wish;
+    options.seconds = *duration;
+    options.data.rules = arguments->value("--rules").value_or(options.data.rules);
+    options.data.match = arguments->value("--match").value_or(options.data.match);
+    options.data.arena = arguments->value("--arena").value_or(options.data.arena);
+    options.data.overrides = arguments->values("--set");
+    options.record = arguments->value("--record").value_or("");
+    options.out = arguments->value("--out").value_or(options.out.string());
+    return options;
 }
 
-int play_off_screen(const Wish& wish) {
+int play_off_screen(const PlayOptions& options) {
     return play_offscreen_duel({.assets = game::find_assets(),
-                                .out = wish.out,
-                                .log = wish.record,
-                                .data = wish.data,
-                                .seed = wish.seed.value_or(1),
-                                .levels = wish.bots,
-                                .seconds = wish.seconds.value_or(60)});
+                                .out = options.out,
+                                .log = options.record,
+                                .data = options.data,
+                                .seed = options.seed.value_or(1),
+                                .levels = options.bots,
+                                .seconds = options.seconds.value_or(60)});
 }
 
-std::array<Seat, 2> seats_of(const Wish& wish) {
-    if (wish.demo)
-        return {Seat{.kind = SeatKind::bot, .level = wish.bots[0]},
-                Seat{.kind = SeatKind::bot, .level = wish.bots[1]}};
+std::array<Seat, 2> seats_of(const PlayOptions& options) {
+    if (options.demo)
+        return {Seat{.kind = SeatKind::bot, .level = options.bots[0]},
+                Seat{.kind = SeatKind::bot, .level = options.bots[1]}};
     const auto hand = [&](std::size_t i, SeatKind otherwise) {
-        return i < wish.hands.size() ? wish.hands[i] : Seat{.kind = otherwise};
+        return i < options.hands.size() ? options.hands[i] : Seat{.kind = otherwise};
     };
     const auto first = hand(0, SeatKind::keyboard_mouse);
-    if (wish.solo) return {first, Seat{.kind = SeatKind::bot, .level = *wish.solo}};
+    if (options.solo) return {first, Seat{.kind = SeatKind::bot, .level = *options.solo}};
     return {first, hand(1, SeatKind::pad_or_half)};
 }
 
-int play_in_window(const Wish& wish) {
+int play_in_window(const PlayOptions& options) {
     const auto assets = game::find_assets();
     auto settings = settings_to_play_with(settings_file(), assets);
-    auto data = game::load_match_data(assets, wish.data);
+    auto data = game::load_match_data(assets, options.data);
     if (!data) return refuse(data.error());
     LivePlan plan;
     plan.data = std::make_shared<const game::MatchData>(std::move(*data));
-    plan.seed = wish.seed.value_or(std::random_device{}());
-    plan.seats = seats_of(wish);
-    plan.start_screen = !wish.mode();
+    plan.seed = options.seed.value_or(std::random_device{}());
+    plan.seats = seats_of(options);
+    plan.start_screen = !options.mode();
     plan.assets = assets;
-    plan.seconds = wish.seconds;
-    plan.log = wish.record;
+    plan.seconds = options.seconds;
+    plan.log = options.record;
     plan.logs_folder = matches_folder();
     if (plan.logs_folder.empty() && plan.log.empty())
         std::fprintf(
@@ -176,14 +178,14 @@ int play_in_window(const Wish& wish) {
 }
 
 int run_play(const std::vector<std::string>& words) {
-    const auto wish = read_wish(words);
-    if (!wish) return refuse(wish.error());
-    if (!wish->headless && !display_there()) {
-        if (wish->solo) return refuse({"--solo needs a display; without one: thaum --headless"});
+    const auto options = read_play_options(words);
+    if (!options) return refuse(options.error());
+    if (!options->headless && !display_there()) {
+        if (options->solo) return refuse({"--solo needs a display; without one: thaum --headless"});
         std::printf("no display: two bots play off-screen\n");
-        return play_off_screen(*wish);
+        return play_off_screen(*options);
     }
-    return wish->headless ? play_off_screen(*wish) : play_in_window(*wish);
+    return options->headless ? play_off_screen(*options) : play_in_window(*options);
 }
 
 }  // namespace

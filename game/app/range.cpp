@@ -36,7 +36,7 @@ file is reported, and its old numbers stay. The pause (Esc) can change the dummy
 constexpr Option range_options[] = {{"--dummy", 1}, {"--hands", 1}, {"--rules", 1}, {"--set", 1, true},
                                     {"--seed", 1},  {"--headless"}, {"--bot", 1},   {"--seconds", 1}};
 
-struct RangeWish {
+struct RangeOptions {
     game::DataChoice data;
     game::DummyKind dummy{};
     Seat hand{.kind = SeatKind::keyboard_mouse};
@@ -54,43 +54,43 @@ Expected<game::DummyKind> dummy_named(std::string_view word) {
     return static_cast<game::DummyKind>(found - names.begin());
 }
 
-Expected<RangeWish> read_range_wish(const std::vector<std::string>& words) {
+Expected<RangeOptions> read_range_options(const std::vector<std::string>& words) {
     const auto arguments = Arguments::parse(words, range_options);
     if (!arguments) return tl::unexpected(arguments.error());
     if (!arguments->plain().empty()) return fail(text("range takes no '", arguments->plain()[0], "'"));
-    RangeWish wish;
+    RangeOptions options;
     const auto dummy = dummy_named(arguments->value("--dummy").value_or("still"));
     if (!dummy) return tl::unexpected(dummy.error());
-    wish.dummy = *dummy;
+    options.dummy = *dummy;
     const auto hand = hand_named(arguments->value("--hands").value_or("mouse"));
     if (!hand) return tl::unexpected(hand.error());
-    wish.hand = *hand;
-    wish.headless = arguments->has("--headless");
-    if (wish.headless && arguments->has("--hands")) return fail("--headless has no player: no --hands");
-    if (!wish.headless && arguments->has("--bot")) return fail("--bot is for --headless");
+    options.hand = *hand;
+    options.headless = arguments->has("--headless");
+    if (options.headless && arguments->has("--hands")) return fail("--headless has no player: no --hands");
+    if (!options.headless && arguments->has("--bot")) return fail("--bot is for --headless");
     const auto bot = arguments->whole("--bot", 1, game::bot_levels, 3);
     if (!bot) return tl::unexpected(bot.error());
-    wish.bot = static_cast<int>(*bot);
+    options.bot = static_cast<int>(*bot);
     const auto seed = arguments->whole("--seed", 0, ~std::uint64_t{0});
     if (!seed) return tl::unexpected(seed.error());
-    wish.seed = *seed;
+    options.seed = *seed;
     const auto duration = arguments->number("--seconds", 0.001, 36000);
     if (!duration) return tl::unexpected(duration.error());
-    wish.seconds = *duration;
-    wish.data.rules = arguments->value("--rules").value_or(wish.data.rules);
-    wish.data.overrides = arguments->values("--set");
-    return wish;
+    options.seconds = *duration;
+    options.data.rules = arguments->value("--rules").value_or(options.data.rules);
+    options.data.overrides = arguments->values("--set");
+    return options;
 }
 
-int practise_off_screen(const RangeWish& wish, const game::RangeData& data) {
-    const auto skill = game::load_bot_skill(game::find_assets(), wish.bot);
+int practise_off_screen(const RangeOptions& options, const game::RangeData& data) {
+    const auto skill = game::load_bot_skill(game::find_assets(), options.bot);
     if (!skill) return refuse(skill.error());
-    const auto seed = wish.seed.value_or(1);
-    auto range = game::make_range(data, game::bot_device(game::practising, wish.bot), wish.dummy, seed);
+    const auto seed = options.seed.value_or(1);
+    auto range = game::make_range(data, game::bot_device(game::practising, options.bot), options.dummy, seed);
     game::Bots bots;
     bots.add(*range.match, game::practising, game::practising, *skill, seed);
     game::RangeScorer scorer;
-    const auto end = ticks(wish.seconds.value_or(60));
+    const auto end = ticks(options.seconds.value_or(60));
     for (Tick t = 0; t < end; ++t) {
         input::InputFrame frame;
         bots.sample(*range.match, frame);
@@ -98,35 +98,35 @@ int practise_off_screen(const RangeWish& wish, const game::RangeData& data) {
         scorer.score(*range.match);
     }
     std::printf("range: %s\n", words_of(scorer.score(*range.match)).c_str());
-    std::printf("bot of level %d on the %s dummy, %s s; nothing is recorded\n", wish.bot,
-                std::string(game::dummy_names[static_cast<std::size_t>(wish.dummy)]).c_str(),
+    std::printf("bot of level %d on the %s dummy, %s s; nothing is recorded\n", options.bot,
+                std::string(game::dummy_names[static_cast<std::size_t>(options.dummy)]).c_str(),
                 fixed(seconds(end), 1).c_str());
     std::printf("state %s\n", hex(range.match->state_hash()).c_str());
     return done;
 }
 
-int practise_in_window(const RangeWish& wish, const game::RangeData& data) {
+int practise_in_window(const RangeOptions& options, const game::RangeData& data) {
     const auto assets = game::find_assets();
     LivePlan plan;
     plan.data = data.match;
-    plan.seed = wish.seed.value_or(std::random_device{}());
-    plan.practice = wish.dummy;
-    plan.seats = {wish.hand, Seat{.kind = SeatKind::dummy}};
+    plan.seed = options.seed.value_or(std::random_device{}());
+    plan.practice = options.dummy;
+    plan.seats = {options.hand, Seat{.kind = SeatKind::dummy}};
     plan.assets = assets;
-    plan.seconds = wish.seconds;
+    plan.seconds = options.seconds;
     plan.settings = settings_to_play_with(settings_file(), assets);
     plan.settings_file = settings_file();
     return run_live(plan);
 }
 
 int run_range(const std::vector<std::string>& words) {
-    const auto wish = read_range_wish(words);
-    if (!wish) return refuse(wish.error());
-    if (!wish->headless && !display_there())
+    const auto options = read_range_options(words);
+    if (!options) return refuse(options.error());
+    if (!options->headless && !display_there())
         return refuse({"range needs a display; without one: thaum range --headless"});
-    const auto data = game::load_range(game::find_assets(), wish->data);
+    const auto data = game::load_range(game::find_assets(), options->data);
     if (!data) return refuse(data.error());
-    return wish->headless ? practise_off_screen(*wish, *data) : practise_in_window(*wish, *data);
+    return options->headless ? practise_off_screen(*options, *data) : practise_in_window(*options, *data);
 }
 
 }  // namespace

@@ -194,7 +194,7 @@ ChoiceSetting quality_setting() {
 template <std::size_t Player>
 ChoiceSetting force_setting() {
     std::vector<std::string_view> names;
-    for (const auto& wish : force_wishes) names.push_back(wish.name);
+    for (const auto& choice : force_choices) names.push_back(choice.name);
     return {std::move(names), [](const Settings& s) { return s.force[Player]; },
             [](Settings& s, std::size_t i) { s.force[Player] = i; }};
 }

@@ -24,11 +24,11 @@ inline constexpr std::size_t session_keys = 7;
 std::string_view name_of(SessionKey key);
 
 /// Choice of the largest force a player wants, as a share of the device's peak force (%).
-struct ForceWish {
+struct ForceChoice {
     std::string_view name;
     std::optional<std::uint32_t> percent{};  ///< std::nullopt: the share in the data files
 };
-inline constexpr std::array<ForceWish, 5> force_wishes{
+inline constexpr std::array<ForceChoice, 5> force_choices{
     {{"off", 0}, {"soft", 25}, {"gentle", std::nullopt}, {"firm", 70}, {"full", 100}}};
 inline constexpr std::size_t gentle_force = 2;
 
@@ -44,7 +44,7 @@ struct Settings {
     double sensitivity = 1;
     double turn_deg_per_s = 200;
     bool invert_y = false;
-    /// index into force_wishes for each player
+    /// index into force_choices for each player
     std::array<std::size_t, 2> force{gentle_force, gentle_force};
     /// felt share of a carried thing's weight, as a multiple of the data files' value (0 to 1)
     double carried_weight = 1;

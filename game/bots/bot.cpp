@@ -12,9 +12,9 @@
 #include "game/bots/lifting.h"
 #include "game/bots/mind.h"
 #include "game/bots/nav.h"
-#include "game/bots/roping.h"
 #include "game/bots/senses.h"
 #include "game/bots/stirring.h"
+#include "game/bots/swinging.h"
 
 // Bots act in every gameplay tick: a bot looks, chooses an aim and a way, and spreads its turn over the ticks
 // until the next gameplay tick.
@@ -151,7 +151,7 @@ struct Thoughts {
     Mind& mind;
     LiftPlan& lift_plan;
     SwingPlan& swing_plan;
-    Stirrer& stirrer;
+    StirPlan& stir_plan;
 };
 
 /// Knowledge of the arena, shared by all bots. It depends on the arena alone and is kept as a cache.
@@ -168,7 +168,7 @@ void begin_anew(const Match& match, const Thoughts& own) {
     own.mind = {.random = own.mind.random, .round = match.round};
     own.lift_plan = {};
     own.swing_plan = {};
-    own.stirrer = {};
+    own.stir_plan = {};
 }
 
 /// Releases all buttons and ends all plans while the wizard is dead.
@@ -181,7 +181,7 @@ void rest(const Thoughts& own) {
     mind.errand = Errand::none;
     own.lift_plan = {};
     own.swing_plan = {};
-    own.stirrer = {};
+    own.stir_plan = {};
 }
 
 /// Aims and shoots at a known foe. Returns the wanted direction of view; std::nullopt if the bot has nothing
@@ -219,11 +219,11 @@ void think(const Simulation& match, const Seat& seat, const Thoughts& own,
     choose_errand(match, self, seat, own.eyes, surroundings.grid, ways.from_here, mind, tick);
     if (!roped(own.swing_plan))
         plan_to_lift(match, self, seat, own.eyes, surroundings.grid, mind, own.lift_plan, tick);
-    if (!roped(own.swing_plan) && own.lift_plan.what == Porting::none)
-        plan_to_stir(match, self, seat, mind, own.stirrer, tick);
+    if (!roped(own.swing_plan) && own.lift_plan.stage == LiftStage::none)
+        plan_to_stir(match, self, seat, mind, own.stir_plan, tick);
     choose_step(match, self, seat, mind, tick);
     vec3 way = choose_way(self, seat, surroundings.grid, mind, ways.to_goal, tick);
-    if (own.lift_plan.what == Porting::none)
+    if (own.lift_plan.stage == LiftStage::none)
         plan_to_swing(match, self, seat, surroundings.grid, surroundings.crossings, ways.to_goal, mind,
                       own.swing_plan, tick);
     if (roped(own.swing_plan)) way = swing_over(match, self, seat, mind, own.swing_plan, tick);
@@ -331,7 +331,7 @@ struct Bots::Inside {
         minds.declare<Mind>();
         minds.declare<LiftPlan>();
         minds.declare<SwingPlan>();
-        minds.declare<Stirrer>();
+        minds.declare<StirPlan>();
     }
 };
 
@@ -349,7 +349,7 @@ void Bots::add(const Simulation& match, std::size_t device, std::uint32_t player
     }
     const Seat seat{.device = device, .player = player, .skill = skill};
     in.minds.create(seat, Eyes{}, Mind{.random = random_stream(seed, 100 + player)}, LiftPlan{}, SwingPlan{},
-                    Stirrer{});
+                    StirPlan{});
     in.ways.emplace_back();
     in.grid->find_ways(0, in.ways.back().from_here);
     // Reserves the memory, so that nothing is allocated during the match.
@@ -362,15 +362,15 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
     if (match.match().paused != 0 || match.match().phase != Phase::playing) return;
     const Tick phase = match.match().played % gameplay_period;
     auto& in = *inside_;
-    in.minds.view<const Seat, Eyes, Mind, LiftPlan, SwingPlan, Stirrer>().each(
+    in.minds.view<const Seat, Eyes, Mind, LiftPlan, SwingPlan, StirPlan>().each(
         [&](ecs::Entity e, const Seat& seat, Eyes& eyes, Mind& mind, LiftPlan& lift_plan,
-            SwingPlan& swing_plan, Stirrer& stirrer) {
+            SwingPlan& swing_plan, StirPlan& stir_plan) {
             if (phase == 0) {
-                think(match, seat, {eyes, mind, lift_plan, swing_plan, stirrer}, {*in.grid, in.crossings},
+                think(match, seat, {eyes, mind, lift_plan, swing_plan, stir_plan}, {*in.grid, in.crossings},
                       in.ways[e.index]);
             }
             auto& sample = frame.devices[seat.device];
-            if (stirs(stirrer)) return stir_hand(match.match().played, sample);
+            if (stirs(stir_plan)) return stir_hand(match.match().played, sample);
             sample = {};
             turn_hand(mind, gameplay_period - phase, sample);
             sample.counts[hand::strafe] = mind.move_strafe;

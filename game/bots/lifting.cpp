@@ -101,7 +101,7 @@ void end(const Seat& seat, Mind& mind, LiftPlan& lift_plan, Tick tick) {
         mind.buttons &= ~(bit(Button::fire) | bit(Button::throw_));
         mind.wand_until = tick;  // choose another wand at once
     }
-    lift_plan.what = Porting::none;
+    lift_plan.stage = LiftStage::none;
     lift_plan.not_before = tick + ticks(seconds(seat.skill.lift.rest) * mind.random.uniform(0.6, 1.4));
     if (mind.errand == Errand::lift) mind.errand = Errand::none;
 }
@@ -121,7 +121,7 @@ void consider(const Simulation& match, const Self& self, const Seat& seat, const
     if (found == nullptr) return;
     lift_plan.thing = found->thing;
     lift_plan.place = found->place;
-    lift_plan.what = Porting::approach;
+    lift_plan.stage = LiftStage::approach;
     lift_plan.until = tick + come_time;
 }
 
@@ -142,7 +142,7 @@ void come_nearer(const Simulation& match, const Self& self, const Seat& seat, co
     mind.errand = Errand::none;
     mind.buttons &= ~bit(Button::fire);
     mind.wand = lifter->wand.stats.slot;
-    lift_plan.what = Porting::take;
+    lift_plan.stage = LiftStage::take;
     lift_plan.until = tick + take_time;
 }
 
@@ -153,7 +153,7 @@ Aim take_up(const Simulation& match, const Self& self, const Seat& seat, const L
     const vec3 place = match.world().get<Motion>(lift_plan.thing).position;
     const Aim aim = aim_at(self.eye, place);
     if (in_hand(self, mind) && self.held) {
-        lift_plan.what = Porting::hold;
+        lift_plan.stage = LiftStage::hold;
         lift_plan.until = tick + seat.skill.lift.hold;
         mind.buttons |= fire;
     } else if (tick >= lift_plan.until) {
@@ -253,8 +253,8 @@ void plan_to_lift(const Simulation& match, const Self& self, const Seat& seat, c
                   const WalkGrid& grid, Mind& mind, LiftPlan& lift_plan, Tick tick) {
     if (seat.skill.lift.share <= 0) return;
     if (seat.skill.lift.guards != 0) note_shots(match, self, seat, lift_plan, tick);
-    if (lift_plan.what == Porting::none) consider(match, self, seat, eyes, grid, mind, lift_plan, tick);
-    if (lift_plan.what == Porting::approach) come_nearer(match, self, seat, eyes, mind, lift_plan, tick);
+    if (lift_plan.stage == LiftStage::none) consider(match, self, seat, eyes, grid, mind, lift_plan, tick);
+    if (lift_plan.stage == LiftStage::approach) come_nearer(match, self, seat, eyes, mind, lift_plan, tick);
 }
 
 Aim handle_thing(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, LiftPlan& lift_plan,
@@ -264,7 +264,7 @@ Aim handle_thing(const Simulation& match, const Self& self, const Seat& seat, Mi
         end(seat, mind, lift_plan, tick);
         return {self.yaw, self.pitch};
     }
-    return lift_plan.what == Porting::take
+    return lift_plan.stage == LiftStage::take
                ? take_up(match, self, seat, *lifter, mind, lift_plan, tick)
                : hold_and_throw(match, self, seat, *lifter, mind, lift_plan, tick);
 }

@@ -7,7 +7,7 @@ namespace thaum::game {
 
 /// Whether the wand that lifts is in use.
 inline bool hands_full(const LiftPlan& lift_plan) {
-    return lift_plan.what == Porting::take || lift_plan.what == Porting::hold;
+    return lift_plan.stage == LiftStage::take || lift_plan.stage == LiftStage::hold;
 }
 
 /// Chooses from time to time a thing that is worth a throw, and walks to it as an errand. Gives up if

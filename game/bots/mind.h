@@ -103,7 +103,7 @@ struct Mind {
 };
 
 /// Stages of lifting: walk to the thing, take it up, hold it.
-enum class Porting : std::uint32_t { none, approach, take, hold };
+enum class LiftStage : std::uint32_t { none, approach, take, hold };
 
 /// Plan of a bot for one loose thing.
 struct LiftPlan {
@@ -113,7 +113,7 @@ struct LiftPlan {
     Tick not_before{};             ///< tick before which the bot chooses no other thing
     Tick shots_from{}, shot_at{};  ///< ticks of the first and the last shot seen coming
     double off_left{}, off_up{};   ///< angles from the crosshair to the thing when it was taken up (rad)
-    Porting what{};
+    LiftStage stage{};
     std::uint32_t spare{};
     static constexpr std::string_view name = "Porter";
     static constexpr auto fields() {
@@ -122,45 +122,45 @@ struct LiftPlan {
                           ecs::field("until", &P::until), ecs::field("not_before", &P::not_before),
                           ecs::field("shots_from", &P::shots_from), ecs::field("shot_at", &P::shot_at),
                           ecs::field("off_left", &P::off_left), ecs::field("off_up", &P::off_up),
-                          ecs::field("what", &P::what), ecs::field("spare", &P::spare));
+                          ecs::field("what", &P::stage), ecs::field("spare", &P::spare));
     }
 };
 
 /// Stages of a swing: walk to the edge, aim at the anchor, hang on the rope, fly on.
-enum class Roping : std::uint32_t { none, approach, aim, hang, fly };
+enum class SwingStage : std::uint32_t { none, approach, aim, hang, fly };
 
 /// Plan of a bot to swing over a gap.
 struct SwingPlan {
     vec3 from{}, anchor{}, to{};  ///< take-off (feet), anchor, landing (feet) (m, world)
     Tick until{};                 ///< tick at which the bot gives up the present stage
     Tick not_before{};
-    Roping what{};
+    SwingStage stage{};
     std::uint32_t spare{};
     static constexpr std::string_view name = "Climber";
     static constexpr auto fields() {
         using C = SwingPlan;
         return std::tuple(ecs::field("from", &C::from), ecs::field("anchor", &C::anchor),
                           ecs::field("to", &C::to), ecs::field("until", &C::until),
-                          ecs::field("not_before", &C::not_before), ecs::field("what", &C::what),
+                          ecs::field("not_before", &C::not_before), ecs::field("what", &C::stage),
                           ecs::field("spare", &C::spare));
     }
 };
 
 /// Stages at the cauldron: walk to the rim, stir.
-enum class AtCauldron : std::uint32_t { none, approach, stir };
+enum class StirStage : std::uint32_t { none, approach, stir };
 
 /// Plan of a bot at the cauldron.
-struct Stirrer {
+struct StirPlan {
     Tick until{};       ///< tick at which the bot gives up or stops stirring
     Tick not_before{};  ///< tick before which the bot does not go to the cauldron again
     double health{};    ///< health at the beginning of stirring (HP)
-    AtCauldron what{};
+    StirStage stage{};
     std::uint32_t spare{};
     static constexpr std::string_view name = "Stirrer";
     static constexpr auto fields() {
-        using S = Stirrer;
+        using S = StirPlan;
         return std::tuple(ecs::field("until", &S::until), ecs::field("not_before", &S::not_before),
-                          ecs::field("health", &S::health), ecs::field("what", &S::what),
+                          ecs::field("health", &S::health), ecs::field("what", &S::stage),
                           ecs::field("spare", &S::spare));
     }
 };

@@ -83,7 +83,7 @@ void RangeMatch::adopt(const RangeData& data) {
     dummy.adopt(*match, data.dummy);
 }
 
-void RangeScorer::wipe(const Simulation& match) { before_ = sum_of(match); }
+void RangeScorer::reset(const Simulation& match) { before_ = sum_of(match); }
 
 RangeScore RangeScorer::score(const Simulation& match) {
     auto score = sum_of(match);

@@ -49,7 +49,7 @@ struct RangeScore {
 class RangeScorer {
 public:
     /// Resets the score to zero.
-    void wipe(const Simulation& match);
+    void reset(const Simulation& match);
     RangeScore score(const Simulation& match);
 
 private:

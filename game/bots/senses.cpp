@@ -86,7 +86,7 @@ Self self_of(const Simulation& match, std::uint32_t player, double readiness) {
               .health = world.get<Health>(wizard).points,
               .key = wizard.index,
               .alive = !world.has<Dead>(wizard)};
-    const vec3 tip = wand_tip_of(match.touch().wand_per_hand[player], world.get<HandState>(wizard));
+    const vec3 tip = wand_tip_of(match.haptic_setup().wand_per_hand[player], world.get<HandState>(wizard));
     self.tip = self.eye + look_rotation(gaze.yaw, gaze.pitch) * tip;
     if (const auto* wand = wand_in_hand(match.data(), belt)) {
         const auto& stats = wand->stats;

@@ -36,42 +36,42 @@ vec3 place_at_rim(const Simulation& match, const Cauldron& cauldron, vec3 from) 
     return cauldron.middle + vec3(way.x, 0, way.z) * (far / std::max(1e-6, off_axis(way)));
 }
 
-void end(const Seat& seat, Mind& mind, Stirrer& stirrer, Tick tick) {
-    stirrer.what = AtCauldron::none;
-    stirrer.not_before = tick + seat.skill.stir.rest;
+void end(const Seat& seat, Mind& mind, StirPlan& stir_plan, Tick tick) {
+    stir_plan.stage = StirStage::none;
+    stir_plan.not_before = tick + seat.skill.stir.rest;
     if (mind.errand == Errand::stir) mind.errand = Errand::none;
 }
 
 }  // namespace
 
-void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Stirrer& stirrer,
-                  Tick tick) {
+void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, Mind& mind,
+                  StirPlan& stir_plan, Tick tick) {
     const auto& skill = seat.skill.stir;
     if (!(skill.share > 0) || !match.data().cauldron || match.world().count<Cauldron>() == 0) return;
     const auto& cauldron = match.world().single<Cauldron>();
     const bool wanted = is_worth_it(match, self, seat, mind, tick);
-    switch (stirrer.what) {
-        case AtCauldron::none:
-            if (tick < stirrer.not_before || !wanted || mind.errand != Errand::none) return;
-            stirrer.not_before = tick + ticks(0.5);
+    switch (stir_plan.stage) {
+        case StirStage::none:
+            if (tick < stir_plan.not_before || !wanted || mind.errand != Errand::none) return;
+            stir_plan.not_before = tick + ticks(0.5);
             if (off_axis(self.centre - cauldron.middle) > skill.seek || mind.random.uniform() >= skill.share)
                 return;
-            stirrer.what = AtCauldron::approach;
-            stirrer.until = tick + way_limit;
+            stir_plan.stage = StirStage::approach;
+            stir_plan.until = tick + way_limit;
             [[fallthrough]];
-        case AtCauldron::approach:
-            if (tick >= stirrer.until || !wanted) return end(seat, mind, stirrer, tick);
+        case StirStage::approach:
+            if (tick >= stir_plan.until || !wanted) return end(seat, mind, stir_plan, tick);
             mind.errand = Errand::stir;
             mind.goal = place_at_rim(match, cauldron, self.centre);
             if (!within_reach(match.data(), cauldron, self.centre)) return;
-            stirrer.what = AtCauldron::stir;
-            stirrer.until = tick + skill.hold;
-            stirrer.health = self.health;
+            stir_plan.stage = StirStage::stir;
+            stir_plan.until = tick + skill.hold;
+            stir_plan.health = self.health;
             return;
-        case AtCauldron::stir:
+        case StirStage::stir:
             const bool full = self.energy_share > has_enough && !foe_stirs(match, seat, mind, tick);
-            if (tick >= stirrer.until || full || self.health < stirrer.health - unnerved)
-                end(seat, mind, stirrer, tick);
+            if (tick >= stir_plan.until || full || self.health < stir_plan.health - unnerved)
+                end(seat, mind, stir_plan, tick);
     }
 }
 

@@ -6,11 +6,11 @@
 namespace thaum::game {
 
 /// Plans the bot's actions at the cauldron. While the bot walks there, writes mind.errand and mind.goal.
-void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, Mind& mind, Stirrer& stirrer,
-                  Tick tick);
+void plan_to_stir(const Simulation& match, const Self& self, const Seat& seat, Mind& mind,
+                  StirPlan& stir_plan, Tick tick);
 
 /// Whether the bot stirs at present.
-inline bool stirs(const Stirrer& stirrer) { return stirrer.what == AtCauldron::stir; }
+inline bool stirs(const StirPlan& stir_plan) { return stir_plan.stage == StirStage::stir; }
 
 /// Writes the hand's motion of this tick to the sample.
 void stir_hand(Tick tick, input::DeviceSample& sample);

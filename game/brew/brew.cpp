@@ -167,25 +167,25 @@ Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
     if (!surface) return tl::unexpected(surface.error());
     const vec3 corner = corner_of(fluid->settings);
     return Brew{
-        .fluid = std::move(*fluid), .sheet = fluid::sheet_of(*surface), .scratch = {}, .corner = corner};
+        .fluid = std::move(*fluid), .surface = fluid::sheet_of(*surface), .scratch = {}, .corner = corner};
 }
 
-std::optional<std::size_t> substance_for(const Contents& what, std::uint32_t ingredient) {
+std::optional<std::size_t> substance_for(const Contents& contents, std::uint32_t ingredient) {
     for (const auto wanted : {ingredient, no_ingredient}) {
-        const auto found = std::find(what.begin(), what.end(), wanted);
-        if (found != what.end()) return static_cast<std::size_t>(found - what.begin());
+        const auto found = std::find(contents.begin(), contents.end(), wanted);
+        if (found != contents.end()) return static_cast<std::size_t>(found - contents.begin());
     }
     return std::nullopt;
 }
 
 void assign(Brew& brew, const CauldronRules& rules, std::size_t substance, std::uint32_t ingredient) {
-    brew.what[substance] = ingredient;
+    brew.contents[substance] = ingredient;
     brew.fluid.settings.substances[substance] = rules.ingredients[ingredient].substance;
 }
 
 bool drop(Brew& brew, const CauldronRules& rules, std::uint32_t ingredient, vec3 place, double radius,
           double amount) {
-    const auto substance = substance_for(brew.what, ingredient);
+    const auto substance = substance_for(brew.contents, ingredient);
     if (!substance || ingredient >= rules.ingredients.size()) return false;
     assign(brew, rules, *substance, ingredient);
     return fluid::pour(brew.fluid, *substance, place - brew.corner, radius, amount);

@@ -105,9 +105,9 @@ using Contents = std::array<std::uint32_t, fluid::substances_most>;
 
 struct Brew {
     fluid::Fluid fluid;
-    fluid::Sheet sheet;
+    fluid::Sheet surface;
     fluid::SheetScratch scratch;
-    Contents what{no_ingredient, no_ingredient, no_ingredient};
+    Contents contents{no_ingredient, no_ingredient, no_ingredient};
     /// Origin of the fluid's box (m, brew's frame). A point p of the brew is p - corner in the fluid's frame.
     vec3 corner{};
 };
@@ -121,7 +121,7 @@ Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);
 
 /// Returns the substance that holds the ingredient, or else the first free one; std::nullopt if all are in
 /// use.
-std::optional<std::size_t> substance_for(const Contents& what, std::uint32_t ingredient);
+std::optional<std::size_t> substance_for(const Contents& contents, std::uint32_t ingredient);
 
 /// Makes a substance hold this ingredient from now on.
 void assign(Brew& brew, const CauldronRules& rules, std::size_t substance, std::uint32_t ingredient);

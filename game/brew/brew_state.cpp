@@ -26,7 +26,7 @@ bool has_brew_state(const ecs::World& world) { return world.count<BrewSamples>()
 
 void make_brew_state(ecs::World& world, const Brew& brew) {
     world.resize<BrewSamples>(2 * size_of(brew.fluid));
-    world.resize<SurfaceSamples>(2 * brew.sheet.height.size());
+    world.resize<SurfaceSamples>(2 * brew.surface.height.size());
 }
 
 void write_fluid(ecs::World& world, std::size_t which, const fluid::Fluid& fluid) {
@@ -45,21 +45,21 @@ void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid)
     fluid.now.pushed = false;
 }
 
-void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& sheet) {
+void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& surface) {
     auto to = world.blob<SurfaceSamples>().begin();
-    to = std::copy(sheet.height.begin(), sheet.height.end(), to);
-    std::copy(sheet.velocity.begin(), sheet.velocity.end(), to);
-    cauldron.inside = sheet.inside;
-    cauldron.surface_asleep = sheet.asleep;
+    to = std::copy(surface.height.begin(), surface.height.end(), to);
+    std::copy(surface.velocity.begin(), surface.velocity.end(), to);
+    cauldron.inside = surface.inside;
+    cauldron.surface_asleep = surface.asleep;
 }
 
-void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Sheet& sheet) {
+void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Sheet& surface) {
     const auto from = world.blob<SurfaceSamples>().begin();
-    std::copy_n(from, sheet.height.size(), sheet.height.begin());
-    std::copy_n(from + static_cast<std::ptrdiff_t>(sheet.height.size()), sheet.velocity.size(),
-                sheet.velocity.begin());
-    sheet.inside = cauldron.inside;
-    sheet.asleep = cauldron.surface_asleep;
+    std::copy_n(from, surface.height.size(), surface.height.begin());
+    std::copy_n(from + static_cast<std::ptrdiff_t>(surface.height.size()), surface.velocity.size(),
+                surface.velocity.begin());
+    surface.inside = cauldron.inside;
+    surface.asleep = cauldron.surface_asleep;
 }
 
 std::span<const float> brew_samples(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,

@@ -48,13 +48,13 @@ void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers&
 
 /// Contents after the next fluid step.
 Contents contents_to_come(const Cauldron& cauldron) {
-    Contents what = cauldron.what;
+    Contents contents = cauldron.contents;
     for (std::uint32_t i = 0; i < cauldron.next.count; ++i) {
         const auto ingredient = cauldron.next.list[i].ingredient;
         if (ingredient == no_ingredient) continue;
-        if (const auto substance = substance_for(what, ingredient)) what[*substance] = ingredient;
+        if (const auto substance = substance_for(contents, ingredient)) contents[*substance] = ingredient;
     }
-    return what;
+    return contents;
 }
 
 /// Drops the carried ingredient. Does nothing if all substances hold other ingredients.

@@ -40,8 +40,8 @@ BrewFigures figures_of(const BrewWork& work, double base_viscosity) {
     const auto& fluid = work.brew.fluid;
     double viscosity = base_viscosity;
     std::optional<std::size_t> newest;
-    for (std::size_t s = 0; s < work.brew.what.size(); ++s) {
-        if (work.brew.what[s] == no_ingredient) continue;
+    for (std::size_t s = 0; s < work.brew.contents.size(); ++s) {
+        if (work.brew.contents[s] == no_ingredient) continue;
         const double mean = mean_of(work, fluid.now.substances[s]);
         viscosity += fluid.settings.substances[s].viscosity * mean;
         figures.density += fluid.settings.substances[s].weight * mean;
@@ -70,13 +70,13 @@ void apply(const CauldronRules& rules, const Strokes& strokes, Brew& brew) {
     }
 }
 
-/// Starts the fluid step that takes the strokes in `given`.
+/// Starts the fluid step that takes the strokes in `current`.
 void begin_step(MatchContext& context, Cauldron& cauldron) {
     auto& work = *context.brew;
     const auto& rules = *context.data.cauldron;
-    apply(rules, cauldron.given, work.brew);
-    cauldron.what = work.brew.what;
-    cauldron.under_way = 1;
+    apply(rules, cauldron.current, work.brew);
+    cauldron.contents = work.brew.contents;
+    cauldron.step_running = 1;
     work.step = context.jobs->run([&work, viscosity = rules.viscosity] {
         work.report = fluid::advance(work.brew.fluid, fluid_dt);
         work.figures = figures_of(work, viscosity);
@@ -86,7 +86,7 @@ void begin_step(MatchContext& context, Cauldron& cauldron) {
 void end_step(MatchContext& context, Cauldron& cauldron, Tick tick) {
     auto& work = *context.brew;
     work.step.wait();
-    cauldron.under_way = 0;
+    cauldron.step_running = 0;
     cauldron.newest ^= 1U;
     cauldron.stepped = tick;
     cauldron.mixing = work.figures.mixing;
@@ -98,19 +98,19 @@ void end_step(MatchContext& context, Cauldron& cauldron, Tick tick) {
 
 /// Removes all ingredients. The flow of the pure brew is kept.
 void pour_away(Brew& brew) {
-    brew.what.fill(no_ingredient);
+    brew.contents.fill(no_ingredient);
     for (auto& samples : brew.fluid.now.substances) std::fill(samples.begin(), samples.end(), 0.0F);
     std::fill(brew.fluid.settings.substances.begin(), brew.fluid.settings.substances.end(),
               fluid::Substance{});
 }
 
 void step_fluid(MatchContext& context, Cauldron& cauldron, Tick tick) {
-    if (cauldron.under_way != 0) end_step(context, cauldron, tick);
+    if (cauldron.step_running != 0) end_step(context, cauldron, tick);
     const bool stroked = does_something(cauldron.next) || cauldron.spoilt != 0;
     if (cauldron.spoilt != 0) pour_away(context.brew->brew);
     cauldron.spoilt = 0;
     if (!stroked && context.brew->brew.fluid.now.asleep) return;
-    cauldron.given = cauldron.next;
+    cauldron.current = cauldron.next;
     cauldron.next = {};
     begin_step(context, cauldron);
 }
@@ -118,7 +118,7 @@ void step_fluid(MatchContext& context, Cauldron& cauldron, Tick tick) {
 /// Steps the surface with the ladles as probes. Ladles in or above the surface push it; ladles below it make
 /// ripples when they leave.
 void step_surface(MatchContext& context, Cauldron& cauldron) {
-    auto& sheet = context.brew->brew.sheet;
+    auto& surface = context.brew->brew.surface;
     std::array<fluid::SheetProbe, players> probes;
     bool any = false;
     probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});  // absent probes
@@ -128,13 +128,13 @@ void step_surface(MatchContext& context, Cauldron& cauldron) {
             .place = {at.x, at.z}, .height = at.y, .radius = context.data.cauldron->ladle.radius};
         any = true;
     });
-    if (!any && sheet.asleep != 0) return;
-    const auto step = fluid::advance(sheet, context.brew->brew.scratch, probes, surface_dt);
+    if (!any && surface.asleep != 0) return;
+    const auto step = fluid::advance(surface, context.brew->brew.scratch, probes, surface_dt);
     for (std::size_t p = 0; p < players; ++p) {
-        cauldron.rise[p] = (step.probes[p].height - cauldron.height[p]) / surface_dt;
+        cauldron.surface_speed[p] = (step.probes[p].height - cauldron.height[p]) / surface_dt;
         cauldron.height[p] = step.probes[p].height;
     }
-    write_surface(context.world, cauldron, sheet);
+    write_surface(context.world, cauldron, surface);
 }
 
 std::unique_ptr<BrewWork> make_work(const MatchData& data) {
@@ -167,15 +167,16 @@ void rebuild_brew(MatchContext& context) {
     context.brew = make_work(context.data);
     auto& brew = context.brew->brew;
     auto& cauldron = context.world.single<Cauldron>();
-    for (std::size_t s = 0; s < brew.what.size(); ++s) {
-        if (cauldron.what[s] != no_ingredient) assign(brew, *context.data.cauldron, s, cauldron.what[s]);
+    for (std::size_t s = 0; s < brew.contents.size(); ++s) {
+        if (cauldron.contents[s] != no_ingredient)
+            assign(brew, *context.data.cauldron, s, cauldron.contents[s]);
     }
     read_fluid(context.world, cauldron.newest, brew.fluid);
-    brew.fluid.now.asleep = cauldron.under_way == 0;
-    read_surface(context.world, cauldron, brew.sheet);
+    brew.fluid.now.asleep = cauldron.step_running == 0;
+    read_surface(context.world, cauldron, brew.surface);
     // Haptic data is read again from the restored state.
     for (auto& model : context.models) model.fluid = {};
-    if (cauldron.under_way != 0) begin_step(context, cauldron);
+    if (cauldron.step_running != 0) begin_step(context, cauldron);
 }
 
 BrewWork* touched_brew(MatchContext& context) {
@@ -213,7 +214,7 @@ void add_ladle_stroke(Cauldron& cauldron, std::uint32_t player, vec3 place, vec3
 double surface_at(const BrewWork* work, const Cauldron& cauldron, vec3 place) {
     if (work == nullptr) return cauldron.middle.y;
     const vec3 at = place - cauldron.middle;
-    return cauldron.middle.y + fluid::height_at(work->brew.sheet, {at.x, at.z});
+    return cauldron.middle.y + fluid::height_at(work->brew.surface, {at.x, at.z});
 }
 
 double share_of_step(const Cauldron& cauldron, Tick tick) {

@@ -61,9 +61,9 @@ haptics::FlowSource source_of(const MatchContext& context, std::size_t which) {
     haptics::FlowSource source{.viscosity = rules.density * rules.viscosity, .density = rules.density};
     for (std::size_t axis = 0; axis < 3; ++axis)
         source.velocity.component[axis] = in_brew(fields.velocity.component[axis]);
-    for (std::size_t s = 0; s < brew.what.size(); ++s) {
-        if (brew.what[s] == no_ingredient) continue;
-        const auto& substance = rules.ingredients[brew.what[s]].substance;
+    for (std::size_t s = 0; s < brew.contents.size(); ++s) {
+        if (brew.contents[s] == no_ingredient) continue;
+        const auto& substance = rules.ingredients[brew.contents[s]].substance;
         source.substances[s] = {.amount = in_brew(fields.substances[s]),
                                 .viscosity = rules.density * substance.viscosity,
                                 .density = rules.density * substance.weight};
@@ -101,7 +101,7 @@ void begin_touch(const MatchContext& context, const Cauldron& cauldron, const La
     const auto& rules = data.ladle;
     const HandFrame frame = ladle_frame(data, cauldron, ladle);
     touch = {.number = 1,
-             .modes = context.touch.brew[player],
+             .modes = context.haptic_setup.brew[player],
              .frame = {.origin = frame.origin - cauldron.middle,
                        .turn = glm::mat3_cast(frame.turn),
                        .metres_per_metre = rules.metres_per_metre,
@@ -151,7 +151,7 @@ HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, cons
 void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t player, Ladle& ladle,
                Tick tick, haptics::FluidTouch& touch) {
     const auto& cauldron = std::as_const(context.world).single<Cauldron>();
-    const auto& sheet = context.brew->brew.sheet;
+    const auto& surface = context.brew->brew.surface;
     const bool begins = touch.number == 0;
     if (begins) begin_touch(context, cauldron, ladle, player, touch);
     const HandFrame frame = ladle_frame(*context.data.cauldron, cauldron, ladle);
@@ -160,10 +160,10 @@ void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t
     read_flow(context, cauldron, place, velocity_of(frame, hand_state), ladle, touch);
     touch.step_age = static_cast<std::uint64_t>(tick - cauldron.stepped - 1);
     touch.surface = {.height = cauldron.height[player],
-                     .velocity = cauldron.rise[player],
-                     .stiffness = sheet.settings.contact,
-                     .pop_through = sheet.settings.pop_through,
-                     .cling = sheet.settings.cling,
+                     .velocity = cauldron.surface_speed[player],
+                     .stiffness = surface.settings.contact,
+                     .pop_through = surface.settings.pop_through,
+                     .cling = surface.settings.cling,
                      .inside = cauldron.inside[player],
                      .there = 1};
     // The surface takes notice of a new ladle one tick late. A ladle that starts below the surface counts as

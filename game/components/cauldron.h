@@ -49,15 +49,15 @@ struct Cauldron {
     vec3 middle{};  ///< middle of the level surface (m, world)
     /// Height of the surface under each ladle (m, above the level surface).
     std::array<double, players> height{};
-    std::array<double, players> rise{};  ///< vertical speed of the surface under each ladle (m/s)
-    Strokes given{};                     ///< strokes of the fluid step that is being computed
-    Strokes next{};                      ///< strokes queued for the fluid step after that
+    std::array<double, players> surface_speed{};  ///< vertical speed of the surface under each ladle (m/s)
+    Strokes current{};                            ///< strokes of the fluid step that is being computed
+    Strokes next{};                               ///< strokes queued for the fluid step after that
     /// Ingredient in each substance of the fluid.
-    std::array<std::uint32_t, 3> what{no_ingredient, no_ingredient, no_ingredient};
+    std::array<std::uint32_t, 3> contents{no_ingredient, no_ingredient, no_ingredient};
     std::array<std::uint32_t, 4> inside{};  ///< 1 for each ladle that has broken through the surface
     std::uint32_t surface_asleep{1};
     std::uint32_t newest{};          ///< index of the newest of the two stored fluid states: 0 or 1
-    std::uint32_t under_way{};       ///< 1 while a fluid step is being computed; 0 while the fluid is at rest
+    std::uint32_t step_running{};    ///< 1 while a fluid step is being computed; 0 while the fluid is at rest
     std::uint32_t owner{no_player};  ///< player who owns the brew
     std::uint32_t spoilt{};          ///< 1: the next fluid step first removes all ingredients
     Tick stepped{};                  ///< when the newest fluid state was stored (ticks of play)
@@ -73,13 +73,13 @@ struct Cauldron {
     static constexpr auto fields() {
         using C = Cauldron;
         return std::tuple(
-            field("middle", &C::middle), field("given", &C::given), field("next", &C::next),
-            field("what", &C::what), field("inside", &C::inside), field("height", &C::height),
-            field("rise", &C::rise), field("surface_asleep", &C::surface_asleep), field("newest", &C::newest),
-            field("under_way", &C::under_way), field("owner", &C::owner), field("spoilt", &C::spoilt),
-            field("stepped", &C::stepped), field("events_seen", &C::events_seen), field("begun", &C::begun),
-            field("mixing", &C::mixing), field("viscosity", &C::viscosity), field("density", &C::density),
-            field("speed", &C::speed));
+            field("middle", &C::middle), field("given", &C::current), field("next", &C::next),
+            field("what", &C::contents), field("inside", &C::inside), field("height", &C::height),
+            field("rise", &C::surface_speed), field("surface_asleep", &C::surface_asleep),
+            field("newest", &C::newest), field("under_way", &C::step_running), field("owner", &C::owner),
+            field("spoilt", &C::spoilt), field("stepped", &C::stepped), field("events_seen", &C::events_seen),
+            field("begun", &C::begun), field("mixing", &C::mixing), field("viscosity", &C::viscosity),
+            field("density", &C::density), field("speed", &C::speed));
     }
 };
 

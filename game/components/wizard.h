@@ -50,13 +50,13 @@ struct Gaze {
 
 /// How the wizard stands: the mover's state between steps.
 struct Stance : physics::MoverState {
-    double hung{};  ///< upward part of the rope's force (N)
+    double rope_lift{};  ///< upward part of the rope's force (N)
     static constexpr std::string_view name = "Stance";
     static constexpr auto fields() {
         return std::tuple(field("expected", &Stance::expected),
                           field("ground_normal", &Stance::ground_normal), field("falling", &Stance::falling),
                           field("grounded", &Stance::grounded), field("driven", &Stance::driven),
-                          field("hung", &Stance::hung));
+                          field("hung", &Stance::rope_lift));
     }
 };
 

@@ -50,7 +50,7 @@ struct MatchContext {
     ecs::World world;
     physics::Physics physics;
     const MatchData& data;
-    HapticSetup touch;
+    HapticSetup haptic_setup;
     std::vector<input::DeviceSpec> devices;
     input::InputFrame frame;  ///< input frame of the current tick
     bool moved = true;  ///< false if the physics skipped its step in this tick because nothing could change

@@ -133,7 +133,7 @@ void check_niches(const ConfigTable& arena, const std::vector<Ingredient>& known
 
 /// Loads the device that haptics.toml names from its own file.
 void load_device(MatchData& data, const std::optional<Config>& haptics, Loader& loader) {
-    const auto name = data.touch.device;
+    const auto name = data.haptic_rules.device;
     if (!plain_name(name)) {
         return loader.check_across(haptics, [&](const ConfigTable& root) {
             root.report("device", text("device '", name, "' is no name of a device (a-z, 0-9, _)"));
@@ -184,7 +184,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     data.rules = loader.load("rules/" + choice.rules + ".toml", read_rule_set);
     data.round = loader.load("rules/" + choice.match + ".toml", read_round_rules);
     data.wizard = loader.load("wizards/wizard.toml", read_wizard_rules);
-    data.touch = loader.load("haptics.toml", noting(haptics_file, read_haptic_rules));
+    data.haptic_rules = loader.load("haptics.toml", noting(haptics_file, read_haptic_rules));
     if (!loader.error) load_device(data, haptics_file, loader);
     if (data.rules.cauldron && data.arena.bowl) {
         data.cauldron = loader.load("cauldron.toml", read_cauldron_rules);

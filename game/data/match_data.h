@@ -28,7 +28,7 @@ struct MatchData {
     RoundRules round;  ///< includes the changes that the rule set makes
     RuleSet rules;
     WizardRules wizard;
-    HapticRules touch;
+    HapticRules haptic_rules;
     haptics::DeviceSpec device;  ///< device that simulated hands hold
     /// std::nullopt if the rule set has no cauldron or the arena no bowl
     std::optional<CauldronRules> cauldron;

@@ -49,7 +49,7 @@ void hold(const input::ArmState& state, HandState& hand_state) {
 
 /// Lets the simulated hand continue from the position of the arm's hand.
 void take_over(const MatchContext& context, const Arm& arm, HandState& hand_state) {
-    const vec3 reach = context.touch.device.reach;
+    const vec3 reach = context.haptic_setup.device.reach;
     hand_state.servo = arm.state.servo;
     hand_state.home = glm::clamp(arm.state.hand, -reach, reach);
     hand_state.device = haptics::resting_at(hand_state.home);
@@ -92,7 +92,8 @@ void follow(MatchContext& context, Arm& arm, bool skipped) {
     const auto number = input::model_of(arm.state, sample);
     const auto used = recalled(model_in(world, arm, number));
     const bool known = number != 0 && used.number == number;
-    input::take_sample(arm.state, context.touch.servos[arm.player], sample, known ? &used : nullptr, skipped);
+    input::take_sample(arm.state, context.haptic_setup.servos[arm.player], sample, known ? &used : nullptr,
+                       skipped);
     note_presence(context, arm, world.get<HandState>(wizard_of(world, arm.player)));
 }
 
@@ -159,7 +160,7 @@ void publish_models(MatchContext& context, bool live) {
         const auto wizard = wizard_of(world, arm.player);
         const bool clutch =
             (std::as_const(world).get<Controls>(wizard).held & bit(input::Button::clutch)) != 0;
-        input::rest_hand(arm.state, clutch || arm.away != 0, context.touch.reach[arm.player]);
+        input::rest_hand(arm.state, clutch || arm.away != 0, context.haptic_setup.reach[arm.player]);
         // While the arm is gone, the simulated hand has already requested its own model in this tick.
         auto model = is_gone(arm)
                          ? haptics::HapticModel{.panic = arm.panic_left > 0}

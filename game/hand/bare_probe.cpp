@@ -14,7 +14,7 @@ constexpr double margin = 0.15;
 constexpr double leap = 0.5;
 
 Feel feel_of(const MatchData& data) {
-    const ProbeRules& probe = data.touch.probe;
+    const ProbeRules& probe = data.haptic_rules.probe;
     return {.stiffness = std::min(probe.stiffness, data.device.max_stiffness),
             .damping = std::min(probe.damping, data.device.max_damping),
             .static_friction = probe.static_friction,
@@ -22,7 +22,7 @@ Feel feel_of(const MatchData& data) {
 }
 
 double wand_per_hand(const MatchContext& context, ecs::Entity wizard) {
-    return context.touch.wand_per_hand[context.world.get<Wizard>(wizard).player];
+    return context.haptic_setup.wand_per_hand[context.world.get<Wizard>(wizard).player];
 }
 
 HandFrame frame_of(const MatchContext& context, ecs::Entity wizard, vec3 eye) {
@@ -35,7 +35,7 @@ HandFrame frame_of(const MatchContext& context, ecs::Entity wizard, vec3 eye) {
 
 /// A wizard who holds something by a tether or stirs the brew feels that instead of surfaces.
 bool can_probe(const MatchContext& context, ecs::Entity wizard, const HandState& hand_state) {
-    return wand_per_hand(context, wizard) > 0 && context.data.touch.probe.stiffness > 0 &&
+    return wand_per_hand(context, wizard) > 0 && context.data.haptic_rules.probe.stiffness > 0 &&
            !(hand_state.tether.stiffness > 0) && !context.world.has<Dead>(wizard) &&
            !context.world.has<Ladle>(wizard);
 }
@@ -55,10 +55,10 @@ void push(MatchContext& context, const haptics::SurfaceContact& contact, vec3 im
 }
 
 void push_touched(MatchContext& context, std::uint32_t player, const HandState& hand_state, Tick tick) {
-    const auto& rules = context.data.touch;
+    const auto& rules = context.data.haptic_rules;
     const auto& surface = hand_state.servo.surface;
     const HandFrame frame{hand_state.frame_origin, hand_state.frame_turn,
-                          context.touch.wand_per_hand[player]};
+                          context.haptic_setup.wand_per_hand[player]};
     const vec3 place = frame.to_world(surface.proxy);
     for (std::uint32_t i = 0; i < surface.contacts; ++i) {
         const vec3 force = frame.turn * surface.touched[i].force / -rules.probe.newtons_per_newton;
@@ -69,7 +69,7 @@ void push_touched(MatchContext& context, std::uint32_t player, const HandState& 
 }  // namespace
 
 void add_probe_system(MatchContext& context, ecs::Schedule& schedule) {
-    if (!(context.data.touch.probe.newtons_per_newton > 0)) return;
+    if (!(context.data.haptic_rules.probe.newtons_per_newton > 0)) return;
     auto& world = context.world;
     schedule.add({.name = "probe",
                   .period = physics_period,
@@ -85,8 +85,8 @@ void add_probe_system(MatchContext& context, ecs::Schedule& schedule) {
                   }});
 }
 
-void feel_about(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
-                haptics::HapticModel& model) {
+void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
+                      haptics::HapticModel& model) {
     model.patch.count = 0;
     model.drift = {};
     model.patch_number = hand_state.probe_number;

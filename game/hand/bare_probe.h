@@ -14,8 +14,8 @@ namespace thaum::game {
 
 /// Writes patch, frame motion, start and patch number of the model, and the frame in HandState. The patch is
 /// empty if nothing is within reach.
-void feel_about(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
-                haptics::HapticModel& model);
+void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
+                      haptics::HapticModel& model);
 
 /// Adds the system that runs every tick before bodies move. It pushes touched things with the opposite of the
 /// hand's contact force, in world units. The push is not reduced when the safety stage reduces the hand's

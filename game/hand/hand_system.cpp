@@ -38,12 +38,12 @@ double feel(MatchContext& context, ecs::Entity wizard, const Controls& controls,
             HandState& hand_state) {
     const vec3 moved =
         vec3(controls.hand_right, controls.hand_up, controls.hand_back) * metres_per_micrometre;
-    const auto& device = context.touch.device;
+    const auto& device = context.haptic_setup.device;
     const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
     const auto& model = next_model(context, wizard, hand_state, panic);
     const vec3 measured = haptics::measured_position(device, hand_state.device);
     const vec3 force =
-        haptics::servo_step(context.touch.servos[player], hand_state.servo, model, {measured, 0});
+        haptics::servo_step(context.haptic_setup.servos[player], hand_state.servo, model, {measured, 0});
     // A held clutch lets the ladle drift with the brew: the hand follows the device.
     const bool relaxed =
         (controls.held & bit(Button::clutch)) != 0 && std::as_const(context.world).has<Ladle>(wizard);
@@ -62,10 +62,10 @@ const haptics::HapticModel& next_model(MatchContext& context, ecs::Entity wizard
     model.pulse = hand_state.kick;
     model.lean = hand_state.lean;
     model.tether = hand_state.tether;
-    model.on = context.touch.on[player];
+    model.on = context.haptic_setup.on[player];
     model.panic = panic;
     model.rearm = hand_state.rearm != 0;
-    feel_about(context, wizard, hand_state, model);
+    fill_probe_model(context, wizard, hand_state, model);
     if (auto* ladle = context.world.find<Ladle>(wizard)) {
         feel_brew(context, hand_state, player, *ladle, std::as_const(context.world).single<Match>().played,
                   model.fluid);

@@ -73,11 +73,11 @@ void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state
     out.colours.base = fvec3(rules.colour);
     for (std::size_t s = 0; s < out.densities.size(); ++s) {
         out.densities[s].clear();
-        if (brew.what[s] >= rules.ingredients.size()) continue;
+        if (brew.contents[s] >= rules.ingredients.size()) continue;
         out.densities[s] = fluid.now.substances[s];
-        out.colours.substances[s] = fvec3(rules.ingredients[brew.what[s]].colour);
+        out.colours.substances[s] = fvec3(rules.ingredients[brew.contents[s]].colour);
     }
-    out.sheet = brew.sheet;
+    out.surface = brew.surface;
 }
 
 BrewPlace brew_place(const BowlPlace& bowl, const CauldronRules& rules) {
@@ -109,7 +109,7 @@ bool show_brew(const BrewPicture& picture, const BrewOverlay& overlay, BrewLook&
     look.flow.clear();
     if (picture.state == 0) return false;
     make_texels(picture, look.place, look.scratch, look.texels);
-    make_skin(picture.sheet, look.place, look.skin);
+    make_skin(picture.surface, look.place, look.skin);
     if (overlay.arrows) add_arrows(picture, look.place, look.meshes, look.flow);
     if (overlay.streamlines) add_streamlines(picture, look.place, look.meshes, look.flow);
     auto& volume = look.volume;
@@ -139,10 +139,10 @@ fvec3 ladle_colour(double force_share) {
 void add_ladle(const BrewMeshes& meshes, const LadlePicture& ladle, std::vector<render::Instance>& out) {
     const fvec3 shown = ladle_colour(ladle.force_share);
     const fvec3 tint = shown * shown;  // converts screen colours to linear light
-    const vec3 way = ladle.hand_state - ladle.bowl;
+    const vec3 way = ladle.top - ladle.bowl;
     if (!(glm::length(way) > 1e-6)) return;
     out.push_back({.mesh = meshes.rod,
-                   .model = between(ladle.bowl, ladle.hand_state, rod_radius),
+                   .model = between(ladle.bowl, ladle.top, rod_radius),
                    .tint = tint,
                    .glow = 0.3F});
     // The rod holds the cup at its rim.

@@ -12,7 +12,7 @@
 //     // For each frame. show_brew does nothing if the state is shown already.
 //     show_brew(picture, {.arrows = true}, look);
 //     add_brew(look, instances);
-//     add_ladle(look.meshes, {.bowl = ..., .hand_state = ..., .force_share = ...}, instances);
+//     add_ladle(look.meshes, {.bowl = ..., .top = ..., .force_share = ...}, instances);
 //     view.instances = instances;
 //     view.volume = &look.volume;
 //

@@ -32,11 +32,11 @@ void take_state(const Simulation& match, const BrewWork& work, const Cauldron& c
     out.colours.base = fvec3(rules.colour);
     for (std::size_t s = 0; s < out.densities.size(); ++s) {
         out.densities[s].clear();
-        if (cauldron.what[s] >= rules.ingredients.size()) continue;
+        if (cauldron.contents[s] >= rules.ingredients.size()) continue;
         assign(samples(3 + s), out.densities[s]);
-        out.colours.substances[s] = fvec3(rules.ingredients[cauldron.what[s]].colour);
+        out.colours.substances[s] = fvec3(rules.ingredients[cauldron.contents[s]].colour);
     }
-    out.sheet = work.brew.sheet;
+    out.surface = work.brew.surface;
 }
 
 /// Takes a brew that no player has touched, before any solver memory exists.
@@ -51,12 +51,12 @@ void take_still(const MatchData& data, BrewPicture& out) {
     }
     for (auto& density : out.densities) density.clear();
     out.colours.base = fvec3(rules.colour);
-    out.sheet = fluid::sheet_of(brew_surface(rules, basin));
+    out.surface = fluid::sheet_of(brew_surface(rules, basin));
 }
 
 void take_brew_of(const Simulation& match, const Cauldron& cauldron, BrewPicture& out) {
     const auto* work = match.brew();
-    const bool moves = cauldron.under_way != 0 || cauldron.surface_asleep == 0;
+    const bool moves = cauldron.step_running != 0 || cauldron.surface_asleep == 0;
     const std::uint64_t state = work == nullptr ? untouched
                                 : moves         ? untouched + 1 + match.now()
                                                 : at_rest + cauldron.stepped;
@@ -73,7 +73,7 @@ void take_ladles(const Simulation& match, CauldronPicture& out) {
             const vec3 eye = eye_of(match.data().wizard, motion.position);
             out.ladles[wizard.player] = {
                 .bowl = ladle.place,
-                .hand_state = eye + look_rotation(ladle.yaw, 0) * hand,
+                .top = eye + look_rotation(ladle.yaw, 0) * hand,
                 .force_share = glm::length(hand_state.servo.safety.output) / match.data().device.peak_force};
         });
 }
@@ -88,9 +88,9 @@ void take_cauldron(const Simulation& match, CauldronPicture& out) {
     take_brew_of(match, cauldron, out.brew);
     take_ladles(match, out);
     for (std::size_t s = 0; s < out.contents.size(); ++s) {
-        const bool some = cauldron.what[s] < rules.ingredients.size();
+        const bool some = cauldron.contents[s] < rules.ingredients.size();
         out.contents[s] =
-            some ? std::string_view(rules.ingredients[cauldron.what[s]].name) : std::string_view();
+            some ? std::string_view(rules.ingredients[cauldron.contents[s]].name) : std::string_view();
     }
     out.owner = cauldron.owner;
     out.mixing = cauldron.mixing;

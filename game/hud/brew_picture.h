@@ -30,15 +30,15 @@ struct BrewPicture {
     /// Density of each substance; empty if the substance holds no ingredient.
     std::array<fluid::Samples, fluid::substances_most> densities{};
     BrewColours colours{};
-    fluid::Sheet sheet{};
+    fluid::Sheet surface{};
 };
 /// Copies a brew. `state` must be above 0 and differ between different states of the brew.
 void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state, BrewPicture& out);
 
 /// A ladle: a rod with a bowl at its lower end.
 struct LadlePicture {
-    vec3 bowl{}, hand_state{};  ///< middle of the bowl, and upper end of the rod (m)
-    double force_share{};       ///< force as a share of the device's peak, 0 to 1
+    vec3 bowl{}, top{};    ///< middle of the bowl, and upper end of the rod (m)
+    double force_share{};  ///< force as a share of the device's peak, 0 to 1
 };
 
 /// The cauldron of a match.

@@ -21,7 +21,7 @@ struct HudSettings {
     bool forces = false;         ///< shows the force on the hand as a curve, and the brew's flow
     bool menu = false;           ///< a menu will cover the views; the HUD is left out
     /// Fault of each player's device in its driver's words. The session fills this in.
-    std::array<std::string, players> device_says{};
+    std::array<std::string, players> device_messages{};
 };
 
 /// Memory for building frames. The spans of a Frame point into it.

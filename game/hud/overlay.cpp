@@ -81,9 +81,9 @@ void add_needle(Overlay& out, fvec2 tail, float length, float width, double shar
     };
     end_from(0, filled > 0 ? full : track);
     if (filled > 0 && filled < 1) end_from(filled, opaque(fvec3(track)));
-    const fvec2 hand_state(0.05F * length, 0.3F * width);
-    out.items.emplace_back(render::RectItem{tail - fvec2(2, 1) * hand_state, tail + fvec2(0, 1) * hand_state,
-                                            full, 0.2F * width});
+    const fvec2 handle(0.05F * length, 0.3F * width);
+    out.items.emplace_back(
+        render::RectItem{tail - fvec2(2, 1) * handle, tail + fvec2(0, 1) * handle, full, 0.2F * width});
 }
 
 std::string capitalised(std::string_view name) {
@@ -311,13 +311,13 @@ void add_line(Overlay& out, const std::string& words, fvec2 top, float size, fve
 }
 
 /// Adds the driver's message above the game's own.
-void add_caption(Overlay& out, const PlayerPicture& p, const std::string& device_says, const Corner& c) {
+void add_caption(Overlay& out, const PlayerPicture& p, const std::string& device_message, const Corner& c) {
     const fvec2 place = at(c.view, 0.5F, 0.82F);
     const float size = 15 * c.unit;
-    const auto words = caption_of(p.force, !device_says.empty());
+    const auto words = caption_of(p.force, !device_message.empty());
     if (!words.empty()) add_text(out, std::string(words), place, size, white, Align::centre);
-    if (!device_says.empty())
-        add_line(out, device_says, place - fvec2(0, 1.7F * size), size, light_red, c.view);
+    if (!device_message.empty())
+        add_line(out, device_message, place - fvec2(0, 1.7F * size), size, light_red, c.view);
 }
 
 void add_death(Overlay& out, const PlayerPicture& p, const Corner& c) {
@@ -327,7 +327,7 @@ void add_death(Overlay& out, const PlayerPicture& p, const Corner& c) {
              24 * c.unit, white, Align::centre);
 }
 
-void add_player(Overlay& out, const Picture& picture, std::uint32_t player, const std::string& device_says,
+void add_player(Overlay& out, const Picture& picture, std::uint32_t player, const std::string& device_message,
                 const Corner& c) {
     const auto& p = picture.wizards[player];
     if (p.dead && picture.phase == Phase::playing) add_death(out, p, c);
@@ -337,7 +337,7 @@ void add_player(Overlay& out, const Picture& picture, std::uint32_t player, cons
         add_gift(out, p, c);
         add_brew_words(out, picture, player, c);
     }
-    add_caption(out, p, device_says, c);
+    add_caption(out, p, device_message, c);
     add_health(out, p, player, c);
     add_wand(out, p, player, c);
     add_feed(out, picture, c);
@@ -534,7 +534,7 @@ void make_overlay(const Picture& picture, const HudSettings& settings, render::S
     for (std::uint32_t player = 0; player < players; ++player) {
         if (views[player].width <= 0 || views[player].height <= 0) continue;
         unit = unit_of(views[player], window, settings.text_scale);
-        add_player(out, picture, player, settings.device_says[player], {views[player], unit});
+        add_player(out, picture, player, settings.device_messages[player], {views[player], unit});
         if (settings.forces) add_force_plot(out, picture.wizards[player].force, {views[player], unit});
     }
     const auto middle = place_of_score(settings, window, unit);

@@ -79,7 +79,7 @@ void take_force(const Simulation& match, std::uint32_t player, const HandState& 
     const auto& trace = match.felt(player);
     out.arm = arm_condition(match.world(), player);
     out.cause = static_cast<haptics::SafetyCause>(hand_state.servo.safety.cause);
-    out.cap = match.touch().servos[player].limits.cap;
+    out.cap = match.haptic_setup().servos[player].limits.cap;
     out.now = hand_state.servo.safety.output;
     out.created = hand_state.servo.energy.most_created;
     // The plot shows whole columns, so that a shown column never changes. The ring's oldest column is being
@@ -137,7 +137,8 @@ void take_wizards(const Simulation& match, Picture& out) {
                 p.returns_in_s = seconds(dead->returns_at - state.played);
             take_belt(match, e, belt, p);
             if (!p.dead) take_held(match, e, belt, p);
-            p.wand_reach = wand_tip_of(match.touch().wand_per_hand[wizard.player], hand_state) - wand_tip;
+            p.wand_reach =
+                wand_tip_of(match.haptic_setup().wand_per_hand[wizard.player], hand_state) - wand_tip;
             p.wand_turn = stylus_turn(match.world(), wizard.player);
             take_force(match, wizard.player, hand_state, p.force);
             take_brewing(match, e, motion, p);

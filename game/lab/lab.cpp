@@ -49,8 +49,8 @@ Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
     auto made = fluid::make_fluid(wanted);
     if (!made) return tl::unexpected(made.error());
     brew->fluid = std::move(*made);
-    brew->what.fill(no_ingredient);
-    for (std::uint32_t i = 0; i < settings.substances.size(); ++i) brew->what[i] = i;
+    brew->contents.fill(no_ingredient);
+    for (std::uint32_t i = 0; i < settings.substances.size(); ++i) brew->contents[i] = i;
     return brew;
 }
 
@@ -75,7 +75,7 @@ double stir(LabState& lab, vec3 to) {
 }
 
 bool is_wet(const LabState& lab, vec3 place) {
-    return is_finite(place) && place.y < fluid::height_at(lab.brew.sheet, {place.x, place.z});
+    return is_finite(place) && place.y < fluid::height_at(lab.brew.surface, {place.x, place.z});
 }
 
 /// Moves the ladle and returns the force of the brew on it (N).
@@ -96,7 +96,7 @@ fluid::SheetStep step_surface(LabState& lab) {
     std::array<fluid::SheetProbe, 1> probe{};
     if (lab.ladle) probe[0] = {{lab.ladle->x, lab.ladle->z}, lab.ladle->y, lab.rules.ladle.radius};
     const auto probes = std::span(probe).first(lab.ladle ? 1 : 0);
-    return fluid::advance(lab.brew.sheet, lab.brew.scratch, probes, lab_dt);
+    return fluid::advance(lab.brew.surface, lab.brew.scratch, probes, lab_dt);
 }
 
 /// Returns f's result and writes the computing time (us).
@@ -162,7 +162,7 @@ Expected<void> change_lab(LabState& lab, const LabSettings& settings) {
         fluid::take_over(brew->fluid, fluid);
         fluid = std::move(brew->fluid);
         lab.brew.corner = brew->corner;
-        lab.brew.what = brew->what;
+        lab.brew.contents = brew->contents;
     }
     lab.settings = settings;
     return {};

@@ -128,7 +128,7 @@ bool belongs(const fluid::Saved& saved, const LabState& lab, const Brew& made) {
     const auto &a = saved.fluid.settings, &b = made.fluid.settings;
     return saved.shape == shape_of(lab.settings) && a.cells == b.cells && a.h == b.h && a.edges == b.edges &&
            a.gravity == b.gravity && a.lid == b.lid && a.solid_holds == b.solid_holds &&
-           saved.sheet.settings.side == made.sheet.settings.side;
+           saved.sheet.settings.side == made.surface.settings.side;
 }
 
 tl::unexpected<Error> wrong(const Error& error) { return fail(text("saved lab: ", error.message)); }
@@ -141,7 +141,7 @@ Expected<LabState> with_name(const std::filesystem::path& file, Expected<LabStat
 }  // namespace
 
 Bytes save_lab(const LabState& lab) {
-    return fluid::save(lab.brew.fluid, lab.brew.sheet, shape_of(lab.settings), kept_of(lab));
+    return fluid::save(lab.brew.fluid, lab.brew.surface, shape_of(lab.settings), kept_of(lab));
 }
 
 Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronRules& rules) {
@@ -157,7 +157,7 @@ Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronR
     lab->basin = std::move(made->basin);
     lab->brew = std::move(made->brew);
     lab->brew.fluid = std::move(saved->fluid);
-    lab->brew.sheet = std::move(saved->sheet);
+    lab->brew.surface = std::move(saved->sheet);
     return std::move(*lab);
 }
 

@@ -27,10 +27,10 @@ void spawn_match(ecs::World& world, std::uint64_t seed) {
 /// In a narrower workspace the scales grow in proportion, so that the hand reaches as far in the world.
 constexpr double usual_width = 0.16;
 
-void set_box(const MatchData& data, std::uint32_t player, vec3 box, HapticSetup& touch) {
-    touch.reach[player] = box / 2.0;
-    touch.stride[player] = usual_width / box.x;
-    touch.wand_per_hand[player] = data.touch.wand_per_hand * touch.stride[player];
+void set_box(const MatchData& data, std::uint32_t player, vec3 box, HapticSetup& setup) {
+    setup.reach[player] = box / 2.0;
+    setup.stride[player] = usual_width / box.x;
+    setup.wand_per_hand[player] = data.haptic_rules.wand_per_hand * setup.stride[player];
 }
 
 /// Workspace of a real arm (m); zero if the device is no arm or gives no plausible size. An edge above 1 m
@@ -49,7 +49,7 @@ vec3 box_of(const input::DeviceSpec& device) {
 static_assert(haptics::fluid_modes.size() == input::fluid_faders);
 
 /// Reduces the brew's effects by the shares that the player does not want to feel.
-void keep_off(const input::DeviceSpec& device, haptics::FluidModes& modes) {
+void reduce_modes(const input::DeviceSpec& device, haptics::FluidModes& modes) {
     for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i)
         modes.*haptics::fluid_modes[i].strength *= 1 - device.fluid_kept_off[i] / 100.0;
 }
@@ -60,24 +60,24 @@ void add_cauldron_systems(MatchContext& context, ecs::Schedule& schedule) {
     add_brew_systems(context, schedule);
 }
 
-HapticSetup touch_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
-    HapticSetup touch{.device = haptics::simulated_device(data.device, haptics::Hand{})};
-    touch.on.fill(true);
-    touch.weight.fill(1);
-    touch.blows.fill(1);
-    for (auto& servo : touch.servos) servo = haptics::servo_of(data.device, data.touch.share);
-    for (std::uint32_t p = 0; p < players; ++p) set_box(data, p, data.device.workspace, touch);
+HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::DeviceSpec>& devices) {
+    HapticSetup setup{.device = haptics::simulated_device(data.device, haptics::Hand{})};
+    setup.on.fill(true);
+    setup.weight.fill(1);
+    setup.blows.fill(1);
+    for (auto& servo : setup.servos) servo = haptics::servo_of(data.device, data.haptic_rules.share);
+    for (std::uint32_t p = 0; p < players; ++p) set_box(data, p, data.device.workspace, setup);
     for (const auto& device : devices) {
         if (device.player >= players) continue;
-        if ((device.flags & input::DeviceSpec::no_forces) != 0) touch.on[device.player] = false;
+        if ((device.flags & input::DeviceSpec::no_forces) != 0) setup.on[device.player] = false;
         const auto percent = device.force_asked_for();
-        if (percent != 0) touch.servos[device.player] = haptics::servo_of(data.device, percent / 100.0);
-        if (const vec3 box = box_of(device); box.x > 0) set_box(data, device.player, box, touch);
-        touch.weight[device.player] *= 1 - device.weight_kept_off() / 100.0;
-        touch.blows[device.player] *= 1 - device.blows_kept_off() / 100.0;
-        keep_off(device, touch.brew[device.player]);
+        if (percent != 0) setup.servos[device.player] = haptics::servo_of(data.device, percent / 100.0);
+        if (const vec3 box = box_of(device); box.x > 0) set_box(data, device.player, box, setup);
+        setup.weight[device.player] *= 1 - device.weight_kept_off() / 100.0;
+        setup.blows[device.player] *= 1 - device.blows_kept_off() / 100.0;
+        reduce_modes(device, setup.brew[device.player]);
     }
-    return touch;
+    return setup;
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ Simulation::Simulation(std::shared_ptr<const MatchData> data, MatchSetup setup)
     context_.reset(new MatchContext{{},
                                     physics::Physics({}, data_->arena.meshes),
                                     *data_,
-                                    touch_of(*data_, setup_.devices),
+                                    haptic_setup_of(*data_, setup_.devices),
                                     setup_.devices,
                                     {}});
     auto& context = *context_;
@@ -155,7 +155,7 @@ Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at)
     return {};
 }
 
-const HapticSetup& Simulation::touch() const { return context_->touch; }
+const HapticSetup& Simulation::haptic_setup() const { return context_->haptic_setup; }
 const BrewWork* Simulation::brew() const { return context_->brew.get(); }
 const ForceTrace& Simulation::felt(std::uint32_t player) const { return context_->felt[player]; }
 

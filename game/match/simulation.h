@@ -55,7 +55,7 @@ public:
     std::uint64_t force_hash() const { return force_hash_; }
     /// Magnitude of the force on a player's hand (N). Tick t of play is at index t modulo the size.
     const ForceTrace& felt(std::uint32_t player) const;
-    const HapticSetup& touch() const;
+    const HapticSetup& haptic_setup() const;
     /// The part that computes the cauldron's brew (game/cauldron/cauldron.h); null if no player has touched
     /// the brew.
     const BrewWork* brew() const;

@@ -114,9 +114,9 @@ void add_controls_system(MatchContext& context, ecs::Schedule& schedule) {
                                   const auto sample = with_arm(context.frame.devices[d], buttons);
                                   take(sample, controls);
                                   if (live && stirs) {
-                                      move_ladle_hand(sample, context.data.touch, controls);
+                                      move_ladle_hand(sample, context.data.haptic_rules, controls);
                                   } else if (live && !arm && (controls.held & bit(Button::clutch)) != 0) {
-                                      move_hand(sample, context.data.touch, controls);
+                                      move_hand(sample, context.data.haptic_rules, controls);
                                   } else if (live) {
                                       turn(sample, spec, context.data.wizard.pitch_limit, gaze);
                                   }

@@ -92,34 +92,34 @@ void note_forces(Play& play) {
 
 }  // namespace
 
-Expected<void> begin_match(Play& play, const MatchWish& wish) {
-    auto data = load_match_data(play.options->assets, wish.data);
+Expected<void> begin_match(Play& play, const MatchOptions& wanted) {
+    auto data = load_match_data(play.options->assets, wanted.data);
     if (!data) return tl::unexpected(data.error());
     play.data = std::make_shared<const MatchData>(std::move(*data));
-    play.bot_level = wish.bot_level;
-    MatchSetup setup{.seed = wish.seed, .devices = {}};
+    play.bot_level = wanted.bot_level;
+    MatchSetup setup{.seed = wanted.seed, .devices = {}};
     for (std::uint32_t player = 0; player < players; ++player) {
-        const int level = wish.bot_level[player];
+        const int level = wanted.bot_level[player];
         setup.devices.push_back(level == 0 ? script_device(player) : bot_device(player, level));
-        if (wish.force[player]) setup.devices.back().ask_for_force(*wish.force[player]);
-        setup.devices.back().ask_for_carried(wish.weight[player].value_or(100),
-                                             wish.blows[player].value_or(100));
+        if (wanted.force[player]) setup.devices.back().ask_for_force(*wanted.force[player]);
+        setup.devices.back().ask_for_carried(wanted.weight[player].value_or(100),
+                                             wanted.blows[player].value_or(100));
         for (std::size_t mode = 0; mode < input::fluid_faders; ++mode)
-            setup.devices.back().ask_for_fluid(mode, wish.modes[player][mode].value_or(100));
+            setup.devices.back().ask_for_fluid(mode, wanted.modes[player][mode].value_or(100));
     }
     for (std::uint32_t player = 0; player < players; ++player) {
-        if (!wish.arm[player]) continue;
+        if (!wanted.arm[player]) continue;
         play.arms[player] = std::make_unique<ScriptArm>();
         play.arms[player]->device = static_cast<std::uint32_t>(setup.devices.size());
         setup.devices.push_back({.player = player, .kind = input::DeviceKind::arm, .name = "script"});
     }
     play.match = std::make_unique<Simulation>(play.data, setup);
     for (std::uint32_t player = 0; player < players; ++player) {
-        const int level = wish.bot_level[player];
+        const int level = wanted.bot_level[player];
         if (level == 0) continue;
         const auto skill = load_bot_skill(play.options->assets, level);
         if (!skill) return tl::unexpected(skill.error());
-        play.bots.add(*play.match, player, player, *skill, wish.seed);
+        play.bots.add(*play.match, player, player, *skill, wanted.seed);
     }
     play.match->save(play.begun);
     open_log(play);

@@ -27,7 +27,7 @@ struct Hand {
 };
 
 /// Settings of a match that a script asks for.
-struct MatchWish {
+struct MatchOptions {
     DataChoice data;
     std::uint64_t seed = 1;
     std::array<int, players> bot_level{};  ///< level of the bot; 0: the script plays
@@ -106,7 +106,7 @@ struct Play {
     bool waits{};       ///< a verb has set wait_until
 };
 
-Expected<void> begin_match(Play& play, const MatchWish& wish);
+Expected<void> begin_match(Play& play, const MatchOptions& wanted);
 
 /// Plays one tick of the match with the input of all hands.
 void tick(Play& play);

@@ -34,7 +34,7 @@ struct Outcome {
     std::optional<std::string> forces;  ///< force trace of a scenario that has one
 };
 
-struct RunWish {
+struct RunOptions {
     int run = 1;
     bool keeps_files = false;
     std::optional<Tick> save_at{};
@@ -102,13 +102,13 @@ void keep_failure_picture(Play& play) {
 }
 
 Outcome run_once(std::string_view source, const std::string& name, const ScenarioOptions& options,
-                 const RunWish& wish) {
+                 const RunOptions& wanted) {
     Play play;
     play.options = &options;
     play.name = name;
-    play.run = wish.run;
-    play.keeps_files = wish.keeps_files;
-    play.save_at = wish.save_at;
+    play.run = wanted.run;
+    play.keeps_files = wanted.keeps_files;
+    play.save_at = wanted.save_at;
     Outcome outcome;
     Sandbox sandbox(options.limits);
     auto done = run_script(sandbox, play, source);

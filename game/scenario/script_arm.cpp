@@ -38,7 +38,8 @@ void take_samples(ScriptArms& arms, input::InputFrame& frame) {
 void publish_orders(const Simulation& match, ScriptArms& arms) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const auto& arm = arms[player];
-        if (arm && fill_order(match.world(), match.touch(), player, arm->servo.order())) arm->servo.publish();
+        if (arm && fill_order(match.world(), match.haptic_setup(), player, arm->servo.order()))
+            arm->servo.publish();
     }
 }
 

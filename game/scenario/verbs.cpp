@@ -56,27 +56,27 @@ int read_player(lua_State* lua, int index) {
     return level[0] - '0';
 }
 
-void read_players(lua_State* lua, int index, MatchWish& wish) {
+void read_players(lua_State* lua, int index, MatchOptions& wanted) {
     if (!lua_istable(lua, index)) fault("players must be a list of two");
     index = lua_absindex(lua, index);
     for (std::size_t i = 0; i < players; ++i) {
         lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
-        wish.bot_level[i] = read_player(lua, -1);
+        wanted.bot_level[i] = read_player(lua, -1);
     }
 }
 
-void read_overrides(lua_State* lua, int index, MatchWish& wish) {
+void read_overrides(lua_State* lua, int index, MatchOptions& wanted) {
     if (!lua_istable(lua, index)) fault("set must be a list of \"FILE.KEY=VALUE\"");
     index = lua_absindex(lua, index);
     const auto count = std::min<lua_Unsigned>(lua_rawlen(lua, index), 100);
     for (lua_Unsigned i = 1; i <= count; ++i) {
         lua_rawgeti(lua, index, static_cast<lua_Integer>(i));
-        wish.data.overrides.push_back(arg::string(lua, -1, "set"));
+        wanted.data.overrides.push_back(arg::string(lua, -1, "set"));
         lua_pop(lua, 1);
     }
 }
 
-void read_percents(lua_State* lua, int index, const char* name, MatchWish::Percents& percents) {
+void read_percents(lua_State* lua, int index, const char* name, MatchOptions::Percents& percents) {
     if (!lua_istable(lua, index)) fault(name, " must be a list of percentages");
     index = lua_absindex(lua, index);
     for (std::size_t i = 0; i < players; ++i) {
@@ -102,24 +102,24 @@ void read_modes_of(lua_State* lua, int index,
     }
 }
 
-void read_modes(lua_State* lua, int index, MatchWish& wish) {
+void read_modes(lua_State* lua, int index, MatchOptions& wanted) {
     if (!lua_istable(lua, index)) fault("modes must be a list of tables such as {flow = 0}");
     index = lua_absindex(lua, index);
     for (std::size_t i = 0; i < players; ++i) {
         lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
-        if (!lua_isnil(lua, -1)) read_modes_of(lua, -1, wish.modes[i]);
+        if (!lua_isnil(lua, -1)) read_modes_of(lua, -1, wanted.modes[i]);
         lua_pop(lua, 1);
     }
 }
 
-void read_arms(lua_State* lua, int index, MatchWish& wish) {
+void read_arms(lua_State* lua, int index, MatchOptions& wanted) {
     if (!lua_istable(lua, index)) fault("arms must be a list of true and false");
     index = lua_absindex(lua, index);
     for (std::size_t i = 0; i < players; ++i) {
         lua_rawgeti(lua, index, static_cast<lua_Integer>(i) + 1);
-        wish.arm[i] = lua_toboolean(lua, -1) != 0;
+        wanted.arm[i] = lua_toboolean(lua, -1) != 0;
         lua_pop(lua, 1);
-        if (wish.arm[i] && wish.bot_level[i] != 0) fault("player ", i + 1, " is a bot, and holds no arm");
+        if (wanted.arm[i] && wanted.bot_level[i] != 0) fault("player ", i + 1, " is a bot, and holds no arm");
     }
 }
 
@@ -129,19 +129,20 @@ int verb_match(lua_State* lua, void* context) {
     const Options options(
         lua, 1, "match",
         {"arena", "rules", "match", "seed", "set", "players", "forces", "weights", "blows", "modes", "arms"});
-    MatchWish wish;
-    if (options.has("arena")) wish.data.arena = arg::string(lua, -1, "arena");
-    if (options.has("rules")) wish.data.rules = arg::string(lua, -1, "rules");
-    if (options.has("match")) wish.data.match = arg::string(lua, -1, "match");
-    if (options.has("seed")) wish.seed = static_cast<std::uint64_t>(arg::integer(lua, -1, "seed", {0, 1e15}));
-    if (options.has("set")) read_overrides(lua, -1, wish);
-    if (options.has("players")) read_players(lua, -1, wish);
-    if (options.has("forces")) read_percents(lua, -1, "forces", wish.force);
-    if (options.has("weights")) read_percents(lua, -1, "weights", wish.weight);
-    if (options.has("blows")) read_percents(lua, -1, "blows", wish.blows);
-    if (options.has("modes")) read_modes(lua, -1, wish);
-    if (options.has("arms")) read_arms(lua, -1, wish);
-    if (const auto made = begin_match(play, wish); !made) {
+    MatchOptions wanted;
+    if (options.has("arena")) wanted.data.arena = arg::string(lua, -1, "arena");
+    if (options.has("rules")) wanted.data.rules = arg::string(lua, -1, "rules");
+    if (options.has("match")) wanted.data.match = arg::string(lua, -1, "match");
+    if (options.has("seed"))
+        wanted.seed = static_cast<std::uint64_t>(arg::integer(lua, -1, "seed", {0, 1e15}));
+    if (options.has("set")) read_overrides(lua, -1, wanted);
+    if (options.has("players")) read_players(lua, -1, wanted);
+    if (options.has("forces")) read_percents(lua, -1, "forces", wanted.force);
+    if (options.has("weights")) read_percents(lua, -1, "weights", wanted.weight);
+    if (options.has("blows")) read_percents(lua, -1, "blows", wanted.blows);
+    if (options.has("modes")) read_modes(lua, -1, wanted);
+    if (options.has("arms")) read_arms(lua, -1, wanted);
+    if (const auto made = begin_match(play, wanted); !made) {
         play.match.reset();
         fault(made.error().message);
     }

@@ -22,7 +22,7 @@ void set_number(lua_State* lua, const char* key, double value) {
 void set_contents(lua_State* lua, const Play& play, const Cauldron& cauldron) {
     lua_newtable(lua);
     lua_Integer count = 0;
-    for (const auto ingredient : cauldron.what) {
+    for (const auto ingredient : cauldron.contents) {
         if (ingredient == no_ingredient) continue;
         const auto& name = play.data->cauldron->ingredients[ingredient].name;
         lua_pushlstring(lua, name.data(), name.size());
@@ -42,7 +42,7 @@ int verb_brew(lua_State* lua, void* context) {
     arg::push_place(lua, cauldron.middle);
     lua_setfield(lua, -2, "middle");
     if (cauldron.owner < players) set_number(lua, "owner", cauldron.owner + 1);
-    lua_pushboolean(lua, static_cast<int>(cauldron.under_way == 0 && cauldron.surface_asleep != 0));
+    lua_pushboolean(lua, static_cast<int>(cauldron.step_running == 0 && cauldron.surface_asleep != 0));
     lua_setfield(lua, -2, "asleep");
     set_contents(lua, play, cauldron);
     return 1;

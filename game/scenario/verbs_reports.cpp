@@ -20,7 +20,7 @@ constexpr std::size_t most_sought = 64;
 
 // ---- events -----------------------------------------------------------------------------------------------
 
-struct EventWish {
+struct EventFilter {
     std::optional<EventKind> kind;
     std::optional<std::uint32_t> subject, by;
 
@@ -36,18 +36,18 @@ EventKind read_kind(lua_State* lua, int index) {
     return static_cast<EventKind>(found - event_names.begin());
 }
 
-EventWish read_event_wish(lua_State* lua) {
-    EventWish wish;
-    if (lua_isnoneornil(lua, 1)) return wish;
+EventFilter read_event_filter(lua_State* lua) {
+    EventFilter filter;
+    if (lua_isnoneornil(lua, 1)) return filter;
     if (lua_type(lua, 1) == LUA_TSTRING) {
-        wish.kind = read_kind(lua, 1);
-        return wish;
+        filter.kind = read_kind(lua, 1);
+        return filter;
     }
     const Options options(lua, 1, "events", {"kind", "subject", "by", "within"});
-    if (options.has("kind")) wish.kind = read_kind(lua, -1);
-    if (options.has("subject")) wish.subject = arg::player(lua, -1);
-    if (options.has("by")) wish.by = arg::player(lua, -1);
-    return wish;
+    if (options.has("kind")) filter.kind = read_kind(lua, -1);
+    if (options.has("subject")) filter.subject = arg::player(lua, -1);
+    if (options.has("by")) filter.by = arg::player(lua, -1);
+    return filter;
 }
 
 void set_player(lua_State* lua, const char* key, std::uint32_t player) {
@@ -75,11 +75,11 @@ void push_event(lua_State* lua, const Event& event) {
 
 int verb_events(lua_State* lua, void* context) {
     const auto& play = began(context);
-    const auto wish = read_event_wish(lua);
+    const auto filter = read_event_filter(lua);
     lua_newtable(lua);
     lua_Integer count = 0;
     for (const auto& event : play.events) {
-        if (!wish.fits(event)) continue;
+        if (!filter.fits(event)) continue;
         push_event(lua, event);
         lua_rawseti(lua, -2, ++count);
     }
@@ -88,9 +88,9 @@ int verb_events(lua_State* lua, void* context) {
 
 int verb_next_event(lua_State* lua, void* context) {
     auto& play = began(context);
-    const auto wish = read_event_wish(lua);
+    const auto filter = read_event_filter(lua);
     for (auto i = play.events_expected; i < play.events.size(); ++i) {
-        if (!wish.fits(play.events[i])) continue;
+        if (!filter.fits(play.events[i])) continue;
         play.events_expected = i + 1;
         push_event(lua, play.events[i]);
         return 1;

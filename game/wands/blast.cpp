@@ -20,12 +20,12 @@ struct BlastData {
     Tick from{};           ///< ticks for which fire is held before the charge begins
     double charge_step{};  ///< growth of the charge per tick
     double lean{};         ///< steady force at full charge (N)
-    Growing energy, damage, speed;
+    GrowingValue energy, damage, speed;
     double radius{};  ///< radius of the ball (m)
     Tick life{};
-    double splash{};  ///< share of the damage that a burst does to bodies not struck directly
-    Growing reach;    ///< radius of the burst (m)
-    Growing impulse;  ///< impulse of the burst at distance zero (N s)
+    double splash{};       ///< share of the damage that a burst does to bodies not struck directly
+    GrowingValue reach;    ///< radius of the burst (m)
+    GrowingValue impulse;  ///< impulse of the burst at distance zero (N s)
     double fastest{};
     double recoil{};  ///< peak of the recoil at full charge (N)
     Tick recoil_length{};
@@ -91,7 +91,7 @@ BlastData read(const ConfigTable& root) {
 }
 
 /// The charge that this energy pays for; negative if the energy is too low for any shot.
-double affordable(const Growing& energy, double left) {
+double affordable(const GrowingValue& energy, double left) {
     if (left < energy.least) return -1;
     const double more = energy.most - energy.least;
     return more > 0 ? std::min(1.0, (left - energy.least) / more) : 1;

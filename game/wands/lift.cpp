@@ -177,7 +177,7 @@ void take(MatchContext& context, const LiftData& data, ecs::Entity wizard, ecs::
     const double size = extent(context.physics.desc(thing.index));
     const auto player = now.get<Wizard>(wizard).player;
     hand.metres_per_metre =
-        context.touch.stride[player] * data.metres_per_metre * std::clamp(size, data.finest, 1.0);
+        context.haptic_setup.stride[player] * data.metres_per_metre * std::clamp(size, data.finest, 1.0);
 }
 
 bool holds(const MatchContext& context, const LiftHand& hand) {
@@ -312,7 +312,7 @@ void feel_blow(MatchContext& context, const LiftData& data, const haptics::Coupl
     if (size < data.blow_least || tick < hand.next_blow) return;
     hand.next_blow = tick + between_blows;
     const vec3 way = haptics::to_device(frame, blow / size);
-    const double share = context.touch.blows[std::as_const(context.world).get<Wizard>(wizard).player];
+    const double share = context.haptic_setup.blows[std::as_const(context.world).get<Wizard>(wizard).player];
     if (share > 0) kick(context, wizard, way * (share * std::min(blow_force, data.blow * size)), blow_length);
 }
 
@@ -384,7 +384,7 @@ void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick 
     const vec3 moving = hand.coupling.expected + held_back(hand.coupling.expected, blow);
     tether(context, wizard, tether_to(data, frame, hand, device, object, moving, base_velocity));
     lean(context, wizard,
-         vec3(0, -data.weight * context.touch.weight[now.get<Wizard>(wizard).player] * mass, 0));
+         vec3(0, -data.weight * context.haptic_setup.weight[now.get<Wizard>(wizard).player] * mass, 0));
     if (glm::distance(hip, object) > data.lost) let_thing_go(context, wizard, hand);
 }
 

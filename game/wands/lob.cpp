@@ -32,7 +32,7 @@ struct LobData {
     /// Displacement of the hand per tick while drawing and while returning (m).
     double step{}, return_step{};
     haptics::Tether spring{};  ///< spring without its anchor, which is set at each draw
-    Growing speed;
+    GrowingValue speed;
     double energy{};
     double radius{};  ///< radius of the stone (m)
     Tick fuse{};
@@ -117,7 +117,7 @@ LobData read(const ConfigTable& root) {
 
 void begin(const WandUse& use, const LobData& data, LobHand& hand) {
     const auto& hand_state = std::as_const(use.context.world).get<HandState>(use.wizard);
-    hand.anchor = haptics::measured_position(use.context.touch.device, hand_state.device);
+    hand.anchor = haptics::measured_position(use.context.haptic_setup.device, hand_state.device);
     hand.drawing = 1;
     auto spring = data.spring;
     spring.anchor = hand.anchor;
@@ -179,7 +179,7 @@ void draw(MatchContext& context, const LobData& data) {
             hand_state.pull = hand.target * data.axis;
             if (hand.drawing == 0) return;
             const vec3 moved =
-                haptics::measured_position(context.touch.device, hand_state.device) - hand.anchor;
+                haptics::measured_position(context.haptic_setup.device, hand_state.device) - hand.anchor;
             hand.drawn = std::clamp(glm::dot(moved, data.axis) / data.full, 0.0, 1.0);
         });
 }

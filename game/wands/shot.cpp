@@ -65,8 +65,9 @@ void hurt_by_burst(MatchContext& context, const Burst& burst, ecs::Entity e, dou
 
 }  // namespace
 
-Growing read_growing(const ConfigTable& table, std::string_view name, std::string_view full, Range range) {
-    const Growing read{table.number(name, range), table.number(full, range)};
+GrowingValue read_growing(const ConfigTable& table, std::string_view name, std::string_view full,
+                          Range range) {
+    const GrowingValue read{table.number(name, range), table.number(full, range)};
     if (read.most < read.least) table.report(full, text("'", full, "' must not be less than ", name));
     return read;
 }
@@ -91,7 +92,7 @@ Muzzle muzzle_of(const WandUse& use, double radius) {
     const vec3 ahead = looking * vec3(0, 0, -1);
     const auto seen = physics.ray(eye, eye + ahead * aim_reach, physics::all_layers, key);
     const double depth = std::max(nearest_aim, seen ? seen->fraction * aim_reach : aim_reach);
-    const double wand_per_hand = use.context.touch.wand_per_hand[world.get<Wizard>(use.wizard).player];
+    const double wand_per_hand = use.context.haptic_setup.wand_per_hand[world.get<Wizard>(use.wizard).player];
     vec3 tip = eye + looking * wand_tip_of(wand_per_hand, world.get<HandState>(use.wizard));
     if (blocked(physics, eye, tip, radius, key)) tip = eye;
     return {.tip = tip, .ahead = ahead, .aim = glm::normalize(eye + ahead * depth - tip)};

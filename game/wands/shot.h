@@ -6,12 +6,13 @@
 namespace thaum::game {
 
 /// A number that grows linearly with the charge or draw of a wand, 0 to 1.
-struct Growing {
+struct GrowingValue {
     double least{}, most{};
     double at(double share) const { return least + (most - least) * share; }
 };
 /// Reads the least value from key `name` and the greatest from key `full`.
-Growing read_growing(const ConfigTable& table, std::string_view name, std::string_view full, Range range);
+GrowingValue read_growing(const ConfigTable& table, std::string_view name, std::string_view full,
+                          Range range);
 
 /// True while fire is held, and in the first gameplay tick after fire was pressed.
 bool holds_fire(const Controls& controls);

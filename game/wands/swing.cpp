@@ -94,7 +94,7 @@ std::optional<vec3> latched_at(const MatchContext& context, const SwingData& dat
 void unlatch(MatchContext& context, ecs::Entity wizard, SwingHand& hand) {
     if (context.physics.has(wizard.index)) end_coupling(context.physics, wizard.index, hand.coupling);
     hand = {};
-    context.world.get<Stance>(wizard).hung = 0;
+    context.world.get<Stance>(wizard).rope_lift = 0;
     let_go(context, wizard);
 }
 
@@ -168,7 +168,7 @@ void pull(MatchContext& context, const SwingData& data, ecs::Entity wizard, Swin
     } else {
         end_coupling(context.physics, key, hand.coupling);
     }
-    context.world.get<Stance>(wizard).hung = std::max(0.0, hand.tension * way.y);
+    context.world.get<Stance>(wizard).rope_lift = std::max(0.0, hand.tension * way.y);
     context.world.get<HandState>(wizard).lean.force = felt(context, data, wizard, way, hand.tension);
 }
 

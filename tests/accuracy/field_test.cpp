@@ -1,4 +1,5 @@
-// Fields between their samples: what each kernel promises, at borders too, and what no number or no samples come to.
+// Tests of fields between their samples: accuracy of each kernel, also at borders, and results for places
+// that are not numbers and for grids without samples.
 #include "field/field.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr std::array kernels{Kernel::linear, Kernel::catmull_rom};
 
-/// Samples with a gap at the end of each row, which holds no numbers.
+/// Samples with a gap at the end of each row. The gap holds NaN.
 struct Stored {
     std::vector<float> values;
     Grid grid;
@@ -45,7 +46,8 @@ vec3 random_place(Random& random, vec3 low, vec3 high) {
     return {random.uniform(low.x, high.x), random.uniform(low.y, high.y), random.uniform(low.z, high.z)};
 }
 
-/// Of degree 1 or 2 along each axis, all products included; exact in float at multiples of 1/4.
+/// Polynomial of degree 1 or 2 along each axis, with all products. Its values at multiples of 1/4 are exact
+/// in float.
 Scalar polynomial(int degree, vec3 p) {
     const bool square = degree == 2;
     const auto f = [&](double x, double a, double b) { return 1 + a * x + (square ? b * x * x : 0); };
@@ -90,7 +92,7 @@ struct Errors {
     double value{}, gradient{};
 };
 
-/// Root mean squares over the unit box.
+/// Root mean square errors over the unit box.
 Errors errors_of(int n, Kernel kernel) {
     const Stored s = stored({n + 1, n + 1, n + 1}, {}, 1.0 / n, kernel, [](vec3 p) { return wave(p).value; });
     Random random = random_stream(2, 2);
@@ -131,7 +133,7 @@ TEST(FieldAccuracy, TheGradientIsTheValues) {
                 vec3 step(0);
                 step[axis] = 1e-6;
                 const double cell = (place[axis] - 1e-6) / 0.5, next = (place[axis] + 1e-6) / 0.5;
-                if (std::floor(cell) != std::floor(next)) continue;  // linear has a kink there
+                if (std::floor(cell) != std::floor(next)) continue;  // the linear kernel has a kink there
                 const double rise = (s.grid(place + step).value - s.grid(place - step).value) / 2e-6;
                 EXPECT_NEAR(here.gradient[axis], rise, 1e-8);
             }
@@ -197,9 +199,9 @@ TEST(Field, OneSampleIsAConstantAndTwoALine) {
     }
 }
 
-// ---- vectors ---------------------------------------------------------------------------------------------------------
+// ---- vectors ----------------------------------------------------------------------------------------------
 
-/// Solid rotation and a stretch, whose curl is (2, -4, 6) and divergence 0.75.
+/// Rigid rotation plus a stretch. Its curl is (2, -4, 6) and its divergence 0.75.
 struct Whirl {
     Vector operator()(vec3 p) const {
         const vec3 spin(1, -2, 3), stretch(0.5, -0.25, 0.5);
@@ -232,7 +234,7 @@ TEST(FieldVector, FormulasAndSamplesAreReadAlike) {
     EXPECT_NEAR(height({0.7, 0.9, 1.1}).gradient.x, 3, 1e-12);
 }
 
-/// u = sin pi x cos pi y, v = -cos pi x sin pi y: through no wall of the unit box.
+/// u = sin pi x cos pi y, v = -cos pi x sin pi y. The flow crosses no wall of the unit box.
 Vector box_vortex(vec3 p) {
     const double sx = std::sin(pi * p.x), cx = std::cos(pi * p.x), sy = std::sin(pi * p.y),
                  cy = std::cos(pi * p.y);
@@ -240,7 +242,7 @@ Vector box_vortex(vec3 p) {
             {vec3{pi * cx * cy, -pi * sx * sy, 0}, {pi * sx * sy, -pi * cx * cy, 0}, {0, 0, 0}}};
 }
 
-/// Largest errors of the velocity and of its curl anywhere in the box, walls included.
+/// Largest errors of the velocity and of its curl in the box, walls included.
 Errors fluid_errors(int n) {
     using namespace fluid;
     const Lattice l = make_lattice({n, n, 4}, 1.0 / n, {Edge::free_slip, Edge::free_slip, Edge::free_slip});

@@ -1,5 +1,5 @@
-// The deterministic elementary functions against the C library's 80-bit ones, which err by less than 1/1000 of our ulp.
-// The bounds asserted here are the ones that core/maths.h promises.
+// Compares the deterministic elementary functions with the 80-bit functions of the C library, whose error
+// is below 1/1000 of a double's ulp. The asserted bounds are those that core/maths.h states.
 #include "core/maths.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ constexpr double smallest_normal = std::numeric_limits<double>::min();
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr int samples = 200'000;
 
-/// Distance from a double to the next one at the size of x.
+/// Distance from a double of the size of x to the next double.
 long double ulp_at(long double x) {
     const int exponent = x == 0 ? -1074 : std::max(std::ilogb(x) - 52, -1074);
     return std::ldexp(1.0L, exponent);
@@ -31,7 +31,7 @@ long double ulp_at(long double x) {
 
 long double ulps(double value, long double exact) { return std::abs(value - exact) / ulp_at(exact); }
 
-/// The largest error over many arguments, and where it is.
+/// Largest error over many arguments, and the argument that gives it.
 struct Worst {
     long double error = 0;
     double at = 0;
@@ -57,7 +57,7 @@ std::vector<double> uniform_arguments(double low, double high, std::uint64_t see
     return result;
 }
 
-/// Every exponent from 2^low to 2^high, both signs.
+/// Random arguments of both signs with every exponent from 2^low to 2^high.
 std::vector<double> spread_arguments(int low, int high, std::uint64_t seed) {
     Random random{seed};
     std::vector<double> result(samples);
@@ -68,7 +68,7 @@ std::vector<double> spread_arguments(int low, int high, std::uint64_t seed) {
     return result;
 }
 
-/// The doubles around k pi/2, where a poor reduction loses everything.
+/// Doubles around k pi/2, where an inexact reduction of the argument loses all digits.
 std::vector<double> arguments_near_quarter_turns() {
     std::vector<double> result;
     for (int k = -63'000; k <= 63'000; ++k) {
@@ -79,7 +79,7 @@ std::vector<double> arguments_near_quarter_turns() {
     return result;
 }
 
-/// Positive numbers around the powers of two, subnormals, and the ends of the range.
+/// Positive numbers around the powers of two, subnormal numbers, and the ends of the range.
 std::vector<double> special_positive() {
     std::vector<double> result{smallest, 2 * smallest, 3 * smallest, smallest_normal, largest};
     for (int e = -1074; e < 1024; ++e) {
@@ -123,11 +123,11 @@ TEST_P(TurnAccuracy, EveryExponent) { expect_within_bound(spread_arguments(-1074
 TEST_P(TurnAccuracy, NearQuarterTurns) { expect_within_bound(arguments_near_quarter_turns()); }
 
 TEST_P(TurnAccuracy, HugeArgumentsNextToQuarterTurns) {
-    // The last one is the double that comes nearest to a multiple of pi/2 (W. Kahan).
+    // The last argument is the double nearest to a multiple of pi/2 (W. Kahan).
     expect_within_bound({1.0000001e9, -1e10, 1e22, largest, -largest, 6381956970095103.0 * 0x1p797});
 }
 
-TEST_P(TurnAccuracy, NoNumberForWhatIsNotFinite) {
+TEST_P(TurnAccuracy, ReturnsNaNForArgumentsThatAreNotFinite) {
     for (const double x : {infinity, -infinity, nan}) EXPECT_TRUE(std::isnan(GetParam().real(x))) << x;
 }
 
@@ -206,7 +206,7 @@ TEST(MathsAccuracy, Pow) {
     Worst worst;
     for (int i = 0; i < 5 * samples; ++i) {
         const double x = std::ldexp(random.uniform(1, 2), static_cast<int>(random.below(2040)) - 1020);
-        // Half of the exponents lead to the ends of the range.
+        // Half of the exponents give results near the ends of the range.
         const double y = i % 2 == 0 ? random.uniform(-10, 10) : random.uniform(-1000, 1000) / std::log2(x);
         const auto exact = std::pow(static_cast<long double>(x), static_cast<long double>(y));
         if (exact > largest || exact < smallest_normal) continue;

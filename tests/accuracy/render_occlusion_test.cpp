@@ -1,4 +1,4 @@
-// Form factors against closed forms and against counted rays.
+// Compares form factors with closed forms and with counts of random rays.
 #include "render/occlusion.h"
 
 #include <gtest/gtest.h>
@@ -12,10 +12,10 @@ constexpr vec3 up{0, 1, 0};
 constexpr double endless = 1e7, close_by = 1e-4;
 
 TEST(FormFactor, ARightAngleTakesExactlyHalf) {
-    // The floor right beside an endless wall.
+    // A point of the floor beside an endless wall.
     const Block wall{{-endless, -1, -endless}, {0, endless, endless}};
     EXPECT_NEAR(form_factor(wall, {close_by, 0, 0}, up), 0.5, 1e-9);
-    // And the wall right above an endless floor.
+    // A point of the wall above an endless floor.
     const Block floor{{-endless, -1, -endless}, {endless, 0, endless}};
     EXPECT_NEAR(form_factor(floor, {0, close_by, 0}, {1, 0, 0}), 0.5, 1e-9);
 }
@@ -28,17 +28,18 @@ TEST(FormFactor, InTheCornerOfTwoWallsTheProductIsTheQuarterThatIsLeft) {
 }
 
 TEST(FormFactor, ARoofOverTheCornerOfARectangle) {
-    // Howell's catalogue of configuration factors, B-3: a small surface parallel to a rectangle, below its corner.
+    // Howell's catalogue of configuration factors, B-3: a small surface parallel to a rectangle, below its
+    // corner.
     for (const vec3 size : {vec3(1, 0.2, 1), vec3(3, 0.2, 0.5), vec3(0.1, 0.2, 8)}) {
-        const double a = size.x / 2, b = size.z / 2;  // over the distance of 2 m
+        const double a = size.x / 2, b = size.z / 2;  // divided by the distance of 2 m
         const double ra = std::sqrt(1 + a * a), rb = std::sqrt(1 + b * b);
         const double exact = (a / ra * std::atan(b / ra) + b / rb * std::atan(a / rb)) / (2 * pi);
-        // Its sides are seen from nowhere below: all of it is the lower face.
+        // From below only the lower face is visible.
         EXPECT_NEAR(form_factor({{0, 2, 0}, vec3(0, 2, 0) + size}, {0, 0, 0}, up), exact, 1e-12);
     }
 }
 
-TEST(FormFactor, IsWhatRaysCount) {
+TEST(FormFactor, EqualsTheShareOfRays) {
     const Block block{{0.5, -0.3, -1}, {1.5, 1.2, 0.7}};
     const vec3 point(0, 0.1, 0.2), normal = glm::normalize(vec3(0.3, 0.9, -0.2));
     const vec3 x = glm::normalize(glm::cross(normal, vec3(0, 0, 1))), z = glm::cross(x, normal);
@@ -47,7 +48,7 @@ TEST(FormFactor, IsWhatRaysCount) {
         int met = 0;
         for (int i = 0; i < n; ++i) {
             for (int j = 0; j < n; ++j) {
-                // Evenly over the disc below the hemisphere, as the cosine law asks.
+                // Uniform points in the unit disc, lifted to the hemisphere, follow the cosine law.
                 const double r = std::sqrt((i + 0.5) / n), angle = 2 * pi * (j + 0.5) / n;
                 const vec3 way =
                     r * std::cos(angle) * x + r * std::sin(angle) * z + std::sqrt(1 - r * r) * normal;
@@ -64,8 +65,8 @@ TEST(FormFactor, IsWhatRaysCount) {
 TEST(FormFactor, NothingBelowTheHorizonOrAroundThePointCounts) {
     const Block block{{-1, -3, -1}, {1, -1, 1}};
     EXPECT_EQ(form_factor(block, {0, 0, 0}, up), 0);
-    EXPECT_EQ(form_factor(block, {0, -1, 0}, up), 0) << "its own top";
-    EXPECT_EQ(form_factor(block, {0, -2, 0}, up), 0) << "within";
+    EXPECT_EQ(form_factor(block, {0, -1, 0}, up), 0) << "a block does not shade its own top";
+    EXPECT_EQ(form_factor(block, {0, -2, 0}, up), 0) << "inside the block";
     const double whole = form_factor({{-1, 1, -1}, {1, 2, 1}}, {0, 0, 0}, up);
     EXPECT_NEAR(form_factor({{-1, 1, -1}, {0, 2, 1}}, {0, 0, 0}, up), whole / 2, 1e-3);
     EXPECT_NEAR(form_factor({{-1, 1, -1}, {1, 1, 1}}, {0, 0, 0}, up), whole, 1e-12)
@@ -81,7 +82,7 @@ TEST(Meets, ForwardsOnlyAndAlongTheEdgesToo) {
     EXPECT_TRUE(meets(block, {0, 0, 0}, {5, 1, 1}));
     EXPECT_FALSE(meets(block, {0, 0, 0}, {-1, 0, 0}));
     EXPECT_FALSE(meets(block, {0, 2, 0}, {1, 0, 0}));
-    EXPECT_TRUE(meets(block, {1.5, 0, 0}, {0, 1, 0})) << "from within";
+    EXPECT_TRUE(meets(block, {1.5, 0, 0}, {0, 1, 0})) << "from inside the block";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The distance of pictures on pairs whose answer is known.
+// Tests the perceptual distance of pictures on pairs with a known distance.
 #include "render/perceptual.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ Image plain(int width, int height, std::uint8_t r, std::uint8_t g, std::uint8_t 
     return image;
 }
 
-/// L* of a grey by the CIE's formula; a* and b* of greys are 0.
+/// L* of a grey level by the CIE formula. Greys have a* = b* = 0.
 double lightness(int grey) {
     const double s = grey / 255.0;
     const double y = s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4);
@@ -32,14 +32,14 @@ TEST(Perceptual, OneStepOfGreyIsItsStepOfLightness) {
     for (const int grey : {1, 9, 60, 127, 254}) {
         const auto g = static_cast<std::uint8_t>(grey), next = static_cast<std::uint8_t>(grey + 1);
         const auto d = distance(plain(20, 20, g, g, g), plain(20, 20, next, next, next));
-        // The rounded matrix leaves greys a trace of colour, less than 0.02.
+        // The rounded conversion matrix gives greys a chroma of less than 0.02.
         EXPECT_NEAR(d.mean, lightness(grey + 1) - lightness(grey), 1e-3) << grey;
         EXPECT_NEAR(d.worst, d.mean, 1e-6);
     }
 }
 
 TEST(Perceptual, KnownColours) {
-    // sRGB's primaries in CIELAB, D65, as published (Lindbloom).
+    // CIELAB values of the sRGB primaries under D65, as published by Lindbloom.
     const auto expect = [](const Lab& lab, double l, double a, double b) {
         EXPECT_NEAR(lab.l, l, 0.05);
         EXPECT_NEAR(lab.a, a, 0.1);
@@ -52,7 +52,7 @@ TEST(Perceptual, KnownColours) {
     EXPECT_NEAR(d.mean, 100, 0.02);
 }
 
-TEST(Perceptual, WhatIsSmallShowsInItsTile) {
+TEST(Perceptual, ASmallChangeShowsInItsTile) {
     const auto a = plain(160, 160, 80, 80, 80);
     auto b = a;
     for (int y = 48; y < 64; ++y) {

@@ -1,10 +1,19 @@
-// A program that holds a force of 1 N with an arm for 300 ticks, and says in one line how that went: "played", "lost: ..." or
-// "refused: ...". It waits half a second for calls of the library.
+// Holds a force of 1 N with an arm for 300 ticks. Prints one line with the result: "played", "lost: ..." or
+// "refused: ...". Each call of the arm's library may take up to half a second.
+//
 //     arm_probe LIBRARY [END]
-// END: how it ends instead, after 100 ticks: fault, abort, assertion, exception, exit, overrun (of the stack), divide, pipe
-// (nobody reads), raise=SIGNAL; the same after "tick_": in the arm's own thread, after "beside_": at once in two threads beside
-// the main one. wait: until it is killed; ending: the same, once it has told the arm to be silent. impatient: somebody has
-// asked for the end before the arm is opened.
+//
+// END says how the program ends instead, after 100 ticks:
+//
+//     fault, abort, assertion, exception, exit, divide
+//     overrun        the stack overflows
+//     pipe           a write to a pipe without a reader
+//     raise=SIGNAL   that signal
+//     tick_...       one of these in the arm's own thread
+//     beside_...     one of these at the same time in two threads beside the main thread
+//     wait           the program runs until it is killed
+//     ending         the same, after it has told the arm to give no force
+//     impatient      the program is asked to end before it opens the arm
 #include <dlfcn.h>
 #include <unistd.h>
 
@@ -29,7 +38,7 @@ using namespace thaum::input;
 
 namespace {
 
-int overrun(volatile int* before) {  // NOLINT(misc-no-recursion): that is the fault
+int overrun(volatile int* before) {  // the endless recursion is the fault to test
     volatile int here[1024] = {before == nullptr ? 0 : before[0]};
     return here[0] == 1 ? 0 : overrun(here) + here[1];
 }
@@ -84,7 +93,7 @@ struct Hand {
     }
 };
 
-/// Until enough was played or the arm is gone.
+/// Waits until `enough` ticks were played or the arm is gone. Returns the arm's last status.
 ArmStatus play(const OpenHaptics& arm, const Hand& hand, std::uint64_t enough) {
     for (;;) {
         auto status = arm.status();
@@ -93,7 +102,8 @@ ArmStatus play(const OpenHaptics& arm, const Hand& hand, std::uint64_t enough) {
     }
 }
 
-/// A library that goes on calling: until it has done so for long enough to see what comes of it.
+/// If the script makes the library call tasks after its end (callback=after_end), waits until it has done
+/// so 100 times.
 void outlive_calls_after_end(const char* library) {
     const char* script = std::getenv("FAKE_HD");
     if (script == nullptr || std::string(script).find("after_end") == std::string::npos) return;

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tests/drivers/commands.sh THAUM: what people type wrong, and files that are none. Each gives one line that says what is
-# wrong, and the right exit code; nothing hangs, nothing is left half-written.
+# tests/drivers/commands.sh THAUM: wrong command lines and invalid files. Each must give one line with the
+# fault and the right exit code. No command may hang or leave a half-written file.
 set -uo pipefail
 thaum=$(readlink -f "$1")
 folder=$(mktemp -d)
@@ -9,7 +9,7 @@ unset DISPLAY WAYLAND_DISPLAY
 export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 failures=0
 
-# expect CODE 'WORDS IN THE LINE' ARGUMENT...
+# expect CODE 'WORDS IN THE LINE' ARGUMENT...: checks exit code and output of one command.
 expect() {
     local code=$1 words=$2 output status
     shift 2
@@ -52,7 +52,8 @@ expect 2 "not an ordinary file" replay "$folder" --verify
 expect 2 "replay needs one log" replay
 expect 2 "diff needs two dumps" diff
 expect 2 "no area" bench nothing
-# The benchmarks are a program of their own: players' program replaces no malloc, and says so if theirs is not there.
+# The benchmarks are a program of their own, so that the players' program does not replace malloc. It must
+# report a missing benchmark program.
 if nm --defined-only "$thaum" 2>/dev/null | grep -qE ' [TW] (malloc|calloc|realloc)$'; then
     echo "failed: players' program replaces malloc"
     failures=$((failures + 1))
@@ -83,7 +84,7 @@ expect 2 "empty file" replay "$folder/empty" --verify
 truncate -s 10G "$folder/huge"
 expect 2 "huge" replay "$folder/huge" --verify
 
-# A good log, and what can happen to it.
+# A valid log, then damaged copies of it.
 "$thaum" --headless --seconds 5 --out "$folder/out" >"$folder/said" || { echo "failed: no duel"; exit 1; }
 [[ $(grep -c '^player [12]' "$folder/said") == 2 && -s $folder/out/duel.png ]] || { echo "failed: the duel's files"; exit 1; }
 log=$folder/out/duel.thaumlog
@@ -115,7 +116,7 @@ cp "$log" "$folder/flipped"
 printf '\x41' | dd of="$folder/flipped" bs=1 seek=4000 conv=notrunc 2>/dev/null
 expect 1 "damaged" replay "$folder/flipped" --verify
 
-# Changed data and a spoilt state are found and named.
+# Changed data files and differing states must be named.
 cp -r "$(dirname "$0")/../../assets" "$folder/assets"
 echo '# a comment changes no match' >>"$folder/assets/wands/bolt.toml"
 THAUM_ASSETS=$folder/assets "$thaum" replay "$log" --verify >/dev/null ||
@@ -132,7 +133,7 @@ said=$("$thaum" diff "$folder/a.dump" "$folder/b.dump")
 "$thaum" diff "$log" --exe "$thaum" | grep -q 'no difference in 5000 ticks' || { echo "failed: diff --exe"; failures=$((failures + 1)); }
 "$thaum" diff "$log" --threads 1,2 | grep -q 'no difference' || { echo "failed: diff --threads"; failures=$((failures + 1)); }
 
-# The lab: what cannot be, and a state that is spoilt.
+# The lab: impossible arguments, and damaged states.
 expect 2 "volumes are not there yet" lab
 expect 2 "lab needs a display" lab --fluid
 brew=(lab --fluid --headless)
@@ -184,7 +185,7 @@ expect 2 "damaged" "${brew[@]}" --load "$folder/flipped_brew" --save "$folder/bo
 cmp -s "$folder/whole" "$folder/both" || { echo "failed: a refused state was saved over another"; failures=$((failures + 1)); }
 [[ -z $(find "$folder" -name '*.part*') ]] || { echo "failed: half-written files stay"; failures=$((failures + 1)); }
 
-# A league is the same whoever plays it.
+# A league has the same results with any number of processes.
 league=(league --levels 1,3 --matches 3 --set quick.seconds=12 --json -)
 [[ $("$thaum" "${league[@]}" --jobs 1) == "$("$thaum" "${league[@]}" --jobs 3)" ]] || { echo "failed: league --jobs"; failures=$((failures + 1)); }
 

@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
-# tests/drivers/duel_to_death.sh THAUM PAD_HARNESS [SCREENSHOTS]: the program as two people use it, under Xvfb: player 2
-# turns with the pad's stick and shoots player 1 dead; player 1 comes back on the pad opposite and shoots back with the
-# mouse. The log must say 1 : 1 and replay to the same bits. Like people, the players look before they act: the log that is
-# being written says where they are, so a busy machine makes the duel longer and not another one. Exits 77 where a tool is missing.
+# tests/drivers/duel_to_death.sh THAUM PAD_HARNESS [SCREENSHOTS]: two players in the program under Xvfb.
+# Player 2 turns with the pad's stick and kills player 1. Player 1 returns on the opposite pad and kills with
+# the mouse. The log must say 1 : 1 and replay to the same bits. The test reads positions from the log while
+# it is being written, so a busy machine makes the duel longer but does not change it. Exits with 77 if a tool
+# is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2
 need Xvfb xdotool import umockdev-wrapper
 open_screen 640x360
 shots=${3:-$folder}
-# A slow stick, so that a push of it is a small angle.
+# A slow turning speed, so that one push of the stick turns by a small angle.
 mkdir -p "$folder/config/thaum"
 sed 's/^turn_deg_per_s = .*/turn_deg_per_s = 22.5/' "$(dirname "$0")/../../assets/settings.toml" \
     >"$folder/config/thaum/settings.toml"
@@ -21,11 +22,12 @@ game=$!
 exec 4>"$folder/pad"
 pad() { echo "$@" >&4; }
 
-# look: the newest state that the log has, and the score; fails while there is no log.
+# look: writes the newest state in the log and the score to files; fails while there is no log.
 look() {
     "$thaum" replay "$folder/log" --state "$folder/state.csv" --every 32 >"$folder/result" 2>/dev/null
 }
-# of_state AWK: evaluates an expression over the newest row s[column name], and the row 256 ticks before it b[column name].
+# of_state AWK: evaluates an expression over the newest row s[column name] and the row b[column name] of 256
+# ticks before.
 of_state() {
     awk -F, -v degrees=57.29577951308232 "
         NR == 1 { for (i = 1; i <= NF; i++) name[i] = \$i; next }
@@ -38,7 +40,7 @@ is_written() { look && [ "$(ticks)" -gt "$1" ]; }
 scored() { look && grep -q "score $1" "$folder/result"; }
 alive() { look && of_state 'exit s["p1_dead"] != 0'; }
 stands_still() { is_written "$1" && of_state 'exit s["p2_yaw_rad"] != b["p2_yaw_rad"]'; }
-# How far player 2 must turn to look at player 1, degrees, to the left.
+# Angle by which player 2 must turn to face player 1 (degrees, positive to the left).
 error() {
     of_state 'turn = atan2(s["p2_x_m"] - s["p1_x_m"], s["p2_z_m"] - s["p1_z_m"]) * degrees - s["p2_yaw_rad"] * degrees
               while (turn > 180) turn -= 360
@@ -46,7 +48,8 @@ error() {
               print turn'
 }
 
-# Both start 30 m apart, turned 45 degrees away from each other, towards the cauldron. Blocks of 512 ticks reach the log's file.
+# At the start the players are 30 m apart and face the cauldron, 45 degrees away from each other. The log
+# grows in blocks of 512 ticks.
 eventually "no match" is_written 0
 for try in $(seq 40); do
     stopped=$(ticks)
@@ -55,7 +58,8 @@ for try in $(seq 40); do
     echo "player 2 looks $away degrees past player 1"
     awk -v a="$away" 'BEGIN { exit !(a < 0.4 && a > -0.4) }' && break
     [ "$try" -lt 40 ] || failed "player 2 cannot aim"
-    # Far: the whole stick, 22.5 degrees/s. Near: 0.207 of it, which are 1.5 degrees/s beyond the dead zone of 0.15.
+    # Large angle: the whole stick, 22.5 degrees/s. Small angle: 0.207 of it, which is 1.5 degrees/s beyond
+    # the dead zone of 0.15.
     read -r push seconds < <(awk -v a="$away" 'BEGIN {
         size = a < 0 ? -a : a; far = size > 8; push = far ? 32767 : 6773
         print (a < 0 ? push : -push), size / (far ? 22.5 : 1.5) }')
@@ -64,8 +68,8 @@ for try in $(seq 40); do
     pad rx 0
     look
 done
-# hits DOWN UP SCORE: a short burst, and whether that made the score, once the log must have it. A trigger held until the score was seen
-# would kill again where looking takes long.
+# hits DOWN UP SCORE: fires a short burst and tests whether the score is reached once the log must show it.
+# Fire held until the score is seen would kill again on a slow machine.
 hits() {
     eval "$1"
     sleep 0.4
@@ -83,7 +87,7 @@ eventually "player 1 does not hit" hits 'xdotool mousedown 1' 'xdotool mouseup 1
 import -window root "$shots/player_2_is_dead.png"
 exec 4>&-
 xdotool key Escape
-# Q leaves as soon as the pause's menu is open, and is nobody's key before.
+# Q leaves only while the pause menu is open, and has no effect before.
 leaves() { xdotool key q; ! kill -0 "$game" 2>/dev/null; }
 eventually "the program does not end" leaves
 wait "$game" || failed "the program's exit code"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# tests/drivers/fake_phantom_fails.sh THAUM FAKE_HD: a match with an arm whose libHD.so is ours, ended by signals, and one whose library hangs,
-# never calls, calls after its end or says what a terminal would obey. The arm is let go of without force, the log is whole, and
-# the program says in one line what is wrong. (tests/unit/arm_modes_test.cpp has all that can go wrong, without the match.)
+# tests/drivers/fake_phantom_fails.sh THAUM FAKE_HD: matches with an arm whose libHD.so is our fake: one ended
+# by signals, others whose library hangs, never calls, calls after its end, or returns control characters. The
+# arm must be released without force, the log must be complete, and the program must name the fault in one
+# line. (tests/unit/arm_modes_test.cpp tests all faults without a match.)
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 fake=$2
@@ -10,20 +11,21 @@ open_screen 640x360
 awk 'BEGIN { print 0, 0, 0, 0, 0; print 300, 0, 0, 0, 1
     for (ms = 320; ms <= 600000; ms += 20) print ms, 20 * sin((ms - 300) / 400), 5 * sin((ms - 300) / 150), 0, 1 }' >"$folder/way"
 
-# begin NAME FAKE_HD ARGUMENT...: the program in the background, as $game.
+# begin NAME FAKE_HD ARGUMENT...: starts the program in the background; its process is $game.
 begin() {
     name=$1
     THAUM_LIBHD=$fake FAKE_HD="path=$folder/way,live=$folder/$name.live,$2" "$thaum" --solo 1 --hands arm --seed 1 \
         --record "$folder/$name.thaumlog" "${@:3}" >"$folder/$name.said" 2>&1 &
     game=$!
 }
-# Fields of FakeHdLive: the force's three numbers, the greatest, ticks, and whether a program has the arm.
+# live FIELD TYPE: a field of FakeHdLive: 0 to 2 the force, 3 the largest force, 4 ticks, 5 whether a program
+# holds the arm.
 live() { od -An -v -t"$2" -j$((8 * $1)) -N8 "$folder/$name.live" 2>/dev/null | tr -d ' '; }
 was_felt() { awk -v f="$(live 3 f8)" 'BEGIN { exit !(f > 0.3) }'; }
 without_force() { [ ! -e "$folder/$name.live" ] || [ "$(live 0 f8) $(live 1 f8) $(live 2 f8)" = "0 0 0" ] || failed "$name: a force stays: $(live 2 f8) N"; }
 let_go() { [ "$(live 5 u8)" = 0 ] || failed "$name: the arm is not let go of"; }
 says() { grep -q "$1" "$folder/$name.said"; }
-# ends CODE: waits for the program.
+# ends CODE: waits for the program and checks its exit code.
 ends() {
     local code=0
     wait $game || code=$?

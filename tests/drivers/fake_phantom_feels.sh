@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# tests/drivers/fake_phantom_feels.sh THAUM FAKE_HD FORGE_LOG: `thaum replay LOG --feel` with a libHD.so that is ours: what the arm exerts, tick by
-# tick, is what --forces writes; it is ended cleanly by Ctrl-C and by a fault; and what cannot be is said in one line. No display.
+# tests/drivers/fake_phantom_feels.sh THAUM FAKE_HD FORGE_LOG: `thaum replay LOG --feel` with our fake
+# libHD.so. In every tick the arm must exert the force that --forces writes. Ctrl-C and a fault of the arm
+# must end it without a remaining force, and impossible requests must be refused in one line. No display.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 fake=$2 forge=$3
@@ -13,14 +14,16 @@ export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 log=$folder/duel.thaumlog
 "$thaum" replay "$log" --forces "$folder/forces.csv" >/dev/null
 
-# feel NAME FAKE_HD WORDS...: the log felt; what the arm did in $folder/NAME.exerted, and what was said in $folder/NAME.said.
+# feel NAME FAKE_HD WORDS...: feels the log. $folder/NAME.exerted gets the forces of the arm,
+# $folder/NAME.said the output.
 feel() {
     local name=$1 told=$2
     shift 2
     THAUM_LIBHD=$fake FAKE_HD="$told,record=$folder/$name.exerted" "$thaum" replay "$log" --feel "$@" >"$folder/$name.said" 2>&1
 }
 
-# compare PLAYER: every force of the table, in its order, is one that the arm exerted. A tick without a force repeats the last one.
+# compare PLAYER: checks that the arm exerted the forces of the table in the same order. A tick without a new
+# force repeats the last one.
 compare() {
     awk -F, -v name="p$1_fx_n" '
         NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) column = i; next }
@@ -47,8 +50,8 @@ compare() {
             }' - "$folder/$1.exerted"
 }
 
-# Every one of these takes as long as the log, and nearly all of that is waiting for the next tick: so all at once, each with an
-# arm of its own.
+# Each run takes as long as the log, and spends most of that time waiting for ticks. So all run at once, each
+# with an arm of its own.
 mkdir -p "$folder/softly/thaum"
 echo 'version = 1
 force_1 = "soft"' >"$folder/softly/thaum/settings.toml"
@@ -65,13 +68,13 @@ for player in 1 2; do
     compare $player || failed "other forces"
 done
 
-# Whose cap is lower gets less, never more; who wants none feels none.
+# A lower cap must give weaker forces, never stronger ones. A player who wants no force must feel none.
 wait ${pids[soft]} || failed "does not play softly"
 awk '{ size = sqrt($1 ^ 2 + $2 ^ 2 + $3 ^ 2); if (size > most) most = size } END { print "softly at most", most, "N"; exit !(most > 0 && most <= 0.825 + 1e-9) }' \
     "$folder/soft.exerted" || failed "the cap does not hold"
 grep -q 'capped' "$folder/soft.said" || failed "does not say what was held back"
 
-# ends NAME CODE WORDS: what was said, and that the arm was left without force.
+# ends NAME CODE WORDS: checks the exit code, the output, and that the arm was released without force.
 ends() {
     local name=$1 code=0
     wait ${pids[$name]} || code=$?
@@ -84,7 +87,7 @@ ends() {
 THAUM_LIBHD=$fake FAKE_HD="record=$folder/stop.exerted,live=$folder/stop.live" XDG_CONFIG_HOME=$folder/softly \
     "$thaum" replay "$log" --feel touch --at 2 >"$folder/stop.said" 2>&1 &
 pids[stop]=$!
-# The greatest force so far (FakeHdLive).
+# Largest force so far (FakeHdLive).
 was_felt() { od -An -tf8 -j24 -N8 "$folder/stop.live" 2>/dev/null | awk '{ exit !($1 > 0.8) }'; }
 eventually "nothing is felt" was_felt
 kill -INT ${pids[stop]}
@@ -109,7 +112,7 @@ refuses "--player needs --feel" --player 2
 refuses "does not go with" --feel phantom --verify
 refuses "from 1 to 2" --feel phantom --player 3
 refuses "the log has" --feel phantom --at 60
-# A replay that is not the recorded match is told as that.
+# A replay that differs from the recorded match must be reported as such.
 "$forge" early_input "$log" "$folder/forged.thaumlog"
 said=$(THAUM_LIBHD=$fake "$thaum" replay "$folder/forged.thaumlog" --feel phantom --at 1 2>&1) && code=0 || code=$?
 [[ $code == 1 && $said == *"tick 256: state differs"* ]] || failed "a forged log is felt: exit $code, said: $said"

@@ -1,20 +1,21 @@
 #!/usr/bin/env bash
-# tests/drivers/fake_phantom_plays.sh THAUM FAKE_HD FAKE_HD_OLD: a match under Xvfb with a real-device arm whose libHD.so is ours. It is
-# recorded, plays again to the same forces, feels its own shots, outlives an arm that goes wrong, and says in one line why
-# there is none.
+# tests/drivers/fake_phantom_plays.sh THAUM FAKE_HD FAKE_HD_OLD: matches under Xvfb with an arm whose libHD.so
+# is our fake. The match must be recorded and replay with the same forces, the hand must feel its own shots,
+# the match must survive a fault of the arm, and without an arm one line must say why.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 fake=$2 old=$3
 need Xvfb
 open_screen 640x360
 
-# The hand: still, then to and fro with the button held, so that each shot kicks.
+# Path of the hand: still at first, then to and fro with the button held, so that each shot kicks.
 awk 'BEGIN {
     print 0, 0, 0, 0, 0; print 300, 0, 0, 0, 1
     for (ms = 320; ms <= 60000; ms += 20) print ms, 20 * sin((ms - 300) / 400), 5 * sin((ms - 300) / 150), 0, 1 }' >"$folder/way"
 
-# play NAME SECONDS FAKE_HD: so much match time of an arm against a bot, its log, and what it said. The arm's clock runs on while a busy
-# machine makes the match slower, so what happens to the arm is counted from the first force that it felt. Nobody dies of the bot's shots.
+# play NAME SECONDS FAKE_HD: plays a match of an arm against a bot, with a log and the program's output. The
+# arm's clock keeps running when a busy machine slows the match, so faults of the arm are timed from the first
+# force it felt. The bot's shots are too weak to kill.
 play() {
     THAUM_LIBHD=$fake FAKE_HD=$3 "$thaum" --solo 1 --hands arm --seed 1 --seconds "$2" --set haptics.share=1 --set bolt.shot.damage=1 \
         --record "$folder/$1.thaumlog" 2>"$folder/$1.txt" || { cat "$folder/$1.txt"; failed "$1 does not play"; }
@@ -25,7 +26,7 @@ play() {
     grep -q 'state hashes agree' "$folder/$1.verified" || failed "$1: the replay differs"
 }
 
-# The shots are felt: towards the user, each of 1.2 N (game.md), and the hand went to both sides of where it began.
+# The shots must be felt: kicks of 1.2 N towards the user (game.md). The hand must have moved to both sides.
 play good 4 "path=$folder/way"
 awk -F, 'NR > 1 { if ($8 > most) most = $8; if ($8 > 1 && before <= 1) shots++; before = $8
                   if ($3 > right) right = $3; if ($3 < left) left = $3 }
@@ -33,7 +34,7 @@ awk -F, 'NR > 1 { if ($8 > most) most = $8; if ($8 > 1 && before <= 1) shots++; 
           exit !(most > 1.1 && most < 1.3 && shots >= 3 && right > 0.01 && left < -0.01) }' \
     "$folder/good.csv" || failed "the forces are not those of shots"
 
-# An arm that goes wrong: the match goes on, and its forces end.
+# After a fault of the arm the match goes on without its forces.
 play vanished 4 "path=$folder/way,felt,vanish=500,back=1000000"
 grep -q 'plug it in' "$folder/vanished.txt" || failed "nobody says that the arm is lost"
 awk -F, 'NR > 1 { if ($8 > 1) felt++ } END { print "felt in", felt + 0, "ticks; at the end:", $6, $7, $8, $9
@@ -42,7 +43,7 @@ play stopped 4 "path=$folder/way,felt,stop=500,back=1000000"
 play late 3 "path=$folder/way,late=50,burst"
 play numberless 3 "path=$folder/way,nan=1000"
 
-# An arm that comes back, on a hand that is still at first: shots, none, and shots again.
+# An arm that comes back while the hand is still at first: shots are felt, then none, then shots again.
 awk 'BEGIN {
     print 0, 0, 0, 0, 0; print 1000, 0, 0, 0, 1
     for (ms = 1020; ms <= 60000; ms += 20) print ms, 20 * sin((ms - 1000) / 400), 5 * sin((ms - 1000) / 150), 0, 1 }' >"$folder/calm"
@@ -58,22 +59,24 @@ awk -F, 'NR > 1 { force = $6 ^ 2 + $7 ^ 2 + $8 ^ 2
 play stopped_and_back 6 "path=$folder/calm,felt,stop=1000,back=0"
 grep -q 'the arm is back' "$folder/stopped_and_back.txt" || failed "nobody says that it is back"
 
-# The range and the start screen know it.
+# The range and the start screen must work with an arm.
 THAUM_LIBHD=$fake FAKE_HD="path=$folder/way" "$thaum" range --hands arm --seconds 3 >"$folder/range.txt" 2>&1 || failed "no range by arm"
 cat "$folder/range.txt"
 grep -Eq 'range: [0-9]+ of [1-9]' "$folder/range.txt" || failed "its button does not shoot on the range"
 grep -q '; 0 forces differ' "$folder/range.txt" || failed "the range computes other forces than the arm's thread"
-# The range's own start screen line is in the picture; here it must only live with an arm that nobody holds yet, or that goes.
+# The start screen shows the arm in its picture only. Here it must survive an unused arm, and one that
+# vanishes.
 THAUM_LIBHD=$fake FAKE_HD="path=$folder/way,vanish=1000" "$thaum" --hands arm >"$folder/start.txt" 2>&1 &
 start=$!
 eventually "the start screen does not see that it goes" grep -q 'plug it in' "$folder/start.txt"
 kill -TERM $start
 wait $start || failed "no start screen with an arm"
 
-# An arm whose clock is faster than the match's. That the match keeps pace with it is tested without a clock (arm_pace_test.cpp).
+# An arm whose clock is faster than the match's. arm_pace_test.cpp tests without a clock that the match keeps
+# pace with it.
 play faster 5 "path=$folder/way,rate=1008"
 
-# No arm: one line that says what to do, and no match.
+# Without a usable arm, one line must say what to do, and no match may start.
 refuses() { # LIBRARY FAKE_HD WORDS
     local said code=0
     said=$(THAUM_LIBHD=$1 FAKE_HD=$2 "$thaum" --solo 1 --hands arm --seconds 1 --record "$folder/none.thaumlog" 2>&1) || code=$?

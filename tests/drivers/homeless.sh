@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# tests/drivers/homeless.sh THAUM: a match is played where its log cannot be kept, and one line says so.
+# tests/drivers/homeless.sh THAUM: if the log cannot be stored, the match is still played, and one line says
+# why.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 need Xvfb

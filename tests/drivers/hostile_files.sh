@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/drivers/hostile_files.sh THAUM: whatever lies where a file is expected, each reader says so in one line, at once and
-# with exit code 2; a disk that fills up while a match is recorded costs the rest of the log and nothing else; and two
-# programs may record into one folder.
+# tests/drivers/hostile_files.sh THAUM: whatever stands in the place of a file, its reader must refuse it at
+# once in one line with exit code 2. A disk that fills up during a recording may cost the rest of the log and
+# nothing else. Two programs may record into one folder.
 set -uo pipefail
 thaum=$(readlink -f "$1")
 repository=$(readlink -f "$(dirname "$0")/../..")
@@ -11,10 +11,10 @@ unset DISPLAY WAYLAND_DISPLAY
 export XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 failures=0
 fail() { echo "failed: $1"; failures=$((failures + 1)); }
-# Sanitizers and debug builds are slower to start.
+# The time limit is longer for sanitizer and debug builds, which start slowly.
 patience=${THAUM_PATIENCE_S:-5}
 
-# What can lie in the place of a file: kind WHERE
+# put KIND PLACE: puts an object of that kind in the place of a file.
 put() {
     rm -rf "$2"
     case $1 in
@@ -31,7 +31,7 @@ put() {
     esac
 }
 
-# refused WHAT COMMAND...: one line on standard error, exit code 2, within the time, in little memory.
+# refused WHAT COMMAND...: expects one line on standard error and exit code 2, in limited time and memory.
 refused() {
     local what=$1 output status
     shift
@@ -41,8 +41,8 @@ refused() {
         fail "$what: thaum $* gave $status: ${output:0:300}"
 }
 
-# kept WHAT: settings that cannot be read are told of in one line and left alone, and the game goes on: here as far as the
-# display that is not there.
+# kept WHAT: expects one line about unreadable settings, which must stay unchanged. The program must go on,
+# here up to the missing display.
 kept() {
     local said status settings=$folder/config/thaum/settings.toml before
     before=$(stat -c '%F %s %Y' "$settings")
@@ -60,7 +60,7 @@ for kind in empty huge directory fifo device itself noise zeros long_line deep; 
     refused "$kind log" shots "$folder/log" --out "$folder/out"
     refused "$kind dump" diff "$folder/log" "$folder/log"
     put "$kind" "$folder/script.lua"
-    # A script that cannot be played is a scenario that has failed.
+    # A scenario that cannot be read has failed.
     said=$(cd "$folder" && timeout "$patience" "$thaum" scenario "$folder/script.lua" 2>&1 </dev/null)
     status=$?
     [[ ($status == 1 || $status == 2) && $(grep -c . <<<"$said") == 1 && ${#said} -lt 600 ]] ||
@@ -83,7 +83,7 @@ for kind in empty huge directory fifo device itself noise zeros long_line deep; 
     rm -rf "$folder/config"
 done
 
-# A disk that fills up: the file may not grow beyond 16 KiB.
+# A disk that fills up: the log may not grow beyond 16 KiB.
 (cd "$folder" && ulimit -f 16 && "$thaum" --headless --seconds 30 --record "$folder/full.thaumlog" --out "$folder/out" >"$folder/said" 2>"$folder/line")
 status=$?
 [[ $status == 1 ]] || fail "full disk: exit code $status"
@@ -103,7 +103,7 @@ refused "device as dump" replay "$log" --dump 5 /dev/null
 refused "folder as table" replay "$log" --state "$folder"
 [[ -c /dev/full && -c /dev/null ]] || fail "a device was replaced"
 
-# Two programs at once in one folder, and old logs that must go: each has a log of its own.
+# Several programs record at once under one name: exactly one may get it.
 mkdir -p "$XDG_DATA_HOME"
 for run in 1 2 3 4; do
     "$thaum" --headless --seconds 1 --record "$folder/shared.thaumlog" --out "$folder/out$run" >/dev/null 2>"$folder/line$run" &
@@ -112,7 +112,7 @@ wait
 [[ $(cat "$folder"/line[1-4] | grep -c 'never written over') == 3 ]] || fail "four programs, one name: $(cat "$folder"/line[1-4])"
 "$thaum" replay "$folder/shared.thaumlog" --verify >/dev/null || fail "the log of the one that got the name"
 
-# No further thread: fewer workers do the same work, and what cannot do without one says so in a line.
+# No further thread can be started: commands must use fewer workers, or say in one line that they need one.
 limited() {
     if [[ $(id -u) != 0 ]]; then
         (ulimit -u 1 && "$thaum" "$@")
@@ -135,7 +135,7 @@ if [[ ${THAUM_MEMORY_KB:-} != unlimited ]] && { [[ $(id -u) != 0 ]] || command -
     unset THAUM_ASSETS
 fi
 
-# Faults between two files name the line, too.
+# Faults between two files must name the line as well.
 lined() {
     local said
     said=$(THAUM_ASSETS=$folder/assets "$thaum" --headless --seconds 1 --out "$folder/out" 2>&1 >/dev/null)
@@ -155,7 +155,7 @@ for device in ../x nothing; do
 done
 again
 
-# The same bytes on every run.
+# Every run must give the same bytes.
 for run in 1 2; do
     "$thaum" replay "$log" --verify --events "$folder/e$run" --state "$folder/s$run" --every 7 >/dev/null || fail "tables"
 done

@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# tests/drivers/input_delay.sh SESSION THAUM: how long a movement takes to be in a picture, measured under Xvfb. The figure is
-# there and possible; a render thread that is held up shows in it; doctor tells it.
+# tests/drivers/input_delay.sh SESSION THAUM: the delay from a movement to its picture, measured under Xvfb.
+# The figure must be possible, a stalled render thread must raise it, and `thaum doctor` must report it.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 session=$1 thaum=$2
 need Xvfb
 open_screen 640x360
 
-# delay NAME [STALL...]: sets median and p99 in whole ms.
+# delay NAME [STALL...]: sets `median` and `p99` (whole ms).
 delay() {
     local name=$1 said
     shift
@@ -17,7 +17,7 @@ delay() {
     ((inputs > 20)) || { echo "failed: $name: only $inputs movements were timed"; exit 1; }
 }
 delay free
-# A picture is 6 ms old by design, and three seconds would be seen on any machine.
+# By design a picture is at least 6 ms old. Three seconds would be visible on any machine.
 ((median >= 6 && median < 3000)) || { echo "failed: the delay cannot be $median ms"; exit 1; }
 delay stalled render 300 250
 ((p99 >= 200)) || { echo "failed: a stall of 250 ms does not show"; exit 1; }

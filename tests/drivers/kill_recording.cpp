@@ -1,5 +1,6 @@
-// kill_recording RUNS [SEED]: kill -9 at a random moment of a match of two bots that is recorded in real time, RUNS times,
-// two at once. Every log must replay with every hash equal, to within 1 s of the kill. Exits 1 where one does not.
+// kill_recording RUNS [SEED]: records matches of two bots in real time and kills the recording process with
+// SIGKILL at a random moment, RUNS times, two at a time. Every log must replay with equal hashes up to 1 s
+// before the kill. The program exits with 1 if a log does not.
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -27,7 +28,8 @@ constexpr std::int64_t ns_per_tick = 1'000'000;
 struct Runner {
     pid_t process = 0;
     std::filesystem::path log{};
-    std::atomic<Tick>* done = nullptr;  ///< ticks that the match has had; outlives the process
+    /// Ticks that the match has played; in memory that survives the process.
+    std::atomic<Tick>* done = nullptr;
     std::int64_t kill_at_ns = 0;
 };
 
@@ -57,10 +59,11 @@ void start(Runner& runner, std::uint64_t seed, std::int64_t life_ns) {
     runner.kill_at_ns = monotonic_ns() + life_ns;
 }
 
-/// Empty: the log holds what it must and replays.
+/// Fault of a log after the kill; empty if it replays and holds enough ticks.
 std::string fault_of(const Runner& runner, Tick killed_at, Tick& kept) {
     auto playback = game::Playback::open(runner.log, game::find_assets());
-    if (!playback) return killed_at == 0 ? "" : playback.error().message;  // killed before there was a file
+    // The process was killed before it made the file.
+    if (!playback) return killed_at == 0 ? "" : playback.error().message;
     kept = playback->log().ticks();
     if (playback->log().ending() != input::LogEnding::cut_off) return "does not read as cut off";
     if (kept + may_be_lost < killed_at) return text("only ", kept, " ticks of ", killed_at);
@@ -70,7 +73,7 @@ std::string fault_of(const Runner& runner, Tick killed_at, Tick& kept) {
     return {};
 }
 
-/// Kills it when it is due and looks at what is left; true where all is well.
+/// Kills the process when its time has come and checks its log. Returns true if the log has no fault.
 bool end(Runner& runner, int run, Tick& most_lost) {
     sleep_until_ns(runner.kill_at_ns);
     ::kill(runner.process, SIGKILL);

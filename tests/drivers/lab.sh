@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/drivers/lab.sh THAUM: the lab as people use it, under Xvfb with mouse and keys by xdotool: the brew is stirred and poured
-# into, solver and grid change while it moves, it is saved and loaded. What happened is read from the trace and the saved state.
-# Exits 77 where a tool is missing.
+# tests/drivers/lab.sh THAUM: the lab under Xvfb with mouse and keys by xdotool. The brew is stirred and
+# poured into, solver and grid change while it moves, and it is saved and loaded. The results are read from
+# the trace and the saved state. Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1
@@ -13,7 +13,8 @@ drawn() { [ "$(import -window root -crop 300x200+200+100 -format %k info: 2>/dev
 "$thaum" lab --fluid --size 640x360 --cells 24 --trace "$folder/trace.csv" --save "$folder/brew" --seconds 600 >"$folder/said" 2>&1 &
 lab=$!
 eventually "no window" drawn
-# The figures on the screen change with every picture. A key is taken at the latest with the second new picture.
+# The figures on the screen change with every picture. A key takes effect at the latest in the second new
+# picture.
 picture() { import -window root -crop 640x360+0+0 rgba:- | md5sum; }
 is_new() { [ "$(picture)" != "$before" ]; }
 new_picture() { before=$(picture); eventually "no new picture" is_new; }
@@ -25,7 +26,7 @@ stir() {
     done
 }
 
-# Stir and pour, then let go; the other solver, a finer grid, back again.
+# Stirs and pours, then lets go. Changes to the other solver, to a finer grid, and back to the first solver.
 xdotool mousemove 320 180 mousedown 1 keydown space
 stir
 xdotool keyup space
@@ -38,7 +39,7 @@ key s
 key F5
 eventually "F5 did not save" test -s "$folder/brew"
 key BackSpace
-for _ in 1 2 3 4 5; do # pressed and let go within one picture
+for _ in 1 2 3 4 5; do  # pressed and released within one picture
     key --delay 0 space
 done
 key F9
@@ -52,7 +53,7 @@ grids=$(awk -F, -v c="$(column cells)" -v s="$(column substeps)" 'NR > 1 && $s >
 [ "$grids" -ge 2 ] || fail "the grid did not change"
 poured=$(awk -F, -v p="$(column substance_1_m3)" 'END { print ($p > 0.01) }' "$folder/trace.csv")
 [ "$poured" = 1 ] || fail "what was poured is not there after reset and load"
-# Between the reset and the load, where the time jumps.
+# Largest amount between the reset and the load, where the time jumps.
 tapped=$(awk -F, -v t="$(column time_s)" -v p="$(column substance_1_m3)" 'NR > 2 && ($t < last || $t > last + 0.02) { ++jumps; most = jumps > 1 ? most : 0 }
     { last = $t } jumps == 1 && $p > most { most = $p } END { print (most > 0.0099 && most < 0.0201) }' "$folder/trace.csv")
 [ "$tapped" = 1 ] || fail "five presses did not pour what five steps pour"

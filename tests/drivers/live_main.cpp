@@ -1,6 +1,9 @@
-// A live session with few words, for tests of drivers and of time:
+// A live session with a short command line, for tests of drivers and of timing:
+//
 //     live_session LOG SECONDS [SEAT SEAT [STALLED_THREAD EVERY_MS MS]]
-// SEAT: mouse, half, pad, arm (with the mouse), bot, or probe: a mouse that moves by itself. Prints how well time was kept.
+//
+// SEAT: mouse, half, pad, arm (with the mouse), bot, or probe (a mouse that moves by itself). The program
+// prints how well the session kept time.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>

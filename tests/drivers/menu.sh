@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# tests/drivers/menu.sh THAUM PAD_HARNESS LOG_PROBE: the start screen, pause and settings as people use them, under Xvfb with
-# keys and mouse by xdotool and a pad by umockdev. A keyboard and a pad join and start a duel with three presses; a key is
-# bound anew on the screen, acts, and does so after a restart; the pad is pulled out, its player goes on with the keypad and
-# then with the pad again; a broken settings file is kept. Exits 77 where a tool is missing.
+# tests/drivers/menu.sh THAUM PAD_HARNESS LOG_PROBE: start screen, pause and settings under Xvfb, with keys
+# and mouse by xdotool and a pad by umockdev. A keyboard and a pad join and start a duel with three presses. A
+# key is bound on the screen, works at once, and still works after a restart. The pad is unplugged, and its
+# player goes on with the keypad and then with the pad again. A broken settings file stays unchanged. Exits
+# with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1 harness=$2 probe=$3
@@ -13,25 +14,25 @@ matches=$XDG_DATA_HOME/thaum/matches
 fail() { failed "$1"; }
 at_failure() { import -window root "${SHOTS:-$folder}/failed.png"; }
 
-# bright X Y LOW HIGH: is the mean of this pixel's red, green and blue within LOW to HIGH percent?
+# bright X Y LOW HIGH: tests whether the brightness of a pixel is within LOW to HIGH percent.
 bright() {
     local level
     level=$(import -window root -crop "1x1+$1+$2" -colorspace Gray -format '%[fx:int(100*u)]' info: 2>/dev/null) || return 1
     [ "$level" -ge "$3" ] && [ "$level" -le "$4" ]
 }
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
-seat_taken() { bright "$1" 127 45 100; }       # the bar at the left of a seat is in its team's light colour
+seat_taken() { bright "$1" 127 45 100; }  # the bar at the left of a seat has its team's light colour
 pause_menu() { is_row 900 505; }
 is_row() { import -window root -crop "1x1+$1+$2" -depth 8 txt: 2>/dev/null | grep -q '#5[0-9A-F]3[0-9A-F][89][0-9A-F]'; }
 no_pause_menu() { ! pause_menu; }
 logs() { find "$matches" -name '*.thaumlog' 2>/dev/null | wc -l; }
 has_logs() { [ "$(logs)" -ge "$1" ]; }
-# presses KEY...: one after the other; X keeps their order.
+# presses KEY...: presses keys one after the other; X keeps their order.
 presses() { local key; for key in "$@"; do xdotool key --delay 30 "$key"; done; }
 pad() { echo "$@" >&4; }
 field() { sed -n "s/^device $1:.* $2 \\(.*\\)/\\1/p" <<<"$seen" | cut -d' ' -f1; }
 
-# 1. Keyboard and pad join; the second press of one of them starts.
+# 1. Keyboard and pad join. A second press of one of them starts the match.
 mkfifo "$folder/pad"
 umockdev-wrapper "$harness" "$thaum" 4>&- <"$folder/pad" >"$folder/said" 2>&1 &
 game=$!
@@ -46,7 +47,7 @@ pad a 0
 presses w
 eventually "no match after three presses" has_logs 1
 
-# 2. The pad is pulled out: pause; its player goes on with the keypad, then with the pad again.
+# 2. The pad is unplugged, which pauses the match. Its player goes on with the keypad, then with the pad.
 xdotool keydown w
 pad rt 255
 sleep 0.5
@@ -68,7 +69,7 @@ pad lx 32767
 sleep 0.5
 pad lx 0
 
-# 3. In the pause: another key for "move forward" (row 18), and the other split.
+# 3. In the pause menu: another key for "move forward" (row 18), and the other split.
 presses Escape
 eventually "no pause" pause_menu
 presses Down Return Return $(yes Down | head -18) Return i
@@ -76,7 +77,8 @@ eventually "the new key is not in the settings" grep -q '^move_forward = "key i"
 presses Escape Escape Down Return Right
 eventually "the split is not in the settings" grep -q '^split = "side_by_side" ' "$settings"
 grep -q '# F11 changes it while playing\|F11 changes it' "$settings" || fail "the comments are lost"
-# The cauldron's page is the last row but one: player 1's viscosity down by two steps, flow off.
+# The cauldron's page is the last row but one. Player 1's viscosity goes down by two steps, and the flow is
+# switched off.
 presses Up Up Return Down Left Left Down Return
 eventually "the fader is not in the settings" grep -q '^viscosity = 0.9 ' "$settings"
 eventually "the switch is not in the settings" grep -q '^off = "flow" ' "$settings"
@@ -86,7 +88,7 @@ presses Escape
 eventually "no second pause" pause_menu
 presses q
 eventually "no start screen after the match" seat_taken 213
-# Quit is the last row; both are joined, so Esc gives the seat up first.
+# Quit is the last row. Both players have joined, so the first Esc gives up the seat.
 presses Escape Escape Return
 exec 4>&-
 wait "$game" || fail "the program's exit code"
@@ -100,7 +102,7 @@ grep -q 'replay same' <<<"$seen" || fail "the log does not play again"
 
 [ "$(field 0 kept_off)" = 0,0,0,0,0,0,0 ] || fail "a fader that was moved in the pause acts in the same match"
 
-# 4. After a restart the new key acts, and the match has the faders.
+# 4. After a restart the new key works, and the match uses the faders.
 "$thaum" --solo 1 --seconds 12 --record "$folder/log" 2>"$folder/said" &
 game=$!
 eventually "no window" drawn
@@ -115,7 +117,8 @@ seen=$("$probe" "$folder/log")
 [ "$(field 0 forward)" = 0..127 ] || fail "the new key after a restart"
 [ "$(field 0 kept_off)" = 10,100,0,0,0,0,0 ] || fail "the faders after a restart"
 
-# 5. A settings file of another version: said in one line, kept, and one can play and change things.
+# 5. A settings file of another version is reported in one line and kept. The player can still play and change
+# settings.
 printf 'version = 9\nfuture = 1\n' >"$settings"
 cp "$settings" "$folder/kept"
 "$thaum" 2>"$folder/said" &

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/drivers/outputs.sh THAUM: no output destroys an input. Each command that writes is given its own input, other
-# names of it, another recording, and places that cannot be written. It must say so in one line, exit with 2 and leave
-# every file as it was.
+# tests/drivers/outputs.sh THAUM: no output may destroy an input. Each writing command gets as output its own
+# input, other names of that input, another recording, and places where nothing can be written. It must refuse
+# in one line with exit code 2 and leave all files unchanged.
 set -uo pipefail
 thaum=$(readlink -f "$1")
 repository=$(readlink -f "$(dirname "$0")/../..")
@@ -31,7 +31,7 @@ restore() {
     ln -s log soft
 }
 
-# unharmed WHAT: the inputs are those that were made, and nothing half-written lies about.
+# unharmed WHAT: checks that the inputs are unchanged and that there is no half-written file.
 unharmed() {
     local file
     for file in log other report brew path.csv script.lua; do
@@ -42,7 +42,7 @@ unharmed() {
     [[ -z $(find . -name '*.part') ]] || fail "$1: leaves $(find . -name '*.part')"
 }
 
-# refused WORDS COMMAND...: one line with these words, code 2, within 10 s.
+# refused WORDS COMMAND...: expects one line with these words and exit code 2 within 10 s.
 refused() {
     local words=$1 output status
     shift
@@ -53,7 +53,7 @@ refused() {
     unharmed "thaum $*"
 }
 
-# ---- commands that write a file: INPUT and the words, where @ is the output's name ------------------------------------------
+# ---- commands that write a file: the input and the words; @ stands for the output --------------------------
 
 league="league --levels 1,2 --matches 20 --seed 5 --json @"
 writers=(
@@ -104,7 +104,7 @@ refused "is read by this command" replay log --events assets/wands/new.toml
 refused "one file for" replay log --events same --state same
 refused "one file for" lab --fluid --headless --seconds 3 --save same --trace ./same
 
-# ---- commands that fill a folder: the file among its own whose name leads to a recording ------------------------------------
+# ---- commands that fill a folder: one of their files, which is a link to a recording, and the words --------
 
 fillers=(
     "duel.png shots log --out @"
@@ -131,7 +131,7 @@ for row in "${fillers[@]}"; do
     done
 done
 for place in /proc/x log/below; do refused "$place: cannot" scenario script.lua --out "$place"; done
-# The force trace that a scenario is compared with, the player's settings and the program are inputs too.
+# The force trace of a scenario, the player's settings and the program are inputs too.
 mkdir -p tests/scenarios tests/replays/forces config/thaum
 cp script.lua tests/scenarios/panic_key.lua
 cp "$repository/tests/replays/forces/panic_key.csv" tests/replays/forces/
@@ -150,14 +150,14 @@ spares tests/replays/forces/panic_key.csv \
 spares config/thaum/settings.toml "$thaum" doctor --json config/thaum/settings.toml
 spares program ./program replay log --events program
 rm -r tests config program outputs
-# A scenario that cannot leave its files has failed.
+# A scenario that cannot write its files has failed.
 mkdir outputs
 ln other outputs/script.json
 said=$("$thaum" scenario script.lua --out outputs --once 2>&1)
 [[ $? == 1 && $said == *"is a recording"* ]] || fail "a scenario's own file: $said"
 unharmed "a scenario's own file"
 
-# ---- a folder without rights; as root only another user meets one -----------------------------------------------------------
+# ---- a folder without write permission; root needs another user for this test ------------------------------
 
 if [[ $(id -u) == 0 ]] && command -v setpriv >/dev/null; then
     restore
@@ -173,7 +173,7 @@ if [[ $(id -u) == 0 ]] && command -v setpriv >/dev/null; then
     unharmed "a locked folder"
 fi
 
-# ---- what may be replaced, and standard output ------------------------------------------------------------------------------
+# ---- files that may be replaced, and standard output -------------------------------------------------------
 
 restore
 echo old >table

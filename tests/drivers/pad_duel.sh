@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# tests/drivers/pad_duel.sh SESSION PAD_HARNESS LOG_PROBE: a window under Xvfb, mouse and keys by xdotool, a pad by
-# umockdev that is pulled out and put back. Checks by the log that both players' input arrived, and by a screenshot that
-# both halves show something. Each step waits until the log that is being written has the one before. Exits 77 where a tool is missing.
+# tests/drivers/pad_duel.sh SESSION PAD_HARNESS LOG_PROBE: a session under Xvfb with mouse and keys by xdotool
+# and a pad by umockdev, which is unplugged and plugged in again. The log must show the input of both players,
+# and a screenshot must show something in both halves. Each step waits until the log shows the step before.
+# Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 session=$1 harness=$2 probe=$3
@@ -14,7 +15,7 @@ game=$!
 exec 4>"$folder/pad"
 pad() { local what; for what in "$@"; do echo "$what" >&4; done; }
 
-# look: what the log has so far.
+# look: reads what the log holds so far.
 look() { "$probe" "$folder/log" >"$folder/seen" 2>/dev/null || true; grep -q '^device 0' "$folder/seen"; }
 field() { sed -n "s/^device $1:.* $2 \(.*\)/\1/p" "$folder/seen" | cut -d' ' -f1; }
 has() { look && [ "$(field "$1" "$2")" = "$3" ]; }
@@ -43,7 +44,7 @@ xdotool mouseup 1 keyup w
 pad 'plugged 0'
 eventually "no pause when the pad was pulled out" says '^paused at .* by 1$'
 pad 'plugged 1'
-# What it holds when it comes is no press; a button that goes down and up is one.
+# A button held while the pad is plugged in does not count as pressed. One that goes down and up does.
 rejoins() { pad 'b 1'; sleep 0.2; pad 'b 0'; says '^on at '; }
 eventually "no going on after it was put back" rejoins
 pad 'signal 15'

@@ -1,8 +1,16 @@
-// A make-believe Xbox 360 pad (045e:028e) for a program, by umockdev; needs no /dev/uinput:
+// Runs a program with a fake Xbox 360 pad (045e:028e) made by umockdev. It does not need /dev/uinput:
+//
 //     umockdev-wrapper pad_harness PROGRAM ARGS...
-// Steps come from standard input, one "WHAT VALUE" a line, and happen at once: WHAT is a button (a, b, x, y, lb, rb, back, start) with
-// 1 or 0, an axis (lx, ly, rx, ry: -32768 to 32767, down and right +; lt, rt: 0 to 255), `plugged` with 1 or 0, or `signal` with
-// the number of a signal for the program. Returns the program's exit code.
+//
+// The steps come from standard input, one line "WHAT VALUE" each, and happen at once. WHAT is one of:
+//
+//     a, b, x, y, lb, rb, back, start   a button: 1 or 0
+//     lx, ly, rx, ry                    an axis: -32768 to 32767, positive to the right and down
+//     lt, rt                            a trigger: 0 to 255
+//     plugged                           1 or 0
+//     signal                            the number of a signal for the program
+//
+// Returns the program's exit code.
 #include <linux/input.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -44,7 +52,7 @@ const std::map<std::string, Part> parts{
     {"ry", {EV_ABS, ABS_RY}},       {"rt", {EV_ABS, ABS_RZ}},       {"hx", {EV_ABS, ABS_HAT0X}},
     {"hy", {EV_ABS, ABS_HAT0Y}}};
 
-// Answers to what a program asks about the pad -------------------------------------------------------------------------------
+// ---- answers to the program's questions about the pad -----------------------------------------------------
 
 void set_bit(std::vector<guint8>& bits, unsigned bit) {
     if (bit / 8 < bits.size()) bits[bit / 8] = static_cast<guint8>(bits[bit / 8] | (1U << (bit % 8)));
@@ -56,7 +64,7 @@ input_absinfo range_of(unsigned axis) {
     return {0, -32768, 32767, 16, 128, 0};
 }
 
-/// The values of the axes now: programs read them again after each report.
+/// Present values of the axes. Programs read them again after each report.
 std::array<std::atomic<int>, ABS_CNT> axis_values{};
 
 std::vector<guint8> answer(unsigned number, std::size_t size) {
@@ -100,13 +108,13 @@ gboolean on_ioctl(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer) {
     return TRUE;
 }
 
-// What happens to it -----------------------------------------------------------------------------------------------------------
+// ---- changes of the pad -----------------------------------------------------------------------------------
 
 struct Pad {
     UMockdevTestbed* testbed{};
     int fd = -1;
     std::filesystem::path link{}, target{};
-    pid_t game = 0;  ///< the program that has the pad
+    pid_t game = 0;  ///< process of the program that uses the pad
 };
 
 void report(const Pad& pad, const Part& part, int value) {
@@ -120,7 +128,7 @@ void report(const Pad& pad, const Part& part, int value) {
         std::perror("pad");
 }
 
-/// Programs watch the folder of the node: its link goes and is made again.
+/// Removes or restores the link to the device node. Programs watch the folder of that link.
 void plug(const Pad& pad, bool in) {
     std::error_code error;
     if (in)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/drivers/range.sh THAUM: the range as people use it, under Xvfb with mouse and keys by xdotool, on a copy of the data
-# files. The dummy is shot; a file is edited meanwhile and read again, a wrong one is named, a right one goes on. Then a
-# recorded match, during which a file changes: nobody reads it, and the log plays again. Exits 77 where a tool is missing.
+# tests/drivers/range.sh THAUM: the range under Xvfb with mouse and keys by xdotool, on a copy of the data
+# files. The dummy is shot. A file is edited meanwhile and read again, and a faulty file is named. A recorded
+# match must ignore changed files, and its log must replay. Exits with 77 if a tool is missing.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 thaum=$1
@@ -15,7 +15,7 @@ at_failure() { cat "$folder/said"; import -window root "${SHOTS:-$folder}/failed
 drawn() { [ "$(import -window root -crop 400x100+100+500 -format %k info: 2>/dev/null)" -gt 100 ]; }
 said() { grep -q "$1" "$folder/said"; }
 
-# 1. Shoot, edit as editors do (a new file, renamed over the old), spoil, repair.
+# 1. Shoots, and edits a file as editors do: a new file renamed over the old one. Then makes it faulty.
 "$thaum" range --seconds 60 >"$folder/said" 2>&1 &
 game=$!
 eventually "no window" drawn
@@ -36,7 +36,7 @@ grep -Eq '^range: [1-9][0-9]* of [1-9][0-9]* hit' "$folder/said" || fail "nothin
 grep -Eq 'hit .*, [0-9]*[05]0 HP, [1-9][0-9]* kill' "$folder/said" || fail "not by the new damage"
 [ -z "$(find "$folder/data" -name '*.thaumlog' 2>/dev/null)" ] || fail "the range was recorded"
 
-# 2. A match that is recorded minds no file.
+# 2. A recorded match reads no file again.
 cp "$(dirname "$0")/../../assets/wands/bolt.toml" "$bolt"
 "$thaum" --solo 1 --seconds 4 --record "$folder/log" >"$folder/said" 2>&1 &
 game=$!

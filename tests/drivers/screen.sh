@@ -1,6 +1,6 @@
-# tests/drivers/screen.sh, sourced: what the tests with a window share. Needs `set -euo pipefail`.
+# tests/drivers/screen.sh: functions for tests with a window; to be sourced after `set -euo pipefail`.
 
-# need TOOL...: leaves with 77 (skipped) where one is missing.
+# need TOOL...: exits with 77 (skipped) if a tool is missing.
 need() {
     local tool
     for tool in "$@"; do
@@ -8,15 +8,15 @@ need() {
     done
 }
 
-# failed WORDS: the test's last word. A test may define at_failure, which shows more.
+# failed WORDS: prints the reason and ends the test. A test may define at_failure to show more.
 failed() {
     echo "failed: $1"
     ! declare -F at_failure >/dev/null || at_failure
     exit 1
 }
 
-# eventually WORDS COMMAND...: waits until the command succeeds. The limit only ends a test that hangs: on a busy machine a thing
-# takes as long as it takes, so no test may count seconds instead of looking for the event.
+# eventually WORDS COMMAND...: waits until the command succeeds. The limit only ends a test that hangs. A busy
+# machine may take any time, so tests must wait for events and not count seconds.
 eventually() {
     local what=$1 until=$((SECONDS + 300))
     shift
@@ -27,7 +27,7 @@ eventually() {
     failed "$what"
 }
 
-# open_screen SIZE: a folder that goes at the end ($folder), and an X server without a screen of glass ($DISPLAY).
+# open_screen SIZE: makes a temporary folder ($folder) and a virtual X server ($DISPLAY).
 open_screen() {
     folder=$(mktemp -d)
     Xvfb -displayfd 3 -noreset -screen 0 "$1x24" 3>"$folder/display" 2>/dev/null &
@@ -35,8 +35,8 @@ open_screen() {
     trap 'kill "$screen_server"; rm -rf "$folder"' EXIT
     eventually "no X server" [ -s "$folder/display" ]
     DISPLAY=:$(cat "$folder/display")
-    # Under the address sanitizer: X and OpenGL libraries leave a few blocks when they are unloaded, and umockdev wants
-    # to be loaded first. Leaks of our own are looked for in the tests without a window.
+    # Address sanitizer: X and OpenGL libraries leak a few blocks when they are unloaded, and umockdev must be
+    # loaded before it. The tests without a window look for leaks of our own.
     export ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0
     export DISPLAY XDG_CONFIG_HOME=$folder/config XDG_DATA_HOME=$folder/data
 }

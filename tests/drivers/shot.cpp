@@ -1,7 +1,9 @@
-// Draws a moment of a bot duel to a PNG, without a display, and prints what it cost:
+// Draws one moment of a bot duel into a PNG file without a display, and prints the times of each step:
+//
 //     live_shot OUT.png [TICKS [SPLIT [WIDTH HEIGHT [X Z YAW PITCH [QUALITY]]]]]
-// QUALITY: 0 low, 1 medium (where left out), 2 high.
-// SPLIT: top_bottom, side_by_side, first, second. X Z (m), YAW PITCH (degrees): where the first camera stands instead.
+//
+// SPLIT: top_bottom, side_by_side, first, second. X Z (m) and YAW PITCH (degrees) move the first camera.
+// QUALITY: 0 low, 1 medium (default), 2 high.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -18,7 +20,7 @@ using namespace thaum::game;
 
 namespace {
 
-/// Of all threads, per core of two.
+/// Processor time of all threads (ms), divided by two for a machine with two cores.
 double cpu_ms() { return 0.5e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 double now_ms() {
@@ -69,7 +71,7 @@ int main(int argc, char** argv) {
     const double start = now_ms();
     std::cout << "shaders " << fixed(start - opened, 1) << " ms\n";
     const auto arena_scene = make_arena_scene(renderer, *data);
-    std::cout << "court " << fixed(now_ms() - start, 1) << " ms\n";
+    std::cout << "arena " << fixed(now_ms() - start, 1) << " ms\n";
     auto picture = make_picture();
     const double before = now_ms();
     for (int i = 0; i < 1000; ++i) take_picture(match, picture);

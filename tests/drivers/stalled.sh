@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tests/drivers/stalled.sh SESSION LOG_PROBE: two bots in a window under Xvfb while one thread after the other is held up.
-# Each log must play again to the same hashes; a stall beyond 250 ms must leave samples out and say so in the log.
+# tests/drivers/stalled.sh SESSION LOG_PROBE: two bots in a window under Xvfb while one thread is stalled.
+# Each log must replay with equal hashes. A stall beyond 250 ms must skip samples and say so in the log.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 session=$1 probe=$2

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# tests/drivers/verify.sh THAUM FORGE_LOG: a log that was changed with all its checksums made anew is not verified, and a
-# log that proves nothing is not called so.
+# tests/drivers/verify.sh THAUM FORGE_LOG: a changed log with recomputed checksums must not be verified, nor a
+# log whose hashes prove nothing.
 set -uo pipefail
 thaum=$(readlink -f "$1")
 forge=$(readlink -f "$2")
@@ -14,7 +14,7 @@ fail() { echo "failed: $1"; failures=$((failures + 1)); }
 "$thaum" --headless --seconds 3.3 --out made >/dev/null || { echo "failed: no recording"; exit 1; }
 log=made/duel.thaumlog
 
-# differs WORDS HOW: the forged log is found out, with these words.
+# differs WORDS HOW: expects that the forged log is reported with these words.
 differs() {
     local said status
     "$forge" "$2" "$log" "$2.thaumlog" || fail "forging $2"
@@ -36,22 +36,22 @@ differs "the result differs" codes
 said=$("$thaum" replay same.thaumlog --verify) || fail "an honest copy: $said"
 [[ $said == *"26 state hashes agree, the last at tick 3300"* ]] || fail "hashes of an honest copy: $said"
 
-# Pictures of what never happened do not stay: tick 128 was the last that agreed.
+# Pictures of moments after the last equal hash, at tick 128, must be deleted.
 said=$("$thaum" replay early_input.thaumlog --shots pictures --shot-every 0.05 --size 64x64 2>&1)
 status=$?
-if [[ $said != *OpenGL* ]]; then # where nothing can be drawn there are no pictures
+if [[ $said != *OpenGL* ]]; then  # no pictures without OpenGL
     [[ $status == 1 && $said == *"tick 256: state differs"* ]] || fail "pictures of a forged log: exit $status, said: $said"
     [[ $(echo pictures/*) == "pictures/shot_00000000.png pictures/shot_00000050.png pictures/shot_00000100.png" ]] ||
         fail "pictures of what never happened: $(echo pictures/*)"
 fi
 
-# A table tells what the replay came to, and no code of the log's.
+# A table must hold the result of the replay, and no control characters from the log.
 "$thaum" replay codes.thaumlog --events codes.csv >/dev/null 2>&1
 ! grep -q $'[\x01-\x09\x0b-\x1f]' codes.csv || fail "the table has control characters"
 "$thaum" replay result.thaumlog --events result.csv >/dev/null 2>&1
 ! grep -q 'player 2 wins' result.csv || fail "the table repeats a false result"
 
-# Cut off by a crash: it replays up to its last whole block, and says so.
+# A log cut off by a crash must replay up to its last complete block and say so.
 size=$(od -An -tu4 -j12 -N4 "$log")
 first=$((24 + size))
 second=$((first + 40 + $(od -An -tu4 -j$((first + 12)) -N4 "$log")))

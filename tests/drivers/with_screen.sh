@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# tests/drivers/with_screen.sh COMMAND...: the command with a screen to open windows on.
+# tests/drivers/with_screen.sh COMMAND...: runs the command with a virtual screen.
 set -euo pipefail
 . "$(dirname "$0")/screen.sh"
 need Xvfb

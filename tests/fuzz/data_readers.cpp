@@ -1,4 +1,4 @@
-// Data files and settings: what is accepted must make a match that runs.
+// Readers of data files and settings. Accepted data must make a match that runs.
 #include "core/file.h"
 #include "fuzz/fuzz.h"
 #include "game/app/settings.h"
@@ -15,7 +15,7 @@ std::string must_read(const std::filesystem::path& file) {
     return content ? std::move(*content) : std::string();
 }
 
-/// A match with both players walking, jumping and shooting; a fault is an assertion or a crash.
+/// Plays a match in which both players walk, jump and shoot. A fault shows as an assertion or a crash.
 void play(game::MatchData data) {
     game::Simulation match(std::make_shared<const game::MatchData>(std::move(data)),
                            {1, {game::bot_device(0, 1), game::bot_device(1, 1)}});
@@ -29,7 +29,7 @@ void play(game::MatchData data) {
     for (Tick t = 0; t < played; ++t) match.tick(frame);
 }
 
-/// `input` in the place of a data file for as long as `use` runs.
+/// Replaces a data file by `input` while `use` runs.
 template <class Use>
 Outcome with_file(const std::filesystem::path& file, const std::string& input, Use use) {
     const auto original = must_read(file);
@@ -74,7 +74,7 @@ Outcome read_bot(const std::string& input, const Places& places) {
     });
 }
 
-/// All dummies on one range after the other, which then goes on by the shipped data.
+/// Plays every kind of dummy on one range, then continues the range with the shipped data.
 Outcome read_range(const std::string& input, const Places& places) {
     const auto sound = game::load_range(std::filesystem::path(THAUM_SOURCE_DIR) / "assets", {});
     if (!sound) return {.fault = sound.error().message};

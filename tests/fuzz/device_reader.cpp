@@ -1,4 +1,4 @@
-// Device files: what is accepted must make a simulated device that keeps its limits.
+// Reader of device files. An accepted file must make a simulated device that keeps its limits.
 #include <algorithm>
 
 #include "core/file.h"
@@ -12,7 +12,7 @@ std::vector<std::string> shipped_devices(const Places& places) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(places.assets / "devices"))
         files.push_back(entry.path());
-    std::sort(files.begin(), files.end());  // the folder's own order is chance
+    std::sort(files.begin(), files.end());  // the order of a directory listing is not defined
     std::vector<std::string> result;
     for (const auto& file : files) {
         if (auto content = read_text_file(file, 1U << 20U)) result.push_back(std::move(*content));

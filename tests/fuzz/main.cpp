@@ -1,5 +1,5 @@
-// Runs the inputs in a child, so that a crash, a hang or too much memory has a number: that of the run, which makes the same
-// input again.
+// Runs the inputs in a child process. A crash, a hang or too much memory can then be reported with the
+// number of the run, which makes the same input again.
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -37,27 +37,29 @@ namespace thaum::fuzz {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto most_time = std::chrono::seconds(10);  ///< for one input, on a busy machine under sanitizers
-constexpr rlim_t most_memory = rlim_t{1} << 30U;      ///< of address space, where there is no sanitizer
-constexpr std::uint64_t proof = 200;                  ///< runs that must reach both sides of the reader
+/// Longest time for one input, on a busy machine under sanitizers.
+constexpr auto most_time = std::chrono::seconds(10);
+constexpr rlim_t most_memory = rlim_t{1} << 30U;  ///< address space without sanitizers (bytes)
+/// Number of runs from which on both accepted and refused inputs must occur.
+constexpr std::uint64_t proof = 200;
 
-/// What the child tells.
+/// Progress of the child process, in shared memory.
 struct Progress {
     std::atomic<std::uint64_t> done{0}, accepted{0}, refused{0}, slowest_us{0};
     std::array<char, 1000> fault{};
 };
 
-struct Wish {
+struct RunPlan {
     const Reader* reader{};
     std::uint64_t runs = 10'000, seed = 1, from = 0;
 };
 
-std::string input_of(const Wish& wish, const std::vector<std::string>& seeds, std::uint64_t run) {
-    Random random = random_stream(wish.seed, run);
-    return wish.reader->mutate(seeds, random);
+std::string input_of(const RunPlan& plan, const std::vector<std::string>& seeds, std::uint64_t run) {
+    Random random = random_stream(plan.seed, run);
+    return plan.reader->mutate(seeds, random);
 }
 
-/// A message is one line of text that a terminal can show.
+/// Fault of an outcome: its own, or a refusal that is not one line of printable text. Empty: none.
 std::string fault_of(const Outcome& outcome) {
     if (!outcome.fault.empty()) return outcome.fault;
     if (!outcome.accepted && outcome.refusal.empty()) return "refused without a word";
@@ -68,18 +70,19 @@ std::string fault_of(const Outcome& outcome) {
 }
 
 void limit_memory() {
-    if (THAUM_HAS_ASAN) return;  // its shadow is terabytes of address space; see __asan_default_options
+    // Its shadow memory takes terabytes of address space; see __asan_default_options.
+    if (THAUM_HAS_ASAN) return;
     const rlimit limit{most_memory, most_memory};
     ::setrlimit(RLIMIT_AS, &limit);
 }
 
-void run_all(const Wish& wish, const std::vector<std::string>& seeds, const Places& places,
+void run_all(const RunPlan& plan, const std::vector<std::string>& seeds, const Places& places,
              Progress& progress) {
     limit_memory();
-    for (auto run = wish.from; run < wish.from + wish.runs; ++run) {
-        const auto input = input_of(wish, seeds, run);
+    for (auto run = plan.from; run < plan.from + plan.runs; ++run) {
+        const auto input = input_of(plan, seeds, run);
         const auto before = Clock::now();
-        const auto outcome = wish.reader->read(input, places);
+        const auto outcome = plan.reader->read(input, places);
         const auto took =
             std::chrono::duration_cast<std::chrono::microseconds>(Clock::now() - before).count();
         progress.slowest_us = std::max(progress.slowest_us.load(), static_cast<std::uint64_t>(took));
@@ -93,7 +96,7 @@ void run_all(const Wish& wish, const std::vector<std::string>& seeds, const Plac
     std::exit(0);
 }
 
-/// What went wrong with the child; empty: nothing.
+/// Waits for the child process. Returns its fault; empty: none.
 std::string watch(pid_t child, const Progress& progress, long& peak_mib) {
     auto seen = progress.done.load();
     auto since = Clock::now();
@@ -120,27 +123,27 @@ std::string watch(pid_t child, const Progress& progress, long& peak_mib) {
     }
 }
 
-int report(const Wish& wish, const std::vector<std::string>& seeds, const Progress& progress,
+int report(const RunPlan& plan, const std::vector<std::string>& seeds, const Progress& progress,
            const std::string& fault, long peak_mib) {
-    const auto name = std::string(wish.reader->name);
+    const auto name = std::string(plan.reader->name);
     if (!fault.empty()) {
-        const auto run = wish.from + progress.done;
-        const auto file = text("fuzz_", name, "_", wish.seed, "_", run);
-        (void)write_text_file(file, input_of(wish, seeds, run));
+        const auto run = plan.from + progress.done;
+        const auto file = text("fuzz_", name, "_", plan.seed, "_", run);
+        (void)write_text_file(file, input_of(plan, seeds, run));
         std::printf(
             "%s: run %llu: %s\n  its input is in ./%s; again: thaum_fuzz %s --seed %llu --from %llu --runs "
             "1\n",
             name.c_str(), static_cast<unsigned long long>(run), fault.c_str(), file.c_str(), name.c_str(),
-            static_cast<unsigned long long>(wish.seed), static_cast<unsigned long long>(run));
+            static_cast<unsigned long long>(plan.seed), static_cast<unsigned long long>(run));
         return 1;
     }
     std::printf("%s: %llu runs, %llu accepted, %llu refused in one line; slowest %.1f ms, at most %ld MiB\n",
-                name.c_str(), static_cast<unsigned long long>(wish.runs),
+                name.c_str(), static_cast<unsigned long long>(plan.runs),
                 static_cast<unsigned long long>(progress.accepted),
                 static_cast<unsigned long long>(progress.refused),
                 static_cast<double>(progress.slowest_us) / 1e3, peak_mib);
     const bool proves =
-        wish.runs < proof || (progress.accepted > wish.runs / 100 && progress.refused > wish.runs / 100);
+        plan.runs < proof || (progress.accepted > plan.runs / 100 && progress.refused > plan.runs / 100);
     if (!proves) std::printf("%s: nearly all on one side: this proves little\n", name.c_str());
     return proves ? 0 : 1;
 }
@@ -159,12 +162,13 @@ std::vector<std::string> seeds_of(const Reader& reader, const Places& places) {
     std::vector<std::filesystem::path> files;
     std::error_code none;
     for (const auto& entry : std::filesystem::directory_iterator(folder, none)) files.push_back(entry.path());
-    if (seeds.empty()) return seeds;  // without a real one nothing is tested
+    if (seeds.empty()) return seeds;  // without a real input the test would prove nothing
     std::sort(files.begin(), files.end());
     for (const auto& file : files) {
         if (auto content = read_text_file(file, 1U << 20U)) seeds.push_back(std::move(*content));
     }
-    // A mutant of a whole file gets further than one of a scrap.
+    // The largest seed is a whole file. It is repeated, because mutants of a whole file get further than
+    // those of a fragment.
     constexpr std::size_t most_of_them = 6;
     const auto& whole = *std::max_element(seeds.begin(), seeds.end(),
                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
@@ -172,11 +176,11 @@ std::vector<std::string> seeds_of(const Reader& reader, const Places& places) {
     return seeds;
 }
 
-int run(const Wish& wish) {
+int run(const RunPlan& plan) {
     std::string folder = (std::filesystem::temp_directory_path() / "thaum-fuzz-XXXXXX").string();
     if (::mkdtemp(folder.data()) == nullptr) return std::perror("thaum_fuzz"), 2;
     const auto places = make_places(folder);
-    const auto seeds = seeds_of(*wish.reader, places);
+    const auto seeds = seeds_of(*plan.reader, places);
     void* shared =
         ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (seeds.empty() || shared == MAP_FAILED)
@@ -184,30 +188,30 @@ int run(const Wish& wish) {
     auto& progress = *new (shared) Progress;
     const auto child = ::fork();
     if (child < 0) return std::perror("thaum_fuzz"), 2;
-    if (child == 0) run_all(wish, seeds, places, progress);
+    if (child == 0) run_all(plan, seeds, places, progress);
     long peak_mib = 0;
     const auto fault = watch(child, progress, peak_mib);
     std::filesystem::remove_all(folder);
-    return report(wish, seeds, progress, fault, peak_mib);
+    return report(plan, seeds, progress, fault, peak_mib);
 }
 
-std::optional<Wish> read_wish(std::span<char*> words) {
-    Wish wish;
+std::optional<RunPlan> read_wish(std::span<char*> words) {
+    RunPlan plan;
     for (const auto& reader : readers()) {
-        if (!words.empty() && reader.name == words[0]) wish.reader = &reader;
+        if (!words.empty() && reader.name == words[0]) plan.reader = &reader;
     }
-    if (wish.reader == nullptr || words.size() % 2 == 0) return {};
+    if (plan.reader == nullptr || words.size() % 2 == 0) return {};
     for (std::size_t i = 1; i + 1 < words.size(); i += 2) {
         const std::string_view name = words[i], value = words[i + 1];
-        auto* number = name == "--runs"   ? &wish.runs
-                       : name == "--seed" ? &wish.seed
-                       : name == "--from" ? &wish.from
+        auto* number = name == "--runs"   ? &plan.runs
+                       : name == "--seed" ? &plan.seed
+                       : name == "--from" ? &plan.from
                                           : nullptr;
         if (number == nullptr) return {};
         const auto end = value.data() + value.size();
         if (std::from_chars(value.data(), end, *number).ptr != end) return {};
     }
-    return wish;
+    return plan;
 }
 
 }  // namespace
@@ -222,13 +226,13 @@ std::span<const Reader> readers() {
 }  // namespace thaum::fuzz
 
 int main(int argc, char** argv) {
-    const auto wish = thaum::fuzz::read_wish({argv + 1, argv + argc});
-    if (!wish) {
+    const auto plan = thaum::fuzz::read_wish({argv + 1, argv + argc});
+    if (!plan) {
         std::fprintf(stderr, "usage: thaum_fuzz READER [--runs N] [--seed S] [--from I]\nreaders:");
         for (const auto& reader : thaum::fuzz::readers())
             std::fprintf(stderr, " %s", std::string(reader.name).c_str());
         std::fprintf(stderr, "\n");
         return 2;
     }
-    return thaum::fuzz::run(*wish);
+    return thaum::fuzz::run(*plan);
 }

@@ -11,7 +11,7 @@ std::size_t below(Random& random, std::size_t n) {
     return n == 0 ? 0 : static_cast<std::size_t>(random.below(n));
 }
 
-/// A piece of `from`, mostly short.
+/// A random piece of `from`, short in most cases.
 std::string piece(const std::string& from, Random& random) {
     const auto at = below(random, from.size());
     const auto longest = random.below(4) == 0 ? from.size() : std::size_t{200};
@@ -48,7 +48,7 @@ void repeat(std::string& s, Random& random) {
     s.insert(at, many);
 }
 
-/// Begin and end of a line, with its end.
+/// Begin and end of a random line, with its line feed.
 std::pair<std::size_t, std::size_t> some_line(const std::string& s, Random& random) {
     const auto at = below(random, s.size());
     const auto before = at == 0 ? std::string::npos : s.rfind('\n', at - 1);

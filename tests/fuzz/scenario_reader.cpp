@@ -1,4 +1,4 @@
-// Scenarios: whole tokens are changed, so that many mutants still compile and reach the match.
+// Reader of scenarios. Mutations change whole tokens, so many mutants still compile and start a match.
 #include <algorithm>
 
 #include "core/file.h"
@@ -68,7 +68,7 @@ std::vector<std::string> scripts(const Places& places) {
     return sources;
 }
 
-/// Accepted is what reaches the match.
+/// Runs a mutated script. It counts as accepted if it started a match.
 Outcome read_script(const std::string& input, const Places& places) {
     const auto options = options_of(places);
     const auto result = game::run_scenario_source(input, "mutant", options);

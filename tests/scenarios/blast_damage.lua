@@ -14,15 +14,15 @@ local function shoot(at, held)
     local energy = me:energy()
     me:hold("fire")
     wait(held)
-    expect_near(me:force().z, 0.45 * 2.6 * me:readiness(), 0.03, "the charge leans on the hand")
+    expect_near(me:force().z, 0.45 * 2.6 * me:readiness(), 0.03, "force on the hand grows with the charge")
     me:release("fire")
     local shot = expect_event {kind = "shot", by = 1, within = 0.02}
     local c = (energy - me:energy() - 8) / 17
     tick()
     local ball_now = missiles()[1]
-    if ball_now then expect_near(length(ball_now.velocity), 18 + 14 * c, 1e-9, "speed") end
+    if ball_now then expect_near(length(ball_now.velocity), 18 + 14 * c, 1e-9, "speed of the ball") end
     local burst = expect_event {kind = "burst", by = 1, within = 3}
-    expect_near(burst.amount, 2 + 1.5 * c, 1e-9, "radius")
+    expect_near(burst.amount, 2 + 1.5 * c, 1e-9, "radius of the burst")
     tick()  -- the push moves bodies in the next tick
     return c, burst
 end
@@ -40,9 +40,9 @@ for _, held in ipairs {0.312, 0.95, 1.7} do
     foe:place {-15, 0, 8}
     local c, burst = shoot(foe, held)
     local amount, by = hurt_of(2, burst)
-    expect_near(amount, 15 + 55 * c, 1e-9, "who is struck")
+    expect_near(amount, 15 + 55 * c, 1e-9, "damage to the struck wizard")
     expect_near(by, 1, 0)
-    expect(foe:velocity().z < -1, "and pushed away")
+    expect(foe:velocity().z < -1, "the burst pushes the struck wizard away")
     expect_near(foe:velocity().z, -math.min((120 + 180 * c) / 75, 8), 0.1)
     wait(1)
 end
@@ -60,12 +60,12 @@ for i, off in ipairs {0.7, 1.2, 1.8, 2.5, 3.5, 4.5} do
     local low = {place_of_foe.x, place_of_foe.y - half_axis, place_of_foe.z}
     local d = math.max(0, distance(burst.place, low) - radius - ball)
     local amount = hurt_of(2, burst)
-    expect_near(amount, 0.3 * 70 * math.max(0, 1 - d / 3.5), 0.02, "splash " .. i)
+    expect_near(amount, 0.3 * 70 * math.max(0, 1 - d / 3.5), 0.02, "splash damage at distance " .. i)
     seen[i] = amount
-    expect(i == 1 or amount <= seen[i - 1], "less farther off")
+    expect(i == 1 or amount <= seen[i - 1], "splash damage falls with distance")
     wait(0.5)
 end
-expect(seen[1] > 15 and seen[5] > 0.1 and seen[6] == 0, "from nearly all to nothing")
+expect(seen[1] > 15 and seen[5] > 0.1 and seen[6] == 0, "splash damage falls from nearly all to nothing")
 
 -- A wizard behind a wall: neither harm nor push.
 me:place {-15, 0, 15}
@@ -73,8 +73,8 @@ foe:place {-13.4, 0, 8}
 local wall = spawn {kind = "box", size = {0.1, 2.5, 4}, mass = 9000, at = {-14.2, 1.25, 8}, friction = 2}
 wait(0.5)
 local _, burst = shoot({-14.7, 0, 8}, 1.7)
-expect_near(hurt_of(2, burst), 0, 0, "the wall is between them")
-expect(length(foe:velocity()) < 0.05, "nor is it pushed")
+expect_near(hurt_of(2, burst), 0, 0, "a wall shields from splash damage")
+expect(length(foe:velocity()) < 0.05, "a wall shields from the push")
 wall:place {0, 6, 0}
 clear_props()
 
@@ -86,7 +86,7 @@ for _, mass in ipairs {100, 5} do
     wait(0.5)
     local c, b = shoot({-15, 0.3, 8}, 1.7)
     local speed = length(box:velocity())
-    expect_near(speed, math.min(300 / mass, 8), 0.2, "pushed by 300 N s")
+    expect_near(speed, math.min(300 / mass, 8), 0.2, "speed from an impulse of 300 N s")
     clear_props()
     wait(0.3)
 end
@@ -101,13 +101,13 @@ wait(1.7)
 me:release("fire")
 burst = expect_event {kind = "burst", by = 1, within = 0.3}
 local own, by = hurt_of(1, burst)
-expect(own > 10 and own <= 21, "its own splash")
-expect_near(by, 1, 0, "its own deed")
+expect(own > 10 and own <= 21, "splash damage to the shooter")
+expect_near(by, 1, 0, "the shooter caused this damage")
 expect_near(me:health(), health - own, 1e-9)
 local of_foe = 0
 for _, hit in ipairs(events {kind = "blast_hit", subject = 2}) do of_foe = of_foe + hit.amount end
-expect_near(deeds(1, "blast").damage, of_foe, 1e-9, "counts only what the foe has lost")
+expect_near(deeds(1, "blast").damage, of_foe, 1e-9, "damage statistics count only the foe's losses")
 tick()
-expect(me:velocity().y > 1, "and it is thrown up")
+expect(me:velocity().y > 1, "the burst throws the shooter up")
 wait(1)
 expect_near(#missiles(), 0, 0)

@@ -27,8 +27,8 @@ local function charge_for(seconds)
     while time() < last do
         local c = me:readiness()  -- charge behind the force of the next tick
         local force = feel()
-        expect_near(force, share * 2.6 * c, 1e-12, "in proportion to the charge")
-        expect(force >= before, "never less")
+        expect_near(force, share * 2.6 * c, 1e-12, "force in proportion to the charge")
+        expect(force >= before, "force never falls while charging")
         before = force
         if not began and me:readiness() > 0 then began = time() end
     end
@@ -38,7 +38,7 @@ end
 -- A release before 0.3 s fires no shot and costs no energy.
 charge_for(0.2)
 me:release("fire")
-for _ = 1, 100 do expect_near(feel(), 0, 0, "nothing was felt") end
+for _ = 1, 100 do expect_near(feel(), 0, 0, "no force after a charge that was too short") end
 expect_near(me:shots(), 0, 0)
 expect_near(me:energy(), 60, 0)
 
@@ -66,35 +66,35 @@ local function go_off(c)
         impulse, greatest = impulse + f * 0.001, math.max(greatest, f)
     end
     local expected, peak = recoil(charge)
-    expect_near(charge, c, 0.02, "as charged")
-    expect_near(impulse, expected, 1e-9, "the recoil's impulse")
+    expect_near(charge, c, 0.02, "charge of the shot")
+    expect_near(impulse, expected, 1e-9, "impulse of the recoil")
     return impulse, peak, greatest, charge
 end
 
 -- A minimal charge: the steady force is small, so the impulse is nearly 2/pi x peak x length.
 charge_for(0.312)
 local impulse, peak = go_off(0.01)
-expect_near(impulse, 2 / math.pi * peak * 0.06, 0.015 * impulse, "a half sine")
+expect_near(impulse, 2 / math.pi * peak * 0.06, 0.015 * impulse, "impulse of a half sine")
 
 -- Half a charge and a full charge.
 local began = charge_for(0.95)
 go_off(0.5)
 local _, most = charge_for(2.2)
-expect_near(most, share * 2.6, 1e-9, "no more than a full charge")
+expect_near(most, share * 2.6, 1e-9, "force of a full charge")
 local _, top, greatest, charge = go_off(1)
 expect_near(charge, 1, 0)
 expect_near(top, share * 3.0, 1e-12)
-expect_near(greatest, top, 0.002 * top, "of 3 N at most")
+expect_near(greatest, top, 0.002 * top, "peak of the recoil")
 
 -- 60 = 8.2 + 16.5 + 25 + 10.4: the remaining energy limits the last charge.
 local left = me:energy()
 local c = (left - 8) / 17
-expect(c > 0 and c < 0.9, "not enough for a full charge")
+expect(c > 0 and c < 0.9, "the energy is too low for a full charge")
 local _, lean = charge_for(2)
-expect_near(lean, share * 2.6 * c, 1e-9, "the charge that can be paid")
+expect_near(lean, share * 2.6 * c, 1e-9, "force of the largest charge that the energy allows")
 go_off(c)
 expect_near(me:energy(), 0, 1e-9)
 me:press("fire", 0.5)
 expect_event {kind = "dry", subject = 1}
 expect_near(me:shots(), 4, 0)
-expect_near(felt_by_foe, 0, 0, "the other's hand feels nothing")
+expect_near(felt_by_foe, 0, 0, "no force on the other hand")

@@ -3,7 +3,7 @@ match {players = {"script", "script"}}
 trace("fight", {"1.z", "2.health", "1.energy", "1.shots"})
 
 local me, foe = wizard(1), wizard(2)
-expect(distance(me:position(), foe:position()) > 20, "they begin far apart")
+expect(distance(me:position(), foe:position()) > 20, "the wizards begin far apart")
 me:aim(foe)
 me:move(0, 1)
 wait_until(function() return distance(me:position(), foe:position()) < 12 end, 10)
@@ -15,15 +15,15 @@ wait_until(function() return foe:dead() end, 5)
 me:release("fire")
 
 local hits = events {kind = "bolt_hit", subject = 2, by = 1}
-expect_near(#hits, 17, 0, "hits of 6 HP to take 100")
+expect_near(#hits, 17, 0, "number of hits that kill")
 for i, hit in ipairs(hits) do expect_near(hit.amount, 6, 0, "hit " .. i) end
 local death = expect_event {kind = "death", subject = 2, by = 1}
-expect_near(death.time, hits[17].time, 0.008, "death comes with the last hit, at the next gameplay tick")
+expect_near(death.time, hits[17].time, 0.008, "time between the last hit and the death")
 
 -- 17 shots at 8 a second take 2 s from the first to the last. Their flight times are equal.
-expect_near(hits[17].time - hits[1].time, 16 / 8, 0.02, "8 shots a second")
-expect_near(me:kills(), 1, 0, "kills of the killer")
+expect_near(hits[17].time - hits[1].time, 16 / 8, 0.02, "time from the first hit to the last")
+expect_near(me:kills(), 1, 0, "kills of the shooter")
 expect_near(me:deaths(), 0, 0)
 expect_near(foe:kills(), 0, 0)
 expect_near(foe:deaths(), 1, 0, "deaths of the victim")
-expect_near(me:health(), 100, 0, "nobody else was hurt")
+expect_near(me:health(), 100, 0, "health of the shooter")

@@ -24,18 +24,18 @@ end
 
 me:look(0, 40)
 feel(0.2)
-expect_near(impulse, 0, 0, "nothing to be felt")
+expect_near(impulse, 0, 0, "no impulse without a shot")
 me:hold("fire")
 feel(2)
 me:release("fire")
 feel(0.2)
 
 local shots = me:shots()
-expect(shots >= 16, "8 a second")
-expect_near(impulse, shots * 2 / math.pi * peak * length, 1e-12, "2/pi x peak x length, each shot")
-expect_near(greatest, peak, 0.002 * peak, "towards the user")
-expect_near(felt_by_foe, 0, 0, "the other's hand feels nothing")
-expect(me:hand().z > 0 and me:hand().z < 0.002, "the hand gave way, a little")
+expect(shots >= 16, "8 shots a second")
+expect_near(impulse, shots * 2 / math.pi * peak * length, 1e-12, "impulse of 2/pi x peak x length per shot")
+expect_near(greatest, peak, 0.002 * peak, "peak force towards the user")
+expect_near(felt_by_foe, 0, 0, "no force on the other hand")
+expect(me:hand().z > 0 and me:hand().z < 0.002, "the hand gave way a little")
 -- The hand takes up at most the energy of a free mass: 150 g of the hand and 45 g of the device.
 local kick = 2 / math.pi * peak * length
-expect(work > 0 and work < shots * kick * kick / (2 * 0.195), "and took up what the kicks gave")
+expect(work > 0 and work < shots * kick * kick / (2 * 0.195), "the hand took up no more energy than a free mass")

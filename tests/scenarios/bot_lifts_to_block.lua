@@ -30,8 +30,8 @@ local function lifted()
     return stone:position().y > 0.85
 end
 wait_until(lifted, 4)
-expect(stone:position().y > 0.85, "it is lifted")
-expect(stand_fire(1.5) < 0.25, "it shields")
+expect(stone:position().y > 0.85, "the bot lifts the stone")
+expect(stand_fire(1.5) < 0.25, "the stone blocks most shots")
 foe:release("fire")
 wait_until(function() return length(stone:velocity()) > 8 end, 4)
-expect(length(stone:velocity()) > 8, "and is thrown when the fire has died down")
+expect(length(stone:velocity()) > 8, "the bot throws the stone after the shooting has stopped")

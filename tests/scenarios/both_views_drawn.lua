@@ -48,7 +48,7 @@ for _, split in ipairs {"side_by_side", "top_bottom"} do
     local mine = total(grid(before, first), grid(turned, first))
     local other = total(grid(before, second), grid(turned, second))
     expect(mine > 3, split .. ": player 1 turned, and the first half shows it")
-    expect(other < mine / 4, split .. ": the second half stays")
+    expect(other < mine / 4, split .. ": the second half is unchanged")
     wizard(2):look(-90, 0)
     wait(0.1)
     local both = picture {split = split}

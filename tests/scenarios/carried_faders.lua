@@ -38,8 +38,8 @@ end
 
 local weight, blow, pushed = carry(wizard(1), wizard(2), 16)
 local all_weight, all_blow, all_pushed = carry(wizard(2), wizard(1), 16)
-expect_near(weight, -0.005 * mass, 0.015, "half the weight")
-expect_near(all_weight, -0.01 * mass, 0.015, "all of it")
-expect_near(pushed, -3 / mass, 0.02, "3 N s")
-expect_near(all_pushed, pushed, 0.005, "the same for both")
+expect_near(weight, -0.005 * mass, 0.015, "half the weight is felt")
+expect_near(all_weight, -0.01 * mass, 0.015, "the whole weight is felt")
+expect_near(pushed, -3 / mass, 0.02, "the impulse of 3 N s reaches the thing")
+expect_near(all_pushed, pushed, 0.005, "both things move in the same way")
 expect(all_blow > 2 * blow, "the blow: " .. all_blow .. " and without it " .. blow .. " N")

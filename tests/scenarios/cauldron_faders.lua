@@ -23,7 +23,7 @@ for i = 1, 200 do
     less:stroke(2, 0)
     tick()
     if i > 50 then
-        expect_near(length(less:force()), 0.5 * 0.0067 * 4 * 1 * length(less:ladle_velocity()), 0.002, "half the drag")
+        expect_near(length(less:force()), 0.5 * 0.0067 * 4 * 1 * length(less:ladle_velocity()), 0.002, "half the drag is felt")
     end
 end
 less:draw(-2, 0, 0.2)
@@ -42,10 +42,10 @@ for i = 1, 400 do
     if i > 100 then felt = math.max(felt, length(less:force())) end
 end
 for _, one in ipairs(both) do one:release("clutch") end
-expect(pushed > 1, "the brew pushes the ladle whose hand does not feel it")
-expect(felt < 0.005, "not felt: " .. felt)
-expect(distance(less:hand(), from[1]) < 1e-3, "not carried: " .. distance(less:hand(), from[1]))
-expect(distance(all:hand(), from[2]) > 5e-3, "carried: " .. distance(all:hand(), from[2]))
+expect(pushed > 1, "the brew pushes a ladle whose hand feels no flow")
+expect(felt < 0.005, "force without the flow fader: " .. felt)
+expect(distance(less:hand(), from[1]) < 1e-3, "way of the hand without the flow fader: " .. distance(less:hand(), from[1]))
+expect(distance(all:hand(), from[2]) > 5e-3, "way of the hand with the flow: " .. distance(all:hand(), from[2]))
 
 -- Wall.
 local function draw_both(right, up)
@@ -59,10 +59,10 @@ wait(0.6)
 local middle = brew().middle
 for _, one in ipairs(both) do
     local at = one:ladle()
-    expect(length {at.x - middle.x, 0, at.z - middle.z} < 1.36, "in the bowl")
+    expect(length {at.x - middle.x, 0, at.z - middle.z} < 1.36, "the ladle stays in the bowl")
 end
-expect(length(all:force()) > 0.2, "it pushes back: " .. length(all:force()))
-expect(length(less:force()) < 0.005, "it does not: " .. length(less:force()))
+expect(length(all:force()) > 0.2, "force of the wall: " .. length(all:force()))
+expect(length(less:force()) < 0.005, "force of the wall without its fader: " .. length(less:force()))
 draw_both(-3, 1)
 
 -- Recoil.
@@ -82,9 +82,9 @@ for i, one in ipairs(both) do
     end
     one:release("fire")
 end
-expect(#brew().contents == 2, "both dropped something in")
-expect(kicks[1] < 0.01, "no kick: " .. kicks[1])
-expect(kicks[2] > 0.3, "a kick: " .. kicks[2])
+expect(#brew().contents == 2, "both players drop an ingredient")
+expect(kicks[1] < 0.01, "kick without the recoil fader: " .. kicks[1])
+expect(kicks[2] > 0.3, "kick of the recoil: " .. kicks[2])
 
 -- Surface: both ladles come up through it and then press it from above.
 local function all_above(height)
@@ -103,7 +103,7 @@ wait_until(function()
     end
     return less:ladle().y < middle.y - 0.14 and all:ladle().y < middle.y - 0.14
 end, 6)
-expect(most[2] > 0.6, "it holds: " .. most[2])
-expect(most[1] < 0.05, "but for the viscosity it does not: " .. most[1])
-expect(dent[1] < -0.02 and dent[2] < -0.02, "and gives way under both")
-for _, one in ipairs(both) do expect(one:created() <= 0.02, "passive forces have created no energy") end
+expect(most[2] > 0.6, "force of the surface: " .. most[2])
+expect(most[1] < 0.05, "force without the surface fader, apart from viscosity: " .. most[1])
+expect(dent[1] < -0.02 and dent[2] < -0.02, "the surface gives way under both ladles")
+for _, one in ipairs(both) do expect(one:created() <= 0.02, "passive forces create no energy") end

@@ -8,19 +8,19 @@ me:face(0, 40)
 me:hold("fire")
 wait(8)
 me:release("fire")
-expect_near(me:shots(), 40, 0, "60 of energy are 40 shots")
+expect_near(me:shots(), 40, 0, "shots from an energy of 60")
 expect_near(me:energy(), 0, 0)
 wait(20)
-expect_near(me:energy(), 0, 0, "nothing comes back by itself")
+expect_near(me:energy(), 0, 0, "energy does not come back by itself")
 me:press("fire")
 expect_event {kind = "dry", subject = 1, within = 0.1}
 expect_near(me:shots(), 40, 0)
 me:move(0, 1)
 expect_event {kind = "power_up", subject = 1, within = 3}
 me:stop()
-expect_near(me:energy(), 30, 0, "half a wand from the spark")
+expect_near(me:energy(), 30, 0, "energy from the spark")
 
 foe:place {-14, 70, -9}
 expect_event {kind = "spawn", subject = 2, within = 10}
 tick()
-expect(not foe:shielded(), "no shield")
+expect(not foe:shielded(), "no shield after a return to life")

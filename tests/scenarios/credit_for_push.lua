@@ -24,7 +24,7 @@ wait(0.3)
 foe:move(0, 1)
 local death = expect_event {kind = "death", subject = 2, within = 5}
 foe:stop()
-expect_near(death.by or 0, 1, 0, "the shooter's deed")
+expect_near(death.by or 0, 1, 0, "the shooter gets the kill")
 expect_near(me:kills(), 1, 0)
 expect_near(foe:kills(), 0, 0)
 expect_near(foe:deaths(), 1, 0)
@@ -34,9 +34,9 @@ expect_near(deeds(2, "fall").own_deaths, 0, 0)
 -- Without a shot, a fall is credited to no player.
 wait(5)
 death = fall()
-expect(death.by == nil, "nobody's deed")
+expect(death.by == nil, "no player gets the kill")
 expect_near(me:kills(), 1, 0)
-expect_near(foe:kills(), -1, 0, "it costs one")
+expect_near(foe:kills(), -1, 0, "the fall costs one kill")
 expect_near(deeds(2, "fall").own_deaths, 1, 0)
 
 -- A shot 5 s ago no longer counts.
@@ -48,7 +48,7 @@ me:press("fire")
 expect_event {kind = "bolt_hit", subject = 2, by = 1, within = 2}
 wait(5)
 death = fall()
-expect(death.by == nil, "too long ago")
+expect(death.by == nil, "a shot 5 s ago gets no kill")
 expect_near(foe:kills(), -2, 0)
 
 -- A kill by a thing that player 1 has shot is player 1's. A kill by an untouched thing is credited to no
@@ -64,7 +64,7 @@ local function throw(shot_first)
         wait(0.5)
         me:press("fire")
         wait(0.3)
-        expect(length(ball:velocity()) > 0.05, "the bolt has moved it")
+        expect(length(ball:velocity()) > 0.05, "the bolt moves the ball")
     end
     ball:place({14, 1.1, 13}, {0, 0, 12})
     local dead = expect_event {kind = "death", subject = 2, within = 1}
@@ -73,9 +73,9 @@ local function throw(shot_first)
 end
 local kills = me:kills()
 death = throw(true)
-expect_near(death.by or 0, 1, 0, "who shot the ball")
+expect_near(death.by or 0, 1, 0, "the player who shot the ball gets the kill")
 expect_near(me:kills(), kills + 1, 0)
 expect_near(deeds(1, "blow").kills, 1, 0)
 death = throw(false)
-expect(death.by == nil, "nobody has touched the other ball")
+expect(death.by == nil, "a kill by an untouched ball is credited to no player")
 expect_near(me:kills(), kills + 1, 0)

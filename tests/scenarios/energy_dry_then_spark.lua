@@ -10,7 +10,7 @@ local function shoot(seconds)
     me:hold("fire")
     wait(seconds)
     if seconds == 2 then  -- a blast at full charge
-        expect_near(me:force().z, 0.45 * 2.6 * me:readiness(), 1e-9, "the charge leans on the hand")
+        expect_near(me:force().z, 0.45 * 2.6 * me:readiness(), 1e-9, "force on the hand grows with the charge")
     end
     me:release("fire")
     wait(0.3)
@@ -20,12 +20,12 @@ end
 me:press("wand_3")
 for i = 1, 4 do
     shoot(0.5)
-    expect_near(me:energy(), 48 - 12 * i, 1e-9, "a throw costs 12")
+    expect_near(me:energy(), 48 - 12 * i, 1e-9, "energy of a throw")
 end
 expect_near(me:shots(), 4, 0)
 me:press("fire", 0.5)
 local dry = expect_event {kind = "dry", subject = 1}
-expect_near(length(me:force()), 0, 0, "an empty sling has no spring")
+expect_near(length(me:force()), 0, 0, "no spring without energy")
 wait(0.3)
 expect_near(me:shots(), 4, 0)
 
@@ -40,20 +40,20 @@ expect_near(me:shots(), 7, 0)
 me:press("fire", 0.5)
 expect_event {kind = "dry", subject = 1}
 wait(3)
-expect_near(me:energy(), 0, 1e-9, "nothing comes back by itself")
+expect_near(me:energy(), 0, 1e-9, "energy does not come back by itself")
 
 -- Two wands are empty. The spark fills half of the first by name, which is blast: 30 of 60.
 me:move(0, 1)
 local taken = expect_event {kind = "power_up", subject = 1, within = 3}
 me:stop()
-expect_near(taken.detail, 2, 0, "a spark")
+expect_near(taken.detail, 2, 0, "kind of the power-up")
 expect_near(taken.amount, 30, 0)
 expect_near(me:energy(), 30, 1e-9)
 me:press("wand_3")
-expect_near(me:energy(), 0, 1e-9, "the other stays empty")
+expect_near(me:energy(), 0, 1e-9, "the other wand stays empty")
 wait(15.1)
 taken = expect_event {kind = "power_up", subject = 1, within = 0.2}
-expect_near(taken.amount, 24, 0, "half of 48")
+expect_near(taken.amount, 24, 0, "energy from the spark")
 expect_near(me:energy(), 24, 1e-9)
 shoot(0.5)
-expect_near(me:shots(), 8, 0, "and it throws again")
+expect_near(me:shots(), 8, 0, "the sling shoots again")

@@ -15,13 +15,13 @@ for _, v in ipairs {4, 8, 8.8, 9.5, 10, 12, 14, 17} do
     expect_near(before - me:health(), wanted, 0.2, "HP lost at " .. v .. " m/s")
     expect_near(#events("fall") - told, wanted > 0 and 1 or 0, 0, "one event for each hard landing")
 end
-expect(not me:dead(), "alive")
+expect(not me:dead(), "the wizard is alive")
 
 -- A wizard's own jump never hurts.
 local before = me:health()
 me:press("jump")
 wait(1.5)
-expect_near(me:health(), before, 0, "jumping is free")
+expect_near(me:health(), before, 0, "jumping does no harm")
 
 -- A fall from high enough kills, and a death by a fall costs a kill.
 me:place {-14, 60, 9}

@@ -19,9 +19,9 @@ local function carry(mass)
     wait(0.1)
     me:look(0, 15)
     wait(2)
-    expect(thing:position().y > 0.8, "it hangs in the air")
-    expect_near(me:force().y, -0.01 * mass, 0.01, "its weight, by the fader")
-    expect_near(length(me:force()), 0.01 * mass, 0.015, "and nothing else")
+    expect(thing:position().y > 0.8, "the thing hangs in the air")
+    expect_near(me:force().y, -0.01 * mass, 0.01, "weight felt through the fader")
+    expect_near(length(me:force()), 0.01 * mass, 0.015, "no other force")
     local from, impulse, greatest = thing:position().z, 0, 0
     me:hold("clutch")
     me:look(5, 0)  -- 100 counts move the hand 10 mm to the right: 0.2 m in the world, along +z
@@ -31,7 +31,7 @@ local function carry(mass)
         impulse = impulse - me:force().x * 0.001
         greatest = math.max(greatest, -me:force().x)
     end
-    expect_near(thing:position().z - from, 20 * me:hand().x, 0.02, "the thing has followed the hand, 20 to 1")
+    expect_near(thing:position().z - from, 20 * me:hand().x, 0.02, "the thing follows the hand at 20 to 1")
     me:look(-5, 0)
     wait(2)
     me:release("clutch")
@@ -44,6 +44,6 @@ end
 
 local light, light_peak = carry(5)
 local heavy, heavy_peak = carry(40)
-expect(heavy > 2 * light, "the heavier pulls back for longer")
+expect(heavy > 2 * light, "the heavier thing pulls back for longer")
 log("impulse N s", light, heavy, "peak N", light_peak, heavy_peak)
-expect(me:created() <= 0.02, "the spring has created no energy")
+expect(me:created() <= 0.02, "the spring creates no energy")

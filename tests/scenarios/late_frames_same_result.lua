@@ -14,5 +14,5 @@ pause(1)
 wait(0.3)
 pause(1)
 wait(0.5)
-expect(me:shots() > 20, "something has happened")
+expect(me:shots() > 20, "the match has events")
 for seed = 1, 3 do check_late {seed = seed} end

@@ -28,13 +28,13 @@ for i = 1, 500 do
     pushed = math.min(pushed, shield:velocity().x)
 end
 expect(foe:shots() > shots, "the foe has shot")
-expect_near(me:health(), health, 0, "and hit nobody")
+expect_near(me:health(), health, 0, "no shot hit a wizard")
 expect_near(#events("bolt_hit"), 0, 0)
-expect_near(pushed, -3 / 30, 0.02, "the bolt's 3 N s went into 30 kg")
+expect_near(pushed, -3 / 30, 0.02, "momentum of 3 N s in 30 kg")
 -- A blow gives 0.1 N for each N s, of which 45 % are felt, and the spring gives way a little.
-expect_near(strongest, 0.1 * 3 * 0.45, 0.03, "the hand has felt it")
+expect_near(strongest, 0.1 * 3 * 0.45, 0.03, "the hand feels the bolt")
 me:release("fire")
 wait(0.3)
 foe:press("fire")
 wait(0.5)
-expect(me:created() <= 0.02, "the spring has created no energy")
+expect(me:created() <= 0.02, "the spring creates no energy")

@@ -16,14 +16,14 @@ me:hold("fire")
 wait(0.2)
 me:look(0, 8)
 wait(1)
-expect(table_:position().y > 0.4, "it is up")
-expect_near(me:force().y, -0.01 * 40 * 0.45, 0.03, "its weight is felt, by the fader and the player's 45 %")
+expect(table_:position().y > 0.4, "the table is lifted")
+expect_near(me:force().y, -0.01 * 40 * 0.45, 0.03, "weight felt through the fader and the player's 45 %")
 
 -- Turns to the pit. The far end of the table turns with the wizard.
 me:look(-90, 0)  -- to the left: from -x to +z
 wait(1.5)
 local reach = table_:position().z - me:position().z
-expect(reach > 4 and reach < 6, "it points across the pit")
+expect(reach > 4 and reach < 6, "the table points across the pit")
 expect_near(table_:position().x, me:position().x, 0.5)
 picture {name = "carried"}
 
@@ -38,14 +38,14 @@ me:release("fire")
 wait(0.1)
 local energy = me:energy()
 wait(1)
-expect_near(table_:position().y, 0.05, 0.02, "it lies on both edges")
-expect(me:energy() >= energy, "and costs nothing more")
-expect_near(length(me:force()), 0, 1e-9, "nor is it felt")
+expect_near(table_:position().y, 0.05, 0.02, "the table lies on both edges")
+expect(me:energy() >= energy, "a table that was let go costs no energy")
+expect_near(length(me:force()), 0, 1e-9, "a table that was let go is not felt")
 
 -- Walks over the table.
 me:move(0, 1)
 wait_until(function() return me:position().z > 12.6 end, 6)
 me:stop()
-expect(me:position().y > -0.05, "over, not through the pit")
+expect(me:position().y > -0.05, "the wizard walks over the pit")
 expect(me:health() == 100)
-expect(me:created() <= 0.02, "the spring has created no energy")
+expect(me:created() <= 0.02, "the spring creates no energy")

@@ -23,7 +23,7 @@ local function throw(share, seconds)
     me:trigger(share)
     me:hold("fire")
     wait(seconds or 1)
-    if share == 1 then expect_near(length(me:force()), 0.45 * 3.3, 1e-9, "a full draw is more than the cap") end
+    if share == 1 then expect_near(length(me:force()), 0.45 * 3.3, 1e-9, "force limit at a full draw") end
     me:release("fire")
     return expect_event {kind = "shot", by = 1, within = 0.02}
 end
@@ -35,12 +35,12 @@ me:aim(foe)
 wait(0.3)
 local shot = throw(1)
 local burst = expect_event {kind = "burst", by = 1, within = 1}
-expect(burst.time - shot.time < 0.4, "before its fuse is over")
+expect(burst.time - shot.time < 0.4, "the stone bursts before its fuse ends")
 local amount, by = hurt_of(2, burst)
-expect_near(amount, 60, 0.01, "touched")
+expect_near(amount, 60, 0.01, "damage to the touched wizard")
 expect_near(by, 1, 0)
 tick()  -- the push moves bodies in the next tick
-expect_near(length(foe:velocity()), 250 / 75, 0.1, "and pushed")
+expect_near(length(foe:velocity()), 250 / 75, 0.1, "the burst pushes the wizard")
 wait(1)
 
 -- A lob bounces off a wall of a centimetre. At the end of its fuse the harm depends on the distance.
@@ -53,21 +53,21 @@ for i, off in ipairs {0.6, 1.2, 2, 3, 4, 5} do
     shot = throw(0.4)
     wait(1.5)
     local rests = missiles()[1]
-    expect(length(rests.velocity) < 0.1, "it has come to rest")
-    expect_near(rests.position.y, stone, 0.002, "on the ground")
+    expect(length(rests.velocity) < 0.1, "the stone comes to rest")
+    expect_near(rests.position.y, stone, 0.002, "the stone lies on the ground")
     foe:place {rests.position.x + off, 0, rests.position.z}
     local centre = foe:centre()
     burst = expect_event {kind = "burst", by = 1, within = 0.5}
-    expect_near(burst.time - shot.time, 1.8, 0.002, "its fuse")
+    expect_near(burst.time - shot.time, 1.8, 0.002, "time of the fuse")
     expect_near(burst.amount, 4, 0)
     local d = gap(centre, burst.place)
     amount = hurt_of(2, burst)
-    expect_near(amount, 60 * math.max(0, 1 - d / 4), 0.5, "falls off " .. i)
+    expect_near(amount, 60 * math.max(0, 1 - d / 4), 0.5, "damage falls with distance " .. i)
     seen[i] = amount
     expect(i == 1 or amount <= seen[i - 1])
     wait(0.3)
 end
-expect(seen[1] > 45 and seen[5] > 0 and seen[6] == 0, "from most of it to nothing")
+expect(seen[1] > 45 and seen[5] > 0 and seen[6] == 0, "damage falls from most of it to nothing")
 
 -- A wizard behind a wall is not hurt.
 me:place {-15, 0, 18}
@@ -80,7 +80,7 @@ local rests = missiles()[1].position
 spawn {kind = "box", size = {0.05, 2.5, 4}, mass = 9000, at = {rests.x + 0.5, 1.26, rests.z}, friction = 2}
 foe:place {rests.x + 1.2, 0, rests.z}
 burst = expect_event {kind = "burst", by = 1, within = 0.5}
-expect_near(hurt_of(2, burst), 0, 0, "the wall is between them")
+expect_near(hurt_of(2, burst), 0, 0, "a wall shields from the burst")
 clear_props()
 
 -- The lob does not pass through the wall, although it is fast and the wall is thin.
@@ -96,8 +96,8 @@ for _ = 1, 1700 do
     local m = missiles()[1]
     if m then farthest = math.min(farthest, m.position.z) end
 end
-expect(farthest > 9.1, "it came to the wall and back")
-expect(farthest < 9.3, "it did come to the wall")
+expect(farthest > 9.1, "the stone bounces back from the wall")
+expect(farthest < 9.3, "the stone reaches the wall")
 clear_props()
 wait(1)
 
@@ -109,7 +109,7 @@ local health = me:health()
 throw(0.3, 0.6)
 burst = expect_event {kind = "burst", by = 1, within = 2}
 amount, by = hurt_of(1, burst)
-expect(amount > 20 and amount <= 60, "at its own feet")
+expect(amount > 20 and amount <= 60, "damage to the thrower")
 expect_near(by, 1, 0)
 expect_near(me:health(), health - amount, 1e-9)
 expect_near(hurt_of(2, burst), 0, 0)

@@ -45,8 +45,8 @@ for i = 1, 6 do
     -- At rest the hand feels the spring with its detents, up to the force limit.
     local s = stretch()
     local felt, pull = along(me:force()), stiffness * s - detent(s)
-    expect_near(-felt, math.min(pull, cap), 0.03, "the spring's force " .. i)
-    expect_near(me:readiness(), math.min(s / full, 1), 2 * quantum / full, "as measured")
+    expect_near(-felt, math.min(pull, cap), 0.03, "force of the spring " .. i)
+    expect_near(me:readiness(), math.min(s / full, 1), 2 * quantum / full, "draw measured at the device")
 
     local share = me:readiness()
     me:release("fire")
@@ -75,8 +75,8 @@ for i = 1, 6 do
     log(string.format("draw %.1f mm  speed %.3f m/s  range %.4f m  closed form %.4f m  error %.5f %%",
                       1000 * share * full, speed, at_ground, range, 100 * errors[i]))
     expect_near(at_ground, range, 0.03 * range, "range " .. i)
-    expect_near(at_ground, range, 0.002 * range, "and much closer than asked")
-    if i == 6 then expect_near(share, 1, 0, "a key draws it fully") end
+    expect_near(at_ground, range, 0.002 * range, "range is much closer than required")
+    if i == 6 then expect_near(share, 1, 0, "a key draws the sling fully") end
     wait(2)
 end
 
@@ -96,10 +96,10 @@ expect_near(#missiles(), 0, 0)
 me:trigger(1)
 me:hold("fire")
 wait(1)
-expect(me:readiness() > 0.9, "drawn")
+expect(me:readiness() > 0.9, "the sling is drawn")
 me:press("wand_2")
 me:release("fire")
 wait(0.5)
 expect_near(me:shots(), 6, 0)
-expect_near(length(me:force()), 0, 0, "nothing holds the hand")
-expect(length(me:hand()) < 0.002, "and it is back")
+expect_near(length(me:force()), 0, 0, "no force on the hand after the wand was changed")
+expect(length(me:hand()) < 0.002, "the hand returns to its rest")

@@ -59,7 +59,7 @@ local stone = spawn {kind = "sphere", radius = 0.3, mass = 120, at = {-5, 3, 14}
 ready()
 local impulse, lost = throw(stone, 120, 20)
 expect(impulse > 560, "an impulse of " .. impulse)
-expect_near(lost, 60, 0, "at most 60")
+expect_near(lost, 60, 0, "largest damage of a blow")
 stone:place {10, 3, 14}
 
 -- Two blows of one thing within 0.4 s count once. A later blow counts again.
@@ -72,14 +72,14 @@ end
 ready()
 throw_again()
 wait(0.2)
-expect_near(#events("object_hit") - hits, 1, 0, "the first")
+expect_near(#events("object_hit") - hits, 1, 0, "hits after the first blow")
 throw_again()
 wait(0.15)
-expect_near(#events("object_hit") - hits, 1, 0, "0.2 s later: the same blow")
+expect_near(#events("object_hit") - hits, 1, 0, "hits after a blow 0.2 s later")
 wait(0.2)
 throw_again()
 wait(0.2)
-expect_near(#events("object_hit") - hits, 2, 0, "0.55 s later: another one")
+expect_near(#events("object_hit") - hits, 2, 0, "hits after a blow 0.55 s later")
 ball:place {10, 3, 12}
 
 -- A wizard who walks into a standing thing is not hurt.
@@ -89,5 +89,5 @@ local health = me:health()
 me:move(0, 1)
 wait(2)
 me:stop()
-expect(me:position().x > -13, "walked up to the crate")
-expect_near(me:health(), health, 0, "and was not hurt")
+expect(me:position().x > -13, "the wizard walks up to the crate")
+expect_near(me:health(), health, 0, "walking into a crate does no harm")

@@ -12,7 +12,7 @@ me:move(0, 1)  -- up and out
 wait_until(function() return me:ladle().y > brew().middle.y + 0.1 end, 3)
 me:stop()
 wait(1.2)
-expect_near(me:force().y, 0, 0.02, "in the air")
+expect_near(me:force().y, 0, 0.02, "no force above the surface")
 me:move(0, -0.35)
 local most, rest = 0, brew().middle.y
 local dent = 0
@@ -22,8 +22,8 @@ wait_until(function()
     return me:ladle().y < rest - 0.14
 end, 6)
 me:stop()
-expect(most > 0.8 and most < 1.3, "it held with up to " .. most .. " N: 160 N of the world")
-expect(dent < -0.02, "and gave way")
+expect(most > 0.8 and most < 1.3, "largest force at the surface: " .. most .. " N; 160 N in the world")
+expect(dent < -0.02, "the surface gives way")
 wait(1)
-expect(math.abs(me:force().y) < 0.3 * most, "inside it is felt no more")
-expect(me:created() <= 0.02, "the surface has created no energy")
+expect(math.abs(me:force().y) < 0.3 * most, "the surface is not felt inside the brew")
+expect(me:created() <= 0.02, "the surface creates no energy")

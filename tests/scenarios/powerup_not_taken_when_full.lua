@@ -13,10 +13,10 @@ end
 
 over {15, 0, 8.5}
 expect_near(me:health(), 150, 0)
-expect_near(#events("power_up"), 0, 0, "no vial at the cap")
+expect_near(#events("power_up"), 0, 0, "no vial is picked up at the health cap")
 over {-2, 0, 14}
 expect_near(me:energy(), 60, 0)
-expect_near(#events("power_up"), 0, 0, "no spark with all wands full")
+expect_near(#events("power_up"), 0, 0, "no spark is picked up with all wands full")
 for _, p in ipairs(power_ups()) do expect(p.there, "a " .. p.kind .. " has gone") end
 
 -- After a shot the spark's energy fits.
@@ -28,4 +28,4 @@ expect_near(spark.amount, 1.5, 0.05)
 foe:place {15, 130, 8.5}
 wait_until(function() return foe:dead() end, 8)
 wait(1)
-expect_near(#events("power_up"), 1, 0, "it fell on the vial, and is dead")
+expect_near(#events("power_up"), 1, 0, "a dead wizard picks nothing up")

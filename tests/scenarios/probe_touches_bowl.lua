@@ -10,7 +10,7 @@ me:place {-0.22, 0, 2.18}
 me:face(0)
 wait(0.5)
 trace("rim", {"1.hand_y", "1.force_y"})
-expect_near(length(me:force()), 0, 0, "nothing is touched")
+expect_near(length(me:force()), 0, 0, "no force without contact")
 
 -- The hand goes down by 38 mm, and a tenth of the 0.35 m to the rim is 35 mm. The hand's spring of 400 N/m
 -- and the rim's of 250 N/m meet in between, up to the dry friction of 0.26 N.
@@ -18,8 +18,8 @@ me:hold("clutch")
 me:look(0, -19)
 me:release("clutch")
 wait(0.5)
-expect_near(me:hand().y, -(400 * 0.038 + 250 * 0.035) / 650, 0.0005, "held up by the rim")
-expect_near(me:force().y, 250 * (-0.035 - me:hand().y), 0.02, "as hard as it is pressed")
+expect_near(me:hand().y, -(400 * 0.038 + 250 * 0.035) / 650, 0.0005, "position of the hand on the rim")
+expect_near(me:force().y, 250 * (-0.035 - me:hand().y), 0.02, "force of the rim")
 expect_near(me:force().z, 0, 0.02)
 
 local function strongest(seconds)
@@ -34,8 +34,8 @@ end
 -- Turning moves the tip along the rim and off it without a kick.
 local pressed = length(me:force())
 me:look(60, 0)
-expect(strongest(0.5) < pressed + 0.1, "the view turned")
-expect_near(length(me:force()), 0, 0, "off the rim")
+expect(strongest(0.5) < pressed + 0.1, "no kick while the view turns")
+expect_near(length(me:force()), 0, 0, "no force off the rim")
 
 -- The wizard walks into a wall with the wand ahead.
 me:hold("clutch")
@@ -45,10 +45,10 @@ me:place {17, 0, 1}
 me:face(-90)
 wait(0.5)
 me:move(0, 1)
-expect(strongest(1.5) < 0.05, "the wall comes nearer, the hand feels nothing")
+expect(strongest(1.5) < 0.05, "no force while the wizard walks into the wall")
 me:stop()
-expect(me:position().x > 19.5, "it is the wall")
-expect(strongest(1) < 0.05, "nor who stands there")
+expect(me:position().x > 19.5, "the wizard has reached the wall")
+expect(strongest(1) < 0.05, "no force while the wizard stands at the wall")
 
 -- A thing that flies against the tip is felt and pushes the hand aside.
 me:place {-10, 0, 0}

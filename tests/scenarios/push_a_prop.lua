@@ -27,8 +27,8 @@ local light, light_speed = push(8)
 local heavy, heavy_speed = push(100)
 expect(light > 0.5, "8 kg moved " .. light .. " m")
 expect(heavy > 0.02, "100 kg moved " .. heavy .. " m")
-expect(light > 2 * heavy, "the light one went farther")
-expect(light_speed > heavy_speed and light_speed < 6, "and faster")
+expect(light > 2 * heavy, "the light crate moves farther")
+expect(light_speed > heavy_speed and light_speed < 6, "the light crate moves faster")
 
 -- A push by an impulse: 50 N s on 25 kg give 2 m/s. Friction of 0.8 * 0.8 stops it after v^2 / (2 mu g).
 local crate = spawn {kind = "box", size = {1, 0.4, 1}, mass = 25, at = {-14, 0.2, 0}}
@@ -36,6 +36,6 @@ wait(0.5)
 local from = crate:position()
 crate:push {0, 0, 50}
 tick()
-expect_near(crate:velocity().z, 2, 0.02, "impulse by mass")
+expect_near(crate:velocity().z, 2, 0.02, "speed of impulse divided by mass")
 wait(1.5)
-expect_near(crate:position().z - from.z, 2 * 2 / (2 * 0.64 * 9.81), 0.03, "stopped by friction")
+expect_near(crate:position().z - from.z, 2 * 2 / (2 * 0.64 * 9.81), 0.03, "distance until friction stops the crate")

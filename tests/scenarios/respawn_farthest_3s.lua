@@ -24,29 +24,29 @@ for _, place in ipairs {{10, 0, 14}, {-12, 0, 13}, {12, 0, -12}, {-10, 0, -14}} 
     wait(2.9)
     expect(foe:dead(), "still dead after 2.9 s")
     local spawned = expect_event {kind = "spawn", subject = 2, within = 0.2}
-    expect_near(spawned.time - death.time, 3, 0.008, "3 s")
+    expect_near(spawned.time - death.time, 3, 0.008, "time from death to return")
     tick()
     local farthest = pads[1]
     for _, pad in ipairs(pads) do
         if distance(pad, me:position()) > distance(farthest, me:position()) then farthest = pad end
     end
-    expect_near(distance(foe:position(), farthest), 0, 0.05, "on the farthest pad")
-    expect_near(foe:health(), 100, 0, "whole again")
-    expect_near(foe:energy(), 60, 0, "wands full")
+    expect_near(distance(foe:position(), farthest), 0, 0.05, "distance from the farthest pad")
+    expect_near(foe:health(), 100, 0, "full health after the return")
+    expect_near(foe:energy(), 60, 0, "full energy after the return")
 end
 
 -- The shield: a landing at 12 m/s within 1.5 s costs nothing, and later 12 HP.
 local high = 12 * 12 / (2 * 9.81)
-expect(foe:shielded(), "shielded")
+expect(foe:shielded(), "shielded after the return")
 fall(high)
 wait(1.3)
-expect(foe:grounded() and foe:shielded(), "landed, with the shield still up")
-expect_near(foe:health(), 100, 0, "nothing hurts")
+expect(foe:grounded() and foe:shielded(), "landed while the shield lasts")
+expect_near(foe:health(), 100, 0, "no harm while the shield lasts")
 wait(0.3)
-expect(not foe:shielded(), "1.5 s are over")
+expect(not foe:shielded(), "the shield ends after 1.5 s")
 fall(high)
 wait(1.4)
-expect_near(foe:health(), 100 - 4 * (12 - 9), 1, "it hurts again")
+expect_near(foe:health(), 100 - 4 * (12 - 9), 1, "harm after the shield has ended")
 
 -- An attack ends the shield at once.
 die()
@@ -56,7 +56,7 @@ expect(foe:shielded())
 foe:look(0, 30)
 foe:press("fire")
 expect_near(#events {kind = "shot", by = 2}, 1, 0)
-expect(not foe:shielded(), "who attacks is no longer protected")
+expect(not foe:shielded(), "an attack ends the shield")
 fall(high)
 wait(1.3)
-expect_near(foe:health(), 100 - 4 * (12 - 9), 1, "within 1.5 s, but it hurts")
+expect_near(foe:health(), 100 - 4 * (12 - 9), 1, "harm within 1.5 s after an attack")

@@ -19,5 +19,5 @@ for player = 1, 2 do
     wizard(player):draw(0, -2, 0.16)
     wizard(player):circles(1, 0.8, 4)
 end
-expect(brew().speed > 0.3, "it is stirred: " .. brew().speed)
+expect(brew().speed > 0.3, "speed of the stirred brew: " .. brew().speed)
 for count = 1, 2 do check_threads(count) end

@@ -11,6 +11,6 @@ for i = 1, 5 do
     me:look(60, -20)
     wait(0.6)
 end
-expect(now() > 4 * 2048, "several keyframes")
+expect(now() > 4 * 2048, "the match has several keyframes")
 check_seek {ticks = {0, 1, 2047, 2048, 2049, 4096, 6143, now()}}
 check_seek {count = 12, seed = 3}

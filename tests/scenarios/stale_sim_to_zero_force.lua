@@ -9,8 +9,8 @@ me:press("wand_2")
 me:look(0, 40)
 me:hold("fire")
 wait(2)
-expect_near(me:readiness(), 1, 0, "charged")
-expect_near(me:force().z, full, 1e-12, "the charge leans on the hand")
+expect_near(me:readiness(), 1, 0, "the wand is charged")
+expect_near(me:force().z, full, 1e-12, "force of a full charge")
 local caption = "Forces fade: the game or the arm is late"
 expect(not on_screen(caption))
 
@@ -23,19 +23,19 @@ end
 -- Checks the arm's force before, during and after a stall.
 local function stalled(ticks)
     stall(ticks / 1000)
-    expect_near(me:told().z, held(ticks), 1e-12, "in the hand, while the match stands still")
+    expect_near(me:told().z, held(ticks), 1e-12, "force on the hand while the match stands still")
     for k = 1, ticks do
         tick()
-        expect_near(me:force().z, held(k), 1e-12, "the match computes what the hand had, sample " .. k)
+        expect_near(me:force().z, held(k), 1e-12, "force that the match computes for sample " .. k)
         expect((me:force_cause() == "stale") == (k > 20), me:force_cause())
-        expect(on_screen(caption) == (k > 20), "and says why")
+        expect(on_screen(caption) == (k > 20), "the screen gives the reason")
     end
 end
 local function comes_back()
     local from = me:force().z
     for i = 1, 60 do
         tick()
-        expect_near(me:force().z, math.min(full, from + 0.04 * i), 1e-9, "it walks back, tick " .. i)
+        expect_near(me:force().z, math.min(full, from + 0.04 * i), 1e-9, "the force returns slowly, tick " .. i)
         expect_near(me:told().z, me:force().z, 0)
     end
     expect_near(me:force().z, full, 1e-12)
@@ -59,7 +59,7 @@ wait(0.2)
 local before = me:force().z
 for i = 1, 100 do
     tick()
-    expect(math.abs(me:force().z - before) <= 0.04 + 1e-9, "no jump")
+    expect(math.abs(me:force().z - before) <= 0.04 + 1e-9, "no jump of the force")
     before = me:force().z
 end
-expect_near(me:force().z, full, 1e-12, "and it is back")
+expect_near(me:force().z, full, 1e-12, "the force is back")

@@ -18,14 +18,14 @@ wait(0.1)
 me:hold("fire")
 wait(0.5)
 local rest = length(me:force())
-expect(rest < 0.3, "nothing but its weight, by the fader")
+expect(rest < 0.3, "only the weight is felt, through the fader")
 
 -- 8 mm forward is 16 cm into the wall. 300 N/m ask for 2.4 N, and the hand feels the limit.
 local depth = 0.008
 local function press()
     me:reach({0, 0, -depth}, 0.05)
     wait(0.5)
-    expect_near(length(me:force()), cap, 1e-9, "pressed, and clipped")
+    expect_near(length(me:force()), cap, 1e-9, "the pressed hand's force is capped")
     expect(me:force_cause() == "capped")
 end
 
@@ -33,8 +33,8 @@ end
 local function ease_off()
     for _ = 1, 200 do
         tick()
-        expect_near(length(me:force()), 0, 0, "none while it is pressed")
-        expect(me:force_cause() == "waiting" and on_screen(caption), "and it is said why")
+        expect_near(length(me:force()), 0, 0, "no force while the hand is pressed")
+        expect(me:force_cause() == "waiting" and on_screen(caption), "the screen gives the reason")
     end
     me:reach({0, 0, 0}, 0.02)
     local waited = 0
@@ -43,7 +43,7 @@ local function ease_off()
         tick()
         waited = waited + 1
     end
-    expect_near(300 * -me:hand().z, cap, 0.1, "it waited until the spring was within the cap")
+    expect_near(300 * -me:hand().z, cap, 0.1, "the force waits until the spring is within the cap")
     expect(not on_screen(caption))
     -- The offset starts at minus the spring force and shrinks by 0.04 N a tick. The spring force itself,
     -- which falls as the hand eases off, is not delayed.
@@ -51,13 +51,13 @@ local function ease_off()
     for i = 1, 25 do
         local force = me:force()
         local step, eased = distance(force, before), first - 300 * -me:hand().z
-        expect(step <= 0.04 + 1e-12, "no jump, tick " .. i)
-        expect_near(length(force), 0.04 * i - eased, 0.005, "from zero, tick " .. i)
+        expect(step <= 0.04 + 1e-12, "no jump of the force, tick " .. i)
+        expect_near(length(force), 0.04 * i - eased, 0.005, "the force grows from zero, tick " .. i)
         before = force
         tick()
     end
     wait(0.5)
-    expect_near(length(me:force()), rest, 0.05, "and is as before")
+    expect_near(length(me:force()), rest, 0.05, "the force is as before")
 end
 
 press()

@@ -42,6 +42,6 @@ for i = 1, 150 do  -- 0.1 mm of the hand to the right every 20 ms
 end
 me:release("clutch")
 log("pull over pressure: sticking up to", stuck, "sliding at", sum / count)
-expect(stuck > 0.3, "it stuck while the pull grew")
-expect(count > 20, "then it slid")
-expect_near(sum / count, 0.8 * 0.8, 0.1, "at the friction of the two")
+expect(stuck > 0.3, "the tip sticks while the pull grows")
+expect(count > 20, "the tip slides afterwards")
+expect_near(sum / count, 0.8 * 0.8, 0.1, "friction force while sliding")

@@ -17,7 +17,7 @@ trace("recoil", {"1.force_x", "1.force_y", "1.force_z"})
 me:place {-2.2, 0, 0}
 me:hold("stir")
 wait(0.5)
-expect(most_force() < 0.05, "empty hands")
+expect(most_force() < 0.05, "no force before the drop")
 me:release("stir")
 wait(0.1)
 me:place {-4.5, 0, 0}
@@ -25,5 +25,5 @@ wait(0.1)
 me:place {-2.2, 0, 0}
 me:hold("stir")
 wait(0.5)
-expect(most_force() > 0.3, "felt")
+expect(most_force() > 0.3, "the drop is felt")
 expect(#brew().contents == 1)

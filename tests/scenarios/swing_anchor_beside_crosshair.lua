@@ -16,7 +16,7 @@ for _, case in ipairs {{5, true}, {15, false}} do
     me:hold("fire")
     wait(0.5)
     expect((me:energy() < before - 2) == case[2], case[1] .. " degrees of yaw beside it")
-    expect((me:position().y > 0.3) == case[2], "it hangs, or not")
+    expect((me:position().y > 0.3) == case[2], "the wizard hangs only from an anchor near the crosshair")
     me:release("fire")
     wait(1.5)
 end

@@ -13,18 +13,18 @@ me:aim {4, 7, 9}
 wait(0.1)
 me:hold("fire")
 wait_until(function() return me:position().z > 9 end, 3)
-expect(me:position().y > -0.5, "above the pit")
+expect(me:position().y > -0.5, "the wizard hangs above the pit")
 me:look(0, -50)
 wait_until(function() return me:position().z > 11 end, 3)
 me:release("fire")
 me:move(0, 1)
 wait_until(function() return me:position().z > 12.2 and me:grounded() end, 3)
 me:stop()
-expect(me:position().y > -0.05, "landed on the other side")
-expect_near(me:health(), 100, 0, "without a bruise")
-expect(me:energy() < 75, "it costs")
+expect(me:position().y > -0.05, "the wizard lands on the other side")
+expect_near(me:health(), 100, 0, "the swing does no harm")
+expect(me:energy() < 75, "the swing costs energy")
 wait(0.2)
-expect_near(length(me:force()), 0, 1e-9, "no rope, no force")
+expect_near(length(me:force()), 0, 1e-9, "no force without the rope")
 
 -- Hangs until all motion has stopped.
 me:place {4, 0, 8.1}
@@ -45,5 +45,5 @@ for i = 1, 4000 do
     felt, count = felt + length(me:force()), count + 1
     law = law + 75 * (9.81 * y / r + (v.y * v.y + v.z * v.z - along * along) / r)
 end
-expect_near(felt / law, 0.0005, 0.00001, "the rope's tension, by its scale")
-expect(me:force().y > 0, "upwards, as the anchor is")
+expect_near(felt / law, 0.0005, 0.00001, "force on the hand is the scaled tension of the rope")
+expect(me:force().y > 0, "the force points up to the anchor")

@@ -24,8 +24,8 @@ wait(0.12)  -- the blow is over
 wait_until(function() return me:force().z > 1.4 end, 3)
 me:stop()
 wait(0.4)
-expect(length(me:force()) > 1.2, "it presses hard")
-expect(me:force_cause() == "none", "and may, for now")
+expect(length(me:force()) > 1.2, "the hand presses hard")
+expect(me:force_cause() == "none", "the force is not reduced yet")
 local squares, sum, before, warm, steepest = {}, 0, me:force(), false, 0
 for i = 1, 16000 do
     tick()
@@ -37,12 +37,12 @@ for i = 1, 16000 do
     squares[i] = size * size
     sum = sum + squares[i]
     if i > 10000 then sum = sum - squares[i - 10000] end
-    if i >= 10000 then expect(math.sqrt(sum / 10000) <= 0.88 + 1e-9, "never too hot") end
+    if i >= 10000 then expect(math.sqrt(sum / 10000) <= 0.88 + 1e-9, "mean square force stays within the motors' limit") end
 end
-expect(warm, "it has said why it is weaker")
+expect(warm, "the reduced force has its reason")
 -- One encoder count, 55 um, changes the force through a spring of 300 N/m. Through the velocity over 8 ms it
 -- also acts on a damper of 1.9 N s/m, and on up to 4 N s/m of the controller.
-expect(steepest < 5.5e-5 * (300 + (1.9 + 4) / 0.008) + 0.003, "no tick changes it by more than an encoder's count does")
-expect(length(me:force()) > 0.05, "it is weaker, not gone")
-expect_near(thing:position().x, 19.5, 0.01, "in the world nothing has changed")
-expect(me:created() < 0.001, "a thing at a wall does not move, whatever pulls at it: it gives the hand nothing")
+expect(steepest < 5.5e-5 * (300 + (1.9 + 4) / 0.008) + 0.003, "change of force per tick is at most that of one encoder count")
+expect(length(me:force()) > 0.05, "the force is reduced but not zero")
+expect_near(thing:position().x, 19.5, 0.01, "the reduced force does not move the thing")
+expect(me:created() < 0.001, "a thing at rest at a wall gives the hand no energy")

@@ -18,8 +18,8 @@ foe:place {15, 0, -15}
 me:drop_in({7, 0, 0}, {2.2, 0, 0})  -- resin
 me:release("stir")
 wait(0.5)
-expect(brew().viscosity > 2, "thick: " .. brew().viscosity)
+expect(brew().viscosity > 2, "viscosity of the thick brew: " .. brew().viscosity)
 expect_near(pace(me, -3) / usual, 0.75, 0.03)
 me:place {-12, 0, -4}
-expect_near(pace(foe, -3) / usual, 0.75, 0.03, "both")
-expect_near(pace(me, -12) / usual, 1, 0.03, "not from afar")
+expect_near(pace(foe, -3) / usual, 0.75, 0.03, "a thick brew slows both wizards")
+expect_near(pace(me, -12) / usual, 1, 0.03, "a distant wizard is not slowed")

@@ -43,14 +43,14 @@ for i = 1, 100 do
     if not speed and thing:velocity().x > 18 then speed = length(thing:velocity()) end
 end
 me:release("throw")
-expect_near(speed, 20, 0.1, "20 m/s")
-expect_near(impulse, expected, 1e-9, "the recoil")
-expect(impulse > 0.8 * 2 / math.pi * 2 * 0.45 * 0.04, "most of the half sine")
+expect_near(speed, 20, 0.1, "speed of the throw")
+expect_near(impulse, expected, 1e-9, "impulse of the recoil")
+expect(impulse > 0.8 * 2 / math.pi * 2 * 0.45 * 0.04, "the recoil is most of a half sine")
 me:release("fire")
-expect_near(energy - me:energy(), 0.05 * 20 * 20, 1.5, "0.05 for 1 N s")
+expect_near(energy - me:energy(), 0.05 * 20 * 20, 1.5, "energy of 0.05 per N s")
 expect_event {kind = "object_hit", subject = 2, by = 1, within = 1.5}
-expect(foe:health() < 90, "that hurt")
-expect_near(deeds(1, "blow").hits, 1, 0, "it is the thrower's deed")
+expect(foe:health() < 90, "the thrown thing hurts the foe")
+expect_near(deeds(1, "blow").hits, 1, 0, "the thrower gets the hit")
 
 -- With little energy left the throw is slower, as the energy allows.
 thing:place {7, 0.3, 12.8}
@@ -66,7 +66,7 @@ wait_until(function() return me:energy() < 8 end, 20)
 local left = me:energy()
 me:press("throw")
 wait_until(function() return length(thing:velocity()) > 3 end, 0.1)
-expect_near(length(thing:velocity()), left / (0.05 * 20), 0.6, "all that is left")
+expect_near(length(thing:velocity()), left / (0.05 * 20), 0.6, "speed that the remaining energy allows")
 me:release("fire")
 wait(0.2)
-expect(me:energy() < 0.7, "and now there is none")
+expect(me:energy() < 0.7, "no energy is left")

@@ -17,7 +17,7 @@ wait_until(function() return me:health() < 60 end, 5)
 foe:release("fire")
 wait(1.5)
 local hurt = me:health()
-expect(hurt <= 60 and hurt > 0, "hurt")
+expect(hurt <= 60 and hurt > 0, "the wizard is hurt")
 expect(vial().there, "the vial is there")
 
 me:aim {-17, 1.6, 8}
@@ -25,18 +25,18 @@ wait(0.8)
 me:move(0, 1)
 local taken = expect_event {kind = "power_up", subject = 1, within = 4}
 me:stop()
-expect_near(distance(me:position(), {-17, 0, 8}), 0.9, 0.1, "from so near")
+expect_near(distance(me:position(), {-17, 0, 8}), 0.9, 0.1, "distance at which the vial is picked up")
 expect_near(taken.amount, 25, 0)
-expect_near(taken.detail, 0, 0, "a vial")
+expect_near(taken.detail, 0, 0, "kind of the power-up")
 expect_near(me:health(), hurt + 25, 1e-9)
-expect(not vial().there, "gone")
-expect_near(vial().back_in, 20, 0.01, "for 20 s")
+expect(not vial().there, "the vial is gone")
+expect_near(vial().back_in, 20, 0.01, "time until the vial is back")
 wait(19.9)
-expect_near(me:health(), hurt + 25, 1e-9, "nothing while it is gone")
+expect_near(me:health(), hurt + 25, 1e-9, "no healing while the vial is gone")
 
 -- A wizard who still stands there gets the next vial.
 local again = expect_event {kind = "power_up", subject = 1, within = 0.2}
-expect_near(again.time - taken.time, 20, 0.008, "by the clock")
+expect_near(again.time - taken.time, 20, 0.008, "time between two vials")
 expect_near(me:health(), hurt + 50, 1e-9)
-expect_near(#events {kind = "power_up", subject = 2}, 0, 0, "nobody else got one")
+expect_near(#events {kind = "power_up", subject = 2}, 0, 0, "the foe got no power-up")
 check_seek {count = 3}

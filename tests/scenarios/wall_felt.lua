@@ -15,9 +15,9 @@ local hand, force, ladle, middle = me:hand(), me:force(), me:ladle(), brew().mid
 -- 0.35 m before the middle.
 local held = {x = (ladle.z - middle.z) / 15, z = (middle.x - 0.35 - ladle.x) / 15}
 local off = length {hand.x - held.x, 0, hand.z - held.z}
-expect(off > 0.001, "the wall is in the hand's way")
-expect(length(force) > 0.2, "it is felt: " .. length(force))
-expect_near(force.x, -250 * (hand.x - held.x), 0.05, "250 N/m at the hand")
+expect(off > 0.001, "the wall holds back the hand")
+expect(length(force) > 0.2, "force of the wall: " .. length(force))
+expect_near(force.x, -250 * (hand.x - held.x), 0.05, "force of a spring of 250 N/m")
 expect_near(force.z, -250 * (hand.z - held.z), 0.05)
 expect(length {ladle.x - middle.x, 0, ladle.z - middle.z} < 1.36, "the ladle stays in the bowl")
-expect(me:created() <= 0.02, "the wall has created no energy")
+expect(me:created() <= 0.02, "the wall creates no energy")

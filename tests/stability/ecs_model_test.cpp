@@ -1,4 +1,5 @@
-// The World against the simplest model that can be right: a map from entity to values. Long random histories, each step compared.
+// Compares the World with the simplest correct model, a map from entity to values, after each step of long
+// random histories.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -131,7 +132,7 @@ TEST(EcsModel, LongRandomHistoriesAgreeWithAMapAndSurviveRestore) {
     }
 }
 
-/// A component of N bytes: sizes that move through registers and sizes that do not.
+/// Component of N bytes. Small sizes are moved in registers, large ones are not.
 template <std::size_t N>
 struct Sized {
     std::array<std::uint8_t, N> bytes{};
@@ -150,7 +151,7 @@ Sized<N> sized(std::uint64_t value) {
 template <std::size_t... Ns>
 struct Sizes {
     static constexpr std::size_t count = sizeof...(Ns);
-    /// Calls f.operator()<N>() with the size of that number.
+    /// Calls f.operator()<N>() with the size at index `number`.
     template <class F>
     static void with(std::size_t number, F&& f) {
         std::size_t i = 0;
@@ -166,8 +167,8 @@ struct Churned {
     bool frozen = false, burning = false;
 };
 
-/// Worlds that must stay equal to the byte: one lives on, one is restored now and then and so loses all that it remembers of
-/// neighbouring tables; one gets its changes as commands and one directly.
+/// Two Worlds that must stay equal to the byte. One is restored now and then and so loses its memory of
+/// neighbouring tables. One gets its changes as commands, the other directly.
 struct Twins {
     World lasting, restored;
     std::vector<Churned> all;
@@ -273,7 +274,7 @@ struct Twins {
         }
     }
 
-    /// The tables stay, but nothing that a World remembers beside its state.
+    /// Restores the World, so that its tables stay but everything outside its state is lost.
     void forget() {
         Bytes bytes;
         save(restored, bytes);

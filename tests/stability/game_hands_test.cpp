@@ -1,6 +1,7 @@
-// Hands on lift and swing under stress: poses that are none, teleports, hands that shake at 10 m/s, springs of 10^6 N/m, things that are
-// wedged, held by both or gone, devices that vanish, a match that stalls. Whatever happens, forces stay finite and within the cap,
-// energy bounded, things inside the walls, and nobody is flung about.
+// Stress on hands that use lift and swing: invalid poses, jumps of position, hands that shake at 10 m/s,
+// springs of 10^6 N/m, things that are wedged, held by both or destroyed, devices that vanish, and a match
+// that stalls. Forces must stay finite and within the cap, energy bounded, things inside the walls, and no
+// wizard may be launched.
 #include <functional>
 #include <memory>
 
@@ -18,15 +19,16 @@ namespace {
 
 using input::Button;
 
-constexpr double wall = 20;            // m, from the court's middle to its walls
-constexpr double fastest_wizard = 30;  // m/s; a fall of 12 m ends with 15
-constexpr double most_created = 0.02;  // J, by passive sources
-constexpr double most_given = 1.0;     // J, in about a second, by active ones
+constexpr double wall = 20;            // distance from the middle of the arena to its walls (m)
+constexpr double fastest_wizard = 30;  // largest allowed speed (m/s); a fall of 12 m ends with 15 m/s
+constexpr double most_created = 0.02;  // largest energy that passive sources may create (J)
+constexpr double most_given = 1.0;     // largest energy that active sources may give in about a second (J)
 constexpr double jump_speed =
-    0.1 / 0.03;  // m/s: 10 cm within a tick, against a force that is told only afterwards
-constexpr std::uint32_t arm_device = 2;  // of player 0; 3: of player 1
+    0.1 / 0.03;  // 10 cm of hand motion within a tick, against a force that follows later (m/s)
+// Index of the arm of player 0 among the devices; the arm of player 1 is 3.
+constexpr std::uint32_t arm_device = 2;
 
-/// What is watched in every tick, of every body and both hands.
+/// Limits checked in every tick for all bodies and both hands.
 struct Watch {
     std::array<haptics::SafetyAudit, players> audits{};
     double fastest = 0, created = 0, given = 0, strongest = 0, energy = 0;
@@ -44,7 +46,7 @@ struct Watch {
             const auto wizard = wizard_of(world, p);
             const auto& hand_state = world.get<HandState>(wizard);
             const vec3 told = hand_state.servo.safety.output;
-            audits[p].record(match.touch().servos[p].limits, {.wanted = told}, told);
+            audits[p].record(match.haptic_setup().servos[p].limits, {.wanted = told}, told);
             strongest = std::max(strongest, glm::length(told));
             created = std::max(created, hand_state.servo.energy.most_created);
             given = std::max(given, hand_state.servo.energy.given);
@@ -56,8 +58,8 @@ struct Watch {
                 energy = std::max(energy, body.mass * glm::dot(m.velocity, m.velocity) / 2);
             });
     }
-    /// speed: m/s, of a hand that turns round within a tick. Its velocity is taken over 8 ms and so is wrong for that long, in which
-    /// what should damp it drives it.
+    /// Expects all limits to hold. `speed` is the speed of a hand that reverses within a tick (m/s). The
+    /// measured velocity averages 8 ms, so for that long it has the wrong sign and damping drives the hand.
     void expect_tame(double speed = 0) const {
         for (const auto& audit : audits) {
             EXPECT_EQ(audit.violations(haptics::SafetyRule::finite), 0U);
@@ -70,15 +72,15 @@ struct Watch {
     }
 };
 
-/// A court without props, two scripted wizards, of whom each may hold an arm.
-struct Court {
+/// An arena without props and with two scripted wizards, of whom each may hold an arm.
+struct HandsRig {
     Simulation match;
     Watch watch{};
     input::InputFrame frame{};
-    std::function<void(input::InputFrame&)> before{};  ///< what devices do in a tick
+    std::function<void(input::InputFrame&)> before{};  ///< fills the device samples of a tick
     std::uint64_t held_ticks = 0;
 
-    explicit Court(std::vector<std::string> overrides = {}, int arms = 0)
+    explicit HandsRig(std::vector<std::string> overrides = {}, int arms = 0)
         : match(duel_data(with_energy(std::move(overrides))), setup(arms)) {
         auto& world = match.world_to_change();
         std::vector<ecs::Entity> props;
@@ -123,7 +125,7 @@ struct Court {
         match.world_to_change().get<Gaze>(wizard(p)) = {
             det::atan2(-way.x, -way.z), det::atan2(way.y, std::sqrt(way.x * way.x + way.z * way.z))};
     }
-    /// A thing, or with no mass a part of the court.
+    /// Adds a prop, or a fixed part of the arena if the mass is 0.
     ecs::Entity box(vec3 size, double mass, vec3 at) {
         Thing thing;
         thing.prop = mass > 0;
@@ -165,7 +167,7 @@ struct Court {
         run(40);
         EXPECT_TRUE(busy(p)) << "nothing is held";
     }
-    /// Hangs over the pit.
+    /// Makes the wizard hang on a rope over the pit.
     void hang(std::uint32_t p) {
         place(p, {4, 0, 5}, {0, 0, 1});
         run(50);
@@ -177,7 +179,7 @@ struct Court {
     }
 };
 
-/// An arm's sample of a tick that felt the newest model.
+/// Arm sample for a tick whose force used the newest model.
 input::DeviceSample arm_sample(vec3 place) {
     input::DeviceSample sample;
     for (int axis = 0; axis < 3; ++axis)
@@ -187,7 +189,7 @@ input::DeviceSample arm_sample(vec3 place) {
     return sample;
 }
 
-/// To and fro at `speed` m/s over `width` m, about the middle.
+/// Triangle wave about 0 with a slope of `speed` (m/s) and a range of `width` (m).
 double shaken(Tick t, double speed, double width) {
     const double way = speed * tick_seconds * static_cast<double>(t) + width / 2;
     const double phase = std::fmod(way, 2 * width);
@@ -202,30 +204,30 @@ std::int32_t anything(Random& random) {
     }
 }
 
-/// Lift and swing alike.
+/// Start of a test with one wand, so that lift and swing share the tests.
 struct StressedWand {
     const char* name;
-    void (*begin)(Court&);
+    void (*begin)(HandsRig&);
 };
-void begin_lift(Court& court) {
-    court.box({1, 1, 1}, 20, {11, 0.5, 16});
-    court.run(50);
-    court.take(0, {11, 0.5, 16});
+void begin_lift(HandsRig& rig) {
+    rig.box({1, 1, 1}, 20, {11, 0.5, 16});
+    rig.run(50);
+    rig.take(0, {11, 0.5, 16});
 }
-void begin_swing(Court& court) { court.hang(0); }
+void begin_swing(HandsRig& rig) { rig.hang(0); }
 constexpr std::array stressed_wands{StressedWand{"lift", begin_lift}, StressedWand{"swing", begin_swing}};
 
 class StressedHands : public testing::TestWithParam<StressedWand> {};
 INSTANTIATE_TEST_SUITE_P(Each, StressedHands, testing::ValuesIn(stressed_wands),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-// ---- poses ------------------------------------------------------------------------------------------------------------
+// ---- poses ------------------------------------------------------------------------------------------------
 
-TEST_P(StressedHands, OfAnArmWhosePosesAreAnything) {
-    Court court({}, 1);
+TEST_P(StressedHands, StayTameForAnyPosesOfAnArm) {
+    HandsRig rig({}, 1);
     Random random = random_stream(7, 1);
     bool wild = false;
-    court.before = [&](input::InputFrame& frame) {
+    rig.before = [&](input::InputFrame& frame) {
         auto& sample = frame.devices[arm_device];
         sample = arm_sample({0, 0, 0});
         if (!wild || random.below(3) != 0) return;
@@ -233,284 +235,285 @@ TEST_P(StressedHands, OfAnArmWhosePosesAreAnything) {
         sample.model_age = static_cast<std::uint16_t>(random.below(100));
         if (random.below(50) == 0) sample.skips = static_cast<std::uint16_t>(random.below(0x10000));
     };
-    GetParam().begin(court);
+    GetParam().begin(rig);
     wild = true;
     for (int i = 0; i < 40; ++i) {
-        court.run(200);
-        court.release(0, Button::fire);
-        court.run(20);
-        court.hold(0, Button::fire);
+        rig.run(200);
+        rig.release(0, Button::fire);
+        rig.run(20);
+        rig.hold(0, Button::fire);
     }
-    court.watch.expect_tame();
+    rig.watch.expect_tame();
     wild = false;
-    court.release(0, Button::fire);
-    court.run(500);
-    EXPECT_LT(glm::length(court.hand_state(0).servo.safety.output), 0.1) << "and all is quiet again";
+    rig.release(0, Button::fire);
+    rig.run(500);
+    EXPECT_LT(glm::length(rig.hand_state(0).servo.safety.output), 0.1) << "a force remains";
 }
 
-TEST_P(StressedHands, OfAnArmThatJumpsAcrossItsWorkspace) {
-    Court court({}, 1);
+TEST_P(StressedHands, StayTameWhenAnArmJumpsAcrossItsWorkspace) {
+    HandsRig rig({}, 1);
     Random random = random_stream(8, 1);
     vec3 place{};
-    court.before = [&](input::InputFrame& frame) { frame.devices[arm_device] = arm_sample(place); };
-    GetParam().begin(court);
+    rig.before = [&](input::InputFrame& frame) { frame.devices[arm_device] = arm_sample(place); };
+    GetParam().begin(rig);
     for (int i = 0; i < 100; ++i) {
         place = {random.uniform(-0.08, 0.08), random.uniform(-0.06, 0.06), random.uniform(-0.035, 0.035)};
-        court.run(1 + random.below(200));
+        rig.run(1 + random.below(200));
     }
-    court.watch.expect_tame(jump_speed);
-    EXPECT_GT(court.held_ticks, 100U);
+    rig.watch.expect_tame(jump_speed);
+    EXPECT_GT(rig.held_ticks, 100U);
 }
 
-TEST_P(StressedHands, ThatShakeAtTenMetresASecond) {
+TEST_P(StressedHands, StayTameWhileShakingAtTenMetresASecond) {
     for (const double speed : {0.5, 3.9, 10.0}) {
-        Court court({}, 1);
+        HandsRig rig({}, 1);
         Tick t = 0;
         bool shake = false;
-        court.before = [&](input::InputFrame& frame) {
+        rig.before = [&](input::InputFrame& frame) {
             const double x = shake ? shaken(++t, speed, 0.1) : 0;
             frame.devices[arm_device] = arm_sample({x, 0.5 * x, 0.7 * x});
         };
-        GetParam().begin(court);
+        GetParam().begin(rig);
         shake = true;
-        court.run(4000);
-        court.watch.expect_tame(speed);
-        EXPECT_GT(court.held_ticks, 40U);
+        rig.run(4000);
+        rig.watch.expect_tame(speed);
+        EXPECT_GT(rig.held_ticks, 40U);
     }
 }
 
-/// The simulated hand, by mouse and wheel.
-TEST_P(StressedHands, OfAMouseThatDoesAnything) {
-    Court court;
+/// Moves the simulated hand with mouse and wheel.
+TEST_P(StressedHands, StayTameForAnyMouseInput) {
+    HandsRig rig;
     Random random = random_stream(9, 1);
-    GetParam().begin(court);
-    court.hold(0, Button::clutch);
-    court.before = [&](input::InputFrame& frame) {
+    GetParam().begin(rig);
+    rig.hold(0, Button::clutch);
+    rig.before = [&](input::InputFrame& frame) {
         if (random.below(4) != 0) return;
         for (const auto count : {input::hand::look_right, input::hand::look_up, input::hand::wheel})
             frame.devices[0].counts[count] = anything(random);
     };
     for (int i = 0; i < 20; ++i) {
-        court.run(300);
-        court.release(0, Button::fire);
-        court.run(20);
-        court.hold(0, Button::fire);
+        rig.run(300);
+        rig.release(0, Button::fire);
+        rig.run(20);
+        rig.hold(0, Button::fire);
     }
-    court.watch.expect_tame();
+    rig.watch.expect_tame();
 }
 
-// ---- stiffness --------------------------------------------------------------------------------------------------------
+// ---- stiffness --------------------------------------------------------------------------------------------
 
-TEST(LiftStress, OfAnyStiffnessAndMassStaysBounded) {
+TEST(LiftStress, StaysBoundedForAnyStiffnessAndMass) {
     for (const double stiffness : {1.0, 4000.0, 1e5, 1e6}) {
         for (const double mass : {0.05, 5.0, 120.0}) {
             SCOPED_TRACE(text(stiffness, " N/m, ", mass, " kg"));
-            Court court({text("lift.hold.stiffness_n_per_m=", stiffness)}, 1);
+            HandsRig rig({text("lift.hold.stiffness_n_per_m=", stiffness)}, 1);
             Tick t = 0;
             bool shake = false;
-            court.before = [&](input::InputFrame& frame) {
+            rig.before = [&](input::InputFrame& frame) {
                 frame.devices[arm_device] = arm_sample({shake ? shaken(++t, 0.4, 0.04) : 0, 0, 0});
             };
-            court.box({1, 1, 1}, mass, {11, 0.5, 16});
-            court.run(50);
-            court.take(0, {11, 0.5, 16});
+            rig.box({1, 1, 1}, mass, {11, 0.5, 16});
+            rig.run(50);
+            rig.take(0, {11, 0.5, 16});
             shake = true;
-            court.run(2500);
-            court.watch.expect_tame(0.4);
-            // No more than what a stretch of lost_m holds, or a thing that keeps up with its hand; and it falls.
+            rig.run(2500);
+            rig.watch.expect_tame(0.4);
+            // Energy of a spring stretched by lost_m, or of a thing as fast as its hand, plus that of a
+            // fall.
             constexpr double lost = 2.5, hand = 20 * 0.4;
             const double most =
                 std::max(stiffness * lost * lost / 2, mass * hand * hand * 2) + mass * 9.81 * 3;
-            EXPECT_LT(court.watch.energy, most);
+            EXPECT_LT(rig.watch.energy, most);
         }
     }
 }
 
-TEST(SwingStress, OfAnyStiffnessStaysBounded) {
+TEST(SwingStress, StaysBoundedForAnyStiffness) {
     for (const double stiffness : {1.0, 4000.0, 1e5, 1e6}) {
         for (const double tension : {4000.0, 1e6}) {
             SCOPED_TRACE(text(stiffness, " N/m, ", tension, " N"));
-            Court court({text("swing.rope.stiffness_n_per_m=", stiffness),
-                         text("swing.rope.tension_max_n=", tension)},
-                        1);
+            HandsRig rig({text("swing.rope.stiffness_n_per_m=", stiffness),
+                          text("swing.rope.tension_max_n=", tension)},
+                         1);
             Tick t = 0;
             bool shake = false;
-            court.before = [&](input::InputFrame& frame) {
+            rig.before = [&](input::InputFrame& frame) {
                 frame.devices[arm_device] = arm_sample({0, 0, shake ? shaken(++t, 0.4, 0.04) : 0});
             };
-            court.hang(0);
+            rig.hang(0);
             shake = true;
-            court.run(4000);
-            court.watch.expect_tame();
+            rig.run(4000);
+            rig.watch.expect_tame();
         }
     }
 }
 
-// ---- what is held -----------------------------------------------------------------------------------------------------
+// ---- held things ------------------------------------------------------------------------------------------
 
-/// Between two blocks that nobody moves and the wall, pulled every way.
+/// The thing is wedged between two fixed blocks and the wall, and is pulled in all directions.
 TEST(LiftStress, AWedgedThingGoesThroughNothing) {
     for (const double stiffness : {4000.0, 1e6}) {
         SCOPED_TRACE(stiffness);
-        Court court({text("lift.hold.stiffness_n_per_m=", stiffness), "lift.hold.lost_m=100"}, 1);
+        HandsRig rig({text("lift.hold.stiffness_n_per_m=", stiffness), "lift.hold.lost_m=100"}, 1);
         Tick t = 0;
         bool pull = false;
-        court.before = [&](input::InputFrame& frame) {
+        rig.before = [&](input::InputFrame& frame) {
             const double x = pull ? shaken(++t, 0.05, 0.15) : 0;
             const double into = std::min(0.06, 1e-4 * static_cast<double>(t));
             frame.devices[arm_device] = arm_sample({x, 0.3 * x, -into});
         };
-        court.place(0, {15, 0, 16}, {1, 0, 0});
-        court.box({2, 3, 1}, 0, {18.9, 1.5, 14.95});
-        court.box({2, 3, 1}, 0, {18.9, 1.5, 17.05});
-        const auto thing = court.box({1, 1, 1}, 20, {19.4, 0.5, 16});
-        court.run(100);
-        court.take(0, {19.4, 0.5, 16});
+        rig.place(0, {15, 0, 16}, {1, 0, 0});
+        rig.box({2, 3, 1}, 0, {18.9, 1.5, 14.95});
+        rig.box({2, 3, 1}, 0, {18.9, 1.5, 17.05});
+        const auto thing = rig.box({1, 1, 1}, 20, {19.4, 0.5, 16});
+        rig.run(100);
+        rig.take(0, {19.4, 0.5, 16});
         pull = true;
         for (int i = 0; i < 6000 && !HasFatalFailure(); ++i) {
-            court.run(1);
-            const vec3 at = court.match.world().get<Motion>(thing).position;
+            rig.run(1);
+            const vec3 at = rig.match.world().get<Motion>(thing).position;
             ASSERT_LT(at.x, 19.6) << i;
             ASSERT_GT(at.y, 0.3) << i;
-            // Not into the blocks; above them and before them it may go.
+            // The thing may pass above or in front of the blocks, but not into them.
             const bool between = at.x > 18.4 && at.y < 3;
             ASSERT_TRUE(!between || std::abs(at.z - 16) < 0.25) << i;
         }
-        court.watch.expect_tame();
-        EXPECT_GT(court.held_ticks, 1000U);
+        rig.watch.expect_tame();
+        EXPECT_GT(rig.held_ticks, 1000U);
     }
 }
 
-TEST(LiftStress, ToSlamAThingAgainstWallsDoesNotBringItThrough) {
-    Court court({"lift.hold.lost_m=100"}, 1);
+TEST(LiftStress, AThingSlammedAgainstWallsStaysInside) {
+    HandsRig rig({"lift.hold.lost_m=100"}, 1);
     Random random = random_stream(4, 4);
     vec3 place{};
-    court.before = [&](input::InputFrame& frame) { frame.devices[arm_device] = arm_sample(place); };
-    court.place(0, {16, 0, 16}, {1, 0, 0});
-    court.box({0.3, 0.3, 0.3}, 5, {18, 0.15, 16});
-    court.run(50);
-    court.take(0, {18, 0.15, 16});
+    rig.before = [&](input::InputFrame& frame) { frame.devices[arm_device] = arm_sample(place); };
+    rig.place(0, {16, 0, 16}, {1, 0, 0});
+    rig.box({0.3, 0.3, 0.3}, 5, {18, 0.15, 16});
+    rig.run(50);
+    rig.take(0, {18, 0.15, 16});
     for (int i = 0; i < 150; ++i) {
         place = {random.uniform(-0.3, 0.3), random.uniform(-0.2, 0.3), random.uniform(-0.3, 0.1)};
-        court.run(60);
+        rig.run(60);
     }
-    court.watch.expect_tame();
-    EXPECT_GT(court.held_ticks, 5000U) << "it was lost";
+    rig.watch.expect_tame();
+    EXPECT_GT(rig.held_ticks, 5000U) << "the thing was lost";
 }
 
 TEST(LiftStress, AThingHeldByBothIsTornAtByBoth) {
-    Court court({}, 2);
+    HandsRig rig({}, 2);
     Tick t = 0;
     bool tear = false;
-    court.before = [&](input::InputFrame& frame) {
+    rig.before = [&](input::InputFrame& frame) {
         const double x = tear ? shaken(++t, 0.3, 0.1) : 0;
         frame.devices[arm_device] = arm_sample({x, 0, x});
         frame.devices[arm_device + 1] = arm_sample({x, 0.4 * x, -x});
     };
-    court.place(1, {14, 0, 16}, {-1, 0, 0});
-    court.box({1, 1, 1}, 20, {11, 0.5, 16});
-    court.run(50);
-    court.take(0, {11, 0.5, 16});
-    court.take(1, {11, 0.5, 16});
+    rig.place(1, {14, 0, 16}, {-1, 0, 0});
+    rig.box({1, 1, 1}, 20, {11, 0.5, 16});
+    rig.run(50);
+    rig.take(0, {11, 0.5, 16});
+    rig.take(1, {11, 0.5, 16});
     tear = true;
-    court.run(3000);
-    EXPECT_TRUE(court.busy(0) || court.busy(1)) << "both have lost it";
-    court.release(0, Button::fire);
-    court.run(500);
-    court.watch.expect_tame();
-    court.release(1, Button::fire);
-    court.run(300);
-    EXPECT_EQ(court.hand_state(0).servo.safety.output, vec3(0));
-    EXPECT_EQ(court.hand_state(1).servo.safety.output, vec3(0));
+    rig.run(3000);
+    EXPECT_TRUE(rig.busy(0) || rig.busy(1)) << "both hands must lose the thing";
+    rig.release(0, Button::fire);
+    rig.run(500);
+    rig.watch.expect_tame();
+    rig.release(1, Button::fire);
+    rig.run(300);
+    EXPECT_EQ(rig.hand_state(0).servo.safety.output, vec3(0));
+    EXPECT_EQ(rig.hand_state(1).servo.safety.output, vec3(0));
 }
 
-TEST(LiftStress, WhatIsGoneIsHeldNoMore) {
+TEST(LiftStress, ADestroyedThingIsNotHeld) {
     for (const int holders : {1, 2}) {
-        Court court({}, 0);
-        court.place(1, {14, 0, 16}, {-1, 0, 0});
-        const auto thing = court.box({1, 1, 1}, 60, {11, 0.5, 16});
-        court.run(50);
-        court.take(0, {11, 0.5, 16});
-        if (holders == 2) court.take(1, {11, 0.5, 16});
-        court.run(300);
-        EXPECT_GT(glm::length(court.hand_state(0).servo.safety.output), 0.1);
-        court.match.world_to_change().destroy(thing);
-        const auto other = court.box({1, 1, 1}, 60, {11, 0.5, 16});  // may get the same place in the store
-        court.run(300);
+        HandsRig rig({}, 0);
+        rig.place(1, {14, 0, 16}, {-1, 0, 0});
+        const auto thing = rig.box({1, 1, 1}, 60, {11, 0.5, 16});
+        rig.run(50);
+        rig.take(0, {11, 0.5, 16});
+        if (holders == 2) rig.take(1, {11, 0.5, 16});
+        rig.run(300);
+        EXPECT_GT(glm::length(rig.hand_state(0).servo.safety.output), 0.1);
+        rig.match.world_to_change().destroy(thing);
+        const auto other = rig.box({1, 1, 1}, 60, {11, 0.5, 16});  // may reuse the freed entity's place
+        rig.run(300);
         for (std::uint32_t p = 0; p < static_cast<std::uint32_t>(holders); ++p) {
-            EXPECT_FALSE(court.busy(p));
-            EXPECT_EQ(court.hand_state(p).servo.safety.output, vec3(0));
+            EXPECT_FALSE(rig.busy(p));
+            EXPECT_EQ(rig.hand_state(p).servo.safety.output, vec3(0));
         }
-        EXPECT_LT(glm::length(court.match.world().get<Motion>(other).velocity), 0.1);
-        court.watch.expect_tame();
+        EXPECT_LT(glm::length(rig.match.world().get<Motion>(other).velocity), 0.1);
+        rig.watch.expect_tame();
     }
 }
 
-TEST_P(StressedHands, OfWhoDiesLetGo) {
-    Court court;
-    GetParam().begin(court);
-    court.run(200);
-    court.match.world_to_change().get<Health>(court.wizard(0)).points = -5;
-    court.run(50);
-    EXPECT_TRUE(court.match.world().has<Dead>(court.wizard(0)));
-    EXPECT_FALSE(court.busy(0));
-    court.run(4000);
-    EXPECT_FALSE(court.match.world().has<Dead>(court.wizard(0)));
-    EXPECT_LT(glm::length(court.hand_state(0).servo.safety.output), 0.1);
-    court.watch.expect_tame();
+TEST_P(StressedHands, LetGoWhenTheirWizardDies) {
+    HandsRig rig;
+    GetParam().begin(rig);
+    rig.run(200);
+    rig.match.world_to_change().get<Health>(rig.wizard(0)).points = -5;
+    rig.run(50);
+    EXPECT_TRUE(rig.match.world().has<Dead>(rig.wizard(0)));
+    EXPECT_FALSE(rig.busy(0));
+    rig.run(4000);
+    EXPECT_FALSE(rig.match.world().has<Dead>(rig.wizard(0)));
+    EXPECT_LT(glm::length(rig.hand_state(0).servo.safety.output), 0.1);
+    rig.watch.expect_tame();
 }
 
 TEST(SwingStress, AnAnchorThatIsGoneStillHoldsOrLetsGo) {
-    Court court;
-    court.hang(0);
-    court.run(200);
+    HandsRig rig;
+    rig.hang(0);
+    rig.run(200);
     std::vector<ecs::Entity> anchors;
-    auto& world = court.match.world_to_change();
+    auto& world = rig.match.world_to_change();
     world.view<const Anchor>().each([&](ecs::Entity e) { anchors.push_back(e); });
     EXPECT_FALSE(anchors.empty());
     for (const auto e : anchors) world.destroy(e);
-    court.run(1500);
-    court.release(0, Button::fire);
-    court.run(1500);
-    EXPECT_FALSE(court.busy(0));
-    court.watch.expect_tame();
+    rig.run(1500);
+    rig.release(0, Button::fire);
+    rig.run(1500);
+    EXPECT_FALSE(rig.busy(0));
+    rig.watch.expect_tame();
 }
 
-// ---- devices that vanish, matches that stall -------------------------------------------------------------------------
+// ---- devices that vanish, matches that stall ---------------------------------------------------------------
 
-TEST_P(StressedHands, OfAnArmThatVanishesAndComesBackElsewhere) {
+TEST_P(StressedHands, StayTameWhenAnArmVanishesAndComesBackElsewhere) {
     for (const Tick gone : std::initializer_list<Tick>{1, 5, 19, 20, 60, 300, 3000}) {
         SCOPED_TRACE(gone);
-        Court court({}, 1);
+        HandsRig rig({}, 1);
         bool there = true;
         vec3 place{};
-        court.before = [&](input::InputFrame& frame) {
+        rig.before = [&](input::InputFrame& frame) {
             frame.devices[arm_device] = there ? arm_sample(place) : input::DeviceSample{};
         };
-        GetParam().begin(court);
-        court.run(300);
+        GetParam().begin(rig);
+        rig.run(300);
         there = false;
-        court.run(gone);
-        // Later than that the simulated hand plays on.
-        EXPECT_TRUE(gone < 60 || gone > 250 || court.hand_state(0).servo.safety.output == vec3(0));
+        rig.run(gone);
+        // After 250 ms the simulated hand takes over.
+        EXPECT_TRUE(gone < 60 || gone > 250 || rig.hand_state(0).servo.safety.output == vec3(0));
         there = true;
         place = {0.06, 0.04, -0.03};
-        court.run(500);
-        court.watch.expect_tame(jump_speed);
+        rig.run(500);
+        rig.watch.expect_tame(jump_speed);
     }
 }
 
-/// The arm's own thread goes on while the match stands still; beyond 250 ms of backlog samples are left out.
-TEST_P(StressedHands, OfAnArmWhileTheMatchStalls) {
+/// The arm's thread goes on while the match stalls. If the backlog exceeds 250 ms, samples are skipped.
+TEST_P(StressedHands, StayTameWhileTheMatchStalls) {
     for (const int stalled : {1, 5, 20, 50, 79, 120, 250, 700, 2000}) {
         SCOPED_TRACE(stalled);
-        Court court({}, 1);
+        HandsRig rig({}, 1);
         auto servo = std::make_unique<input::ArmServo>();
         std::int64_t now_ns = 0;
         Tick t = 0;
         haptics::SafetyAudit audit;
         double strongest_late = 0;
-        const auto limits = court.match.touch().servos[0].limits;
+        const auto limits = rig.match.haptic_setup().servos[0].limits;
         const auto step = [&] {
             const double x = shaken(++t, 0.2, 0.04);
             input::ArmReading reading{.time_ns = now_ns += 1'000'000};
@@ -521,7 +524,7 @@ TEST_P(StressedHands, OfAnArmWhileTheMatchStalls) {
         };
         int behind = 0;
         std::uint16_t skips = 0;
-        court.before = [&](input::InputFrame& frame) {
+        rig.before = [&](input::InputFrame& frame) {
             frame.devices[arm_device] = servo->take();
             frame.devices[0].skips = std::exchange(skips, std::uint16_t{0});
         };
@@ -532,23 +535,24 @@ TEST_P(StressedHands, OfAnArmWhileTheMatchStalls) {
                 } else {
                     step();
                 }
-                court.run(1);
-                if (fill_order(court.match.world(), court.match.touch(), 0, servo->order())) servo->publish();
+                rig.run(1);
+                if (fill_order(rig.match.world(), rig.match.haptic_setup(), 0, servo->order()))
+                    servo->publish();
             }
         };
-        // What Court::take and hang do, with the arm's thread beside.
-        const auto inner = court.before;
-        court.before = [&](input::InputFrame& frame) {
+        // HandsRig::take and hang run ticks too, so the arm's thread must also run there.
+        const auto inner = rig.before;
+        rig.before = [&](input::InputFrame& frame) {
             if (behind > 0) {
                 --behind;
             } else {
                 step();
             }
-            if (fill_order(court.match.world(), court.match.touch(), 0, servo->order())) servo->publish();
+            if (fill_order(rig.match.world(), rig.match.haptic_setup(), 0, servo->order())) servo->publish();
             inner(frame);
         };
-        GetParam().begin(court);
-        court.before = inner;
+        GetParam().begin(rig);
+        rig.before = inner;
         run(300);
         for (int i = 1; i <= stalled; ++i) {
             const double force = step();
@@ -562,7 +566,8 @@ TEST_P(StressedHands, OfAnArmWhileTheMatchStalls) {
             behind = stalled;
         }
         run(1000);
-        court.watch.expect_tame(0.2 * std::min(stalled, 80) / 30);  // what the hand does by an old model
+        // The hand moves on for that long by an old model.
+        rig.watch.expect_tame(0.2 * std::min(stalled, 80) / 30);
         EXPECT_EQ(audit.violations(haptics::SafetyRule::cap), 0U);
         EXPECT_EQ(audit.violations(haptics::SafetyRule::finite), 0U);
         EXPECT_EQ(servo->troubles().differing, 0U);

@@ -1,5 +1,5 @@
-// A match under hands that do anything at all: whatever comes in, all stays finite and in bounds. And logs that are not ours to
-// play.
+// Matches with random input: the state must stay finite and within bounds. Also logs that this program must
+// refuse to play.
 #include "game/match/playback.h"
 #include "game/wands/belt.h"
 #include "unit/game_duel.h"
@@ -7,7 +7,7 @@
 namespace thaum::game::test {
 namespace {
 
-/// Mostly wild, sometimes as far as the integers go.
+/// Random integer, mostly large, sometimes an end of the range.
 std::int32_t wild(Random& random) {
     switch (random.below(6)) {
         case 0: return std::numeric_limits<std::int32_t>::min();
@@ -23,7 +23,7 @@ input::InputFrame wild_frame(Random& random) {
         auto& sample = frame.devices[d];
         for (auto& count : sample.counts) count = wild(random);
         sample.buttons = static_cast<std::uint32_t>(random.next());
-        // Pausing all the time would leave little to test.
+        // A match that is paused most of the time would test little.
         if (random.below(50) != 0) sample.buttons &= ~input::bit(input::Button::pause);
     }
     return frame;
@@ -61,7 +61,7 @@ TEST(GameHostile, WildInputLeavesEverythingFiniteAndInBounds) {
     EXPECT_GT(match.match().played, 5000U);
 }
 
-TEST(GameHostile, WhoRunsOverPowerUpsInAnyStateStaysWithinTheCaps) {
+TEST(GameHostile, PowerUpsRespectTheCapsInAnyState) {
     Random random{31};
     const auto data = duel_data(
         {"quick.kills=1000", "thaum.vial.again_s=0.1", "thaum.heart.again_s=0.1", "thaum.spark.again_s=0.1"});
@@ -71,7 +71,7 @@ TEST(GameHostile, WhoRunsOverPowerUpsInAnyStateStaysWithinTheCaps) {
         if (random.below(20) == 0) frame = wild_frame(random);
         for (auto& sample : frame.devices)
             sample.buttons &= ~static_cast<std::uint32_t>(input::Button::pause);
-        if (t % 200 == 0) {  // onto one of them, with any health
+        if (t % 200 == 0) {  // moves a wizard onto a power-up and sets a random health
             const auto wizard = wizard_of(match.world(), static_cast<std::uint32_t>(t / 200 % players));
             if (match.world().has<Dead>(wizard)) continue;
             const auto& place = data->arena.power_ups[random.below(data->arena.power_ups.size())];
@@ -87,7 +87,7 @@ TEST(GameHostile, WhoRunsOverPowerUpsInAnyStateStaysWithinTheCaps) {
     EXPECT_GT(match.world().single<EventLog>().count, 100U);
 }
 
-TEST(GameHostile, ALogOfOtherRulesOrOtherDataIsRefusedInOneLineThatNamesWhatDiffers) {
+TEST(GameHostile, ALogOfOtherRulesOrDataIsRefusedInOneLineThatNamesTheDifference) {
     const auto data = duel_data();
     const MatchSetup setup{1, {bot_device(0, 1), bot_device(1, 1)}};
     const auto header = log_header(*data, setup, {"bot 1", "bot 1"});
@@ -123,11 +123,11 @@ TEST(GameHostile, ALogOfOtherRulesOrOtherDataIsRefusedInOneLineThatNamesWhatDiff
     EXPECT_EQ(probe_warning(header), "");
 }
 
-/// tests/scenario.cmake goes by the names.
+/// tests/scenario.cmake selects logs by the rules version in their names.
 TEST(ReplayCorpus, EveryNameSaysTheRulesVersionOfItsHeaderAndThisVersionIsAmongThem) {
     bool current = false;
     for (const auto& entry : std::filesystem::directory_iterator(THAUM_SOURCE_DIR "/tests/replays")) {
-        if (entry.path().extension() != ".thaumlog") continue;  // the force traces
+        if (entry.path().extension() != ".thaumlog") continue;  // skips the folder of force traces
         const auto header = input::read_log_header(entry.path());
         ASSERT_TRUE(header.has_value()) << header.error().message;
         EXPECT_TRUE(entry.path().stem().string().ends_with(text("_rules_", header->rules_version)))
@@ -138,7 +138,7 @@ TEST(ReplayCorpus, EveryNameSaysTheRulesVersionOfItsHeaderAndThisVersionIsAmongT
     EXPECT_TRUE(current) << "record one: see tests/scenario.cmake";
 }
 
-/// An older log that is whole otherwise: the header says all that is needed to refuse it, in one line.
+/// A complete log of an older rules version. The header suffices to refuse it in one line.
 TEST(ReplayCorpus, ALogOfAnOlderRulesVersionIsRefusedByName) {
     const auto file = std::filesystem::path(testing::TempDir()) / "older_rules.thaumlog";
     std::filesystem::remove(file);

@@ -1,5 +1,5 @@
-// The attacks on determinism (architecture.md, "State and caches"): restoring, other worlds at work beside, caches thrown away, and one value
-// spoilt on purpose to see the alarm ring.
+// Attacks on determinism (architecture.md, "State and caches"): restored states, other Worlds at work at
+// the same time, dropped caches, and one value corrupted on purpose, which the hashes must show.
 #include <thread>
 
 #include "core/random.h"
@@ -11,7 +11,7 @@ namespace {
 
 constexpr Tick length = 3 * keyframe_interval + 500;
 
-/// A match with its frames, its hash after every tick, and its states at the keyframes.
+/// A match with its input frames, its hash after every tick, and its states at keyframes.
 struct Recorded {
     explicit Recorded(std::uint64_t seed) : duel(make_duel(seed)) {
         for (Tick t = 0; t < length; ++t) {
@@ -31,7 +31,7 @@ const Recorded& recorded() {
     return match;
 }
 
-/// Runs from `from` on with the recorded frames; the first tick whose hash differs, or `length`.
+/// Plays the recorded frames from tick `from` on. Returns the first tick with a different hash, or `to`.
 Tick first_difference(Simulation& match, Tick from, Tick to = length) {
     for (Tick t = from; t < to; ++t) {
         match.tick(recorded().frames[t]);
@@ -54,7 +54,7 @@ TEST(GameReplay, RestoredAtAKeyframeInAnotherWorldItGoesOnToTheSameBits) {
     for (std::size_t k = 0; k < recorded().keyframes.size(); ++k) {
         const auto match = fresh();
         for (Tick t = 0; t < 777 * k; ++t)
-            match->tick(recorded().frames[t % 100]);  // some other history first
+            match->tick(recorded().frames[t % 100]);  // gives the match another history first
         ASSERT_TRUE(match->restore(recorded().keyframes[k], k * keyframe_interval).has_value());
         ASSERT_EQ(first_difference(*match, k * keyframe_interval), length) << "keyframe " << k;
     }
@@ -68,7 +68,7 @@ TEST(GameReplay, StoppedAndRestoredAtRandomTicks) {
         const Tick stop = at + 1 + random.below(length / 6);
         if (stop >= length) break;
         ASSERT_EQ(first_difference(*match, at, stop), length);
-        // Back to the last keyframe and on to where it stopped.
+        // Restores the last keyframe and plays on to the tick of the stop.
         const Tick key = stop / keyframe_interval;
         ASSERT_TRUE(match->restore(recorded().keyframes[key], key * keyframe_interval).has_value());
         ASSERT_EQ(first_difference(*match, key * keyframe_interval, stop), length);
@@ -81,7 +81,7 @@ TEST(GameReplay, CachesThrownAwayAtRandomTicksChangeNothing) {
     const auto match = fresh();
     Bytes state;
     for (Tick t = 0; t < length; ++t) {
-        if (random.below(300) == 0) {  // the World read back from its own bytes has no cache left
+        if (random.below(300) == 0) {  // a World read back from its own bytes has no caches
             ecs::save(match->world(), state);
             ASSERT_TRUE(ecs::restore(match->world_to_change(), state).has_value());
         }
@@ -102,13 +102,14 @@ TEST(GameReplay, WorldsSideBySideOnThreadsDoNotDisturbEachOther) {
 TEST(GameReplay, OneSpoiltValueIsSeen) {
     const auto match = fresh();
     ASSERT_EQ(first_difference(*match, 0, 1000), length);
-    // Not the gaze: a hand that turns may round the last bit away before the next hash.
+    // The gaze would not do: as the hand turns, rounding may remove a changed last bit before the next
+    // hash.
     auto& health = match->world_to_change().get<Health>(wizard_of(match->world(), 0));
     health.points = std::nextafter(health.points, 0.0);
     EXPECT_LT(first_difference(*match, 1000, 1100), length);
 }
 
-TEST(GameReplay, SkippingWhatIsIdleChangesNothing) {
+TEST(GameReplay, SkippingIdleSystemsChangesNothing) {
     const auto match = fresh();
     match->live().skip_idle = false;
     match->always().skip_idle = false;

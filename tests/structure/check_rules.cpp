@@ -1,4 +1,4 @@
-// Proves on made-up trees that each rule can fail, and that it passes what is right.
+// Tests that each rule reports faults in small trees that break it, and none in correct trees.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -26,7 +26,7 @@ protected:
         std::ofstream(root_ / path) << text;
     }
 
-    /// The faults of one file in engine/ or game/ with one include in its second line.
+    /// Faults of one file in engine/ or game/ with one include in its second line.
     Faults arrow(const fs::path& from, const std::string& include) const {
         add(from, "// what it is for\n#include " + include + "\n");
         auto faults = upward_arrows(root_);

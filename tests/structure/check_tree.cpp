@@ -1,4 +1,4 @@
-// The rules on our own tree.
+// Applies the rules to this source tree.
 #include <gtest/gtest.h>
 
 #include "structure/rules.h"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# tests/structure/launcher.sh SOURCE: tries ./thaum on a copy of it, with make-believe dpkg-query, apt-get, sudo,
-# cmake and ninja, so that nothing is installed or built. Prints each case; exits 1 when one does not hold.
-# shellcheck disable=SC2016  # the make-believe tools expand their own variables
+# tests/structure/launcher.sh SOURCE: tests a copy of ./thaum with fake dpkg-query, apt-get, sudo, cmake and
+# ninja, so that nothing is installed or built. Prints each case; exits with 1 if one fails.
+# shellcheck disable=SC2016  # the fake tools expand their own variables
 set -euo pipefail
 
 source=$1
@@ -10,15 +10,15 @@ trap 'rm -rf "$place"' EXIT
 tree=$place/tree
 fake=$place/fake
 failures=0
-as_user=()  # who runs the launcher; empty: we
+as_user=()  # command prefix that runs the launcher as another user; empty: this user
 
-# tool NAME: a make-believe program whose script comes on standard input.
+# tool NAME: makes a fake program from the script on standard input.
 tool() {
     { echo '#!/bin/bash' && cat; } >"$fake/$1"
     chmod +x "$fake/$1"
 }
 
-# A fresh machine: apt-get installs (by noting the packages), cmake and ninja make a program that prints its arguments.
+# A fresh machine. apt-get only notes the packages; cmake and ninja make a program that prints its arguments.
 fresh_machine() {
     rm -rf "${place:?}"/*
     mkdir -p "$fake" "$tree/tools"
@@ -48,13 +48,13 @@ chmod +x "$program"
 NINJA
 }
 
-# run ARGUMENTS: starts the copy without a terminal; sets output and code.
+# run ARGUMENTS: starts the copy without a terminal. Sets `output` and `code`.
 run() {
     code=0
     output=$(PATH=$fake:$PATH timeout 20 "${as_user[@]}" "$tree/thaum" "$@" </dev/null 2>&1) || code=$?
 }
 
-# expect NAME CONDITION...
+# expect NAME CONDITION...: prints whether the condition holds.
 expect() {
     if "${@:2}"; then
         echo "ok: $1"

@@ -15,30 +15,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A part may include parts of lower floors and itself.
+/// Floor of each part of the tree. A part may include itself and parts on lower floors.
 const std::map<std::string, int, std::less<>> floors = {
     {"core", 0},  {"ecs", 1},     {"field", 1},   {"physics", 2}, {"fluid", 2},  {"haptics", 2},
     {"audio", 2}, {"tactile", 2}, {"gesture", 2}, {"input", 2},   {"render", 2}, {"game", 3},
 };
 
-/// Rooms of the game, game/ROOM. A room may include rooms of lower floors and itself.
+/// Floor of each room game/ROOM. A room may include itself and rooms on lower floors.
 const std::map<std::string, int, std::less<>> game_floors = {
     {"components", 0},                              // plain data of the World
     {"arena", 1},                                   // shape of the arena
     {"brew", 2},                                    // the cauldron's fluid
-    {"data", 3},                                    // what files say
-    {"context", 4},                                 // what all systems share
+    {"data", 3},                                    // contents of data files
+    {"context", 4},                                 // shared by all systems
     {"cauldron", 5},                                // systems of the brew
     {"wands", 6},      {"player", 6}, {"hand", 7},  // forces on hands and arms
     {"match", 8},                                   // order of the systems, logs, results
     {"bots", 9},       {"hud", 9},    {"lab", 9},  {"scenario", 10}, {"app", 11},
 };
 
-/// Arrows that stay on one floor.
+/// Allowed includes between parts on the same floor: from, to.
 const std::set<std::pair<std::string, std::string>> level_arrows = {{"input", "haptics"},
                                                                     {"input", "tactile"}};
 
-/// Plain data in, plain data out: these parts know nothing of entities.
+/// Parts that take and return plain data. They must not include the ECS.
 const std::set<std::string, std::less<>> numerical = {"field", "fluid", "haptics", "tactile", "gesture"};
 
 std::string read(const fs::path& path) {
@@ -46,13 +46,13 @@ std::string read(const fs::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Neither ours nor in the repository.
+/// Returns true for folders that are not part of the repository, such as build output.
 bool is_foreign_folder(const std::string& name) {
     return name == ".git" || name == "build" || name.starts_with("build-") || name == "out" ||
            name == ".cache";
 }
 
-/// The ordinary files of a tree, sorted, without what is built.
+/// Regular files of a tree, sorted, without build output.
 std::vector<fs::path> files_under(const fs::path& folder) {
     std::vector<fs::path> result;
     if (!fs::exists(folder)) return result;
@@ -87,12 +87,12 @@ std::vector<std::string> folders_of(const std::string& path) {
     return result;
 }
 
-// ---- arrows -------------------------------------------------------------------------------------------------------
+// ---- includes ---------------------------------------------------------------------------------------------
 
-/// A file's place in the house: ("ecs", "ecs") or ("game", "game/components").
+/// Place of a file in the tree: ("ecs", "ecs") or ("game", "game/components").
 struct Place {
-    std::string part;    ///< key of `floors`; empty for what is not ours
-    std::string folder;  ///< whose detail/ it may read
+    std::string part;    ///< key of `floors`; empty for files outside engine/ and game/
+    std::string folder;  ///< folder whose detail/ the file may include
     bool in_detail = false;
 };
 
@@ -104,7 +104,7 @@ Place place_of(const std::string& path) {
     return folders[0] == "engine" ? Place{folders[1], folders[1], in_detail} : Place{};
 }
 
-/// The file that an include means, relative to the root; empty for a system header.
+/// File that an include refers to, relative to the root; empty for a system header.
 std::string included_file(const fs::path& root, const fs::path& from, const std::string& name, bool quoted) {
     for (const auto& base : {from.parent_path(), root / "engine", root}) {
         if (fs::exists(base / name)) return relative_to(root, base / name);
@@ -115,20 +115,20 @@ std::string included_file(const fs::path& root, const fs::path& from, const std:
     return quoted ? "engine/" + name : "";
 }
 
-/// Room of a place in the game; empty outside the game.
+/// Room of a place in game/; empty for places elsewhere.
 std::string room_of(const Place& place) {
     const std::string_view game = "game/";
     return place.folder.starts_with(game) ? place.folder.substr(game.size()) : "";
 }
 
-/// Fault of an arrow between two rooms of the game; empty if there is none.
+/// Fault of an include between two rooms of the game; empty: none.
 std::string room_fault(const std::string& from, const std::string& to) {
     if (from == to) return "";
     if (!game_floors.contains(to) || !game_floors.contains(from)) return "is no room of the game";
     return game_floors.at(to) < game_floors.at(from) ? "" : "the arrow must point down";
 }
 
-/// What is wrong with an arrow, or nothing.
+/// Fault of an include; empty: none.
 std::string arrow_fault(const Place& from, const Place& to) {
     if (to.in_detail && from.folder != to.folder) return "detail/ belongs to its folder alone";
     if (from.part == "game" && to.part == "game") return room_fault(room_of(from), room_of(to));
@@ -160,13 +160,13 @@ void check_includes(const fs::path& root, const fs::path& file, Faults& faults) 
     }
 }
 
-// ---- paths --------------------------------------------------------------------------------------------------------
+// ---- paths of one machine ---------------------------------------------------------------------------------
 
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '}' || c == '-';
 }
 
-/// Where `path` begins in text, as a path of its own and not as the tail of another.
+/// Position of `path` in the text. A match that is the tail of a longer path does not count.
 std::size_t find_path(const std::string& text, const std::string& path) {
     auto at = text.find(path);
     while (at != std::string::npos && at > 0 && is_word(text[at - 1])) at = text.find(path, at + 1);
@@ -186,10 +186,11 @@ Faults upward_arrows(const fs::path& root) {
 }
 
 Faults machine_paths(const fs::path& root) {
-    // Put together here, or this file would be the first to break the rule.
+    // The strings are put together here, so that this file does not contain them itself.
     std::vector<std::string> forbidden = {std::string("/ho") + "me/", std::string("/ro") + "ot/"};
     const auto here = fs::canonical(root).generic_string();
-    if (folders_of(here).size() > 2) forbidden.push_back(here);  // a single folder may be any word
+    // The name of a single folder may be any word.
+    if (folders_of(here).size() > 2) forbidden.push_back(here);
     Faults faults;
     for (const auto& file : files_under(root)) {
         const auto text = read(file);

@@ -1,5 +1,6 @@
-// A program with an arm whose library goes wrong in every way that tests/drivers/fake_hd/modes.h lists, and one that ends in every way:
-// it says one line or plays on, it neither hangs nor dies, and the last force is zero. Each way has a process of its own.
+// Tests a program with an arm whose library misbehaves in every way of tests/drivers/fake_hd/modes.h, and
+// one that ends in every way. It must print one line or play on, must neither hang nor die, and the last
+// force must be zero. Each case runs in a process of its own.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -26,9 +27,10 @@ using fake_hd::Ending;
 using fake_hd::Mode;
 
 constexpr std::int64_t hangs_after_ns =
-    90'000'000'000;  // a generous limit: it is reached by what hangs, not by what is slow
+    // A generous limit, which only a hanging process reaches.
+    90'000'000'000;
 
-/// A folder that goes at the end.
+/// A temporary folder, removed at the end.
 struct Folder {
     std::filesystem::path path;
     Folder() {
@@ -40,13 +42,13 @@ struct Folder {
     Folder& operator=(const Folder&) = delete;
 };
 
-/// arm_probe in a process of its own.
+/// A process that runs arm_probe.
 struct Probe {
     std::string words{}, end{};
     pid_t pid = -1;
-    std::optional<int> status{};  ///< as waitpid's; none: it hangs
-    std::string line{};           ///< what it said
-    FakeHdLive arm{};             ///< what the arm did, at the end
+    std::optional<int> status{};  ///< status of waitpid; std::nullopt: the process hangs
+    std::string line{};           ///< line that the process printed
+    FakeHdLive arm{};             ///< state of the fake arm at the end
 
     bool has_ended() {
         int now = 0;
@@ -62,7 +64,7 @@ void start(Probe& p, const std::filesystem::path& file) {
     std::ofstream(file, std::ios::binary).flush();
     p.pid = ::fork();
     if (p.pid != 0) return;
-    // Who runs the tests may ignore some.
+    // The process that runs the tests may ignore some signals.
     for (int signal = 1; signal < SIGRTMIN; ++signal) std::signal(signal, SIG_DFL);
     ::setenv("FAKE_HD", script.c_str(), 1);
     ::dup2(::open(file.c_str(), O_WRONLY | O_APPEND), STDOUT_FILENO);
@@ -83,7 +85,7 @@ void wait_for_end(Probe& p, const std::filesystem::path& file, std::int64_t unti
         .read(reinterpret_cast<char*>(&p.arm), sizeof p.arm);
 }
 
-/// Runs them, a few at a time: nearly all of their time they wait.
+/// Runs the probes, a few at a time. They spend nearly all of their time waiting.
 void run_all(std::vector<Probe>& probes) {
     constexpr std::size_t at_once = 8;
     const Folder folder;
@@ -98,13 +100,13 @@ void run_all(std::vector<Probe>& probes) {
 
 void expect_no_force(const Probe& p) {
     for (const double newton : p.arm.force) EXPECT_EQ(newton, 0) << "the arm goes on pushing";
-    // Where a call never returns, or fails for good, the arm cannot be told.
+    // If a call never returns, or keeps failing, no last force can be sent to the arm.
     const auto is_told = [&](const char* word) { return p.words.find(word) != std::string::npos; };
     if (is_told("blocks") || (is_told("from=") && !is_told("until="))) return;
     for (const double newton : p.arm.left) EXPECT_EQ(newton, 0) << "the arm was let go of with a force";
 }
 
-/// One line that a terminal shows as it is.
+/// Expects one line of printable text.
 void expect_clear_line(const Probe& p) {
     ASSERT_FALSE(p.line.empty());
     EXPECT_EQ(p.line.back(), '\n');
@@ -123,8 +125,9 @@ void expect_modes(const std::vector<Mode>& modes) {
     run_all(probes);
     for (std::size_t i = 0; i < probes.size(); ++i) {
         SCOPED_TRACE(modes[i].words + ": " + probes[i].line);
-        EXPECT_TRUE(probes[i].status) << "it hangs";
-        EXPECT_TRUE(!probes[i].status || probes[i].exited_well()) << "it dies, status " << *probes[i].status;
+        EXPECT_TRUE(probes[i].status) << "the process hangs";
+        EXPECT_TRUE(!probes[i].status || probes[i].exited_well())
+            << "the process dies, status " << *probes[i].status;
         expect_clear_line(probes[i]);
         expect_ending(probes[i], modes[i].wanted);
         expect_no_force(probes[i]);
@@ -134,7 +137,7 @@ void expect_modes(const std::vector<Mode>& modes) {
 TEST(ArmModes, AFunctionThatFailsHangsOrCallsBack) { expect_modes(fake_hd::modes_of_calls()); }
 TEST(ArmModes, MeasurementsWordsAndTicksThatAreWrong) { expect_modes(fake_hd::modes_of_answers()); }
 
-/// The ticks come, but nobody knows whether the library has taken them up.
+/// The ticks arrive before hdScheduleAsynchronous returns, so it may still fail.
 TEST(ArmModes, NoForceBeforeTheLibraryHasTakenTheTicksUp) {
     std::vector<Probe> probes{{.words = "hdScheduleAsynchronous=returns_late"}};
     run_all(probes);
@@ -144,16 +147,17 @@ TEST(ArmModes, NoForceBeforeTheLibraryHasTakenTheTicksUp) {
     expect_no_force(probes[0]);
 }
 
-/// Somebody wants to end: the wait of 15 s is not begun, so it is not said to be over.
+/// The program is asked to end before the wait of 15 s begins, so it must report the short time that
+/// passed.
 TEST(ArmModes, SaysHowLongItHasWaited) {
     std::vector<Probe> probes{{.words = "hdInitDevice=blocks", .end = "impatient"}};
     run_all(probes);
     EXPECT_NE(probes[0].line.find("has not returned for 0."), std::string::npos) << probes[0].line;
 }
 
-// ---- ends ----------------------------------------------------------------------------------------------------------------
+// ---- ends -------------------------------------------------------------------------------------------------
 
-/// The program holds 1 N and ends like that; signal 0: it exits.
+/// How a program that holds 1 N ends. Signal 0: it exits.
 struct WayToEnd {
     std::string end;
     int signal;
@@ -167,7 +171,7 @@ void expect_ends(const std::vector<WayToEnd>& ways) {
     for (std::size_t i = 0; i < probes.size(); ++i) {
         SCOPED_TRACE(ways[i].end + ways[i].words);
         const auto& p = probes[i];
-        ASSERT_TRUE(p.status) << "it hangs";
+        ASSERT_TRUE(p.status) << "the process hangs";
         EXPECT_TRUE(ways[i].signal == 0 ? WIFEXITED(*p.status) : p.died_by(ways[i].signal)) << *p.status;
         EXPECT_GE(p.arm.ticks, 99U);
         EXPECT_EQ(p.arm.greatest_force, 1);
@@ -204,7 +208,7 @@ TEST(ArmEnds, HoweverItEndsTheLastForceIsZero) {
     expect_ends(ways);
 }
 
-/// All that end a program which does nothing about them, but for SIGKILL.
+/// All signals that end a program without a handler, except SIGKILL.
 TEST(ArmEnds, NoSignalEndsItWithAForce) {
     std::vector<WayToEnd> ways;
     for (const int signal :
@@ -215,7 +219,7 @@ TEST(ArmEnds, NoSignalEndsItWithAForce) {
     expect_ends(ways);
 }
 
-/// The program while it waits to be killed.
+/// A program that waits to be killed.
 struct Waiting {
     Folder folder{};
     Probe p{};
@@ -253,7 +257,7 @@ struct Waiting {
     }
 };
 
-/// A program without a handler of its own.
+/// The program has installed no signal handlers of its own.
 TEST(ArmEnds, ASignalThatEndsItLeavesNoForce) {
     Waiting program("wait");
     program.wait_until([&] { return program.arm().greatest_force == 1; });
@@ -271,7 +275,7 @@ TEST(ArmEnds, StoppedItGivesNoForceAndContinuedItDoes) {
     program.expect_ends_without_force();
 }
 
-/// Ctrl-C, Ctrl-Z, and on: it still ends.
+/// The program gets SIGINT, SIGTSTP and SIGCONT, and must still end.
 TEST(ArmEnds, StoppedWhileItEndsItGivesNoForceAfterwards) {
     Waiting program("ending");
     EXPECT_EQ(program.arm().force[2], 0);

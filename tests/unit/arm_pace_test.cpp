@@ -1,4 +1,4 @@
-// A match that follows the clock of a real arm, in computed time: no clock of the machine is read.
+// Tests how a match follows the clock of a real arm. Time is computed; no clock of the machine is read.
 #include "game/app/arm_pace.h"
 
 #include <gtest/gtest.h>
@@ -11,15 +11,15 @@ namespace {
 constexpr double ns_per_second = 1e9;
 constexpr std::int64_t ns_per_tick = 1'000'000;
 
-/// An arm and a live match for some seconds of computed time, as live_simulation.cpp paces them.
+/// Simulates an arm and a live match, paced as in live_simulation.cpp, for some seconds.
 struct Rig {
     double arm_ticks_per_s = 1000;
     bool follows = true;
-    std::int64_t stall_at = -1, stall_ns = 0;  ///< the match gets no processor for so long
-    double jitter = 0;                         ///< the arm's samples come late by up to this share of a tick
+    std::int64_t stall_at = -1, stall_ns = 0;  ///< time for which the match gets no processor (ns)
+    double jitter = 0;                         ///< largest delay of a sample, as a share of a tick
 
-    std::size_t most_waiting = 0;  ///< of the last second
-    int without_sample = 0;        ///< ticks of the last second that found none
+    std::size_t most_waiting = 0;  ///< largest number of waiting samples in the last second
+    int without_sample = 0;        ///< ticks of the last second without a sample
 
     void run(double seconds) {
         const auto arm_period = ns_per_second / arm_ticks_per_s;
@@ -47,7 +47,7 @@ struct Rig {
     }
 
 private:
-    /// Samples that have arrived; each second one of them is late.
+    /// Number of samples that have arrived. Every second sample is late.
     std::int64_t arrived(std::int64_t now, double period) const {
         const auto at = static_cast<std::int64_t>(static_cast<double>(now) / period);
         const bool late =
@@ -60,7 +60,7 @@ TEST(ArmPace, AFasterArmsSamplesDoNotPileUp) {
     for (const double rate : {1001.0, 1008.0, 1030.0}) {
         Rig rig{.arm_ticks_per_s = rate};
         rig.run(20);
-        EXPECT_LE(rig.most_waiting, 12U) << rate;  // an age at which a model counts as fresh is 20
+        EXPECT_LE(rig.most_waiting, 12U) << rate;  // a model counts as fresh up to an age of 20 ticks
         EXPECT_EQ(rig.without_sample, 0) << rate;
     }
     Rig alone{.arm_ticks_per_s = 1008, .follows = false};

@@ -1,4 +1,5 @@
-// Recorded forces at an arm: the same forces, each for a tick; and what the safety stage makes of wilder ones.
+// Tests the playback of recorded forces at an arm: each force acts for one tick, and the safety stage
+// limits forces that are too strong, too fast or invalid.
 #include "input/arm_playback.h"
 
 #include <gtest/gtest.h>
@@ -46,12 +47,12 @@ struct Hand {
 
 TEST(ArmPlayback, EachForceActsForATick) {
     Hand hand;
-    EXPECT_EQ(hand.tick(), vec3(0)) << "before the first";
+    EXPECT_EQ(hand.tick(), vec3(0)) << "before the first force";
     double strongest = 0;
     for (int t = 0; t < 1000; ++t) {
         const vec3 force(0.3 * std::sin(t * 0.02), 0.1, t % 100 == 50 ? 1.2 : 0);
         const vec3 told = hand.play(force);
-        if (t < 20) continue;  // the gate lets it grow slowly at first
+        if (t < 20) continue;  // the safety gate limits the growth of the first forces
         ASSERT_EQ(told, force) << t;
         strongest = std::max(strongest, glm::length(force));
     }
@@ -61,7 +62,7 @@ TEST(ArmPlayback, EachForceActsForATick) {
 }
 
 TEST(ArmPlayback, BeginsAndEndsSlowly) {
-    constexpr double most_step = 0.04 * (1 + 1e-9);  // N a tick, of 40 N/s
+    constexpr double most_step = 0.04 * (1 + 1e-9);  // largest change of force in a tick (N), from 40 N/s
     Hand hand;
     vec3 before(0);
     const auto expect_slow = [&](vec3 told) {
@@ -70,7 +71,7 @@ TEST(ArmPlayback, BeginsAndEndsSlowly) {
     };
     for (int t = 0; t < 100; ++t) expect_slow(hand.play({1.5, 0, 0}));
     EXPECT_EQ(before, vec3(1.5, 0, 0));
-    expect_slow(hand.play({-1.5, 0, 0}, true));  // as where a pause lay between
+    expect_slow(hand.play({-1.5, 0, 0}, true));  // true: a pause was recorded before this force
     for (int t = 0; t < 100; ++t) expect_slow(hand.play({-1.5, 0, 0}));
     EXPECT_EQ(before, vec3(-1.5, 0, 0));
     hand.playback.end();
@@ -88,10 +89,10 @@ TEST(ArmPlayback, WhereForcesFailToComeTheyFade) {
     for (int t = 0; t < 50; ++t) hand.tick();
     EXPECT_EQ(hand.tick(), vec3(0));
     EXPECT_EQ(hand.playback.report().starved, 71U);
-    EXPECT_LE(glm::length(hand.play({1, 0, 0})), 0.0401) << "and come back slowly";
+    EXPECT_LE(glm::length(hand.play({1, 0, 0})), 0.0401) << "forces come back too fast";
 }
 
-TEST(ArmPlayback, StoppedItGivesNoneAnyMore) {
+TEST(ArmPlayback, GivesNoForceAfterAStop) {
     Hand hand;
     for (int t = 0; t < 100; ++t) hand.play({1, 0, 0});
     hand.playback.stop();
@@ -99,21 +100,21 @@ TEST(ArmPlayback, StoppedItGivesNoneAnyMore) {
     EXPECT_EQ(hand.ticks_of(haptics::SafetyCause::panic), 300U);
 }
 
-TEST(ArmPlayback, ThatItPushesTheHandIsLimited) {
+TEST(ArmPlayback, EnergyGivenToTheHandIsLimited) {
     Hand hand;
-    hand.step_um = 1000;  // a metre a second, along with the force
+    hand.step_um = 1000;  // 1 m/s in the direction of the force
     double work = 0;
     for (int t = 0; t < 3000; ++t) work += hand.play({1, 0, 0}).x * 1e-3;
-    EXPECT_LT(
-        work,
-        4 * haptics::active_budget);  // of 1.5 J that the table would give; about the budget each second
+    EXPECT_LT(work,
+              // The table's forces would give 1.5 J. About one budget per second is allowed.
+              4 * haptics::active_budget);
     EXPECT_GT(work, haptics::active_budget);
     hand.step_um = -1000;
     for (int t = 0; t < 20; ++t) hand.play({1, 0, 0});
-    EXPECT_EQ(hand.play({1, 0, 0}), vec3(1, 0, 0)) << "against the hand it may";
+    EXPECT_EQ(hand.play({1, 0, 0}), vec3(1, 0, 0)) << "a force against the hand's motion is allowed";
 }
 
-TEST(ArmPlayback, APoseThatIsNoneEndsTheForce) {
+TEST(ArmPlayback, AnInvalidPoseEndsTheForce) {
     Hand hand;
     for (int t = 0; t < 100; ++t) hand.play({1, 0, 0});
     vec3 told;
@@ -125,7 +126,7 @@ TEST(ArmPlayback, APoseThatIsNoneEndsTheForce) {
     EXPECT_EQ(hand.playback.report().poses.unusable, 75U);
 }
 
-TEST(ArmPlayback, WhateverIsRecordedTheArmGetsWhatItMay) {
+TEST(ArmPlayback, ForcesStayWithinTheLimitsWhateverIsRecorded) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double wild[] = {0, 0.1, -1, 1.6, 4, -50, 1e9, 1e308, nan, infinity, -infinity};
@@ -133,7 +134,7 @@ TEST(ArmPlayback, WhateverIsRecordedTheArmGetsWhatItMay) {
     Random random = random_stream(11, 1);
     const auto any = [&] { return wild[static_cast<std::size_t>(random.uniform() * std::size(wild))]; };
     for (int t = 0; t < 100'000; ++t) {
-        const auto phase = t % 4000;  // wild hand and forces, wild forces, tame ones
+        const auto phase = t % 4000;  // wild hand and forces, then wild forces, then tame ones
         hand.step_um = phase < 1000 ? static_cast<std::int32_t>(20'000 * random.uniform()) : 0;
         const vec3 wanted = phase < 3000 ? vec3(any(), any(), any()) : vec3(2, 0, 0);
         const vec3 told = hand.play(wanted, random.uniform() < 0.01);

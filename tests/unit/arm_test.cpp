@@ -1,4 +1,4 @@
-// What is measured about an arm before anything else sees it.
+// Tests the measurement of an arm's ticks and poses before other code uses them.
 #include "input/arm.h"
 
 #include <gtest/gtest.h>
@@ -34,11 +34,11 @@ TEST(Arm, HalfATurnIsEitherWayRound) {
     EXPECT_NEAR(std::abs(v.y), pi, 1e-9);
 }
 
-// ---- times ---------------------------------------------------------------------------------------------------------------
+// ---- times ------------------------------------------------------------------------------------------------
 
 constexpr std::int64_t us = 1000, ms = 1'000'000;
 
-TEST(Arm, ItsCaptionIsTheFirstSentenceOfWhatIsWrong) {
+TEST(Arm, CaptionIsTheFirstSentenceOfTheFault) {
     EXPECT_EQ(caption_of({}), "");
     EXPECT_EQ(caption_of({ArmPresence::present, "all is well"}), "");
     EXPECT_EQ(caption_of({ArmPresence::fault, "the arm is warm: let it rest; WARM (0200)"}),
@@ -48,7 +48,7 @@ TEST(Arm, ItsCaptionIsTheFirstSentenceOfWhatIsWrong) {
     EXPECT_EQ(caption_of({ArmPresence::lost, ""}), "");
 }
 
-TEST(Arm, ItsBoxIsInWholeMicrometresOrNotSaid) {
+TEST(Arm, BoxIsInWholeMicrometresOrUnknown) {
     using Box = std::array<std::uint32_t, 3>;
     const auto box = [](vec3 workspace) {
         ArmFacts facts;
@@ -71,7 +71,7 @@ TEST(TickTimes, KnowNothingAtFirst) {
     EXPECT_EQ(times.newest_ns(), 0);
 }
 
-TEST(TickTimes, CountWhatCameUnevenly) {
+TEST(TickTimes, CountUnevenTicks) {
     TickTimes times;
     std::int64_t now = 5 * ms;
     for (int tick = 0; tick < 1000; ++tick) {
@@ -83,7 +83,7 @@ TEST(TickTimes, CountWhatCameUnevenly) {
     EXPECT_EQ(report.ticks, 1000U);
     EXPECT_EQ(report.missed, 3U);
     EXPECT_EQ(report.jitter_median, 0);
-    EXPECT_EQ(report.jitter_p99, 90);  // ten of 999, and the one that is worse
+    EXPECT_EQ(report.jitter_p99, 90);  // ten of 999 gaps, and the one that is worse
     EXPECT_EQ(report.jitter_worst, 3000);
     EXPECT_EQ(report.answer_median, 20);
     EXPECT_EQ(report.answer_p99, 20);

@@ -1,4 +1,5 @@
-// The benchmark framework: the report's form, the Pareto front, the stopwatch and the count of allocations.
+// Tests of the benchmark framework: format of the report, Pareto front, stopwatch, and count of
+// allocations.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -27,7 +28,8 @@ Row row(std::string name, std::int64_t n, double us, double error) {
     return r;
 }
 
-/// Two cases; in "a" the third is slower and worse than the second, and the fourth as good as the first but slower.
+/// A report with two cases. In case "a" the third row is slower and less accurate than the second, and the
+/// fourth is as accurate as the first but slower.
 Report made_up() {
     auto report = empty_report();
     report.rows = {row("a", 16, 10, 0.1), row("a", 32, 20, 0.01), row("a", 33, 30, 0.02),
@@ -38,7 +40,7 @@ Report made_up() {
     return report;
 }
 
-TEST(BenchReport, FrontIsWhatNothingElseOfTheCaseBeats) {
+TEST(BenchReport, FrontHoldsTheRowsThatNoOtherRowBeats) {
     auto rows = made_up().rows;
     mark_fronts(rows);
     std::vector<bool> fronts;
@@ -76,7 +78,7 @@ TEST(BenchReport, JsonHasTheFieldsOfTheInterface) {
     EXPECT_EQ(r.at("hash"), "00ff");
 }
 
-TEST(BenchReport, JsonLeavesOutWhatARowDoesNotHave) {
+TEST(BenchReport, JsonLeavesOutMissingValues) {
     auto report = empty_report();
     report.rows.push_back({.area = "made_up", .name = "bare"});
     const auto r = nlohmann::json::parse(to_json(report)).at("rows").at(0);
@@ -108,7 +110,7 @@ TEST(BenchReport, ARowThatBreaksItsInvariantIsMarkedAndIsAFault) {
                     .setting = {{"solver", "classic"}},
                     .metrics = {{"amount_change", -0.4}}}};
     check_invariants(report);
-    EXPECT_EQ(report.rows[7].fault, "") << "the baseline loses what it carries";
+    EXPECT_EQ(report.rows[7].fault, "") << "the baseline may lose amounts";
     EXPECT_EQ(report.rows[0].fault, "mismatches is 78, must be 0");
     EXPECT_EQ(report.rows[1].fault, "compared is 0, must be at least 1");
     EXPECT_EQ(report.rows[2].fault, "");
@@ -222,7 +224,7 @@ TEST(BenchRun, AnUnknownAreaIsRefused) {
     EXPECT_NE(message.find("ecs"), std::string::npos);
 }
 
-// ---- physics ------------------------------------------------------------------------------------------------------
+// ---- physics ----------------------------------------------------------------------------------------------
 
 template <class T>
 T setting(const Row& row, std::string_view name) {
@@ -238,15 +240,15 @@ double metric(const Row& row, std::string_view name) {
     return std::nan("");
 }
 
-/// Errors of one solution are compared as they are; those of the stacks, which are drawn, by the intervals of their
-/// medians.
+/// Expects `row` not to be better than `ours`. Errors of single solutions are compared directly. Errors of
+/// stacks are random, so the confidence intervals of their medians are compared.
 void expect_not_beaten(const Row& ours, const Row& row, const std::string& name) {
     if (row.name != "stack") {
         EXPECT_LE(ours.error->value, row.error->value + 1e-9) << name;
         return;
     }
     EXPECT_LE(metric(ours, "error_low_m"), metric(row, "error_high_m")) << name;
-    // The intervals are narrow enough to tell a step twice as long.
+    // The intervals are narrow enough to detect that a step of twice the length is worse.
     if (setting<std::int64_t>(row, "dt_ms") > setting<std::int64_t>(ours, "dt_ms")) {
         EXPECT_LT(metric(ours, "error_high_m"), metric(row, "error_low_m")) << name;
     }
@@ -268,10 +270,10 @@ TEST(BenchPhysics, TheShippedStepIsOnTheFrontOfError) {
     EXPECT_LT(shipped.at("projectile")->error->value, 1e-9);
     for (const auto& row : report.rows) {
         ASSERT_TRUE(std::isfinite(row.error->value)) << row.name;
-        if (!shipped.contains(row.name)) continue;  // measured under the shipped settings alone
+        if (!shipped.contains(row.name)) continue;  // measured with the shipped settings only
         const Row& ours = *shipped.at(row.name);
         if (setting<std::int64_t>(row, "iterations") > setting<std::int64_t>(ours, "iterations"))
-            continue;  // dearer
+            continue;  // this setting costs more time
         expect_not_beaten(ours, row,
                           row.name + ' ' + setting<std::string>(row, "scheme") + ' ' +
                               std::to_string(setting<std::int64_t>(row, "dt_ms")));

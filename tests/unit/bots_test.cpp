@@ -1,9 +1,9 @@
-// Bots: each skill does what its number says, and what many matches come to.
+// Tests of bots: each skill has the effect that its number says, and the results of many matches.
 #include <cmath>
 
 #include "game/bots/aim.h"
 #include "game/bots/league.h"
-#include "game/bots/roping.h"
+#include "game/bots/swinging.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {
@@ -15,7 +15,7 @@ BotSkill skill_of(int level) {
     return skill.value();
 }
 
-/// A bot (player 0) and somebody who does as the test says (player 1).
+/// A bot (player 0) and a scripted wizard (player 1).
 struct Scene {
     explicit Scene(const BotSkill& skill, std::vector<std::string> overrides = {}, std::uint64_t seed = 3)
         : Scene(skill, duel_data(std::move(overrides)), seed) {}
@@ -48,7 +48,7 @@ struct Scene {
         return match.world().single<EventLog>().match_stats[player][cause_of(EventKind::bolt_hit)];
     }
 
-    /// From any wand.
+    /// Number of shots with any wand.
     double shots_of(std::uint32_t player) const {
         double sum = 0;
         for (const MatchStats& match_stats : match.world().single<EventLog>().match_stats[player])
@@ -67,7 +67,7 @@ struct Scene {
 
     Simulation match;
     Bots bots;
-    Tick held = 0, longest_held = 0;  ///< player 0's trigger
+    Tick held = 0, longest_held = 0;  ///< ticks for which player 0 holds fire
 };
 
 void stands_still(Tick, input::DeviceSample&) {}
@@ -111,14 +111,14 @@ TEST(Bot, FetchesHealthWhenHurtAndEnergyWhenDry) {
     }
 }
 
-/// Bolts of 40 s of a bot at 10 m from a foe who walks to and fro.
+/// Bolts of a bot in 40 s, 10 m from a foe who walks to and fro.
 MatchStats shots_at_a_walker(double lead) {
     auto skill = skill_of(3);
     skill.lead = lead;
     skill.aim_error = skill.variety = 0;
     skill.reserve = skill.vial_below = skill.spark_below = 0;
     Scene scene(skill, {"bolt.energy.regain_per_s=100", "bolt.shot.damage=0.01", "bolt.shot.spread_deg=0"});
-    scene.put(0, {-14, 0, 18.5}, -90);  // no table to walk over between the two
+    scene.put(0, {-14, 0, 18.5}, -90);  // a place without a table between the two
     scene.put(1, {-14, 0, 8.5}, 180);
     scene.run(40, [](Tick t, input::DeviceSample& foe) {
         foe.counts[input::hand::strafe] = t / 1500 % 2 == 0 ? 127 : -127;
@@ -126,7 +126,7 @@ MatchStats shots_at_a_walker(double lead) {
     return scene.bolts_of(0);
 }
 
-TEST(Bot, WhoAllowsForTheFoesMotionHitsMore) {
+TEST(Bot, LeadingTheFoeHitsMore) {
     const auto plain = shots_at_a_walker(0), leading = shots_at_a_walker(1);
     ASSERT_GT(plain.shots, 40U);
     ASSERT_GT(leading.shots, 40U);
@@ -136,7 +136,7 @@ TEST(Bot, WhoAllowsForTheFoesMotionHitsMore) {
                                    << leading.shots;
 }
 
-/// Shots of 45 s by each cause of a bot at 9 m from a foe who stands still.
+/// Shots of a bot in 45 s by cause, 9 m from a foe who stands still.
 std::array<std::uint32_t, causes.size()> shots_of(int level) {
     auto skill = skill_of(level);
     skill.variety = 0.9;
@@ -164,7 +164,7 @@ TEST(Bot, WithItsLevelComeTheWandsThatItUses) {
     }
 }
 
-TEST(Bot, WhatFliesInAnArcIsAimedSoThatItComesDownThere) {
+TEST(Bot, AShotInAnArcComesDownOnTheTarget) {
     Self self{.tip = {1, 1.2, 0}, .shot = {.speed = 15, .fall = 9.81}};
     for (const vec3 target : {vec3(1, 1.2, -10), vec3(4, 3, -7), vec3(-6, -4, 8)}) {
         const auto aim = aim_of_shot(self, target);
@@ -173,10 +173,10 @@ TEST(Bot, WhatFliesInAnArcIsAimedSoThatItComesDownThere) {
         EXPECT_NEAR(15 * std::sin(aim.pitch) * flight - 9.81 / 2 * flight * flight, to.y, 1e-9);
         EXPECT_LT(aim.pitch, pi / 4 + 0.3) << "the lower way";
     }
-    EXPECT_NEAR(aim_of_shot(self, {1, 1.2, -100}).pitch, pi / 4, 1e-12) << "too far";
+    EXPECT_NEAR(aim_of_shot(self, {1, 1.2, -100}).pitch, pi / 4, 1e-12) << "beyond the largest range";
 }
 
-/// Hits in 30 s on a bot that stands 28 m from a foe who shoots straight at where it first stood.
+/// Hits in 30 s on a bot that stands 28 m from a foe. The foe shoots straight at the bot's first position.
 std::uint32_t hits_on_a_target(std::uint32_t dodges) {
     auto skill = skill_of(3);
     skill.dodges = dodges;
@@ -210,7 +210,7 @@ TEST(Bot, EveryWayLeadsOn) {
 }
 
 TEST(Bot, WaitsNowhereWhileItsFoeStandsInACorner) {
-    // From wherever the way along the pit's edge is narrow, a bot that has nothing else to do.
+    // A bot without any other errand starts at every place where the way along the pit's edge is narrow.
     auto skill = skill_of(3);
     skill.lift = {};
     skill.stir = {};
@@ -240,13 +240,13 @@ TEST(Bot, DoesNotWaitForAChargeThatItCannotPay) {
     }
 }
 
-TEST(Bot, WhoDodgesIsHitLess) {
+TEST(Bot, DodgingIsHitLess) {
     const auto stands = hits_on_a_target(0), dodges = hits_on_a_target(1);
     EXPECT_GT(stands, 100U);
     EXPECT_LT(dodges, stands / 2);
 }
 
-TEST(Bot, KeepsItsReserveForAFoeWhoIsNear) {
+TEST(Bot, KeepsItsReserveForANearFoe) {
     auto skill = skill_of(3);
     skill.aim_error = 0;
     skill.reserve = 0.5;
@@ -258,7 +258,7 @@ TEST(Bot, KeepsItsReserveForAFoeWhoIsNear) {
     scene.run(20, stands_still);
     const double far = scene.match.world().get<WandBelt>(wizard_of(scene.match.world(), 0)).energy[0];
     EXPECT_NEAR(far, 30, 1.5) << "half of 60 is kept";
-    for (int i = 0; i < 40; ++i) {  // comes near again and again, wherever the bot goes
+    for (int i = 0; i < 40; ++i) {  // the foe comes near again and again, wherever the bot goes
         const auto& world = scene.match.world();
         const auto bot = world.get<Motion>(wizard_of(world, 0)).position;
         const auto yaw = world.get<Gaze>(wizard_of(world, 0)).yaw;
@@ -269,7 +269,8 @@ TEST(Bot, KeepsItsReserveForAFoeWhoIsNear) {
     EXPECT_LT(scene.match.world().get<WandBelt>(wizard_of(scene.match.world(), 0)).energy[0], 25);
 }
 
-/// What things did that the bot threw, in 12 s at 10 m from a foe who stands still, a stone of 120 kg between the two.
+/// Results of the things that the bot throws in 12 s. A stone of 120 kg lies between the bot and a foe who
+/// stands still 10 m away.
 MatchStats throws_of(int level) {
     auto skill = skill_of(level);
     if (skill.lift.share > 0) skill.lift.share = 1;
@@ -289,7 +290,7 @@ TEST(Bot, FromLevelTwoItTakesThingsUpAndThrowsThem) {
     }
 }
 
-TEST(Bot, WhoMayNotLiftOrSwingNeverHoldsAnything) {
+TEST(Bot, HoldsNothingWithoutTheSkillToLiftOrSwing) {
     for (const bool may : {false, true}) {
         auto skill = skill_of(3);
         skill.lift.share = may ? 1 : 0;
@@ -326,12 +327,12 @@ TEST(Bot, KnowsTheGapsThatAnAnchorSpans) {
 }
 
 struct Trip {
-    double seconds{};  ///< until the spark was picked up
-    double lowest{};   ///< m, of the feet
-    double health{};   ///< HP
+    double seconds{};  ///< time until the spark was picked up (s)
+    double lowest{};   ///< lowest height of the feet (m)
+    double health{};   ///< health at the end (HP)
 };
 
-/// A bot without bolts, and the only spark of the court beyond the pit.
+/// Sends a bot without bolts to the only spark of the arena, beyond the pit.
 Trip errand_over_the_pit(double swing_gain) {
     auto skill = skill_of(3);
     skill.swing_gain = swing_gain;
@@ -381,7 +382,7 @@ TEST(Bot, SavedAndRestoredItGoesOnAsItWould) {
     EXPECT_EQ(again.match->state_hash(), duel.match->state_hash());
 }
 
-// The league ------------------------------------------------------------------------------------------------------------
+// ---- the league -------------------------------------------------------------------------------------------
 
 TEST(League, AMatchIsToldAsItWas) {
     const auto data = duel_data({"quick.seconds=20"});
@@ -404,9 +405,9 @@ TEST(League, TheSummaryCountsBySidesAndLevels) {
     std::vector<LeagueMatch> matches(4);
     for (auto& m : matches) m.levels = {1, 2};
     matches[1].levels = {2, 1};  // sides swapped
-    matches[0].winner = 1;       // 2 wins
-    matches[1].winner = 0;       // 2 wins
-    matches[2].winner = 0;       // 1 wins
+    matches[0].winner = 1;       // level 2 wins
+    matches[1].winner = 0;       // level 2 wins
+    matches[2].winner = 0;       // level 1 wins
     matches[0].rounds = 1, matches[0].lengths[0] = ticks(100.0);
     matches[1].rounds = 2, matches[1].lengths[0] = ticks(50.0), matches[1].lengths[1] = ticks(240.0);
     matches[1].timed_out[1] = 1;

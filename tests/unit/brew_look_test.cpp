@@ -1,4 +1,4 @@
-// What a brew looks like, as numbers: colours, layers that follow the surface, arrows and streamlines.
+// Tests of the brew's look as numbers: colours, layers that follow the surface, arrows and streamlines.
 #include "game/hud/brew_look.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ protected:
         return out;
     }
 
-    /// At a place of the brew's frame.
+    /// Texel at a position (brew's frame).
     render::Texel texel_at(const std::vector<render::Texel>& all, vec3 at) const {
         const auto& l = brew.fluid.lattice;
         const vec3 cell = (at - brew.corner) / l.h;
@@ -54,7 +54,7 @@ protected:
         return all[i + static_cast<std::size_t>(l.cells[0]) * (j + static_cast<std::size_t>(l.cells[1]) * k)];
     }
 
-    /// The whole brew turns about +y, everywhere, `speed` rad/s.
+    /// Gives the whole brew a rigid rotation about +y (rad/s).
     void turn(double speed) {
         fluid::set_velocity(brew.fluid, [&](vec3 p) {
             const vec3 at = p + brew.corner;
@@ -63,7 +63,7 @@ protected:
     }
 
     void fill(std::uint32_t ingredient, const std::function<double(vec3)>& density) {
-        const auto slot = substance_for(brew.what, ingredient);
+        const auto slot = substance_for(brew.contents, ingredient);
         ASSERT_TRUE(slot.has_value());
         assign(brew, rules, *slot, ingredient);
         ASSERT_TRUE(slot);
@@ -88,7 +88,7 @@ TEST(BrewColour, MixRedGreenToYellow) {
     };
     const auto near = [](fvec3 a, fvec3 b) { return glm::length(a - b) < 1e-6F; };
     EXPECT_TRUE(near(mix(1, 1, 0), {1, 1, 0})) << "yellow";
-    EXPECT_TRUE(near(mix(0.5F, 0.5F, 0), {1, 1, 0})) << "as bright where both are half as dense";
+    EXPECT_TRUE(near(mix(0.5F, 0.5F, 0), {1, 1, 0})) << "half of each density must give the full brightness";
     EXPECT_TRUE(near(mix(1, 1, 1), {1, 1, 1}));
     EXPECT_TRUE(near(mix(1, 0.5F, 0), {1, 0.5F, 0})) << "orange";
     EXPECT_TRUE(near(mix(0, 0, 0), colours.base));
@@ -134,16 +134,16 @@ TEST_F(BrewLookTest, ASideThatFacesUpIsLighter) {
 }
 
 TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
-    // A substance that grows linearly with depth tells by its density how far a layer was lifted.
+    // The density grows linearly with depth, so the density in a layer shows how far the layer was lifted.
     const double depth = place.basin.depth;
     const auto ramp = [&](vec3 p) { return std::clamp(-p.y / depth, 0.0, 1.0); };
     fill(0, ramp);
     const auto level = texels();
     const double lift = 0.12;
-    for (auto& height : brew.sheet.height) height = lift;
-    fluid::altered(brew.sheet);
+    for (auto& height : brew.surface.height) height = lift;
+    fluid::altered(brew.surface);
     const auto lifted = texels();
-    // Cover is linear in density; find by it what is at each layer.
+    // Cover is linear in density, so it gives the density of each layer.
     const auto density = [&](const std::vector<render::Texel>& all, double y) {
         return static_cast<double>(texel_at(all, {0.02, y, 0.02}).a) / 255;
     };
@@ -153,13 +153,14 @@ TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
     for (const int layer : {2, 4, 6, 8}) {
         const double y = -(layer + 0.5) * h;
         const double seen = (density(lifted, y) - density(level, y)) / per_m;
-        EXPECT_NEAR(seen, lift * fluid::transmitted(brew.sheet.settings, -y, 1), 0.012) << "layer " << layer;
+        EXPECT_NEAR(seen, lift * fluid::transmitted(brew.surface.settings, -y, 1), 0.012)
+            << "layer " << layer;
     }
 }
 
 TEST_F(BrewLookTest, TheSkinFollowsTheSheetAndFoamsWhereItIsSteep) {
     std::vector<render::SkinVertex> skin;
-    make_skin(taken().sheet, place, skin);
+    make_skin(taken().surface, place, skin);
     for (const auto& v : skin) {
         EXPECT_EQ(v.normal, fvec3(0, 1, 0));
         const double out = std::hypot(v.position.x, v.position.z);
@@ -169,15 +170,15 @@ TEST_F(BrewLookTest, TheSkinFollowsTheSheetAndFoamsWhereItIsSteep) {
             EXPECT_EQ(v.foam, 0);
         }
     }
-    // A slope of a half along x.
-    const auto& s = brew.sheet.settings;
+    // A slope of 1/2 along x.
+    const auto& s = brew.surface.settings;
     for (std::size_t z = 0; z < s.nodes; ++z) {
         for (std::size_t x = 0; x < s.nodes; ++x)
-            brew.sheet.height[fluid::sheet_index(s, x, z)] =
+            brew.surface.height[fluid::sheet_index(s, x, z)] =
                 0.5 * (static_cast<double>(x) * fluid::sheet_spacing(s) - s.side / 2);
     }
-    brew.sheet.asleep = 0;
-    make_skin(taken().sheet, place, skin);
+    brew.surface.asleep = 0;
+    make_skin(taken().surface, place, skin);
     const fvec3 expected = glm::normalize(fvec3(-0.5F, 1, 0));
     for (const auto& v : skin) {
         EXPECT_NEAR(v.position.y - static_cast<float>(place.middle.y), 0.5F * v.position.x, 1e-3F);
@@ -210,7 +211,7 @@ TEST_F(BrewLookTest, AStreamlineOfSolidRotationCloses) {
 
 TEST_F(BrewLookTest, AStreamlinesErrorGoesWithTheFourthPowerOfItsStep) {
     turn(2);
-    // A metre of way on a circle of half a metre: two radians.
+    // One metre along a circle of radius 0.5 m is an angle of two radians.
     const auto on_circle = [](double angle) {
         return vec3(0.5 * std::cos(angle), -0.3, -0.5 * std::sin(angle));
     };
@@ -220,7 +221,7 @@ TEST_F(BrewLookTest, AStreamlinesErrorGoesWithTheFourthPowerOfItsStep) {
         EXPECT_EQ(line.size(), static_cast<std::size_t>(steps) + 1);
         return glm::distance(line.back() + brew.corner, on_circle(2));
     };
-    // Finer ones are not large against the rounding of the flow's samples.
+    // Smaller steps would have errors near the rounding of the flow's samples.
     for (const int steps : {4, 8})
         EXPECT_NEAR(std::log2(error(steps) / error(2 * steps)), 4, 0.25)
             << steps << " steps: " << error(steps);
@@ -277,7 +278,7 @@ TEST_F(BrewLookTest, ArrowsPointAlongTheFlowAndAreLongerWhereItIsFaster) {
 TEST_F(BrewLookTest, IsMadeAnewOnlyForAnotherStateOrOverlay) {
     BrewLook look;
     look.place = place;
-    EXPECT_FALSE(show_brew(picture, {}, look)) << "nothing was taken yet";
+    EXPECT_FALSE(show_brew(picture, {}, look)) << "no picture was taken yet";
     EXPECT_EQ(look.volume.version, 0U);
     turn(1);
     taken();
@@ -293,17 +294,17 @@ TEST_F(BrewLookTest, IsMadeAnewOnlyForAnotherStateOrOverlay) {
     EXPECT_TRUE(look.flow.empty());
     EXPECT_EQ(look.volume.texels.size(), brew.fluid.lattice.cells[0] * brew.fluid.lattice.cells[1] *
                                              static_cast<std::size_t>(brew.fluid.lattice.cells[2]));
-    // What the brew stands in holds all of it.
+    // The box of the volume contains the whole brew.
     EXPECT_NEAR(look.volume.origin.y + look.volume.size.y, place.middle.y, 1e-5);
     EXPECT_LT(look.volume.origin.y, place.middle.y - place.basin.depth + 1e-5);
 }
 
-TEST_F(BrewLookTest, NeitherNoNumberNorGiantsBreakAPicture) {
+TEST_F(BrewLookTest, NaNAndHugeNumbersBreakNoPicture) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     fill(0, [&](vec3 p) { return p.x < 0 ? nan : 1e30; });
-    for (auto& height : brew.sheet.height) height = nan;
-    for (auto& velocity : brew.sheet.velocity) velocity = 1e300;
-    brew.sheet.asleep = 0;
+    for (auto& height : brew.surface.height) height = nan;
+    for (auto& velocity : brew.surface.velocity) velocity = 1e300;
+    brew.surface.asleep = 0;
     BrewLook look;
     look.place = place;
     fluid::set_velocity(brew.fluid, [&](vec3 p) { return p.x < 1 ? vec3(nan) : vec3(1e5, 0, 1e-30); });

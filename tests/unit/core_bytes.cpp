@@ -17,7 +17,7 @@ Bytes bytes_of(std::initializer_list<unsigned> values) {
     return result;
 }
 
-/// What a reader makes of `bytes` as one varint, and whether it was content.
+/// Value of `bytes` read as one varint, and whether the reader accepted it.
 std::pair<std::uint64_t, bool> varint_of(const Bytes& bytes) {
     ByteReader reader(bytes);
     const auto value = reader.get_varint();
@@ -85,7 +85,7 @@ TEST(CoreBytes, WrongVarintsAreRefused) {
     EXPECT_FALSE(varint_of(bytes_of({0x80})).second);
     EXPECT_FALSE(varint_of(Bytes(10, std::byte{0x80})).second);
     Bytes too_large(9, std::byte{0xff});
-    too_large.push_back(std::byte{0x02});  // the 65th bit
+    too_large.push_back(std::byte{0x02});  // sets a 65th bit
     EXPECT_FALSE(varint_of(too_large).second);
     too_large.back() = std::byte{0x01};
     EXPECT_EQ(varint_of(too_large), std::pair(most_64, true));

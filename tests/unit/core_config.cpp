@@ -15,13 +15,13 @@ Config parsed(std::string_view body) {
     return *config;
 }
 
-/// What `parse` says of a whole file.
+/// Error of `parse` for a whole file; empty: none.
 std::string parse_fault(std::string_view file) {
     const auto config = Config::parse(file, "wand.toml", 1);
     return config ? "" : config.error().message;
 }
 
-/// What `check` says after `read` has asked for its keys.
+/// Error of `check` after `read` has asked for its keys; empty: none.
 std::string fault_of(std::string_view body, const std::function<void(const ConfigTable&)>& read) {
     const auto config = parsed(body);
     read(config.root());
@@ -202,7 +202,6 @@ TEST(CoreConfig, TablesOutliveTheConfig) {
     EXPECT_EQ(table.number("x", {}), 3);
 }
 
-/// Nesting that would exhaust the stack of a parser that recurses is a fault like any other.
 TEST(CoreConfig, EqualValuesHashEqually) {
     const auto hash = [](std::string_view body) { return parsed(body).value_hash(); };
     const auto as_written = hash("a = 1\nb = 'x'\n[inner]\nc = [1, 2.5]\nd = true\n");
@@ -218,10 +217,11 @@ TEST(CoreConfig, EqualValuesHashEqually) {
           "a = 1\nb = 'x'\n[inner]\nc = [[1], 2.5]\nd = true\n"}) {
         EXPECT_NE(as_written, hash(other)) << other;
     }
-    // Beyond 2^53 doubles would make neighbours equal.
+    // A double could not tell these neighbours beyond 2^53 apart.
     EXPECT_NE(hash("a = 9007199254740993"), hash("a = 9007199254740994"));
 }
 
+/// Nesting that would exhaust the stack of a recursive parser is reported like any other fault.
 TEST(CoreConfig, DeepNestingIsRefused) {
     constexpr std::size_t depth = 300'000;
     std::string dotted = "a";
@@ -235,7 +235,7 @@ TEST(CoreConfig, DeepNestingIsRefused) {
     EXPECT_NE(parse_fault("version = 1\nx = " + braces), "");
 }
 
-/// The limit on dots is for keys: lists of decimal numbers may be as long as they like.
+/// The limit on the number of dots is for keys. Lists of decimal numbers may have any length.
 TEST(CoreConfig, LongListsOfNumbersAreFine) {
     std::string list = "[0.5";
     for (int i = 0; i < 5000; ++i) list += ", 12.5";
@@ -245,7 +245,7 @@ TEST(CoreConfig, LongListsOfNumbersAreFine) {
     EXPECT_EQ(parse_fault("version = 1\n" + key + " = 1"), "wand.toml:2: more than 200 dots in one line");
 }
 
-/// A file on which toml++ 3.3 itself stops with an assertion.
+/// toml++ 3.3 itself stops at this file with an assertion.
 TEST(CoreConfig, AWrongTimeIsAFault) { EXPECT_NE(parse_fault("version = 1\nx = 1:.2\ny = :1.5:"), ""); }
 
 std::string utf8(unsigned code) {
@@ -254,10 +254,10 @@ std::string utf8(unsigned code) {
     return byte(0xe0 | code >> 12) + byte(0x80 | (code >> 6 & 0x3f)) + byte(0x80 | (code & 0x3f));
 }
 
-/// Where toml++ 3.3 itself goes astray: it takes for impossible that a letter stands where white space may.
+/// toml++ 3.3 itself fails here: it assumes that no letter can follow where white space may.
 TEST(CoreConfig, ALetterOfAnyScriptBesideAValueIsAFault) {
     for (unsigned code = 0xa1; code < 0xfeff; code += 13) {
-        if (code >= 0xd800 && code < 0xe000) continue;  // no characters
+        if (code >= 0xd800 && code < 0xe000) continue;  // surrogates are no characters
         const auto letter = utf8(code);
         ASSERT_NE(parse_fault("version = 1\nx = " + letter + "1"), "") << code;
         ASSERT_NE(parse_fault("version = 1\nx = 1" + letter), "") << code;
@@ -266,7 +266,7 @@ TEST(CoreConfig, ALetterOfAnyScriptBesideAValueIsAFault) {
     EXPECT_EQ(parse_fault("version = 1\nx = '\u00e9'  # \u00e9"), "");
 }
 
-// ---- fuzz ---------------------------------------------------------------------------------------------------------
+// ---- fuzz -------------------------------------------------------------------------------------------------
 
 constexpr std::string_view fuzz_seed = R"(version = 1
 # a wand like any other
@@ -291,7 +291,7 @@ n = nan
 
 constexpr std::string_view fuzz_bits = "[]{}=.,\"'#\n\r\t\\ 019eE+-_:xnTZ\xff\x00\xc3\xef\xbb\xbf";
 
-/// Some bytes changed, inserted, removed, cut or repeated.
+/// The file with some bytes changed, inserted, removed, cut or repeated.
 std::string mutated(std::string file, Random& random) {
     const auto edits = 1 + random.below(12);
     for (std::uint64_t i = 0; i < edits && !file.empty(); ++i) {
@@ -310,7 +310,7 @@ std::string mutated(std::string file, Random& random) {
     return file;
 }
 
-/// Reads as a careless reader would: every key as every kind.
+/// Reads every key as every type, as a careless reader would.
 void read_all(const ConfigTable& table, int depth) {
     if (depth > 8) return;
     for (const auto& key : table.keys()) {
@@ -359,7 +359,7 @@ TEST(CoreConfigFuzz, AMegabyteOfGarbage) {
     for (const char c : fuzz_bits) survive(std::string(1 << 20, c));
 }
 
-/// A terminal would obey them.
+/// A terminal would execute them.
 TEST(CoreConfig, ControlCharactersOfAFileDoNotReachAMessage) {
     const auto file = Config::parse("version = 1\nkind = \"a\\tb\\u001B[2J\\u007F\"\n", "f.toml", 1);
     ASSERT_TRUE(file.has_value());

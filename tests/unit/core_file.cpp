@@ -39,7 +39,7 @@ protected:
         return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
     }
 
-    /// The message names the path, is one line and holds `what`.
+    /// Expects a refusal of one line that names the path and contains `what`.
     static void expect_refused(const auto& result, const fs::path& path, std::string_view what) {
         ASSERT_FALSE(result.has_value());
         const auto& message = result.error().message;
@@ -71,7 +71,7 @@ TEST_F(CoreFile, TheLimitCountsBytes) {
     expect_refused(read_file(path, 4), path, "5 bytes, more than the limit of 4");
 }
 
-TEST_F(CoreFile, RefusesWhatIsNoOrdinaryFile) {
+TEST_F(CoreFile, RefusesObjectsThatAreNoOrdinaryFile) {
     expect_refused(read_file(in_folder("none"), 10), in_folder("none"), "No such file");
     fs::create_directory(in_folder("folder"));
     expect_refused(read_file(in_folder("folder"), 10), in_folder("folder"), "not an ordinary file");
@@ -107,7 +107,7 @@ TEST_F(CoreFile, AFailedWriteLeavesTheOldState) {
 }
 
 TEST_F(CoreFile, AFullDiskIsAnError) {
-    // A disk that is full: in a child process no file may grow beyond 4 KiB.
+    // Simulates a full disk: in a child process no file may grow beyond 4 KiB.
     const auto path = in_folder("a");
     ASSERT_TRUE(write_text_file(path, "old"));
     const auto attempt = [&] {
@@ -123,7 +123,7 @@ TEST_F(CoreFile, AFullDiskIsAnError) {
     EXPECT_EQ(read_text_file(path, 100), "old");
 }
 
-/// A link at the temporary name must not lead the bytes elsewhere.
+/// A link with the temporary name must not redirect the bytes to another file.
 TEST_F(CoreFile, ALinkAtTheTemporaryNameIsNotFollowed) {
     const auto path = in_folder("a"), precious = in_folder("precious");
     ASSERT_TRUE(write_text_file(precious, "precious"));
@@ -159,7 +159,7 @@ TEST_F(CoreFile, ARecordingIsNeverReplaced) {
     expect_refused(write_text_file(log, "x"), log, "is a recording");
     expect_refused(check_output(log), log, "is a recording");
     EXPECT_TRUE(write_text_file(short_file, "x"));
-    // Nor one that came while the file was written.
+    // A link that appears while the file is written must not redirect them either.
     auto file = FileWriter::create(in_folder("late")).value();
     fs::create_hard_link(log, in_folder("late"));
     expect_refused(file.close(), fs::canonical(in_folder("late")), "is a recording");
@@ -191,7 +191,7 @@ TEST_F(CoreFile, LongWorkLearnsFirstThatItsOutputCannotBeWritten) {
     EXPECT_EQ(files(), 2);
 }
 
-/// As root a rename would make /dev/null a file for everybody.
+/// For root, a rename would replace /dev/null by an ordinary file.
 TEST_F(CoreFile, NeverReplacesADevice) {
     expect_refused(write_text_file("/dev/null", "x"), "/dev/null", "not an ordinary file");
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
@@ -215,7 +215,7 @@ TEST_F(CoreFile, PiecesBecomeAFileOnlyAtTheEnd) {
     EXPECT_EQ(files(), 1);
 }
 
-/// As root every folder can be written to, so the child gives its rights away first.
+/// Root can write to every folder, so the child process gives up its rights first.
 TEST_F(CoreFile, AFolderWithoutRightsIsAnError) {
     const auto locked = in_folder("locked");
     fs::create_directory(locked);
@@ -224,7 +224,7 @@ TEST_F(CoreFile, AFolderWithoutRightsIsAnError) {
         if (::geteuid() == 0 && ::seteuid(65534) != 0) ::_exit(3);
         const auto result = write_text_file(locked / "a", "x");
         std::fputs(result ? "written" : result.error().message.c_str(), stderr);
-        ::_exit(0);  // the leak check of exit() cannot work without the rights
+        ::_exit(0);  // the leak check in exit() would need the rights
     };
     EXPECT_EXIT(attempt(), ::testing::ExitedWithCode(0), "cannot create: Permission denied");
     fs::permissions(locked, fs::perms::owner_all);

@@ -1,4 +1,4 @@
-// Files that change under a program: each change is told once, and only when it is whole.
+// Tests of files that change during a program: each change is reported once, after the file is complete.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -20,7 +20,8 @@ protected:
 
     fs::path file(std::string_view name) const { return folder_ / name; }
     void write(std::string_view name, std::string_view words) const { std::ofstream(file(name)) << words; }
-    /// At the look after next: when a change has stood still.
+    /// Looks twice and returns the second result. A change is reported when the file has stayed the same
+    /// between two looks.
     static Paths two_looks(FileWatch& watch) {
         EXPECT_EQ(watch.look(), Paths());
         return watch.look();
@@ -40,7 +41,7 @@ TEST_F(FileWatchTest, TellsAChangeOnceAfterItStoodStill) {
     EXPECT_EQ(two_looks(watch), Paths());
 }
 
-TEST_F(FileWatchTest, WaitsForWhatIsStillBeingWritten) {
+TEST_F(FileWatchTest, WaitsForAFileThatIsStillBeingWritten) {
     write("a", "one");
     write("b", "one");
     FileWatch watch({file("a"), file("b")});
@@ -48,7 +49,7 @@ TEST_F(FileWatchTest, WaitsForWhatIsStillBeingWritten) {
     write("b", "h");
     EXPECT_EQ(watch.look(), Paths());
     write("b", "ha");
-    EXPECT_EQ(watch.look(), Paths()) << "b grows, so a is not told either: they may belong together";
+    EXPECT_EQ(watch.look(), Paths()) << "b grows, so a is not reported either; they may belong together";
     write("b", "half");
     EXPECT_EQ(two_looks(watch), (Paths{file("a"), file("b")}));
 }
@@ -62,7 +63,7 @@ TEST_F(FileWatchTest, ARenamedFileIsAnotherThoughItsTimeAndSizeAreTheSame) {
     EXPECT_EQ(two_looks(watch), Paths{file("a")});
 }
 
-TEST_F(FileWatchTest, WhatGoesAndComesBackIsTold) {
+TEST_F(FileWatchTest, ReportsAFileThatWasDeletedAndMadeAgain) {
     write("a", "one");
     FileWatch watch({file("a"), file("never")});
     fs::remove(file("a"));

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A handler can only run on another stack than the one that is full.
+/// A handler of a stack overflow needs another stack to run on.
 TEST(Threads, HaveAStackOnWhichAFullOneIsHandled) {
     stack_t stack{};
     auto thread = start_thread([&] { ::sigaltstack(nullptr, &stack); });
@@ -29,7 +29,7 @@ TEST(Threads, HaveAStackOnWhichAFullOneIsHandled) {
 
 class JobsByThreads : public ::testing::TestWithParam<unsigned> {};
 
-TEST_P(JobsByThreads, SameResultsWhateverTheThreads) {
+TEST_P(JobsByThreads, SameResultsWithAnyNumberOfThreads) {
     constexpr std::size_t n = 500;
     std::vector<std::uint64_t> results(n);
     {
@@ -60,7 +60,7 @@ TEST_P(JobsByThreads, AJobMayWaitForEarlierOnes) {
     EXPECT_EQ(sums.back(), 200);
 }
 
-TEST_P(JobsByThreads, TheDestructorFinishesWhatWasGiven) {
+TEST_P(JobsByThreads, TheDestructorFinishesAllJobs) {
     std::atomic<int> ran = 0;
     Jobs::Ticket last;
     {
@@ -69,10 +69,10 @@ TEST_P(JobsByThreads, TheDestructorFinishesWhatWasGiven) {
     }
     EXPECT_EQ(ran, 100);
     EXPECT_TRUE(last.ended());
-    last.wait();  // after the Jobs are gone
+    last.wait();  // after the Jobs are destroyed
 }
 
-TEST_P(JobsByThreads, WhatAJobHoldsIsFreedWhenItHasRun) {
+TEST_P(JobsByThreads, AJobsCapturesAreFreedAfterItsRun) {
     Jobs jobs(GetParam());
     auto held = std::make_shared<int>(1);
     const auto ticket = jobs.run([held] { (void)held; });
@@ -121,7 +121,8 @@ TEST(CoreJobs, ThreadsWorkAtTheSameTime) {
     Jobs jobs(2);
     std::latch both(2);
     const auto first = jobs.run([&both] { both.arrive_and_wait(); });
-    const auto second = jobs.run([&both] { both.arrive_and_wait(); });  // hangs unless both run
+    // Hangs unless both jobs run at the same time.
+    const auto second = jobs.run([&both] { both.arrive_and_wait(); });
     first.wait();
     second.wait();
 }

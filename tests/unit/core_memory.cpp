@@ -1,4 +1,4 @@
-// What the allocator does with memory that is freed: page faults, as the system counts them.
+// Tests by counts of page faults what the allocator does with freed memory.
 #include "core/memory.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace thaum {
 namespace {
 
-/// A store that grows by doubling, up to 8 MiB, and goes.
+/// Grows a vector by doubling up to 8 MiB, and frees it.
 void grow_and_go() {
     std::unique_ptr<std::byte[]> store;
     for (std::size_t size = 4096; size <= std::size_t{8} << 20U; size *= 2) {
@@ -28,8 +28,8 @@ long page_faults_of(void (*work)()) {
     return after.ru_minflt - before.ru_minflt;
 }
 
-// In a process of its own: what is freed stays with the process that asked for it.
-TEST(CoreMemoryDeathTest, WhatIsFreedIsNotAskedOfTheSystemAgain) {
+// Runs in a process of its own, because freed memory stays with the process that asked for it.
+TEST(CoreMemoryDeathTest, FreedMemoryIsUsedAgain) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(
         {

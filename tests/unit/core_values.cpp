@@ -1,4 +1,4 @@
-// The small parts of core: hash, random numbers, text, units, assertions.
+// Tests of the small parts of core: hashes, random numbers, text, units, assertions.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -92,7 +92,8 @@ TEST(CoreRandom, UniformStaysInItsInterval) {
     }
 }
 
-/// Pearson's statistic over ten faces: 9 degrees of freedom, 27.9 is passed once in a thousand.
+/// Pearson's chi-squared statistic for ten faces. With 9 degrees of freedom it exceeds 27.9 once in a
+/// thousand.
 TEST(CoreRandom, BelowIsEven) {
     constexpr int n = 100'000;
     Random random{3};
@@ -182,12 +183,12 @@ TEST(CoreAssert, LeavesAMetConditionAloneAndItsMessageUnbuilt) {
     EXPECT_EQ(built, 0);
 }
 
-TEST(Printable, LeavesWhatATerminalShows) {
+TEST(Printable, LeavesPrintableCharacters) {
     for (const auto* words : {"", "Touch F0000001", "größer", "触覚", "\xf0\x9f\x8e\xae"})
         EXPECT_EQ(printable(words, 80), words);
 }
 
-TEST(Printable, NamesTheBytesOfWhatATerminalObeys) {
+TEST(Printable, NamesTheBytesOfControlCharacters) {
     EXPECT_EQ(printable("a\x1b[2Jb\r\n\x7f", 80), "a\\x1b[2Jb\\x0d\\x0a\\x7f");
     EXPECT_EQ(printable("\xc2\x9b 31m", 80), "\\xc2\\x9b 31m") << "a control character of two bytes";
     for (const auto& [turns_writing, bytes] : {std::pair{"\xe2\x80\xae", "\\xe2\\x80\\xae"},
@@ -200,8 +201,8 @@ TEST(Printable, NamesTheBytesOfWhatATerminalObeys) {
 
 TEST(Printable, NamesBytesThatAreNoUtf8) {
     EXPECT_EQ(printable("\xff", 80), "\\xff");
-    EXPECT_EQ(printable("\xc0\xaf", 80), "\\xc0\\xaf") << "longer than it must be";
-    EXPECT_EQ(printable("\xed\xa0\x80", 80), "\\xed\\xa0\\x80") << "half of a pair";
+    EXPECT_EQ(printable("\xc0\xaf", 80), "\\xc0\\xaf") << "longer encoding than necessary";
+    EXPECT_EQ(printable("\xed\xa0\x80", 80), "\\xed\\xa0\\x80") << "half of a surrogate pair";
     EXPECT_EQ(printable("\xf4\x90\x80\x80", 80), "\\xf4\\x90\\x80\\x80") << "beyond the last character";
     EXPECT_EQ(printable("\xe8\xa7", 80), "\\xe8\\xa7") << "cut off";
 }

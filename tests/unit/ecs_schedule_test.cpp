@@ -21,7 +21,7 @@ TEST_F(EcsSchedule, RunsAtPeriodAndPhaseInTheOrderAdded) {
     EXPECT_EQ(ran, "b0 a1 b2 b4 a5 ");
 }
 
-TEST_F(EcsSchedule, SkipsWhileWhatASystemNeedsIsEmptyAndWakesAtOnce) {
+TEST_F(EcsSchedule, SkipsASystemWithoutItsComponentsAndWakesItAtOnce) {
     schedule.add({.name = "heal",
                   .writes = world.mask<Health>(),
                   .needs = world.mask<Health, Frozen>(),

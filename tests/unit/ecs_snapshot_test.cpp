@@ -11,7 +11,7 @@
 namespace thaum::ecs::test {
 namespace {
 
-/// Some history with holes, moves, tags and free numbers.
+/// Gives the World a history with destroyed entities, moves between tables, tags and free numbers.
 void fill(World& world, std::size_t n) {
     std::vector<Entity> all;
     for (std::size_t i = 0; i < n; ++i) all.push_back(world.create(Position{{static_cast<double>(i), 0, 0}}));
@@ -45,7 +45,7 @@ struct EcsSnapshot : testing::Test {
 TEST_F(EcsSnapshot, ARestoredWorldGoesOnTheSameWay) {
     fill(world, 1000);
     save(world, bytes);
-    copy.create(Health{});  // must vanish
+    copy.create(Health{});  // must be gone after the restore
     ASSERT_TRUE(restore(copy, bytes).has_value());
     EXPECT_EQ(state_hash(copy), state_hash(world));
     EXPECT_EQ(copy.size(), world.size());
@@ -169,7 +169,7 @@ TEST_F(EcsSnapshot, EveryTruncationAndEveryFlippedByteIsRefusedOrConsistent) {
     for (std::size_t n = 0; n < bytes.size(); ++n) {
         Bytes spoilt = bytes;
         spoilt[n] ^= std::byte{0x41};
-        if (restore(copy, spoilt)) {  // a value may change; the structure may not break
+        if (restore(copy, spoilt)) {  // a changed value may be restored, a damaged structure may not
             copy.view<Position>().each([](Position& p) { p.at.x += 1; });
             copy.clear();
         }

@@ -101,7 +101,7 @@ TEST_F(EcsWorld, OrderDependsOnTheHistoryOfThisWorldAlone) {
     };
     World other;
     declare_all(other);
-    // A world in between, which uses other views and tables first, must not matter.
+    // Another World with other views and tables, used in between, must not matter.
     World stranger;
     declare_all(stranger);
     stranger.create(Health{}, Burning{});
@@ -187,7 +187,7 @@ TEST_F(EcsWorld, AComponentMayBeCopiedFromTheTableThatGrowsForIt) {
 
 using EcsWorldDeath = EcsWorld;
 
-/// So many words that are all the same, since cells move in ways that depend on their size.
+/// A component of `words` equal words. The way cells move depends on their size.
 template <std::size_t words>
 struct Cell {
     std::array<std::uint32_t, words> value{};
@@ -202,11 +202,11 @@ Cell<words> cell(std::uint32_t value) {
     return out;
 }
 
-TEST(EcsCells, OfEverySizeStayWithTheirEntityWhileItMovesBetweenTables) {
+TEST(EcsCells, StayWithTheirEntityWhenItMovesBetweenTables) {
     World world;
     [&]<std::size_t... words>(std::index_sequence<words...>) {
         (world.declare<Cell<words + 1>>(), ...);
-        // What each entity has, as bits, and what is in all its cells.
+        // Components of each entity, as bits, and the contents of its cells.
         std::vector<std::pair<Entity, std::uint32_t>> all;
         std::uint32_t state = 1;
         const auto any = [&state](std::uint32_t below) {

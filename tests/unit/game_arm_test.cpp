@@ -1,4 +1,5 @@
-// A real arm in a match: what its thread told the device is what the match, a replay and a restored match come to, to the bit.
+// Tests of a real arm in a match: the forces that its thread sent to the device equal those of the match,
+// of a replay and of a restored match, bit for bit.
 #include <cmath>
 #include <map>
 
@@ -27,7 +28,8 @@ MatchSetup one_arm() {
                         {.player = 0, .kind = input::DeviceKind::arm, .name = "arm"}}};
 }
 
-/// A match, of short rounds where nothing else is said, and an arm's thread that runs beside it, now ahead, now behind, in an order that a generator gives.
+/// A match, with short rounds by default, and an arm's thread beside it. A random generator decides when
+/// the thread is ahead of or behind the match.
 struct ArmMatch {
     std::shared_ptr<const MatchData> data = short_rounds();
     Simulation match{data, one_arm()};
@@ -38,11 +40,11 @@ struct ArmMatch {
     int ahead = 0;
     std::uint32_t arm_buttons = 0, hand_buttons = 0;
     std::uint32_t epoch = 0, samples = 0;
-    bool still = false;        ///< the arm's ticks have stopped
-    bool resting = false;      ///< it is not moved
-    std::int32_t back_um = 0;  ///< towards the user
+    bool still = false;        ///< true: the arm sends no samples
+    bool resting = false;      ///< true: the arm stands still
+    std::int32_t back_um = 0;  ///< displacement towards the user (um)
     std::array<std::int32_t, 3> turned_urad{};
-    std::vector<vec3> told{{}};  ///< N, by height in um, which is the tick's number
+    std::vector<vec3> told{{}};  ///< force of each sample (N); the index is the sample's height in um
     std::map<std::int32_t, vec3> computed{};
     std::vector<input::InputFrame> frames{};
     std::map<Tick, std::uint64_t> hashes{};
@@ -52,7 +54,7 @@ struct ArmMatch {
     void move_arm() {
         now_ns += 1'000'000;
         input::ArmReading reading{.time_ns = now_ns, .buttons = arm_buttons};
-        // To and fro by 2 cm, half a metre a second; the height tells the tick.
+        // The arm moves to and fro by 2 cm at 0.5 m/s. Its height numbers the sample.
         const auto phase = resting ? 0 : (arm_ticks + 1) % 80;
         ++arm_ticks;
         reading.position_um = {500 * (phase < 40 ? phase : 80 - phase), arm_ticks, back_um};
@@ -76,7 +78,7 @@ struct ArmMatch {
             hashes[match.now()] = match.state_hash();
             force_hashes[match.now()] = match.force_hash();
         }
-        if (fill_order(match.world(), match.touch(), 0, servo.order())) servo.publish();
+        if (fill_order(match.world(), match.haptic_setup(), 0, servo.order())) servo.publish();
     }
 
     void run(int ticks) {
@@ -97,7 +99,8 @@ struct ArmMatch {
     }
 };
 
-/// Shots, a pause, the end of a round and the next one, panic and its end, an arm that stops, and ticks that are left out.
+/// Plays shots, a pause, the end of a round and the next round, a panic press and its end, an arm that
+/// stops, and skipped samples.
 void play(ArmMatch& m) {
     m.run(200);
     m.arm_buttons = 1;  // fire
@@ -119,7 +122,7 @@ void play(ArmMatch& m) {
     m.still = true;
     m.run(150);
     m.still = false;
-    m.run(1500);  // into the next round
+    m.run(1500);  // reaches the next round
     m.hand_buttons = bit(Button::clutch);
     m.run(150);
     m.hand_buttons = 0;
@@ -137,7 +140,7 @@ void play(ArmMatch& m) {
     m.run(1500);
 }
 
-TEST(Arm, FeelsWhatTheMatchComputes) {
+TEST(Arm, FeelsTheForcesThatTheMatchComputes) {
     ArmMatch m;
     play(m);
     m.expect_same_forces();
@@ -173,8 +176,8 @@ TEST(Arm, ARestoredMatchGoesOnTheSame) {
     EXPECT_EQ(second.state_hash(), m.match.state_hash());
 }
 
-/// The model that a sample used is what the force hangs on: by another one the replay differs.
-TEST(Arm, AnotherModelIsAnotherForce) {
+/// The force depends on the model that a sample used. With another model the replay differs.
+TEST(Arm, AnotherModelGivesAnotherForce) {
     ArmMatch m;
     play(m);
     Simulation again(m.data, one_arm());
@@ -196,7 +199,7 @@ TEST(Arm, TheHandIsWhereTheArmIs) {
     EXPECT_NEAR(device.position.y, m.arm_ticks * 1e-6, 20e-6);
 }
 
-TEST(Arm, ItsButtonUsesTheWand) {
+TEST(Arm, ButtonUsesTheWand) {
     ArmMatch m;
     m.run(100);
     m.arm_buttons = 1;
@@ -217,7 +220,7 @@ TEST(Arm, InAPauseNothingIsFelt) {
     for (auto t = static_cast<std::size_t>(then); t < m.told.size(); ++t) ASSERT_EQ(m.told[t], vec3(0));
 }
 
-TEST(Arm, ThatStopsIsNoReasonToStop) {
+TEST(Arm, MatchGoesOnWhenTheArmStops) {
     ArmMatch m;
     m.run(300);
     m.still = true;
@@ -230,7 +233,7 @@ TEST(Arm, ThatStopsIsNoReasonToStop) {
     EXPECT_LE(m.arm().state.without, 3U);
 }
 
-TEST(Arm, ThatIsGoneLeavesTheHandToTheMouse) {
+TEST(Arm, MouseMovesTheHandWhileTheArmIsGone) {
     ArmMatch m;
     m.run(310);
     const auto left_at = m.hand_state().device.position;
@@ -244,10 +247,10 @@ TEST(Arm, ThatIsGoneLeavesTheHandToTheMouse) {
     m.run(300);
     EXPECT_GT(m.match.world().get<WandBelt>(wizard_of(m.match.world(), 0)).fired, fired);
     m.run(40);
-    EXPECT_GT(glm::length(m.hand_state().device.velocity), 0) << "and the recoil moves it";
+    EXPECT_GT(glm::length(m.hand_state().device.velocity), 0) << "the recoil does not move the hand";
 }
 
-TEST(Arm, ThatIsBackIsFeltOnceItIsHeldStill) {
+TEST(Arm, IsFeltAgainAfterItWasHeldStill) {
     ArmMatch m;
     m.arm_buttons = 1;
     m.run(500);
@@ -270,7 +273,7 @@ TEST(Arm, ThatIsBackIsFeltOnceItIsHeldStill) {
     EXPECT_GT(m.strongest, 0.5);
     EXPECT_NEAR(glm::distance(m.hand_state().device.position, there), 0, 0.002) << "the hand did not jump";
     for (auto t = back; t + 1 < m.told.size() && m.told[t] == vec3(0); ++t)
-        ASSERT_LE(glm::length(m.told[t + 1]), 0.13) << "as a kick begins";
+        ASSERT_LE(glm::length(m.told[t + 1]), 0.13) << "the force jumps";
     m.expect_same_forces();
 }
 
@@ -299,7 +302,7 @@ TEST(Arm, TheClutchMovesTheArmFreeOfTheHand) {
     m.expect_same_forces();
 }
 
-/// Stroke after stroke, but not out of reach.
+/// Repeated strokes with the clutch move the hand no farther than its reach.
 TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     ArmMatch m;
     m.run(100);
@@ -312,11 +315,12 @@ TEST(Arm, TheClutchDoesNotLengthenTheReach) {
     }
     const auto x = m.hand_state().device.position.x;
     EXPECT_GT(x, 0.06);
-    EXPECT_LT(x, m.match.touch().device.reach.x + 0.021) << "and one stroke";
+    EXPECT_LT(x, m.match.haptic_setup().device.reach.x + 0.021)
+        << "the hand is beyond its reach by more than a stroke";
     m.expect_same_forces();
 }
 
-/// The wand of that name in hand, after the arm was held still in the middle.
+/// Holds the arm still in the middle and selects the wand of that name.
 void take_wand(ArmMatch& m, std::string_view name) {
     m.resting = true;
     m.run(100);
@@ -340,7 +344,7 @@ TEST(Arm, ChargesABlastByItsButton) {
     take_wand(m, "blast");
     m.arm_buttons = 1;
     m.run(1500);
-    EXPECT_GT(glm::length(m.told.back()), 0.5) << "the charge leans on the hand";
+    EXPECT_GT(glm::length(m.told.back()), 0.5) << "the charge must press on the hand";
     m.arm_buttons = 0;
     m.run(50);
     EXPECT_EQ(shots_of(m), 1U);
@@ -373,11 +377,11 @@ TEST(Arm, DrawsALobByPullingBack) {
     m.run(100);
     m.arm_buttons = 1;
     m.run(20);
-    EXPECT_GT(m.hand_state().tether.stiffness, 0) << "and can be drawn again at once";
+    EXPECT_GT(m.hand_state().tether.stiffness, 0) << "the sling cannot be drawn again at once";
     m.expect_same_forces();
 }
 
-/// Looks at a place, m.
+/// Turns the player's view to a place (m, world).
 void look_at(ArmMatch& m, vec3 place) {
     const auto wizard = wizard_of(m.match.world(), 0);
     const auto& motion = std::as_const(m.match.world_to_change()).get<Motion>(wizard);
@@ -397,7 +401,7 @@ TEST(Arm, SwingsAndShortensTheRope) {
     m.expect_same_forces();
 }
 
-TEST(Arm, LiftsWhatTheHandMoves) {
+TEST(Arm, LiftedThingFollowsTheHand) {
     ArmMatch m{duel_data()};
     take_wand(m, "lift");
     const auto wizard = wizard_of(m.match.world(), 0);
@@ -417,14 +421,14 @@ TEST(Arm, LiftsWhatTheHandMoves) {
     ASSERT_TRUE(held) << "of " << things.size() << " things";
     m.run(500);
     const vec3 before = *wand_of(m).held_at(m.match.world(), wizard);
-    m.resting = false;  // to and fro by 2 cm
+    m.resting = false;  // the arm moves to and fro by 2 cm
     double farthest = 0;
     for (int t = 0; t < 200; ++t) {
         m.run(1);
         if (const auto at = wand_of(m).held_at(m.match.world(), wizard))
             farthest = std::max(farthest, glm::distance(*at, before));
     }
-    EXPECT_GT(farthest, 0.02) << "the hand's centimetres move it";
+    EXPECT_GT(farthest, 0.02) << "the held thing must follow the hand";
     EXPECT_GT(m.strongest, 0.1);
     m.expect_same_forces();
 }
@@ -443,7 +447,7 @@ TEST(Arm, TheStylusTurnsTheWand) {
     EXPECT_EQ(stylus_turn(m.match.world(), 0), vec3(0)) << "an arm that is gone holds nothing";
 }
 
-TEST(Arm, NobodyElsePaysForIt) {
+TEST(Arm, AMatchWithoutAnArmHasNoArmComponents) {
     const Simulation match(duel_data(), {.seed = 1, .devices = {}});
     EXPECT_TRUE(arms_in(match.world()).empty());
     std::size_t models = 0;

@@ -1,4 +1,5 @@
-// The cauldron in the match: the same with any number of threads, restored, and absent where the rules have none.
+// Tests of the cauldron in a match: the same with any number of threads and after a restore, and absent if
+// the rule set has none.
 #include "game/cauldron/cauldron.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ input::DeviceSpec mouse(std::uint32_t player) {
     return {.player = player, .kind = input::DeviceKind::script, .name = "mouse", .look_rad_per_count = 1e-3};
 }
 
-/// Two players at opposite sides of the rim, with a thing above the bowl.
+/// A match with two players at opposite sides of the rim and a thing above the bowl.
 std::unique_ptr<Simulation> at_the_rim(MatchSetup setup, std::vector<std::string> overrides = {}) {
     auto match = std::make_unique<Simulation>(duel_data(std::move(overrides)), std::move(setup));
     bench::place_at_the_rim(*match);
@@ -43,7 +44,7 @@ TEST(GameCauldron, TheSameWithAnyNumberOfThreads) {
                 ASSERT_EQ(match->state_hash(), expected[t / 40]) << workers << " workers, tick " << t;
             }
         }
-        EXPECT_GT(match->world().single<Cauldron>().speed, 0.1) << "it was stirred";
+        EXPECT_GT(match->world().single<Cauldron>().speed, 0.1) << "the brew was not stirred";
     }
 }
 
@@ -54,15 +55,15 @@ TEST(GameCauldron, RestoredWhileItIsStirredItGoesOnToTheSameBits) {
     match->save(saved);
     for (Tick t = 0; t < 300; ++t) match->tick(stirring(keyframe_interval + t));
     const auto again = at_the_rim(1);
-    for (Tick t = 0; t < 100; ++t) again->tick(stirring(3 * t));  // some other history first
+    for (Tick t = 0; t < 100; ++t) again->tick(stirring(3 * t));  // gives the match another history first
     ASSERT_TRUE(again->restore(saved, keyframe_interval));
     for (Tick t = 0; t < 300; ++t) again->tick(stirring(keyframe_interval + t));
     EXPECT_EQ(again->state_hash(), match->state_hash());
     EXPECT_EQ(again->force_hash(), match->force_hash());
 }
 
-TEST(GameCauldron, WhatTheLadleGivesTheBrewGetsAndNotWhatTheHandIsTold) {
-    // Forces off: the hand is told nothing, and stirs as hard.
+TEST(GameCauldron, TheBrewGetsTheLadlesPushAndNotTheForceOnTheHand) {
+    // Without forces the hand feels nothing, but stirs as strongly.
     const auto felt = at_the_rim(0), unfelt = at_the_rim(0, {"haptics.share=0"});
     for (Tick t = 0; t < 400; ++t) {
         felt->tick(stirring(t));
@@ -74,17 +75,18 @@ TEST(GameCauldron, WhatTheLadleGivesTheBrewGetsAndNotWhatTheHandIsTold) {
               0);
 }
 
-// ---- faders ----------------------------------------------------------------------------------------------------------
+// ---- faders -----------------------------------------------------------------------------------------------
 
 using Percents = std::array<std::uint32_t, input::fluid_faders>;
 
-/// Player 1 holds an arm whose hand goes where it goes, whatever it is told, and feels so much of the brew.
+/// Player 1 stirs with an arm on a fixed path, whatever its forces. `percents` are the shares of the brew's
+/// effects that the player feels.
 struct HeldLadle {
     std::unique_ptr<Simulation> match;
     input::ArmServo servo{};
-    std::vector<std::uint64_t> brews{};  ///< a hash of all that is of the brew, every 16 ticks
-    double felt = 0;                     ///< N, sum over ticks
-    std::uint64_t forces = 0;            ///< hash
+    std::vector<std::uint64_t> brews{};  ///< hash of the brew's components, every 16 ticks
+    double felt = 0;                     ///< sum of the force's magnitude over the ticks (N)
+    std::uint64_t forces = 0;            ///< hash of all forces
 
     explicit HeldLadle(const Percents& percents) {
         auto hand = mouse(0);
@@ -97,7 +99,8 @@ struct HeldLadle {
         world.add(wizard_of(world, 0), Pouch{.ingredient = 2});
     }
 
-    /// Rest, a circle, out into the wall, up through the surface and down on it again.
+    /// Path of the arm (um): rest, a circle, out to the wall and back, up through the surface and down
+    /// again.
     static std::array<std::int32_t, 3> hand_um(Tick tick) {
         const auto t = static_cast<std::int32_t>(tick);
         if (t < 400) return {};
@@ -123,7 +126,7 @@ struct HeldLadle {
             if (t > 600 && t < 620) frame.devices[0].press(input::Button::fire);
             frame.devices[2] = servo.take();
             match->tick(frame);
-            if (fill_order(match->world(), match->touch(), 0, servo.order())) servo.publish();
+            if (fill_order(match->world(), match->haptic_setup(), 0, servo.order())) servo.publish();
             const vec3 force =
                 match->world().get<HandState>(wizard_of(match->world(), 0)).servo.safety.output;
             felt += glm::length(force);
@@ -145,8 +148,8 @@ TEST(GameCauldron, FadersTakeFromTheHandAndNothingFromTheBrew) {
     HeldLadle all({100, 100, 100, 100, 100, 100, 100}), none(Percents{});
     all.run(length);
     none.run(length);
-    EXPECT_GT(all.match->world().single<Cauldron>().speed, 0.02) << "it is stirred";
-    EXPECT_EQ(all.match->world().single<Cauldron>().what[0], 2U) << "and something is dropped in";
+    EXPECT_GT(all.match->world().single<Cauldron>().speed, 0.02) << "the brew is not stirred";
+    EXPECT_EQ(all.match->world().single<Cauldron>().contents[0], 2U) << "no ingredient was dropped";
     EXPECT_EQ(none.brews, all.brews);
     EXPECT_GT(all.felt, 0);
     EXPECT_EQ(none.felt, 0);
@@ -160,7 +163,7 @@ TEST(GameCauldron, FadersTakeFromTheHandAndNothingFromTheBrew) {
     }
 }
 
-TEST(GameCauldron, ThereIsNoneByClassicRules) {
+TEST(GameCauldron, ClassicRulesHaveNoCauldron) {
     DataChoice choice;
     choice.rules = "classic";
     auto data = load_match_data(assets(), choice);
@@ -186,7 +189,7 @@ TEST(GameCauldron, TheBasinIsTheBowlsInside) {
     }
 }
 
-TEST(GameCauldron, WhoWalksOverTwoNichesCarriesOne) {
+TEST(GameCauldron, AWizardAtTwoNichesCarriesOneIngredient) {
     const auto match = at_the_rim(0, {"cauldron.brewing.niche_radius_m=5"});
     for (Tick t = 0; t < 64; ++t) match->tick({});
     const auto& world = match->world();
@@ -211,12 +214,12 @@ TEST(GameCauldron, AFourthIngredientStaysInTheHand) {
         for (Tick t = 0; t < 40; ++t) match->tick(held);
         EXPECT_EQ(world.has<Pouch>(wizard), ingredient == 3) << ingredient;
     }
-    const auto& what = match->world().single<Cauldron>().what;
+    const auto& what = match->world().single<Cauldron>().contents;
     EXPECT_EQ(what, (std::array<std::uint32_t, 3>{0, 1, 2}));
 }
 
 TEST(GameCauldron, AnotherRoundBeginsWithAStillBrew) {
-    // What burst at the brew in the last round is not told again.
+    // A burst recorded in the last round must not act again.
     const auto match = at_the_rim(0, {"quick.seconds=1", "quick.rounds=3", "quick.interval_s=0.1"});
     auto& world = match->world_to_change();
     const auto middle = match->world().single<Cauldron>().middle;
@@ -228,7 +231,7 @@ TEST(GameCauldron, AnotherRoundBeginsWithAStillBrew) {
     EXPECT_EQ(match->brew(), nullptr);
 }
 
-TEST(GameCauldron, StrokesOfOneThingBecomeOneAndWhatDoesNotFitIsRefusedOrKept) {
+TEST(GameCauldron, StrokesOfOneThingAreMergedAndAFullQueueKeepsMomentum) {
     Cauldron cauldron;
     EXPECT_TRUE(add_stroke(cauldron, {.impulse = {1, 0, 0}, .ingredient = no_ingredient, .by = 7}));
     EXPECT_TRUE(add_stroke(cauldron, {.impulse = {0, 2, 0}, .ingredient = no_ingredient, .by = 7}));

@@ -1,4 +1,4 @@
-// tests/unit/game_duel.h: a match of two bots, as tests need it.
+// tests/unit/game_duel.h: a match of two bots for tests.
 #pragma once
 #include <gtest/gtest.h>
 

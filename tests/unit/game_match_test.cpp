@@ -28,7 +28,7 @@ TEST(GameMatch, TheSameSeedGivesTheSameMatchAndAnotherSeedAnother) {
     EXPECT_NE(a.match->state_hash(), c.match->state_hash());
 }
 
-TEST(GameMatch, TheArenaIsWhatTheDesignSays) {
+TEST(GameMatch, TheArenaFollowsTheDesign) {
     const auto data = duel_data();
     std::size_t props = 0;
     for (const auto& thing : data->arena.things) props += thing.prop ? 1U : 0U;
@@ -45,7 +45,7 @@ TEST(GameMatch, TheArenaIsWhatTheDesignSays) {
     EXPECT_EQ(power_ups, 0.0) << "the power-ups are not mirror-symmetric";
     double total = 0;
     for (const auto& thing : data->arena.things) total += thing.position.z;
-    EXPECT_EQ(total, 0.0) << "the court is not mirror-symmetric";
+    EXPECT_EQ(total, 0.0) << "the arena is not mirror-symmetric";
 }
 
 TEST(GameMatch, AnOverrideReplacesAValueAndAWrongOneIsOneClearLine) {
@@ -62,9 +62,9 @@ TEST(GameMatch, AnOverrideReplacesAValueAndAWrongOneIsOneClearLine) {
     EXPECT_NE(message("quick.kills=[").find("no value"), std::string::npos);
 }
 
-// Rules -----------------------------------------------------------------------------------------------------------------
+// ---- rules ------------------------------------------------------------------------------------------------
 
-TEST(GameRules, TheRuleSetSwitchesWhatItsFileSays) {
+TEST(GameRules, TheRuleSetFollowsItsFile) {
     const auto thaum = duel_data();
     auto classic = load_match_data(assets(), {.rules = "classic", .match = "standard"});
     ASSERT_TRUE(classic) << classic.error().message;
@@ -92,7 +92,7 @@ TEST(GameRules, TheLogRemembersRuleSetAndMatch) {
               std::string::npos);
 }
 
-TEST(GameRules, AGiftIsWhatThereIsRoomFor) {
+TEST(GameRules, AGiftIsLimitedByTheCap) {
     const auto data = duel_data();
     const auto gift = [&](PowerUpKind kind, double health, double energy) {
         auto belt = full_belt(*data);
@@ -110,7 +110,7 @@ TEST(GameRules, AGiftIsWhatThereIsRoomFor) {
     EXPECT_EQ(gift(PowerUpKind::spark, 100, 60), 0);
 }
 
-TEST(GameRules, TheResultSaysWhoDidWhatByWhichCause) {
+TEST(GameRules, TheResultListsStatisticsByPlayerAndCause) {
     Simulation match(duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}});
     auto& world = match.world_to_change();
     const auto shot = static_cast<std::uint32_t>(EventKind::bolt_hit);

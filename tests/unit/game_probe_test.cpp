@@ -1,4 +1,5 @@
-// The wand's tip as a probe: the frames between world and device, and that who turns and walks presses nothing into his hand.
+// Tests of the wand's tip as a probe: the frames of world and device, and that turning and walking give no
+// force on the hand.
 #include <algorithm>
 
 #include "core/random.h"
@@ -18,14 +19,14 @@ HandFrame any_frame(Random& random) {
             .metres_per_metre = 10};
 }
 
-/// What a patch says that a place does in a tick.
+/// Position of a point after a tick of the frame motion that a patch gives (m).
 vec3 moved(vec3 velocity, vec3 spin, vec3 pivot_now, vec3 place) {
     const double speed = glm::length(spin);
     const vec3 arm = place - (pivot_now - tick_seconds * velocity);
     return pivot_now + (speed > 0 ? rotation(spin / speed, speed * tick_seconds) * arm : arm);
 }
 
-TEST(Probe, WhatRestsInTheWorldMovesOverATurningFrameExactly) {
+TEST(Probe, ThingsAtRestMoveExactlyInATurningFrame) {
     Random random{1};
     for (int n = 0; n < 200; ++n) {
         const HandFrame frame = any_frame(random);
@@ -77,8 +78,9 @@ TEST(Probe, SizesAndReachAreThoseOfTheDevice) {
     EXPECT_NEAR(patch.reach, left_out / 10, 1e-12);
 }
 
-/// Over the whole court, against walls, over the bowl and down the pits, for a minute.
-TEST(Probe, WhoTurnsAndWalksPressesNothingIntoHisHand) {
+/// The wizard walks and turns for a minute over the whole arena, against walls, over the bowl and down the
+/// pits.
+TEST(Probe, TurningAndWalkingGiveNoForce) {
     Simulation match(duel_data({}),
                      {.seed = 1,
                       .devices = {{.player = 0, .kind = input::DeviceKind::script, .name = "one"},

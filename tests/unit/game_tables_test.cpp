@@ -1,4 +1,4 @@
-// The tables of a replay against what the match itself said while it was recorded.
+// Compares the tables of a replay with the match that was recorded.
 #include "game/match/tables.h"
 
 #include <unistd.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// RFC 4180, strictly: every row has as many fields as the first.
+/// Parses CSV strictly by RFC 4180. Every row must have as many fields as the first.
 Rows parse_csv(std::string_view csv) {
     Rows rows{{""}};
     bool quoted = false;
@@ -47,7 +47,7 @@ double number(const std::string& field) {
     return value;
 }
 
-/// By the names of the columns.
+/// Access to a CSV table by the names of its columns.
 class Csv {
 public:
     explicit Csv(const std::string& csv) : rows_(parse_csv(csv)) {}
@@ -90,7 +90,7 @@ Moment moment_of(const Simulation& match, std::uint32_t player) {
 constexpr Tick recorded_ticks = 12'000;
 constexpr Tick state_every = 500;
 
-/// A duel with a pause, samples left out and two marks, its log, and what happened in it.
+/// A recorded duel with a pause, skipped samples and two marks: its log, and what happened in the match.
 class TableRecording {
 public:
     TableRecording()
@@ -245,7 +245,7 @@ TEST(GameTables, FieldsAreQuotedAsTheyNeed) {
     EXPECT_EQ(row, "plain,\"a,b\",\"say \"\"hi\"\"\",\"two\nlines\",,");
 }
 
-TEST(GameTables, WhatAChronicleNoLongerHoldsIsCounted) {
+TEST(GameTables, EventsThatTheLogNoLongerHoldsAreCounted) {
     EventLog event_log;
     std::uint64_t seen = 0;
     const auto add = [&](int count) {

@@ -1,5 +1,5 @@
-// What hands feel in a match: each kick against its closed form, on other devices and caps too, seen through the tables and
-// the hashes that a log keeps.
+// Tests of the forces on hands in a match: each kick equals its closed form, also on other devices and with
+// other caps, and in the tables and hashes of the log.
 #include <algorithm>
 
 #include "core/text.h"
@@ -11,14 +11,14 @@
 namespace thaum::game::test {
 namespace {
 
-constexpr double recoil_length = 0.015;  // s, as assets/wands/bolt.toml says
+constexpr double recoil_length = 0.015;  // as in assets/wands/bolt.toml (s)
 constexpr Tick after_the_last = ticks(recoil_length) + gameplay_period;
 
 const HandState& hand_state_of(const Simulation& match, std::uint32_t player) {
     return match.world().get<HandState>(wizard_of(match.world(), player));
 }
 
-/// A match of one scripted hand that holds what buttons it is told to.
+/// A match in which a script presses the buttons of one hand.
 struct Hands {
     explicit Hands(std::vector<std::string> overrides = {})
         : match(duel_data(std::move(overrides)),
@@ -47,7 +47,7 @@ struct Hands {
 
 struct Held {
     std::string_view device;
-    double peak;  // N
+    double peak;  // peak force of the device (N)
 };
 constexpr std::array arms{Held{"touch", 3.3}, Held{"omni", 3.3}, Held{"premium", 8.5}, Held{"falcon", 8},
                           Held{"omega3", 12}};
@@ -102,16 +102,17 @@ TEST(HapticSetup, TheClutchMovesTheHandWithinItsWorkspaceAndNotTheView) {
     EXPECT_NE(gaze(), yaw);
 }
 
-/// m: how far the player's wand goes to the right when the hand is at the edge of a device so many m wide.
+/// Displacement of the wand's tip to the right while the hand is at the right edge of a device of that
+/// width (m).
 double reach_of_tip(const Simulation& match, std::uint32_t player, double width) {
-    const double wand_per_hand = match.touch().wand_per_hand[player];
+    const double wand_per_hand = match.haptic_setup().wand_per_hand[player];
     HandState hand_state = empty_hand_state();
     const double rests = wand_tip_of(wand_per_hand, hand_state).x;
     hand_state.device.position.x = width / 2;
     return wand_tip_of(wand_per_hand, hand_state).x - rests;
 }
 
-/// The tip goes as far over the workspace of any device.
+/// The tip moves equally far over the workspace of any device.
 TEST(HapticSetup, ANarrowerDeviceReachesAsFar) {
     double reached = 0;
     for (const auto* device : {"touch", "falcon", "omega3", "premium"}) {
@@ -127,7 +128,7 @@ TEST(HapticSetup, ANarrowerDeviceReachesAsFar) {
     EXPECT_NEAR(reached, 0.8, 1e-12);
 }
 
-/// The box that a real arm reports counts, not that of the model whose forces the match makes.
+/// For a real arm the reported box counts, not that of the simulated device model.
 TEST(HapticSetup, AnArmReachesAsFarOverTheBoxThatItReports) {
     constexpr auto arm_kind = input::DeviceKind::arm;
     const auto data = duel_data();
@@ -135,12 +136,12 @@ TEST(HapticSetup, AnArmReachesAsFarOverTheBoxThatItReports) {
         const input::DeviceSpec arm{.player = 1, .kind = kind, .name = "arm", .box_um = box_um};
         const Simulation match(data, {.seed = 1, .devices = {bot_device(0, 1), bot_device(1, 1), arm}});
         EXPECT_NEAR(reach_of_tip(match, 0, data->device.workspace.x), 0.8, 1e-12);
-        EXPECT_EQ(match.touch().reach[0], data->device.workspace / 2.0);
+        EXPECT_EQ(match.haptic_setup().reach[0], data->device.workspace / 2.0);
         return reach_of_tip(match, 1, width);
     };
     EXPECT_NEAR(reach({100'000, 100'000, 100'000}, arm_kind, 0.1), 0.8, 1e-12);
     EXPECT_NEAR(reach({381'000, 267'000, 191'000}, arm_kind, 0.381), 0.8, 1e-12);
-    // What no arm has counts as not said; nor does that which is none have a box.
+    // Impossible boxes count as unknown, and so does the box of a device that is not an arm.
     EXPECT_NEAR(reach({}, arm_kind, 0.16), 0.8, 1e-12);
     EXPECT_NEAR(reach({100'000, 0, 100'000}, arm_kind, 0.16), 0.8, 1e-12);
     EXPECT_NEAR(reach({1, 1, 1}, arm_kind, 0.16), 0.8, 1e-12);
@@ -165,7 +166,7 @@ TEST(HapticSetup, TheHashOfForcesSeesAForceThatTheStateNoLongerShows) {
     EXPECT_EQ(one.match.force_hash(), two.match.force_hash()) << "a new stretch of 128 ticks has begun";
 }
 
-TEST(HapticSetup, ARowOfForcesSaysWhatTheHandHad) {
+TEST(HapticSetup, ARowOfForcesHoldsTheForceOnTheHand) {
     Hands hands;
     hands.hold(3, input::bit(input::Button::fire));
     std::string row;
@@ -183,11 +184,12 @@ TEST(HapticSetup, ARowOfForcesSaysWhatTheHandHad) {
     EXPECT_EQ(std::count(header.begin(), header.end(), ','), std::count(row.begin(), row.end(), ','));
 }
 
-/// What the bots' hands were told, against cap, budget and finiteness: what was wanted is not known here.
+/// Checks cap, energy budget and finiteness of the forces on the bots' hands. The requested force is not
+/// recorded, so it is not compared.
 TEST(HapticSetup, TheAuditFindsNothingInAMinuteOfBots) {
     auto duel = make_duel(5);
     const auto& data = duel.match->data();
-    const auto limits = haptics::safety_limits(data.device, data.touch.share);
+    const auto limits = haptics::safety_limits(data.device, data.haptic_rules.share);
     std::array<haptics::SafetyAudit, players> audits;
     double felt = 0;
     for (int tick = 0; tick < 60'000; ++tick) {

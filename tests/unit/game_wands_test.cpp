@@ -1,4 +1,5 @@
-// Blast and lob: what their hands feel on any device and cap, what ends them, stones that never gain energy, any input at all.
+// Tests of blast and lob: forces on the hand for any device and cap, what ends a charge or draw, stones
+// that never gain energy, and random input.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -15,9 +16,9 @@ using input::Button;
 
 constexpr Tick blast_full = ticks(1.6) + 2 * gameplay_period;
 
-/// A match of two scripted hands; the first does as the test says.
-struct Wandsman {
-    explicit Wandsman(std::vector<std::string> overrides = {}, const char* length = "quick")
+/// A match of two scripted hands. The test presses the buttons of the first.
+struct WandRig {
+    explicit WandRig(std::vector<std::string> overrides = {}, const char* length = "quick")
         : match(data_of(std::move(overrides), length), setup()) {}
 
     static std::shared_ptr<const MatchData> data_of(std::vector<std::string> overrides, const char* length) {
@@ -77,8 +78,9 @@ struct Wandsman {
 TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
     for (const auto& [device, peak] :
          {std::pair{"touch", 3.3}, {"premium", 8.5}, {"falcon", 8.0}, {"omega3", 12.0}}) {
-        for (const double share : {0.1, 0.3}) {  // stronger, and a premium grows warm
-            Wandsman w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
+        // With larger forces the motors of the premium device grow warm.
+        for (const double share : {0.1, 0.3}) {
+            WandRig w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
             w.take(Button::wand_2);
             w.hold(blast_full, Button::fire);
             const double cap = peak * share;
@@ -93,25 +95,25 @@ TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
 
 TEST(Blast, KicksByThePlayersCap) {
     for (const double share : {0.1, 0.45, 1.0}) {
-        Wandsman w({text("haptics.share=", share)});
+        WandRig w({text("haptics.share=", share)});
         w.take(Button::wand_2);
         w.hold(blast_full, Button::fire);
         double greatest = 0;
-        w.hold(gameplay_period, 0, [] {});  // until the wand looks, the charge leans on
+        w.hold(gameplay_period, 0, [] {});  // the charge presses on until the wand reads the fire button
         w.hold(80, 0, [&] { greatest = std::max(greatest, w.hand_state().servo.safety.output.z); });
         EXPECT_NEAR(greatest, 3.0 * share, 0.002 * share) << share;
     }
 }
 
-TEST(Blast, ItsRecoilIsWholeOnEveryDevice) {
-    // What leans gives way as the recoil rises, L (1 - half sine) up to its peak, so the two make up their sum and no more than
-    // the greater of them; the recoil's own part is 2/pi of its peak times its length.
+TEST(Blast, TheWholeRecoilIsFeltOnEveryDevice) {
+    // While the recoil rises, the steady force L falls as L (1 - half sine), so the sum stays below the
+    // larger of the two. The recoil's own impulse is 2/pi times its peak and its length.
     for (const auto& [device, peak] :
          {std::pair{"touch", 3.3}, {"omni", 3.3}, {"premium", 8.5}, {"falcon", 8.0}, {"omega3", 12.0}}) {
         for (const double share : {0.1, 0.3, 1.0}) {
             if (share == 1 && device == std::string("premium"))
-                continue;  // whose motors the charge alone has warmed
-            Wandsman w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
+                continue;  // the charge alone has warmed its motors
+            WandRig w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
             w.take(Button::wand_2);
             w.hold(blast_full, Button::fire);
             const double felt = share * peak / 3.3, leaning = 2.6 * felt;
@@ -131,17 +133,18 @@ TEST(Blast, ItsRecoilIsWholeOnEveryDevice) {
     }
 }
 
-TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
+TEST(Wands, DyingOrChangingTheWandEndsADrawWithoutAShot) {
     for (const auto wand : {Button::wand_2, Button::wand_3}) {
         for (const bool dies : {false, true}) {
-            Wandsman w;
+            WandRig w;
             w.take(wand);
             w.hold(1000, Button::fire);
             ASSERT_GT(w.readiness(), 0.5);
             ASSERT_GT(glm::length(w.hand_state().servo.safety.output), 0.3);
             if (dies) {
                 w.match.world_to_change().get<Health>(w.me()).points = 0;
-                w.hold(2 * gameplay_period, Button::fire);  // who lets go as they die has shot before
+                // Fire stays held: a release in the tick of death would still shoot.
+                w.hold(2 * gameplay_period, Button::fire);
             } else {
                 w.take(Button::wand_1);
             }
@@ -156,7 +159,7 @@ TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
 }
 
 TEST(Wands, NothingIsLeftOfARoundInTheNext) {
-    Wandsman w({"standard.seconds=3", "standard.interval_s=1"}, "standard");
+    WandRig w({"standard.seconds=3", "standard.interval_s=1"}, "standard");
     w.take(Button::wand_3);
     w.hold(1500, Button::fire);
     w.wait(gameplay_period);
@@ -171,8 +174,8 @@ TEST(Wands, NothingIsLeftOfARoundInTheNext) {
 }
 
 TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheCourt) {
-    Wandsman w({"lob.energy.cost=0", "lob.shot.fuse_s=6", "lob.burst.damage=0", "lob.burst.impulse_n_s=0",
-                "quick.seconds=600"});
+    WandRig w({"lob.energy.cost=0", "lob.shot.fuse_s=6", "lob.burst.damage=0", "lob.burst.impulse_n_s=0",
+               "quick.seconds=600"});
     w.take(Button::wand_3);
     Random random{11};
     std::size_t followed = 0, bounces = 0;
@@ -181,7 +184,7 @@ TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheCourt) {
         for (const auto& m : w.missiles()) {
             const double energy = glm::dot(m.velocity, m.velocity) / 2 + 9.81 * m.position.y;
             const auto [known, fresh] = energies.try_emplace(m.entity.index, energy);
-            // A chord is at most g dt^2 / 8 from its parabola.
+            // A straight step lies at most g dt^2 / 8 from the parabola.
             if (!fresh) {
                 EXPECT_LE(energy, known->second + 1e-3);
                 bounces += energy < known->second - 0.1 ? 1 : 0;
@@ -221,7 +224,7 @@ TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
                 match.tick(frame);
             }
         };
-        Wandsman w;
+        WandRig w;
         play(w.match, 0, keyframe_interval);
         EXPECT_EQ(w.shots(), 1U);
         EXPECT_FALSE(w.missiles().empty());
@@ -231,7 +234,7 @@ TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
         Bytes state;
         w.match.save(state);
         play(w.match, keyframe_interval, keyframe_interval + 1500);
-        Wandsman other;
+        WandRig other;
         ASSERT_TRUE(other.match.restore(state, keyframe_interval));
         play(other.match, keyframe_interval, keyframe_interval + 1500);
         EXPECT_EQ(other.match.state_hash(), w.match.state_hash());
@@ -241,9 +244,9 @@ TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
 
 TEST(Wands, AnyInputLeavesForcesEnergiesAndPlacesInRange) {
     Random random{4};
-    Wandsman w({"quick.seconds=600", "quick.kills=1000", "blast.energy.regain_per_s=20",
-                "lob.energy.regain_per_s=20"});
-    const double cap = w.match.touch().servos[0].limits.cap;
+    WandRig w({"quick.seconds=600", "quick.kills=1000", "blast.energy.regain_per_s=20",
+               "lob.energy.regain_per_s=20"});
+    const double cap = w.match.haptic_setup().servos[0].limits.cap;
     constexpr std::array buttons{Button::fire,   Button::fire,   Button::wand_2, Button::wand_3,
                                  Button::wand_1, Button::clutch, Button::jump};
     input::InputFrame frame;
@@ -278,7 +281,7 @@ TEST(Wands, AnyInputLeavesForcesEnergiesAndPlacesInRange) {
     EXPECT_GT(flown, 5000U);
 }
 
-TEST(Wands, WhatContradictsItselfInAFileIsOneLineThatNamesIt) {
+TEST(Wands, AContradictionInAFileIsNamedInOneLine) {
     for (const auto& [change, words] : {std::pair{"blast.energy.cost_full=3", "wands/blast.toml"},
                                         {"blast.charge.full_s=0.2", "'full_s'"},
                                         {"blast.shot.speed_full_m_s=2", "'speed_full_m_s'"},

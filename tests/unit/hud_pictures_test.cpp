@@ -1,5 +1,6 @@
-// Fixed scenes against stored pictures, by perceptual distance. Every stored picture has been looked at; after a change
-// that is meant, look at the new ones and keep them:
+// Compares fixed scenes with stored pictures by perceptual distance. A person has looked at every stored
+// picture. After an intended change look at the new pictures and store them:
+//
 //     THAUM_KEEP_PICTURES=tests/pictures build/release/tests/test_hud
 #include <gtest/gtest.h>
 
@@ -27,10 +28,11 @@ using render::Quality;
 const std::filesystem::path source = THAUM_SOURCE_DIR;
 constexpr render::Size window{1278, 720};
 constexpr int reduced_by = 3;
-// Another processor rounds differently and moves an edge by a pixel here and there; a missing thing is far beyond.
+// Other processors round differently, which moves some edges by a pixel. A missing thing changes the
+// picture far more.
 constexpr double most_mean = 1, most_worst = 7;
 
-/// Each pixel is the mean of 3 x 3.
+/// Picture at a third of the size. Each pixel is the mean of 3 x 3 pixels.
 Image reduced(const Image& in) {
     Image out{in.width / reduced_by, in.height / reduced_by, {}};
     for (int y = 0; y < out.height; ++y) {
@@ -78,7 +80,7 @@ protected:
         take_picture(match, start);
     }
 
-    /// Puts a wizard there, looking at a point.
+    /// Places a wizard with the feet at a position, looking at a point.
     void stand(Picture& p, std::uint32_t player, vec3 feet, vec3 at) const {
         auto& w = p.wizards[player];
         w.centre = feet + vec3(0, data->wizard.height / 2, 0);
@@ -119,7 +121,7 @@ protected:
         }
     }
 
-    /// Face to face in the sun, each seen by the other.
+    /// Both wizards stand in the sun and see each other.
     Scene duel() const {
         Scene scene{start, {.split = render::Split::side_by_side}};
         stand(scene.picture, 0, {-9, 0, 1.3}, {-9, 1.1, -1.3});
@@ -134,7 +136,7 @@ protected:
         return scene;
     }
 
-    /// In the shade, where a bolt on its way is what there is of light.
+    /// A dark corner that only a flying bolt lights.
     Scene night_corner() const {
         Scene scene{start, {.watch = Watch::first}};
         stand(scene.picture, 0, {13.5, 0, -12.5}, {20, 1.2, -19});
@@ -167,7 +169,7 @@ TEST_F(StoredPictures, TheCauldronIsTheBrightestThing) {
         scene.settings.quality = quality;
         const auto image = drawn(scene);
         int best = 0, best_x = 0, best_y = 0;
-        // The mean of 8 x 8 pixels, away from the numbers of the HUD.
+        // Looks for the brightest 8 x 8 pixels, away from the numbers of the HUD.
         for (int y = 50; y + 8 < 180; y += 4) {
             for (int x = 0; x + 8 < image.width; x += 4) {
                 int sum = 0;
@@ -179,7 +181,7 @@ TEST_F(StoredPictures, TheCauldronIsTheBrightestThing) {
                 if (sum > best) best = sum, best_x = x + 4, best_y = y + 4;
             }
         }
-        // The rim of 1.5 m, 5 m off, in the middle of the picture.
+        // The brew, 5 m away in a bowl of radius 1.5 m, is in the middle of the picture.
         EXPECT_NEAR(best_x, 0.5 * image.width, 80);
         EXPECT_NEAR(best_y, 0.5 * image.height, 40);
     }
@@ -199,7 +201,7 @@ TEST_F(StoredPictures, AllFiveWandsAsShadowsAndInTheLight) {
     add_instances(arena_scene, start, no_player, instances);
     add_casters(arena_scene, start, fixed, moving);
     for (std::size_t i = 0; i < arena_scene.wands.size(); ++i) {
-        // One above the other before a wall in the sun, the tips to the left.
+        // The wands float one above the other in front of a wall in the sun, with the tips to the left.
         const auto place = render::translated({-19.4F, 2.95F - 0.44F * static_cast<float>(i), 9.7F}) *
                            render::rotated({0, 1, 0}, 3.1415926F);
         moving.push_back({.mesh = arena_scene.wands[i], .model = place});
@@ -222,7 +224,7 @@ TEST_F(StoredPictures, AllFiveWandsAsShadowsAndInTheLight) {
     expect_stored("wands_high", reduced(renderer->read_pixels()));
 }
 
-/// The court's bowl with a brew in it, seen from wherever one likes.
+/// The bowl of the arena with a simulated brew, seen from any place.
 class StoredBrews : public StoredPictures {
 protected:
     void SetUp() override {
@@ -244,7 +246,7 @@ protected:
         EXPECT_TRUE(drop(brew, rules, 5, {0.1, -0.2, 0.55}, 0.4, 0.1));
     }
 
-    /// Round and round, and the ladle comes down onto the surface now and then.
+    /// Stirs in circles. The ladle touches the surface now and then.
     void stir(int steps) {
         constexpr double dt = 0.016;
         for (int i = 0; i < steps; ++i) {
@@ -254,7 +256,7 @@ protected:
             fluid::push(brew.fluid, {at - brew.corner, 0.22, 0.02 * along});
             fluid::advance(brew.fluid, dt);
             const fluid::SheetProbe probe{{at.x, at.z}, i % 20 < 10 ? -0.035 : 0.1, 0.12};
-            fluid::advance(brew.sheet, brew.scratch, {&probe, 1}, dt);
+            fluid::advance(brew.surface, brew.scratch, {&probe, 1}, dt);
             ladle = LadlePicture{place.middle + at, place.middle + at + vec3(0.25, 0.95, 0.1), 0.8};
         }
     }
@@ -264,7 +266,7 @@ protected:
         show_brew(picture, overlay, look);
         std::vector<render::Instance> instances, fixed, moving;
         add_instances(arena_scene, start, no_player, instances);
-        // What is painted over an empty bowl.
+        // Removes the painted brew of an empty bowl.
         std::erase_if(instances, [&](const render::Instance& i) {
             return i.mesh == *arena_scene.painted_brew || i.mesh == arena_scene.bubble;
         });
@@ -311,7 +313,7 @@ TEST_F(StoredBrews, TwoSubstancesAtRest) {
         expect_stored(text("brew_rest_", level), seen(before_bowl, in_bowl, quality));
     }
     expect_stored("brew_above", seen({0.01, 3.7, 0}, {0, 0.9, 0}, Quality::medium));
-    // From below and from the side the bowl hides all of it.
+    // From the side and from below, the bowl hides the whole brew.
     const auto low = seen({-3.2, 0.6, 1}, {0, 0.6, 0}, Quality::medium);
     look.volume.texels = {};
     EXPECT_EQ(render::distance(low, seen({-3.2, 0.6, 1}, {0, 0.6, 0}, Quality::medium)).worst, 0);
@@ -336,7 +338,7 @@ TEST_F(StoredPictures, TheLargestTextInBothSplits) {
     expect_stored("text_stacked", scene, {Quality::medium});
 }
 
-/// Two wizards near the bowl, and everything that can be drawn in the sight of both.
+/// Both wizards near the bowl, with one of everything that can be drawn in the sight of both.
 class SplitPictures : public StoredBrews {
 protected:
     void SetUp() override {
@@ -369,7 +371,8 @@ protected:
         return renderer->read_pixels();
     }
 
-    /// The same frame with nothing in all views but one. They stay, since their fog is what the window is cleared to.
+    /// The same frame with the contents of all views but one removed. The empty views stay, because the
+    /// window is cleared to their fog.
     static render::Frame alone(render::Frame frame, std::size_t view) {
         for (std::size_t i = 0; i < frame.views.size(); ++i) {
             if (i == view) continue;
@@ -413,13 +416,13 @@ TEST_F(SplitPictures, EachViewIsThatViewDrawnAlone) {
             settings.split = split;
             settings.quality = quality;
             expect_views_alone({640, 360});
-            // So high that views are drawn smaller and stretched, where quality allows it.
+            // Above this height the views are drawn smaller and scaled up, except at high quality.
             if (quality != Quality::high) expect_views_alone({701, 809});
         }
     }
 }
 
-/// What must not pass: each is a change that somebody would notice.
+/// The comparison must report each of these changes, because a player would notice them.
 TEST_F(StoredPictures, AChangedSceneIsRefused) {
     const auto differs = [&](const Scene& a, const Scene& b) {
         const auto d = render::distance(drawn(a), drawn(b));

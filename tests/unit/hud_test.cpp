@@ -1,4 +1,5 @@
-// Pictures of a match: what they hold, what lies between two of them, and what is drawn where.
+// Tests of pictures of a match: their contents, interpolation between two of them, and positions of drawn
+// things.
 #include "game/hud/hud.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ bool has_text(const render::Overlay& overlay, std::string_view part) {
     });
 }
 
-// The picture as data ---------------------------------------------------------------------------------------------------
+// ---- the picture as data ----------------------------------------------------------------------------------
 
 TEST(TakePicture, HoldsTheStrongestForcesOfTheLastTwoSecondsInWholeColumns) {
     const auto match = new_match();
@@ -70,7 +71,7 @@ TEST(TakePicture, HoldsTheStrongestForcesOfTheLastTwoSecondsInWholeColumns) {
     }
 }
 
-TEST(TakePicture, HoldsWhatAMomentLooksLike) {
+TEST(TakePicture, HoldsTheLookOfAMoment) {
     const auto match = new_match();
     const auto p = picture_of(*match);
     EXPECT_EQ(p.tick, 0U);
@@ -147,7 +148,7 @@ TEST(TakePicture, PowerUpsAreThereOrOnTheirWayBack) {
         EXPECT_NEAR(power_up.returned, power_up.kind == PowerUpKind::vial ? 0.75 : 1, 1e-9);
 }
 
-TEST(TakePicture, WhatWasPickedUpIsToldForAWhile) {
+TEST(TakePicture, ShowsAPickUpForAWhile) {
     const auto match = new_match();
     auto& world = match->world_to_change();
     const vec3 feet = std::as_const(world).get<Motion>(wizard_of(world, 0)).position -
@@ -167,7 +168,7 @@ TEST(TakePicture, WhatWasPickedUpIsToldForAWhile) {
     EXPECT_TRUE(has_text(overlay, "Heart  +50 health"));
 }
 
-// Between two pictures --------------------------------------------------------------------------------------------------
+// ---- between two pictures ---------------------------------------------------------------------------------
 
 struct Two {
     Picture from = make_picture(), to = make_picture(), out = make_picture();
@@ -199,7 +200,7 @@ TEST(Interpolate, ThingsAreFoundByTheirEntity) {
     Two two;
     two.from.things.insert(two.from.things.begin(), {.entity = 2, .position = {9, 9, 9}});
     EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.05, 1e-12);
-    two.to.things[0].entity = 77;  // new
+    two.to.things[0].entity = 77;  // a thing that the earlier picture lacks
     EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.1, 1e-12);
 }
 
@@ -207,7 +208,7 @@ TEST(Interpolate, AResurrectionIsNoJourney) {
     Two two;
     two.to.wizards[0].centre = two.to.wizards[0].eye = {-15, 1, 15};
     EXPECT_EQ(two.at(0.25).wizards[0].eye, vec3(-15, 1, 15));
-    // Even one beside where they fell.
+    // Nothing is interpolated even if the new life begins beside the place of death.
     Two near;
     near.from.wizards[0].lives = 1;
     near.to.wizards[0].lives = 2;
@@ -221,7 +222,7 @@ TEST(Interpolate, TurnsTheShortWayAcrossTheSeam) {
     EXPECT_NEAR(std::remainder(two.at(0.5).wizards[0].yaw - pi, 2 * pi), 0, 1e-9);
 }
 
-// Drawn -----------------------------------------------------------------------------------------------------------------
+// ---- drawn ------------------------------------------------------------------------------------------------
 
 class Drawn : public testing::Test {
 protected:
@@ -253,7 +254,7 @@ protected:
         return count;
     }
 
-    /// How many of 8 levels of brightness occur on more than 1 % of the pixels.
+    /// Number of the 8 levels of brightness that occur on more than 1 % of the pixels.
     static int shades(const render::Image& image, const render::Rect& in) {
         std::array<int, 8> levels{};
         for (int y = in.y; y < in.y + in.height; ++y) {
@@ -286,12 +287,12 @@ TEST_F(Drawn, BothViewsShowTheCourt) {
     }
 }
 
-TEST_F(Drawn, WhatOneSeesChangesOnlyTheirHalf) {
+TEST_F(Drawn, AChangeOfOneViewChangesOnlyItsHalf) {
     for (const auto s : both_splits) {
         picture = picture_of(*new_match());
         const auto before = draw(split(s));
         picture.wizards[0].yaw += 1;
-        // The other one sees the turned figure; so it is hidden from view by distance: behind the other's back.
+        // The other wizard faces away, so the turned figure is not in view.
         const auto after = draw(split(s));
         const auto views = views_of(split(s), size);
         EXPECT_GT(differing(before, after, views[0]), views[0].width * views[0].height / 3);
@@ -314,7 +315,7 @@ TEST_F(Drawn, NumbersChangeInTheirOwnHalf) {
     }
 }
 
-TEST_F(Drawn, WhoAsksForForcesSeesTheFlowOfABrewThatIsNear) {
+TEST_F(Drawn, TheForceDisplayShowsTheFlowOfANearBrew) {
     ASSERT_TRUE(arena_scene.brew);
     const auto& rules = *match_data()->cauldron;
     auto brew = make_brew(rules, arena_scene.brew->place.basin);
@@ -331,7 +332,7 @@ TEST_F(Drawn, WhoAsksForForcesSeesTheFlowOfABrewThatIsNear) {
         make_frame(arena_scene, picture, {.forces = forces}, size, memory);
         EXPECT_EQ(count(0, arena_scene.brew->meshes.arrow) > 50, forces);
         EXPECT_EQ(count(0, arena_scene.brew->meshes.thread) > 50, forces);
-        EXPECT_EQ(count(1, arena_scene.brew->meshes.thread), 0) << "he is too far away";
+        EXPECT_EQ(count(1, arena_scene.brew->meshes.thread), 0) << "the wizard is too far away";
     }
 }
 
@@ -346,10 +347,10 @@ TEST_F(Drawn, ABurstInOnesFaceHidesNothing) {
             for (const auto& instance : memory.instances[0]) {
                 const double reach = glm::length(fvec3(instance.model[0]));
                 if (instance.mesh == arena_scene.teams[1].burst) {
-                    EXPECT_GT(distance, 1.2 * reach) << "its bars pass the eye";
+                    EXPECT_GT(distance, 1.2 * reach) << "the burst must not reach the eye";
                     ++seen;
                 } else if (instance.mesh == arena_scene.ember) {
-                    EXPECT_LT(reach, 0.2 * distance) << "its core fills the view";
+                    EXPECT_LT(reach, 0.2 * distance) << "the burst's core must not fill the view";
                 }
             }
         }
@@ -387,7 +388,7 @@ TEST_F(Drawn, APowerUpIsSeenAndWhenItIsGoneItsRingStays) {
     EXPECT_GT(differing(gone, nothing, view), 10);
 }
 
-TEST_F(Drawn, OnePlayerAloneHasTheWholeWindow) {
+TEST_F(Drawn, ASinglePlayerHasTheWholeWindow) {
     const HudSettings alone{.watch = Watch::first};
     const auto views = views_of(alone, size);
     EXPECT_EQ(views[0].width, size.width);
@@ -430,7 +431,7 @@ TEST_F(Drawn, SteamRisesFromTheBrewByItsHeat) {
     }
 }
 
-/// How far along its way a ray enters the block; infinite where it does not.
+/// Distance along a ray to its entry into the block; infinite if it misses the block.
 double entry(const render::Block& block, vec3 eye, vec3 way) {
     double enter = 0, leave = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {
@@ -455,7 +456,7 @@ TEST_F(Drawn, WhereABlockHidesThingsThereIsStoneBeforeThem) {
     for (int i = 0; i < 20000; ++i) {
         const vec3 eye(random.uniform(-half, half), random.uniform(-4, top), random.uniform(-half, half));
         const vec3 way(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-        if (first_entry(arena_scene.shade.blocks, eye, way) == 0) continue;  // the eye is in stone
+        if (first_entry(arena_scene.shade.blocks, eye, way) == 0) continue;  // the eye is inside a block
         const double there = first_entry(blocks_seen_from(arena_scene, eye), eye, way);
         if (there == std::numeric_limits<double>::infinity()) continue;
         ++hidden;
@@ -479,12 +480,12 @@ TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
     ASSERT_EQ(level.size(), 1U);
     EXPECT_EQ(level[0].model[0].y, 0);
     EXPECT_NEAR(level[0].tint.r, 1, 1e-3);
-    // The ramp out of the pit falls from 0 at x = 8 to -5 m at x = 0.
+    // The ramp out of the pit falls from 0 at x = 8 m to -5 m at x = 0.
     const auto tilted = shades_at({4, -2.5, 9});
     ASSERT_EQ(tilted.size(), 1U);
     EXPECT_NEAR(tilted[0].model[0].y / tilted[0].model[0].x, 5.0 / 8, 1e-5);
     EXPECT_NEAR(tilted[0].model[3].y, -2.5, 0.05);
-    const auto edge = shades_at({-5, 0, 5.6});  // 0.4 m from the pit
+    const auto edge = shades_at({-5, 0, 5.6});  // 0.4 m from the edge of the pit
     ASSERT_EQ(edge.size(), 1U);
     EXPECT_LT(glm::length(edge[0].model[2]), 0.4F);
     EXPECT_LT(shades_at({-15, 1.5, 15})[0].tint.r, 0.5F) << "weaker in a jump";
@@ -517,10 +518,11 @@ TEST(Silhouettes, AWandsFileNamesOneOfFive) {
 TEST_F(Drawn, TrianglesStayWithinTheBudget) {
     draw({});
     EXPECT_LT(renderer->statistics().triangles, 2U * 26000U);
-    EXPECT_LT(renderer->statistics().draws, 120U);  // a coarser copy of a mesh is a draw of its own
+    // Each coarser copy of a mesh needs a draw call of its own.
+    EXPECT_LT(renderer->statistics().draws, 120U);
 }
 
-TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {
+TEST(Result, ShowsTheWinnersOfRoundAndMatchAndTheStatistics) {
     auto p = picture_of(*new_match());
     p.phase = Phase::between;
     p.ending = Ending::kills;
@@ -547,7 +549,7 @@ TEST(Result, SaysWhoWonTheRoundAndWhoTheMatchAndWhoDidWhat) {
     EXPECT_FALSE(has_text(overlay, "Enter"));
 }
 
-// Captions of the device ------------------------------------------------------------------------------------------------
+// ---- captions of the device -------------------------------------------------------------------------------
 
 const render::TextItem* find_text(const render::Overlay& overlay, std::string_view words) {
     for (const auto& item : overlay.items) {
@@ -557,7 +559,7 @@ const render::TextItem* find_text(const render::Overlay& overlay, std::string_vi
     return nullptr;
 }
 
-TEST(DeviceCaption, WhatADriverSaysStandsInItsPlayersViewAboveOurOwnWords) {
+TEST(DeviceCaption, ADriversMessageStandsInItsPlayersViewAboveOurText) {
     const render::Size size{1280, 720};
     auto picture = picture_of(*new_match());
     for (std::uint32_t player = 0; player < players; ++player) {
@@ -566,10 +568,10 @@ TEST(DeviceCaption, WhatADriverSaysStandsInItsPlayersViewAboveOurOwnWords) {
         render::Overlay overlay;
         make_overlay(picture, settings, size, overlay);
         EXPECT_NE(find_text(overlay, "The arm does not answer: mouse and keys play on"), nullptr);
-        settings.device_says[player] = "The arm's motors are too warm: let them rest";
+        settings.device_messages[player] = "The arm's motors are too warm: let them rest";
         make_overlay(picture, settings, size, overlay);
         EXPECT_EQ(find_text(overlay, "The arm does not answer: mouse and keys play on"), nullptr);
-        const auto* told = find_text(overlay, settings.device_says[player]);
+        const auto* told = find_text(overlay, settings.device_messages[player]);
         const auto* ours = find_text(overlay, "Mouse and keys play on");
         ASSERT_TRUE(told != nullptr && ours != nullptr);
         EXPECT_LT(told->position.y, ours->position.y);
@@ -585,18 +587,18 @@ TEST(DeviceCaption, WhatADriverSaysStandsInItsPlayersViewAboveOurOwnWords) {
 TEST(DeviceCaption, LongOnesAreSmallerSoThatTheViewHoldsThem) {
     const HudSettings side{.split = render::Split::side_by_side,
                            .text_scale = 2.5,
-                           .device_says = {std::string(200, 'w'), "short"}};
+                           .device_messages = {std::string(200, 'w'), "short"}};
     const render::Size size{640, 360};
     render::Overlay overlay;
     make_overlay(picture_of(*new_match()), side, size, overlay);
-    const auto* lengthy = find_text(overlay, side.device_says[0]);
+    const auto* lengthy = find_text(overlay, side.device_messages[0]);
     ASSERT_NE(lengthy, nullptr);
     EXPECT_LE(0.6F * 200 * lengthy->size, static_cast<float>(views_of(side, size)[0].width));
     EXPECT_LT(lengthy->size, find_text(overlay, "short")->size);
 }
 
 TEST(PowerUpMesh, TheKindsDifferInOutlineAndAreSmall) {
-    // How much of a 16 x 16 raster of the front each one covers.
+    // Cells of a 16 x 16 raster that each kind covers, seen from the front.
     std::vector<std::array<bool, 256>> outlines;
     for (const auto kind : {PowerUpKind::vial, PowerUpKind::heart, PowerUpKind::spark}) {
         const auto mesh = power_up_mesh(kind);

@@ -1,5 +1,5 @@
-// The lab's session: the same inputs are the same bits; what is changed live keeps the flow and the amounts; a saved session goes on;
-// what is wrong is refused and nothing is lost.
+// Tests of the lab's session: equal inputs give equal bits, live changes keep the flow and the amounts, a
+// saved session continues, and invalid input is refused without any loss.
 #include <gtest/gtest.h>
 
 #include "game/data/match_data.h"
@@ -60,7 +60,7 @@ TEST(Lab, ALadleMakesItMoveAndTheSameInputsAreTheSameBits) {
         LabState one = lab_of(settings), other = lab_of(settings);
         std::string rows, rows_of_other;
         const LabFigures figures = run(one, stirred(Stirring::circle), 40, 0, &rows);
-        run(other, stirred(Stirring::circle), 40, 1, &rows_of_other);  // the fluid on another thread
+        run(other, stirred(Stirring::circle), 40, 1, &rows_of_other);  // with the fluid on another thread
         EXPECT_GT(figures.fluid.speed, 0.1);
         EXPECT_EQ(rows, rows_of_other);
         EXPECT_EQ(save_lab(one), save_lab(other));
@@ -71,9 +71,9 @@ TEST(Lab, TheLadleNeverDrivesTheFlowFasterThanItself) {
     LabState lab = lab_of(small());
     Jobs jobs(0);
     for (int i = 0; i < 60; ++i) {
-        // To and fro over the whole bowl, each step: faster than anything a hand does.
+        // The ladle jumps across the whole bowl in each step, faster than any hand.
         const LabFigures figures = step_lab(lab, {.ladle = vec3(i % 2 == 0 ? 1 : -1, -0.4, 0)}, jobs);
-        ASSERT_LE(figures.fluid.speed, 12) << i;  // 8 of the ladle, and what the flow does with it
+        ASSERT_LE(figures.fluid.speed, 12) << i;  // 8 m/s by the ladle, and more by the flow itself
     }
     const LabFigures figures = step_lab(lab, {.ladle = vec3(std::nan(""), 0, 0)}, jobs);
     EXPECT_FALSE(lab.ladle.has_value());
@@ -84,9 +84,9 @@ TEST(Lab, ALadleComesThroughTheSurface) {
     LabState lab = lab_of(small());
     LabScript script = stirred(Stirring::figure8);
     run(lab, script, 8);
-    EXPECT_GT(energy(lab.brew.sheet), 0);  // it pushes
+    EXPECT_GT(energy(lab.brew.surface), 0);  // the ladle presses on the surface
     run(lab, script, 25);
-    EXPECT_EQ(lab.brew.sheet.inside[0], 1U);
+    EXPECT_EQ(lab.brew.surface.inside[0], 1U);
 }
 
 TEST(Lab, EveryChangeKeepsTheFlowAndTheAmounts) {
@@ -116,7 +116,7 @@ TEST(Lab, EveryChangeKeepsTheFlowAndTheAmounts) {
     EXPECT_GT(lab.steps, 40);
 }
 
-TEST(Lab, WhatIsWrongIsRefusedAndTheOldStateStays) {
+TEST(Lab, InvalidInputIsRefusedAndTheOldStateStays) {
     LabState lab = lab_of(small());
     run(lab, stirred(Stirring::circle), 12);
     const Bytes before = save_lab(lab);
@@ -139,7 +139,7 @@ TEST(Lab, WhatIsWrongIsRefusedAndTheOldStateStays) {
     has(refused([](LabSettings& s) { s.substances[1].substance.diffusion = -1; }), "substance 2: diffusion");
     has(refused([](LabSettings& s) { s.order = 3; }), "order must be 2 or 4");
     has(refused([](LabSettings& s) { s.gravity = std::nan(""); }), "gravity");
-    // As an input it is told beside the figures.
+    // A refused change in an input is reported with the figures.
     Jobs jobs(0);
     LabSettings thin = lab.settings;
     thin.viscosity = -1;
@@ -201,7 +201,7 @@ TEST(Lab, AFileOfAnotherBowlOrNoneIsRefused) {
     EXPECT_FALSE(load_lab("/nowhere/at/all", data().rules).has_value());
 }
 
-TEST(LabControls, EveryKeyIsOnceInTheListAndChangesWhatItShows) {
+TEST(LabControls, EveryKeyIsListedOnceAndChangesTheShownValue) {
     std::vector<std::string_view> keys;
     for (const LabControl& control : lab_controls()) {
         LabHands hands{.settings = small()};

@@ -1,4 +1,4 @@
-// Menus: events in, state and rows out; and where rows are drawn and clicked.
+// Tests of menus: events in, state and rows out, and the places where rows are drawn and clicked.
 #include "game/app/menu.h"
 
 #include <gtest/gtest.h>
@@ -22,23 +22,23 @@ using Kind = MenuEvent::Kind;
 constexpr Device keyboard{DeviceKind::keyboard_mouse, 0}, half{DeviceKind::keyboard_half, 0},
     first_pad{DeviceKind::pad, 0}, second_pad{DeviceKind::pad, 1};
 
-const MenuContext& facts() {
-    static const MenuContext facts{
+const MenuContext& context() {
+    static const MenuContext context{
         .levels = {1, 2, 3},
         .rules = {{"quick", "quick: first to 3"}, {"standard", "standard: first to 5"}},
         .pads = {"Make-believe pad", "Another pad", "", ""},
         .ends_match = true};
-    return facts;
+    return context;
 }
 
 MenuState with(MenuState s, Kind kind, const Device& device = keyboard) {
-    return step(std::move(s), {.kind = kind, .device = device}, facts());
+    return step(std::move(s), {.kind = kind, .device = device}, context());
 }
 
 MenuState start_page() { return opened({}, Page::start); }
 
 std::size_t row_named(const MenuState& s, std::string_view label) {
-    const auto rows = picture_of(s, facts()).rows;
+    const auto rows = picture_of(s, context()).rows;
     const auto found =
         std::find_if(rows.begin(), rows.end(), [&](const auto& row) { return row.label == label; });
     EXPECT_NE(found, rows.end()) << label;
@@ -47,11 +47,11 @@ std::size_t row_named(const MenuState& s, std::string_view label) {
 
 MenuState choose(MenuState s, std::string_view label, Kind kind = Kind::confirm) {
     const auto row = row_named(s, label);
-    return step(std::move(s), {.kind = kind, .device = keyboard, .row = row}, facts());
+    return step(std::move(s), {.kind = kind, .device = keyboard, .row = row}, context());
 }
 
 std::string value_of(const MenuState& s, std::string_view label) {
-    return picture_of(s, facts()).rows[row_named(s, label)].value;
+    return picture_of(s, context()).rows[row_named(s, label)].value;
 }
 
 MenuState bindings_of(std::string_view sheet) { return choose(choose(start_page(), "Controls"), sheet); }
@@ -60,40 +60,40 @@ Control key(std::string_view name) { return {Control::Source::key, *key_code_of(
 Control button(PadButton b) { return {Control::Source::pad_button, static_cast<int>(b), 0}; }
 
 MenuState press(MenuState s, const Control& control) {
-    return step(std::move(s), {.kind = Kind::control, .control = control}, facts());
+    return step(std::move(s), {.kind = Kind::control, .control = control}, context());
 }
 
 const std::vector<Control>& bound(const MenuState& s, DeviceKind kind, Action action) {
     return s.settings.bindings_of(kind).of(action);
 }
 
-// Joining ------------------------------------------------------------------------------------------------------------------
+// ---- joining ----------------------------------------------------------------------------------------------
 
 TEST(StartScreen, TwoPressesOfAnyDeviceStart) {
     for (const auto& device : {keyboard, half, first_pad, second_pad}) {
         for (const auto kind : {Kind::confirm, Kind::other}) {
             auto s = with(start_page(), kind, device);
-            EXPECT_EQ(s.wish, MenuRequest::none);
+            EXPECT_EQ(s.request, MenuRequest::none);
             ASSERT_TRUE(s.seats[0]);
             EXPECT_EQ(*s.seats[0], device);
             EXPECT_FALSE(s.seats[1]);
             s = with(s, kind, device);
-            EXPECT_EQ(s.wish, MenuRequest::start);
+            EXPECT_EQ(s.request, MenuRequest::start);
         }
     }
 }
 
 TEST(StartScreen, TwoDevicesTakeTwoSeatsAndEitherStarts) {
     auto s = with(with(start_page(), Kind::other, first_pad), Kind::other, second_pad);
-    EXPECT_EQ(s.wish, MenuRequest::none);
+    EXPECT_EQ(s.request, MenuRequest::none);
     EXPECT_EQ(s.seats[0], first_pad);
     EXPECT_EQ(s.seats[1], second_pad);
-    EXPECT_EQ(with(s, Kind::confirm, first_pad).wish, MenuRequest::start);
-    EXPECT_EQ(with(s, Kind::other, second_pad).wish, MenuRequest::start);
+    EXPECT_EQ(with(s, Kind::confirm, first_pad).request, MenuRequest::start);
+    EXPECT_EQ(with(s, Kind::other, second_pad).request, MenuRequest::start);
     const auto third = with(s, Kind::other, keyboard);
-    EXPECT_EQ(third.wish, MenuRequest::none);
+    EXPECT_EQ(third.request, MenuRequest::none);
     EXPECT_EQ(third.seats, s.seats);
-    EXPECT_FALSE(picture_of(third, facts()).note.empty());
+    EXPECT_FALSE(picture_of(third, context()).note.empty());
 }
 
 TEST(StartScreen, ASeatIsGivenUpByBackAndByUnplugging) {
@@ -104,20 +104,20 @@ TEST(StartScreen, ASeatIsGivenUpByBackAndByUnplugging) {
     EXPECT_EQ(s.seats[0], first_pad);
     s = with(s, Kind::gone, first_pad);
     EXPECT_FALSE(s.seats[0]);
-    // Back of a pad that has no seat is a button like any other; of a keyboard it is the way out.
+    // A pad without a seat joins with any button, Back included. Back on a keyboard does not join.
     EXPECT_EQ(with(s, Kind::back, first_pad).seats[0], first_pad);
     s = with(s, Kind::back, keyboard);
     EXPECT_FALSE(s.seats[0]);
-    EXPECT_EQ(with(s, Kind::confirm, keyboard).wish, MenuRequest::quit);
+    EXPECT_EQ(with(s, Kind::confirm, keyboard).request, MenuRequest::quit);
 }
 
 TEST(StartScreen, ShowsSeatsLevelsAndRules) {
-    auto p = picture_of(start_page(), facts());
+    auto p = picture_of(start_page(), context());
     EXPECT_EQ(p.line, "press to join");
     ASSERT_EQ(p.seats.size(), 2U);
     EXPECT_FALSE(p.seats[0].taken);
     auto s = with(start_page(), Kind::other, first_pad);
-    p = picture_of(s, facts());
+    p = picture_of(s, context());
     EXPECT_TRUE(p.seats[0].taken);
     EXPECT_NE(p.seats[0].device.find("Make-believe pad"), std::string::npos);
     EXPECT_NE(p.seats[1].device.find("level 1"), std::string::npos);
@@ -128,23 +128,23 @@ TEST(StartScreen, ShowsSeatsLevelsAndRules) {
     s = choose(choose(s, "Bot"), "Match");
     EXPECT_EQ(s.level, 1U);
     EXPECT_EQ(value_of(s, "Match"), "standard: first to 5");
-    EXPECT_EQ(s.wish, MenuRequest::none);
+    EXPECT_EQ(s.request, MenuRequest::none);
 }
 
-TEST(StartScreen, OnePressOnTheRangeStartsItForWhoPressed) {
+TEST(StartScreen, OnePressOnTheRangeStartsItForThatPlayer) {
     const auto s = choose(start_page(), "Range: practise on a dummy");
-    EXPECT_EQ(s.wish, MenuRequest::range);
+    EXPECT_EQ(s.request, MenuRequest::range);
     EXPECT_EQ(s.seats[0], keyboard);
     const auto row = row_named(start_page(), "Range: practise on a dummy");
     auto joined = with(with(start_page(), Kind::other, keyboard), Kind::other, first_pad);
-    joined = step(joined, {.kind = Kind::confirm, .device = first_pad, .row = row}, facts());
-    EXPECT_EQ(joined.wish, MenuRequest::range);
-    EXPECT_EQ(joined.seats[0], first_pad) << "whoever else had joined";
+    joined = step(joined, {.kind = Kind::confirm, .device = first_pad, .row = row}, context());
+    EXPECT_EQ(joined.request, MenuRequest::range);
+    EXPECT_EQ(joined.seats[0], first_pad) << "the pad must keep its seat";
     EXPECT_FALSE(joined.seats[1]);
 }
 
 TEST(StartScreen, OneSetOfRulesIsNoChoice) {
-    auto few = facts();
+    auto few = context();
     few.rules.resize(1);
     for (const auto& row : picture_of(start_page(), few).rows) EXPECT_NE(row.label, "Match");
 }
@@ -163,7 +163,7 @@ TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
     ASSERT_FALSE(before.rules.empty());
     EXPECT_EQ(before.levels.front(), 1);
 
-    // A longer match, one that is no match, and a level that is broken.
+    // Adds a longer match, a file that is no match, and a broken level.
     auto rules = read_text_file(source / "rules" / "quick.toml", 1U << 16U).value();
     const auto at = rules.find("seconds = 240");
     ASSERT_NE(at, std::string::npos);
@@ -178,25 +178,25 @@ TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
     EXPECT_EQ(after.rules[0].label, "a_long_one: first to 3, 11:05");
 }
 
-// The pause ----------------------------------------------------------------------------------------------------------------
+// ---- the pause --------------------------------------------------------------------------------------------
 
 TEST(PauseMenu, GoesOnLeavesAndComesBackFromPagesBelow) {
     auto s = opened({}, Page::pause);
     s.head = "Paused";
-    EXPECT_EQ(with(s, Kind::confirm).wish, MenuRequest::go_on);
-    EXPECT_EQ(with(s, Kind::back, first_pad).wish, MenuRequest::go_on);
-    EXPECT_EQ(choose(s, "End this match").wish, MenuRequest::leave);
-    EXPECT_EQ(with(s, Kind::other).wish, MenuRequest::none);
+    EXPECT_EQ(with(s, Kind::confirm).request, MenuRequest::go_on);
+    EXPECT_EQ(with(s, Kind::back, first_pad).request, MenuRequest::go_on);
+    EXPECT_EQ(choose(s, "End this match").request, MenuRequest::leave);
+    EXPECT_EQ(with(s, Kind::other).request, MenuRequest::none);
     auto below = choose(choose(s, "Controls"), "Pad");
     EXPECT_EQ(below.pages.size(), 3U);
     below = with(with(below, Kind::back), Kind::back, first_pad);
     ASSERT_EQ(below.pages.size(), 1U);
-    EXPECT_EQ(below.wish, MenuRequest::none);
-    EXPECT_EQ(picture_of(below, facts()).cursor, 1U);
+    EXPECT_EQ(below.request, MenuRequest::none);
+    EXPECT_EQ(picture_of(below, context()).cursor, 1U);
 }
 
 TEST(PauseMenu, OnTheRangeItChangesTheDummy) {
-    auto range = facts();
+    auto range = context();
     range.practice = true;
     auto s = opened({}, Page::pause);
     const auto dummy = [&] { return picture_of(s, range).rows[1]; };
@@ -207,20 +207,20 @@ TEST(PauseMenu, OnTheRangeItChangesTheDummy) {
         EXPECT_EQ(dummy().value, kind);
     }
     EXPECT_EQ(picture_of(s, range).rows.back().label, "Leave the range");
-    for (const auto& row : picture_of(s, facts()).rows) EXPECT_NE(row.label, "Dummy");
+    for (const auto& row : picture_of(s, context()).rows) EXPECT_NE(row.label, "Dummy");
 }
 
-// Bindings -----------------------------------------------------------------------------------------------------------------
+// ---- bindings ---------------------------------------------------------------------------------------------
 
 TEST(BindingsPage, AnActionTakesTheNextControlAndNothingElseHappensMeanwhile) {
     auto s = choose(bindings_of("Mouse and keyboard"), "Jump");
     ASSERT_TRUE(s.waiting);
     const auto waiting = with(with(s, Kind::down), Kind::confirm);
     EXPECT_EQ(waiting.waiting, s.waiting);
-    EXPECT_EQ(picture_of(waiting, facts()).cursor, picture_of(s, facts()).cursor);
+    EXPECT_EQ(picture_of(waiting, context()).cursor, picture_of(s, context()).cursor);
     EXPECT_FALSE(with(s, Kind::back).waiting);
     EXPECT_EQ(with(s, Kind::back).settings, s.settings);
-    // A pad's button is not on a keyboard.
+    // A pad's button cannot be bound to a keyboard.
     const auto wrong = press(s, button(PadButton::a));
     EXPECT_TRUE(wrong.waiting);
     EXPECT_FALSE(wrong.note.empty());
@@ -239,7 +239,7 @@ TEST(BindingsPage, TheOtherActionLosesTheControlAndUndoBringsItBack) {
     EXPECT_EQ(s.note, "W is taken from: Move forward");
     s = choose(s, "Undo the last change");
     EXPECT_EQ(s.settings, Settings{});
-    EXPECT_TRUE(picture_of(s, facts()).rows[row_named(s, "Undo the last change")].dim);
+    EXPECT_TRUE(picture_of(s, context()).rows[row_named(s, "Undo the last change")].dim);
     s = press(choose(s, "Jump"), key("w"));
     s = choose(s, "All as at first");
     EXPECT_EQ(s.settings, Settings{});
@@ -255,15 +255,15 @@ TEST(BindingsPage, OneKeyboardHasTwoHandsAndTheSession) {
     EXPECT_TRUE(s.settings.of(SessionKey::split).empty());
     s = press(choose(bindings_of("Keys for everybody"), "Split"), key("w"));
     EXPECT_TRUE(bound(s, DeviceKind::keyboard_mouse, Action::move_forward).empty());
-    // Pads are others' hands.
+    // A change of the pad's bindings leaves the keyboard's unchanged.
     s = press(choose(bindings_of("Pad"), "Jump"), button(PadButton::x));
     EXPECT_TRUE(bound(s, DeviceKind::pad, Action::stir).empty());
     EXPECT_EQ(bound(s, DeviceKind::keyboard_mouse, Action::jump),
               Settings{}.bindings_of(DeviceKind::keyboard_mouse).of(Action::jump));
 }
 
-TEST(BindingsPage, WhatNeverActsAtTheSameTimeMayShare) {
-    // Each default, chosen again, takes nothing from anything: the defaults hold no conflict.
+TEST(BindingsPage, ActionsThatNeverActTogetherMayShareAControl) {
+    // Choosing each default again takes no control from any action, so the defaults have no conflict.
     for (std::size_t sheet = 0; sheet < sheets; ++sheet) {
         const auto actions = sheet == session_sheet ? session_keys : input::actions;
         for (std::size_t action = 0; action < actions; ++action) {
@@ -317,17 +317,18 @@ TEST(BindingsPage, EveryControlOfAHandHasALabelOfItsOwn) {
     EXPECT_EQ(label_of(key("left_alt")), "Left alt");
 }
 
-// Settings -----------------------------------------------------------------------------------------------------------------
+// ---- settings ---------------------------------------------------------------------------------------------
 
 TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
     auto s = choose(start_page(), "Settings");
-    const auto count = picture_of(s, facts()).rows.size();
+    const auto count = picture_of(s, context()).rows.size();
     EXPECT_EQ(count, all_settings().size() + 2) << "the cauldron's page, and back";
     for (std::size_t i = 0; i < all_settings().size(); ++i) {
         const MenuEvent less{.kind = Kind::left, .device = keyboard, .row = i};
         const MenuEvent more{.kind = Kind::right, .device = keyboard, .row = i};
-        auto changed = step(s, more, facts());
-        if (changed.settings == s.settings) changed = step(s, less, facts());  // at the end of its range
+        auto changed = step(s, more, context());
+        // The value was at the end of its range.
+        if (changed.settings == s.settings) changed = step(s, less, context());
         const auto edits = changes(s.settings, changed.settings);
         ASSERT_EQ(edits.size(), 1U) << all_settings()[i].key;
         EXPECT_EQ(edits[0].key, all_settings()[i].key);
@@ -336,7 +337,7 @@ TEST(SettingsPage, EveryRowChangesItsSettingAndNoOther) {
     EXPECT_EQ(choose(s, "Back").pages.size(), 1U);
 }
 
-// The cauldron -------------------------------------------------------------------------------------------------------------
+// ---- the cauldron -----------------------------------------------------------------------------------------
 
 constexpr std::string_view cauldron_row = "What hands feel of the cauldron";
 
@@ -344,8 +345,8 @@ MenuState cauldron_page() { return choose(choose(opened({}, Page::pause), "Setti
 
 TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
     const auto fresh = cauldron_page();
-    EXPECT_EQ(picture_of(fresh, facts()).title, "The cauldron");
-    EXPECT_NE(picture_of(fresh, facts()).hint.find("from the next match on"), std::string::npos);
+    EXPECT_EQ(picture_of(fresh, context()).title, "The cauldron");
+    EXPECT_NE(picture_of(fresh, context()).hint.find("from the next match on"), std::string::npos);
     for (std::size_t player = 0; player < 2; ++player) {
         for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
             const auto label = label_of_fader(i);
@@ -353,10 +354,10 @@ TEST(CauldronPage, EachSourceHasAFaderAndASwitchForEachPlayer) {
             for (std::size_t p = 0; p < player; ++p) s = choose(s, "Whose hand", Kind::right);
             s = choose(choose(s, label, Kind::left), label, Kind::left);
             EXPECT_EQ(value_of(s, label), "90 %");
-            EXPECT_EQ(picture_of(s, facts()).line, told_of_fader(i));
+            EXPECT_EQ(picture_of(s, context()).line, effect_of_fader(i));
             s = choose(s, label);
             EXPECT_EQ(value_of(s, label), "off (90 %)");
-            EXPECT_TRUE(picture_of(s, facts()).rows[row_named(s, label)].dim);
+            EXPECT_TRUE(picture_of(s, context()).rows[row_named(s, label)].dim);
             const auto name = std::string(haptics::fluid_modes[i].name);
             const std::string table(cauldron_tables[player]);
             EXPECT_EQ(changes({}, s.settings),
@@ -376,17 +377,18 @@ TEST(CauldronPage, OpensForThePlayerWhoAsks) {
     s = choose(opened(s, Page::pause), "Settings");
     const auto row = row_named(s, cauldron_row);
     const auto opened_by = [&](const Device& device) {
-        return value_of(step(s, {.kind = Kind::confirm, .device = device, .row = row}, facts()),
+        return value_of(step(s, {.kind = Kind::confirm, .device = device, .row = row}, context()),
                         "Whose hand");
     };
     EXPECT_EQ(opened_by(first_pad), "player 1");
     EXPECT_EQ(opened_by(keyboard), "player 2");
-    EXPECT_EQ(opened_by(second_pad), "player 1") << "who plays with nothing";
+    EXPECT_EQ(opened_by(second_pad), "player 1") << "a device without a seat opens the page of player 1";
 }
 
-// Anything at all ----------------------------------------------------------------------------------------------------------
+// ---- anything at all --------------------------------------------------------------------------------------
 
-/// Whatever comes, the state can be shown, no control is there twice where it may not be, and the settings can be written.
+/// After random events the state can be drawn, no control is bound twice in conflict, and the settings can
+/// be written.
 TEST(MenuUnderWildHands, StaysWhole) {
     Random dice = random_stream(7, 1);
     const auto roll = [&](std::uint64_t n) { return static_cast<int>(dice.next() % n); };
@@ -404,9 +406,9 @@ TEST(MenuUnderWildHands, StaysWhole) {
             if (source == Control::Source::mouse_button) event.control = {source, roll(5), 0};
             if (source == Control::Source::pad_axis) event.control.code = roll(6);
         }
-        s = step(std::move(s), event, facts());
+        s = step(std::move(s), event, context());
         ASSERT_FALSE(s.pages.empty());
-        const auto picture = picture_of(s, facts());
+        const auto picture = picture_of(s, context());
         ASSERT_LT(picture.cursor, picture.rows.size());
         ASSERT_TRUE(!s.seats[0] || s.seats[0] != s.seats[1]);
         if (roll(400) == 0) s = opened(std::move(s), roll(2) == 0 ? Page::start : Page::pause);
@@ -422,7 +424,7 @@ TEST(MenuUnderWildHands, StaysWhole) {
     }
 }
 
-// Drawing ------------------------------------------------------------------------------------------------------------------
+// ---- drawing ----------------------------------------------------------------------------------------------
 
 struct Box {
     fvec2 low, high;
@@ -454,7 +456,7 @@ TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
              {render::Size{1280, 720}, {640, 480}, {320, 200}, {3840, 2160}, {500, 900}}) {
             for (const double scale : {1.0, 1.75, 2.5}) {
                 render::Overlay overlay;
-                auto picture = picture_of(state, facts());
+                auto picture = picture_of(state, context());
                 if (picture.title.empty()) picture.title = "Paused";
                 add_menu(overlay, picture, size, scale);
                 for (const auto& box : boxes_of_text(overlay, *font)) {
@@ -468,13 +470,14 @@ TEST(MenuDrawing, WordsStayInTheWindowAtEverySize) {
     }
 }
 
-/// Points all over the window: each row that is shown is found where it is, in order, and the chosen one always is.
+/// Tries points over the whole window. Each visible row is found where it is drawn, in order, and the
+/// chosen row is always visible.
 TEST(MenuDrawing, RowsAreFoundWhereTheyAreDrawn) {
     auto s = bindings_of("Mouse and keyboard");
     for (const double scale : {1.0, 2.5}) {
         for (const std::size_t cursor : {0UL, 15UL, 31UL}) {
             s.pages.back().cursor = cursor;
-            const auto picture = picture_of(s, facts());
+            const auto picture = picture_of(s, context());
             std::vector<std::size_t> seen;
             for (float y = 0; y < 480; ++y) {
                 const auto place = game::place_at(picture, {640, 480}, scale, {320, y});
@@ -486,12 +489,12 @@ TEST(MenuDrawing, RowsAreFoundWhereTheyAreDrawn) {
             EXPECT_NE(std::find(seen.begin(), seen.end(), picture.cursor), seen.end());
         }
     }
-    EXPECT_FALSE(game::place_at(picture_of(s, facts()), {640, 480}, 1, {2, 240}));
+    EXPECT_FALSE(game::place_at(picture_of(s, context()), {640, 480}, 1, {2, 240}));
     EXPECT_FALSE(game::place_at({}, {640, 480}, 1, {320, 240}));
 }
 
 TEST(MenuDrawing, ArrowsAroundAValueAreLessAndMore) {
-    const auto picture = picture_of(choose(start_page(), "Settings"), facts());
+    const auto picture = picture_of(choose(start_page(), "Settings"), context());
     int less = 0, more = 0, row = 0;
     for (float x = 0; x < 1280; ++x) {
         const auto place = game::place_at(picture, {1280, 720}, 1, {x, 560});

@@ -1,11 +1,11 @@
-// One view's part of a picture that shows several.
+// tests/unit/picture_part.h: cuts one view out of a picture that shows several.
 #pragma once
 #include "render/image.h"
 #include "render/scene.h"
 
 namespace thaum::render {
 
-/// The pixels that `view` covers; it must lie within the picture.
+/// Pixels of `view`, which must lie within the picture.
 inline Image part_of(const Image& image, const Rect& view) {
     Image part{view.width, view.height, {}};
     for (int y = 0; y < view.height; ++y) {

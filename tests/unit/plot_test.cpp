@@ -1,4 +1,4 @@
-// Reports as pictures: that every row is there, in its place, in well-formed XML, whatever the report holds.
+// Tests of reports as pictures: every row has its place, and the output is well-formed XML for any report.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -55,12 +55,12 @@ std::size_t count(std::string_view text, std::string_view part) {
 }
 
 void expect_well_formed(const Page& page) {
-    // Of the page all after the line of the document type; that is not XML.
+    // The first line, the document type, is not XML.
     EXPECT_EQ(test::xml_fault(std::string_view(page.html).substr(page.html.find('\n'))), "");
     for (const auto& figure : page.figures) EXPECT_EQ(test::xml_fault(figure.svg), "") << figure.name;
 }
 
-// ---- axes -----------------------------------------------------------------------------------------------------------
+// ---- axes -------------------------------------------------------------------------------------------------
 
 TEST(PlotAxis, MapsPowersOfTenInEqualSteps) {
     const auto axis = log_axis(std::array{1e-3, 1.0}, 100, 400);
@@ -117,9 +117,9 @@ TEST(PlotAxis, HoldsOneValueAndTheWidestSpan) {
     EXPECT_LE(ticks(wide).size(), 9U);
 }
 
-// ---- figures --------------------------------------------------------------------------------------------------------
+// ---- figures ----------------------------------------------------------------------------------------------
 
-TEST(PlotFigure, WordsAreSeriesNumbersAreLabelsAndWhatIsTheSameIsNeither) {
+TEST(PlotFigure, WordsAreSeriesNumbersAreLabelsAndEqualSettingsAreNeither) {
     const auto report = two_solvers();
     const auto figures = front_figures(all(report));
     ASSERT_EQ(figures.size(), 1U);
@@ -135,7 +135,7 @@ TEST(PlotFigure, ErrorsOfTwoKindsAreTwoFigures) {
     EXPECT_EQ(front_figures(all(report)).size(), 2U);
 }
 
-TEST(PlotFigure, WhatIsNotFiniteIsNotDrawn) {
+TEST(PlotFigure, ValuesThatAreNotFiniteAreNotDrawn) {
     auto report = two_solvers();
     report.rows[0].error->value = NAN;
     report.rows[1].time_us->median = INFINITY;
@@ -167,7 +167,7 @@ TEST(PlotSvg, JoinsTheFrontAndRingsTheDefaultOnly) {
             joined +=
                 text(joined.empty() ? "" : " ", px(axes.time.at(p.time_us)), ",", px(axes.error.at(p.error)));
     }
-    EXPECT_EQ(count(joined, ","), 3U);  // all of "thaum", none of "other"
+    EXPECT_EQ(count(joined, ","), 3U);  // all rows of "thaum", none of "other"
     EXPECT_NE(svg.find(text("points=\"", joined, "\"")), std::string::npos);
     EXPECT_EQ(count(svg, "r=\"10.00\""), 1U);
     EXPECT_EQ(count(svg, "n 32 (default)"), 1U);
@@ -188,19 +188,19 @@ TEST(PlotSvg, RatiosAreBarsFromOne) {
     const auto svg = to_svg(figures[0]);
     EXPECT_EQ(test::xml_fault(svg), "");
     EXPECT_EQ(count(svg, "height=\"14.00\""), 3U);
-    // From 0.5 to 5 one decade is 420 px wide.
+    // One decade, from 0.5 to 5, is 420 px wide.
     EXPECT_NE(svg.find(text("width=\"", px(420 * std::log10(2)), "\" height=\"14.00\"")), std::string::npos);
     EXPECT_NE(svg.find(text("width=\"", px(420 * std::log10(4)), "\" height=\"14.00\"")), std::string::npos);
 }
 
-// ---- pages ----------------------------------------------------------------------------------------------------------
+// ---- pages ------------------------------------------------------------------------------------------------
 
 TEST(PlotPage, EveryRowIsInATable) {
     auto report = two_solvers();
     report.rows.push_back({.area = "tick", .name = "bare"});
     const auto page = make_page(report);
     expect_well_formed(page);
-    EXPECT_EQ(count(page.html, "<tr"), report.rows.size() + 2);  // two headings
+    EXPECT_EQ(count(page.html, "<tr"), report.rows.size() + 2);  // two rows of headings
     for (const auto* part : {"A &amp; B", "front, default", "00ff", "median us", "<svg", "<h3>bare</h3>"})
         EXPECT_NE(page.html.find(part), std::string::npos) << part;
     EXPECT_EQ(page.html.find("<script"), std::string::npos);

@@ -1,5 +1,5 @@
-// The range in a live session: the thread that looks after its files, what is said on the screen, and that a match which is
-// recorded has no such thing.
+// Tests of the range in a live session: the thread that watches its files, the messages on the screen, and
+// that a recorded match has neither.
 #include "game/app/live_practice.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A value of this type is one of them; a session gets nothing else (MatchStart).
+// A value of this type holds either a log or a range's files, never both. A session gets nothing else
+// (MatchStart).
 static_assert(std::is_same_v<Recording, std::variant<std::monostate, input::LogWriter, game::RangeFiles>>);
 static_assert(std::is_same_v<decltype(MatchStart::recording), Recording>);
 
@@ -40,7 +41,7 @@ protected:
         std::ofstream(folder_ / "wands" / "bolt.toml")
             << bolt_.substr(0, at_) << value << bolt_.substr(at_ + 1);
     }
-    /// Waits until somebody has said something else; false after a limit that only a hang reaches.
+    /// Waits for another caption. Returns false after a time that only a hang takes.
     static bool caption_changes(Practice& practice) {
         const auto before = caption(practice).words;
         const auto end = monotonic_ns() + 60'000'000'000;
@@ -74,7 +75,8 @@ protected:
     const std::size_t at_ = bolt_.find("damage = 6") + 9;
 };
 
-/// Counts how often a thread that asks for 1 ms of sleep wakes up: a clock that a busy machine slows like any other thread's.
+/// Counts the wake-ups of a thread that sleeps 1 ms at a time. This clock slows down on a busy machine as
+/// other threads do.
 class WakeUps {
 public:
     ~WakeUps() {
@@ -91,7 +93,7 @@ private:
     }};
 };
 
-TEST_F(PracticeTest, ItsThreadReadsWhatChangedWithinASecondAndEndsAtOnce) {
+TEST_F(PracticeTest, ThreadReadsChangedFilesWithinASecondAndEndsAtOnce) {
     const WakeUps since;
     {
         DataWatcher watcher(files());
@@ -110,7 +112,7 @@ TEST_F(PracticeTest, ItsThreadReadsWhatChangedWithinASecondAndEndsAtOnce) {
     EXPECT_LT(since.count(), 1500) << "400 on a machine that is not loaded";
 }
 
-TEST_F(PracticeTest, SaysWhatWasReadForAWhileAndWhatIsWrongUntilItIsRight) {
+TEST_F(PracticeTest, ShowsAReloadForAWhileAndAFaultUntilItIsCorrected) {
     Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::still, 1);
     EXPECT_NE(caption(practice).words.find("nothing is recorded"), std::string::npos);
     play(practice, 9);
@@ -126,13 +128,13 @@ TEST_F(PracticeTest, SaysWhatWasReadForAWhileAndWhatIsWrongUntilItIsRight) {
     EXPECT_NE(caption(practice).words.find("wands/bolt.toml:11: 'damage' is -9"), std::string::npos);
     EXPECT_TRUE(caption(practice).fault);
     play(practice, 30);
-    EXPECT_TRUE(caption(practice).fault) << "still wrong";
+    EXPECT_TRUE(caption(practice).fault) << "the file is still faulty";
     set_damage("8");
     ASSERT_TRUE(caption_changes(practice));
     EXPECT_FALSE(caption(practice).fault);
 }
 
-TEST_F(PracticeTest, AnotherDummyCountsAnew) {
+TEST_F(PracticeTest, AnotherDummyResetsTheScore) {
     Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::still, 1);
     input::InputFrame firing;
     firing.devices[game::practising].press(input::Button::fire);
@@ -152,7 +154,7 @@ bool shows(const render::Overlay& overlay, std::string_view words) {
     return false;
 }
 
-TEST_F(PracticeTest, ItsScoreStandsInThePlaceOfAMatchsAndTheCaptionInTheWindow) {
+TEST_F(PracticeTest, ScoreStandsInThePlaceOfAMatchsAndCaptionInTheWindow) {
     Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::shooting, 1);
     auto shown = picture(practice);
     const game::HudSettings settings{.watch = game::Watch::first};

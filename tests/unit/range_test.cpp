@@ -1,4 +1,5 @@
-// The range: what dummies do, that nothing ends there, and data files that are read again while it runs.
+// Tests of the range: what dummies do, that no round ends there, and data files that are read again during
+// practice.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -58,7 +59,7 @@ MatchStats bolts(const RangeMatch& range, std::uint32_t player) {
     return range.match->world().single<EventLog>().match_stats[player][cause_of(EventKind::bolt_hit)];
 }
 
-// Dummies -----------------------------------------------------------------------------------------------------------------
+// ---- dummies ----------------------------------------------------------------------------------------------
 
 TEST(Range, BothBeginFaceToFaceWithNothingBetween) {
     auto range = range_with(DummyKind::still);
@@ -77,7 +78,7 @@ TEST(Range, AStillDummyStaysAndDoesNothing) {
     EXPECT_EQ(of<Health>(range, practising).points, 100);
 }
 
-/// How far it went to each side, and how often it turned back.
+/// Largest distances to each side, and number of turns.
 struct Strafed {
     double west = 0, east = 0, along = 0;
     int turns = 0;
@@ -108,7 +109,7 @@ TEST(Range, AStrafingDummyWalksToAndFroWithinItsBounds) {
     EXPECT_NEAR(seen.east, stride, 0.4);
     EXPECT_NEAR(seen.west, -stride, 0.4);
     EXPECT_LT(seen.along, 0.1);
-    // 4.5 m/s over twice the stride, a little less where it turns.
+    // At 4.5 m/s the dummy needs a little more than 2 stride / 4.5 between turns.
     EXPECT_GE(seen.turns, 7);
     EXPECT_LE(seen.turns, 11);
     EXPECT_EQ(bolts(range, dummys).shots, 0U);
@@ -123,9 +124,9 @@ TEST(Range, AStrafingDummyTurnsBackAtAPitAndAtAWall) {
     auto range = make_range(data, bot_device(practising, 1), DummyKind::strafing, 3);
     const auto seen = watch_strafing(range, 20);
     EXPECT_GE(seen.turns, 5);
-    EXPECT_NEAR(-12 + seen.west, -19.6, 1.2) << "there stands the wall";
-    EXPECT_NEAR(-12 + seen.east, -9, 1) << "the pit begins a metre on";
-    EXPECT_GT(place(range, dummys).y, 0.5) << "it did not fall";
+    EXPECT_NEAR(-12 + seen.west, -19.6, 1.2) << "the wall is on this side";
+    EXPECT_NEAR(-12 + seen.east, -9, 1) << "the pit begins 1 m farther";
+    EXPECT_GT(place(range, dummys).y, 0.5) << "the dummy fell";
     EXPECT_EQ(of<Health>(range, dummys).points, 100);
 }
 
@@ -154,7 +155,7 @@ TEST(Range, AShootingDummyStandsAndHitsSometimes) {
     EXPECT_LT(shot.hits, shot.shots);
 }
 
-TEST(Range, AShootingDummySeesNobodyBehindItsBack) {
+TEST(Range, AShootingDummyDoesNotSeeBehindItsBack) {
     auto range = range_with(DummyKind::shooting);
     change<Gaze>(range, dummys).yaw = 0;
     run(range, 5);
@@ -181,7 +182,7 @@ TEST(Range, TheSameInputComesToTheSameState) {
     }
 }
 
-// No end, no loss ---------------------------------------------------------------------------------------------------------
+// ---- no end, no loss --------------------------------------------------------------------------------------
 
 TEST(Range, NoRoundEndsByKillsOrTime) {
     auto range =
@@ -193,7 +194,7 @@ TEST(Range, NoRoundEndsByKillsOrTime) {
     EXPECT_EQ(of<Health>(range, practising).points, 100);
 }
 
-TEST(Range, WhoPractisesComesBackAndGoesOn) {
+TEST(Range, AKilledPlayerReturnsAndGoesOn) {
     auto range = range_with(DummyKind::shooting, {"bolt.shot.damage=60", "bolt.energy.regain_per_s=100"});
     run(range, 60);
     EXPECT_GT(of<Score>(range, practising).deaths, 3);
@@ -209,7 +210,7 @@ TEST(Range, ADeadDummyComesBackInFrontOfThePlayer) {
     const auto seen = watch_strafing(range, 3);
     EXPECT_FALSE(range.match->world().has<Dead>(wizard_of(range.match->world(), dummys)));
     EXPECT_LT(glm::distance(home, place(range, dummys)), range_data().dummy.stride + 0.5);
-    EXPECT_GT(seen.east - seen.west, 1) << "and strafes again";
+    EXPECT_GT(seen.east - seen.west, 1) << "the dummy does not strafe again";
 }
 
 TEST(Range, TheWandFollowsItsRules) {
@@ -224,7 +225,7 @@ TEST(Range, TheScoreCountsFromTheFirstShotAfterItWasWiped) {
     RangeScorer scorer;
     EXPECT_EQ(words_of(scorer.score(*range.match)), "0 of 0 hit, 0 HP, 0 kills, 0 HP a minute");
     run(range, 5);
-    EXPECT_EQ(scorer.score(*range.match).minutes, 0) << "nobody has shot yet";
+    EXPECT_EQ(scorer.score(*range.match).minutes, 0) << "no shot was fired yet";
     for (int i = 0; i < 1000; ++i) {
         range.tick(firing());
         scorer.score(*range.match);
@@ -235,13 +236,13 @@ TEST(Range, TheScoreCountsFromTheFirstShotAfterItWasWiped) {
     EXPECT_EQ(score.damage, 6 * score.hits);
     EXPECT_NEAR(score.minutes, 2.0 / 60, 0.01);
     EXPECT_NEAR(score.damage_per_minute(), score.damage * 30, 0.3 * score.damage * 30);
-    scorer.wipe(*range.match);
+    scorer.reset(*range.match);
     EXPECT_EQ(scorer.score(*range.match).shots, 0U);
     EXPECT_EQ(words_of({.shots = 64, .hits = 12, .kills = 1, .damage = 72, .minutes = 0.5}),
               "12 of 64 hit (18 %), 72 HP, 1 kill, 144 HP a minute");
 }
 
-// Going on by other data ------------------------------------------------------------------------------------------------------
+// ---- going on by other data -------------------------------------------------------------------------------
 
 TEST(CarryOver, BySameDataTheStateIsTheSame) {
     auto range = range_with(DummyKind::strafing);
@@ -264,7 +265,7 @@ TEST(CarryOver, FromAKeyframeItGoesOnToTheSameBits) {
     EXPECT_EQ(next->state_hash(), range.match->state_hash());
 }
 
-TEST(CarryOver, AnotherBodyStandsOnTheSameFeet) {
+TEST(CarryOver, AnotherBodySizeKeepsTheFeetInPlace) {
     auto range = range_with(DummyKind::still);
     run(range, 1);
     change<Gaze>(range, practising) = {0.3, -0.2};
@@ -291,7 +292,7 @@ TEST(CarryOver, EnergyFollowsItsWandToAnotherSlot) {
     EXPECT_EQ(of<WandBelt>(range, practising).energy[2], 10);
 }
 
-TEST(CarryOver, AnotherArenaBeginsAnewAroundThePlayers) {
+TEST(CarryOver, AnotherArenaIsBuiltAroundThePlayers) {
     auto range = range_with(DummyKind::still);
     run(range, 2, firing());
     change<Gaze>(range, practising).yaw = 0.25;
@@ -333,9 +334,9 @@ TEST(CarryOver, TheDeadStayDeadAndComeBack) {
     }
 }
 
-// Files that change -----------------------------------------------------------------------------------------------------------
+// ---- files that change ------------------------------------------------------------------------------------
 
-/// A range on a copy of the data files.
+/// A range with its own copy of the data files.
 class RangeFilesTest : public testing::Test {
 protected:
     RangeFilesTest() {
@@ -364,7 +365,8 @@ protected:
         ASSERT_NE(at, std::string::npos) << from;
         write(file, words.replace(at, from.size(), to));
     }
-    /// What one sees half a second later: two looks, the match in between as ever. Empty: nothing was read.
+    /// Plays half a second and looks twice for changed files. Returns the lines about reloads; empty: no
+    /// file was read.
     std::string half_a_second() {
         std::string lines;
         for (int look = 0; look < 2; ++look) {
@@ -376,7 +378,7 @@ protected:
         }
         return lines;
     }
-    /// HP that one bolt takes from the dummy.
+    /// Health that one bolt takes from the dummy (HP).
     double damage() {
         run(*range_, 1);
         const double before = of<Health>(*range_, dummys).points;
@@ -404,10 +406,10 @@ TEST_F(RangeFilesTest, ABadFileKeepsTheOldNumbersAndSaysSoInOneLine) {
     const auto line = half_a_second();
     EXPECT_NE(line.find("wands/bolt.toml:11: 'damage' is -6"), std::string::npos) << line;
     EXPECT_EQ(line.find('\n'), std::string::npos);
-    EXPECT_EQ(half_a_second(), "") << "said once";
+    EXPECT_EQ(half_a_second(), "") << "the fault is reported once";
     EXPECT_EQ(damage(), 6);
     replace("wizards/wizard.toml", "start = 100", "start = 110");
-    EXPECT_NE(half_a_second().find("wands/bolt.toml:11"), std::string::npos) << "still wrong";
+    EXPECT_NE(half_a_second().find("wands/bolt.toml:11"), std::string::npos) << "the file is still faulty";
     replace("wands/bolt.toml", "damage = -6", "damage = 7");
     EXPECT_EQ(half_a_second(), "read wands/bolt.toml, wizards/wizard.toml");
     EXPECT_EQ(damage(), 7);

@@ -1,4 +1,4 @@
-// Pictures from files, for tests.
+// tests/unit/read_png.h: reads pictures from files.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace thaum::render {
 
-/// Nothing where there is no picture.
+/// Reads a picture; std::nullopt if the file holds none.
 inline std::optional<Image> read_png(const std::filesystem::path& path) {
     int w = 0, h = 0, channels = 0;
     stbi_uc* read = stbi_load(path.c_str(), &w, &h, &channels, 3);

@@ -1,4 +1,4 @@
-// Less detail where nobody sees it: coarser copies of meshes, and the sky behind walls.
+// Tests of reduced detail that no viewer can see: coarser copies of meshes, and the sky behind walls.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ TEST(Clustered, CellsSmallerThanAnythingLeaveAllAsItWas) {
 TEST(Clustered, ABevelGoesAndTheBoxStays) {
     const auto copy = clustered(box(fvec3(1), any_colour, 0.05F), 0.3F);
     EXPECT_EQ(triangles(copy.mesh), 12U);
-    // In each corner three vertices become the one of them that is first of the outermost.
+    // In each corner three vertices are merged into one: the first of those farthest out.
     EXPECT_NEAR(copy.error, 0.05F * std::sqrt(2.0F), 1e-5F);
     EXPECT_NEAR(bounds(copy.mesh).radius, bounds(box(fvec3(1), any_colour, 0.05F)).radius, 0.05F);
 }
@@ -38,10 +38,11 @@ TEST(Clustered, NoVertexMovesFartherThanTheErrorSays) {
     for (const float cell : {0.1F, 0.3F, 0.7F}) {
         const auto copy = clustered(mesh, cell);
         EXPECT_LE(copy.error, cell * std::sqrt(3.0F) + 1e-5F);
-        // What is left of the sphere still lies on it, and none of it far from where it was.
+        // The remaining vertices still lie on the sphere, near their old positions.
         for (const auto& v : copy.mesh.vertices) EXPECT_NEAR(glm::length(v.position), 1, 1e-5F);
         for (const auto& v : copy.mesh.vertices)
-            EXPECT_LE(glm::distance(v.position, v.normal), copy.error + 0.35F) << "normals are those of old";
+            EXPECT_LE(glm::distance(v.position, v.normal), copy.error + 0.35F)
+                << "normals must stay those of the full mesh";
     }
 }
 
@@ -68,7 +69,7 @@ TEST(CoarserCopies, EachHasFewerTrianglesAndAGreaterError) {
     EXPECT_TRUE(coarser_copies(box(fvec3(1), any_colour)).empty());
 }
 
-/// The mesh that is drawn of one with these levels, `distance` m ahead.
+/// Mesh that is drawn for an instance with these levels at a distance ahead (m).
 MeshId drawn_at(float distance, const detail::Levels& levels, float scale = 1) {
     const std::vector<Bounds> bounds(4, Bounds{fvec3(0), 1});
     const std::vector<detail::Levels> all{levels, {}, {}, {}};
@@ -83,18 +84,18 @@ MeshId drawn_at(float distance, const detail::Levels& levels, float scale = 1) {
 
 TEST(Levels, TheCoarsestWhoseErrorIsWithinAPixel) {
     const detail::Levels levels{{1, 0.05F}, {2, 0.2F}, {3, 0.8F}};
-    // A pixel is 1 cm wide at 1 m, and the nearest point is a metre nearer than the middle.
+    // A pixel is 1 cm wide at 1 m. The nearest point is 1 m nearer than the middle.
     EXPECT_EQ(drawn_at(5.9F, levels), 0U);
     EXPECT_EQ(drawn_at(6.1F, levels), 1U);
     EXPECT_EQ(drawn_at(20.9F, levels), 1U);
     EXPECT_EQ(drawn_at(21.1F, levels), 2U);
     EXPECT_EQ(drawn_at(200, levels), 3U);
     EXPECT_EQ(drawn_at(0.5F, levels), 0U) << "around the eye";
-    EXPECT_EQ(drawn_at(21.1F, levels, 2), 1U) << "what is larger is coarse later";
+    EXPECT_EQ(drawn_at(21.1F, levels, 2), 1U) << "a larger thing must stay detailed for longer";
     EXPECT_EQ(drawn_at(200, {}), 0U);
 }
 
-/// Corners that the cells' runs hold.
+/// Number of open cells, from the corners in the cells' runs.
 int open_cells(const Camera& camera, std::span<const Block> blocks) {
     detail::SkyCells cells;
     detail::open_sky_cells(camera, 2, blocks, cells);
@@ -105,7 +106,7 @@ int open_cells(const Camera& camera, std::span<const Block> blocks) {
     return corners / detail::corners_of_sky_cell;
 }
 
-TEST(SkyCells, WhatABlockCoversIsLeftOut) {
+TEST(SkyCells, CellsCoveredByABlockAreLeftOut) {
     constexpr int all = detail::sky_columns * detail::sky_rows;
     const Camera camera{.position = {0, 0, 0}};
     const auto wall = [](double low, double high) { return Block{{-100, low, -11}, {100, high, -10}}; };
@@ -155,7 +156,7 @@ TEST(SkyCells, NoRayToTheSkyGoesThroughACellThatIsLeftOut) {
                                     [&](const Block& b) { return meets(b, vec3(camera.position), way); }));
         }
     }
-    EXPECT_GT(left_out, 500) << "the test tests something";
+    EXPECT_GT(left_out, 500) << "the random cases must include this case";
 }
 
 bool hides(const Block& block, vec3 eye, fvec3 centre, fvec3 half) {
@@ -169,12 +170,12 @@ TEST(Hidden, BehindAWallUpToItsOutline) {
     const auto at = [&](fvec3 centre) { return hides(wall, vec3(0), centre, fvec3(0.5F)); };
     EXPECT_TRUE(at({0, 0, -6}));
     EXPECT_TRUE(at({0, 0, -100}));
-    EXPECT_FALSE(at({0, 0, -3})) << "before it";
+    EXPECT_FALSE(at({0, 0, -3})) << "in front of the block";
     EXPECT_FALSE(at({0, 0, 6})) << "behind the eye";
-    // The outline widens as the ways from the eye through the near face's edges do: by 2 m in 4.
+    // Seen from the eye, the near face hides an area that widens by 2 m in 4 m.
     EXPECT_TRUE(at({4.2F, 0, -10}));
     EXPECT_FALSE(at({4.3F, 0, -10}));
-    EXPECT_FALSE(hides(wall, {0, 0, -4.5}, {0, 0, -6}, fvec3(0.5F))) << "the eye in it";
+    EXPECT_FALSE(hides(wall, {0, 0, -4.5}, {0, 0, -6}, fvec3(0.5F))) << "the eye inside the block";
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_FALSE(hides({vec3(nan), vec3(nan)}, vec3(0), {0, 0, -6}, fvec3(0.5F)));
     EXPECT_FALSE(hides({{-2, -2, -5}, {2, nan, -4}}, vec3(0), {0, 0, -6}, fvec3(0.5F)));
@@ -182,7 +183,7 @@ TEST(Hidden, BehindAWallUpToItsOutline) {
     EXPECT_FALSE(at(fvec3(std::numeric_limits<float>::quiet_NaN())));
 }
 
-TEST(Hidden, NoWayToTheEyeIsFreeAndNoneThatIsBlockedCounts) {
+TEST(Hidden, HiddenBoxesHaveNoFreeLineToTheEye) {
     Random random = random_stream(4, 2);
     const auto any = [&](double most) { return random.uniform(-most, most); };
     const auto anywhere = [&](double most) { return vec3(any(most), any(most), any(most)); };
@@ -192,7 +193,7 @@ TEST(Hidden, NoWayToTheEyeIsFreeAndNoneThatIsBlockedCounts) {
         const Block block{middle - size, middle + size};
         const vec3 eye = anywhere(8), centre = anywhere(20);
         const vec3 half(0.5 + any(0.4), 0.5 + any(0.4), 0.5 + any(0.4));
-        // Of the way from a point to the eye; what is beyond the eye hides nothing.
+        // True if the block lies between the point and the eye. A block beyond the eye hides nothing.
         const auto blocked = [&](vec3 p) { return meets(block, p, eye - p) && !meets(block, eye, eye - p); };
         int corners_blocked = 0;
         for (int corner = 0; corner < 8; ++corner) {
@@ -204,10 +205,10 @@ TEST(Hidden, NoWayToTheEyeIsFreeAndNoneThatIsBlockedCounts) {
             EXPECT_EQ(corners_blocked, 8) << "round " << round;
             for (int i = 0; i < 20; ++i) EXPECT_TRUE(blocked(centre + half * anywhere(0.999)));
         } else if (corners_blocked == 8) {
-            // But for what rounding does at the outline.
+            // A slightly smaller box must be hidden; this allows for rounding at the outline.
             EXPECT_TRUE(hides(block, eye, fvec3(centre), fvec3(0.99 * half))) << "round " << round;
         }
-        // In a frame of its own: turned, moved and stretched.
+        // The same in another frame: turned, moved and scaled.
         const fmat4 to_world = translated({1, 2, 3}) * rotated({0, 1, 0}, 0.7F) * scaled(fvec3(2));
         const fvec3 there(glm::inverse(to_world) * fvec4(fvec3(centre), 1));
         std::vector<detail::Hidden> world;
@@ -219,7 +220,7 @@ TEST(Hidden, NoWayToTheEyeIsFreeAndNoneThatIsBlockedCounts) {
         else
             EXPECT_TRUE(detail::is_hidden({&own, 1}, there, fvec3(0)));
     }
-    EXPECT_GT(hidden, 100) << "the test tests something";
+    EXPECT_GT(hidden, 100) << "the random cases must include this case";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Mesh generators: closed, facing outwards, and of the volume the shape has.
+// Tests of mesh generators: the meshes are closed, face outwards, and have the volume of the shape.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 const fvec3 grey(0.5F);
 
-/// Vertices at one place are one point of the surface, whatever their normals.
+/// Position of a vertex. Vertices at one position count as one point, whatever their normals.
 using Point = std::tuple<long, long, long>;
 Point point(fvec3 p) { return {std::lround(p.x * 1e5F), std::lround(p.y * 1e5F), std::lround(p.z * 1e5F)}; }
 
@@ -32,7 +32,8 @@ std::map<std::pair<Point, Point>, int> directed_edges(const MeshData& mesh) {
     return edges;
 }
 
-/// Each edge is walked once in each direction: two triangles share it, and they agree on which side is out.
+/// Expects that two triangles share each edge and walk it in opposite directions, so that they agree on the
+/// outside.
 void expect_closed(const MeshData& mesh) {
     const auto edges = directed_edges(mesh);
     for (const auto& [edge, count] : edges) {
@@ -42,7 +43,7 @@ void expect_closed(const MeshData& mesh) {
     }
 }
 
-/// Signed: positive when triangles face outwards.
+/// Signed volume; positive if the triangles face outwards.
 double volume(const MeshData& mesh) {
     double sum = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -74,11 +75,12 @@ std::vector<fvec2> bowl_profile() {
 struct Shape {
     const char* name;
     MeshData mesh;
-    double volume;  // m^3, exact for the mesh's own flat faces; 0: not compared
+    // Exact volume of the flat-faced mesh (m^3); 0: not compared.
+    double volume;
 };
 
 std::vector<Shape> shapes() {
-    // A regular polygon of n sides and radius 1 has the area n/2 sin(tau/n).
+    // A regular polygon with n sides and radius 1 has the area n/2 sin(2 pi / n).
     const auto polygon = [](int n) { return 0.5 * n * std::sin(2 * std::numbers::pi / n); };
     const std::array loop{fvec2(1, -0.1F), fvec2(1.2F, -0.1F), fvec2(1.2F, 0.1F), fvec2(1, 0.1F),
                           fvec2(1, -0.1F)};
@@ -110,7 +112,7 @@ TEST(Mesh, ShapesAreClosedAndFaceOutwards) {
     }
 }
 
-/// Ratio of the errors of n and 2 n sides: 4 for a second-order approach to the round shape.
+/// Ratio of the volume errors with n and 2 n sides; 4 for second-order convergence to the round shape.
 template <class Make>
 void expect_second_order(Make make, double exact) {
     double before = exact - volume(make(16));

@@ -1,4 +1,4 @@
-// Text layout, key names, pacing, culling: all that needs no context.
+// Tests without an OpenGL context: text layout, key names, pacing, culling.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -70,8 +70,8 @@ TEST(AtlasTest, GrowsAndStartsAnewWhenFull) {
     big.coverage.assign(250000, 7);
     char32_t c = 0;
     while (atlas.place(c, 400, big).x >= 0) ASSERT_LT(++c, 100U);
-    EXPECT_EQ(c, 16U);  // two beside each other, eight rows
-    EXPECT_GE(atlas.place(0, 400, big).x, 0) << "what is there stays for this frame";
+    EXPECT_EQ(c, 16U);  // two side by side in each of eight rows
+    EXPECT_GE(atlas.place(0, 400, big).x, 0) << "placed glyphs must stay for this frame";
     atlas.start_frame();
     EXPECT_GE(atlas.place(c, 400, big).x, 0);
 }
@@ -126,13 +126,13 @@ TEST(Pace, WaitsForWholePeriods) {
     EXPECT_GT(s, 0.045);
 }
 
-TEST(Culling, CountsWhatACameraSees) {
+TEST(Culling, CountsVisibleInstances) {
     const std::vector<Bounds> meshes{{fvec3(0), 1}};
     const Camera camera{.position = {0, 0, 0}};
     const auto matrix = detail::projection_matrix(camera, 1.5F) * detail::view_matrix(camera);
     const std::vector<Instance> instances{
-        {.mesh = 0, .model = translated({0, 0, -10})},   // ahead
-        {.mesh = 0, .model = translated({0, 0, 10})},    // behind
+        {.mesh = 0, .model = translated({0, 0, -10})},   // in front of the eye
+        {.mesh = 0, .model = translated({0, 0, 10})},    // behind the eye
         {.mesh = 0, .model = translated({0, 0, 0.5F})},  // around the eye
         {.mesh = 0, .model = translated({50, 0, -10})},  // far to the right
         {.mesh = 0, .model = translated({50, 0, -10}) * scaled(fvec3(60))},

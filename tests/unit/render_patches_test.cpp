@@ -1,4 +1,5 @@
-// Patches of something big: never one too few, what is near first, and plain only where nobody can tell.
+// Tests of the patches of a large mesh: no visible patch is left out, near patches come first, and the
+// plain copy is drawn only where it cannot be told apart.
 #include "render/detail/patches.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace {
 
 const fvec3 grey(0.5F);
 
-/// Looks along -z with a view of 90 degrees, 720 pixels high.
+/// A viewer who looks along -z with a field of view of 90 degrees, 720 pixels high.
 Sight sight_from(fvec3 eye) {
     const float half = 0.7853982F;
     const auto to_clip = glm::perspective(2 * half, 1.0F, 0.1F, 1000.0F) * glm::translate(fmat4(1), -eye);
@@ -26,7 +27,7 @@ std::vector<std::uint32_t> chosen(const PatchTable& table, const Sight& sight) {
     return out;
 }
 
-/// A sheet across z that faces +z, or, turned, -z.
+/// A square across z that faces +z, or -z if turned.
 MeshData sheet(float z, float half = 1) {
     return transformed(grid({half, half}, 1, 1, grey),
                        translated({0, 0, z}) * rotated({1, 0, 0}, 1.5707963F));
@@ -43,7 +44,7 @@ TEST(Patches, HaveAllTheirTrianglesAndTheFullOnesFirst) {
     for (const auto index : all.table.indices) EXPECT_LT(index, all.mesh.vertices.size());
 }
 
-TEST(Patches, PlainOnlyWhereWhatItLacksIsLessThanAPixelAndHasFaded) {
+TEST(Patches, PlainOnlyIfTheMissingDetailIsBelowAPixelAndHasFaded) {
     const Patch patch{.full = box(fvec3(1), grey, 0.1F), .plain = box(fvec3(1), grey), .detail = 0.1F};
     const auto table = joined({patch}).table;
     const auto triangles = [&](float distance) {
@@ -55,7 +56,7 @@ TEST(Patches, PlainOnlyWhereWhatItLacksIsLessThanAPixelAndHasFaded) {
     EXPECT_EQ(triangles(3), 44U);
     EXPECT_EQ(triangles(fine), 44U);
     EXPECT_EQ(triangles(fine + 4), 12U);
-    // What is as fine as can be has to fade all the same.
+    // A patch without a coarser copy must fade as well.
     const auto finest = joined({{patch.full, patch.plain, 0}}).table;
     EXPECT_EQ(chosen(finest, sight_from({0, 0, gone})).size() / 3, 44U);
     EXPECT_EQ(chosen(finest, sight_from({0, 0, gone + 4})).size() / 3, 12U);
@@ -71,7 +72,7 @@ TEST(Patches, NearOnesFirstAndSmallOnesBeforeASheetAroundThem) {
     EXPECT_EQ(indices[12] / 4, 1U);
 }
 
-TEST(Patches, WhatTheSunNeverReachesIsApart) {
+TEST(Patches, PatchesInPermanentShadeAreSeparate) {
     const auto table =
         joined({{.full = sheet(-5), .sunless = true}, {.full = sheet(-9)}, {.full = sheet(-7)}}).table;
     std::vector<std::uint32_t> out(2);
@@ -85,7 +86,7 @@ TEST(Patches, WhatTheSunNeverReachesIsApart) {
     EXPECT_EQ(all.all().count, 18U);
 }
 
-TEST(Patches, WhatIsOutOfViewOrShowsItsBackIsLeftOut) {
+TEST(Patches, PatchesOutOfViewOrFacingAwayAreLeftOut) {
     const auto table = joined({{.full = sheet(-5)}}).table;
     EXPECT_EQ(chosen(table, sight_from(fvec3(0))).size(), 6U);
     EXPECT_TRUE(chosen(table, sight_from({0, 0, -10})).empty()) << "behind the eye";
@@ -94,7 +95,7 @@ TEST(Patches, WhatIsOutOfViewOrShowsItsBackIsLeftOut) {
     EXPECT_TRUE(chosen(turned, sight_from(fvec3(0))).empty()) << "seen from behind";
 }
 
-TEST(Patches, WhatIsBehindOthersShowsWhereTheyMayBePlain) {
+TEST(Patches, PlainOnlyPatchesAreDrawnWhereDetailIsBelowAPixel) {
     const auto table = joined({{.full = {}, .plain = sheet(-5), .detail = 0.05F}}).table;
     EXPECT_EQ(table.full_count, 0U);
     auto sight = sight_from(fvec3(0));
@@ -104,7 +105,7 @@ TEST(Patches, WhatIsBehindOthersShowsWhereTheyMayBePlain) {
     EXPECT_EQ(chosen(table, sight).size(), 6U);
 }
 
-TEST(Patches, WhatIsBehindOthersComesAfterThoseThatReachBeyondIt) {
+TEST(Patches, PlainPatchesComeAfterFullOnes) {
     const auto beside = transformed(sheet(-10), translated({1.5F, 0, 0}));
     const auto table =
         joined({{.full = {}, .plain = sheet(-10.05F), .detail = 0.05F}, {.full = beside}}).table;
@@ -121,10 +122,10 @@ TEST(Patches, NoFrontIsEverTakenForABack) {
     const auto any = [&](double low, double high) { return static_cast<float>(random.uniform(low, high)); };
     int left_out = 0;
     for (int round = 0; round < 400; ++round) {
-        // A dented sheet, so that its normals differ.
+        // A dented square, so that its normals differ.
         MeshData mesh = grid({1, 1}, 3, 3, grey);
         for (auto& v : mesh.vertices) v.position.y += any(-0.3, 0.3);
-        // From anywhere, and all of it within the view.
+        // A random eye with the whole square in view.
         const fvec3 eye(any(-6, 6), any(-6, 6), any(4, 9));
         const fvec3 axis = glm::normalize(fvec3(any(-1, 1), any(-1, 1), any(-1, 1)) + fvec3(0, 0, 1e-3F));
         const auto there = transformed(mesh, rotated(axis, any(-3, 3)));
@@ -139,7 +140,7 @@ TEST(Patches, NoFrontIsEverTakenForABack) {
             EXPECT_GE(glm::dot(normal, at(0) - eye), -1e-4F) << "round " << round;
         }
     }
-    EXPECT_GT(left_out, 40) << "the test tests something";
+    EXPECT_GT(left_out, 40) << "the random cases must include this case";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Pictures drawn without a display, judged by their pixels.
+// Tests of pictures drawn without a display, by their pixels.
 #include <unistd.h>
 
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ int count(const Image& image, Rect in, Test test) {
     return sum;
 }
 
-/// White light from everywhere and no fog: what is red is red.
+/// White light from all directions and no fog, so that red things look red.
 Environment plain_light() {
     Environment e;
     e.sun.colour = fvec3(0);
@@ -110,7 +110,8 @@ TEST_F(Picture, LowIsPlainFromHalfAsFarAsMedium) {
                .quality = quality});
         return renderer->statistics().triangles;
     };
-    const float pixel = 2 * std::tan(Camera{}.fov_y / 2) / static_cast<float>(height);  // rad
+    // Angle of a pixel (rad).
+    const float pixel = 2 * std::tan(Camera{}.fov_y / 2) / static_cast<float>(height);
     const float beyond_half = 0.75F * 0.1F / pixel + 2 * size;
     EXPECT_EQ(triangles(Quality::low, 2 * size), triangles(Quality::medium, 2 * size));
     EXPECT_LT(triangles(Quality::low, beyond_half), triangles(Quality::medium, beyond_half));
@@ -144,7 +145,7 @@ TEST_F(Picture, TheFirstViewIsOnTopAndRightIsRight) {
     EXPECT_GT(count(image, {width / 2, 0, width / 2, height / 2}, reddish), 20);
     EXPECT_EQ(count(image, {0, 0, width / 2, height}, reddish), 0);
     const auto below = at(image, 50, height - 5);
-    EXPECT_EQ(below.r + below.g + below.b, 0) << "what no view covers is black";
+    EXPECT_EQ(below.r + below.g + below.b, 0) << "pixels outside all views must be black";
 }
 
 TEST_F(Picture, NearHidesFar) {
@@ -156,7 +157,7 @@ TEST_F(Picture, NearHidesFar) {
     }
 }
 
-TEST_F(Picture, FogHidesWhatIsFar) {
+TEST_F(Picture, FogHidesDistantThings) {
     const std::vector<Instance> one{cube_at({0, 0, -20}, 3.0F * red)};
     auto v = view(whole, one);
     v.camera.fov_y = 0.1F;
@@ -193,7 +194,7 @@ TEST_F(Picture, LightsReachTheirRadiusAndGlowNeedsNone) {
     EXPECT_GT(brightness(), 180);
 }
 
-/// A floor below a cube, with the sun straight above and nothing else but a little light from everywhere.
+/// A cube above a floor, with the sun straight above and a little light from all directions.
 class Shadowed : public Picture {
 protected:
     void SetUp() override {
@@ -203,7 +204,7 @@ protected:
         fixed = {{.mesh = floor, .model = translated({0, -1.1F, -4})}};
     }
 
-    /// Seen from above; the cubes in `moving` are drawn as well.
+    /// Frame seen from above, with the cubes in `moving` as well.
     Frame frame_of(Quality quality) {
         all = fixed;
         all.insert(all.end(), moving.begin(), moving.end());
@@ -211,7 +212,7 @@ protected:
         v.camera.position = {0, 5, -4};
         v.camera.orientation = glm::angleAxis(-1.5707963F, fvec3(1, 0, 0));
         v.environment.ambient = {fvec3(0.05F), fvec3(0.05F)};
-        // A little from the left: its shadow comes out from under the cube to the right.
+        // The sun shines a little from the left, so the cube's shadow appears on its right.
         v.environment.sun = {glm::normalize(fvec3(-1, 1, 0)), fvec3(1.5F)};
         return {.width = width,
                 .height = height,
@@ -221,7 +222,7 @@ protected:
                 .casters = {fixed, moving}};
     }
 
-    /// Brightness of the floor at x m to the right of the middle; 6.1 m below the camera.
+    /// Brightness of the floor at x (m) to the right of the middle, 6.1 m below the camera.
     int brightness(Quality quality, float x) {
         const auto image = drawn(frame_of(quality));
         const float pixels_per_m = 0.5F * height / std::tan(0.6F) / 6.0F;
@@ -234,13 +235,14 @@ protected:
 
 TEST_F(Shadowed, FallsOppositeTheSunAndNowhereElse) {
     for (const auto quality : {Quality::medium, Quality::high}) {
-        moving = {cube_at({0, 1, -4}, fvec3(1))};  // its shadow's middle is 2 m to the right
+        moving = {cube_at({0, 1, -4}, fvec3(1))};  // the middle of its shadow is 2 m to the right
         const int lit = brightness(quality, -1.6F), shaded = brightness(quality, 2);
         EXPECT_GT(lit, 2 * shaded) << static_cast<int>(quality);
-        EXPECT_GT(shaded, 5) << "what comes from everywhere is left";
+        EXPECT_GT(shaded, 5) << "ambient light must remain in the shadow";
         EXPECT_NEAR(brightness(quality, 3.2F), lit, 3);
     }
-    EXPECT_NEAR(brightness(Quality::low, 2), brightness(Quality::low, -1.6F), 3) << "low has no map";
+    EXPECT_NEAR(brightness(Quality::low, 2), brightness(Quality::low, -1.6F), 3)
+        << "low quality has no shadow map";
 }
 
 TEST_F(Shadowed, AShadowThatMovedOnLeavesNoTrace) {
@@ -263,7 +265,7 @@ TEST_F(Shadowed, CostsNothingWhileNothingMoves) {
     EXPECT_EQ(renderer->statistics().shadow_draws, 0U);
     moving[0].model[3].x += 0.01F;
     drawn(frame_of(Quality::medium));
-    EXPECT_EQ(renderer->statistics().shadow_draws, 1U) << "what is fixed is not drawn again";
+    EXPECT_EQ(renderer->statistics().shadow_draws, 1U) << "fixed things must not be drawn again";
     renderer->replace(floor, box({3, 0.1F, 3}, fvec3(1)));
     drawn(frame_of(Quality::medium));
     EXPECT_EQ(renderer->statistics().shadow_draws, 2U) << "a mesh has changed";
@@ -271,7 +273,7 @@ TEST_F(Shadowed, CostsNothingWhileNothingMoves) {
     EXPECT_EQ(renderer->statistics().shadow_draws, 0U);
 }
 
-TEST_F(Shadowed, OnlyWhatMovedAndWhatStoodInItsPlaceIsDrawnAgain) {
+TEST_F(Shadowed, OnlyMovedThingsAndTheirOldPlacesAreDrawnAgain) {
     const auto near = cube_at({0, 1, -4}, fvec3(1));
     moving = {near, cube_at({0.2F, 1.2F, -4}, fvec3(1)), cube_at({-2.5F, 1, -4}, fvec3(1))};
     drawn(frame_of(Quality::medium));
@@ -281,7 +283,8 @@ TEST_F(Shadowed, OnlyWhatMovedAndWhatStoodInItsPlaceIsDrawnAgain) {
     EXPECT_EQ(renderer->statistics().shadow_triangles, 12U);
     moving[1].model[3].x += 5;
     drawn(frame_of(Quality::medium));
-    EXPECT_EQ(renderer->statistics().shadow_triangles, 24U) << "it has left the first one's place";
+    EXPECT_EQ(renderer->statistics().shadow_triangles, 24U)
+        << "the shadow of the first place must be drawn again";
     EXPECT_NEAR(brightness(Quality::medium, 2), shaded, 3);
     moving = {near};
     EXPECT_NEAR(brightness(Quality::medium, 2), shaded, 3);
@@ -296,7 +299,7 @@ TEST_F(Shadowed, CastersThatAreNotNumbersCastNothing) {
     EXPECT_GT(brightness(Quality::medium, -1.6F), 2 * shaded);
 }
 
-TEST_F(Shadowed, LowGoesByWhatTheInstanceSays) {
+TEST_F(Shadowed, LowQualityUsesTheShadeOfTheInstance) {
     moving = {cube_at({0, 0.5F, -4}, fvec3(1))};
     const auto top = [&] { return middle(drawn(frame_of(Quality::low))).g; };
     const int sunny = top();
@@ -304,7 +307,7 @@ TEST_F(Shadowed, LowGoesByWhatTheInstanceSays) {
     EXPECT_LT(3 * top(), sunny);
 }
 
-TEST_F(Picture, ShadesMultiplyWhatIsBelowThem) {
+TEST_F(Picture, ShadesMultiplyTheColourBelowThem) {
     const std::vector<Instance> one{cube_at({0, 0, -2}, fvec3(1))};
     MeshData sheet = transformed(box({0.4F, 0.4F, 0.01F}, fvec3(0.5F)), fmat4(1));
     const auto id = renderer->upload(sheet);
@@ -333,17 +336,17 @@ TEST_F(Picture, MistsHideMostWhereTheyFaceTheEyeAndNothingAtTheirOutline) {
         EXPECT_EQ(middle(drawn(frame)).r, before);
         const int hidden = middle(whole_mist).r;
         ASSERT_GT(std::abs(hidden - before), 20);
-        // Half of the way between, in light at high, as it is seen otherwise.
+        // Half a glow gives about half the change: in linear light at high quality, else in display values.
         EXPECT_GT(std::abs(half - before), 0.3 * std::abs(hidden - before));
         EXPECT_LT(std::abs(half - before), 0.8 * std::abs(hidden - before));
-        // Something solid before it hides it.
+        // A solid thing in front of the mist hides it.
         mist.glow = 1;
         mist.model = translated({0, 0, -8});
         EXPECT_NEAR(middle(drawn(frame)).r, before, 1);
     }
 }
 
-TEST_F(Picture, BloomShinesBeyondWhatIsBrightAndCanBeTurnedOff) {
+TEST_F(Picture, BloomShinesBeyondBrightEdgesAndCanBeTurnedOff) {
     auto bright = cube_at({0, 0, -6}, fvec3(3));
     bright.glow = 1;
     const std::vector<Instance> one{bright};
@@ -415,7 +418,7 @@ TEST_F(Picture, ThingsThatAreNotNumbersAreNotDrawn) {
     const auto image = drawn({broken, cube_at({0, 0, -3}, green)});
     EXPECT_GT(count(image, whole, greenish), 50);
     EXPECT_EQ(count(image, whole, reddish), 0);
-    // A broken camera shows nothing of use, but must not end the game.
+    // A broken camera shows nothing useful but must not end the program.
     const std::vector<Instance> one{cube_at({0, 0, -2}, red)};
     auto v = view(whole, one);
     v.camera.position.x = nan;
@@ -448,7 +451,7 @@ TEST_F(Picture, TextStaysInItsMeasuredBox) {
         frame.overlay.items.push_back(TextItem{text, {100, 30}, 18, fvec4(1), align});
         const auto image = drawn(frame);
         const float part = align == Align::left ? 0.0F : align == Align::centre ? 0.5F : 1.0F;
-        // A half pixel of an odd width is rounded, hence one more on each side.
+        // Half a pixel is rounded if the width is odd, so the box gets one more pixel on each side.
         const Rect box{static_cast<int>(100 - part * size.x) - 1, 30, static_cast<int>(size.x) + 2,
                        static_cast<int>(size.y)};
         const auto inked = [](Pixel p) { return p.r > 0; };
@@ -499,7 +502,7 @@ TEST_F(Picture, OverlayBlendsInOrder) {
     EXPECT_NEAR(p.g, 128, 2);
 }
 
-TEST_F(Picture, OverlayIsSharpWhateverTheInternalScale) {
+TEST_F(Picture, OverlayIsSharpAtAnyInternalScale) {
     Frame frame{
         .width = width, .height = height, .views = {view(whole, {})}, .overlay = {}, .internal_scale = 0.25F};
     frame.overlay.items = {RectItem{{51, 51}, {52, 52}, fvec4(1, 0, 0, 1)}};

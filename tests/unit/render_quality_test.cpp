@@ -1,4 +1,5 @@
-// How a preset is chosen: by what draws, and by measured times, without flapping.
+// Tests how a quality preset is chosen: by the OpenGL renderer and by measured times, without switching to
+// and fro.
 #include "render/quality.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,8 @@ TEST(AutoQuality, StaysWhereTheTimeFits) {
 }
 
 TEST(AutoQuality, StepsDownWhenMostPicturesAreLateAndNotForAFew) {
-    EXPECT_EQ(after({.now = Quality::medium}, 67, 50).now, Quality::medium) << "not before it has judged";
+    EXPECT_EQ(after({.now = Quality::medium}, 67, 50).now, Quality::medium)
+        << "no change before enough times were measured";
     EXPECT_EQ(after({.now = Quality::medium}, 68, 50).now, Quality::low);
     AutoQuality hiccups{.now = Quality::medium};
     for (int i = 0; i < 3000; ++i) hiccups = after_frame(hiccups, i % 3 == 0 ? 200 : 20);
@@ -53,20 +55,20 @@ TEST(AutoQuality, StepsUpOnlyWithRoomForTheNext) {
     EXPECT_EQ(after({.now = Quality::low}, 136, 5).now, Quality::high);
 }
 
-TEST(AutoQuality, WhatProvedTooSlowIsNotTriedAgain) {
+TEST(AutoQuality, AQualityThatWasTooSlowIsNotTriedAgain) {
     auto s = after({.now = Quality::medium}, 68, 50);
     ASSERT_EQ(s.now, Quality::low);
     s = after(s, 100'000, 1);
     EXPECT_EQ(s.now, Quality::low);
 }
 
-TEST(AutoQuality, NeverFlapsWhateverTheTimes) {
+TEST(AutoQuality, SwitchesRarelyForAnyTimes) {
     Random random = random_stream(5, 1);
     for (int run = 0; run < 50; ++run) {
         AutoQuality s{.now = static_cast<Quality>(random.below(qualities))};
         int changes = 0;
         for (int i = 0; i < 20'000; ++i) {
-            // Times that turn over every few hundred pictures.
+            // Times that change between fast and slow every 300 pictures.
             const double ms = (i / 300 + run) % 2 == 0 ? random.uniform(0, 8) : random.uniform(20, 200);
             const auto next = after_frame(s, ms);
             changes += next.now != s.now;

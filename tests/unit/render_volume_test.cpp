@@ -1,4 +1,5 @@
-// A volume against closed forms: what a uniform medium gives and swallows along a ray of known length.
+// Compares a drawn volume with closed forms for the emission and absorption of a uniform medium along a ray
+// of known length.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,13 +16,13 @@ namespace thaum::render {
 namespace {
 
 constexpr int size = 120;
-constexpr float thickness = 1.5F;  // 1/m
-constexpr float mirrored = 0.02F;  // of what falls straight onto water
+constexpr float thickness = 1.5F;  // absorption (1/m)
+constexpr float mirrored = 0.02F;  // share of light that water reflects at normal incidence
 constexpr Rect whole{0, 0, size, size};
 const fquat downwards = glm::angleAxis(-1.5707963F, fvec3(1, 0, 0)),
             upwards = glm::angleAxis(1.5707963F, fvec3(1, 0, 0));
 
-/// Nothing shines but what a test lets shine.
+/// An environment without light. Each test adds its own.
 Environment darkness() {
     Environment e;
     e.sun.colour = fvec3(0);
@@ -37,10 +38,10 @@ fvec3 middle_of(const Image& image) {
     return fvec3(image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]) / 255.0F;
 }
 
-/// A ball of radius 1 m about the origin, filled up to y = 0 with the same everywhere.
+/// A ball of radius 1 m about the origin, filled with a uniform medium up to y = 0.
 class VolumeTest : public testing::Test {
 protected:
-    // One renderer for all: its shaders take longer than all pictures.
+    // All tests share one renderer, because compiling its shaders takes longer than drawing all pictures.
     static void SetUpTestSuite() {
         auto made = Offscreen::create(size, size);
         if (!made) return;
@@ -119,7 +120,7 @@ protected:
 
 constexpr float pixel_step = 2.0F / 255;
 
-TEST_F(VolumeTest, SwallowsAsMuchOfWhatIsBehindAsTheLawOfBeerAndLambertSays) {
+TEST_F(VolumeTest, AbsorbsLightByTheLawOfBeerAndLambert) {
     stand({0, -3, 0}, {8, 1, 8}, {0.2F, 0.1F, 0.05F});
     for (const auto quality : {Quality::low, Quality::medium}) {
         const auto behind = middle_of(drawn(nullptr, quality));
@@ -144,15 +145,15 @@ TEST_F(VolumeTest, GivesLightAsLongAsTheWayThroughItIs) {
     }
 }
 
-TEST_F(VolumeTest, EndsAtWhatStandsInIt) {
-    stand({0, -0.9F, 0}, {1, 1, 1}, {0.2F, 0.1F, 0.05F});  // its top at -0.4
+TEST_F(VolumeTest, EndsAtASolidThingInIt) {
+    stand({0, -0.9F, 0}, {1, 1, 1}, {0.2F, 0.1F, 0.05F});  // the top is at y = -0.4 m
     const auto behind = middle_of(drawn(nullptr));
     const auto seen = middle_of(drawn(&volume));
     const float left = (1 - mirrored) * std::exp(-thickness * 0.4F);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], left * behind[c], pixel_step);
 }
 
-TEST_F(VolumeTest, IsHiddenByWhatStandsBeforeIt) {
+TEST_F(VolumeTest, IsHiddenByASolidThingInFront) {
     stand({0, 1, 0}, {3, 0.2F, 3}, {0.2F, 0.1F, 0.05F});
     fill({255, 255, 255, 255});
     for (const auto quality : {Quality::low, Quality::high}) {
@@ -167,7 +168,7 @@ TEST_F(VolumeTest, IsSeenFromWithinUpToTheEye) {
     const auto behind = middle_of(drawn(nullptr));
     const auto seen = middle_of(drawn(&volume));
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], std::exp(-thickness * 0.8F) * behind[c], pixel_step);
-    // Upwards it ends at the level.
+    // A ray upwards leaves the medium at the level.
     camera.orientation = upwards;
     instances.clear();
     stand({0, 4, 0}, {8, 1, 8}, {0.2F, 0.1F, 0.05F});
@@ -202,7 +203,7 @@ TEST_F(VolumeTest, StandsWhereItDoesInEveryViewAndSize) {
         auto frame = frame_of(&volume, quality, views[0]);
         frame.views.push_back(frame.views[0]);
         frame.views[1].viewport = views[1];
-        frame.views[1].camera.position.x = 30;  // it is out of this view
+        frame.views[1].camera.position.x = 30;  // the volume is out of this view
         for (const float scale : {1.0F, 0.5F}) {
             frame.internal_scale = scale;
             renderer->draw(frame);
@@ -239,7 +240,7 @@ TEST_F(VolumeTest, StandsInBothViewsOfASplitPictureAsInEachAlone) {
             auto frame = frame_of(&volume, quality, views[0]);
             frame.views.push_back(frame.views[0]);
             frame.views[1].viewport = views[1];
-            // The second eye is nearer, so that one view in the place of the other is seen too.
+            // The second eye is nearer, so the test also sees if the two views are exchanged.
             frame.views[1].camera.position.y = 2.5F;
             renderer->draw(frame);
             const auto both = renderer->read_pixels();
@@ -270,7 +271,7 @@ TEST_F(VolumeTest, IsSentOncePerVersion) {
     ++volume.version;
     EXPECT_EQ(sent(), 1U);
     EXPECT_GT(middle_of(drawn(&volume)).r, 0.5F);
-    // Another size under the same version is sent as well.
+    // Texels of another size are sent even if the version is the same.
     texels.assign(1, {0, 255, 0, 255});
     volume.cells = {1, 1, 1};
     volume.texels = texels;
@@ -278,7 +279,7 @@ TEST_F(VolumeTest, IsSentOncePerVersion) {
     EXPECT_GT(middle_of(drawn(&volume)).g, 0.5F);
 }
 
-TEST_F(VolumeTest, WhatMakesNoSenseIsNotDrawn) {
+TEST_F(VolumeTest, AnInvalidVolumeIsNotDrawn) {
     fill({255, 255, 255, 255});
     const auto without = drawn(nullptr);
     EXPECT_EQ(renderer->statistics().volumes_drawn, 0U);

@@ -1,4 +1,4 @@
-// A real window; only where there is a display (for example under xvfb-run).
+// Tests with a real window. They need a display, for example under xvfb-run.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

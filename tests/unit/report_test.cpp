@@ -1,4 +1,5 @@
-// Reading reports: what to_json wrote comes back; what is wrong is refused with one line that says where.
+// Tests of reading reports: the output of to_json is read back unchanged, and an invalid report is refused
+// in one line that names the place.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +27,7 @@ Report sample() {
     return report;
 }
 
-TEST(ReportReader, ReadsBackWhatWasWritten) {
+TEST(ReportReader, ReadsBackAWrittenReport) {
     const auto json = to_json(sample());
     const auto read = from_json(json);
     ASSERT_TRUE(read.has_value()) << read.error().message;
@@ -55,7 +56,7 @@ void expect_refused(std::string_view json, std::string_view part) {
     EXPECT_EQ(read.error().message.find('\n'), std::string::npos);
 }
 
-TEST(ReportReader, WhatIsWrongIsNamed) {
+TEST(ReportReader, NamesTheFault) {
     expect_refused("", "not JSON from byte 1");
     expect_refused("{\"rows\": [", "not JSON from byte");
     expect_refused("{\"rows\": [NaN]}", "not JSON");
@@ -82,7 +83,7 @@ TEST(ReportReader, WhatIsWrongIsNamed) {
     expect_refused(with("\"metrics\": {\"n\": 1e999}"), "beyond all bounds");
 }
 
-TEST(ReportReader, WhatWouldGrowWithoutBoundsIsRefused) {
+TEST(ReportReader, RefusesReportsThatWouldGrowWithoutBounds) {
     std::string names = "\"n0\": 0", rows = "{\"area\": \"a\", \"case\": \"b\"}";
     for (int i = 1; i < 200; ++i) append_text(names, text(", \"n", i, "\": 0"));
     expect_refused(text("{\"rows\": [{\"area\": \"a\", \"case\": \"b\", \"metrics\": {", names, "}}]}"),

@@ -1,4 +1,4 @@
-// The runner: what it lets pass and what it does not.
+// Tests of the scenario runner: what it accepts and what it reports.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -53,7 +53,7 @@ TEST(ScenarioRunner, AScenarioThatDoesSomethingPasses) {
     EXPECT_EQ(result.files, (std::vector<std::string>{"test.thaumlog", "test.json"}));
 }
 
-TEST(ScenarioRunner, ItsLogReplaysToTheSameState) {
+TEST(ScenarioRunner, LogReplaysToTheSameState) {
     const Folder folder;
     const auto result = run(walk, folder);
     auto log = input::LogReader::open(folder.path / "test.thaumlog").value();
@@ -105,8 +105,8 @@ TEST(ScenarioRunner, ADifferenceBetweenTheRunsIsFoundAndNamed) {
     EXPECT_TRUE(has(result.message, "points: 100 and 99.99")) << result.message;
 }
 
-/// What is not in the input must be seen by the checks that play the input again.
-TEST(ScenarioRunner, SeekingAndLateFramesSeeWhatTheInputDoesNotTell) {
+/// A change that is not in the input must be seen by the checks that replay the input.
+TEST(ScenarioRunner, SeekingAndLateFramesDetectChangesOutsideTheInput) {
     const Folder folder;
     auto options = options_for(folder);
     options.spoil = [](Simulation& match, int) {
@@ -276,7 +276,7 @@ TEST(ScenarioRunner, PicturesComeFromTheFunctionThatIsGiven) {
     EXPECT_EQ(result.files[1], "test.failed.png");
 }
 
-/// A folder as the repository's: scripts, and force traces beside them.
+/// A folder laid out like the repository: scripts, and force traces beside them.
 struct Kept {
     Folder folder;
     ScenarioOptions options = options_for(folder);
@@ -305,7 +305,7 @@ TEST(ScenarioRunner, ForcesAreKeptAndComparedToTheBit) {
     EXPECT_EQ(kept.play(), "");
     kept.options.keep_forces.clear();
     EXPECT_EQ(kept.play(), "");
-    // A force of nearly nothing in one tick.
+    // Adds a force of almost zero in one tick.
     kept.options.spoil = [](Simulation& match, int) {
         if (match.now() != 500) return;
         auto& kick = match.world_to_change().get<HandState>(wizard_of(match.world(), 0)).kick;
@@ -349,7 +349,7 @@ TEST(ScenarioRunner, EveryHapticScenarioHasItsForceTrace) {
     EXPECT_LT(bytes, 300'000U);
 }
 
-TEST(ScenarioRunner, AnArmFeelsWhatTheMatchComputes) {
+TEST(ScenarioRunner, AnArmFeelsTheForcesThatTheMatchComputes) {
     const Folder folder;
     constexpr std::string_view source = R"(
         match {arms = {true, false}}

@@ -1,4 +1,4 @@
-// What a script can and cannot do in the sandbox.
+// Tests of what a script can and cannot do in the sandbox.
 #include <gtest/gtest.h>
 
 #include <lua.hpp>
@@ -20,7 +20,7 @@ struct Ran {
     std::string output;
 };
 
-/// Runs a script to its end; waits count as nothing.
+/// Runs a script to its end. Waits take no time.
 Ran run(std::string_view source, const SandboxLimits& limits = small) {
     Sandbox sandbox(limits);
     sandbox.add(
@@ -90,7 +90,8 @@ TEST(Sandbox, PairsIsSorted) {
         print(table.concat(keys, ' ')))"),
               "-inf -9223372036854775808 -3 1.5 2 2.5 10 9223372036854775807 inf  B a ab b false true\n");
     EXPECT_EQ(printed("for k, v in pairs {} do print(k) end"), "");
-    // What is taken out on the way does not come; what is put in may or may not in Lua: here it never does.
+    // A key removed during the loop is not visited. Lua may or may not visit a key added during the loop;
+    // the sandbox never does.
     EXPECT_EQ(printed("local t = {1, 2, 3, x = 4} for k in pairs(t) do t[2] = nil t.y = 5 print(k) end"),
               "1\n3\nx\n");
     EXPECT_TRUE(mentions(error_of("for k in pairs {[{}] = 1} do end"), "a table has no order"));
@@ -98,8 +99,8 @@ TEST(Sandbox, PairsIsSorted) {
     EXPECT_TRUE(mentions(error_of("pairs(3)"), "table expected"));
 }
 
-TEST(Sandbox, TheSameOrderWhateverTheHistory) {
-    // Lua's own order depends on a seed of each state, and on what was in the table before.
+TEST(Sandbox, SameOrderForAnyHistory) {
+    // Lua's own order depends on a random seed per state and on earlier contents of the table.
     const auto order = [](const char* history) {
         return printed(
             std::string("local t = {} ") + history +
@@ -200,7 +201,7 @@ TEST(Sandbox, MemoryStaysUnderItsLimit) {
     ASSERT_TRUE(sandbox.start("local t = {} for i = 1, 1e6 do t[i] = {i} end", "test.lua"));
     EXPECT_FALSE(sandbox.resume());
     EXPECT_LE(sandbox.memory(), 4U << 20U);
-    // Garbage does not count.
+    // Freed memory does not count.
     EXPECT_TRUE(run("for i = 1, 20000 do local s = ('x'):rep(1000) .. i end", {.memory = 4U << 20U}).ok);
 }
 
@@ -211,7 +212,7 @@ TEST(Sandbox, PatternsThatTakeForEverAreRefused) {
     EXPECT_EQ(printed("print(('some words here'):gsub('%a+', string.upper))"), "SOME WORDS HERE\t3\n");
 }
 
-/// Work that costs no steps would run for minutes or for ever, and the count of steps would not end it.
+/// Without this rule, matching would take no steps and could run for minutes despite the limit on steps.
 TEST(Sandbox, MatchingCostsSteps) {
     for (const auto* source : {
              "print(('a'):rep(1000):find('[' .. ('b'):rep(1e5) .. ']*c'))",
@@ -235,14 +236,14 @@ TEST(Sandbox, MatchingCostsSteps) {
         EXPECT_TRUE(mentions(message, "steps")) << source << "\n" << message;
         EXPECT_LT(thread_cpu_ns() - start_ns, 10'000'000'000) << source;
     }
-    // What scripts do with short texts is cheap.
+    // Usual operations on short texts are cheap.
     Sandbox sandbox(small);
     ASSERT_TRUE(sandbox.start("for i = 1, 100 do local k, v = ('speed=12.5'):match('(%a+)=(%d+)') end", "x"));
     ASSERT_TRUE(sandbox.resume());
     EXPECT_LT(sandbox.steps(), 20'000U);
 }
 
-/// Going through a text byte by byte costs in proportion to its length.
+/// The steps of going through a text byte by byte are proportional to its length.
 TEST(Sandbox, ReadingOneByteIsCheap) {
     Sandbox sandbox;
     ASSERT_TRUE(sandbox.start(
@@ -268,14 +269,14 @@ TEST(Sandbox, VerbsHaveATimeOfTheirOwn) {
     EXPECT_TRUE(mentions(ended.error().message, "processor time")) << ended.error().message;
 }
 
-TEST(Sandbox, ProcessorTimeEndsWhatNoStepCounts) {
+TEST(Sandbox, ProcessorTimeEndsWorkThatTakesNoSteps) {
     SandboxLimits limits{.steps = ~std::uint64_t{0} / 2};
     limits.compute_s = 0.1;
     for (const auto* source :
          {"while true do end", "while true do pcall(function() while true do end end) end",
           "while true do wait() end"})
         EXPECT_TRUE(mentions(error_of(source, limits), "processor time")) << source;
-    // What verbs compute, and what the host computes while the script waits, does not count.
+    // Time in verbs, and time of the host between two waits, does not count.
     Sandbox sandbox(limits);
     sandbox.add(
         "slow",
@@ -291,7 +292,7 @@ TEST(Sandbox, ProcessorTimeEndsWhatNoStepCounts) {
     }
 }
 
-/// What a chunk prints, in a plain Lua with all its libraries.
+/// Output of a chunk in standard Lua with all its libraries.
 std::string plain_lua(const std::string& source) {
     auto* const lua = luaL_newstate();
     luaL_openlibs(lua);
@@ -308,7 +309,7 @@ std::string plain_lua(const std::string& source) {
     return result;
 }
 
-/// Prints what each matching function makes of the subject s, the pattern p and the start i.
+/// Prints the results of each matching function for the subject s, the pattern p and the start i.
 constexpr std::string_view every_match = R"(
     local function show(ok, ...) if ok then print(ok, ...) else print(ok) end end
     show(pcall(string.find, s, p, i))
@@ -321,7 +322,8 @@ constexpr std::string_view every_match = R"(
     show(pcall(function() local n = 0 for a, b in s:gmatch(p) do n = n + 1 print(a, b) end return n end))
 )";
 
-/// Random patterns give what Lua's own functions give, errors included, but for their words.
+/// Random patterns give the results of Lua's own functions, errors included. Only the texts of errors
+/// differ.
 TEST(Sandbox, PatternsMatchAsLuasOwn) {
     std::mt19937 random(1);
     const auto any_of = [&](const auto& list) { return std::string(list[random() % std::size(list)]); };
@@ -356,7 +358,8 @@ TEST(Sandbox, MathsIsOurs) {
     EXPECT_EQ(printed("print(math.sin(0), math.pow(2, 10), math.log(8, 2), math.atan(1, 1) == math.pi / 4)"),
               "0.0\t1024.0\t3.0\ttrue\n");
     EXPECT_TRUE(error_of("local x = 1\nprint(x ^ 2)").starts_with("test.lua:2: the operator ^"));
-    // The end of a text is where Lua sees it: escapes may hide a line's end, and a line ends with \r too.
+    // The text must end where Lua sees its end: an escape may hide the end of a line, and \r ends a line
+    // too.
     for (const auto* source :
          {"local s = \"\\z\n\" x = 2 ^ 0.5 --\"", "local s = '\\z \t\r\n' x = 2 ^ 0.5 --'",
           "local s = '\\\n' x = 2 ^ 0.5 --'", "local s = '\\\r\n' x = 2 ^ 0.5 --'",
@@ -365,7 +368,7 @@ TEST(Sandbox, MathsIsOurs) {
         EXPECT_TRUE(mentions(error_of(source), "the operator ^")) << source;
     EXPECT_EQ(printed("print('\\z\n^', \"a\\\n^\", '\\'^')"), "^\ta\n^\t'^\n");
     EXPECT_EQ(printed("print(getmetatable('').__pow)"), "nil\n");
-    // Not an operator.
+    // Here ^ is not an operator.
     EXPECT_EQ(
         printed("print('^', \"^\\\"^\", [[^]], [==[^]]^]==], ('x'):find('^x')) -- ^\n--[[^\n^]] print(1)"),
         "^\t^\"^\t^\t^]]^\t1\t1\n1\n");

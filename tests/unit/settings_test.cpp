@@ -1,4 +1,4 @@
-// Settings and the names of logs.
+// Tests of the settings and of the names of logs.
 #include "game/app/settings.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ std::string refusal(const std::string& lines) {
     return settings ? "" : settings.error().message;
 }
 
-TEST(Settings, TheDocumentedFileSaysWhatTheDefaultsAre) {
+TEST(Settings, TheDocumentedFileHoldsTheDefaults) {
     const auto source = read_text_file(assets / "settings.toml", 1U << 20U);
     ASSERT_TRUE(source);
     const auto read = parse_settings(*source, "settings.toml");
@@ -130,9 +130,9 @@ TEST(Settings, AMissingFileIsMadeAndAnExistingOneIsLeftAlone) {
     EXPECT_EQ(*read_text_file(file, 1U << 20U), own);
 }
 
-// Writing ------------------------------------------------------------------------------------------------------------------
+// ---- writing ----------------------------------------------------------------------------------------------
 
-/// Settings in which every value that a file can have is another one than by default.
+/// Settings in which every value differs from its default.
 Settings all_different() {
     Settings s;
     for (const auto& setting : all_settings()) {
@@ -146,7 +146,7 @@ Settings all_different() {
     }
     for (const auto kind : settings_hands) {
         auto& b = s.bindings_of(kind);
-        // Each action gets what the next one had.
+        // Each action gets the controls of the next action.
         std::rotate(b.controls.begin(), b.controls.begin() + 1, b.controls.end());
         b.controls[3].push_back({input::Control::Source::key, *render::key_code("F9"), 0});
         for (const auto action : input::toggle_actions) b.toggled[static_cast<std::size_t>(action)] = true;
@@ -167,7 +167,7 @@ TEST(SettingsWriter, EveryValueIsReadBackAsItWasWritten) {
         const auto read = parse_settings(*edited, "settings.toml");
         ASSERT_TRUE(read) << read.error().message;
         EXPECT_EQ(changes(*read, wanted), std::vector<SettingEdit>{});
-        // And back again: the same text as at first, where all lines were there already.
+        // Changing all values back restores the first text, because it already had a line for each value.
         const auto back = edit_settings(*edited, "settings.toml", changes(wanted, {}));
         ASSERT_TRUE(back) << back.error().message;
         EXPECT_EQ(parse_settings(*back, "settings.toml").value(), Settings{});
@@ -194,7 +194,7 @@ TEST(SettingsWriter, CommentsAndOrderStay) {
               "fire = \"\"\n\n# end\n");
 }
 
-TEST(SettingsWriter, WhatCannotBeChangedLineByLineIsRefused) {
+TEST(SettingsWriter, FilesThatCannotBeEditedLineByLineAreRefused) {
     for (const auto* source : {
              "version = 1\nfov_deg = \"\"\"\n90\"\"\"\n",
              "version = 1\npad = { fire = \"pad b\" }\n",
@@ -248,8 +248,8 @@ TEST(SettingsWriter, ALinkStaysALink) {
     EXPECT_TRUE(load_settings(folder / "real.toml", assets)->invert_y);
 }
 
-/// Bytes of the documented file fall out, double or change; whatever comes of it, the editor refuses it, or changes
-/// what was asked for and nothing else.
+/// Bytes of the documented file are removed, doubled or changed. The editor must refuse the result, or
+/// change exactly what was requested.
 TEST(SettingsWriter, SpoiltFilesAreRefusedOrChangedAsAsked) {
     const auto good = documented();
     const auto wanted = all_different();
@@ -331,7 +331,7 @@ TEST(SettingsScreen, AFaderGoesByFivesAndIsSwitchedWhereItIs) {
     EXPECT_EQ(shown({.share = 0.333}), "33.3 %");
     for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {
         EXPECT_FALSE(label_of_fader(i).empty());
-        EXPECT_FALSE(told_of_fader(i).empty());
+        EXPECT_FALSE(effect_of_fader(i).empty());
     }
 }
 
@@ -340,7 +340,7 @@ void touch(const std::filesystem::path& path) { std::ofstream(path) << "x"; }
 TEST(MatchLogs, NamesAreNumberedAndOnlyTheOldestOfThemAreDeleted) {
     const auto folder = fresh_folder("matches");
     std::filesystem::create_directories(folder);
-    // Names of an earlier version, without numbers, are older than all numbered ones.
+    // Names of an earlier version have no number and count as older than all numbered ones.
     for (int i = 10; i < 20; ++i) touch(folder / text("2001-01-", i, "_00-00-00_01.thaumlog"));
     for (const auto* other : {"mine.thaumlog", "000001_mine.thaumlog", "000001_2001-01-10_00-00-00.txt"})
         touch(folder / other);
@@ -357,7 +357,7 @@ TEST(MatchLogs, NamesAreNumberedAndOnlyTheOldestOfThemAreDeleted) {
     EXPECT_TRUE(second->filename().string().starts_with("000002_")) << *second;
 }
 
-/// Whatever years the clock shows, and the file system with it, the logs of the matches played last stay.
+/// The logs of the latest matches stay, whatever years the clock and the file system show.
 TEST(MatchLogs, AWrongClockDeletesNoNewerLog) {
     const auto folder = fresh_folder("matches_of_wrong_clocks");
     std::filesystem::create_directories(folder);
@@ -383,7 +383,7 @@ TEST(MatchLogs, AWrongClockDeletesNoNewerLog) {
     }
 }
 
-/// Sets variables of the environment for one test.
+/// Sets environment variables during one test.
 class Environment {
 public:
     Environment(std::initializer_list<std::pair<const char*, const char*>> values) {
@@ -428,12 +428,12 @@ TEST(MatchLogs, RematchesAreCountedAfterTheirMatchAndALogInUseStays) {
     std::ofstream(name("01-x")) << "x";
     EXPECT_TRUE(input::log_in_use(name("01")));
     EXPECT_FALSE(input::log_in_use(name("02")));
-    ASSERT_TRUE(new_match_log(folder, 3));  // of four two may stay
+    ASSERT_TRUE(new_match_log(folder, 3));  // two of the four logs may stay
     EXPECT_TRUE(std::filesystem::exists(name("01"))) << "the oldest, but in use";
     EXPECT_FALSE(std::filesystem::exists(name("01-2")));
     EXPECT_TRUE(std::filesystem::exists(name("01-10")));
     EXPECT_TRUE(std::filesystem::exists(name("02")));
-    EXPECT_TRUE(std::filesystem::exists(name("01-x"))) << "not a name of ours";
+    EXPECT_TRUE(std::filesystem::exists(name("01-x"))) << "not a name of a recorded match";
 }
 
 }  // namespace

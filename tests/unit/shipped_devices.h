@@ -1,4 +1,4 @@
-// Every haptic device that the product ships with.
+// tests/unit/shipped_devices.h: all haptic devices of the product.
 #pragma once
 #include <algorithm>
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace thaum::haptics {
 
-/// Specs in assets/devices, sorted by the names of their files.
+/// Device specs in assets/devices, sorted by file name.
 inline std::vector<DeviceSpec> shipped_devices() {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(THAUM_SOURCE_DIR "/assets/devices"))

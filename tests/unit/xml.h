@@ -1,5 +1,6 @@
-// Is this well-formed XML? A small strict reader for the tests of what we write: elements, attributes in double quotes, the
-// five entities; no declarations, comments or sections, since ours has none.
+// tests/unit/xml.h: a small strict parser that tests whether our output is well-formed XML. It knows
+// elements, attributes in double quotes and the five entities, but no declarations, comments or CDATA
+// sections, which our output does not use.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -14,7 +15,7 @@ class XmlReader {
 public:
     explicit XmlReader(std::string_view xml) : rest_(xml), whole_(xml.size()) {}
 
-    /// Empty, or what is wrong and at which byte.
+    /// First fault and its byte; empty: the text is well-formed.
     std::string fault() {
         while (!rest_.empty() && fault_.empty()) {
             if (rest_.front() == '<') {

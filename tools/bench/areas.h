@@ -1,4 +1,4 @@
-// tools/bench/areas.h: the areas, each in a file of its own.
+// tools/bench/areas.h: the areas of the benchmark, each in a file of its own.
 #pragma once
 #include "tools/bench/bench.h"
 
@@ -9,14 +9,14 @@ void tick(const Options& options, Report& report);
 void physics(const Options& options, Report& report);
 void primitives(const Options& options, Report& report);
 void replay(const Options& options, Report& report);
-/// The stress of `tick`.
+/// Stress test of the area `tick`.
 void soak(const Options& options, Report& report);
 void skip(const Options& options, Report& report);
-/// The virtual coupling; and the same with Bullet under it.
+/// Virtual coupling, alone and with Bullet.
 void coupling(const Options& options, Report& report);
 void wand_coupling(const Options& options, Report& report);
 void haptics(const Options& options, Report& report);
-/// Parts of `haptics`.
+/// Parts of the area `haptics`.
 void surfaces(const Options& options, Report& report);
 void round_bodies(const Options& options, Report& report);
 void passivity(Report& report);
@@ -24,15 +24,15 @@ void switches(const Options& options, Report& report);
 void arms(const Options& options, Report& report);
 void stirring_passivity(const Options& options, Report& report);
 void field(const Options& options, Report& report);
-/// The brew's surface.
+/// Surface of the brew.
 void surface(const Options& options, Report& report);
 void render(const Options& options, Report& report);
-/// Part of `render`.
+/// Part of the area `render`.
 void brew_pictures(const Options& options, Report& report);
 void fluid(const Options& options, Report& report);
-/// A part of `fluid`: the hand in it.
+/// Part of the area `fluid`: a hand in the fluid.
 void fluid_hand(const Options& options, Report& report);
-/// The long attack on the fluid.
+/// Long stress test of the fluid.
 void fluid_stress(const Options& options, Report& report);
 
 }  // namespace thaum::bench

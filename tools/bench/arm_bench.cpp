@@ -1,5 +1,6 @@
-// A real arm's thread without an arm: what a tick costs there and in the simulation, which makes the same step once more; and how
-// well a thread of our own keeps 1 kHz on this machine. A vendor's library brings its own thread: of a real arm `thaum doctor` tells.
+// Benchmarks the thread of a real arm without an arm: the cost of a tick there and in the simulation, which
+// repeats the same step, and how well a thread of our own keeps 1 kHz on this machine. The library of a
+// real arm brings its own thread; `thaum doctor` measures that.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -18,7 +19,7 @@ namespace {
 constexpr std::int64_t arm_period_ns = 1'000'000;
 constexpr int exchange_ticks = 4000;
 
-/// A point that pulls the hand: a Touch's limits.
+/// Model with a point that pulls the hand; limits of a Touch.
 haptics::HapticModel pulling_model() {
     haptics::HapticModel model;
     model.coupling = {.stiffness = 300, .damping = 1};
@@ -33,14 +34,14 @@ haptics::Servo touch_servo() {
     return {haptics::safety_limits(spec, 1)};
 }
 
-/// To and fro by 2 cm.
+/// The arm moves to and fro by 2 cm.
 input::ArmReading reading_at(int tick) {
     const auto phase = tick % 80;
     return {.time_ns = (tick + 1) * arm_period_ns,
             .position_um = {500 * (phase < 40 ? phase : 80 - phase), 1000, 0}};
 }
 
-/// The simulation's half, as a match has it.
+/// The part of the simulation, as in a match.
 struct ArmMatchHalf {
     input::ArmServo& door;
     haptics::Servo servo = touch_servo();
@@ -67,7 +68,7 @@ struct ArmMatchHalf {
     }
 };
 
-/// Ticks of both halves by turns.
+/// Runs ticks of the simulation and of the arm's thread in alternation.
 struct Exchange {
     input::ArmServo door{};
     ArmMatchHalf half{door};
@@ -99,7 +100,7 @@ void arm_exchange(const Options& options, Report& report) {
                                        {"lost", static_cast<double>(troubles.lost)}}});
 }
 
-/// The arm's thread until `stop`: sleeps to the next tick, measures, answers.
+/// Thread of the arm: in each tick it sleeps, measures and computes the force, until `stop`.
 void run_arm(input::ArmServo& door, input::TickTimes& kept, const std::atomic<bool>& stop) {
     auto due = monotonic_ns();
     for (int tick = 0; !stop; ++tick) {
@@ -113,7 +114,7 @@ void run_arm(input::ArmServo& door, input::TickTimes& kept, const std::atomic<bo
     }
 }
 
-/// Both at 1 kHz, each in a thread of its own, neither waiting for the other.
+/// Runs simulation and arm at 1 kHz, each in a thread of its own. Neither waits for the other.
 void arm_thread(const Options& options, Report& report) {
     input::ArmServo door;
     input::TickTimes kept;

@@ -28,7 +28,8 @@ bool wanted(const Options& options, const Area& area) {
 
 void print(std::FILE* to, const std::string& s) { std::fputs(s.c_str(), to); }
 
-/// The table goes beside the JSON, not into it.
+/// Prints the table and writes the JSON. If the JSON goes to standard output, the table goes to standard
+/// error.
 int publish(const Options& options, const Report& report) {
     const bool json_on_screen = options.json && *options.json == "-";
     print(json_on_screen ? stderr : stdout, to_table(report));
@@ -46,7 +47,8 @@ int publish(const Options& options, const Report& report) {
 
 using RunArea = void(const Options&, Report&);
 
-/// An area whose scene could not be made has said why, and leaves no row.
+/// Runs an area. An area that could not make its scene has printed the reason, adds no row, and counts as a
+/// fault.
 void run_area(const Area& area, RunArea& run, const Options& options, Report& report) {
     const auto rows = report.rows.size(), faults = report.faults.size();
     run(options, report);
@@ -54,7 +56,7 @@ void run_area(const Area& area, RunArea& run, const Options& options, Report& re
         report.faults.push_back(text(area.name, ": nothing was measured"));
 }
 
-/// A report that cannot be written is told before minutes of measuring.
+/// Tests whether the report can be written, before minutes of measuring.
 Expected<void> check_json(const Options& options) {
     return options.json && *options.json != "-" ? check_output(*options.json) : Expected<void>();
 }

@@ -1,4 +1,4 @@
-// tools/bench/bench.h: `thaum bench [AREA ...] [--json FILE] [--quick] [--stress]`.
+// tools/bench/bench.h: the command `thaum bench [AREA ...] [--json FILE] [--quick] [--stress]`.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -12,25 +12,26 @@
 namespace thaum::bench {
 
 struct Options {
-    std::vector<std::string> areas;             ///< empty: all
-    bool quick = false;                         ///< at most 20 s an area: every case, at smaller sizes
-    bool stress = false;                        ///< the areas' long stability attacks instead
-    std::optional<std::uint64_t> ticks{};       ///< of a stress; none: as long as it is meant to be
-    std::optional<std::filesystem::path> json;  ///< "-": standard output
+    std::vector<std::string> areas;             ///< areas to run; empty: all
+    bool quick = false;                         ///< at most 20 s per area: every case, at smaller sizes
+    bool stress = false;                        ///< run the long stress tests of the areas instead
+    std::optional<std::uint64_t> ticks{};       ///< length of a stress test; std::nullopt: its full length
+    std::optional<std::filesystem::path> json;  ///< file for the report; "-": standard output
 };
 
 struct Area {
     std::string_view name;
-    void (*run)(const Options& options, Report& report);               ///< appends rows
-    void (*stress)(const Options& options, Report& report) = nullptr;  ///< the same; null: it has none
+    void (*run)(const Options& options, Report& report);  ///< appends its rows to the report
+    /// Stress test of the area; null: it has none.
+    void (*stress)(const Options& options, Report& report) = nullptr;
 };
 
-/// In the order in which they run. A new area is one line in areas.cpp.
+/// All areas in the order in which they run. A new area is one line in areas.cpp.
 std::span<const Area> areas();
 
-/// Runs, prints the table and writes the JSON. The exit code: 0; 1 where a row breaks its own
-/// invariant, an area has measured nothing or a stress has found a fault; 2 where the JSON cannot be written, and for
-/// an unknown area or one without the stress asked for.
+/// Runs the areas, prints the table and writes the JSON. Returns the exit code: 0; 1 if a row breaks an
+/// invariant, an area has measured nothing or a stress test has found a fault; 2 if the JSON cannot be
+/// written, an area is unknown, or an area has no stress test.
 int run(const Options& options);
 
 }  // namespace thaum::bench

@@ -1,5 +1,5 @@
-// What pictures of the brew cost: the same picture of the court with the brew and without, by turns in the same run, from where
-// players start and from where they stir; and making texels and skin of it.
+// Benchmarks pictures of the brew: the same picture of the arena with and without the brew, in alternation,
+// seen from the start pads and from the rim. Also the making of texels and skin.
 #include "core/text.h"
 #include "game/hud/brew_look.h"
 #include "render/perceptual.h"
@@ -13,7 +13,7 @@ namespace {
 
 using render::Quality;
 
-constexpr double step = 0.016;  // s, of the fluid
+constexpr double step = 0.016;  // step of the fluid (s)
 constexpr std::array places{"start", "beside"};
 
 struct BrewScene {
@@ -24,7 +24,7 @@ struct BrewScene {
     game::BrewPicture taken;
     game::BrewLook look;
 
-    /// What a new state of the fluid asks for.
+    /// Refreshes the brew's look as after a new fluid step.
     void show() {
         ++taken.state;
         game::show_brew(taken, {}, look);
@@ -34,7 +34,7 @@ struct BrewScene {
         const auto& arena_scene = drawn->arena_scene;
         auto& memory = drawn->memory;
         game::make_frame(arena_scene, pictures[place], {.quality = quality}, window, memory);
-        // What is painted over an empty bowl would hide it.
+        // The painted brew of an empty bowl would hide the simulated one.
         for (std::size_t i = 0; i < memory.frame.views.size(); ++i) {
             auto& instances = memory.instances[i];
             std::erase_if(instances, [&](const render::Instance& instance) {
@@ -49,7 +49,7 @@ struct BrewScene {
     }
 };
 
-/// Two substances, stirred for 3 s by a hand's push that goes round.
+/// Drops two substances and stirs for 3 s with a push that circles.
 Expected<void> stir(BrewScene& scene) {
     auto& brew = scene.brew;
     for (const std::uint32_t ingredient : {0U, 1U}) {
@@ -63,12 +63,12 @@ Expected<void> stir(BrewScene& scene) {
         fluid::push(brew.fluid, {at - brew.corner, 0.25, 0.03 * vec3(-std::sin(angle), 0, std::cos(angle))});
         fluid::advance(brew.fluid, step);
         const fluid::SheetProbe probe{{at.x, at.z}, i % 40 < 20 ? -0.03 : 0.1, 0.1};
-        fluid::advance(brew.sheet, brew.scratch, {&probe, 1}, step);
+        fluid::advance(brew.surface, brew.scratch, {&probe, 1}, step);
     }
     return {};
 }
 
-/// Each 2.2 m from the middle, looking at it.
+/// Places both wizards 2.2 m from the middle, looking at it.
 void stand_beside(game::Picture& picture) {
     for (std::size_t p = 0; p < picture.wizards.size(); ++p) {
         auto& w = picture.wizards[p];

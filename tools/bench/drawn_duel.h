@@ -1,4 +1,5 @@
-// bench/drawn_duel.h: a duel of two bots and what draws it off the screen, both views in one picture.
+// tools/bench/drawn_duel.h: a duel of two bots with an off-screen renderer that draws both views in one
+// picture.
 #pragma once
 #include <memory>
 #include <optional>
@@ -14,15 +15,15 @@ inline constexpr render::Size window{1280, 720};
 
 struct DrawnDuel {
     render::Offscreen context;
-    std::optional<render::Renderer> renderer;  // goes before its context
+    std::optional<render::Renderer> renderer;  // declared after `context`, so that it is destroyed first
     game::BotDuel duel;
     game::ArenaScene arena_scene{};
     game::FrameMemory memory{};
 
-    /// Of bots of level 1, with its context made current. Fails where nothing can draw.
+    /// Makes a duel of two bots of level 1 and makes the OpenGL context current. Fails without OpenGL.
     static Expected<std::unique_ptr<DrawnDuel>> create();
 
-    /// Nothing is left to be done behind our back: the last pixel is there.
+    /// Draws a frame and waits until the last pixel is read back.
     void draw(const render::Frame& frame);
 };
 

@@ -1,22 +1,27 @@
-// tools/bench/ecs_bench.cpp: the World against plain arrays, case by case.
+// tools/bench/ecs_bench.cpp: compares the World with plain arrays, case by case.
 //
-// `raw` is the limit, not a design: 64-byte aligned arrays, one for each component, no handles, no checks, and where only
-// some entities match, the matching ones lie together. It is never made slower than it need be:
-//   iterate_3_half  the matching half in arrays of its own
-//   rare_view       a list of indices into the big arrays (moving the few to arrays of their own would be what the World does)
-//   random_get      a shuffled list of indices
-//   create_2        appending to two vectors, since one who creates one by one must see whether there is room
-//   add_1, remove_1 the rows move from one group of arrays to the other and the last row fills the hole, so that both
-//                   groups stay contiguous as iterate_3_half wants them; which row is known without any look-up
-//   destroy_all     the same hole-filling, in the same order
-//   tag_churn       a bit an entity
-//   snapshot        memcpy of as many bytes; state_hash too
-// gb_per_s of a raw row is what it reads and writes; memcpy_gb_per_s is memcpy between the halves of a buffer as large as its data,
-// counted the same way. ratio_to_raw is the median over the rounds, min_ratio_to_raw that of the fastest samples: where they
-// differ much, the machine was too busy.
+// `raw` is a lower limit, not a design: 64-byte aligned arrays, one per component, without handles and
+// checks. If only some entities match, the matching ones lie together. It is never made slower than
+// necessary:
 //
-// At 100,000 entities most cases have a target: a ratio to raw, or a time where raw is so little that a ratio says nothing.
-// One of the two is enough; target_met is 1 or 0, by the medians.
+//     iterate_3_half   the matching half in arrays of its own
+//     rare_view        a list of indices into the big arrays; arrays of their own for the few would be
+//                      the layout of the World
+//     random_get       a shuffled list of indices
+//     create_2         appends to two vectors, because creating one entity at a time must test for room
+//     add_1, remove_1  moves rows between two groups of arrays; the last row fills the hole, so that
+//                      both groups stay contiguous, as iterate_3_half needs; rows are known without
+//                      a look-up
+//     destroy_all      fills holes in the same way and order
+//     tag_churn        one bit per entity
+//     snapshot         memcpy of the same number of bytes; state_hash likewise
+//
+// gb_per_s of a raw row counts the bytes it reads and writes. memcpy_gb_per_s is memcpy between the halves
+// of a buffer as large as the row's data, counted in the same way. ratio_to_raw is the median over the
+// rounds, min_ratio_to_raw that of the fastest samples. If the two differ much, the machine was too busy.
+//
+// At 100,000 entities most cases have a target: a ratio to raw, or a time if raw is so fast that a ratio
+// means nothing. Reaching one of the two is enough. target_met is 1 or 0, by the medians.
 #include <algorithm>
 #include <cstring>
 #include <memory>
@@ -37,8 +42,9 @@ namespace {
 using ecs::Entity;
 using ecs::World;
 
-/// Three floats with names of their own, not an fvec3: GLM declares x, y and z inside unions, and GCC 12 vectorises no loop over
-/// those; then raw arrays would be three times slower than they can be, and the comparison would flatter us.
+/// Three floats as separate members instead of an fvec3. GLM declares x, y and z inside unions, and GCC 12
+/// vectorises no loop over those. The raw arrays would be three times slower than possible and make the
+/// World look better than it is.
 struct Floats3 {
     float x{}, y{}, z{};
 
@@ -79,7 +85,7 @@ struct Marked {
 constexpr float dt = 0.001F;
 constexpr Floats3 drift{0.001F, 0.002F, 0.003F};
 
-/// a += b * s, what all iterations do.
+/// a += b * s, the work of all iterations.
 inline void add_scaled(Floats3& a, const Floats3& b, float s) {
     a.x += b.x * s;
     a.y += b.y * s;
@@ -106,7 +112,7 @@ struct Aligned {
 template <class T>
 using Array = std::vector<T, Aligned<T>>;
 
-/// Plain arrays of the same length.
+/// Plain arrays of equal length.
 struct Arrays {
     Array<Position> positions;
     Array<Velocity> velocities;
@@ -135,7 +141,7 @@ std::unique_ptr<World> new_world() {
     return world;
 }
 
-/// n entities, every `step`th of them with a push as well (0: none).
+/// A World of n entities. Every `step`th has a Push as well (0: none).
 std::unique_ptr<World> world_of(std::uint32_t n, std::uint32_t step = 0) {
     auto world = new_world();
     for (std::uint32_t i = 0; i < n; ++i) {
@@ -155,7 +161,7 @@ std::uint64_t hash_of(const Ts&... columns) {
     return h;
 }
 
-/// The Cs of all entities that have every one of With, in the order of iteration.
+/// Components C of all entities that have every component in With, in the order of iteration.
 template <class C, class... With>
 std::vector<C> column(World& world) {
     std::vector<C> out;
@@ -163,30 +169,30 @@ std::vector<C> column(World& world) {
     return out;
 }
 
-// --- one contest --------------------------------------------------------------------------------------------------
+// ---- one contest ------------------------------------------------------------------------------------------
 
 struct Side {
-    std::function<void()> setup;  ///< empty where a run may follow a run
+    std::function<void()> setup;  ///< empty if runs can follow each other without it
     std::function<void()> run;
-    std::function<std::uint64_t()> result;  ///< hash of what the runs left
+    std::function<std::uint64_t()> result;  ///< hash of the data after the runs
 };
 
 struct Contest {
     std::string_view name;
     std::uint32_t n{};
-    double matches{};      ///< entities that one run touches: what times are divided by
-    double bytes{};        ///< that raw reads and writes in one run
-    double working_set{};  ///< bytes in which raw's data lie
+    double matches{};      ///< entities that one run touches; times are divided by this number
+    double bytes{};        ///< bytes that raw reads and writes in one run
+    double working_set{};  ///< size of raw's data (bytes)
     Side raw, thaum;
     std::size_t calls = 1;
     std::string unit = "ns_per_entity";
-    std::string memory{};  ///< a further setting, where not empty
+    std::string memory{};  ///< value of the row's setting `memory`; empty: none
 };
 
-/// Enough runs for the clock where a run is short.
+/// Number of runs per sample. Short runs are repeated, because the clock is too coarse for them.
 std::size_t calls_for(std::uint32_t n) { return std::max<std::size_t>(1, 100'000 / n); }
 
-/// memcpy between the halves of `size` bytes, often enough for the clock.
+/// Copies between the halves of a buffer of `size` bytes, often enough for the clock.
 class Copy {
 public:
     explicit Copy(double size)
@@ -221,8 +227,8 @@ Row row_of(const Contest& contest, std::string_view store, const std::vector<dou
 
 struct Target {
     std::string_view name;
-    double ratio;  ///< at most this many times raw; 0: none
-    double ns;     ///< or at most this, in the unit of the case; 0: none
+    double ratio;  ///< largest ratio to raw; 0: no such target
+    double ns;     ///< largest time in the unit of the case; 0: no such target
 };
 
 constexpr std::uint32_t target_n = 100'000;
@@ -266,7 +272,7 @@ void hold(const Contest& contest, const Options& options, Report& report) {
     report.rows.push_back(std::move(thaum));
 }
 
-// --- iteration ----------------------------------------------------------------------------------------------------
+// ---- iteration --------------------------------------------------------------------------------------------
 
 Contest iterate_1(std::uint32_t n) {
     auto a = std::make_shared<Arrays>(arrays(n));
@@ -331,11 +337,11 @@ Contest iterate_3_half(std::uint32_t n) {
     return {"iterate_3_half", n, 0.5 * n, 30.0 * n, 18.0 * n, raw, thaum, 2 * calls_for(n)};
 }
 
-/// Big arrays of which a list of rows also has a push.
+/// Big arrays, and a list of the rows that have a Push.
 struct Rare {
     Arrays all;
     std::vector<std::uint32_t> rows;
-    Array<Push> pushes;  ///< one for each of the rows
+    Array<Push> pushes;  ///< one Push for each of the rows
 };
 
 std::shared_ptr<Rare> rare(std::uint32_t n, std::uint32_t step) {
@@ -382,9 +388,9 @@ Contest rare_view(std::uint32_t n) {
     return {"rare_view", n, 1.0 * few, 52.0 * few, 40.0 * few, raw, thaum, calls_for(few)};
 }
 
-/// A component that one entity once had and none has now.
+/// Views over a component that one entity had once and none has now.
 Contest empty_view(std::uint32_t n) {
-    constexpr std::uint32_t views = 1000;  // in one run
+    constexpr std::uint32_t views = 1000;  // views per run
     auto a = std::make_shared<Arrays>();
     std::shared_ptr<World> world = world_of(n);
     world->destroy(world->create(position(0), Absent{}));
@@ -408,7 +414,7 @@ Contest empty_view(std::uint32_t n) {
     return {"empty_view", n, 1.0 * views, 0, 8, raw, thaum, 20, "ns_per_view"};
 }
 
-// --- access -------------------------------------------------------------------------------------------------------
+// ---- access -----------------------------------------------------------------------------------------------
 
 std::vector<std::uint32_t> shuffled(std::uint32_t n) {
     std::vector<std::uint32_t> order(n);
@@ -437,7 +443,8 @@ std::shared_ptr<Lookup> lookup(std::uint32_t n) {
     return l;
 }
 
-/// Sums bits, not floats: an integer sum does not make each access wait for the one before.
+/// The loop sums bits as integers, not floats: an integer sum does not make an access wait for the one
+/// before.
 Contest random_get(std::uint32_t n) {
     auto l = lookup(n);
     Side raw{{},
@@ -461,9 +468,10 @@ Contest random_get(std::uint32_t n) {
     return {"random_get", n, 1.0 * n, 8.0 * n, 16.0 * n, raw, thaum, calls_for(n)};
 }
 
-// --- structure ----------------------------------------------------------------------------------------------------
+// ---- structure --------------------------------------------------------------------------------------------
 
-/// Memory that is there already, and cells that have been touched; or a store that grows from nothing.
+/// Creates entities in reserved memory whose pages have been touched, or in a store that grows from
+/// nothing.
 Contest create_2(std::uint32_t n, bool reserved) {
     auto a = std::make_shared<Arrays>();
     auto world = std::make_shared<std::unique_ptr<World>>(new_world());
@@ -495,7 +503,7 @@ Contest create_2(std::uint32_t n, bool reserved) {
             raw,        thaum, std::size_t{1}, "ns_per_entity", reserved ? "reserved" : "growing"};
 }
 
-/// Two groups of plain arrays, with and without a push, that exchange rows.
+/// Two groups of plain arrays, with and without a Push, that exchange rows.
 struct Groups {
     Arrays plain, pushed;
     std::size_t plain_count = 0, pushed_count = 0;
@@ -508,7 +516,7 @@ std::shared_ptr<Groups> groups(std::uint32_t n) {
     return g;
 }
 
-/// The row of entity k when entities 0 to k - 1 are gone, each hole having been filled by the last row.
+/// Row of entity k after entities 0 to k - 1 are gone and the last row has filled each hole.
 std::size_t row_of_next(std::size_t k, std::size_t count) { return std::min(k, count - 1); }
 
 void copy_bodies(const Arrays& from, std::size_t row, Arrays& to, std::size_t to_row) {
@@ -520,7 +528,7 @@ std::uint64_t hash_first(const Arrays& a, std::size_t count) {
     return hash_of(std::span(a.positions.data(), count), std::span(a.velocities.data(), count));
 }
 
-/// A World whose entities are made anew before each run, in memory that is there already.
+/// A World whose entities are created again before each run, in memory that is already there.
 struct Crowd {
     std::unique_ptr<World> world = new_world();
     std::vector<Entity> entities;
@@ -640,7 +648,7 @@ struct Bits {
     void clear(std::size_t i) { words[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
 };
 
-/// All on, then all off. The result is who is marked after every third was marked once more.
+/// Sets the tag on all entities, then clears it on all. For the hash, every third entity gets it once more.
 Contest tag_churn(std::uint32_t n) {
     auto bits = std::make_shared<Bits>(n);
     auto c = crowd(n);
@@ -671,7 +679,7 @@ Contest tag_churn(std::uint32_t n) {
     return {"tag_churn", n, 1.0 * n, n / 2.0, n / 8.0, raw, thaum, calls_for(n)};
 }
 
-// --- the whole state ----------------------------------------------------------------------------------------------
+// ---- the whole state --------------------------------------------------------------------------------------
 
 struct State {
     std::unique_ptr<World> world;
@@ -703,7 +711,7 @@ Contest snapshot(std::uint32_t n) {
     return {"snapshot", n, 1.0 * n, bytes, bytes, copy_saved(s), thaum, calls_for(n)};
 }
 
-/// memcpy computes no hash, so the two hashes differ here.
+/// Raw is memcpy and computes no hash, so the two hashes differ here.
 Contest state_hash(std::uint32_t n) {
     auto s = state(n);
     Side thaum{{}, [s] { s->hash = ecs::state_hash(*s->world); }, [s] { return s->hash; }};

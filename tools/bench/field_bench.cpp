@@ -1,5 +1,6 @@
-// Fields between their samples (engine/field/field.h): time of a value with its gradient against the error of either, by kernel and number
-// of samples; the fields are those of a fluid on its lattice, ghosts and all.
+// Benchmarks fields between their samples (engine/field/field.h): time of a value with its gradient, and
+// the errors of both, by kernel and number of samples. The fields are those of a fluid on its lattice,
+// ghost cells included.
 #include <array>
 #include <cmath>
 
@@ -26,7 +27,7 @@ constexpr std::array kernels{Kernel::linear, Kernel::catmull_rom};
 constexpr std::array grid_sizes{16, 32, 64};
 constexpr std::size_t places_in_a_call = 256;
 
-/// Of period 1, a wave or two in the box.
+/// A scalar of period 1 with one wave in the box along each axis.
 Scalar waves_at(vec3 p) {
     const vec3 x = 2 * pi * p;
     const double sx = det::sin(x.x), cx = det::cos(x.x), sy = det::sin(x.y), cy = det::cos(x.y);
@@ -74,7 +75,8 @@ std::vector<vec3> random_places() {
     return places;
 }
 
-/// Squares of what is off, and of what is right, of a place; the latter of the part that varies.
+/// Sums of the squared errors and of the squared exact values. For the scalar only the varying part of the
+/// exact value counts.
 struct Squares {
     double value{}, value_off{}, gradient{}, gradient_off{};
 };
@@ -98,12 +100,12 @@ void add(Squares& sum, const Vector& found, const Vector& exact) {
     }
 }
 
-/// A field as it is read through the common interface, so the call costs what it costs.
+/// Reads a field through the common interface, so that the cost of the call is included.
 template <class Sample>
 struct Reader {
     const char* name;
     std::string kernel;
-    int n;  ///< 0: a formula
+    int n;  ///< samples along each axis; 0: the field is a formula
     field::Field<Sample> read;
     Sample (*exact)(vec3);
     const std::vector<vec3>* places;

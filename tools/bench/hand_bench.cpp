@@ -1,6 +1,6 @@
-// The hand in the fluid (haptics/fluid_touch.h): what it costs to take a patch of the flow and to read it, beside how far what is read is
-// off; what the servo's step costs with it, beside the largest jump that a fluid step makes; what a ladle's push costs, beside how far
-// the fluid's momentum is off what was pushed; and what passive modes create.
+// Benchmarks the hand in the fluid (haptics/fluid_touch.h): cost and error of taking a patch of the flow
+// and of reading it, cost of a servo step and the largest jump that a fluid step causes, cost of a ladle's
+// push and the error of the fluid's momentum, and the energy that passive modes create.
 #include <array>
 
 #include "core/hash.h"
@@ -21,12 +21,12 @@ using haptics::FlowPatch;
 using haptics::FlowSample;
 using haptics::FlowSource;
 
-// ---- patches -------------------------------------------------------------------------------------------------------
+// ---- patches ----------------------------------------------------------------------------------------------
 
 constexpr std::size_t hand_places = 64;
-constexpr double brew_density = 8;  // kg/m^3
+constexpr double brew_density = 8;  // density of the brew (kg/m^3)
 
-/// A brew of three substances that turns in a known way.
+/// A brew of three substances with a known velocity field.
 struct TurningBrew {
     fluid::Fluid fluid;
     std::vector<vec3> places{};
@@ -56,7 +56,7 @@ Expected<TurningBrew> turning_brew(int n) {
     return brew;
 }
 
-/// Of what is read at places within a cell of where patches were taken.
+/// Relative root mean square error of velocities read within a cell of the patch's middle.
 double patch_error(const TurningBrew& brew) {
     Random random = random_stream(5, 2);
     const double cell = brew.fluid.lattice.h;
@@ -74,7 +74,7 @@ double patch_error(const TurningBrew& brew) {
     return std::sqrt(off / all);
 }
 
-/// All that a patch is of, read node by node through the fields.
+/// Reads all nodes of a patch through the fields.
 double read_through_fields(const FlowSource& source, const FlowPatch& patch) {
     double sum = 0;
     for (int n = 0; n < 64; ++n) {
@@ -107,7 +107,8 @@ void hand_patches(const Options& options, Report& report) {
             Contestant{{}, each([&](std::size_t i, vec3) {
                            do_not_optimise(read_through_fields(source, patches[i]));
                        })}};
-        // Over and over, as the servo reads its patches: they are in the cache.
+        // The patches stay in the processor's cache, as in the servo, which reads its patch again and
+        // again.
         auto samples = measure(contestants, {.seconds = options.quick ? 0.3 : 1.0, .least = 11, .calls = 16});
         for (auto& one : samples) {
             for (double& us : one) us /= hand_places;
@@ -130,7 +131,7 @@ void hand_patches(const Options& options, Report& report) {
     }
 }
 
-// ---- the servo's step ----------------------------------------------------------------------------------------------
+// ---- the servo's step -------------------------------------------------------------------------------------
 
 struct StirLoad {
     std::string_view name;
@@ -140,7 +141,7 @@ struct StirLoad {
 constexpr std::array stir_loads{StirLoad{"none", false}, StirLoad{"off", true, {0, 0, 0, 0, 0, 0, 0}},
                                 StirLoad{"flow", true, {1, 1, 1, 0, 0, 0, 0}}, StirLoad{"all", true, {}}};
 
-/// Pressed to the surface from below and to the wall, in a flow, with a mass of its own.
+/// Model of a ladle with mass in a flow, pressed to the surface from below and to the wall.
 haptics::HapticModel stirring_model(const StirLoad& load) {
     haptics::HapticModel model;
     if (!load.fluid) return model;
@@ -164,7 +165,8 @@ FlowPatch some_flow(Random& random) {
                         random.uniform(), random.uniform());
 }
 
-/// A hand at rest, so that every change of its force is the fluid's: the largest of a tick over that of its step.
+/// The hand rests, so only the fluid changes its force. Returns the largest change in one tick divided by
+/// the change over its fluid step.
 double largest_step_share(const StirLoad& load) {
     auto spec = reference_device(0.5, 0);
     const haptics::Servo servo = servo_of(spec, 1);
@@ -227,12 +229,12 @@ void hand_steps(const Options& options, Report& report) {
     }
 }
 
-// ---- momentum ------------------------------------------------------------------------------------------------------
+// ---- momentum ---------------------------------------------------------------------------------------------
 
-/// A hand that is led along a straight stroke through the brew, whatever it feels.
+/// A hand that moves along a straight stroke through the brew, whatever the force on it.
 struct StrokingHand {
     haptics::Servo servo;
-    vec3 from, velocity;  ///< m, m/s, of the device
+    vec3 from, velocity;  ///< position at the start (m) and velocity (m/s) of the device
     haptics::HapticModel model{};
     haptics::ServoState state{};
     std::uint32_t tick{};
@@ -255,7 +257,7 @@ struct StrokingHand {
         newest_step(model.fluid, patch_of(source, haptics::to_bowl(model.fluid.frame, place())));
     }
 
-    /// N s, given to the fluid in one of its steps.
+    /// Impulse given to the fluid in one of its steps (N s).
     vec3 stroke() {
         vec3 impulse{};
         for (std::uint32_t i = 0; i < haptics::fluid_period; ++i, ++tick, ++model.fluid.step_age) {
@@ -266,7 +268,8 @@ struct StrokingHand {
     }
 };
 
-/// Two ladles in a brew without walls, which would take momentum too: what they gave against what is there, after each step.
+/// Two ladles in a periodic brew, so that no wall takes momentum. After each step the given momentum is
+/// compared with that of the brew.
 void ladle_momentum(const Options&, Report& report) {
     for (const int n : {16, 32, 64}) {
         auto made =

@@ -1,4 +1,5 @@
-// thaum-bench: time, error and cost, as a table and as JSON. `thaum bench` starts this program.
+// thaum-bench: measures time, error and cost, and reports them as a table and as JSON. `thaum bench` starts
+// this program.
 #include <cstdio>
 
 #include "core/text.h"
@@ -25,7 +26,7 @@ constexpr std::string_view bench_options = R"(
   --json FILE   the report as JSON, replacing an older one; - for stdout
 )";
 
-/// In lines that fit a terminal.
+/// Names of the areas, in lines that fit a terminal.
 std::string names_of_areas() {
     constexpr std::size_t widest = 80;
     std::string result = " ";

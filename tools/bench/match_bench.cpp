@@ -1,4 +1,4 @@
-// What a tick of the duel costs, whether it allocates, how fast a log is verified, and what idle features cost.
+// Benchmarks a match: cost and allocations of a tick, speed of verifying a log, and cost of idle features.
 #include <algorithm>
 #include <functional>
 
@@ -21,7 +21,7 @@ namespace {
 
 using game::Simulation;
 
-/// The bots that think most.
+/// Level of the bots with the most work per tick.
 constexpr int heaviest = game::bot_levels;
 
 Expected<game::BotDuel> duel() {
@@ -69,7 +69,7 @@ void tick_alloc(const Options& options, Report& report) {
     if (!there(scene, "tick")) return;
     constexpr Tick warm_up = 10'000;
     const Tick counted = options.quick ? 20'000 : 60'000;
-    // The first death makes the tables that the dead live in; once for each match.
+    // The first death in a match creates the tables for the dead, so it happens before measuring.
     scene->match->world_to_change().view<game::Health>().each([](game::Health& h) { h.points = 0; });
     scene->run(warm_up);
     const auto before = allocation_count();
@@ -90,15 +90,15 @@ void tick_alloc(const Options& options, Report& report) {
 }
 
 struct Verified {
-    double took_us{};  ///< opening, replaying and comparing
+    double took_us{};  ///< time of opening, replaying and comparing (us)
     double real_time_factor{};
-    double ratio_to_tick{};                ///< to what the live ticks, bots included, would allow
-    std::size_t compared{}, mismatches{};  ///< hashes in the log, and those that differ
+    double ratio_to_tick{};  ///< time of the live ticks, bots included, divided by the time of verifying
+    std::size_t compared{}, mismatches{};  ///< hashes in the log, and hashes that differ
     double log_bytes_per_minute{};
     std::string hash;
 };
 
-/// Records a duel, then verifies its log.
+/// Records a duel in a log, then verifies the log.
 Expected<Verified> record_and_verify(Tick length) {
     auto scene = duel();
     if (!scene) return tl::unexpected(scene.error());
@@ -143,7 +143,8 @@ void replay_verify(const Options& options, Report& report) {
     Verified last;
     std::size_t mismatches = 0;
     for (int round = 0; round < 5;
-         ++round) {  // recording and verifying by turns, so that both meet the same machine
+         // Recording and verifying alternate, so that both see the same load of the machine.
+         ++round) {
         auto verified = record_and_verify(options.quick ? 10'000 : 40'000);
         if (!there(verified, "replay")) return;
         mismatches += verified->mismatches;
@@ -165,9 +166,9 @@ void replay_verify(const Options& options, Report& report) {
                            .hash = last.hash});
 }
 
-// ---- hands that hold -----------------------------------------------------------------------------------------------
+// ---- hands that hold --------------------------------------------------------------------------------------
 
-/// Each wizard before a pile of crates of his own.
+/// Places each wizard in front of a pile of crates.
 void place_before_crates(Simulation& match) {
     for (std::uint32_t player = 0; player < game::players; ++player) {
         const double side = player == 0 ? 1 : -1;
@@ -177,7 +178,7 @@ void place_before_crates(Simulation& match) {
     }
 }
 
-/// Mouse and clutch: the hands go to and fro, the view to and fro more slowly.
+/// With mouse and clutch the hands move to and fro. The view does so more slowly.
 void shake_hands(Tick tick, input::InputFrame& frame) {
     for (std::size_t d = 0; d < game::players; ++d) {
         auto& sample = frame.devices[d];
@@ -193,7 +194,7 @@ input::InputFrame pressing(input::Button button) {
     return frame;
 }
 
-/// Two hands that hold and move a thing each, all the time.
+/// Each of two hands holds and moves a thing all the time.
 void tick_duel_haptic(const Options& options, Report& report) {
     auto scene = idle_match({"lift.energy.per_s=0", "lift.energy.per_n_s=0"});
     if (!scene) return;
@@ -235,9 +236,9 @@ void tick_duel_haptic(const Options& options, Report& report) {
                            .hash = hex(match.state_hash())});
 }
 
-// ---- hands that stir -----------------------------------------------------------------------------------------------
+// ---- hands that stir --------------------------------------------------------------------------------------
 
-/// Three ingredients, one after another, by who carries them.
+/// The wizard drops three ingredients one after another.
 void drop_three(SceneMatch& scene) {
     auto& world = scene.match->world_to_change();
     const auto wizard = game::wizard_of(world, 0);
@@ -252,7 +253,8 @@ void drop_three(SceneMatch& scene) {
     }
 }
 
-/// Two ladles that stir three substances all the time, which never boil over; the fluid's steps on the same core.
+/// Two ladles stir three substances all the time. The brew never boils over, and its fluid steps run on the
+/// same core.
 void tick_duel_cauldron(const Options& options, Report& report) {
     auto scene = idle_match({"cauldron.brewing.spoils_after_s=3600"});
     if (!scene) return;
@@ -290,7 +292,7 @@ void tick_duel_cauldron(const Options& options, Report& report) {
          .is_default = true,
          .metrics = {{"mean_us", mean(samples)},
                      {"ingredients", static_cast<double>(std::count_if(
-                                         cauldron.what.begin(), cauldron.what.end(),
+                                         cauldron.contents.begin(), cauldron.contents.end(),
                                          [](std::uint32_t w) { return w != game::no_ingredient; }))},
                      {"substeps_per_step", substeps / static_cast<double>(samples.size())},
                      {"pressure_iterations_per_step", iterations / static_cast<double>(samples.size())},
@@ -299,7 +301,7 @@ void tick_duel_cauldron(const Options& options, Report& report) {
          .hash = hex(match.state_hash())});
 }
 
-/// One way to keep a feature busy: called before each tick.
+/// Keeps a feature busy; called before each tick.
 using Stir = std::function<void(SceneMatch&, Tick)>;
 
 struct Feature {
@@ -309,14 +311,16 @@ struct Feature {
     Stir stir;
     std::vector<std::string> overrides{};
     Tick
-        rest{};  ///< after half a second of stirring, before the idle feature is counted; 0: it was never stirred
+        /// Ticks between half a second of stirring and the measurement of the idle feature. 0: no stirring
+        /// before.
+        rest{};
 };
 
 struct Cost {
     double calls_per_tick{}, ns_per_tick{};
 };
 
-/// What the clock itself adds to the time of a system.
+/// Time that reading the clock adds to a system (ns).
 double clock_ns() {
     return 1000 *
            median_of(2000,
@@ -386,7 +390,7 @@ void stir_brew(SceneMatch& scene, Tick tick) {
 
 void skip_features(const Options& options, Report& report) {
     const std::vector<std::string_view> fluid_systems{"brew", "brew's surface", "splashes"};
-    // Or it would take minutes to come to rest.
+    // A less viscous brew would take minutes to come to rest.
     const std::vector<std::string> thick_brew{"cauldron.brew.viscosity_m2_s=0.2",
                                               "cauldron.surface.damping_per_s=20"};
     const std::vector<Feature> features{

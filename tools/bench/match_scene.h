@@ -1,4 +1,4 @@
-// bench/match_scene.h: matches that are measured, and the clock they are measured by.
+// tools/bench/match_scene.h: matches to measure, and helpers for timing them.
 #pragma once
 #include <functional>
 #include <memory>
@@ -11,10 +11,10 @@
 namespace thaum::bench {
 
 double mean(const std::vector<double>& samples);
-/// us
+/// Median time of a run (us).
 double median_of(std::size_t count, const std::function<void()>& run);
 
-/// Says on stderr why `what` has no row.
+/// Prints on standard error why `what` has no row.
 void say_why_not(std::string_view what, const Error& error);
 template <class T>
 bool there(const Expected<T>& value, std::string_view what) {
@@ -22,19 +22,20 @@ bool there(const Expected<T>& value, std::string_view what) {
     return value.has_value();
 }
 
-/// Of a match that cannot end while it is measured. Null: there is none, and it was said why.
+/// Data of a match that cannot end while it is measured. Null if it could not be loaded; the reason has
+/// been printed.
 std::shared_ptr<const game::MatchData> duel_data(std::vector<std::string> overrides = {});
 
-/// Two wizards whom a bench moves, or nobody.
+/// A match with two scripted wizards, or with no input at all.
 struct SceneMatch {
     std::unique_ptr<game::Simulation> match;
-    input::InputFrame frame;  ///< the same in every tick
+    input::InputFrame frame;  ///< input of every tick
 
     void run(Tick count);
     ecs::SystemCount counted(std::string_view system) const;
 };
 
-/// All has come to rest; systems are timed.
+/// Makes a match in which everything has come to rest. Its systems are timed.
 std::optional<SceneMatch> idle_match(std::vector<std::string> overrides = {});
 
 void place(game::Simulation& match, std::uint32_t player, vec3 at, double yaw, double pitch);

@@ -1,8 +1,8 @@
-// tools/bench/measure.h: how long something takes, on a machine that also does other things.
+// tools/bench/measure.h: measures run times on a machine that also does other work.
 //
-// The load of a shared machine changes from one second to the next, so two things measured one after another cannot be
-// compared. Contestants are therefore interleaved, A B C B C A C A B ..., one sample each, and their ratio is the median of
-// the ratios within a round: what slows one round slows all in it.
+// The load of a shared machine changes within seconds, so two contestants measured one after the other
+// cannot be compared. They are therefore interleaved, A B C B C A C A B ..., with one sample each. Their
+// ratio is the median of the ratios within a round, because a slow round slows all of them.
 #pragma once
 #include <cstddef>
 #include <functional>
@@ -13,34 +13,34 @@
 
 namespace thaum::bench {
 
-/// The compiler must have this value in hand here, and cannot know what happened to memory.
+/// Forces the compiler to compute this value and to assume that memory has changed.
 template <class T>
 inline void do_not_optimise(const T& value) {
     asm volatile("" : : "r,m"(value) : "memory");
 }
 
 struct Contestant {
-    std::function<void()> setup;  ///< before each sample, not timed; may be empty
-    std::function<void()> run;    ///< timed
+    std::function<void()> setup;  ///< runs before each sample and is not timed; may be empty
+    std::function<void()> run;    ///< the timed work
 };
 
 struct Plan {
-    double seconds = 1;      ///< wall clock for all contestants together, setups included
-    std::size_t least = 11;  ///< samples of each, even where that takes longer
+    double seconds = 1;      ///< wall-clock time for all contestants together, setups included (s)
+    std::size_t least = 11;  ///< least number of samples of each contestant, even if that takes longer
     std::size_t most = 1000;
-    std::size_t calls = 1;  ///< of `run` in a sample; more than 1 where one is too short for the clock
+    std::size_t calls = 1;  ///< calls of `run` in a sample; above 1 if one call is too short for the clock
 };
 
-/// us of one call, in the order of the rounds: result[contestant][round]. A first round is not counted.
-/// Every contestant is called equally often.
+/// Times of one call (us) in the order of the rounds: result[contestant][round]. The first round is not
+/// counted. All contestants are called equally often.
 std::vector<std::vector<double>> measure(std::span<const Contestant> contestants, const Plan& plan);
 
-/// us, from some time on.
+/// Time since an unspecified moment (us).
 double now_us();
-/// us of one call.
+/// Time of one call (us).
 double us_of(const std::function<void()>& run);
 
-/// Nearest rank; samples must not be empty, 0 <= p <= 1.
+/// Percentile by nearest rank. Samples must not be empty, 0 <= p <= 1.
 double percentile(std::vector<double> samples, double p);
 inline double median(std::vector<double> samples) { return percentile(std::move(samples), 0.5); }
 Times times(const std::vector<double>& samples);

@@ -1,5 +1,5 @@
-// What a picture of the duel costs at each quality, and how far it is from the best one; and what a tick costs while pictures are
-// drawn beside it, compared with none, by turns in the same run.
+// Benchmarks pictures of the duel at each quality with their distance from the best one, and the time of
+// ticks while another thread draws, in alternation with ticks alone.
 #include <atomic>
 #include <chrono>
 #include <mutex>
@@ -17,7 +17,8 @@ namespace {
 
 using render::Quality;
 
-constexpr Tick between_pictures = 16;  // ms of play: what moves has moved
+// Ticks between two pictures (ms of play); long enough for moving things to move.
+constexpr Tick between_pictures = 16;
 
 struct RenderScene {
     std::unique_ptr<DrawnDuel> drawn;
@@ -42,7 +43,8 @@ Row row_of(RenderScene& scene, Quality quality, const std::vector<double>& sampl
            const render::Image& best) {
     const auto name = render::quality_names[static_cast<std::size_t>(quality)];
     const auto image = picture_at(scene, quality);
-    // The shadow map is up to date: once more with movers, for what a frame of a running match draws.
+    // The shadow map of fixed things is up to date. The next frame includes moving things, as in a running
+    // match.
     scene.advance();
     scene.draw(scene.picture, quality);
     const auto s = scene.renderer().statistics();
@@ -64,9 +66,10 @@ Row row_of(RenderScene& scene, Quality quality, const std::vector<double>& sampl
                         {"shadow_triangles", static_cast<double>(s.shadow_triangles)}}};
 }
 
-// Ticks beside pictures ------------------------------------------------------------------------------------------------
+// ---- ticks beside pictures --------------------------------------------------------------------------------
 
-/// Draws what was last handed over, on a thread of its own as a match on the screen does, while it may.
+/// Draws the newest picture on a thread of its own, as a match on the screen does, while drawing is
+/// switched on.
 class Drawer {
 public:
     Drawer(RenderScene& scene, Quality quality)
@@ -78,7 +81,7 @@ public:
         over_ = true;
         thread_.join();
     }
-    /// Returns when it does so.
+    /// Switches drawing on or off, and returns after the thread has followed.
     void set_drawing(bool drawing) {
         may_ = drawing;
         while (draws_ != drawing) std::this_thread::yield();
@@ -121,7 +124,7 @@ private:
     std::thread thread_;
 };
 
-/// One tick a millisecond, and a picture of every 16th.
+/// Runs one tick per millisecond and hands over a picture every 16 ticks.
 void paced_ticks(RenderScene& scene, Drawer& drawer, int count, std::vector<double>& samples) {
     using Clock = std::chrono::steady_clock;
     auto due = Clock::now();
@@ -138,7 +141,7 @@ void paced_ticks(RenderScene& scene, Drawer& drawer, int count, std::vector<doub
 }
 
 void tick_beside_pictures(RenderScene& scene, const Options& options, Report& report) {
-    constexpr int slice = 250;  // ticks
+    constexpr int slice = 250;  // ticks per slice
     const int rounds = options.quick ? 12 : 60;
     const auto quality = render::first_quality(scene.renderer().device());
     scene.drawn->context.release_current();

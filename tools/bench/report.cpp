@@ -53,11 +53,11 @@ Json row_json(const Row& row) {
     return out;
 }
 
-/// Texts by column, the first row being the headings; a row may be shorter.
+/// Texts in rows and columns. The first row holds the headings, and a row may be shorter than it.
 class Grid {
 public:
     void begin_row() { rows_.emplace_back(headings_.size()); }
-    /// Into the column of that name, which comes into being at the right where it is new.
+    /// Sets the cell in the column of that name. A new name adds a column at the right.
     void put(std::string_view column, std::string cell) {
         auto at = static_cast<std::size_t>(std::ranges::find(headings_, column) - headings_.begin());
         if (at == headings_.size()) headings_.emplace_back(column);
@@ -82,7 +82,7 @@ private:
         }
         return widest;
     }
-    /// The first column is left-aligned, the others right.
+    /// Appends a row. The first column is left-aligned, the others right-aligned.
     static void print_row(std::string& out, const std::vector<std::string>& cells,
                           const std::vector<std::size_t>& widths) {
         const auto line = out.size();

@@ -1,5 +1,5 @@
-// Reports come from other machines and other versions, so nothing in one is believed before it was looked at. What costs
-// more than its length to read or to print, such as a table of a thousand columns, is refused as well.
+// Reports come from other machines and versions, so every value is checked before use. A report that would
+// be costly to read or print for its length, such as a table of a thousand columns, is refused.
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -10,10 +10,10 @@
 namespace thaum::bench {
 namespace {
 
-using SortedJson = nlohmann::json;  // its objects are sorted; the ordered kind is slow with many keys
+using SortedJson = nlohmann::json;  // keeps keys sorted; the ordered kind is slow with many keys
 
 constexpr std::size_t most_rows = 200'000;
-constexpr std::size_t most_names = 128;  ///< settings and metrics, in a whole report
+constexpr std::size_t most_names = 128;  ///< largest number of different settings and metrics in a report
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 const SortedJson& member(const SortedJson& object, const char* key) {
@@ -28,7 +28,7 @@ Expected<std::string> word(const SortedJson& object, const char* key) {
     return value.get<std::string>();
 }
 
-/// Absent is false.
+/// Reads a boolean; a missing key counts as false.
 Expected<bool> mark(const SortedJson& object, const char* key) {
     const SortedJson& value = member(object, key);
     if (value.is_null()) return false;
@@ -53,7 +53,7 @@ Expected<Value> setting(const SortedJson& value, const std::string& key) {
     return *real;
 }
 
-/// An object, or nothing at all.
+/// Reads an object; null if the key is missing.
 Expected<const SortedJson*> object(const SortedJson& row, const char* key) {
     const SortedJson& value = member(row, key);
     if (!value.is_null() && !value.is_object()) return fail(text("'", key, "' must be an object"));
@@ -143,7 +143,7 @@ Expected<Row> read_row(const SortedJson& from) {
     return row;
 }
 
-/// What is missing of it stays unknown: the figures matter, not where they came from.
+/// Reads the machine. Missing values stay unknown, because only the figures matter.
 Machine read_machine(const SortedJson& json) {
     Machine machine{"unknown", 0, "unknown"};
     const auto from = object(json, "machine");

@@ -1,6 +1,6 @@
-// The long attack on the tick: the best bots there are, match after match, for as many ticks as asked for; then the same again on
-// two threads at once. All three runs must come to the same states, everything must stay finite and in bounds, and the
-// memory must not grow.
+// Stress test of the tick: matches of the best bots for the requested number of ticks, then the same on two
+// threads at once. All three runs must reach the same states, everything must stay finite and within
+// bounds, and memory must not grow.
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 constexpr Tick usual_ticks = 10'000'000;
 constexpr Tick check_interval = 1000;
 constexpr Tick hash_every = 1U << 14U;
-constexpr int highest_level = 99;  ///< that is looked for
+constexpr int highest_level = 99;  ///< highest level of bots that is tried
 constexpr double farthest_m = 200, fastest_m_s = 250, may_grow_mib = 8;
 
 double rss_mib() {
@@ -38,7 +38,7 @@ int best_level(const std::filesystem::path& assets) {
     return best;
 }
 
-/// What is out of bounds; empty: nothing.
+/// First quantity out of bounds; empty: none.
 std::string disorder(const game::Simulation& match) {
     std::string wrong;
     const auto& world = match.world();
@@ -68,13 +68,14 @@ struct Course {
     std::filesystem::path assets{};
     int level{};
     Tick ticks{};
-    const char* name = nullptr;  ///< for the lines that tell how far it is; null: silent
+    const char* name = nullptr;  ///< name in the progress lines; null: no lines
 };
 
 struct Soaked {
-    std::uint64_t hash = 0;  ///< of the states at every hash_every ticks
+    std::uint64_t hash = 0;  ///< hash of the states at every hash_every ticks
     std::uint64_t matches = 0, kills = 0;
-    double first_mib = 0, most_mib = 0;  ///< after a tenth, and from there on
+    /// Memory after a tenth of the ticks, and largest memory after that (MiB).
+    double first_mib = 0, most_mib = 0;
     std::string fault{};
 };
 

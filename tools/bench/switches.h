@@ -1,9 +1,11 @@
-// tools/bench/switches.h: the energy that a switch of passive sources creates at the hand, summed from the positions of a simulated
-// device and the forces that act on it. The books of the servo are not read. Used by benchmark and tests.
+// tools/bench/switches.h: the energy that a switch of passive sources creates at the hand, summed from the
+// positions of a simulated device and the forces on it. The servo's own energy observer is not used. Used
+// by benchmark and tests.
 //
-// Every source here pulls towards a point or out of a plane with stiffness times distance, up to a largest force. So its stored energy has
-// a closed form. At a switch the new source may hold energy, since somebody stretched it: that much it may give. What is given beyond
-// that, or beyond what was put in since, has been created.
+// Every source here pulls towards a point or out of a plane with stiffness times distance, up to a largest
+// force, so its stored energy has a closed form. A new source may hold energy at the switch, because it
+// starts stretched, and it may give that energy. Energy beyond that and beyond the work done since the
+// switch counts as created.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -31,15 +33,16 @@ inline constexpr std::array switch_hands{
     SwitchHand{"moving_firm", {.mass = 0.3, .stiffness = 1500, .damping = 30}, 0.02},
 };
 
-/// Seeds of the random switches. With seven of them a controller that waits until a spring has given back all it holds creates more
-/// than 0.02 J: such a switch is one in ten thousand, and a single seed may not meet it.
+/// Seeds of the random switches. With seven of them, a controller that waits until a spring has given back
+/// all its energy creates more than 0.02 J. Such a switch occurs once in ten thousand, so a single seed may
+/// miss it.
 inline constexpr std::array<std::uint64_t, 8> switch_seeds{6, 11, 13, 16, 19, 26, 32, 38};
 
 /// A passive source with its exact potential.
 struct SwitchedSource {
     enum class Kind : std::uint8_t { none, tether, point, plane };
     Kind kind{};
-    vec3 place{};        ///< point where it pulls to, or a point of the plane (m)
+    vec3 place{};        ///< point that it pulls to, or a point of the plane (m)
     vec3 normal{};       ///< direction out of the plane (unit)
     double stiffness{};  ///< force per distance (N/m)
     double most{};       ///< largest force (N)
@@ -54,7 +57,7 @@ struct SwitchedSource {
     }
 };
 
-/// What one run of random switches came to.
+/// Result of one run of random switches.
 struct SwitchRun {
     double most_created{};  ///< energy created after the worst switch (J)
     double mean_created{};  ///< mean over the switches (J)
@@ -63,10 +66,11 @@ struct SwitchRun {
     int switches{};
 };
 
-/// A device, a hand and a servo that one source after another is switched on.
+/// A device, a hand and a servo, with one source at a time.
 class SwitchRig {
 public:
-    /// Heat is left out: it weakens springs, and a weaker spring hides what a switch creates.
+    /// Motor heat is left out, because it weakens springs, and a weaker spring hides the energy created by
+    /// a switch.
     SwitchRig(haptics::DeviceSpec spec, const SwitchHand& hand, std::uint64_t seed)
         : spec_(std::move(spec)), hand_(hand), random_{seed} {
         spec_.continuous_force = 10 * spec_.peak_force;
@@ -147,7 +151,8 @@ private:
         const vec3 from = tip_.position;
         tip_ = haptics::step(device_, tip_, target, force);
         created_ += glm::dot(tip_.force, tip_.position - from);
-        created_ = worse(created_, -source_.stored(tip_.position));  // what damping took is gone
+        // Only the stored energy can come back; damping has taken the rest.
+        created_ = worse(created_, -source_.stored(tip_.position));
         most_here_ = worse(most_here_, created_);
         run_.most_created = worse(run_.most_created, created_);
         run_.fastest = worse(run_.fastest, glm::length(tip_.velocity));
@@ -180,7 +185,7 @@ inline SwitchRun random_switches(const haptics::DeviceSpec& spec, const SwitchHa
     return rig.result();
 }
 
-/// Random switches with every seed; the mean is over all of them.
+/// Runs random switches with every seed. The mean is over all seeds.
 inline SwitchRun random_switches(const haptics::DeviceSpec& spec, const SwitchHand& hand, int switches) {
     SwitchRun all;
     for (const auto seed : switch_seeds) {
@@ -194,7 +199,8 @@ inline SwitchRun random_switches(const haptics::DeviceSpec& spec, const SwitchHa
     return all;
 }
 
-/// A spring at the limit of the device comes `stretch` beyond the tip (m), and nothing else happens for nine seconds.
+/// Switches on a spring of the device's largest stiffness, stretched by `stretch` (m), and waits nine
+/// seconds.
 inline SwitchRun one_spring(const haptics::DeviceSpec& spec, const SwitchHand& hand, double stretch) {
     SwitchRig rig(spec, hand, 1);
     rig.switch_to({.kind = SwitchedSource::Kind::tether,

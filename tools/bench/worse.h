@@ -1,5 +1,5 @@
-// tools/bench/worse.h: keeps the larger of two figures, and a NaN for good. std::max drops a NaN, so a run that computed
-// nonsense would report the last sound figure before it.
+// tools/bench/worse.h: the larger of two figures, or NaN if one is NaN. std::max drops a NaN, so a failed
+// run would report its last valid figure.
 #pragma once
 #include <cmath>
 

@@ -1,5 +1,6 @@
-// tools/bench/z_width.h: the stiffest virtual wall that a simulated device can touch without shaking (Colgate and Brown's
-// Z-width), by simulation, by the eigenvalues of the sampled loop and by the passivity bound. Used by benchmark and tests.
+// tools/bench/z_width.h: the stiffest virtual wall that a simulated device can touch without shaking (the
+// Z-width of Colgate and Brown): by simulation, by the eigenvalues of the sampled loop, and by the
+// passivity bound. Used by benchmark and tests.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,8 @@
 
 namespace thaum::bench {
 
-/// haptics.md: 0.1 kg, 0.5 N s/m, 1 ms; no friction, no quantum, and no limits that a wall would meet.
+/// The reference device of haptics.md: 0.1 kg, 0.5 N s/m, 1 ms, without friction and quantisation, and with
+/// limits that no wall reaches.
 inline haptics::DeviceSpec reference_device(double damping, int latency) {
     return {.name = "reference",
             .sensed = 3,
@@ -28,12 +30,13 @@ inline haptics::DeviceSpec reference_device(double damping, int latency) {
             .latency = latency};
 }
 
-/// The passivity bound b > K T (1/2 + delay) of Colgate and Schenkel, as a stiffness; ticks of 1 ms.
+/// Passivity bound b > K T (1/2 + delay) of Colgate and Schenkel, solved for the stiffness K (N/m). A tick
+/// is 1 ms.
 inline double passive_stiffness(double damping, int latency) {
     return damping / (tick_seconds * (0.5 + latency));
 }
 
-/// Schur and Cohn's test: are all roots inside the unit circle? Coefficients from the lowest power up.
+/// Schur-Cohn test: true if all roots lie inside the unit circle. Coefficients start at the lowest power.
 inline bool is_stable(std::vector<double> p) {
     while (p.size() > 1) {
         const double low = p.front(), high = p.back();
@@ -46,8 +49,8 @@ inline bool is_stable(std::vector<double> p) {
     return true;
 }
 
-/// Characteristic polynomial of a bare device (mass, damping > 0) against a wall of `stiffness`: the mechanism by
-/// zero-order hold, z^latency (z - 1)(z - e) + stiffness (b1 (z - e) + a b2) = 0.
+/// Characteristic polynomial of a bare device (mass and damping > 0) at a wall of `stiffness`, with the
+/// mechanism under zero-order hold: z^latency (z - 1)(z - e) + stiffness (b1 (z - e) + a b2) = 0.
 inline std::vector<double> wall_polynomial(const haptics::DeviceSpec& spec, double stiffness) {
     const double b = spec.damping, t = tick_seconds;
     const double lost = -std::expm1(-b * t / spec.mass), e = 1 - lost;
@@ -62,7 +65,8 @@ inline std::vector<double> wall_polynomial(const haptics::DeviceSpec& spec, doub
     return p;
 }
 
-/// The largest stiffness for which `stable` holds, by halving; it must hold below and fail above.
+/// Largest stiffness for which `stable` holds (N/m), by bisection. It must hold below that value and fail
+/// above.
 template <class Stable>
 double largest_stable(Stable stable) {
     double low = 1, high = 1e6;
@@ -73,12 +77,13 @@ double largest_stable(Stable stable) {
     return low;
 }
 
-/// N/m, the exact limit of the linear sampled loop.
+/// Exact limit of the linear sampled loop (N/m).
 inline double exact_limit(const haptics::DeviceSpec& spec) {
     return largest_stable([&spec](double k) { return is_stable(wall_polynomial(spec, k)); });
 }
 
-/// Does a small shake of a device pressed into a wall (0.5 N) die away? The wall's spring is computed from what is measured.
+/// Presses a device into a wall with 0.5 N and kicks it. Returns true if the shaking dies away. The wall's
+/// force uses the measured position.
 inline bool wall_calms_down(const haptics::DeviceSpec& spec, double stiffness, double kick = 1e-4) {
     constexpr double preload = 0.5;
     constexpr int ticks = 10'000, window = 1'000;
@@ -98,31 +103,35 @@ inline bool wall_calms_down(const haptics::DeviceSpec& spec, double stiffness, d
     return last <= first;
 }
 
-/// N/m, of the simulated device.
+/// Limit of the simulated device (N/m).
 inline double simulated_limit(const haptics::DeviceSpec& spec, double kick = 1e-4) {
     return largest_stable([&spec, kick](double k) { return wall_calms_down(spec, k, kick); });
 }
 
-// ---- with damping and the passivity controller ---------------------------------------------------------------------
+// ---- with damping and the passivity controller ------------------------------------------------------------
 
 struct Wall {
-    double stiffness{};   ///< N/m
-    double damping{};     ///< N s/m, of the wall, on the way in
-    double controller{};  ///< N s/m, that the passivity controller may add; 0: it is off
+    double stiffness{};  ///< stiffness of the wall (N/m)
+    double damping{};    ///< damping of the wall on the way in (N s/m)
+    /// Largest damping that the passivity controller may add (N s/m); 0: controller off.
+    double controller{};
 };
 
-/// How a wall feels that a device lands on and is then pressed into.
+/// Results of a device that lands on a wall and is then pressed into it.
 struct Pressed {
-    double depth{};    ///< m, mean of the last second
-    double shake{};    ///< m, the farthest from that in the last second
-    double settled{};  ///< s, from which on the depth is within a tenth of force / stiffness
+    double depth{};    ///< mean depth of the last second (m)
+    double shake{};    ///< largest distance from that depth in the last second (m)
+    double settled{};  ///< time from which on the depth is within a tenth of force / stiffness (s)
     double
-        added{};  ///< N, the most that is felt beyond stiffness * depth while it settles: damping, controller, what shakes
-    double added_later{};  ///< N, likewise in the last second
-    double created{};      ///< J, the most that the wall gave beyond what it got
+        /// Largest force beyond stiffness * depth before the last second (N): from damping, controller and
+        /// shaking.
+        added{};
+    double added_later{};  ///< the same in the last second (N)
+    double created{};      ///< largest energy that the wall gave beyond what it received (J)
 };
 
-/// Lands at 0.1 m/s and is pressed with `newtons` for ten seconds. The whole servo step, safety stage included.
+/// Lands on the wall at 0.1 m/s and is pressed with `newtons` (N) for ten seconds. Runs the whole servo
+/// step, safety stage included.
 inline Pressed pressed(const haptics::DeviceSpec& spec, const Wall& wall, double newtons) {
     constexpr int ticks = 10'000, last_second = 9'000;
     const auto device = haptics::simulated_device(spec, haptics::no_hand);
@@ -157,7 +166,8 @@ inline Pressed pressed(const haptics::DeviceSpec& spec, const Wall& wall, double
     return result;
 }
 
-/// N/m: the last of 50, 51.5, ... that delivers: 3 % apart, for the loop is not linear, and above one that shakes may be one that does not.
+/// Largest stiffness of 50, 51.5, ... N/m, in steps of 3 %, at which the wall reaches its stiffness. The
+/// search stops at the first failure: the loop is not linear, and a stiffer wall may shake less.
 inline double delivered_limit(const haptics::DeviceSpec& spec, Wall wall, double newtons) {
     double best = 0;
     for (wall.stiffness = 50; wall.stiffness < 1e4; wall.stiffness *= 1.03) {

@@ -1,6 +1,6 @@
-// A make-believe libHD.so: the functions of OpenHaptics that drivers call, with a simulated arm in a simulated hand behind them. It
-// holds programs to the documented rules, counts where they break them, and can be told to go wrong (script.h). It knows no code
-// of the driver that it tests.
+// A fake libHD.so for tests: the OpenHaptics functions that a driver calls, with a simulated arm in a
+// simulated hand behind them. It checks that programs keep the documented rules and counts violations. A
+// script can make it misbehave (script.h). It shares no code with the tested driver.
 #include <chrono>
 #include <cstring>
 
@@ -11,7 +11,7 @@ namespace {
 using namespace thaum;
 using namespace thaum::fake_hd;
 
-/// Of those that hdInitDevice may give.
+/// Error code with which hdInitDevice refuses a device of this name; 0 if it opens the device.
 unsigned int refusal(const Script& script, const char* name) {
     if (script.has("no_licence")) return invalid_licence;
     const bool by_name = script.has("no_null_name");
@@ -21,7 +21,7 @@ unsigned int refusal(const Script& script, const char* name) {
     return script.has("busy") ? already_initiated : 0U;
 }
 
-/// The handle that hdInitDevice gives.
+/// Handle that hdInitDevice returns.
 unsigned int handle_of(const Library& l) {
     const auto how = l.script.of("handle");
     return how == "zero" ? 0U : how == "other" ? 12345U : only_handle;
@@ -29,7 +29,8 @@ unsigned int handle_of(const Library& l) {
 
 bool is_handle(const Library& l, unsigned int handle) { return handle == handle_of(l); }
 
-/// A synchronous task that the script has go wrong; false where it goes well. The old library has none.
+/// Runs or drops a synchronous task as the script's word `sync` says. Returns true if the caller must not
+/// run the task itself. The old library has no synchronous tasks.
 [[maybe_unused]] bool synchronous_goes_wrong(Library& l, Callback run, void* context) {
     if (l.script.is("sync", "never")) return true;
     if (l.script.is("sync", "twice")) return run(context), false;

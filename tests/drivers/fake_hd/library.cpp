@@ -54,7 +54,7 @@ FakeHdLive* map_live(const std::string& file) {
 
 std::array<double, 3> numbers_of(vec3 v) { return {v.x, v.y, v.z}; }
 
-/// What the script's ticks are counted by.
+/// Tick number by which the script's words count: since hdInitDevice, or since the first force.
 std::uint64_t script_ticks(const Library& l) {
     if (!l.script.has("felt")) return l.report.ticks;
     return l.felt_at == 0 ? 0 : l.report.ticks - l.felt_at;
@@ -99,7 +99,7 @@ void take_device(Library& l) {
 }
 
 void let_go(Library& l) {
-    // What it was told last may have come after its last tick.
+    // A force set after the last tick has not been recorded yet.
     record(l, exerted(l));
     write_record(l);
     l.report.left = numbers_of(exerted(l));

@@ -1,4 +1,5 @@
-// The make-believe library itself: a simulated arm in a simulated hand, the rules that it holds programs to, and its clock.
+// tests/drivers/fake_hd/library.h: state of the fake library: a simulated arm in a simulated hand, the
+// checked rules, and the library's clock.
 #pragma once
 #include <atomic>
 #include <map>
@@ -16,8 +17,9 @@ namespace thaum::fake_hd {
 using Callback = unsigned int (*)(void*);
 
 constexpr unsigned int only_handle = 7, no_handle = 0xffffffff;
-constexpr double max_force = 3.3;     // N
-constexpr double absurd_force = 100;  // N: a force in mN or a stiffness for N/m was meant
+constexpr double max_force = 3.3;  // largest force of the arm (N)
+// Force that only a wrong unit explains, such as mN, or a stiffness in N/m (N).
+constexpr double absurd_force = 100;
 
 enum Error : unsigned int {
     invalid_enum = 0x0100,
@@ -44,21 +46,21 @@ struct Task {
 };
 
 struct Library {
-    std::mutex mutex{};  // of all below, but while a task runs
+    std::mutex mutex{};  // guards all members below, except while a task runs
     Script script = read_script();
     haptics::SimulatedDevice device{};
     haptics::SimulatedState arm{};
     bool initiated = false, frame = false, force_output = false, clamping = false, updated = false;
-    vec3 told{};  // N, by the last frame that ended
+    vec3 told{};  // force set by the last frame that ended (N)
     vec3 setting{};
     std::vector<unsigned int> errors{};
     std::vector<Task> tasks{};
-    Task newest_ticks{};  // the asynchronous task scheduled last
+    Task newest_ticks{};  // asynchronous task that was scheduled last
     unsigned long next_task = 1;
     FakeHdReport report{};
-    FakeHdLive* live = nullptr;  // the file's, for ever
+    FakeHdLive* live = nullptr;  // mapped file of the word `live`; never unmapped
     std::vector<std::array<double, 6>> recorded{};
-    std::map<std::string, std::uint64_t> calls{};  // of functions that misbehave
+    std::map<std::string, std::uint64_t> calls{};  // number of calls of each misbehaving function
     int buttons = 0;
     bool went_wrong = false, came_back = false;
     std::uint64_t refused = 0;
@@ -69,44 +71,45 @@ struct Library {
     std::atomic<std::thread::id> own_thread{};
 };
 
-/// It is never destroyed: threads of programs that gave up may still be in it.
+/// The state of the library. It is never destroyed, because threads of a program that gave up may still use
+/// it.
 Library& library();
 
 using Lock = std::unique_lock<std::mutex>;
 
-// All but the last section: while the mutex is held.
+// Call these with the mutex locked.
 
 void push(Library& l, unsigned int code);
-/// A rule was broken: counted, and an error.
+/// Counts a broken rule and adds an error with this code to the error stack.
 void broken(Library& l, FakeHdRule rule, unsigned int code);
 bool on_own_thread(const Library& l);
-/// Whether state may be asked for or set now.
+/// Returns true if state may be read or set now.
 bool may(Library& l);
 
-/// A program takes the device.
+/// Gives the device to a program.
 void take_device(Library& l);
-/// It lets go of it.
+/// Takes the device back from the program.
 void let_go(Library& l);
-/// N: what the arm exerts now.
+/// Force that the arm exerts now (N).
 vec3 exerted(const Library& l);
-/// One ms of the arm.
+/// Simulates one tick of the arm (1 ms).
 void move_arm(Library& l);
 void update_live(Library& l);
-/// Whether it is time to go wrong in that way. Once is enough for an arm that comes back.
+/// Returns true if the fault named by `word` is due. An arm that has come back has no further fault.
 bool goes_wrong(Library& l, const char* word);
-/// An arm that went wrong: true while it is not there.
+/// Returns true while an arm that went wrong is absent.
 bool is_missing(Library& l);
 
-// Without the mutex.
+// Call these with the mutex unlocked.
 
 unsigned long schedule(Library& l, Callback run, void* context, unsigned short priority, bool synchronous);
 void start_threads(Library& l);
 void stop_threads(Library& l);
-/// All tasks once. synchronous_only: those of hdScheduleSynchronous.
+/// Runs every task once. `synchronous_only` leaves out tasks of hdScheduleAsynchronous.
 void run_tasks(Library& l, bool synchronous_only);
-/// The task of hdScheduleAsynchronous that was scheduled last is called once more, whoever thinks that it has ended.
+/// Calls the last task of hdScheduleAsynchronous once more, even if the program has already ended it.
 void call_ticks(Library& l);
-/// The same again and again, on a thread of its own.
+/// Repeats call_ticks on a thread of its own.
 void call_after_end(Library& l);
 
 }  // namespace thaum::fake_hd

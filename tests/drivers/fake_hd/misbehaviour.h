@@ -1,22 +1,25 @@
-// How the make-believe library goes wrong: by function, and in what it measures and says (script.h has the words).
+// tests/drivers/fake_hd/misbehaviour.h: faults of the fake library: in calls of its functions, and in the
+// values that it returns. script.h lists the words of the script.
 #pragma once
 #include "drivers/fake_hd/library.h"
 
 namespace thaum::fake_hd {
 
-/// What the script makes of a call of this function: it may not return. Without the mutex. An error code: the call fails; 0: it goes on.
+/// Applies the script's fault, if any, to a call of this function. Returns an error code if the call must
+/// fail, else 0. May not return at all. Call it with the mutex unlocked.
 unsigned int misbehave(Library& l, const char* call);
 
-// While the mutex is held.
+// Call these with the mutex locked.
 
-/// mm: where the tip is measured.
+/// Measured position of the tip (mm).
 vec3 measured_mm(Library& l);
-/// 16 numbers, column by column. The stylus leans with the place, 10 rad/m, as an arm's does.
+/// Writes the tip's transform, 16 numbers by columns. The stylus rotates about y by 10 rad per metre of x,
+/// so that its rotation changes with position.
 void put_transform(Library& l, double* to);
-/// A limit, told in any place; false where the name is none's.
+/// Writes a limit of the device. Returns false if no limit has this name.
 bool put_limit(const Library& l, unsigned int name, double* to);
 int degrees_of_freedom(const Library& l, int well);
-/// What is said instead of `well` by a word of the script: strings or error_strings.
+/// Text for the script's word `strings` or `error_strings`; `well` if the script has no such fault.
 const char* said(const Library& l, const char* word, const char* well);
 
 }  // namespace thaum::fake_hd

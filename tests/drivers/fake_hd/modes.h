@@ -1,5 +1,5 @@
-// Every way in which the make-believe library goes wrong that tests run through, and what must become of a program that holds a force
-// of 1 N meanwhile. The words are script.h's.
+// tests/drivers/fake_hd/modes.h: every fault of the fake library that tests try, and the required result
+// for a program that holds a force of 1 N meanwhile. script.h explains the words.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,9 +7,9 @@
 namespace thaum::fake_hd {
 
 enum class Ending {
-    plays,    ///< the program may not mind
-    lost,     ///< it says in one line that the arm is lost or faulty
-    refused,  ///< it says in one line that there is no arm to use
+    plays,    ///< the program plays on
+    lost,     ///< the program reports in one line that the arm is lost or faulty
+    refused,  ///< the program reports in one line that there is no usable arm
 };
 
 struct Mode {
@@ -17,11 +17,11 @@ struct Mode {
     Ending wanted{};
 };
 
-/// A function that fails, and one that never returns: from its first call on, or only in play.
+/// Results if a function always fails, and if it never returns.
 struct CallRow {
     const char* call;
     Ending fails, blocks;
-    const char* with = "";  ///< words without which it is not called
+    const char* with = "";  ///< further words of the script without which the function is not called
 };
 
 inline std::vector<Mode> modes_of_calls() {
@@ -71,7 +71,7 @@ inline std::vector<Mode> modes_of_calls() {
     return modes;
 }
 
-/// What it measures, says and does, whatever function tells it.
+/// Faults in measured values, texts, limits and ticks, whichever function returns them.
 inline std::vector<Mode> modes_of_answers() {
     using enum Ending;
     std::vector<Mode> modes;

@@ -1,4 +1,4 @@
-// The library's clock: its thread, and the tasks that it calls.
+// The clock of the fake library: its thread, and the tasks that the thread calls.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -12,14 +12,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto ms = std::chrono::milliseconds(1);
 
-/// What a task leaves open is closed for it.
+/// Closes a frame that a task has left open, and counts the broken rule.
 void close_frame(Library& l) {
     if (!l.frame || l.script.is("callback", "two_threads")) return;
     broken(l, fake_hd_unpaired, frame_error);
     l.frame = false;
 }
 
-/// Whether an asynchronous task is due in this tick, by what the script says of callbacks.
+/// Returns true if an asynchronous task is due in this tick, as the script's word `callback` says.
 bool comes(Library& l) {
     if (l.script.is("callback", "never")) return false;
     return !l.script.is("callback", "once") || l.calls["once"]++ == 0;
@@ -60,7 +60,7 @@ void run_thread(Library& l) {
     }
 }
 
-/// Ticks by a thread that knows nothing of the other one.
+/// Calls the tick task from a second thread, without regard to the first one.
 void run_second_thread(Library& l) {
     while (l.running) {
         call_ticks(l);

@@ -1,36 +1,41 @@
-// What $FAKE_HD tells the make-believe library to do: a list of words with commas between them, read at hdInitDevice.
+// tests/drivers/fake_hd/script.h: the script of the fake library: a list of words separated by commas in
+// $FAKE_HD, read at hdInitDevice.
 //
 //     absent, busy, no_permission, no_licence   hdInitDevice fails
-//     no_null_name      the arm has a name and only that opens it
-//     needs_update      it wants hdUpdateCalibration; manual: only a hand can calibrate it
-//     mute              hdGetString says nothing and no limits are told
-//     felt              ticks of what follows are counted from the first tick with a force
-//     vanish=N          at tick N the arm no longer answers;  warm=N: its motors are too warm
-//     back=K            after a vanish, a stop or a warm hdInitDevice fails K times, and then all is well
-//     nan=N             tick N and the nine after it measure no number
-//     late=N            every Nth tick comes 5 ms late;  burst: and what was missed follows at once
-//     stop=N            after tick N no more ticks come
-//     rate=HZ           its clock is not ours: ticks come so often
-//     record=FILE       what the arm exerted and where it was, a line a tick: "fx fy fz x y z" (N, m), written when it is let go of
-//     live=FILE         a FakeHdLive, kept up to date while the program lives
-//     path=FILE         where the hand wants to be: lines "ms x_mm y_mm z_mm buttons", straight between them
+//     no_null_name      only the arm's name opens it; a null name does not
+//     needs_update      the arm needs hdUpdateCalibration;  manual: only a person can calibrate it
+//     mute              hdGetString returns nothing, and all limits are 0
+//     felt              the numbers of ticks below count from the first tick with a force
+//     vanish=N          from tick N on the arm does not answer;  warm=N: its motors are too warm
+//     back=K            after vanish, stop or warm, hdInitDevice fails K times, then all is well
+//     nan=N             ten ticks from N on measure no number
+//     late=N            every Nth tick comes 5 ms late;  burst: the missed ticks follow at once
+//     stop=N            no tick comes after tick N
+//     rate=HZ           rate of the library's ticks
+//     record=FILE       force of the arm and position of its tip, one line per tick: "fx fy fz x y z"
+//                       (N, m); written when the device is released
+//     live=FILE         a FakeHdLive, kept up to date while the program runs
+//     path=FILE         target of the simulated hand: lines "ms x_mm y_mm z_mm buttons", with straight
+//                       lines between the points
 //
-// Misbehaviour (modes.h has all of it as a table):
+// Faults (modes.h has a table of all that are tested):
 //
-//     CALL=HOW          the function CALL misbehaves: blocks, slow (2 s), crashes (SIGSEGV), interrupts (its thread gets SIGTERM),
-//                       calls_back (runs the tasks within it), or is an error code in hexadecimal;  from=N: at its Nth call and
-//                       all that follow;  until=N: from its Nth call on all is well again
-//     hdScheduleAsynchronous=returns_late    its ticks come at once, but it returns after 2 s
-//     task=zero         the number that hdScheduleAsynchronous gives is 0
-//     crash=N, interrupt=N    from tick N on the library's own thread gets SIGSEGV or SIGTERM between its tasks
-//     pose=HOW, turn=HOW    what is measured: nan, inf, huge, stuck, jumps; turn also zero
-//     buttons=all       all 32 are down
-//     limits=HOW        forces, stiffness, damping: nan, inf, negative, huge, zero
+//     CALL=HOW          the function CALL blocks, is slow (2 s), crashes (SIGSEGV), interrupts (its thread
+//                       gets SIGTERM), calls_back (runs the tasks inside the call), or fails with an error
+//                       code in hexadecimal
+//     from=N, until=N   the first call with the fault, and the first call without it again
+//     hdScheduleAsynchronous=returns_late    ticks come at once, but the function returns after 2 s
+//     task=zero         hdScheduleAsynchronous returns 0 as the number of the task
+//     crash=N, interrupt=N    from tick N on the library's thread gets SIGSEGV or SIGTERM between tasks
+//     pose=HOW, turn=HOW    measured position and rotation: nan, inf, huge, stuck, jumps; turn also zero
+//     buttons=all       all 32 buttons are down
+//     limits=HOW        limits of force, stiffness and damping: nan, inf, negative, huge, zero
 //     box=HOW           the workspace: nan, inverted, huge;  dof=HOW: negative, huge
 //     strings=HOW, error_strings=HOW    null, empty, control, invalid, long
 //     style=garbage, calibration=garbage, handle=zero|other, errors=endless
-//     callback=HOW      never, once, twice (in a tick), two_threads, after_end
-//     sync=HOW          hdScheduleSynchronous: never (returns without running the task), late (runs it after it has returned), twice
+//     callback=HOW      tasks are called never, once, twice (in a tick), by two_threads, or after_end
+//     sync=HOW          hdScheduleSynchronous never runs the task, runs it late (after it has returned),
+//                       or twice
 #pragma once
 #include <cstdint>
 #include <map>
@@ -43,7 +48,8 @@ namespace thaum::fake_hd {
 
 struct Place {
     double ms{};
-    vec3 target{};  // m
+    // Position (m).
+    vec3 target{};
     int buttons{};
 };
 
@@ -53,9 +59,9 @@ struct Script {
 
     bool has(const char* word) const { return words.contains(word); }
     bool is(const char* word, const char* value) const;
-    /// A number; 0 where there is none.
+    /// Number after a word; 0 if the script lacks the word.
     std::uint64_t number(const char* word) const;
-    /// The value of a word; empty where there is none.
+    /// Value after a word; empty if the script lacks the word.
     std::string of(const char* word) const;
 };
 

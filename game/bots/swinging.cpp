@@ -1,4 +1,4 @@
-#include "game/bots/roping.h"
+#include "game/bots/swinging.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,15 +56,15 @@ bool spans_a_gap(const Simulation& match, const WalkGrid& grid, const RopeKind& 
            (!seen || glm::distance(seen->point, c.anchor) < near_anchor);
 }
 
-void begin(SwingPlan& swing_plan, Roping what, Tick until) {
-    swing_plan.what = what;
+void begin(SwingPlan& swing_plan, SwingStage stage, Tick until) {
+    swing_plan.stage = stage;
     swing_plan.until = until;
 }
 
 void end(Mind& mind, SwingPlan& swing_plan, Tick tick) {
     mind.buttons &= ~bit(Button::fire);
     mind.wand_until = tick;
-    swing_plan.what = Roping::none;
+    swing_plan.stage = SwingStage::none;
     swing_plan.not_before = tick + again_after;
 }
 
@@ -73,7 +73,7 @@ void latch(const Self& self, const LoadedWand& roper, Mind& mind, SwingPlan& swi
     const auto fire = bit(Button::fire);
     mind.wand = roper.stats.slot;
     if (!in_hand(self, mind)) return;
-    if (self.held) return begin(swing_plan, Roping::hang, tick + hang_time);
+    if (self.held) return begin(swing_plan, SwingStage::hang, tick + hang_time);
     if ((mind.buttons & fire) != 0) {
         if (tick >= mind.fire_from + tug_time) mind.buttons &= ~fire;
         return;
@@ -129,7 +129,7 @@ void plan_to_swing(const Simulation& match, const Self& self, const Seat& seat, 
         swing_plan.from = c.from;
         swing_plan.anchor = c.anchor;
         swing_plan.to = c.to;
-        begin(swing_plan, Roping::approach, tick + edge_time);
+        begin(swing_plan, SwingStage::approach, tick + edge_time);
     }
 }
 
@@ -141,18 +141,18 @@ vec3 swing_over(const Simulation& match, const Self& self, const Seat& seat, Min
         return {};
     }
     const vec3 to_edge = flat(swing_plan.from - self.centre);
-    switch (swing_plan.what) {
-        case Roping::approach:
+    switch (swing_plan.stage) {
+        case SwingStage::approach:
             if (glm::length(to_edge) > at_edge) return to_edge;
             mind.buttons &= ~bit(Button::fire);
-            begin(swing_plan, Roping::aim, tick + latch_time);
+            begin(swing_plan, SwingStage::aim, tick + latch_time);
             return {};
-        case Roping::aim: latch(self, *roper, mind, swing_plan, tick); return {};
-        case Roping::hang:
+        case SwingStage::aim: latch(self, *roper, mind, swing_plan, tick); return {};
+        case SwingStage::hang:
             mind.buttons |= bit(Button::fire);
             if (!self.held || glm::dot(self.centre - swing_plan.anchor, across(swing_plan)) > let_go_past) {
                 mind.buttons &= ~bit(Button::fire);
-                begin(swing_plan, Roping::fly, tick + fly_time);
+                begin(swing_plan, SwingStage::fly, tick + fly_time);
             }
             return across(swing_plan);
         default: break;
@@ -163,7 +163,7 @@ vec3 swing_over(const Simulation& match, const Self& self, const Seat& seat, Min
 }
 
 Aim aim_on_rope(const Self& self, const SwingPlan& swing_plan) {
-    if (swing_plan.what == Roping::aim) return aim_at(self.eye, swing_plan.anchor);
+    if (swing_plan.stage == SwingStage::aim) return aim_at(self.eye, swing_plan.anchor);
     return aim_at(self.eye, self.eye + across(swing_plan));
 }
 

@@ -1,4 +1,4 @@
-// game/bots/roping.h: how a bot swings over a gap on a rope if that saves it a detour.
+// game/bots/swinging.h: how a bot swings over a gap on a rope if that saves it a detour.
 #pragma once
 #include "game/bots/aim.h"
 #include "game/bots/nav.h"
@@ -15,10 +15,10 @@ struct Crossing {
 std::vector<Crossing> find_crossings(const Simulation& match, const WalkGrid& grid);
 
 /// Whether the bot is on its way over a gap, walking to the edge included.
-inline bool roped(const SwingPlan& swing_plan) { return swing_plan.what != Roping::none; }
+inline bool roped(const SwingPlan& swing_plan) { return swing_plan.stage != SwingStage::none; }
 /// Whether the crossing also occupies the bot's hands, from aiming at the anchor on.
 inline bool hands_full(const SwingPlan& swing_plan) {
-    return roped(swing_plan) && swing_plan.what != Roping::approach;
+    return roped(swing_plan) && swing_plan.stage != SwingStage::approach;
 }
 
 /// Plans a crossing that is near and shortens the way to mind.goal by at least the length in the skill.
