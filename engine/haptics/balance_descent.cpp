@@ -5,7 +5,7 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// The least sum of the gradient and the held forces: each in turn takes the best of its own. Converges to it.
+/// The least sum of the gradient and the active forces: each in turn takes the best of its own. Converges to it.
 vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     const vec3 gradient = problem.stiffness * x - problem.target;
     vec3 missing = gradient;
@@ -15,7 +15,7 @@ vec3 least_missing(Problem& problem, vec3 x, int& steps) {
         if (round % 16 == 15) ++steps;  // as dear as one
         double change = 0;
         for (Term& term : terms_of(problem)) {
-            if (!term.held) continue;
+            if (!term.active) continue;
             const vec3 before = term.dual;
             term.dual = project(term, before - missing);
             limit_dual(term);
@@ -31,7 +31,7 @@ vec3 least_missing(Problem& problem, vec3 x, int& steps) {
 double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Term* but) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
     for (const Term& term : terms_of(problem)) {
-        if (term.held || &term == but) continue;
+        if (term.active || &term == but) continue;
         const vec3 moved = project(term, step);
         const vec3 m = term.distance + t * moved;
         const double size = glm::length(m);
@@ -48,7 +48,7 @@ Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
         const vec3 moved = project(term, step);
         const double square = glm::dot(moved, moved);
         // Where it starts on a kink, that has been let go of.
-        if (term.held || square == 0 || touches(term, rounding)) continue;
+        if (term.active || square == 0 || touches(term, rounding)) continue;
         const double t = -glm::dot(term.distance, moved) / square;
         if (!(t > low && t < high)) continue;
         Term there = term;
@@ -60,7 +60,7 @@ Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     return result;
 }
 
-/// Goes along the step to the lowest place, which may be a kink: that is then held. At most eight times the step.
+/// Goes along the step to the lowest place, which may be a kink: that is then active. At most eight times the step.
 void go_down(Problem& problem, vec3& x, vec3 step) {
     const double fall = -sharp_slope(problem, x, step, 0, nullptr);
     double low = 0, high = 8;
@@ -70,7 +70,7 @@ void go_down(Problem& problem, vec3& x, vec3 step) {
         const double jump = hit == nullptr ? 0 : hit->strength * glm::length(project(*hit, step));
         const double slope = sharp_slope(problem, x, step, t, hit);
         if (slope - jump < 0 && slope + jump > 0) {
-            hit->held = true;
+            hit->active = true;
             x += t * step;
             return;
         }
@@ -89,22 +89,22 @@ void go_down(Problem& problem, vec3& x, vec3 step) {
 }
 
 /// Holds whatever x touches.
-void hold_touched(Problem& problem, vec3 x) {
+void activate_touched(Problem& problem, vec3 x) {
     measure_distances(problem, x);
     const double rounding = rounding_of(world_of(problem, x));
-    for (Term& term : terms_of(problem)) term.held = term.held || touches(term, rounding);
+    for (Term& term : terms_of(problem)) term.active = term.active || touches(term, rounding);
 }
 
 }  // namespace
 
-void descend(Problem problem, vec3 x, double accepted, Answer& best, int& steps) {
+void descend(Problem problem, vec3 x, double accepted, Solution& best, int& steps) {
     double before = std::numeric_limits<double>::infinity();
-    for (Term& term : terms_of(problem)) term.held = false;
-    for (int tries = 0; tries < 40 && !spent(steps); ++tries, ++steps) {
+    for (Term& term : terms_of(problem)) term.active = false;
+    for (int tries = 0; tries < 40 && !budget_spent(steps); ++tries, ++steps) {
         measure_distances(problem, x);
         move_origin(problem, x);
-        hold_touched(problem, x);
-        const Flat flat = flat_of_held(problem, x);
+        activate_touched(problem, x);
+        const Flat flat = flat_of_active(problem, x);
         measure_distances(problem, x);
         Symmetric matrix;
         const vec3 slope = flat.along(smooth_gradient(problem, x, matrix));
@@ -116,15 +116,15 @@ void descend(Problem problem, vec3 x, double accepted, Answer& best, int& steps)
             continue;
         }
         for (Term& term : terms_of(problem)) {
-            if (!term.held) term.dual = term.distance * (term.strength / glm::length(term.distance));
+            if (!term.active) term.dual = term.distance * (term.strength / glm::length(term.distance));
         }
         const vec3 missing = least_missing(problem, x, steps);
         const double residual = residual_at(problem, x);
-        improve(best, problem, x, residual);
+        keep_if_better(best, problem, x, residual);
         vec3 there = x;
         if (residual <= accepted || !release(problem, matrix, missing, there)) break;
         vec3 unused = x;
-        go_down(problem, x, flat_of_held(problem, unused).along(there - x));
+        go_down(problem, x, flat_of_active(problem, unused).along(there - x));
     }
 }
 

@@ -56,8 +56,9 @@ void measure_distances(Problem& problem, vec3 x) {
 
 void set_origin(Problem& problem, vec3 origin) {
     problem.origin = origin;
-    problem.target = inward(problem, problem.stiffness * (problem.centre - origin) + problem.load);
-    for (Term& term : terms_of(problem)) term.offset = project(term, inward(problem, term.position - origin));
+    problem.target = to_problem_frame(problem, problem.stiffness * (problem.centre - origin) + problem.load);
+    for (Term& term : terms_of(problem))
+        term.offset = project(term, to_problem_frame(problem, term.position - origin));
 }
 
 void move_origin(Problem& problem, vec3& x) {
@@ -71,8 +72,8 @@ void move_origin(Problem& problem, vec3& x) {
     const bool is_point = nearest->dyad == 0;
     const vec3 before = problem.origin;
     const vec3 distance = nearest->distance;
-    set_origin(problem, is_point ? nearest->position : before + outward(problem, x - distance));
-    x = is_point ? distance : x + inward(problem, before - problem.origin);
+    set_origin(problem, is_point ? nearest->position : before + to_world_frame(problem, x - distance));
+    x = is_point ? distance : x + to_problem_frame(problem, before - problem.origin);
     measure_distances(problem, x);
 }
 

@@ -17,7 +17,7 @@ namespace thaum::haptics::balancing {
 
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-inline bool spent(int steps) { return steps >= balance_step_budget; }
+inline bool budget_spent(int steps) { return steps >= balance_step_budget; }
 
 /// strength |P x - offset|, in the problem's frame; P = identity I + dyad q q^T.
 struct Term {
@@ -30,7 +30,7 @@ struct Term {
     vec3 distance;       ///< m = P x - offset where it was last asked for
     double rounding;     ///< m: of the coordinates of its position, and a little of those of the farthest
     std::size_t source;  ///< index in the set
-    bool held;           ///< x is taken to lie on its kink
+    bool active;         ///< x is taken to lie on its kink
 };
 
 /// Copies and clears no more than there are, for these are 4 KB and are copied at each guess.
@@ -78,10 +78,10 @@ inline void add_projector(Symmetric& m, const Term& term, double weight) {
 }
 
 /// A vector in the problem's frame, and one of that in the world's.
-inline vec3 inward(const Problem& problem, vec3 v) { return problem.turned ? v * problem.axes : v; }
-inline vec3 outward(const Problem& problem, vec3 v) { return problem.turned ? problem.axes * v : v; }
+inline vec3 to_problem_frame(const Problem& problem, vec3 v) { return problem.turned ? v * problem.axes : v; }
+inline vec3 to_world_frame(const Problem& problem, vec3 v) { return problem.turned ? problem.axes * v : v; }
 
-inline vec3 world_of(const Problem& problem, vec3 x) { return problem.origin + outward(problem, x); }
+inline vec3 world_of(const Problem& problem, vec3 x) { return problem.origin + to_world_frame(problem, x); }
 
 inline double rounding_of(vec3 position) { return 16 * epsilon * (1e-30 + glm::length(position)); }
 

@@ -5,12 +5,12 @@
 namespace thaum::haptics {
 namespace {
 
-bool can_be(const Coupling& c) { return c.stiffness >= 0 && c.damping >= 0 && c.drag >= 0; }
+bool is_valid(const Coupling& c) { return c.stiffness >= 0 && c.damping >= 0 && c.drag >= 0; }
 
 }  // namespace
 
 CouplingStep coupling_step(Coupling coupling, double inverse_object, double inverse_hand, double dt) {
-    THAUM_ASSERT(can_be(coupling) && inverse_object >= 0 && inverse_hand >= 0 && dt > 0,
+    THAUM_ASSERT(is_valid(coupling) && inverse_object >= 0 && inverse_hand >= 0 && dt > 0,
                  "a coupling needs a step and nothing negative");
     THAUM_ASSERT(coupling.drag == 0 || inverse_hand == 0, "a drag needs a prescribed hand");
     const double inverse_mass = inverse_object + inverse_hand;  // of the relative motion

@@ -28,7 +28,7 @@ vec3 force_to_hand(const BowlFrame& frame, vec3 bowl) {
 }
 
 /// What is left of the damping that the device can render, N s/m at the hand.
-struct DampingLeft {
+struct DampingBudget {
     double left{};
 
     double take(double wanted, double most) {
@@ -45,7 +45,7 @@ bool asks_for_flow(const FluidModes& modes) {
 vec3 finite_or_none(vec3 v) { return is_finite(v) ? v : vec3(0); }
 
 /// Adds what one part is and holds, unless something about it is no number.
-void add(FluidFeel& feel, vec3 passive, double stored) {
+void add(FluidForces& feel, vec3 passive, double stored) {
     if (!is_finite(passive) || !std::isfinite(stored)) return;
     feel.passive += passive;
     feel.stored += stored;
@@ -59,8 +59,8 @@ bool has_mass(const FluidTouch& touch) {
 }
 
 /// The mass goes on over the coming tick, tied to a tip that goes on as it does; so its force does not come a tick late.
-void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingLeft& damping,
-               FluidFeel& feel) {
+void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
+               FluidForces& feel) {
     if (!has_mass(touch)) return;
     const double scale = touch.modes.inertia * hand_scale(touch.frame).stiffness;
     const double mass = scale * touch.ladle.mass, stiffness = scale * touch.ladle.stiffness;
@@ -108,19 +108,19 @@ double height_now(const BrewSurface& surface, std::uint32_t age) {
 
 /// 0 to 1
 double immersed_part(const FluidTouch& touch, double depth) {
-    if (touch.surface.there == 0) return 1;
+    if (touch.surface.present == 0) return 1;
     if (touch.surface.inside == 0) return 0;
     return touch.drag.height > 0 ? std::clamp(depth / touch.drag.height, 0.0, 1.0) : 1;
 }
 
 void feel_surface(const FluidTouch& touch, FluidTouchState& state, double height, double place_height,
-                  FluidFeel& feel) {
+                  FluidForces& feel) {
     const double step = (height - state.surface_height) / touch.frame.metres_per_metre;
-    if (state.begun != 0 && std::abs(step) <= longest_step) feel.brought += state.surface_force * step;
+    if (state.begun != 0 && std::abs(step) <= longest_step) feel.supplied += state.surface_force * step;
     state.surface_height = height;
     state.surface_force = 0;
     state.inside = touch.surface.inside;
-    if (touch.surface.there == 0 || !(touch.modes.surface > 0)) return;
+    if (touch.surface.present == 0 || !(touch.modes.surface > 0)) return;
     const SurfacePull pull = pull_of(touch.surface, height - place_height);
     const double force = touch.modes.surface * touch.frame.newtons_per_newton * pull.force;
     if (!std::isfinite(force)) return;
@@ -182,8 +182,8 @@ double share_of_newer(std::uint64_t step_age, std::uint32_t model_age) {
     return static_cast<double>(std::min<std::uint64_t>(age + 1, fluid_period)) / fluid_period;
 }
 
-void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingLeft& damping,
-               FluidFeel& feel) {
+void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
+               FluidForces& feel) {
     state.force = {};
     state.flow_work = 0;
     if (!asks_for_flow(touch.modes) || !(state.immersed > 0)) return;
@@ -210,7 +210,7 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
 
 /// Of the place P as it is, which is held in to `state.place`.
 void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3 velocity,
-               DampingLeft& damping, FluidFeel& feel) {
+               DampingBudget& damping, FluidForces& feel) {
     state.wall = {};
     const vec3 off = state.place - place;  // inwards
     const double depth = glm::length(off);
@@ -249,7 +249,7 @@ vec2 held_in_profile(const BowlWall& wall, vec2 place) {
 
 }  // namespace
 
-vec3 held_in(const BowlWall& wall, vec3 place) {
+vec3 nearest_in_bowl(const BowlWall& wall, vec3 place) {
     if (wall.points < 2 || !is_finite(place)) return place;
     const vec3 off = place - wall.centre;
     const double r = std::sqrt(off.x * off.x + off.z * off.z);
@@ -264,7 +264,7 @@ vec3 to_bowl(const BowlFrame& frame, vec3 device) {
     return frame.origin + frame.turn * (frame.metres_per_metre * device);
 }
 
-void newest_step(FluidTouch& touch, const FlowPatch& newest) {
+void add_fluid_step(FluidTouch& touch, const FlowPatch& newest) {
     touch.older = touch.newer.spacing > 0 ? touch.newer : newest;
     touch.newer = newest;
     touch.step_age = 0;
@@ -276,15 +276,15 @@ bool note_fluid(FluidTouchState& state, const FluidTouch& touch) {
     return true;
 }
 
-FluidFeel feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip) {
+FluidForces feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip) {
     const vec3 place = to_bowl(touch.frame, tip.position);
     if (!is_finite(place) || !is_finite(tip.velocity)) {
         state = {.number = touch.number};
         return {};
     }
-    FluidFeel feel{.brought = state.begun != 0 ? state.flow_work : 0};
-    DampingLeft damping{tip.most_damping};
-    state.place = held_in(touch.wall, place);
+    FluidForces feel{.supplied = state.begun != 0 ? state.flow_work : 0};
+    DampingBudget damping{tip.most_damping};
+    state.place = nearest_in_bowl(touch.wall, place);
     const double height = height_now(touch.surface, tip.model_age);
     state.immersed = immersed_part(touch, height - state.place.y);
     feel_mass(touch, state, tip, damping, feel);
@@ -300,8 +300,7 @@ vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state) {
     return scale > 0 ? touch.frame.turn * state.force / scale : vec3(0);
 }
 
-vec3 whole_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
-                std::uint32_t model_age) {
+vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed, std::uint32_t model_age) {
     const auto of = [&](const FlowPatch& patch) {
         const FlowSample sample = flow_at(patch, place);
         const Drags drags =

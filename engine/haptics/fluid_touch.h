@@ -33,13 +33,13 @@
 // 16 ms; the hand held fast). All drags together are scaled down so that this stays below `loop_gain`, and their slope at the hand,
 // s_f s_x (w_v viscous mu + w_r form rho), below the device's own most damping less what the ladle's spring takes of it (at most half).
 //
-// Energy (energy.h): the book is brought F u from the newest step's flow for (3), so what the lateness creates is seen by
+// Energy (energy.h): the book is supplied F u from the newest step's flow for (3), so what the lateness creates is seen by
 // it, and F dh for (4). (2) is within the budget of active sources.
 //
 // What the game does with it, each tick, for a player who stirs (else, number 0: it costs one compare; with all strengths 0 nothing is
 // felt, and where the ladle is is told all the same):
 //
-//   1. Where a fluid step ends: newest_step(touch, patch_of(source, middle)), middle = the tip's place in the bowl, led by the velocity
+//   1. Where a fluid step ends: add_fluid_step(touch, patch_of(source, middle)), middle = the tip's place in the bowl, led by the velocity
 //      by some 16 ms: the patch is read for 32 ms. In each other tick ++touch.step_age. older, newer and step_age decide forces to come
 //      and do not follow from the fluid: they are state, to be kept in a component.
 //   2. surface = that of the sheet under the probe (SheetReaction, SheetSettings); velocity by difference; `there` = 0 without one.
@@ -99,13 +99,13 @@ struct LadleDrag {
 
 /// Under the probe, as the model's tick has it.
 struct BrewSurface {
-    double height{};         ///< m, h
-    double velocity{};       ///< m/s, up
-    double stiffness{};      ///< N/m, >= 0
-    double pop_through{};    ///< N, >= 0
-    double cling{};          ///< N, >= 0
-    std::uint32_t inside{};  ///< 1: the probe has broken through
-    std::uint32_t there{};   ///< 0: no surface; the ladle is immersed wherever it is
+    double height{};          ///< m, h
+    double velocity{};        ///< m/s, up
+    double stiffness{};       ///< N/m, >= 0
+    double pop_through{};     ///< N, >= 0
+    double cling{};           ///< N, >= 0
+    std::uint32_t inside{};   ///< 1: the probe has broken through
+    std::uint32_t present{};  ///< 0: no surface; the ladle is immersed wherever it is
 };
 
 inline constexpr std::size_t wall_points = 8;
@@ -146,7 +146,7 @@ struct FluidTouch {
 static_assert(sizeof(FluidTouch) == 58 * sizeof(double) + 2 * sizeof(FlowPatch), "no padding");
 
 /// A fluid step has ended: `newest` becomes the newer of the two (both, if it is the first).
-void newest_step(FluidTouch& touch, const FlowPatch& newest);
+void add_fluid_step(FluidTouch& touch, const FlowPatch& newest);
 
 /// All that a tick leaves behind; no padding. All zero where there is no fluid.
 struct FluidTouchState {
@@ -171,25 +171,25 @@ struct FluidTip {
 };
 
 /// On the hand, N, and what the books need.
-struct FluidFeel {
+struct FluidForces {
     vec3 passive{}, active{};
-    double stored{};   ///< J, held by surface, wall and ladle at the hand's scale
-    double brought{};  ///< J, that flow and surface gave in the last tick by what was commanded then
+    double stored{};    ///< J, held by surface, wall and ladle at the hand's scale
+    double supplied{};  ///< J, that flow and surface gave in the last tick by what was commanded then
 };
 
 /// True where it came, went or jumped; the state then begins anew.
 bool note_fluid(FluidTouchState& state, const FluidTouch& touch);
 
 /// One tick, where there is a fluid. A part that is not finite is not felt.
-FluidFeel feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip);
+FluidForces feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip);
 
 /// N, bowl frame, of the fluid's flow on the ladle, as commanded in the last tick; the fluid gets the opposite.
 vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state);
 
 /// N, bowl frame: (1), (2) and (3) on a ladle there, all at full strength and no device asked: what a world whose hands may feel less of
 /// it, or none, gives the fluid the opposite of. The same as force_on_ladle at full strengths that the device can render.
-vec3 whole_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
-                std::uint32_t model_age = 0);
+vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
+               std::uint32_t model_age = 0);
 
 /// N, device frame: the peak of a pulse of `length` ticks by which a hand gets the impulse (N s, bowl frame) that the ladle does
 /// when it throws something in, at the mode's strength.
@@ -198,6 +198,6 @@ vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length);
 vec3 to_bowl(const BowlFrame& frame, vec3 device);
 
 /// The nearest place in the bowl; the place itself where it is within, there is no wall or it is not finite.
-vec3 held_in(const BowlWall& wall, vec3 place);
+vec3 nearest_in_bowl(const BowlWall& wall, vec3 place);
 
 }  // namespace thaum::haptics

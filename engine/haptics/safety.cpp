@@ -76,7 +76,7 @@ void begin_episode(SafetyState& state) {
 void note_excess(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     forget_old_episodes(state);
     const bool sane = is_finite(input.wanted) && glm::length(input.wanted - input.spring) <= limits.excess &&
-                      glm::length(input.spring) <= limits.stretched;
+                      glm::length(input.spring) <= limits.spring_excess;
     if (sane) {
         if (state.excess_ticks > 0) --state.excess_ticks;
         return;
@@ -88,13 +88,13 @@ void note_excess(const SafetyLimits& limits, SafetyState& state, const SafetyInp
 /// True while the hand is too fast, or was and has not calmed down.
 bool note_speed(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     const double net = glm::length(input.velocity);
-    if (!(net <= limits.fastest && input.path_speed <= limits.fastest)) {
+    if (!(net <= limits.max_speed && input.path_speed <= limits.max_speed)) {
         state.fast_ticks = calm_ticks;
         return true;
     }
     if (state.fast_ticks == 0) return false;
     const double speed = std::max(net, input.path_speed);
-    state.fast_ticks = speed < limits.fastest / 2 ? state.fast_ticks - 1 : calm_ticks;
+    state.fast_ticks = speed < limits.max_speed / 2 ? state.fast_ticks - 1 : calm_ticks;
     return true;
 }
 
@@ -165,7 +165,7 @@ double sustained(const SafetyLimits& limits, const SafetyState& state, double he
 /// N, that the motors can still take. A burst has most of the budget, as long as it comes after rest: while it is held back, only
 /// what can be kept up gives more. Else a hand that presses on would get the next burst when the first leaves the window, and
 /// nothing in between.
-double bearable(const SafetyLimits& limits, const SafetyState& state) {
+double thermal_limit(const SafetyLimits& limits, const SafetyState& state) {
     const double budget = budget_of(limits), heat = heat_of(state), left = budget - heat;
     if (!(left > 0)) return 0;
     const bool held_back = state.cause == static_cast<std::uint32_t>(SafetyCause::warm);
@@ -198,22 +198,23 @@ void add_heat(SafetyState& state, vec3 force) {
 /// what is possible now, for the cap may have come down.
 void begin_fade(double most, SafetyState& state, vec3 goal) {
     state.offset = shortened(state.output, most) - goal;
-    state.full_offset = glm::length(state.offset);
-    state.spent = 0;
+    state.initial_offset = glm::length(state.offset);
+    state.fade_work = 0;
     state.fade = static_cast<std::uint32_t>(Fade::running);
 }
 
 /// Books the work that the offset has done since the last tick. A step that no hand makes was measured wrongly, and is no work.
 void book_work(SafetyState& state, vec3 tip) {
     const double work = glm::dot(state.offset, tip - state.tip);
-    if (glm::distance(tip, state.tip) <= longest_step) state.spent = std::max(0.0, state.spent + work);
+    if (glm::distance(tip, state.tip) <= longest_step)
+        state.fade_work = std::max(0.0, state.fade_work + work);
 }
 
 /// The length that the work done so far allows (N). An offset that falls in proportion to the way along it, like a spring that relaxes,
 /// keeps to this law exactly and is at zero when it has done all its work.
 double worked_off(const SafetyState& state) {
-    const double left = std::clamp(1 - state.spent / switch_energy, 0.0, 1.0);
-    return state.full_offset * std::sqrt(left);
+    const double left = std::clamp(1 - state.fade_work / switch_energy, 0.0, 1.0);
+    return state.initial_offset * std::sqrt(left);
 }
 
 /// The largest part of the offset, 0 to 1, with which force + offset is within `most`; 0 where there is none.
@@ -259,7 +260,7 @@ SafetyCause shortening(const SafetyLimits& limits, double most, vec3 wanted) {
     return most < limits.cap ? SafetyCause::warm : SafetyCause::capped;
 }
 
-vec3 last_word(double most, vec3 force) {
+vec3 final_force(double most, vec3 force) {
     const vec3 last = shortened(force, most);
     return is_finite(last) ? last : vec3(0);
 }
@@ -270,15 +271,15 @@ SafetyLimits safety_limits(const DeviceSpec& spec, double share) {
     const double part = share > 0 ? std::min(share, 1.0) : 0.0;  // 0 for NaN
     return {.cap = part * spec.peak_force,
             .excess = excess_over_peak * spec.peak_force,
-            .stretched = stretched_over_peak * spec.peak_force,
+            .spring_excess = stretched_over_peak * spec.peak_force,
             .continuous = spec.continuous_force,
             .slew = switching_slew,
-            .fastest = fastest_hand};
+            .max_speed = fastest_hand};
 }
 
 vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     SafetyCause cause = note(limits, state, input);
-    const double most = bearable(limits, state);
+    const double most = thermal_limit(limits, state);
     const vec3 wanted = is_finite(input.wanted) ? input.wanted : vec3(0);
     if (input.switched || cause != SafetyCause::none) state.fade = static_cast<std::uint32_t>(Fade::begins);
 
@@ -292,8 +293,8 @@ vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput
     } else if (cause == SafetyCause::stale) {
         force = ramped_down(state);
     }
-    state.output = last_word(most, force);
-    state.lag = follows ? state.output - target : vec3(0);
+    state.output = final_force(most, force);
+    state.unrequested = follows ? state.output - target : vec3(0);
     state.tip = input.tip;
     state.cause = static_cast<std::uint32_t>(cause);
     add_heat(state, state.output);

@@ -29,10 +29,10 @@ namespace thaum::haptics {
 struct SafetyLimits {
     double cap{};     ///< N, length of the vector: the smaller of the device's peak and the player's own cap
     double excess{};  ///< N: what nothing sane asks for; to ask for it repeatedly shuts the device off
-    double stretched{};   ///< N: the same of a spring that the world stretches
-    double continuous{};  ///< N: the root of the mean square over any thermal_window stays below
-    double slew{};        ///< rate at which the offset of a switch fades (N/s)
-    double fastest{};     ///< m/s, of the tip: beyond, nothing is felt until the hand is slow again
+    double spring_excess{};  ///< N: the same of a spring that the world stretches
+    double continuous{};     ///< N: the root of the mean square over any thermal_window stays below
+    double slew{};           ///< rate at which the offset of a switch fades (N/s)
+    double max_speed{};      ///< m/s, of the tip: beyond, nothing is felt until the hand is slow again
 };
 
 inline constexpr double gentle_share = 0.45;         ///< of the device's peak: the cap of who chose nothing
@@ -74,10 +74,10 @@ enum class Fade : std::uint32_t {
 struct SafetyState {
     vec3 output{};                            ///< N, of the last tick
     vec3 offset{};                            ///< fading remainder of the last switch (N)
-    vec3 lag{};                               ///< part of the output that no source wanted in its tick (N)
+    vec3 unrequested{};                       ///< part of the output that no source wanted in its tick (N)
     vec3 tip{};                               ///< measured position at the last tick (m)
-    double full_offset{};                     ///< length of the offset when it began (N)
-    double spent{};                           ///< work of the offset on the hand since it began (J)
+    double initial_offset{};                  ///< length of the offset when it began (N)
+    double fade_work{};                       ///< work of the offset on the hand since it began (J)
     std::array<double, thermal_bins> heat{};  ///< N^2 s, of the output, in a ring of bins
     std::uint32_t tick{};                     ///< in the bin that fills
     std::uint32_t bin{};                      ///< that fills

@@ -119,7 +119,7 @@ void SafetyAudit::watch_latches(const SafetyLimits& limits, const SafetyInput& i
     const double size = is_finite(input.wanted) ? size_of(input.wanted) : HUGE_VAL;
     if (size <= limits.cap) gate_open_ = true;
     const double spring = size_of(input.spring), rest = size_of(input.wanted - input.spring);
-    if (is_finite(input.wanted) && rest <= limits.excess && spring <= limits.stretched) return;
+    if (is_finite(input.wanted) && rest <= limits.excess && spring <= limits.spring_excess) return;
     if (last_excess_ == 0 || now_ - last_excess_ > episodes_apart) {
         episodes_ = {episodes_[1], episodes_[2], now_};
         if (episodes_[0] != 0 && now_ - episodes_[0] <= episodes_within) shut_off_ = true;
@@ -132,7 +132,7 @@ void SafetyAudit::watch_hand(const SafetyLimits& limits, const SafetyInput& inpu
     const double speed = known ? std::fmax(size_of(input.velocity), input.path_speed) : HUGE_VAL;
     if (now_ - last_hurry_ > calm_after) last_hurry_ = 0;
     const bool cut_out = last_hurry_ != 0;
-    if (speed > limits.fastest || (cut_out && speed >= limits.fastest / 2)) last_hurry_ = now_;
+    if (speed > limits.max_speed || (cut_out && speed >= limits.max_speed / 2)) last_hurry_ = now_;
 }
 
 void SafetyAudit::watch_model(const SafetyInput& input) {

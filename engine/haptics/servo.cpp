@@ -52,8 +52,9 @@ vec3 play_pulses(ServoState& state) {
 
 /// True where one of them came, went or jumped.
 bool note_sources(ServoState& state, const HapticModel& model) {
-    const bool jumped = model.lean.number != state.lean_number || model.tether.number != state.tether_number;
-    state.lean_number = model.lean.number;
+    const bool jumped =
+        model.steady_force.number != state.steady_force_number || model.tether.number != state.tether_number;
+    state.steady_force_number = model.steady_force.number;
     state.tether_number = model.tether.number;
     return jumped;
 }
@@ -94,7 +95,7 @@ bool note_patch(ServoState& state, const HapticModel& model) {
     state.patch_number = model.patch_number;
     if (jumped) {
         state.surface = {.proxy = model.start, .begun = 1};
-        state.shift = {};
+        state.contact_offset = {};
     }
     return jumped || ended;
 }
@@ -104,7 +105,7 @@ struct Tip {
     bool switched{};  ///< a source came, went or jumped
 };
 
-struct SurfaceFeel {
+struct SurfaceForces {
     vec3 force{};       ///< N
     vec3 world_step{};  ///< m, by which what is touched moved over the tip in the last tick
     double stored{};    ///< energy that a spring of this force and stretch would hold (J)
@@ -131,48 +132,50 @@ bool has_active_texture(const SurfacePatch& patch) {
 /// Touches the patch. The world that comes closer because the player turns or walks, and the shift that fades, press nothing
 /// in: by as much the tip is shifted out. So a force grows by the hand's own motion and by that of things alone, and who stands
 /// with the wand at a wall feels as much as before he turned. After a jump nothing is pressed in at all.
-Touched touch_shifted(ServoState& state, const SurfacePatch& patch, const Drift& drifting, const Tip& probe,
-                      double dt) {
-    const vec3 fading = state.shift * (tick_seconds / shift_time);
-    state.shift -= fading;
-    const vec3 tip = probe.position + state.shift;
+ContactResult touch_shifted(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
+                            const Tip& probe, double dt) {
+    const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);
+    state.contact_offset -= fading;
+    const vec3 tip = probe.position + state.contact_offset;
     const vec3 drift = drifting.velocity + glm::cross(drifting.spin, tip);
     const vec3 over_drift = probe.velocity + drift;
-    const Touched touched = touch(patch, state.surface, {tip, over_drift}, dt);
+    const ContactResult touched = touch(patch, state.surface, {tip, over_drift}, dt);
     const double depth = glm::length(touched.push);
     if (depth == 0) return touched;
     const vec3 out = touched.push / depth;
     const double pressed = probe.switched ? depth : std::min(glm::dot(drift * dt + fading, out), depth);
     if (!(pressed > 0)) return touched;
-    state.shift += pressed * out;
-    if (!is_finite(state.shift)) state.shift = {};
+    state.contact_offset += pressed * out;
+    if (!is_finite(state.contact_offset)) state.contact_offset = {};
     return touch(patch, state.surface, {tip + pressed * out, over_drift}, 0);
 }
 
-SurfaceFeel feel_patch(ServoState& state, const SurfacePatch& patch, const Drift& drift, const Tip& probe,
-                       double dt) {
-    const vec3 shift = state.shift;
-    const Touched touched = touch_shifted(state, patch, drift, probe, dt);
+SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const FrameMotion& drift,
+                         const Tip& probe, double dt) {
+    const vec3 offset_before = state.contact_offset;
+    const ContactResult touched = touch_shifted(state, patch, drift, probe, dt);
     if (touched.force == vec3(0)) return {};
-    const vec3 stretch = touched.proxy - (probe.position + state.shift);
-    return {.force = touched.force,
-            .world_step = step_of_touched(patch, state.surface, touched.proxy) - (state.shift - shift),
-            .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
-            .stretch = glm::length(stretch),
-            .active = has_active_texture(patch)};
+    const vec3 stretch = touched.proxy - (probe.position + state.contact_offset);
+    return {
+        .force = touched.force,
+        .world_step = step_of_touched(patch, state.surface, touched.proxy) - (state.contact_offset - offset_before),
+        .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
+        .stretch = glm::length(stretch),
+        .active = has_active_texture(patch)};
 }
 
 /// By a model that is too old things stand still: soon there is no force.
-SurfaceFeel feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age, const Tip& probe) {
+SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age,
+                            const Tip& probe) {
     if (model.patch.count == 0) {
-        state.shift -= state.shift * (tick_seconds / shift_time);
+        state.contact_offset -= state.contact_offset * (tick_seconds / contact_offset_decay);
         state.surface = {};
         return {};
     }
-    if (age == 0) return feel_patch(state, model.patch, model.drift, probe, tick_seconds);
+    if (age == 0) return feel_patch(state, model.patch, model.frame_motion, probe, tick_seconds);
     const bool moves = age <= freshest_ticks;
     const auto patch = moved_on(model.patch, std::min(age, freshest_ticks) * tick_seconds);
-    return feel_patch(state, patch, model.drift, probe, moves ? tick_seconds : 0);
+    return feel_patch(state, patch, model.frame_motion, probe, moves ? tick_seconds : 0);
 }
 
 // ---- energy -------------------------------------------------------------------------------------------------------
@@ -233,7 +236,7 @@ double spring_energy(const ServoState& state, const HapticModel& model, const Te
 }
 
 /// Most energy that surfaces and detents hold (J).
-double other_energy(const Tether& tether, const SurfaceFeel& surfaces, double cap) {
+double other_energy(const Tether& tether, const SurfaceForces& surfaces, double cap) {
     const double notches = tether.stiffness > 0 ? tether.detents.depth * tether.detents.width / pi : 0;
     return notches + (surfaces.active ? 0 : within_cap(surfaces.stored, surfaces.stretch, cap));
 }
@@ -247,12 +250,13 @@ double most_felt(const Servo& servo, const SafetyState& safety) {
 
 /// Energy that the tether will create until the force of this tick has acted (J). The device holds every force for a tick, and brings it
 /// late; meanwhile the spring relaxes. A hand of 2 m/s crosses the whole spring of a Falcon in that time.
-double expected_creation(const Servo& servo, const EnergyBook& book, const Tether& tether, const Tip& tip) {
+double expected_creation(const Servo& servo, const PassivityObserver& book, const Tether& tether,
+                         const Tip& tip) {
     if (!(tether.stiffness > 0)) return 0;
     const double cap = servo.limits.cap;
     const vec3 step = (tip.velocity - tether.anchor_velocity) * tick_seconds;
     const vec3 pull = limited(tether.stiffness * (tether.anchor - tip.position), cap);
-    const double work = work_on_the_way(book, step, servo.latency) + glm::dot(pull, step);
+    const double work = pending_work(book, step, servo.latency) + glm::dot(pull, step);
     const double ahead = tether_energy(tether, tip.position + (servo.latency + 1.0) * step, cap);
     return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
 }
@@ -267,7 +271,7 @@ Tether moved_on(Tether tether, std::uint32_t age) {
 /// Books what the last tick did, and keeps active sources within their budget. Returns the brake that keeps passive ones passive (N). The
 /// energy that a source holds when it comes is not its own creation: whoever stretched it put it there.
 vec3 keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
-                const Tip& tip, const SurfaceFeel& surfaces, const FluidFeel& fluid, Sources& sources) {
+                const Tip& tip, const SurfaceForces& surfaces, const FluidForces& fluid, Sources& sources) {
     const double felt = most_felt(servo, state.safety);
     const double springs = spring_energy(state, model, tether, tip.position, servo.limits.cap);
     const double held =
@@ -275,7 +279,7 @@ vec3 keep_books(const Servo& servo, ServoState& state, const HapticModel& model,
     const double stored = springs + other_energy(tether, surfaces, servo.limits.cap) + fluid.stored;
     // Who is tethered touches nothing else.
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
-    observe(state.energy, tip.position, step, stored, servo.latency, fluid.brought);
+    observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
     if (tip.switched) state.energy.created = -stored;
     sources.active = within_budget(state.energy, sources.active, tip.velocity);
     const double taken = surplus(state.energy, held + expected_creation(servo, state.energy, tether, tip));
@@ -325,7 +329,7 @@ ServoState resumed(const ServoState& before) {
     state.safety.fast_ticks = state.safety.stale_ticks = 0;
     state.safety.cause = static_cast<std::uint32_t>(SafetyCause::stale);
     state.last_pulse = before.last_pulse;
-    state.energy.given = before.energy.given;
+    state.energy.active_work = before.energy.active_work;
     state.energy.most_created = before.energy.most_created;
     return state;
 }
@@ -385,11 +389,11 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
     const bool patch_jumped = note_patch(state, model);
     const bool fluid_jumped = note_fluid(state.fluid, model.fluid);
     const bool switched = set_jumped || source_jumped || patch_jumped || fluid_jumped;
-    const SurfaceFeel surfaces =
+    const SurfaceForces surfaces =
         feel_surfaces(state, model, sample.model_age, {sample.position, velocity, patch_jumped});
     const Tether tether = moved_on(model.tether, sample.model_age);
     const vec3 spring = tether_force(tether, sample.position, velocity);
-    Sources sources{.active = play_pulses(state) + model.lean.force, .world = spring};
+    Sources sources{.active = play_pulses(state) + model.steady_force.force, .world = spring};
     (surfaces.active ? sources.active : sources.world) += surfaces.force;
     sources.passive = sources.world;
     if (model.primitives.items().empty()) {
@@ -399,7 +403,7 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
         const vec3 force = feel_primitives(state, model, sample.position, velocity);
         (conservative(model.primitives) ? sources.passive : sources.active) += force;
     }
-    FluidFeel fluid;
+    FluidForces fluid;
     if (state.fluid.number != 0) {
         fluid = feel_fluid(model.fluid, state.fluid,
                            {sample.position, velocity, sample.model_age, servo.most_damping});
@@ -420,7 +424,8 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
                                    .on = model.on,
                                    .panic = model.panic,
                                    .rearm = model.rearm});
-    enter(state.energy, output, sources.passive, sources.active, sources.world, state.safety.lag);
+    record_output(state.energy, output, sources.passive, sources.active, sources.world,
+                  state.safety.unrequested);
     return output;
 }
 

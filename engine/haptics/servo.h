@@ -28,7 +28,7 @@ struct Pulse {
 };
 
 /// A force that changes slowly and does not depend on where the tip is: a charge that grows, a weight. An active source.
-struct Lean {
+struct SteadyForce {
     vec3 force{};            ///< N, device frame
     std::uint64_t number{};  ///< another one where the force jumps, which is a switch
 };
@@ -56,7 +56,7 @@ struct Tether {
 
 /// How the world moves over the device's frame because who holds it turns or walks: a place p by velocity + spin x p. The bodies of
 /// a patch move by it too; here it stands by itself, because it may not push the hand.
-struct Drift {
+struct FrameMotion {
     vec3 velocity{};  ///< m/s
     vec3 spin{};      ///< rad/s, about the frame's origin
 };
@@ -64,7 +64,7 @@ struct Drift {
 /// What the simulation publishes each tick.
 struct HapticModel {
     Pulse pulse{};  ///< the newest
-    Lean lean{};
+    SteadyForce steady_force{};
     Tether tether{};
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< somebody's panic key is down
@@ -74,7 +74,7 @@ struct HapticModel {
     PrimitiveSet primitives{};                 ///< device frame, m; empty, the usual case: they cost nothing
     ProxyCoupling coupling{.stiffness = 300};  ///< of the tip to the proxy that the primitives act on
     SurfacePatch patch{};                      ///< empty, the usual case: it costs nothing
-    Drift drift{};                             ///< of its surfaces
+    FrameMotion frame_motion{};                ///< of its surfaces
     vec3 start{};                              ///< m, where the proxy begins after a jump: a free place
     std::uint64_t patch_number{};              ///< another one where the patch jumps, which is a switch
     FluidTouch fluid{};                        ///< number 0, the usual case: it costs nothing
@@ -119,21 +119,21 @@ struct ServoState {
     std::uint32_t next_pulse{};
     std::uint32_t primitives{};  ///< how many acted in the last tick
     std::uint32_t set_number{};  ///< of these
-    std::uint64_t lean_number{};
+    std::uint64_t steady_force_number{};
     std::uint64_t tether_number{};
-    EnergyBook energy{};
+    PassivityObserver energy{};
     SurfaceState surface{};
-    vec3
-        shift{};  ///< m, from the tip to where it feels surfaces: what the drift would have pressed into them
+    vec3 contact_offset{};  ///< m, from the tip to where it feels surfaces: what the drift would have pressed into them
     std::uint64_t patch_number{};
     FluidTouchState fluid{};
 };
-static_assert(sizeof(ServoState) == sizeof(SafetyState) + velocity_window * sizeof(vec3) +
-                                        pulses_at_once * sizeof(PlayingPulse) + 2 * sizeof(vec3) +
-                                        6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
-                                        sizeof(EnergyBook) + sizeof(SurfaceState) + sizeof(FluidTouchState));
+static_assert(sizeof(ServoState) ==
+              sizeof(SafetyState) + velocity_window * sizeof(vec3) + pulses_at_once * sizeof(PlayingPulse) +
+                  2 * sizeof(vec3) + 6 * sizeof(std::uint32_t) + 3 * sizeof(std::uint64_t) +
+                  sizeof(PassivityObserver) + sizeof(SurfaceState) + sizeof(FluidTouchState));
 
-inline constexpr double shift_time = 0.3;  ///< s, in which the shift fades where nothing is in the way
+inline constexpr double contact_offset_decay =
+    0.3;  ///< s, in which the shift fades where nothing is in the way
 
 /// The force for the device, N, device frame.
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample);

@@ -26,7 +26,7 @@ double load(const SimulatedDevice& d, const Axis& a) {
 }
 
 /// One way, so that friction is constant and all is linear.
-struct Slide {
+struct SlidePhase {
     const SimulatedDevice& device;
     double velocity, acceleration;  // at its start
     double target_velocity;
@@ -69,7 +69,7 @@ double root(Of of, double low, double high, bool positive_at_low, double guess) 
     return at;
 }
 
-double turning_point(const Slide& s, double end) {
+double turning_point(const SlidePhase& s, double end) {
     const auto of = [&s](double t) {
         const Response r = response(s.device.oscillator, t);
         return Value{s.acceleration_at(r), s.jerk_at(r)};
@@ -77,7 +77,7 @@ double turning_point(const Slide& s, double end) {
     return root(of, 0, end, s.acceleration > 0, end / 2);
 }
 
-double standstill(const Slide& s, double begin, double end, double direction) {
+double standstill(const SlidePhase& s, double begin, double end, double direction) {
     const auto of = [&s](double t) {
         const Response r = response(s.device.oscillator, t);
         return Value{s.velocity_at(r), s.acceleration_at(r)};
@@ -87,7 +87,7 @@ double standstill(const Slide& s, double begin, double end, double direction) {
 
 /// When a slide in `direction` first comes to a stop, if before `whole` ends; else negative. The velocity turns at most once in
 /// so short a time, which leaves three pictures: it ends on the other side; it dips across and comes back; it does neither.
-double stop_time(const Slide& s, const Response& whole, double direction) {
+double stop_time(const SlidePhase& s, const Response& whole, double direction) {
     const bool crossed = s.velocity_at(whole) * direction < 0;
     const bool starts_by_falling = s.acceleration * direction < 0;
     if (crossed) {
@@ -100,7 +100,7 @@ double stop_time(const Slide& s, const Response& whole, double direction) {
     return standstill(s, 0, lowest, direction);
 }
 
-void move(Axis& a, const Slide& s, const Response& r) {
+void move(Axis& a, const SlidePhase& s, const Response& r) {
     a.position += s.path(r);
     a.velocity = s.velocity_at(r);
     a.target += a.target_velocity * r.t;
@@ -118,7 +118,7 @@ void hold(Axis& a, double time) { a.target += a.target_velocity * time; }
 
 /// From rest or motion to the next stop, or to the end. Returns the time that is left.
 double slide_on(const SimulatedDevice& d, Axis& a, double direction, double acceleration, double left) {
-    const Slide s{d, a.velocity, acceleration, a.target_velocity};
+    const SlidePhase s{d, a.velocity, acceleration, a.target_velocity};
     const Response whole = left == d.dt ? d.tick : response(d.oscillator, left);
     const double stop = stop_time(s, whole, direction);
     if (stop < 0) {
@@ -199,7 +199,7 @@ SimulatedDevice simulated_device(const DeviceSpec& spec, const Hand& hand, doubl
                       .peak_force = spec.peak_force,
                       .quantum = spec.position_quantum,
                       .reach = spec.workspace / 2.0,
-                      .target_step = hand.fastest * dt,
+                      .target_step = hand.max_target_speed * dt,
                       .latency = spec.latency,
                       .dt = dt};
     THAUM_ASSERT(d.mass > 0 && dt > 0, "a simulated device needs a mass and a tick");

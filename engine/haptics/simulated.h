@@ -28,10 +28,10 @@ namespace thaum::haptics {
 /// A mass on a spring and damper to where it wants to be. The defaults are assumed: between a loose arm (measured in one
 /// person: 0.55 kg, 135 N/m, 6.5 N s/m; Scientific Reports 5:18004) and a firm grip of a stylus.
 struct Hand {
-    double mass = 0.15;      ///< kg
-    double stiffness = 400;  ///< N/m
-    double damping = 10;     ///< N s/m, against the target's velocity
-    double fastest = 3;      ///< m/s, of its target; what asks for more is followed at this speed
+    double mass = 0.15;           ///< kg
+    double stiffness = 400;       ///< N/m
+    double damping = 10;          ///< N s/m, against the target's velocity
+    double max_target_speed = 3;  ///< m/s, of its target; what asks for more is followed at this speed
 };
 
 /// The bare device.

@@ -146,7 +146,7 @@ struct SurfaceTip {
     vec3 velocity{};  ///< m/s; damping alone uses it
 };
 
-struct Touched {
+struct ContactResult {
     vec3 force{};  ///< N, on the hand; finite
     vec3 proxy{};  ///< m; the tip where nothing is touched
     vec3 push{};   ///< m, by which the surfaces hold the proxy from the tip; without what friction adds
@@ -155,7 +155,8 @@ struct Touched {
 
 /// One tick of dt seconds. Where the tip is not finite nothing is felt and the proxy begins anew. The proxy stays
 /// `surface_gap` before a surface: forces are right to stiffness times that.
-Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip, double dt) noexcept;
+ContactResult touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip,
+                    double dt) noexcept;
 
 inline constexpr double surface_gap = 2e-10;  ///< m
 

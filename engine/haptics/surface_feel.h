@@ -7,12 +7,12 @@
 namespace thaum::haptics {
 
 /// A wall's push with its texture.
-struct Felt {
-    double depth{};  ///< depth that is felt (m)
-    vec3 way{};      ///< direction of the push; unit, but longer for bumps
+struct TexturedPush {
+    double depth{};    ///< depth that is felt (m)
+    vec3 direction{};  ///< direction of the push; unit, but longer for bumps
 };
 
-Felt felt(const Scene& scene, const Wall& wall, vec3 x);
+TexturedPush textured_push(const Scene& scene, const Wall& wall, vec3 x);
 
 /// Pull along the walls up to which friction holds a proxy at x: the sum of the depths times the friction (m).
 double friction_reach(const Scene& scene, std::span<const Wall> walls, vec3 x, bool sliding);

@@ -30,12 +30,12 @@ bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, v
         if (hit.at <= 1) return true;
     }
     const double height = glm::dot(flat.normal, x) - flat.offset;
-    if (height >= flat.gap - tight) return false;
+    if (height >= flat.gap - place_tolerance) return false;
     wall = {flat.normal, flat.offset + flat.gap, 0, flat.surface};
     if (flat.kind == SurfaceKind::plane) return true;
     return flat.kind == SurfaceKind::triangle && height < 0 && height > -resting_slack &&
            was_touched(scene, state, flat.surface) &&
-           over_triangle(scene.surface(flat.surface), flat.normal, x, tight);
+           over_triangle(scene.surface(flat.surface), flat.normal, x, place_tolerance);
 }
 
 /// Likewise a solid: nothing may stay inside.
@@ -49,7 +49,7 @@ bool overran(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall)
     if (scene.beyond(i, x, 0)) return false;
     const Distance d = to_solid(scene.surface(i), scene.body_of(i).orientation, x);
     wall = wall_at(scene, x, d, i);
-    return d.value < scene.gap[i] - tight;
+    return d.value < scene.gap[i] - place_tolerance;
 }
 
 using Places = std::array<vec3, surface_body_capacity>;
@@ -78,14 +78,14 @@ bool add_overrun(const Scene& scene, const SurfaceState& state, const Places& fr
 vec3 carried(const Scene& scene, const SurfaceState& state) {
     if (state.contacts == 0) return state.proxy;
     for (std::uint32_t i = 0; i < scene.body_count; ++i) {
-        if (scene.patch->bodies[i].key == state.touched[0].key) return scene.carriers[i].now(state.proxy);
+        if (scene.patch->bodies[i].key == state.touched[0].key) return scene.motions[i].now(state.proxy);
     }
     return state.proxy;
 }
 
 vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start) {
     Places from;
-    for (std::uint32_t i = 0; i < scene.body_count; ++i) from[i] = scene.carriers[i].now(state.proxy);
+    for (std::uint32_t i = 0; i < scene.body_count; ++i) from[i] = scene.motions[i].now(state.proxy);
     Walls walls;
     vec3 x = start;
     for (int round = 0; round < most_pushes; ++round) {

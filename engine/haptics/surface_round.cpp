@@ -279,10 +279,10 @@ double hold_between(const Track& track, double from, const Loads& start, double 
                            {end, loads.least}, even, exact);
         loads = loads_at(track, end);
     }
-    if (loads.excess >= -0.5 * tight) return end;
+    if (loads.excess >= -0.5 * place_tolerance) return end;
     const double if_straight = from + (to - from) * (start.excess / start.pull);
     return fall_to_zero([&](double s) { return loads_at(track, s).excess; }, {from, start.excess},
-                        {end, loads.excess}, if_straight, 0.5 * tight);
+                        {end, loads.excess}, if_straight, 0.5 * place_tolerance);
 }
 
 /// Whether a path turns so far up to a place that its walls may let go on the way and hold again there, or friction
@@ -333,7 +333,7 @@ double end_of_pieces(const Track& track, double end) {
     constexpr double over_an_edge = 5 * surface_gap;  // m
     const double last = fails_at([&](double s) { return on_its_pieces(track, s); }, end);
     const vec3 start = track.at(0);
-    if (glm::length(track.at(last) - start) > tight) return last;
+    if (glm::length(track.at(last) - start) > place_tolerance) return last;
     const double length = glm::length(track.at(end) - start);
     return length > over_an_edge ? end * (over_an_edge / length) : end;
 }
@@ -449,20 +449,20 @@ void drop_least(Walls& walls) {
 }
 
 /// Three walls leave no freedom: what is left of the way is rounding, or a Newton step to their corner.
-RoundEnd step_to_corner(const Scene& scene, Slide& slide, vec3 corner) {
+RoundEnd step_to_corner(const Scene& scene, SlideState& slide, vec3 corner) {
     const Sweep way(slide.x, corner - slide.x);
     const Hit hit = first_hit(scene, way);
     slide.x += std::min(hit.at, 1.0) * way.step;
     if (hit.at <= 1) add_wall(slide.walls, hit.wall);
-    return way.length * std::min(hit.at, 1.0) > tight ? RoundEnd::moved : RoundEnd::rests;
+    return way.length * std::min(hit.at, 1.0) > place_tolerance ? RoundEnd::moved : RoundEnd::rests;
 }
 
 /// Adds a surface against which the proxy stands already. Its wall counts before the path's end is sought.
-bool add_blocking(const Scene& scene, Slide& slide, vec3 tangent) {
+bool add_blocking(const Scene& scene, SlideState& slide, vec3 tangent) {
     if (alone(scene, slide.walls)) return false;
     const Sweep ahead(slide.x, tangent - slide.x);
     const Hit hit = first_hit(scene, ahead, surfaces_of(slide.walls));
-    if (hit.at * ahead.length > tight) return false;
+    if (hit.at * ahead.length > place_tolerance) return false;
     add_wall(slide.walls, hit.wall);
     return true;
 }
@@ -478,7 +478,7 @@ bool is_round(const Scene& scene, const Walls& walls, vec3 x) {
 }
 
 void refresh_round(const Scene& scene, Walls& walls, vec3 x, bool moved) {
-    constexpr double slack = 10 * tight;
+    constexpr double slack = 10 * place_tolerance;
     for (std::size_t i = 0; i < walls.count; ++i) {
         Wall& wall = walls.items[i];
         wall.met_here = wall.depth == 0 || (wall.met_here && !moved);
@@ -499,9 +499,9 @@ void refresh_round(const Scene& scene, Walls& walls, vec3 x, bool moved) {
     walls.count = kept;
 }
 
-RoundEnd slide_round(const Scene& scene, Slide& slide, const RoundGoal& goal) {
+RoundEnd slide_round(const Scene& scene, SlideState& slide, const RoundGoal& goal) {
     const double pull = glm::length(slide.x - goal.tangent);
-    if (pull <= friction_reach(scene, slide.walls, slide.x, goal.was_sliding || slide.slid) + tight)
+    if (pull <= friction_reach(scene, slide.walls, slide.x, goal.was_sliding || slide.slid) + place_tolerance)
         return RoundEnd::rests;
     if (slide.walls.count > 2) return step_to_corner(scene, slide, goal.tangent);
     if (add_blocking(scene, slide, goal.tangent)) return RoundEnd::moved;
@@ -518,7 +518,7 @@ RoundEnd slide_round(const Scene& scene, Slide& slide, const RoundGoal& goal) {
     const bool limited = scene.patch->reach < HUGE_VAL && !within_reach(track, end);
     if (limited) end = fails_at([&](double s) { return within_reach(track, s); }, end);
     const Obstacle obstacle = travel(track, end, slide.sweeps_left);
-    const bool moved = glm::length(obstacle.place - slide.x) > tight;
+    const bool moved = glm::length(obstacle.place - slide.x) > place_tolerance;
     slide.slid = slide.slid || moved;
     slide.x = obstacle.place;
     if (obstacle.met) {

@@ -42,6 +42,6 @@ struct RoundGoal {
 /// Moves the proxy along its walls, of which one at least is round, to where friction holds it, the walls let it go,
 /// another
 /// surface begins or the patch ends.
-RoundEnd slide_round(const Scene& scene, Slide& slide, const RoundGoal& goal);
+RoundEnd slide_round(const Scene& scene, SlideState& slide, const RoundGoal& goal);
 
 }  // namespace thaum::haptics

@@ -11,10 +11,10 @@
 
 namespace thaum::haptics {
 
-inline constexpr double tight = 1e-13;  ///< distance below which two places are the same (m)
+inline constexpr double place_tolerance = 1e-13;  ///< distance below which two places are the same (m)
 
 /// Motion of a body over the last tick: `now` maps a place of the tick before to its place in this one.
-struct Carrier {
+struct BodyMotion {
     mat3 turn{1.0};
     vec3 pivot_before{};
     vec3 pivot{};
@@ -28,7 +28,7 @@ struct Carrier {
     }
 };
 
-Carrier carrier_of(const SurfaceBody& body, double dt);
+BodyMotion motion_of(const SurfaceBody& body, double dt);
 
 /// A plane, or that of a triangle, close together in memory: each sweep looks at all of them.
 struct Facet {
@@ -51,7 +51,7 @@ struct Scene {
     std::array<double, surface_capacity> gap;
     std::array<double, surface_capacity>
         extent;  ///< no part of a solid is farther from its centre, the gap included (m)
-    std::array<Carrier, surface_body_capacity> carriers;
+    std::array<BodyMotion, surface_body_capacity> motions;
 
     const Surface& surface(std::uint32_t i) const { return patch->surfaces[i]; }
     const SurfaceBody& body_of(std::uint32_t i) const { return patch->bodies[surface(i).body]; }

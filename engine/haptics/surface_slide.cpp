@@ -23,26 +23,26 @@ double allowed(const SurfacePatch& patch, vec3 x, vec3 way) {
     return root > 0 ? std::clamp((std::sqrt(root) - b) / a, 0.0, 1.0) : 0.0;
 }
 
-bool supported(const Scene& scene, const Slide& slide) {
+bool supported(const Scene& scene, const SlideState& slide) {
     for (std::size_t i = 0; i < slide.walls.count; ++i)
         if (!stands(scene, slide.walls.items[i], slide.x)) return false;
     return true;
 }
 
 /// Place to which friction lets the proxy go on a straight way to its goal.
-vec3 held_back(const Scene& scene, const Slide& slide, vec3 goal, bool sliding) {
+vec3 held_back(const Scene& scene, const SlideState& slide, vec3 goal, bool sliding) {
     if (slide.walls.count == 0) return goal;
     const vec3 away = slide.x - goal;
     const double distance = glm::length(away);
-    if (distance <= friction_reach(scene, slide.walls, slide.x, sliding || slide.slid) + tight)
+    if (distance <= friction_reach(scene, slide.walls, slide.x, sliding || slide.slid) + place_tolerance)
         return slide.x;
     return goal + away * (friction_reach(scene, slide.walls, slide.x, true) / distance);
 }
 
 /// Moves by a part of the way, as far as it is free.
-void move_by(Slide& slide, vec3 way) {
+void move_by(SlideState& slide, vec3 way) {
     slide.x += way;
-    if (slide.walls.count != 0 && glm::dot(way, way) > tight * tight) slide.slid = true;
+    if (slide.walls.count != 0 && glm::dot(way, way) > place_tolerance * place_tolerance) slide.slid = true;
 }
 
 enum class Straight : std::uint8_t { met_a_wall, arrived, limited };
@@ -50,15 +50,15 @@ enum class Straight : std::uint8_t { met_a_wall, arrived, limited };
 /// Surface at which the proxy stands on its way, though the patch's reach leaves it no way to go; without it a force
 /// would end where
 /// the patch ends.
-Hit hit_at_reach(const Scene& scene, const Slide& slide, vec3 way) {
+Hit hit_at_reach(const Scene& scene, const SlideState& slide, vec3 way) {
     const Sweep ahead(slide.x, way);
     Hit hit = first_hit(scene, ahead);
-    if (hit.at * ahead.length > tight) hit.at = 2;
+    if (hit.at * ahead.length > place_tolerance) hit.at = 2;
     return hit;
 }
 
 /// Goes straight towards the goal until a surface, friction or the patch's reach stops the proxy.
-Straight go_straight(const Scene& scene, Slide& slide, vec3 goal, bool was_sliding) {
+Straight go_straight(const Scene& scene, SlideState& slide, vec3 goal, bool was_sliding) {
     const vec3 whole = held_back(scene, slide, goal, was_sliding) - slide.x;
     const double part = allowed(*scene.patch, slide.x, whole);
     const vec3 way = part * whole;
@@ -76,7 +76,7 @@ Straight go_straight(const Scene& scene, Slide& slide, vec3 goal, bool was_slidi
 /// Ends a slide that has used up its moves or its patch. Where no wall is left, the last walls that held the proxy go
 /// on doing so:
 /// a force never vanishes because the moves are used up.
-void settle(const Scene& scene, Slide& slide, vec3 tip, const Walls& held) {
+void settle(const Scene& scene, SlideState& slide, vec3 tip, const Walls& held) {
     if (is_round(scene, slide.walls, slide.x)) {
         refresh_round(scene, slide.walls, slide.x, false);
         if (!nearest_place(slide.walls, tip).found) slide.walls = held;
@@ -87,7 +87,7 @@ void settle(const Scene& scene, Slide& slide, vec3 tip, const Walls& held) {
 }  // namespace
 
 bool stands(const Scene& scene, const Wall& wall, vec3 x) {
-    constexpr double slack = 10 * tight;
+    constexpr double slack = 10 * place_tolerance;
     const std::uint32_t i = wall.surface;
     const Surface& s = scene.surface(i);
     if (is_triangle(s.kind)) return over_triangle(s, scene.normal[i], x, slack);
@@ -97,13 +97,13 @@ bool stands(const Scene& scene, const Wall& wall, vec3 x) {
     return here.value <= scene.gap[i] + slack && turned <= slack;
 }
 
-Slide slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
-    Slide slide{.x = start};
+SlideState slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
+    SlideState slide{.x = start};
     Walls held;
     vec3 cleared{}, last = start;
     bool first = true;
     for (int move = 0; move < most_moves; ++move) {
-        refresh_round(scene, slide.walls, slide.x, glm::length(slide.x - last) > tight);
+        refresh_round(scene, slide.walls, slide.x, glm::length(slide.x - last) > place_tolerance);
         last = slide.x;
         const Walls before = slide.walls;
         const NearestPlace goal = nearest_place(slide.walls, tip);
@@ -121,7 +121,7 @@ Slide slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
         const Straight end = go_straight(scene, slide, goal.place, was_sliding);
         if (end == Straight::met_a_wall) continue;
         if (end == Straight::limited || slide.walls.count == 0 || supported(scene, slide)) return slide;
-        if (!first && glm::length(slide.x - cleared) < tight) return slide;
+        if (!first && glm::length(slide.x - cleared) < place_tolerance) return slide;
         first = false;
         cleared = slide.x;
         slide.walls.count = 0;

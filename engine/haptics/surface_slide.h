@@ -5,7 +5,7 @@
 namespace thaum::haptics {
 
 /// The proxy on its way to the tip.
-struct Slide {
+struct SlideState {
     vec3 x{};       ///< place of the proxy (m)
     Walls walls{};  ///< walls that hold it there
     /// Sweeps against a surface that round paths may still make in this tick, so that it ends in time.
@@ -15,7 +15,7 @@ struct Slide {
 };
 
 /// Goes from contact to contact until nothing is nearer to the tip, or friction holds.
-Slide slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding);
+SlideState slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding);
 
 /// Whether a wall still stands where the proxy is: the proxy may have gone round an edge.
 bool stands(const Scene& scene, const Wall& wall, vec3 x);

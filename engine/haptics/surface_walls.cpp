@@ -13,7 +13,7 @@ struct ActiveSet {
     std::size_t count{};
 };
 
-/// Whether all walls of the set push and no other wall is entered.
+/// Whether all walls of the set push and no other wall is depth_behind.
 bool holds(const Walls& walls, const ActiveSet& active, vec3 tip, double slack, vec3& place) {
     place = tip;
     unsigned used = 0;  // a bit each
@@ -30,7 +30,7 @@ bool holds(const Walls& walls, const ActiveSet& active, vec3 tip, double slack, 
 }
 
 ActiveSet against_one(const Walls& walls, std::size_t i, vec3 tip) {
-    return {{i}, {entered(walls.items[i], tip)}, 1};
+    return {{i}, {depth_behind(walls.items[i], tip)}, 1};
 }
 
 ActiveSet against_two(const Walls& walls, std::size_t i, std::size_t j, vec3 tip) {
@@ -38,7 +38,8 @@ ActiveSet against_two(const Walls& walls, std::size_t i, std::size_t j, vec3 tip
     const double sine2 = glm::dot(along, along);
     const double g = glm::dot(walls.items[i].normal, walls.items[j].normal);
     if (sine2 < nearly_parallel) return {{i, j}, {-1, -1}, 2};
-    const Depths depths = depths_of_two(entered(walls.items[i], tip), entered(walls.items[j], tip), g, sine2);
+    const Depths depths =
+        depths_of_two(depth_behind(walls.items[i], tip), depth_behind(walls.items[j], tip), g, sine2);
     return {{i, j}, {depths.a, depths.b}, 2};
 }
 
@@ -48,8 +49,8 @@ ActiveSet against_three(const Walls& walls, std::size_t i, std::size_t j, std::s
     const vec3 bc = glm::cross(b, c), ca = glm::cross(c, a), ab = glm::cross(a, b);
     const double det = glm::dot(a, bc);
     if (det * det < nearly_parallel) return {{i, j, k}, {-1, -1, -1}, 3};
-    const vec3 way = (entered(walls.items[i], tip) * bc + entered(walls.items[j], tip) * ca +
-                      entered(walls.items[k], tip) * ab) /
+    const vec3 way = (depth_behind(walls.items[i], tip) * bc + depth_behind(walls.items[j], tip) * ca +
+                      depth_behind(walls.items[k], tip) * ab) /
                      det;
     return {{i, j, k}, {glm::dot(way, bc) / det, glm::dot(way, ca) / det, glm::dot(way, ab) / det}, 3};
 }
@@ -90,7 +91,7 @@ NearestPlace nearest_place(Walls& walls, vec3 tip, double slack) {
 }  // namespace
 
 NearestPlace nearest_place(Walls& walls, vec3 tip) {
-    const NearestPlace nearest = nearest_place(walls, tip, tight);
+    const NearestPlace nearest = nearest_place(walls, tip, place_tolerance);
     return nearest.found ? nearest : nearest_place(walls, tip, loose);
 }
 

@@ -29,7 +29,7 @@ inline Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
 void add_wall(Walls& walls, const Wall& wall);
 
 /// Distance of the tip behind a wall (m).
-inline double entered(const Wall& wall, vec3 tip) { return wall.offset - glm::dot(wall.normal, tip); }
+inline double depth_behind(const Wall& wall, vec3 tip) { return wall.offset - glm::dot(wall.normal, tip); }
 
 /// Depths of two walls that both push: the tip's depth behind them is `a` and `b` (m), their normals have the product
 /// g.

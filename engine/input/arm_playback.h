@@ -12,7 +12,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "core/ring.h"
+#include "core/spsc_queue.h"
 #include "haptics/servo.h"
 #include "input/arm_pose.h"
 
@@ -62,7 +62,7 @@ private:
     bool next();
 
     haptics::Servo servo_;
-    Ring<Force, most_waiting> forces_;
+    SpscQueue<Force, most_waiting> forces_;
     std::atomic<bool> ended_{false}, stopped_{false};
 
     // The arm's thread.

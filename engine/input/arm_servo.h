@@ -14,8 +14,8 @@
 #include <atomic>
 #include <cstdint>
 
-#include "core/latest.h"
-#include "core/ring.h"
+#include "core/spsc_queue.h"
+#include "core/triple_buffer.h"
 #include "haptics/servo.h"
 #include "input/arm_pose.h"
 #include "input/frame.h"
@@ -78,8 +78,8 @@ public:
 private:
     void follow_orders();
 
-    Latest<ArmOrder> orders_{ArmOrder{}};
-    Ring<ArmSample, 1024> samples_;
+    TripleBuffer<ArmOrder> orders_{ArmOrder{}};
+    SpscQueue<ArmSample, 1024> samples_;
 
     // The arm's thread.
     ArmOrder used_{};

@@ -124,30 +124,30 @@ struct DeviceSpec {
     /// Of an arm: the edges of the box that it says it reaches, um, at most most_box_um; zero: it did not say.
     std::array<std::uint32_t, 3> box_um{};
     /// %, at most 100, by which each source of a fluid's forces is felt less.
-    std::array<std::uint8_t, fluid_faders> fluid_kept_off{};
+    std::array<std::uint8_t, fluid_faders> fluid_reduction{};
     bool operator==(const DeviceSpec&) const = default;
 
     /// 0 to 100 %: how much of the device's force its player wants at most. 0 is none at all.
-    void ask_for_force(std::uint32_t percent) {
+    void set_force_percent(std::uint32_t percent) {
         flags &= ~(no_forces | force_bits);
         flags |= percent == 0 ? no_forces : std::min(percent, 100U) << force_shift;
     }
     /// %; 0 where the rules say it.
-    std::uint32_t force_asked_for() const { return (flags & force_bits) >> force_shift; }
+    std::uint32_t force_percent() const { return (flags & force_bits) >> force_shift; }
 
     /// 0 to 100 %, of what the data files say.
-    void ask_for_carried(std::uint32_t weight_percent, std::uint32_t blow_percent) {
+    void set_carried_percent(std::uint32_t weight_percent, std::uint32_t blow_percent) {
         flags &= ~(weight_bits | blow_bits);
         flags |= (100 - std::min(weight_percent, 100U)) << weight_shift;
         flags |= (100 - std::min(blow_percent, 100U)) << blow_shift;
     }
     /// %, by which they are felt less.
-    std::uint32_t weight_kept_off() const { return (flags & weight_bits) >> weight_shift; }
-    std::uint32_t blows_kept_off() const { return (flags & blow_bits) >> blow_shift; }
+    std::uint32_t weight_reduction() const { return (flags & weight_bits) >> weight_shift; }
+    std::uint32_t blow_reduction() const { return (flags & blow_bits) >> blow_shift; }
 
     /// 0 to 100 %, of what the data files say.
-    void ask_for_fluid(std::size_t source, std::uint32_t percent) {
-        fluid_kept_off[source] = static_cast<std::uint8_t>(100 - std::min(percent, 100U));
+    void set_fluid_percent(std::size_t source, std::uint32_t percent) {
+        fluid_reduction[source] = static_cast<std::uint8_t>(100 - std::min(percent, 100U));
     }
 };
 

@@ -134,7 +134,7 @@ struct LogReader::State {
     }
     /// A block that ends at byte `end` is not what was written. A power cut leaves a file of its full size whose last
     /// pages never came: zeros. Damage seldom does, so that is told as what it most likely is.
-    bool spoilt(std::size_t end, std::string_view what) {
+    bool damaged_or_unwritten(std::size_t end, std::string_view what) {
         const auto written = size_without_zeros(log.file);
         const bool zeros = written < end && log.file.size - written >= least_zeros;
         return zeros ? cut_off("zeros at the end") : damaged(what);
@@ -150,7 +150,7 @@ struct LogReader::State {
         if (left < head.size()) return cut_off("part of a block");
         if (!log.file.read_at(at, head)) return damaged("cannot read");
         const auto found = detail::decode_block_header(head, log.salt);
-        if (!found) return spoilt(at + head.size(), "block header");
+        if (!found) return damaged_or_unwritten(at + head.size(), "block header");
         header = *found;
         if (header.first != ticks) return damaged("blocks missing");
         if (left - head.size() < header.packed_size) return cut_off("part of a block");
@@ -167,12 +167,12 @@ struct LogReader::State {
         if (!read_block(header)) return false;
         const auto bytes = std::span<const std::byte>(payload).first(header.packed_size);
         if (header.kind == detail::BlockKind::end) return read_end(header, bytes);
-        return unpacker.ticks(header, bytes, block) || spoilt(at, "payload");
+        return unpacker.ticks(header, bytes, block) || damaged_or_unwritten(at, "payload");
     }
 
     bool read_end(const detail::BlockHeader& header, std::span<const std::byte> bytes) {
         auto end_block = unpacker.end(header, bytes);
-        if (!end_block) return spoilt(at, "payload");
+        if (!end_block) return damaged_or_unwritten(at, "payload");
         if (at != log.file.size) return damaged("bytes after the end");
         if (end_block->last && !add_last(*end_block->last)) return damaged("payload");
         ending = LogEnding::clean;

@@ -35,10 +35,10 @@ using Clock = std::chrono::steady_clock;
 constexpr auto sync_interval = std::chrono::seconds(1);
 
 /// What the log's thread does after a block.
-enum class Then : std::uint8_t { go_on, stop, end_block };
+enum class AfterBlock : std::uint8_t { go_on, stop, end_block };
 
 struct QueuedBlock : detail::Block {
-    Then then = Then::go_on;
+    AfterBlock after = AfterBlock::go_on;
     QueuedBlock* next = nullptr;
 };
 
@@ -111,7 +111,7 @@ struct LogWriter::State {
     }
 
     ~State() {
-        finish(Then::stop);
+        finish(AfterBlock::stop);
         ::close(fd);
     }
 
@@ -173,11 +173,11 @@ struct LogWriter::State {
     void begin_block() {
         current->first = appended.load(std::memory_order_relaxed);
         current->ticks = current->hash_count = current->mark_count = 0;
-        current->then = Then::go_on;
+        current->after = AfterBlock::go_on;
     }
 
-    void hand_over(Then then) {
-        current->then = then;
+    void hand_over(AfterBlock after) {
+        current->after = after;
         full.push(current);
         handed_over.fetch_add(1, std::memory_order_release);
         handed_over.notify_one();
@@ -190,7 +190,7 @@ struct LogWriter::State {
             stop(text("the disk is too slow; kept up to tick ", appended.load()));
             return false;
         }
-        hand_over(Then::go_on);
+        hand_over(AfterBlock::go_on);
         current = next;
         begin_block();
         return true;
@@ -227,11 +227,11 @@ struct LogWriter::State {
     }
 
     /// Waits until all is written.
-    void finish(Then then) {
+    void finish(AfterBlock after) {
         if (finished) return;
         finished = true;
         if (!thread.joinable()) return;  // it could not be started
-        hand_over(then);
+        hand_over(after);
         thread.join();
     }
 
@@ -254,10 +254,10 @@ struct LogWriter::State {
             while (list != nullptr) {
                 auto* block = list;
                 list = block->next;
-                const auto then = block->then;
+                const auto after = block->after;
                 write_block(*block);
                 used.push(block);
-                if (then != Then::go_on) return;
+                if (after != AfterBlock::go_on) return;
             }
         }
     }
@@ -268,10 +268,10 @@ struct LogWriter::State {
         }
         // The other thread may have stopped early for want of a block; then the log was not closed cleanly.
         const bool whole = !stopped.load(std::memory_order_acquire);
-        if (block.then == Then::end_block && whole) {
+        if (block.after == AfterBlock::end_block && whole) {
             write_whole(packer.end(block.first + block.ticks, {result, last}));
         }
-        if (block.then != Then::go_on || Clock::now() >= synced + sync_interval) sync();
+        if (block.after != AfterBlock::go_on || Clock::now() >= synced + sync_interval) sync();
     }
 
     /// A disk may take bytes into its memory and find only here that it has no place for them.
@@ -354,7 +354,7 @@ Expected<void> LogWriter::close(std::string_view result, std::optional<HashRecor
         // A log that stopped early has no end block.
         if (last && last->tick == ticks()) state_->last = last;
     }
-    state_->finish(Then::end_block);
+    state_->finish(AfterBlock::end_block);
     if (auto fault = error()) return tl::unexpected(std::move(*fault));
     return {};
 }

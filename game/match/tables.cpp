@@ -291,10 +291,10 @@ void append_forces(const Simulation& match, std::string& out) {
         const vec3 anchor = tether.stiffness > 0 ? tether.anchor : vec3(0);
         const auto& surface = hand_state.servo.surface;
         const bool touches = surface.contacts != 0;
-        const vec3 point = touches ? surface.proxy - hand_state.servo.shift : vec3(0);
-        append_numbers(out, {book.created, book.given, passive.x, passive.y, passive.z, tether.stiffness,
-                             anchor.x, anchor.y, anchor.z, touches ? 1.0 : 0.0, point.x, point.y, point.z,
-                             plays_by_arm(match.world(), player) ? 1.0 : 0.0});
+        const vec3 point = touches ? surface.proxy - hand_state.servo.contact_offset : vec3(0);
+        append_numbers(out, {book.created, book.active_work, passive.x, passive.y, passive.z,
+                             tether.stiffness, anchor.x, anchor.y, anchor.z, touches ? 1.0 : 0.0, point.x,
+                             point.y, point.z, plays_by_arm(match.world(), player) ? 1.0 : 0.0});
     }
     out += '\n';
 }

@@ -101,11 +101,11 @@ Expected<void> begin_match(Play& play, const MatchWish& wish) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const int level = wish.bot_level[player];
         setup.devices.push_back(level == 0 ? script_device(player) : bot_device(player, level));
-        if (wish.force[player]) setup.devices.back().ask_for_force(*wish.force[player]);
-        setup.devices.back().ask_for_carried(wish.weight[player].value_or(100),
-                                             wish.blows[player].value_or(100));
+        if (wish.force[player]) setup.devices.back().set_force_percent(*wish.force[player]);
+        setup.devices.back().set_carried_percent(wish.weight[player].value_or(100),
+                                                 wish.blows[player].value_or(100));
         for (std::size_t mode = 0; mode < input::fluid_faders; ++mode)
-            setup.devices.back().ask_for_fluid(mode, wish.modes[player][mode].value_or(100));
+            setup.devices.back().set_fluid_percent(mode, wish.modes[player][mode].value_or(100));
     }
     for (std::uint32_t player = 0; player < players; ++player) {
         if (!wish.arm[player]) continue;

@@ -26,7 +26,7 @@ struct StirredBox {
         touch.frame.origin = vec3(0.5);
         touch.drag = {.viscous = 0.4, .form = 0.15, .stirred_mass = brew_density * 0.01};
         touch.newer = {};
-        newest_step(touch, flow());
+        add_fluid_step(touch, flow());
     }
 
     FlowPatch flow() const {
@@ -45,7 +45,7 @@ struct StirredBox {
         given += impulse;
         push(fluid, {rig.state.fluid.place, 0.2, impulse / brew_density});
         advance(fluid, fluid_period * tick_seconds);
-        newest_step(rig.fluid(), flow());
+        add_fluid_step(rig.fluid(), flow());
     }
 
     /// kg m/s, in the bowl, of the hand: as heavy there as s_f makes it.
@@ -90,7 +90,7 @@ TEST(FluidTouchAccuracy, AHandThatLetsGoIsCarriedOn) {
         push(box.fluid, {rig.state.fluid.place, 0.2, impulse / brew_density});
         advance(box.fluid, fluid_period * tick_seconds);
         rig.tip.position = led(tick * tick_seconds);
-        newest_step(rig.fluid(), box.flow());
+        add_fluid_step(rig.fluid(), box.flow());
     }
     const double current = glm::length(fluid::velocity_at(box.fluid, rig.state.fluid.place));
     EXPECT_GT(current, 0.2) << "m/s";

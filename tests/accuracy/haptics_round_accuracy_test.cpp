@@ -81,7 +81,7 @@ Errors slide_round(Probe& probe, const Circle& c, double friction, double height
         const bool slides = std::abs(along) > friction * normal * (1 + 1e-12);
         if (slides && lag >= 0 && along > 0) proxy = angle - lag;
         if (slides && along < 0) return errors;  // more than half a turn behind
-        const Touched touched = probe.at(tip);
+        const ContactResult touched = probe.at(tip);
         if (glm::length(touched.force) == 0) ++errors.lost;
         const vec3 exact = stiffness * (polar(radius, proxy) - tip);
         (slides ? errors.steady : errors.before) =
@@ -211,7 +211,7 @@ TEST(RoundBodies, OverASphereEveryTransientIsTheExactOne) {
                 place *= std::clamp(rho, 0.1 * radius, 0.9 * radius) / rho;
                 tip.place = place;
                 proxy = exact_on_sphere(proxy, place, friction);
-                const Touched touched = probe.at(place);
+                const ContactResult touched = probe.at(place);
                 ASSERT_LE(glm::length(touched.force - stiffness * (proxy - place)), judged_to)
                     << friction << " at " << tick;
                 proxy = touched.proxy;
@@ -246,7 +246,7 @@ TEST(RoundBodies, WithoutFrictionTheProxyIsTheFootOnTheSideThatWasTouched) {
                     vec3 tip((1 - depth_ratio) * radius * std::cos(angle), up,
                              (1 - depth_ratio) * radius * std::sin(angle));
                     if (std::abs(up) > half) tip *= vec3(0.3, 1, 0.3);
-                    const Touched touched = probe.at(tip);
+                    const ContactResult touched = probe.at(tip);
                     const vec3 exact = stiffness * (foot_on_side(kind, tip, radius, half) - tip);
                     if (glm::length(touched.force) == 0) ++lost;
                     worst = bench::worse(worst, glm::length(touched.force - exact));
@@ -312,7 +312,7 @@ TEST(RoundBodies, OverCapsuleAndCylinderEveryTransientIsTheSteepestDescent) {
                     place = core + std::clamp(rho, 0.1 * radius, 0.9 * radius) / rho * (place - core);
                     tip.place = place;
                     proxy = exact.proxy(proxy, place);
-                    const Touched touched = probe.at(place);
+                    const ContactResult touched = probe.at(place);
                     ASSERT_LE(glm::length(touched.force - stiffness * (proxy - place)), judged_to)
                         << static_cast<int>(kind) << " friction " << friction << " speed " << speed << " at "
                         << tick;

@@ -20,10 +20,10 @@ struct Grip {
 
 // Mass 0.25 kg; critical: (damping + 0.5) = 2 sqrt(400 * 0.25) = 20.
 constexpr Grip grips[] = {
-    {"loose", {.mass = 0.15, .stiffness = 400, .damping = 3, .fastest = 1e9}},
-    {"nearly critical", {.mass = 0.15, .stiffness = 400, .damping = 19.5001, .fastest = 1e9}},
-    {"stiff and dry", {.mass = 0.15, .stiffness = 400, .damping = 90, .fastest = 1e9}},
-    {"very stiff", {.mass = 0.01, .stiffness = 90'000, .damping = 0, .fastest = 1e9}},
+    {"loose", {.mass = 0.15, .stiffness = 400, .damping = 3, .max_target_speed = 1e9}},
+    {"nearly critical", {.mass = 0.15, .stiffness = 400, .damping = 19.5001, .max_target_speed = 1e9}},
+    {"stiff and dry", {.mass = 0.15, .stiffness = 400, .damping = 90, .max_target_speed = 1e9}},
+    {"very stiff", {.mass = 0.01, .stiffness = 90'000, .damping = 0, .max_target_speed = 1e9}},
 };
 
 struct System {
@@ -129,7 +129,7 @@ TEST(HapticsSimulatedAccuracy, AnUndampedSpringLosesTwoBandsAnHalfSwing) {
     // lies 2 F / k nearer; it stays where it first turns within the band.
     constexpr double k = 400, friction = 0.26;
     const auto device =
-        with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .fastest = 1e9}, friction, 0);
+        with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .max_target_speed = 1e9}, friction, 0);
     const Real band = Real(friction) / k, half = std::acos(Real(-1)) * std::sqrt(Real(0.25) / k);
     auto state = resting_at({});
     state.position.x = 0.02;
@@ -155,7 +155,7 @@ TEST(HapticsSimulatedAccuracy, AnUndampedSpringLosesTwoBandsAnHalfSwing) {
 TEST(HapticsSimulatedAccuracy, ARampLetsGoAtTheMomentItShould) {
     constexpr double k = 400, friction = 0.26, w = 0.0371;
     const auto device =
-        with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .fastest = 1e9}, friction, 0);
+        with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .max_target_speed = 1e9}, friction, 0);
     const Real go = Real(friction) / (k * Real(w)), rate = std::sqrt(Real(k) / Real(0.25));
     auto state = resting_at({});
     for (int tick = 1; tick <= 90; ++tick) {  // until just before it would stop again
@@ -170,7 +170,7 @@ TEST(HapticsSimulatedAccuracy, ARampLetsGoAtTheMomentItShould) {
 TEST(HapticsSimulatedAccuracy, StickAndSlipDoNotDependOnTheTick) {
     // The same evenly moved target and constant force by ticks of 1/8, 1 and 8 ms. The bigger the tick the more stops and
     // starts fall into one.
-    const Hand hand{.mass = 0.15, .stiffness = 400, .damping = 2, .fastest = 1e9};
+    const Hand hand{.mass = 0.15, .stiffness = 400, .damping = 2, .max_target_speed = 1e9};
     const auto run = [&hand](int ticks_per_8_ms) {
         const auto device = with_friction(hand, 0.26, 0.2, 8e-3 / ticks_per_8_ms);
         auto state = resting_at({});

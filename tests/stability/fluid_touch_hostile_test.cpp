@@ -31,7 +31,7 @@ struct LateFluid {
         velocity += coming / mass;
         coming = pushed;
         pushed = {};
-        newest_step(touch, uniform_flow(velocity, 4, 8));
+        add_fluid_step(touch, uniform_flow(velocity, 4, 8));
     }
 };
 
@@ -130,7 +130,7 @@ void spoil_fluid(FluidTouch& touch, Random& random) {
     touch.wall = bench::round_bowl(1.5, 1);
     touch.wall.stiffness = 5000;
     touch.wall.damping = 10;
-    touch.surface = {.stiffness = 5000, .pop_through = 200, .cling = 40, .there = 1};
+    touch.surface = {.stiffness = 5000, .pop_through = 200, .cling = 40, .present = 1};
     touch.wall.points = random.below(12);
     touch.surface.inside = static_cast<std::uint32_t>(random.below(2));
     for (const FluidMode& mode : fluid_modes) sometimes(touch.modes.*mode.strength);

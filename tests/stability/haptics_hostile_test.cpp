@@ -33,7 +33,7 @@ vec3 hostile_vector(Random& random) {
 TEST(HapticsHostile, NothingMakesTheSimulatedDeviceLeaveItsLimits) {
     for (const auto& spec : shipped_devices()) {
         for (const Hand& hand :
-             {Hand{}, no_hand, Hand{.mass = 0.01, .stiffness = 1e4, .damping = 0, .fastest = inf}}) {
+             {Hand{}, no_hand, Hand{.mass = 0.01, .stiffness = 1e4, .damping = 0, .max_target_speed = inf}}) {
             const auto device = simulated_device(spec, hand);
             Random random{9};
             auto state = resting_at({});

@@ -128,7 +128,7 @@ void wander(const Scene& scene, double friction, double speed, std::uint64_t see
     for (int tick = 0; tick < 3000; ++tick) {
         vec3 place = tip.next(speed);
         if (glm::length(place - scene.middle) > scene.size) tip.way = -glm::normalize(place - scene.middle);
-        const Touched touched = probe.at(place);
+        const ContactResult touched = probe.at(place);
         std::vector<vec3> normals;
         double depth = -1;
         for (std::uint32_t i = 0; i < scene.patch.count; ++i) {
@@ -183,7 +183,7 @@ TEST(RoundBodies, SharpAndConcaveEdgesOfAMeshKeepTheForce) {
                     const vec3 off = place - middle;
                     if (glm::length(off) > 0.01) tip.way = -glm::normalize(off);
                     const double under = -slope * std::abs(place.x) - place.y;
-                    const Touched touched = probe.at(place);
+                    const ContactResult touched = probe.at(place);
                     if (under < 1e-6) continue;
                     ++inside;
                     if (touched.contacts == 0 || glm::length(touched.force) == 0) ++lost;
@@ -238,7 +238,7 @@ TEST(RoundBodies, NoSpeedTakesTheProxyThroughRoundBodiesOrTheWallsBesideThem) {
             const double size = std::pow(10.0, random.uniform(-5, 1));
             tip = n % 2 == 0 ? tip + 1e-3 * random_vec(random) : size * random_vec(random);
             if (n % 7 == 0) tip = half * random_vec(random);
-            const Touched touched = probe.at(tip);
+            const ContactResult touched = probe.at(tip);
             const vec3 x = probe.state.proxy;
             ASSERT_TRUE(std::abs(x.x) < half && std::abs(x.y) < half && std::abs(x.z) < half)
                 << n << " friction " << friction;
@@ -269,7 +269,7 @@ TEST(RoundBodies, MovingBodiesCarryAndPushTheProxy) {
             for (int tick = 0; tick < 400; ++tick) {
                 probe.patch = moved_on(probe.patch, dt);
                 const vec3 tip(0.0001, 0, 0.012);
-                const Touched touched = probe.at(tip);
+                const ContactResult touched = probe.at(tip);
                 const Surface& s = probe.patch.surfaces[0];
                 const double depth = depth_in(s, tip);
                 if (depth < 1e-6) continue;
@@ -295,7 +295,7 @@ TEST(RoundBodies, AtTheEndOfThePatchTheProxyStaysOnItsSurface) {
         probe.at({0, 1.1 * radius, 0});
         for (int tick = 0; tick < 100; ++tick) {
             const vec3 tip = polar(0.7 * radius, 0.01 * tick);
-            const Touched touched = probe.at(tip);
+            const ContactResult touched = probe.at(tip);
             ASSERT_GT(touched.contacts, 0U) << tick;
             ASSERT_NEAR(glm::length(touched.proxy), radius + surface_gap, 1e-12) << tick;
             ASSERT_LE(glm::length(touched.proxy - probe.patch.centre), 0.005 + 1e-12) << tick;
@@ -338,7 +338,7 @@ TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
             vec3 place = tip.next(0.5);
             if (glm::length(place) > 0.03) place *= 0.999;  // back to the bodies
             tip.place = place;
-            const Touched touched = probe.at(place);
+            const ContactResult touched = probe.at(place);
             const vec3 spring = touched.proxy - place;
             ASSERT_LE(glm::length(spring - touched.push), rest) << "seed " << seed << " tick " << tick;
         }
@@ -370,7 +370,7 @@ TEST(RoundBodies, InAGrooveFrictionHoldsAtTheFirstPlaceOfALongPath) {
                    .sliding = 1,
                    .begun = 1};
     const vec3 exact(-0.00054325069086277227, -0.00043011490315473403, -0.00075069875892546284);
-    const Touched touched =
+    const ContactResult touched =
         probe.at({-0.00047677046294828491, -8.1155886553072374e-06, -0.00013956396290504223});
     EXPECT_LE(glm::length(touched.proxy - exact), 1e-10);
     EXPECT_EQ(touched.contacts, 2U);
@@ -511,7 +511,7 @@ TEST(RoundBodies, WithoutRoomTheLastWallsKeepTheForce) {
          {0.13001072, -0.26728686, 0.58271843, -0.75636908});
     Probe probe{patch};
     probe.state = {.proxy = {-0.00408844, 0.01708846, -0.01752639}, .begun = 1};
-    const Touched touched = probe.at({-0.01389941, 0.00874292, -0.00754157});
+    const ContactResult touched = probe.at({-0.01389941, 0.00874292, -0.00754157});
     EXPECT_GT(touched.contacts, 0U);
     EXPECT_GT(glm::length(touched.force), 0);
 }

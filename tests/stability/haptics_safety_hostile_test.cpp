@@ -79,7 +79,7 @@ void change_patch(HapticModel& model, vec3 at, Random& random) {
         body.material.damping = 100 * nasty();
         body.material.static_friction = body.material.dynamic_friction = 50 * nasty();
     }
-    model.drift = {10.0 * place(), 100.0 * place()};
+    model.frame_motion = {10.0 * place(), 100.0 * place()};
     model.patch_number += random.below(2);
 }
 
@@ -90,7 +90,7 @@ TEST(HapticsSafetyHostile, NothingGetsThroughTheServoStep) {
         const Servo servo{safety_limits(spec, 1)};
         ServoState state;
         HapticModel model;
-        const double fall = servo.limits.fastest * tick_seconds;
+        const double fall = servo.limits.max_speed * tick_seconds;
         vec3 position{};
         for (int tick = 0; tick < attack_ticks; ++tick) {
             const auto input = attack.next();

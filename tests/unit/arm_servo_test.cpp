@@ -56,7 +56,7 @@ struct Mirror {
 
     haptics::HapticModel next_model() {
         haptics::HapticModel model;
-        model.lean.force = push * vec3(random.uniform(), random.uniform(), -random.uniform());
+        model.steady_force.force = push * vec3(random.uniform(), random.uniform(), -random.uniform());
         model.tether = {
             .anchor = {0.001 * random.uniform(), 0, 0}, .stiffness = 100, .damping = 1, .number = 1};
         if (random.uniform() < 0.01) ++pulses;

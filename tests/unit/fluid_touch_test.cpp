@@ -34,8 +34,8 @@ TEST(FluidTouch, EachModeIsItsEquation) {
                                .wall = 0,
                                .inertia = 0};
         rig.fluid().modes = modes;
-        newest_step(rig.fluid(), uniform_flow(u, viscosity, density));
-        newest_step(rig.fluid(), uniform_flow(u, viscosity, density));
+        add_fluid_step(rig.fluid(), uniform_flow(u, viscosity, density));
+        add_fluid_step(rig.fluid(), uniform_flow(u, viscosity, density));
         const vec3 force = rig.feel_moving(at, v);
         const vec3 bowl_velocity = rig.fluid().frame.turn * (16.0 * v);
         const double mu = static_cast<float>(viscosity), rho = static_cast<float>(density);
@@ -62,8 +62,8 @@ TEST(FluidTouch, AMixtureIsFeltAsTheWeightedSumOfItsSubstances) {
         FlowSource source{.velocity = {{grid(still), grid(still), grid(still)}}};
         source.substances[0] = {grid(one), 2 * first, 4 * first};
         source.substances[1] = {grid(other), 3 * second, 1 * second};
-        newest_step(rig.fluid(), patch_of(source, {}));
-        newest_step(rig.fluid(), patch_of(source, {}));
+        add_fluid_step(rig.fluid(), patch_of(source, {}));
+        add_fluid_step(rig.fluid(), patch_of(source, {}));
         return rig.feel_moving({}, {0.1, 0, 0});
     };
     const vec3 sum = force_of(1, 0) + force_of(0, 1);
@@ -82,7 +82,7 @@ TEST(FluidTouch, AFreeHandComesToGoAsTheFlowDoes) {
             modes.viscosity = modes.flow = 1;
         const vec3 u{1, 0.25, -0.5};
         rig.fluid().step_age = 100;
-        newest_step(rig.fluid(), uniform_flow(u, 4, 8));
+        add_fluid_step(rig.fluid(), uniform_flow(u, 4, 8));
         for (int tick = 0; tick < 8000; ++tick, ++rig.fluid().step_age) rig.tick();
         EXPECT_LE(glm::length(rig.tip.velocity - in_device(rig.fluid(), u) / 16.0), 1e-6) << by_resistance;
         EXPECT_LE(rig.state.energy.most_created, 1e-3);
@@ -120,8 +120,8 @@ TEST(FluidTouch, NoBrewIsTooThickForTheDevice) {
         const vec3 u = in_device(across.fluid(), vec3(2, 0, 0) / 16.0), v{0, 0.2, 0};
         for (StirringRig* rig : {&across, &along}) {
             rig->fluid().modes.viscosity = rig->fluid().modes.flow = 1;
-            newest_step(rig->fluid(), uniform_flow({2, 0, 0}, viscosity, 0));
-            newest_step(rig->fluid(), uniform_flow({2, 0, 0}, viscosity, 0));
+            add_fluid_step(rig->fluid(), uniform_flow({2, 0, 0}, viscosity, 0));
+            add_fluid_step(rig->fluid(), uniform_flow({2, 0, 0}, viscosity, 0));
         }
         const double slope = std::min(felt_share * 2 * viscosity, 30.0);
         EXPECT_LE(glm::length(across.feel_moving({}, v) + slope * (v - u)), 1e-9) << viscosity;
@@ -141,14 +141,14 @@ TEST(FluidTouch, WhatTheHandGetsTheFluidLoses) {
     for (int tick = 0; tick < 3000; ++tick, ++rig.fluid().step_age) {
         const double much = (tick - tick % 16) / 3200.0;
         if (tick % 16 == 0)
-            newest_step(rig.fluid(),
-                        uniform_flow(much * vec3(1, -0.5, 2), random.uniform(0, 5), random.uniform(0, 5)));
+            add_fluid_step(rig.fluid(),
+                           uniform_flow(much * vec3(1, -0.5, 2), random.uniform(0, 5), random.uniform(0, 5)));
         rig.tick();
         const vec3 on_fluid = -force_on_ladle(rig.fluid(), rig.state.fluid) * tick_seconds;
         fluid_got += on_fluid;
         size += glm::abs(on_fluid);
     }
-    ASSERT_LT(rig.state.energy.given, active_budget) << "nothing was kept from the hand";
+    ASSERT_LT(rig.state.energy.active_work, active_budget) << "nothing was kept from the hand";
     ASSERT_EQ(rig.state.energy.most_created, 0) << "and the controller asked for nothing";
     const vec3 hand_got = rig.fluid().frame.turn * (0.1 * (rig.tip.velocity - start)) * 256.0;
     EXPECT_LE(glm::length(fluid_got + hand_got), 1e-6 * glm::length(size));
@@ -180,11 +180,11 @@ TEST(FluidTouch, AFluidStepMakesNoJump) {
     const auto step = [&] {
         return uniform_flow(any_vector(random, 2), random.uniform(0, 4), random.uniform(0, 4));
     };
-    newest_step(rig.fluid(), step());
+    add_fluid_step(rig.fluid(), step());
     rig.fluid().step_age = 16;
     vec3 before = rig.feel_moving({}, {}), at_step = before;
     for (int fluid_step = 0; fluid_step < 200; ++fluid_step) {
-        newest_step(rig.fluid(), step());
+        add_fluid_step(rig.fluid(), step());
         double largest = 0;
         for (int tick = 0; tick < 16; ++tick, ++rig.fluid().step_age) {
             const vec3 force = rig.feel_at({});
@@ -202,8 +202,8 @@ TEST(FluidTouch, AnOldModelGoesOnAsANewOneWould) {
     for (StirringRig* rig : {&fresh, &old}) {
         rig->fluid().modes = {1, 1, 1, 1, 0, 0, 0};
         rig->fluid().surface = {
-            .height = 0.3, .velocity = 0.2, .stiffness = 4000, .pop_through = 300, .there = 1};
-        newest_step(rig->fluid(), uniform_flow({2, 1, 0}, 1, 3));
+            .height = 0.3, .velocity = 0.2, .stiffness = 4000, .pop_through = 300, .present = 1};
+        add_fluid_step(rig->fluid(), uniform_flow({2, 1, 0}, 1, 3));
     }
     for (int tick = 0; tick < 40; ++tick) {
         old.model_age = static_cast<std::uint32_t>(std::min(tick, 19));
@@ -242,7 +242,7 @@ TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
         BowlWall wall = run % 2 == 0 ? court : bench::round_bowl(1.2, 0.7);
         wall.centre = any_vector(random, 1);
         const vec3 place = wall.centre + any_vector(random, run % 3 == 0 ? 30 : 1.5);
-        const vec3 held = held_in(wall, place);
+        const vec3 held = nearest_in_bowl(wall, place);
         if (outside_by(wall, place) <= 0) {
             EXPECT_EQ(held, place);
             continue;
@@ -256,9 +256,9 @@ TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
         }
     }
     for (const vec3 place : {vec3(0, -50, 0), vec3(50, 0, 0), vec3(0, -1e9, 0)})
-        EXPECT_LE(std::abs(outside_by(court, held_in(court, place))), 1e-6);
+        EXPECT_LE(std::abs(outside_by(court, nearest_in_bowl(court, place))), 1e-6);
     court.points = 1;
-    EXPECT_EQ(held_in(court, {9, 9, 9}), vec3(9, 9, 9));
+    EXPECT_EQ(nearest_in_bowl(court, {9, 9, 9}), vec3(9, 9, 9));
 }
 
 TEST(FluidTouch, AHandThatLeansOnTheBowlGoesInByForceOverStiffness) {
@@ -271,13 +271,13 @@ TEST(FluidTouch, AHandThatLeansOnTheBowlGoesInByForceOverStiffness) {
     rig.fluid().wall.stiffness = 5000;  // 312.5, 2.5 at the hand
     rig.fluid().wall.damping = 40;
     const vec3 out = in_device(rig.fluid(), glm::normalize(vec3(0.3, -1, 0.2)));
-    rig.model.lean = {2.0 * out, 1};
+    rig.model.steady_force = {2.0 * out, 1};
     for (int tick = 0; tick < 6000; ++tick) rig.tick();
     const auto& state = rig.state.fluid;
     const vec3 place = to_bowl(rig.fluid().frame, rig.tip.position);
     EXPECT_NEAR(glm::length(place - state.place) / 16, 2.0 / 312.5, 2e-6);
     EXPECT_NEAR(glm::length(state.wall), 2, 1e-3);
-    EXPECT_LE(glm::length(state.wall + rig.model.lean.force), 1e-2);
+    EXPECT_LE(glm::length(state.wall + rig.model.steady_force.force), 1e-2);
     // However deep it is, and wherever it came from, it is drawn back in.
     const vec3 far = rig.feel_at(out * 3.0);
     EXPECT_LT(glm::dot(far, out), 0);
@@ -304,7 +304,7 @@ BrewSurface surface_of(const fluid::SheetSettings& s, const fluid::SheetReaction
             .pop_through = s.pop_through,
             .cling = s.cling,
             .inside = r.inside ? 1U : 0U,
-            .there = 1};
+            .present = 1};
 }
 
 TEST(FluidTouch, TheSurfaceIsTheSheetsOwnSpring) {
@@ -347,7 +347,7 @@ TEST(FluidTouch, ASurfaceThatLiftsAHandPaysForIt) {
     StirringRig rig;
     rig.fluid().modes.surface = 1;
     rig.fluid().frame = {.metres_per_metre = 20, .newtons_per_newton = 0.005};
-    rig.fluid().surface = {.stiffness = 4000, .pop_through = 300, .there = 1};
+    rig.fluid().surface = {.stiffness = 4000, .pop_through = 300, .present = 1};
     rig.feel_at({});
     for (int tick = 0; tick < 1000; ++tick) {
         const double y = 0.02 * std::sin(2 * pi * tick / 1000);
@@ -360,7 +360,7 @@ TEST(FluidTouch, ASurfaceThatLiftsAHandPaysForIt) {
 TEST(FluidTouch, ACurrentIsHeldToItsBudget) {
     StirringRig rig;
     rig.fluid().modes.flow = 1;
-    for (int step = 0; step < 2; ++step) newest_step(rig.fluid(), uniform_flow({160, 0, 0}, 4, 0));
+    for (int step = 0; step < 2; ++step) add_fluid_step(rig.fluid(), uniform_flow({160, 0, 0}, 4, 0));
     double work = 0;
     for (int tick = 0; tick < 1000; ++tick) {
         const vec3 from = rig.tip.position;
@@ -376,7 +376,7 @@ TEST(FluidTouch, TheLadleIsFeltAsItDipsIn) {
     rig.fluid().modes.viscosity = 1;
     rig.fluid().frame = {.metres_per_metre = 1, .newtons_per_newton = 1};
     rig.fluid().drag = {.viscous = 1, .height = 0.2};
-    rig.fluid().surface = {.height = 0, .inside = 1, .there = 1};
+    rig.fluid().surface = {.height = 0, .inside = 1, .present = 1};
     const auto drag_at = [&rig](double y) { return -rig.feel_moving({0, y, 0}, {0.1, 0, 0}).x / 0.1; };
     EXPECT_EQ(drag_at(0.05), 0);
     EXPECT_NEAR(drag_at(-0.05), 1, 1e-9);
@@ -396,18 +396,19 @@ TEST(FluidTouch, TheLadleIsAsHeavyAsItIs) {
         rig.fluid().ladle = {.mass = 3.2, .stiffness = 4800, .damping = 60};  // 0.2 kg, 300 N/m, 3.75 N s/m
         const double mass = strength * 0.2;
         for (int tick = 0; tick < 10; ++tick) rig.tick();
-        rig.model.lean = {{0.3, 0, 0.4}, 1};
+        rig.model.steady_force = {{0.3, 0, 0.4}, 1};
         vec3 halfway{};
         for (int tick = 0; tick < 1000; ++tick) {
             rig.tick();
             if (tick == 499) halfway = rig.tip.velocity;
             // What hand and ladle have is what was given, in each tick.
             const vec3 momentum = 0.1 * rig.tip.velocity + mass * rig.state.fluid.mass_velocity;
-            ASSERT_LE(glm::length(momentum - rig.model.lean.force * ((tick + 1) * tick_seconds)), 1e-9)
+            ASSERT_LE(glm::length(momentum - rig.model.steady_force.force * ((tick + 1) * tick_seconds)),
+                      1e-9)
                 << tick;
         }
         const vec3 acceleration = (rig.tip.velocity - halfway) / 0.5;
-        EXPECT_LE(glm::length(acceleration - rig.model.lean.force / (0.1 + mass)), 1e-3) << strength;
+        EXPECT_LE(glm::length(acceleration - rig.model.steady_force.force / (0.1 + mass)), 1e-3) << strength;
         EXPECT_LE(rig.state.energy.most_created, 1e-4);
     }
 }
@@ -449,20 +450,20 @@ TEST(FluidTouch, WithoutStrengthItIsFeltAsIfThereWereNone) {
     off.fluid().wall = bench::round_bowl(0.01, 0.01);
     off.fluid().wall.stiffness = 1e4;
     off.fluid().ladle = {1, 300, 3};
-    off.fluid().surface = {.height = 1, .stiffness = 1e4, .pop_through = 1e4, .there = 1};
+    off.fluid().surface = {.height = 1, .stiffness = 1e4, .pop_through = 1e4, .present = 1};
     Random random{6};
     for (int tick = 0; tick < 500; ++tick) {
         const vec3 at = any_vector(random, 0.001);
         for (StirringRig* rig : {&none, &off}) {
             rig->model.tether = {.stiffness = 100, .damping = 1};
             rig->model.pulse = {{1, 0, 0}, 10, static_cast<std::uint32_t>(1 + tick / 50)};
-            rig->model.lean.number =
+            rig->model.steady_force.number =
                 1 + static_cast<std::uint64_t>(tick) / 7;  // another one is a switch, too
         }
-        off.fluid().number = none.model.lean.number;
+        off.fluid().number = none.model.steady_force.number;
         ASSERT_EQ(none.feel_at(at), off.feel_at(at));
         // Where the ladle is, is told all the same.
-        const vec3 place = held_in(off.fluid().wall, to_bowl(off.fluid().frame, at));
+        const vec3 place = nearest_in_bowl(off.fluid().wall, to_bowl(off.fluid().frame, at));
         ASSERT_EQ(off.state.fluid.place, place);
         ASSERT_EQ(off.state.fluid.immersed, 0) << "above the surface";
         ServoState but_for_it = off.state;
@@ -477,8 +478,8 @@ TEST(FluidTouch, WhatComesGoesOrJumpsIsASwitch) {
     rig.fluid().modes = {1, 1, 1, 0, 0, 0, 0};
     rig.servo.limits.slew = 40;
     const vec3 u{6, 0, 0};
-    newest_step(rig.fluid(), uniform_flow(u, 4, 8));
-    newest_step(rig.fluid(), uniform_flow(u, 4, 8));
+    add_fluid_step(rig.fluid(), uniform_flow(u, 4, 8));
+    add_fluid_step(rig.fluid(), uniform_flow(u, 4, 8));
     vec3 before = rig.feel_at({});
     const auto numbers = {1U, 2U, 0U, 5U};
     double largest = 0;

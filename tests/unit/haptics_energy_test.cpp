@@ -34,7 +34,7 @@ Outcome meet_spring(double stiffness, bool controlled, int latency) {
     const auto device = simulated_device(spec, no_hand);
     Servo servo = servo_of(spec, 1);
     servo.limits.slew = 1e9;
-    servo.limits.fastest = 1e9;
+    servo.limits.max_speed = 1e9;
     if (!controlled) servo.most_damping = 0;
     ServoState state{};
     HapticModel model{};
@@ -55,15 +55,15 @@ Outcome meet_spring(double stiffness, bool controlled, int latency) {
 }
 
 TEST(HapticsEnergy, TheBooksAreTheSumOfForceTimesWay) {
-    EnergyBook book;
+    PassivityObserver book;
     observe(book, {0, 0, 0}, {}, 0, 0);
-    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {});
+    record_output(book, {2, 0, 0}, {2, 0, 0}, {}, {});
     observe(book, {0.01, 0, 0}, {}, 0, 0);
     EXPECT_NEAR(book.created, 0.02, 1e-15) << "the hand went where the force pushed it";
-    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {});
+    record_output(book, {2, 0, 0}, {2, 0, 0}, {}, {});
     observe(book, {0.0, 0, 0}, {}, 1, 0);
     EXPECT_NEAR(book.created, 0, 1e-15) << "and back against it";
-    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {2, 0, 0});
+    record_output(book, {2, 0, 0}, {2, 0, 0}, {}, {2, 0, 0});
     observe(book, {0.01, 0, 0}, {0.01, 0, 0}, 0, 0);
     EXPECT_NEAR(book.created, 0, 1e-15) << "the world moved the other end as far: it paid";
     EXPECT_NEAR(book.most_created, 0.02, 1e-15);
@@ -71,60 +71,60 @@ TEST(HapticsEnergy, TheBooksAreTheSumOfForceTimesWay) {
 
 TEST(HapticsEnergy, APoseThatJumpsIsNoWork) {
     for (const double away : {0.06, 1.0, 1e6}) {
-        EnergyBook book;
+        PassivityObserver book;
         const auto tick = [&](double x) {
             observe(book, {x, 0, 0}, {}, 0, 0);
-            enter(book, {3, 0, 0}, {2, 0, 0}, {1, 0, 0}, {});
+            record_output(book, {3, 0, 0}, {2, 0, 0}, {1, 0, 0}, {});
         };
         tick(0), tick(0.001), tick(0.002);
-        const double created = book.created, given = book.given;
+        const double created = book.created, given = book.active_work;
         EXPECT_GT(created, 0.003);
         tick(0.002 + away), tick(0.002);
         EXPECT_EQ(book.created, created) << away;
-        EXPECT_EQ(book.given, given) << away;
+        EXPECT_EQ(book.active_work, given) << away;
         tick(0.003);
         EXPECT_NEAR(book.created, created + 0.002, 1e-12) << "and on it goes";
     }
 }
 
 TEST(HapticsEnergy, WhatDampingTookIsNoReserve) {
-    EnergyBook book;
+    PassivityObserver book;
     observe(book, {}, {}, 0, 0);
-    enter(book, {-5, 0, 0}, {-5, 0, 0}, {}, {});
+    record_output(book, {-5, 0, 0}, {-5, 0, 0}, {}, {});
     observe(book, {0.02, 0, 0}, {}, 0.02, 0);
     EXPECT_NEAR(book.created, -0.02, 1e-15) << "0.1 J went in, and 0.02 J are stored";
 }
 
 TEST(HapticsEnergy, CapAndHeatScaleAllSourcesAlikeAndTheRestIsActive) {
-    EnergyBook book;
-    enter(book, {1, 0, 0}, {3, 0, 0}, {1, 0, 0}, {3, 0, 0});
+    PassivityObserver book;
+    record_output(book, {1, 0, 0}, {3, 0, 0}, {1, 0, 0}, {3, 0, 0});
     const auto now = [&book] { return book.forces[book.newest]; };
     EXPECT_NEAR(now().passive.x, 0.75, 1e-15);
     EXPECT_NEAR(now().world.x, 0.75, 1e-15);
     EXPECT_NEAR(now().active.x, 0.25, 1e-15);
-    enter(book, {0, 1, 0}, {}, {}, {});
+    record_output(book, {0, 1, 0}, {}, {}, {});
     EXPECT_EQ(now().passive, vec3(0));
     EXPECT_EQ(now().active, vec3(0, 1, 0));
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    enter(book, {1, 0, 0}, {nan, 0, 0}, {}, {});
+    record_output(book, {1, 0, 0}, {nan, 0, 0}, {}, {});
     EXPECT_EQ(now().passive, vec3(0));
 }
 
 TEST(HapticsEnergy, WhatFadesAfterASwitchIsPassive) {
-    EnergyBook book;
+    PassivityObserver book;
     observe(book, {}, {}, 0, 0);
     // The spring wants 1 N and gets it; 2 N of the last source are left.
-    enter(book, {3, 0, 0}, {1, 0, 0}, {}, {1, 0, 0}, {2, 0, 0});
+    record_output(book, {3, 0, 0}, {1, 0, 0}, {}, {1, 0, 0}, {2, 0, 0});
     EXPECT_EQ(book.forces[book.newest].passive, vec3(3, 0, 0));
     EXPECT_EQ(book.forces[book.newest].world, vec3(1, 0, 0)) << "nothing of the world holds what is left";
     EXPECT_EQ(book.forces[book.newest].active, vec3(0));
     observe(book, {0.01, 0, 0}, {}, 0, 0);
     EXPECT_NEAR(book.created, 0.03, 1e-15);
-    EXPECT_EQ(book.given, 0);
+    EXPECT_EQ(book.active_work, 0);
 }
 
 TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
-    EnergyBook book;
+    PassivityObserver book;
     book.created = 1e-4;
     const vec3 velocity{0.5, 0, 0};
     const vec3 force = passivity_control(book.created, velocity, 30);
@@ -137,7 +137,7 @@ TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
 }
 
 TEST(HapticsEnergy, TheControllerBeginsWhileASpringStillHoldsWhatItMayGive) {
-    EnergyBook book;
+    PassivityObserver book;
     book.created = -0.05;  // 0.05 J are not given back yet, and the spring holds 5 mJ more than that
     EXPECT_NEAR(surplus(book, 0.055), 0.005 - energy_slack, 1e-15);
     EXPECT_LE(surplus(book, 0.05), 0) << "a spring that created nothing is left alone";
@@ -146,13 +146,13 @@ TEST(HapticsEnergy, TheControllerBeginsWhileASpringStillHoldsWhatItMayGive) {
 }
 
 TEST(HapticsEnergy, ForcesOnTheWayDoTheirWorkUnlessThereIsNoDelay) {
-    EnergyBook book;
-    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {});
-    enter(book, {3, 0, 0}, {3, 0, 0}, {}, {});
+    PassivityObserver book;
+    record_output(book, {2, 0, 0}, {2, 0, 0}, {}, {});
+    record_output(book, {3, 0, 0}, {3, 0, 0}, {}, {});
     const vec3 step{0.001, 0, 0};
-    EXPECT_EQ(work_on_the_way(book, step, 0), 0);
-    EXPECT_NEAR(work_on_the_way(book, step, 1), 0.003, 1e-15);
-    EXPECT_NEAR(work_on_the_way(book, step, 2), 0.005, 1e-15);
+    EXPECT_EQ(pending_work(book, step, 0), 0);
+    EXPECT_NEAR(pending_work(book, step, 1), 0.003, 1e-15);
+    EXPECT_NEAR(pending_work(book, step, 2), 0.005, 1e-15);
 }
 
 TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {
@@ -183,21 +183,21 @@ TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {
 }
 
 TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
-    EnergyBook book;
-    book.given = active_budget + 0.01;
+    PassivityObserver book;
+    book.active_work = active_budget + 0.01;
     EXPECT_EQ(within_budget(book, {1, 1, 0}, {0.1, 0, 0}), vec3(0, 1, 0)) << "it may not push any more";
     EXPECT_EQ(within_budget(book, {-1, 1, 0}, {0.1, 0, 0}), vec3(-1, 1, 0)) << "but it may brake";
-    book.given = 0;
+    book.active_work = 0;
     EXPECT_EQ(within_budget(book, {1, 1, 0}, {0.1, 0, 0}), vec3(1, 1, 0));
     // A lean that pushes a free tip for ever: no more than its budget, and what leaks away of it.
     const auto spec = reference_device(0);
     auto device = simulated_device(spec, no_hand);
     device.reach = vec3(100);
     Servo servo = servo_of(spec, 1);
-    servo.limits.fastest = 1e9;
+    servo.limits.max_speed = 1e9;
     ServoState state{};
     HapticModel model{};
-    model.lean.force = {3, 0, 0};
+    model.steady_force.force = {3, 0, 0};
     auto tip = resting_at({});
     double work = 0;
     for (int t = 0; t < 1000; ++t) {
@@ -222,10 +222,10 @@ TEST(HapticsEnergy, AStiffSpringThatWouldRingForEverIsKeptPassive) {
 }
 
 TEST(HapticsEnergy, ALateForceIsBookedWhenItActs) {
-    EnergyBook book;
+    PassivityObserver book;
     observe(book, {}, {}, 0, 2);
     for (int tick = 0; tick < 6; ++tick) {
-        enter(book, {tick == 1 ? 1.0 : 0.0, 0, 0}, {tick == 1 ? 1.0 : 0.0, 0, 0}, {}, {});
+        record_output(book, {tick == 1 ? 1.0 : 0.0, 0, 0}, {tick == 1 ? 1.0 : 0.0, 0, 0}, {}, {});
         observe(book, {tick == 3 ? 0.01 : 0.0, 0, 0}, {}, 1, 2);
         EXPECT_NEAR(book.created, tick == 3 ? 0.01 : 0.0, 1e-15) << tick;
         book.created = 0;

@@ -31,7 +31,7 @@ struct Probe {
     SurfacePatch patch{};
     SurfaceState state{};
 
-    Touched at(vec3 tip) { return touch(patch, state, {tip, {}}, dt); }
+    ContactResult at(vec3 tip) { return touch(patch, state, {tip, {}}, dt); }
 };
 
 inline vec3 polar(double radius, double angle) {

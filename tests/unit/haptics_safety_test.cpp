@@ -51,7 +51,7 @@ TEST(HapticsSafety, LimitsComeFromTheDeviceAndThePlayersShare) {
     const auto limits = safety_limits(omni_like(), gentle_share);
     EXPECT_DOUBLE_EQ(limits.cap, 1.485);
     EXPECT_DOUBLE_EQ(limits.excess, 13.2);
-    EXPECT_DOUBLE_EQ(limits.stretched, 165);
+    EXPECT_DOUBLE_EQ(limits.spring_excess, 165);
     EXPECT_EQ(limits.continuous, 0.88);
     EXPECT_EQ(limits.slew, 40);
     for (const double none : {0.0, -1.0, not_a_number})
@@ -173,7 +173,7 @@ TEST(HapticsSafety, TheCapDoesNotSwallowTheBrake) {
     EXPECT_NEAR(stage.feel({.wanted = far, .spring = far}).x, 3.3, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = far, .spring = far, .brake = {-2, 0, 0}}).x, 1.3, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = far, .spring = far, .brake = {2, 0, 0}}).x, 3.3, 1e-12);
-    EXPECT_NEAR(stage.state.lag.x, 0, 1e-12) << "what the cap let through of it";
+    EXPECT_NEAR(stage.state.unrequested.x, 0, 1e-12) << "what the cap let through of it";
     EXPECT_NEAR(stage.feel({.wanted = far, .spring = far, .brake = {not_a_number, 0, 0}}).x, 3.3, 1e-12);
 }
 

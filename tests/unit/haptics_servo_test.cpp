@@ -34,7 +34,7 @@ struct Rig {
 TEST(HapticsServo, ATipThatIsHereAndThereInTurnIsTooFast) {
     for (const double apart : {0.0039, 0.0041, 0.03}) {  // m in a tick, of 4 m/s
         Rig rig;
-        rig.model.lean = {{0, 0, 0.5}, 1};
+        rig.model.steady_force = {{0, 0, 0.5}, 1};
         for (int tick = 0; tick < 50; ++tick) rig.feel();
         ASSERT_EQ(rig.state.safety.output.z, 0.5);
         for (int tick = 0; tick < 50; ++tick) {
@@ -157,7 +157,7 @@ TEST(HapticsServo, ABoltsKickHasItsWholeImpulse) {
 TEST(HapticsServo, ALeanIsFeltAsItIsAndGoesSlowlyWhereItJumps) {
     Rig rig;
     rig.feel();
-    rig.model.lean = {{0, 0, 0.5}, 1};
+    rig.model.steady_force = {{0, 0, 0.5}, 1};
     vec3 before{};
     for (int tick = 0; tick < 13; ++tick) {
         const vec3 force = rig.feel();
@@ -165,7 +165,7 @@ TEST(HapticsServo, ALeanIsFeltAsItIsAndGoesSlowlyWhereItJumps) {
         before = force;
     }
     EXPECT_EQ(before, vec3(0, 0, 0.5));
-    rig.model.lean.force.z = 0.9;  // the same number: it grew, and did not jump
+    rig.model.steady_force.force.z = 0.9;  // the same number: it grew, and did not jump
     EXPECT_EQ(rig.feel(), vec3(0, 0, 0.9));
 }
 
@@ -244,7 +244,7 @@ TEST(HapticsServo, APatchIsFeltAndItsEndIsASwitch) {
     ++rig.model.patch_number;
     rig.model.start = {0, 0.01, 0};
     EXPECT_EQ(rig.feel(), vec3(0)) << "the hand has pressed nothing into it yet";
-    EXPECT_NEAR(rig.state.shift.y, 0.002, 1e-6);
+    EXPECT_NEAR(rig.state.contact_offset.y, 0.002, 1e-6);
     rig.sample.position.y -= 1e-4;
     EXPECT_NEAR(rig.feel().y, 0.03, gap_newtons);
 }
@@ -258,7 +258,7 @@ TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {
         rig.sample.position.y = -0.001;  // the hand presses by 1 mm
         for (int tick = 0; tick < 20; ++tick) rig.feel();
         rig.model.patch.bodies[0].velocity = {0, 0.05, 0};
-        if (walks) rig.model.drift.velocity = {0, 0.05, 0};
+        if (walks) rig.model.frame_motion.velocity = {0, 0.05, 0};
         for (int tick = 1; tick <= 60; ++tick) {
             rig.model.patch.surfaces[0].a.y = 5e-5 * tick;
             const double expected = 300 * (0.001 + (walks ? 0 : 5e-5 * tick));
@@ -266,15 +266,15 @@ TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {
         }
         // He stands again: nothing changes, though the shift would fade.
         rig.model.patch.bodies[0].velocity = {};
-        rig.model.drift = {};
+        rig.model.frame_motion = {};
         for (int tick = 0; tick < 600; ++tick)
             EXPECT_NEAR(rig.feel().y, walks ? 0.3 : 1.2, 60 * gap_newtons) << tick;
         // Away from the wall it does fade, and the hand feels the wall where it is.
         if (!walks) continue;
-        EXPECT_NEAR(rig.state.shift.y, 0.003, 1e-6);
+        EXPECT_NEAR(rig.state.contact_offset.y, 0.003, 1e-6);
         rig.sample.position.y = 0.01;
         for (int tick = 0; tick < 5000; ++tick) EXPECT_EQ(rig.feel(), vec3(0));
-        EXPECT_NEAR(rig.state.shift.y, 0, 1e-9);
+        EXPECT_NEAR(rig.state.contact_offset.y, 0, 1e-9);
         rig.sample.position.y = 0.002;
         EXPECT_NEAR(rig.feel().y, 0.3, gap_newtons);
     }
@@ -320,10 +320,10 @@ TEST(HapticsServo, TurningTheViewPastAWallDoesNotKickTheHand) {
         const vec3 normal = rotation({0, 0, 1}, turn * tick) * vec3(0, 1, 0);
         rig.model.patch.surfaces[0].b = normal;
         rig.model.patch.bodies[0].spin = {0, 0, turn / tick_seconds};
-        rig.model.drift.spin = {0, 0, turn / tick_seconds};
+        rig.model.frame_motion.spin = {0, 0, turn / tick_seconds};
         most = std::max(most, glm::length(rig.feel()));
     }
-    EXPECT_GT(glm::length(rig.state.shift), 0.02);
+    EXPECT_GT(glm::length(rig.state.contact_offset), 0.02);
     EXPECT_LT(most, 0.01);
 }
 
@@ -397,7 +397,7 @@ TEST(HapticsServo, AWildPulseIsHeldBackLikeAnythingElse) {
 }
 
 TEST(HapticsServo, TheVelocityIsThatOfTheWindow) {
-    const auto speed_limit = some_servo().limits.fastest;
+    const auto speed_limit = some_servo().limits.max_speed;
     for (const double share : {0.99, 1.01}) {
         Rig rig;
         for (int tick = 0; tick < 50; ++tick) {

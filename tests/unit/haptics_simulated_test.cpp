@@ -60,7 +60,7 @@ TEST(HapticsSimulated, ForcesSaturateInLengthAndKeepTheirDirection) {
 TEST(HapticsSimulated, TheHandFollowsItsTargetNotFasterThanItCan) {
     auto spec = reference_spec();
     spec.workspace = {0.4, 0.3, 0.2};
-    const auto device = simulated_device(spec, {.fastest = 2});
+    const auto device = simulated_device(spec, {.max_target_speed = 2});
     auto state = step(device, resting_at({}), {0.1, 0, 0}, {});
     EXPECT_NEAR(state.target.x, 0.002, 1e-15);
     for (int i = 0; i < 60; ++i) state = step(device, state, {0.1, 0, 0}, {});

@@ -48,7 +48,7 @@ struct Probe {
     SurfacePatch patch{};
     SurfaceState state{};
 
-    Touched at(vec3 tip, vec3 velocity = {}) { return touch(patch, state, {tip, velocity}, dt); }
+    ContactResult at(vec3 tip, vec3 velocity = {}) { return touch(patch, state, {tip, velocity}, dt); }
     /// The bodies move as they say.
     void advance() {
         for (std::uint32_t i = 0; i < patch.count; ++i) {
@@ -107,11 +107,11 @@ TEST(Surface, APlaneIsASpringAlongItsNormal) {
         const vec3 along = random_vec(random, 0.1);
         const vec3 over = point + along - normal * glm::dot(normal, along);
         EXPECT_EQ(probe.at(over + 0.01 * normal).force, vec3(0));
-        const Touched in = probe.at(over - depth * normal);
+        const ContactResult in = probe.at(over - depth * normal);
         expect_near(in.force, stiffness * depth * normal, gap_force + rounding);
         expect_near(in.proxy, over, 2 * surface_gap);
         EXPECT_EQ(in.contacts, 1U);
-        const Touched out = probe.at(over + 0.001 * normal);
+        const ContactResult out = probe.at(over + 0.001 * normal);
         EXPECT_EQ(out.force, vec3(0));
         EXPECT_EQ(out.proxy, over + 0.001 * normal);
     }
@@ -149,7 +149,7 @@ TEST(Surface, InACreaseAndACornerItIsAsNearAsBothAllow) {
         if (!free) continue;
         (corner ? corners : creases)++;
         probe.state = {.proxy = nearest + 0.02 * start, .begun = 1};
-        const Touched in = probe.at(nearest + tip);
+        const ContactResult in = probe.at(nearest + tip);
         expect_near(in.proxy, nearest, 40 * surface_gap, std::to_string(n));
         expect_near(in.force, -stiffness * tip, 40 * gap_force);
         EXPECT_EQ(in.contacts, corner ? 3U : 2U);
@@ -182,7 +182,7 @@ TEST(Surface, RoundOnesPushFromTheirCore) {
                 return centre + turn * (c.core + (radius + height) * c.normal);
             };
             EXPECT_EQ(probe.at(at(0.01)).force, vec3(0));
-            const Touched in = probe.at(at(-depth));
+            const ContactResult in = probe.at(at(-depth));
             expect_near(in.force, stiffness * depth * (turn * c.normal), gap_force + rounding);
             EXPECT_EQ(in.contacts, 1U);
         }
@@ -287,7 +287,7 @@ TEST(Surface, SlidingFrictionIsAgainstTheMotionWhateverItsDirection) {
         const vec3 way(det::cos(angle), 0, det::sin(angle));
         probe.at({0, 0.001, 0});
         probe.at({0, -depth, 0});
-        Touched last;
+        ContactResult last;
         for (int i = 1; i <= 100; ++i) last = probe.at(0.0005 * i * way - vec3(0, depth, 0));
         expect_near(last.force, stiffness * depth * (vec3(0, 1, 0) - 0.4 * way), gap_force + rounding);
     }
@@ -302,7 +302,7 @@ TEST(Surface, ACreaseRubsOnBothSides) {
     Probe probe{patch};
     probe.at({0, 0.01, 0});
     const double depth = 0.005;
-    Touched last;
+    ContactResult last;
     for (int i = 0; i <= 100; ++i) last = probe.at({0, -depth, 0.0005 * i});
     // Each wall bears depth s, and both rub: 2 mu depth s.
     expect_near(last.force, stiffness * depth * vec3(0, 1, -2 * s * 0.4), 4 * gap_force + rounding);
@@ -317,7 +317,7 @@ TEST(Surface, WhatIsTouchedHasItsShareOfTheForce) {
     add(patch, SurfaceKind::plane, {}, {-1, 0, 0});
     Probe probe{patch};
     probe.at({-0.01, 0.01, 0});
-    Touched last;
+    ContactResult last;
     for (int i = 0; i <= 100; ++i) last = probe.at({0.004, -0.007, 0.0005 * i});
     ASSERT_EQ(probe.state.contacts, 2U);
     const auto& floor = probe.state.touched[0];
@@ -410,7 +410,7 @@ TEST(Surface, AFastPlateDoesNotPassThroughAStillProbe) {
                 add(probe.patch, kind, start, {5, 1e-4, 5});
             probe.patch.bodies[0].velocity = {0, speed, 0};
             for (int tick = 0; tick < 300; ++tick, probe.advance()) {
-                const Touched t = probe.at({0, 0, 0});
+                const ContactResult t = probe.at({0, 0, 0});
                 const double top = probe.patch.surfaces[0].a.y + (flat ? 0 : 1e-4);
                 if (top <= 0) continue;
                 expect_near(t.force, {0, stiffness * top, 0}, gap_force + rounding * top * 1e3,
@@ -595,7 +595,7 @@ TEST(Surface, FromTheInsideOfATwoSidedBoxThereIsNoWayOut) {
     for (int n = 0; n < 100'000; ++n) {
         const double size = std::pow(10.0, random.uniform(-3, 1));
         const vec3 tip = random_vec(random, size);
-        const Touched t = probe.at(tip);
+        const ContactResult t = probe.at(tip);
         ASSERT_TRUE(inside(probe.state.proxy, half)) << n;
         // And it is the nearest place: the box is convex.
         expect_near(t.proxy, glm::clamp(tip, -half, half), 1e-8);
@@ -654,7 +654,7 @@ TEST(Surface, HostileInputNeverLeavesANumberThatIsNone) {
         patch.centre = place();
         if (random.below(2) == 0) patch.reach = value();
         for (int tick = 0; tick < 5; ++tick) {
-            const Touched t = probe.at(place(), place());
+            const ContactResult t = probe.at(place(), place());
             ASSERT_TRUE(is_finite(t.force)) << n;
             ASSERT_TRUE(probe.state.begun == 0 || is_finite(probe.state.proxy)) << n;
             ASSERT_LE(t.contacts, 3U);

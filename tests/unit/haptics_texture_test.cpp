@@ -157,7 +157,7 @@ TEST(Texture, OnABallItIsCutFromABlock) {
         const double angle = 0.03 * i;
         const vec3 out(std::sin(angle), std::cos(angle), 0);
         SurfaceState state{.proxy = 0.06 * out, .begun = 1};
-        const Touched felt = touch(patch, state, {(radius - 0.001) * out, {}}, tick_seconds);
+        const ContactResult felt = touch(patch, state, {(radius - 0.001) * out, {}}, tick_seconds);
         const double x = (radius + 2 * crest) * out.x;  // of the proxy, on the texture's top
         const vec3 along(grating_slope(x), 0, 0);
         const vec3 normal = glm::normalize(out - (along - glm::dot(along, out) * out));

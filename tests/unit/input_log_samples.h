@@ -69,10 +69,10 @@ inline LogHeader header(std::size_t devices = 2) {
         device.kind = i == 0 ? DeviceKind::keyboard_mouse : DeviceKind::pad;
         device.name = text("device ", i);
         device.flags = i == 1 ? DeviceSpec::invert_y : 0;
-        if (i == 1) device.ask_for_carried(75, 0);
+        if (i == 1) device.set_carried_percent(75, 0);
         if (i == 1) device.box_um = {160'000, 1, DeviceSpec::most_box_um};
         for (std::size_t source = 0; source < fluid_faders && i > 0; ++source)
-            device.ask_for_fluid(source, static_cast<std::uint32_t>(16 * source));
+            device.set_fluid_percent(source, static_cast<std::uint32_t>(16 * source));
         h.devices.push_back(device);
     }
     h.files = {{"wands/lift.toml", 1}, {"wands/blast.toml", 2}};

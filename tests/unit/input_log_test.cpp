@@ -158,8 +158,8 @@ TEST(InputLog, HeaderBeyondTheLimitsIsRefused) {
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 127U << DeviceSpec::blow_shift; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 1U << 31U; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 1U << 30U; }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_kept_off[6] = 101; }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_kept_off[0] = 255; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_reduction[6] = 101; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_reduction[0] = 255; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].box_um[2] = DeviceSpec::most_box_um + 1; }));
 }
 
@@ -182,7 +182,7 @@ TEST(InputLog, WhatIsFeltOfAFluidStandsInTheHeaderOnlyWhereItIsLess) {
     const auto without = detail::encode_header(header).value();
     EXPECT_EQ(decoded(without), header);
     for (std::size_t source = 0; source < fluid_faders; ++source)
-        header.devices[0].ask_for_fluid(source, static_cast<std::uint32_t>(99 - source));
+        header.devices[0].set_fluid_percent(source, static_cast<std::uint32_t>(99 - source));
     const auto with = detail::encode_header(header).value();
     EXPECT_EQ(decoded(with), header);
     ASSERT_EQ(with.size(), without.size() + fluid_faders);
@@ -213,7 +213,7 @@ TEST(InputLog, OlderLogsFeelAllOfAFluid) {
     ASSERT_TRUE(header) << header.error().message;
     ASSERT_EQ(header->devices.size(), 2U);
     for (const auto& device : header->devices)
-        EXPECT_EQ(device.fluid_kept_off, (std::array<std::uint8_t, fluid_faders>{}));
+        EXPECT_EQ(device.fluid_reduction, (std::array<std::uint8_t, fluid_faders>{}));
 }
 
 TEST(InputLog, OtherFilesAreRefusedInOneLine) {

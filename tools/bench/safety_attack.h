@@ -103,7 +103,7 @@ private:
     }
 
     vec3 velocity() {
-        const double fastest = limits_.fastest;
+        const double fastest = limits_.max_speed;
         if (haste_ == 0 && once_in(300)) return hostile_vector();
         if (haste_ == 1 && once_in(500)) return {0, fastest * random_.uniform(0.9, 1.1), 0};
         return fastest * 0.55 * (once_in(50) ? direction_ : 0.3 * direction_);
@@ -111,7 +111,7 @@ private:
 
     double path_speed() {
         if (haste_ == 2 && once_in(400)) return hostile_number();
-        return limits_.fastest * (haste_ == 3 && once_in(500) ? random_.uniform(0.9, 1.1) : 0.4);
+        return limits_.max_speed * (haste_ == 3 && once_in(500) ? random_.uniform(0.9, 1.1) : 0.4);
     }
 
     std::uint32_t next_age() {

@@ -182,7 +182,7 @@ void feel_crowd(CrowdRun& run) {
         const auto& surface = run.state.surface;
         const vec3 at = frame.to_world(tip);
         const vec3 proxy = surface.begun != 0 ? before.to_world(surface.proxy) : at;
-        model.drift = game::drift_of(frame, before);
+        model.frame_motion = game::frame_motion_of(frame, before);
         game::fill_patch(model.patch, run.world,
                          {.point = 0.5 * (at + proxy), .radius = 0.5 * glm::length(at - proxy) + 0.15}, frame,
                          before, feel);

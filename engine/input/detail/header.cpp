@@ -49,13 +49,13 @@ std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
     constexpr auto known = DeviceSpec::invert_y | DeviceSpec::no_forces | DeviceSpec::force_bits |
                            DeviceSpec::weight_bits | DeviceSpec::blow_bits;
     if ((device.flags & ~known) != 0) return "a device's flag is unknown";
-    if (device.force_asked_for() > 100) return "a device's force is above 100 %";
-    if (device.weight_kept_off() > 100) return "more than 100 % of a weight is kept off";
-    if (device.blows_kept_off() > 100) return "more than 100 % of the blows is kept off";
+    if (device.force_percent() > 100) return "a device's force is above 100 %";
+    if (device.weight_reduction() > 100) return "more than 100 % of a weight is kept off";
+    if (device.blow_reduction() > 100) return "more than 100 % of the blows is kept off";
     for (const auto edge : device.box_um) {
         if (edge > DeviceSpec::most_box_um) return "a device's box is larger than 10 m";
     }
-    for (const auto percent : device.fluid_kept_off) {
+    for (const auto percent : device.fluid_reduction) {
         if (percent > 100) return "more than 100 % of a fluid's force is kept off";
     }
     return {};
@@ -105,7 +105,7 @@ constexpr std::uint32_t box_follows = 1U << 31U;
 constexpr std::uint32_t fluid_follows = 1U << 30U;
 
 bool has_box(const DeviceSpec& d) { return d.box_um != decltype(d.box_um){}; }
-bool has_fluid(const DeviceSpec& d) { return d.fluid_kept_off != decltype(d.fluid_kept_off){}; }
+bool has_fluid(const DeviceSpec& d) { return d.fluid_reduction != decltype(d.fluid_reduction){}; }
 
 void put_device(ByteWriter& out, const DeviceSpec& d) {
     out.put(d.player);
@@ -118,7 +118,7 @@ void put_device(ByteWriter& out, const DeviceSpec& d) {
         for (const auto edge : d.box_um) out.put(edge);
     }
     if (has_fluid(d)) {
-        for (const auto percent : d.fluid_kept_off) out.put(percent);
+        for (const auto percent : d.fluid_reduction) out.put(percent);
     }
 }
 
@@ -135,7 +135,7 @@ DeviceSpec get_device(ByteReader& in) {
         for (auto& edge : d.box_um) edge = in.get<std::uint32_t>();
     }
     if ((flags & fluid_follows) != 0) {
-        for (auto& percent : d.fluid_kept_off) percent = in.get<std::uint8_t>();
+        for (auto& percent : d.fluid_reduction) percent = in.get<std::uint8_t>();
     }
     return d;
 }

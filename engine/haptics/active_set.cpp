@@ -1,4 +1,4 @@
-#include "haptics/held_kinks.h"
+#include "haptics/active_set.h"
 
 #include <algorithm>
 
@@ -10,18 +10,18 @@ std::array<vec3, 2> normals_to(vec3 q) {
     return {first, glm::cross(q, first)};
 }
 
-Term* only_held(Problem& problem) {
+Term* only_active(Problem& problem) {
     Term* result = nullptr;
     for (Term& term : terms_of(problem)) {
-        if (!term.held) continue;
+        if (!term.active) continue;
         if (result != nullptr) return nullptr;
         result = &term;
     }
     return result;
 }
 
-void guess_held(Problem& problem, double square) {
-    for (Term& term : terms_of(problem)) term.held = glm::dot(term.distance, term.distance) < square;
+void guess_active_set(Problem& problem, double square) {
+    for (Term& term : terms_of(problem)) term.active = glm::dot(term.distance, term.distance) < square;
 }
 
 // ---- the flat -------------------------------------------------------------------------------------------------------
@@ -61,20 +61,20 @@ Flat flat_of(const Term& term, vec3& x) {
 
 }  // namespace
 
-Flat flat_of_held(Problem& problem, vec3& x) {
+Flat flat_of_active(Problem& problem, vec3& x) {
     Flat flat;
     for (const Term& term : terms_of(problem)) {
-        if (!term.held || term.identity == 0 || term.dyad != 0) continue;
+        if (!term.active || term.identity == 0 || term.dyad != 0) continue;
         x = term.offset;
         return {{vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}, 3};
     }
-    if (const Term* const only = only_held(problem)) return flat_of(*only, x);
+    if (const Term* const only = only_active(problem)) return flat_of(*only, x);
     while (flat.count < 3) {
         const Term* best = nullptr;
         vec3 normal{};
         double most = 1e-12;
         for (const Term& term : terms_of(problem)) {
-            if (!term.held) continue;
+            if (!term.active) continue;
             const vec3 candidate = freest_normal(flat, term);
             const double left = glm::length(flat.along(candidate));
             if (left > most * (1 + 1e-9)) most = left, normal = candidate, best = &term;
@@ -91,7 +91,7 @@ vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
     Symmetric sum = scaled_identity(problem.stiffness);
     vec3 gradient = problem.stiffness * x - problem.target;
     for (Term& term : terms_of(problem)) {
-        if (term.held) continue;
+        if (term.active) continue;
         // Twice, since a small distance has been left a large part of rounding the other way.
         const vec3 distance = project(term, project(term, x) - term.offset);
         const double square = glm::dot(distance, distance);
@@ -137,19 +137,19 @@ vec3 newton_step(const Symmetric& m, const Flat& flat, vec3 slope, double stiffn
 
 namespace {
 
-/// N: of the held terms together.
-double strength_of_held(const Problem& problem) {
+/// N: of the active terms together.
+double strength_of_active(const Problem& problem) {
     double result = 0;
-    for (const Term& term : terms_of(problem)) result += term.held ? term.strength : 0;
+    for (const Term& term : terms_of(problem)) result += term.active ? term.strength : 0;
     return result;
 }
 
 /// From one origin.
 bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix, int& steps) {
     const double rounding = 4 * epsilon * (problem.strength + glm::length(problem.target));
-    const double holding = strength_of_held(problem);
+    const double holding = strength_of_active(problem);
     double before = std::numeric_limits<double>::infinity();
-    while (!spent(steps)) {
+    while (!budget_spent(steps)) {
         const vec3 gradient = smooth_gradient(problem, x, matrix);
         const vec3 slope = flat.along(gradient);
         const double size = glm::length(slope);
@@ -177,17 +177,17 @@ bool minimise_near(Problem& problem, Flat& flat, vec3& x, Symmetric& matrix, int
         if (frames == 3 || !origin_is_far(problem, x)) return true;
         measure_distances(problem, x);
         move_origin(problem, x);
-        flat = flat_of_held(problem, x);
+        flat = flat_of_active(problem, x);
     }
 }
 
 bool release(Problem& problem, const Symmetric& matrix, vec3 missing, vec3& x) {
     bool any = false;
     for (Term& term : terms_of(problem)) {
-        if (!term.held) continue;
+        if (!term.active) continue;
         const double square = glm::dot(term.dual, term.dual);
         if (square < (1 - 1e-9) * term.strength * term.strength) continue;
-        term.held = false;
+        term.active = false;
         any = true;
     }
     const vec3 d = missing;
