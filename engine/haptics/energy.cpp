@@ -8,7 +8,7 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double still = 1e-6;  // m/s: no damping takes anything out of less
+constexpr double still = 1e-6;  // m/s; below this speed, damping takes out no energy
 constexpr std::uint32_t kept = most_latency + 1;
 
 }  // namespace
@@ -25,7 +25,7 @@ void observe(PassivityObserver& book, vec3 position, vec3 world_step, double sto
         const auto& force = book.forces[(book.newest + kept - back) % kept];
         book.created += glm::dot(force.passive, step) - glm::dot(force.world, world_step) -
                         book.forces[book.newest].share * supplied;
-        // What damping took is gone; only what is stored may come back.
+        // Damping has dissipated the rest; only stored energy can come back.
         book.created = std::max(book.created, -stored);
         book.most_created = std::max(book.most_created, book.created);
         book.active_work += glm::dot(force.active, step) - book.active_work * tick_seconds;
@@ -60,8 +60,9 @@ vec3 within_budget(const PassivityObserver& book, vec3 active, vec3 velocity) {
     return active - std::max(0.0, glm::dot(active, way)) * way;
 }
 
-// Cap and heat scale all sources alike. What fades after a switch gives back what it was given and next to nothing besides, so it is
-// passive as the controller's brake is. The rest, the ramp of a dead model, is nobody's spring and counts as active.
+// Cap and heat scale all sources alike. The fading offset of a switch returns the energy that it received and
+// hardly any more. It is therefore passive, like the controller's brake. The rest is the ramp of an old
+// model, which is no spring, and counts as active.
 void record_output(PassivityObserver& book, vec3 output, vec3 passive, vec3 active, vec3 world,
                    vec3 unrequested) {
     const vec3 wanted = passive + active;

@@ -6,12 +6,13 @@
 namespace thaum::haptics {
 namespace {
 
-// Written anew from haptics.md; that the stage has the same figures is what is tested.
+// Copied from haptics.md, not from the stage: tests compare the stage with these figures.
 constexpr std::uint64_t window_ticks = 10'000;
 constexpr std::uint64_t memory_ticks = 11'000;
-constexpr double energy_of_a_switch = 0.01;       // J
-constexpr double longest_hand_step = 0.05;        // m
-constexpr double surely_cool = 0.8 * (1 - 1e-9);  // of the budget: nothing may be scaled below
+constexpr double energy_of_a_switch = 0.01;  // J
+constexpr double longest_hand_step = 0.05;   // m
+// Share of the budget below which nothing may be scaled.
+constexpr double surely_cool = 0.8 * (1 - 1e-9);
 constexpr std::uint64_t fresh_for = 20;
 constexpr double stale_ramp = 50;
 constexpr std::uint64_t calm_after = 100;
@@ -22,7 +23,7 @@ double size_of(vec3 v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
 double rounding(vec3 v) { return 1e-12 * (1 + size_of(v)); }
 
-/// From the line between zero and `end`.
+/// Distance from the line between zero and `end`.
 double distance_from_line(vec3 point, vec3 end) {
     const double square = glm::dot(end, end);
     const double along = square > 0 ? glm::clamp(glm::dot(point, end) / square, 0.0, 1.0) : 0;
@@ -31,8 +32,8 @@ double distance_from_line(vec3 point, vec3 end) {
 
 /// Distance of a point from the parallelogram of all a * u + b * v, with a and b from 0 to 1.
 double distance_from_parts(vec3 point, vec3 u, vec3 v) {
-    vec3 across =
-        v;  // the part of v that is square to u; taken twice, since one subtraction leaves rounding along u
+    // Part of v at right angles to u. Taken twice, since one subtraction leaves rounding along u.
+    vec3 across = v;
     for (int pass = 0; pass < 2 && u != vec3(0); ++pass) across -= u * (glm::dot(across, u) / glm::dot(u, u));
     const double height = glm::dot(v, across);
     if (u != vec3(0) && height > 1e-24 * glm::dot(v, v)) {
@@ -45,7 +46,8 @@ double distance_from_parts(vec3 point, vec3 u, vec3 v) {
                      std::fmin(distance_from_line(point - v, u), distance_from_line(point - u, v)));
 }
 
-/// By halving: the largest share of `change`, 0 to 1, that leads from `force` to a place within the cap; 0 where none does.
+/// Finds by bisection the largest share of `change`, 0 to 1, that leads from `force` to a point within the
+/// cap; 0 if none does.
 double share_within(double cap, vec3 force, vec3 change) {
     const auto within = [&](double share) { return size_of(force + share * change) <= cap * (1 + 1e-15); };
     const double square = glm::dot(change, change);
@@ -66,7 +68,7 @@ vec3 within_cap(vec3 wanted, double cap) {
     const double largest =
         std::fmax(std::fmax(std::fabs(wanted.x), std::fabs(wanted.y)), std::fabs(wanted.z));
     if (largest == 0) return {};
-    const vec3 unit_sized = wanted / largest;  // whose length cannot overflow
+    const vec3 unit_sized = wanted / largest;  // its length cannot overflow
     const double size = size_of(unit_sized);
     return largest * size <= cap ? wanted : unit_sized * (cap / size);
 }
@@ -148,7 +150,8 @@ void SafetyAudit::judge_always(const SafetyLimits& limits, vec3 output) {
     count(SafetyRule::budget, window_sum_ > most * (1 + 1e-9));
 }
 
-/// Whatever stops the force makes the next one a switch. False where nothing does.
+/// Checks the output while a condition stops the force; the next force is then a switch. Returns false if
+/// nothing stops it.
 bool SafetyAudit::judge_stopped(const SafetyInput& input, vec3 output) {
     const bool stale = last_fresh_ != now_;
     const bool felt = output != vec3(0);
@@ -179,7 +182,7 @@ bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
     return memory_sum_ <= surely_cool * budget;
 }
 
-/// The force does not jump, unless it has to shrink.
+/// Checks that the force does not jump at a switch, unless it has to shrink.
 void SafetyAudit::begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool) {
     const bool may_shrink = !cool || size_of(before_) > limits.cap;
     const double moved = may_shrink ? distance_from_line(output, before_) : size_of(output - before_);
@@ -195,7 +198,7 @@ void SafetyAudit::begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output,
     maybe_fading_ = known_ = true;
 }
 
-/// By time, by the work that it does, and so far that it leads nowhere beyond the cap.
+/// Shortens the offset by time, by the work that it does, and so far that the sum stays within the cap.
 void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, vec3 tip) {
     if (size_of(tip - tip_) <= longest_hand_step)
         spent_ = std::fmax(0, spent_ + glm::dot(offset_, tip - tip_));
@@ -219,8 +222,8 @@ void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput&
     if (known_) {
         fade_on(limits, goal, begins ? tip_ : input.tip);
         const vec3 expected = within_cap(goal + offset_, limits.cap);
-        // Where the cap leaves next to nothing of an offset that is square to the force, rounding decides how much:
-        // the root of an ulp of the cap's square, a few 1e-8 of the cap.
+        // The cap may leave hardly anything of an offset that is at right angles to the force. Rounding then
+        // decides how much: the root of an ulp of the cap's square, a few 1e-8 of the cap.
         const double fade_step = limits.slew * tick_seconds;
         const bool grazes = size_of(offset_) < fade_step;
         const double tolerance = rounding(expected) + (grazes ? 3e-7 * limits.cap : 1e-8 * fade_step);
@@ -241,8 +244,8 @@ void SafetyAudit::heat(vec3 output) {
     window_sum_ += square - squares_[leaves_window];
     squares_[at] = square;
     if (at != 0) return;
-    // Now and then from the beginning, so that rounding does not gather: here 0 is the newest, and the first of the
-    // memory that the window has left are the oldest.
+    // Sums again from the start now and then, so that rounding does not accumulate. Index 0 is the newest;
+    // the indices after it are the oldest, which only the longer memory holds.
     const auto in_memory_only = static_cast<std::ptrdiff_t>(memory_ticks - window_ticks);
     const double older = std::accumulate(squares_.begin() + 1, squares_.begin() + 1 + in_memory_only, 0.0);
     window_sum_ = std::accumulate(squares_.begin() + 1 + in_memory_only, squares_.end(), squares_[0]);

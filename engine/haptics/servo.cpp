@@ -6,8 +6,9 @@
 namespace thaum::haptics {
 namespace {
 
-/// m/s, over the window or what there is of it: over one tick an encoder's quantum would be noise of centimetres a second.
-/// A position that is not finite makes it NaN, when it comes and when it is the oldest: the safety stage cuts out on both.
+/// Stores a position and returns the velocity over the window, or the filled part of it (m/s). Over one tick,
+/// an encoder's quantum would be noise of centimetres per second. A position that is not finite gives NaN
+/// when it arrives and when it is the oldest; the safety stage cuts the force on both.
 vec3 note_position(ServoState& state, vec3 position) {
     auto& ring = state.positions;
     const bool full = state.samples == velocity_window;
@@ -21,13 +22,13 @@ vec3 note_position(ServoState& state, vec3 position) {
 }
 
 bool newer(std::uint32_t number, std::uint32_t than) {
-    const std::uint32_t ahead = number - than;  // wraps, as the numbers do
+    const std::uint32_t ahead = number - than;  // wraps like the numbers
     return ahead != 0 && ahead < 1U << 31U;
 }
 
 bool playing(const PlayingPulse& pulse) { return pulse.at < pulse.length; }
 
-/// True where it cuts off one that still plays.
+/// Returns true if the new pulse ends one that is still playing.
 bool start_pulse(ServoState& state, const Pulse& pulse) {
     if (!newer(pulse.number, state.last_pulse)) return false;
     state.last_pulse = pulse.number;
@@ -48,9 +49,10 @@ vec3 play_pulses(ServoState& state) {
     return force;
 }
 
-// ---- lean and tether ------------------------------------------------------------------------------------------------
+// ---- steady force and tether
+// ----------------------------------------------------------------------------------
 
-/// True where one of them came, went or jumped.
+/// Returns true if one of them appeared, ended or jumped.
 bool note_sources(ServoState& state, const HapticModel& model) {
     const bool jumped =
         model.steady_force.number != state.steady_force_number || model.tether.number != state.tether_number;
@@ -61,11 +63,11 @@ bool note_sources(ServoState& state, const HapticModel& model) {
 
 // ---- primitives ---------------------------------------------------------------------------------------------------
 
-/// N; above, the balance was cut short. The spring to the best proxy is then the better of its two forces: it is right
-/// wherever the proxy is, also where only the shares of the primitives are unknown.
+/// Residual up to which the balance counts as solved (N). Beyond it, the spring to the best proxy gives the
+/// better of two forces. It is right for the found proxy even if the shares of the primitives are unknown.
 constexpr double solved_residual = 1e-9;
 
-/// True where the set came, went or jumped.
+/// Returns true if the set appeared, ended or jumped.
 bool note_set(ServoState& state, const HapticModel& model) {
     const auto count = static_cast<std::uint32_t>(model.primitives.items().size());
     const bool jumped = count != state.primitives || (count != 0 && model.set_number != state.set_number);
@@ -73,8 +75,8 @@ bool note_set(ServoState& state, const HapticModel& model) {
     return jumped;
 }
 
-/// Moves the proxy to where spring and primitives balance. On the hand, N; none where the tip's place is no number or out of
-/// range, and after that the coupling begins anew.
+/// Moves the proxy to the balance of spring and primitives. Returns the force on the hand (N). The force is
+/// zero if the tip's position is not finite or out of range; the coupling then starts anew.
 vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3 velocity) {
     const vec3 before = state.primitives == 0 ? tip : state.proxy;
     const Spring spring = effective_spring(model.coupling, tip, velocity, before, tick_seconds);
@@ -88,7 +90,7 @@ vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3
 
 // ---- surfaces -----------------------------------------------------------------------------------------------------
 
-/// True where the patch jumped, or ended while it was touched.
+/// Returns true if the patch jumped, or ended while it was touched.
 bool note_patch(ServoState& state, const HapticModel& model) {
     const bool jumped = model.patch_number != state.patch_number;
     const bool ended = model.patch.count == 0 && state.surface.contacts != 0;
@@ -102,18 +104,18 @@ bool note_patch(ServoState& state, const HapticModel& model) {
 
 struct Tip {
     vec3 position{}, velocity{};
-    bool switched{};  ///< a source came, went or jumped
+    bool switched{};  ///< a source appeared, ended or jumped
 };
 
 struct SurfaceForces {
-    vec3 force{};       ///< N
-    vec3 world_step{};  ///< m, by which what is touched moved over the tip in the last tick
+    vec3 force{};       ///< force on the hand (N)
+    vec3 world_step{};  ///< motion of the touched body over the tip in the last tick (m)
     double stored{};    ///< energy that a spring of this force and stretch would hold (J)
     double stretch{};   ///< distance from the tip to the proxy (m)
-    bool active{};      ///< a texture that is no passive source
+    bool active{};      ///< a texture is an active source
 };
 
-/// m, in the last tick, of what was touched.
+/// Motion of the touched body in the last tick (m).
 vec3 step_of_touched(const SurfacePatch& patch, const SurfaceState& surface, vec3 place) {
     for (std::uint32_t i = 0; i < std::min<std::size_t>(patch.body_count, surface_body_capacity); ++i) {
         const SurfaceBody& body = patch.bodies[i];
@@ -129,9 +131,10 @@ bool has_active_texture(const SurfacePatch& patch) {
                        [](const SurfaceBody& b) { return b.material.texture.kind == TextureKind::impact; });
 }
 
-/// Touches the patch. The world that comes closer because the player turns or walks, and the shift that fades, press nothing
-/// in: by as much the tip is shifted out. So a force grows by the hand's own motion and by that of things alone, and who stands
-/// with the wand at a wall feels as much as before he turned. After a jump nothing is pressed in at all.
+/// Computes the contact with the patch. Frame motion and the decaying offset bring the world closer but must
+/// not press the tip in, so the offset grows by as much. The force therefore grows only by the motion of the
+/// hand and of things. A player who stands with the wand at a wall feels the same force after turning. After
+/// a jump, nothing is pressed in at all.
 ContactResult touch_shifted(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
                             const Tip& probe, double dt) {
     const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);
@@ -156,15 +159,15 @@ SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const Fra
     const ContactResult touched = touch_shifted(state, patch, drift, probe, dt);
     if (touched.force == vec3(0)) return {};
     const vec3 stretch = touched.proxy - (probe.position + state.contact_offset);
-    return {
-        .force = touched.force,
-        .world_step = step_of_touched(patch, state.surface, touched.proxy) - (state.contact_offset - offset_before),
-        .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
-        .stretch = glm::length(stretch),
-        .active = has_active_texture(patch)};
+    return {.force = touched.force,
+            .world_step =
+                step_of_touched(patch, state.surface, touched.proxy) - (state.contact_offset - offset_before),
+            .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
+            .stretch = glm::length(stretch),
+            .active = has_active_texture(patch)};
 }
 
-/// By a model that is too old things stand still: soon there is no force.
+/// Evaluates the patch. Things stand still if the model is too old; the force soon ends then.
 SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age,
                             const Tip& probe) {
     if (model.patch.count == 0) {
@@ -180,20 +183,20 @@ SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::ui
 
 // ---- energy -------------------------------------------------------------------------------------------------------
 
-/// N, on the tip, by kind of source.
+/// Forces on the tip by kind of source (N).
 struct Sources {
     vec3 passive{}, active{};
-    vec3 world{};  ///< of the passive force, what the world has its other end of
+    vec3 world{};  ///< part of the passive force whose other end the world holds
 };
 
-/// A directed force has no lowest place: it may push for ever, and is an active source.
+/// A directed force has no minimum of energy. It may push for ever and is an active source.
 bool conservative(const PrimitiveSet& set) {
     const auto items = set.items();
     return std::none_of(items.begin(), items.end(),
                         [](const Primitive& p) { return p.kind == PrimitiveKind::directed; });
 }
 
-/// J, above the lowest place of what pulls at a proxy.
+/// Potential of a primitive, above its minimum (J).
 double potential(const Primitive& primitive, vec3 proxy) {
     const vec3 off = proxy - primitive.position;
     const double along = glm::dot(off, primitive.direction);
@@ -206,7 +209,8 @@ double potential(const Primitive& primitive, vec3 proxy) {
     return 0;
 }
 
-/// Stored energy of a spring (J) that would hold `energy` at `stretch` (m) if the cap (N) let all of its force through.
+/// Stored energy of a spring (J) that would hold `energy` at `stretch` (m) if the cap (N) let all of its
+/// force through.
 double within_cap(double energy, double stretch, double cap) {
     const double pull = 2 * energy / stretch;
     if (!(pull > cap)) return energy;
@@ -220,7 +224,7 @@ double tether_energy(const Tether& tether, vec3 tip, double cap) {
     return within_cap(tether.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
 }
 
-/// Energy that tether and primitives hold (J): what lies beyond the cap was never put in.
+/// Energy that tether and primitives hold (J). Energy beyond the cap was never put in.
 double spring_energy(const ServoState& state, const HapticModel& model, const Tether& tether, vec3 tip,
                      double cap) {
     double held = tether_energy(tether, tip, cap);
@@ -241,15 +245,17 @@ double other_energy(const Tether& tether, const SurfaceForces& surfaces, double 
     return notches + (surfaces.active ? 0 : within_cap(surfaces.stored, surfaces.stretch, cap));
 }
 
-/// Largest force that a spring has at the device now (N): less than the cap while the device is warm, none while nothing is felt. A
-/// spring stretched meanwhile holds less than its potential, and the difference was not created.
+/// Largest force that a spring exerts at the device now (N): less than the cap while the motors are warm,
+/// zero while the output is stopped. A spring stretched meanwhile holds less than its potential, and the
+/// difference was not created.
 double most_felt(const Servo& servo, const SafetyState& safety) {
     const bool whole = safety.cause <= static_cast<std::uint32_t>(SafetyCause::capped);
     return whole ? servo.limits.cap : glm::length(safety.output);
 }
 
-/// Energy that the tether will create until the force of this tick has acted (J). The device holds every force for a tick, and brings it
-/// late; meanwhile the spring relaxes. A hand of 2 m/s crosses the whole spring of a Falcon in that time.
+/// Energy that the tether will create until the force of this tick has acted (J). The device holds every
+/// force for a tick and delays it; meanwhile the spring relaxes. A hand at 2 m/s crosses the whole spring of
+/// a Falcon in that time.
 double expected_creation(const Servo& servo, const PassivityObserver& book, const Tether& tether,
                          const Tip& tip) {
     if (!(tether.stiffness > 0)) return 0;
@@ -261,15 +267,15 @@ double expected_creation(const Servo& servo, const PassivityObserver& book, cons
     return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
 }
 
-/// A thing that moves goes on: where it is now, by a model that is `age` ticks old. By one that is too old nothing is felt, so it stays
-/// where that began.
+/// Moves the anchor of a tether on to the present, for a model that is `age` ticks old. A model that is too
+/// old gives no force, so its anchor stops there.
 Tether moved_on(Tether tether, std::uint32_t age) {
     tether.anchor += tether.anchor_velocity * (std::min(age, freshest_ticks) * tick_seconds);
     return tether;
 }
 
-/// Books what the last tick did, and keeps active sources within their budget. Returns the brake that keeps passive ones passive (N). The
-/// energy that a source holds when it comes is not its own creation: whoever stretched it put it there.
+/// Updates the passivity observer and limits active sources to their budget. Returns the brake that keeps
+/// passive sources passive (N). A source that appears already stretched did not create that energy itself.
 vec3 keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
                 const Tip& tip, const SurfaceForces& surfaces, const FluidForces& fluid, Sources& sources) {
     const double felt = most_felt(servo, state.safety);
@@ -277,19 +283,20 @@ vec3 keep_books(const Servo& servo, ServoState& state, const HapticModel& model,
     const double held =
         felt < servo.limits.cap ? spring_energy(state, model, tether, tip.position, felt) : springs;
     const double stored = springs + other_energy(tether, surfaces, servo.limits.cap) + fluid.stored;
-    // Who is tethered touches nothing else.
+    // A tethered hand touches nothing else.
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
     observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
     if (tip.switched) state.energy.created = -stored;
     sources.active = within_budget(state.energy, sources.active, tip.velocity);
     const double taken = surplus(state.energy, held + expected_creation(servo, state.energy, tether, tip));
-    if (!(taken > 0)) return vec3(0);  // and the velocity, which takes half of a quiet step, is not asked for
+    if (!(taken > 0)) return vec3(0);  // skips the velocity, which takes half the time of a quiet step
     return passivity_control(taken, prompt_velocity(state, servo.quantum), servo.most_damping);
 }
 
 }  // namespace
 
-/// (n/pi) (cos(pi k/n) - cos(pi (k+1)/n)), as the product that does not subtract two numbers which are nearly equal.
+/// (n/pi) (cos(pi k/n) - cos(pi (k+1)/n)), written as a product so that no nearly equal numbers are
+/// subtracted.
 double half_sine(std::uint32_t at, std::uint32_t length) {
     if (at >= length) return 0;
     const double half_tick = pi / (2.0 * length);
