@@ -24,11 +24,12 @@ void guess_active_set(Problem& problem, double square) {
     for (Term& term : terms_of(problem)) term.active = glm::dot(term.distance, term.distance) < square;
 }
 
-// ---- the flat -------------------------------------------------------------------------------------------------------
+// ---- the flat
+// -----------------------------------------------------------------------------------------------
 
 namespace {
 
-/// Moves x within the flat onto q.x = height, and takes that up. q: unit.
+/// Moves x within the flat onto q.x = height, and fixes that direction. q is a unit vector.
 void fix(Flat& flat, vec3& x, vec3 q, double height) {
     if (flat.count == 0) {
         x += q * (height - glm::dot(q, x));
@@ -41,7 +42,7 @@ void fix(Flat& flat, vec3& x, vec3 q, double height) {
     flat.normals[flat.count++] = normal;
 }
 
-/// Of the unit vectors normal to a kink the one that the flat leaves most free.
+/// The unit vector normal to a kink that the flat leaves most free.
 vec3 freest_normal(const Flat& flat, const Term& term) {
     if (term.identity == 0) return term.q;
     if (flat.count == 0) return normals_to(term.q)[0];
@@ -51,7 +52,7 @@ vec3 freest_normal(const Flat& flat, const Term& term) {
     return length > 1e-9 ? free / length : normals_to(term.q)[0];
 }
 
-/// Puts x onto a line or plane.
+/// Moves x onto the line or plane of a term.
 Flat flat_of(const Term& term, vec3& x) {
     x -= project(term, x) - term.offset;
     if (term.identity == 0) return {{term.q}, 1};
@@ -85,14 +86,15 @@ Flat flat_of_active(Problem& problem, vec3& x) {
     return flat;
 }
 
-// ---- Newton's method on it ------------------------------------------------------------------------------------------
+// ---- Newton's method on the flat
+// ----------------------------------------------------------------------------
 
 vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
     Symmetric sum = scaled_identity(problem.stiffness);
     vec3 gradient = problem.stiffness * x - problem.target;
     for (Term& term : terms_of(problem)) {
         if (term.active) continue;
-        // Twice, since a small distance has been left a large part of rounding the other way.
+        // Projected twice: after the first time, rounding is a large part of a small distance.
         const vec3 distance = project(term, project(term, x) - term.offset);
         const double square = glm::dot(distance, distance);
         if (square == 0) return vec3(std::numeric_limits<double>::infinity());
@@ -111,7 +113,7 @@ vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
 
 namespace {
 
-/// The matrix on the flat, and k on what it fixes, so that it can be solved.
+/// The matrix restricted to the flat, with k in the fixed directions to keep it invertible.
 Symmetric restricted(const Symmetric& m, const Flat& flat, double stiffness) {
     Symmetric result = m;
     for (std::size_t i = 0; i < flat.count; ++i) {
@@ -137,14 +139,14 @@ vec3 newton_step(const Symmetric& m, const Flat& flat, vec3 slope, double stiffn
 
 namespace {
 
-/// N: of the active terms together.
+/// Sum of the strengths of the active terms (N).
 double strength_of_active(const Problem& problem) {
     double result = 0;
     for (const Term& term : terms_of(problem)) result += term.active ? term.strength : 0;
     return result;
 }
 
-/// From one origin.
+/// Newton's method with one origin.
 bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix, int& steps) {
     const double rounding = 4 * epsilon * (problem.strength + glm::length(problem.target));
     const double holding = strength_of_active(problem);
@@ -155,7 +157,7 @@ bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix,
         const double size = glm::length(slope);
         if (size <= rounding) return true;
         if (flat.count > 0 && glm::length(gradient - slope) > holding + size) return true;
-        // Where rounding sets the floor, it cannot fall further.
+        // The size cannot fall further once rounding limits it.
         if (!(size < 0.5 * before)) return before <= 16 * rounding && size <= 16 * rounding;
         before = size;
         x += newton_step(matrix, flat, slope, problem.stiffness);
@@ -164,7 +166,7 @@ bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix,
     return false;
 }
 
-/// Whether the origin is so far off that distances at x are not known to the rounding of the coordinates.
+/// Whether the origin is so far away that distances at x lose accuracy to the rounding of coordinates.
 bool origin_is_far(const Problem& problem, vec3 x) {
     return glm::dot(x, x) > 16 * (1e-60 + glm::dot(world_of(problem, x), world_of(problem, x)));
 }

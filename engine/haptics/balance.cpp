@@ -6,29 +6,32 @@
 #include "haptics/balance_descent.h"
 #include "haptics/smoothed_problem.h"
 
-// The method. All kinks are of one form, a norm (balance_problem.h).
+// Method. All kinks have the same form, a norm (balance_problem.h).
 //
-//  1. The smoothed problem (smoothed_problem.h): Newton's steps, the smoothing d smaller at each.
-//  2. Which kinks hold the proxy? Those with |m|^2 < d * (length of the problem): on the path m falls like d for them and
-//     stays for the others. On what they have in common the rest is smooth (active_set.h).
-//  3. Can the active ones exert what is missing (optimality_check.h)? If not, on with 1.
+//  1. Smoothed problem (smoothed_problem.h): Newton's method, with a smaller smoothing d at each step.
+//  2. Active set (active_set.h): the kinks with |m|^2 < d * (length of the problem). On the path, m falls
+//     like d for the kinks that hold the proxy, and stays for the others. On the intersection of the active
+//     kinks the rest is smooth.
+//  3. Optimality check (optimality_check.h): can the active kinks exert the missing force? If not, continue with 1.
 //
-// The best kink to start from is tried before 1, which settles most small sets. Where 1 fails at three paces, the proxy descends from
-// kink to kink (balance_descent.h). Why not always: that needs the steepest direction where several kinks meet, which is this
-// problem again. Coordinates are relative to a point on the nearest kink, since a unit vector m / |m| is only as good as m. Should
-// all fail, or the steps run out, the best forces so far are improved one by one (optimality_check.h), and the duality gap bounds the
-// error: lines that are parallel but for 1e-12 end there, within 1 mN.
+// The best kink to start from is tried before step 1, which solves most small sets. If step 1 fails with
+// three settings, the proxy descends from kink to kink (balance_descent.h). The descent is not the usual way
+// because it needs the steepest direction where several kinks meet, which is the same problem again.
+// Coordinates are relative to a point on the nearest kink, because a unit vector m / |m| is only as accurate
+// as m. If everything fails or the steps run out, the best forces so far are improved one by one
+// (optimality_check.h). The duality gap then bounds the error: lines that differ from parallel by 1e-12 end
+// there, within 1 mN.
 
 namespace thaum::haptics {
 namespace balancing {
 namespace {
 
-/// Turns the frame so that the active kinks lie along its axes: where they are many times stiffer than the rest, the
-/// matrix must have true zeros in the directions they leave free.
+/// Rotates the frame so that the active kinks lie along its axes. If they are many times stiffer than the
+/// rest, the matrix needs exact zeros in the directions that they leave free.
 void align(Problem& problem, vec3& x) {
     vec3 unused{};
     const Flat flat = flat_of_active(problem, unused);
-    mat3 turn(1);  // columns: the new axes in the old frame
+    mat3 turn(1);  // columns are the new axes in the old frame
     if (flat.count == 0 || flat.count == 3) return;
     turn[0] = flat.normals[0];
     turn[1] = flat.count == 2 ? flat.normals[1] : normals_to(turn[0])[0];
@@ -49,8 +52,9 @@ void align(Problem& problem, vec3& x) {
     measure_distances(problem, x);
 }
 
-/// Steps 2 and 3 from the smoothed state, whose kinks are active up to a distance: improves on `best` by up to four guesses. By how much
-/// the active kinks miss each other, m, where that was in the way; else 0.
+/// Does steps 2 and 3 from the smoothed state, with the kinks up to a distance active. Improves `best` by up
+/// to four guesses. Returns the distance by which the active kinks miss each other if that was the obstacle
+/// (m), else 0.
 double try_active_sets(Problem& problem, vec3 x, double square, double accepted, Solution& best, int& steps) {
     move_origin(problem, x);
     guess_active_set(problem, square);
@@ -61,7 +65,7 @@ double try_active_sets(Problem& problem, vec3 x, double square, double accepted,
         Symmetric matrix;
         if (!minimise_near(problem, flat, x, matrix, steps)) break;
         const vec3 missing = balance_active(problem, x);
-        // What is not active exerts what it does at x; so do the active ones, if x has stayed on their kinks.
+        // Inactive terms have their force at x. So have the active ones if x is still on their kinks.
         const bool stayed = spread_of_active(problem, x) == 0;
         keep_if_better(best, problem, x, stayed ? glm::length(missing) : residual_at(problem, x));
         if (best.residual <= accepted || !release(problem, matrix, missing, x)) break;
@@ -69,7 +73,7 @@ double try_active_sets(Problem& problem, vec3 x, double square, double accepted,
     return 0;
 }
 
-/// How far the terms can move x from where it is without them; at least the rounding there.
+/// Largest distance by which the terms can move x from its place without them; at least the rounding there.
 double length_of(Problem& problem) {
     double farthest = 0;
     for (const Term& term : terms_of(problem)) farthest = std::max(farthest, glm::length(term.distance));
@@ -77,16 +81,16 @@ double length_of(Problem& problem) {
                     4 * rounding_of(problem.centre));
 }
 
-/// How fast the smoothing follows the gap.
+/// Rate at which the smoothing follows the gap.
 struct Pace {
-    double good;   ///< of the gap, after a step that went as a quadratic problem would
-    double poor;   ///< after another
-    double least;  ///< of the smoothing before
+    double good;   ///< share of the gap after a step that went as for a quadratic problem
+    double poor;   ///< share of the gap after any other step
+    double least;  ///< smallest ratio to the last smoothing
     int rounds;
 };
 
-/// The next smoothing. On the path the gap between |m| and its lower bound y.m / s is at most 0.3 of the smoothing; far
-/// from the path it is more, and the smoothing must not run ahead.
+/// Computes the next smoothing. On the path, the gap between |m| and its lower bound y.m / s is at most 0.3
+/// of the smoothing. Far from the path the gap is larger, and the smoothing must not get ahead.
 double next_smoothing(Problem& problem, double smoothing, bool good, const Pace& pace) {
     double gap = 0;
     for (const Term& term : terms_of(problem))
@@ -94,10 +98,11 @@ double next_smoothing(Problem& problem, double smoothing, bool good, const Pace&
     return std::clamp((good ? pace.good : pace.poor) * 3 * gap, pace.least * smoothing, 3 * smoothing);
 }
 
-/// Few sets take more; from then on the smoothed solution itself is kept too, should the proof never succeed.
+/// Few sets take more rounds. From then on the smoothed solution is kept too, in case the optimality check
+/// never succeeds.
 constexpr int hard_rounds = 12;
 
-/// From x on, until the proof succeeds. Improves on `best`.
+/// Follows the path from x until the optimality check succeeds. Improves `best`.
 void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Solution& best, int& steps) {
     double length = length_of(problem);
     x = start_of(problem, x);
@@ -116,13 +121,13 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
             keep_if_better(best, problem, x, bound);
         }
         if (round >= 3) {
-            const bool small = round >= hard_rounds && round % 2 == 1;  // kinks that nearly meet
+            const bool small = round >= hard_rounds && round % 2 == 1;  // for kinks that nearly meet
             const double square = smoothing * std::max(small ? 0 : length, 9 * smoothing);
             Problem guess = problem;
             const double spread = try_active_sets(guess, x, square, accepted, best, steps);
             if (best.residual <= accepted) return;
             if (spread > 0 && spread < smoothing) {
-                // From here these kinks look like one: nearer.
+                // From here these kinks look like one, so the search restarts at their scale.
                 move_origin(problem, x);
                 length = 4 * spread;
             }
@@ -131,14 +136,14 @@ void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Sol
     }
 }
 
-/// At x, which is where the proxy would be without the terms.
+/// Resets the problem at x, the place of the proxy without the terms.
 void reset(Problem& problem, vec3 x) {
     set_origin(problem, problem.centre);
     for (Term& term : terms_of(problem)) term.dual = {}, term.active = false;
     measure_distances(problem, x);
 }
 
-/// The best start, active where it is, and what becomes of it when it is let go of: settles nine of ten small sets.
+/// Tries the best start with its kink active, and the guesses that follow. Solves nine of ten small sets.
 void try_start(Problem& problem, vec3 x, double accepted, Solution& best, int& steps) {
     x = start_of(problem, x);
     measure_distances(problem, x);
@@ -171,7 +176,7 @@ bool in_range(const Spring& spring) {
            spring.stiffness <= 1e9;
 }
 
-/// What each primitive exerts, from the pulls of the terms.
+/// Computes the force of each primitive from the forces of the terms.
 void share_forces(const PrimitiveSet& set, const Problem& problem, const Solution& solution,
                   Balance& result) {
     std::size_t i = 0;
@@ -195,7 +200,7 @@ Spring effective_spring(const ProxyCoupling& coupling, vec3 probe, vec3 probe_ve
                         double period) noexcept {
     const double damper = coupling.damping / period;
     const double stiffness = coupling.stiffness + damper;
-    // As a sum of small parts, so that a still probe far from the origin is not moved by rounding.
+    // A sum of small parts, so that rounding does not move a still probe far from the origin.
     const vec3 shift = damper * (proxy_before - probe) + coupling.damping * probe_velocity;
     return {probe + shift / stiffness, stiffness};
 }

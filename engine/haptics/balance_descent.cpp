@@ -5,14 +5,15 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// The least sum of the gradient and the active forces: each in turn takes the best of its own. Converges to it.
+/// Minimises the sum of the gradient and the active forces. Each force in turn takes its best value, which
+/// converges.
 vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     const vec3 gradient = problem.stiffness * x - problem.target;
     vec3 missing = gradient;
     for (const Term& term : terms_of(problem)) missing += term.dual;
     const double rounding = epsilon * problem.strength;
     for (int round = 0; round < 200; ++round) {
-        if (round % 16 == 15) ++steps;  // as dear as one
+        if (round % 16 == 15) ++steps;  // 16 rounds cost as much as one step
         double change = 0;
         for (Term& term : terms_of(problem)) {
             if (!term.active) continue;
@@ -27,7 +28,7 @@ vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     return missing;
 }
 
-/// The slope along the step without the term `but`, and with no smoothing.
+/// Slope along the step without the term `but` and without smoothing.
 double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Term* but) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
     for (const Term& term : terms_of(problem)) {
@@ -40,14 +41,14 @@ double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Te
     return slope;
 }
 
-/// The first kink between low and high that the step runs into, and where.
+/// First kink between low and high that the step meets, with its position in `high`.
 Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     Term* result = nullptr;
     const double rounding = rounding_of(world_of(problem, x));
     for (Term& term : terms_of(problem)) {
         const vec3 moved = project(term, step);
         const double square = glm::dot(moved, moved);
-        // Where it starts on a kink, that has been let go of.
+        // A kink at the start of the step has been released.
         if (term.active || square == 0 || touches(term, rounding)) continue;
         const double t = -glm::dot(term.distance, moved) / square;
         if (!(t > low && t < high)) continue;
@@ -60,7 +61,8 @@ Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     return result;
 }
 
-/// Goes along the step to the lowest place, which may be a kink: that is then active. At most eight times the step.
+/// Moves along the step to the lowest place, at most eight times the step. If that is a kink, it becomes
+/// active.
 void go_down(Problem& problem, vec3& x, vec3 step) {
     const double fall = -sharp_slope(problem, x, step, 0, nullptr);
     double low = 0, high = 8;
@@ -88,7 +90,7 @@ void go_down(Problem& problem, vec3& x, vec3 step) {
     x += t * step;
 }
 
-/// Holds whatever x touches.
+/// Adds the kinks that x touches to the active set.
 void activate_touched(Problem& problem, vec3 x) {
     measure_distances(problem, x);
     const double rounding = rounding_of(world_of(problem, x));

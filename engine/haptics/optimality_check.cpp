@@ -5,10 +5,10 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// N: what counts as solved.
+/// residual up to which a set counts as solved (N)
 constexpr double solved = 1e-9;
 
-/// Distances at x and forces within the strengths.
+/// Computes the distances at x and limits the forces to the strengths.
 void refresh_terms(Problem& problem, vec3 x) {
     for (Term& term : terms_of(problem)) {
         term.distance = project(term, project(term, x) - term.offset);
@@ -17,7 +17,7 @@ void refresh_terms(Problem& problem, vec3 x) {
     }
 }
 
-/// How far the most mistaken force is from the one that its primitive exerts at x, N.
+/// Largest difference between a force and the one that its primitive exerts at x (N).
 double worst_misfit(const Problem& problem, vec3 x) {
     const double rounding = rounding_of(world_of(problem, x));
     double worst = 0;
@@ -71,13 +71,14 @@ double duality_bound(Problem& problem, vec3 x) {
         gap += std::max(0.0, term.strength * glm::length(term.distance) - glm::dot(term.dual, term.distance));
     }
     const double bound = std::sqrt(glm::dot(missing, missing) + 2 * problem.stiffness * gap);
-    // The sum may be known while a strong force next to its kink is not: that is not solved.
+    // The sum may be accurate while a strong force next to its kink is not. That does not count as solved.
     return bound <= solved && worst_misfit(problem, x) > solved ? 2 * solved : bound;
 }
 
 void improve_by_dual_ascent(Problem& problem, double accepted, Solution& best, int& steps) {
     constexpr int most_passes = 12;
-    constexpr std::size_t updates_of_a_pass = 256;  // of single terms: as dear as a Newton step of a full set
+    // Updates of single terms, which cost as much as a Newton step of a full set.
+    constexpr std::size_t updates_of_a_pass = 256;
     std::size_t i = 0;
     vec3 sum{};
     for (Term& term : terms_of(problem)) {
