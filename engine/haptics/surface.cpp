@@ -9,21 +9,22 @@
 namespace thaum::haptics {
 namespace {
 
-/// A wall's share of the force on the hand.
+/// Share of a wall in the force on the hand.
 struct Share {
     vec3 force{};    ///< N
     double depth{};  ///< depth that is felt (m)
 };
 using Shares = std::array<Share, most_walls>;
 
-/// They are at most four.
+/// Sorts the walls by load. There are at most four.
 void most_loaded_first(Walls& walls) {
     for (std::size_t i = 1; i < walls.count; ++i)
         for (std::size_t j = i; j > 0 && walls.items[j - 1].depth < walls.items[j].depth; --j)
             std::swap(walls.items[j - 1], walls.items[j]);
 }
 
-/// N, on the hand. Of it each wall's `share`: its own push, and by its depth of what all have together.
+/// Computes the force on the hand (N). Each wall's share is its own push, plus a part of the common force in
+/// proportion to its depth.
 vec3 force_of(const Scene& scene, const SlideState& slide, const SurfaceTip& tip, Shares& shares) {
     double depth = 0, stiffness = 0, damping = 0;
     vec3 push(0), velocity(0), spring = slide.x - tip.position;

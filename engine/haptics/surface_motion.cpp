@@ -7,7 +7,8 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double resting_slack = 5e-4;  // distance that a touched triangle may have moved unannounced (m)
+// Distance that a touched triangle may move without telling its velocity (m).
+constexpr double resting_slack = 5e-4;
 constexpr int most_pushes = 4;
 
 bool was_touched(const Scene& scene, const SurfaceState& state, std::uint32_t i) {
@@ -18,9 +19,8 @@ bool was_touched(const Scene& scene, const SurfaceState& state, std::uint32_t i)
     return false;
 }
 
-/// Whether a flat surface is now before the proxy, which came from in front of it. One that was touched and moved a
-/// little more
-/// than it said counts too.
+/// Whether a flat surface moved over the proxy, which was in front of it before. A touched surface also
+/// counts if it moved slightly more than its velocity says.
 bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, vec3 from, vec3 x,
              Wall& wall) {
     if (from != x) {
@@ -38,7 +38,7 @@ bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, v
            over_triangle(scene.surface(flat.surface), flat.normal, x, place_tolerance);
 }
 
-/// Likewise a solid: nothing may stay inside.
+/// Whether a solid moved over the proxy. The proxy must not stay inside.
 bool overran(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall) {
     if (from != x) {
         Hit hit;
@@ -54,7 +54,8 @@ bool overran(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall)
 
 using Places = std::array<vec3, surface_body_capacity>;
 
-/// Adds the walls that overran the proxy; whether there were some. from: where each body would have taken it.
+/// Adds the walls that moved over the proxy. Returns false if there are none. `from`: position of the proxy
+/// if carried by each body.
 bool add_overrun(const Scene& scene, const SurfaceState& state, const Places& from, vec3 x, Walls& walls) {
     bool pushed = false;
     Wall wall;

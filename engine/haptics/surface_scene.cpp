@@ -7,7 +7,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// Leaves out a triangle without area.
+/// Adds a flat surface, unless it is a triangle without area.
 void add_flat(Scene& scene, std::uint32_t i) {
     const Surface& s = scene.surface(i);
     const vec3 normal = s.kind == SurfaceKind::plane ? s.b : glm::cross(s.b - s.a, s.c - s.a);
@@ -102,7 +102,8 @@ bool over_triangle(const Surface& s, vec3 normal, vec3 p, double slack) {
     const std::array corners{s.a, s.b, s.c};
     for (std::size_t i = 0; i < 3; ++i) {
         const vec3 from = corners[i], edge = corners[(i + 1) % 3] - from;
-        const double inward = glm::dot(glm::cross(normal, edge), p - from);  // times the edge's length
+        // Multiplied by the edge's length.
+        const double inward = glm::dot(glm::cross(normal, edge), p - from);
         if (inward < 0 && inward * inward > slack * slack * glm::dot(edge, edge)) return false;
     }
     return true;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_moves = 32;
 
-/// Fraction of a straight path from x that the patch's reach allows.
+/// Fraction of a straight path from x that stays within the patch's reach.
 double allowed(const SurfacePatch& patch, vec3 x, vec3 way) {
     if (!(patch.reach < HUGE_VAL)) return 1;
     const vec3 arm = x - patch.centre;
@@ -29,7 +29,7 @@ bool supported(const Scene& scene, const SlideState& slide) {
     return true;
 }
 
-/// Place to which friction lets the proxy go on a straight way to its goal.
+/// Place up to which friction lets the proxy move on a straight path to its goal.
 vec3 held_back(const Scene& scene, const SlideState& slide, vec3 goal, bool sliding) {
     if (slide.walls.count == 0) return goal;
     const vec3 away = slide.x - goal;
@@ -39,7 +39,7 @@ vec3 held_back(const Scene& scene, const SlideState& slide, vec3 goal, bool slid
     return goal + away * (friction_reach(scene, slide.walls, slide.x, true) / distance);
 }
 
-/// Moves by a part of the way, as far as it is free.
+/// Moves the proxy by the free part of the path.
 void move_by(SlideState& slide, vec3 way) {
     slide.x += way;
     if (slide.walls.count != 0 && glm::dot(way, way) > place_tolerance * place_tolerance) slide.slid = true;
@@ -47,9 +47,8 @@ void move_by(SlideState& slide, vec3 way) {
 
 enum class Straight : std::uint8_t { met_a_wall, arrived, limited };
 
-/// Surface at which the proxy stands on its way, though the patch's reach leaves it no way to go; without it a force
-/// would end where
-/// the patch ends.
+/// Surface at which the proxy stands on its path although the patch's reach leaves no room to move. Without
+/// it, a force would end where the patch ends.
 Hit hit_at_reach(const Scene& scene, const SlideState& slide, vec3 way) {
     const Sweep ahead(slide.x, way);
     Hit hit = first_hit(scene, ahead);
@@ -57,7 +56,7 @@ Hit hit_at_reach(const Scene& scene, const SlideState& slide, vec3 way) {
     return hit;
 }
 
-/// Goes straight towards the goal until a surface, friction or the patch's reach stops the proxy.
+/// Moves straight towards the goal until a surface, friction or the patch's reach stops the proxy.
 Straight go_straight(const Scene& scene, SlideState& slide, vec3 goal, bool was_sliding) {
     const vec3 whole = held_back(scene, slide, goal, was_sliding) - slide.x;
     const double part = allowed(*scene.patch, slide.x, whole);
@@ -73,9 +72,8 @@ Straight go_straight(const Scene& scene, SlideState& slide, vec3 goal, bool was_
     return slide.limited ? Straight::limited : Straight::arrived;
 }
 
-/// Ends a slide that has used up its moves or its patch. Where no wall is left, the last walls that held the proxy go
-/// on doing so:
-/// a force never vanishes because the moves are used up.
+/// Ends a slide that has used up its moves or its patch. If no wall is left, the last walls that held the
+/// proxy stay: the force never vanishes because the moves are used up.
 void settle(const Scene& scene, SlideState& slide, vec3 tip, const Walls& held) {
     if (is_round(scene, slide.walls, slide.x)) {
         refresh_round(scene, slide.walls, slide.x, false);
@@ -107,7 +105,7 @@ SlideState slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) 
         last = slide.x;
         const Walls before = slide.walls;
         const NearestPlace goal = nearest_place(slide.walls, tip);
-        if (!goal.found) {  // no room: stays, held by those that were there before
+        if (!goal.found) {  // no room: the proxy stays, held by the walls before
             slide.walls = held.count != 0 ? held : before;
             return slide;
         }

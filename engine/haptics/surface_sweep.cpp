@@ -7,7 +7,8 @@ namespace {
 
 constexpr int most_advances = 60;  // grazing a round side halves the gap each time
 
-/// Whether a hit comes before another; of two at once the one that is met more squarely.
+/// Whether a hit comes before another one. Of two simultaneous hits, the one at the steeper angle comes
+/// first.
 bool sooner(double at, double drop, const Hit& than, double length) {
     const double lead = (than.at - at) * length;
     return lead > place_tolerance || (lead > -place_tolerance && drop > than.drop);
@@ -40,8 +41,8 @@ void sweep_flat(const Scene& scene, const Facet& flat, const Sweep& path, Hit& f
     first = {at, drop, {normal, offset + flat.gap, 0, flat.surface}};
 }
 
-/// At the nearest point of a convex shape stands a plane that has all of it behind, up to which a point may move at
-/// once.
+/// Advances to the tangent plane at the nearest point of the convex shape. The whole shape lies behind that
+/// plane, so the point may move up to it at once.
 void sweep_solid(const Scene& scene, std::uint32_t i, const Sweep& path, Hit& first) {
     if (scene.beyond(i, path.from, path.length)) return;
     const Surface& s = scene.surface(i);
@@ -74,7 +75,7 @@ Hit first_hit(const Scene& scene, const Sweep& path, SurfaceSet passed_over) {
 }
 
 SurfaceSet Clearances::beyond(const Scene& scene, vec3 from, double distance) {
-    constexpr double stale = 4;  // distances known so many times farther away no longer tell much
+    constexpr double stale = 4;  // distances measured so many times farther away are too coarse
     double off = glm::length(from - place_);
     if (!(off <= stale * distance)) {
         measure(scene, from);

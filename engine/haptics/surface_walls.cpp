@@ -3,20 +3,22 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double nearly_parallel = 1e-15;    // sine squared, below which two planes make no crease
-constexpr double loose = 0.4 * surface_gap;  // height by which such planes may stand above each other (m)
+constexpr double nearly_parallel = 1e-15;  // squared sine below which two planes have no crease
+// Height by which such planes may stand above each other (m).
+constexpr double loose = 0.4 * surface_gap;
 
-/// Up to three walls that meet where the proxy is. Their depths are the multipliers of the place nearest to the tip.
+/// Up to three walls that meet at the proxy. Their depths are the multipliers of the place nearest to the
+/// tip.
 struct ActiveSet {
     std::array<std::size_t, 3> walls{};
     std::array<double, 3> depths{};
     std::size_t count{};
 };
 
-/// Whether all walls of the set push and no other wall is depth_behind.
+/// Whether all walls of the set push and the place is behind no other wall.
 bool holds(const Walls& walls, const ActiveSet& active, vec3 tip, double slack, vec3& place) {
     place = tip;
-    unsigned used = 0;  // a bit each
+    unsigned used = 0;  // one bit for each wall
     for (std::size_t i = 0; i < active.count; ++i) {
         if (!(active.depths[i] > 0)) return false;
         place += active.depths[i] * walls.items[active.walls[i]].normal;
@@ -43,7 +45,8 @@ ActiveSet against_two(const Walls& walls, std::size_t i, std::size_t j, vec3 tip
     return {{i, j}, {depths.a, depths.b}, 2};
 }
 
-/// Three planes meet at sum offset_i (n_j x n_k) / det; the depths are coordinates of the way there along the normals.
+/// Three planes meet at sum offset_i (n_j x n_k) / det. The depths are the coordinates of the displacement
+/// along the normals.
 ActiveSet against_three(const Walls& walls, std::size_t i, std::size_t j, std::size_t k, vec3 tip) {
     const vec3 a = walls.items[i].normal, b = walls.items[j].normal, c = walls.items[k].normal;
     const vec3 bc = glm::cross(b, c), ca = glm::cross(c, a), ab = glm::cross(a, b);
@@ -55,7 +58,7 @@ ActiveSet against_three(const Walls& walls, std::size_t i, std::size_t j, std::s
     return {{i, j, k}, {glm::dot(way, bc) / det, glm::dot(way, ca) / det, glm::dot(way, ab) / det}, 3};
 }
 
-/// Keeps the walls of the set, with their depths.
+/// Keeps only the walls of the set, with their depths.
 void keep(Walls& walls, const ActiveSet& active) {
     std::array<Wall, most_walls> kept{};
     for (std::size_t i = 0; i < active.count; ++i) {
