@@ -13,7 +13,7 @@ ArmTick ArmPlayback::tick() {
     return {step, this};
 }
 
-/// Takes this tick's force into the model; false before the first.
+/// Takes the force of this tick into the model. Returns false before the first force.
 bool ArmPlayback::next() {
     if (const auto* force = forces_.front(); force != nullptr) {
         model_.steady_force = {.force = force->force,

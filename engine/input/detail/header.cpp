@@ -1,4 +1,4 @@
-// The log's header: bytes out, bytes in, and the limits that both sides keep to.
+// Encoding and decoding of the log's header, and the limits that both enforce.
 #include <cmath>
 
 #include "core/hash.h"
@@ -20,7 +20,7 @@ std::uint64_t salt_of(std::span<const std::byte> file, std::size_t body_size) {
     return hash_bytes(file.subspan(preamble_size, body_size), hash_bytes(file.first(salt_offset)));
 }
 
-// What a header may hold -------------------------------------------------------------------------
+// Limits of a header -----------------------------------------------------------------------------
 
 bool all_short(const std::vector<std::string>& list) {
     for (const auto& s : list) {
@@ -61,7 +61,7 @@ std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
     return {};
 }
 
-/// Empty where the header is right.
+/// Returns the first fault of a header; empty if there is none.
 std::string_view header_fault(const LogHeader& h) {
     if (h.players.size() > player_limit) return "more than 16 players";
     if (h.devices.size() > max_devices) return "more than 4 devices";
@@ -87,7 +87,7 @@ void put_strings(ByteWriter& out, const std::vector<std::string>& list) {
     put_list(out, list, [&](const std::string& s) { out.put_string(s); });
 }
 
-/// Stops at the first item that is not there, so a wrong count costs nothing.
+/// Reads a list. Stops at the first missing item, so a wrong count costs nothing.
 template <class Get>
 auto get_list(ByteReader& in, Get get) {
     std::vector<decltype(get())> list;
@@ -100,7 +100,8 @@ std::vector<std::string> get_strings(ByteReader& in) {
     return get_list(in, [&] { return in.get_string(); });
 }
 
-/// In the file's flags alone: behind them stand the edges of the box, and then what is kept off of a fluid.
+/// Bits of the flags in the file only. They say that the edges of the box, and then the fluid reductions,
+/// follow.
 constexpr std::uint32_t box_follows = 1U << 31U;
 constexpr std::uint32_t fluid_follows = 1U << 30U;
 
