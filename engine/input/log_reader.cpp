@@ -280,12 +280,14 @@ bool log_in_use(const std::filesystem::path& path) {
 }
 
 Expected<void> remove_log(const std::filesystem::path& path) {
-    const auto stays = [&](std::string_view why) { return fail(text(path.string(), ": stays: ", why)); };
+    const auto stays = [&](std::string_view why) {
+        return fail(text(path.string(), ": not removed: ", why));
+    };
     std::error_code failed;
     if (!std::filesystem::exists(std::filesystem::symlink_status(path, failed))) return {};
     const bool is_empty =
         std::filesystem::is_regular_file(path, failed) && std::filesystem::is_empty(path, failed);
-    if (!is_empty && !begins_like_recording(path)) return stays("it is no log");
+    if (!is_empty && !begins_like_recording(path)) return stays("it is not a log");
     if (log_in_use(path)) return stays("a program is recording into it");
     if (std::filesystem::remove(path, failed)) return {};
     return stays(failed.message());

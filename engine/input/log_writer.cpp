@@ -317,7 +317,8 @@ Expected<LogWriter> LogWriter::create(const std::filesystem::path& path, const L
     if (!bytes) return fail(text(path.string(), ": ", bytes.error().message));
     const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd < 0 && errno == EEXIST) {
-        return fail(text(path.string(), ": exists, and a log is never written over: give another name"));
+        return fail(
+            text(path.string(), ": exists already, and a log is never overwritten: give another name"));
     }
     if (fd < 0) return fail(text(path.string(), ": cannot create: ", std::strerror(errno)));
     ::flock(fd, LOCK_EX | LOCK_NB);  // no other program can hold the lock: the file is new

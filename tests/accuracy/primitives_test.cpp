@@ -166,9 +166,9 @@ TEST(Primitives, AListIsTakenWholeOrNot) {
     std::vector<Primitive> list(16, point({}, 1));
     EXPECT_EQ(checked(list)->items().size(), 16U);
     list.push_back(point({}, 1));
-    EXPECT_NE(checked(list).error().message.find("primitive 16: one too many"), std::string::npos);
+    EXPECT_NE(checked(list).error().message.find("primitive 16: the set is full"), std::string::npos);
     list = {point({}, 1), point({}, -1)};
-    EXPECT_EQ(checked(list).error().message, "primitive 1: strength is negative");
+    EXPECT_EQ(checked(list).error().message, "primitive 1: strength is negative: give 0 or more");
 }
 
 TEST(Primitives, ASpringOutOfRangeGivesNoForce) {

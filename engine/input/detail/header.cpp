@@ -42,21 +42,21 @@ bool strings_short(const LogHeader& h) {
 }
 
 std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
-    if (device.player >= players) return "a device's player does not exist";
+    if (device.player >= players) return "a device's player is not among the players";
     if (static_cast<std::size_t>(device.kind) >= device_kinds) return "a device's kind is unknown";
     if (!std::isfinite(device.look_rad_per_count)) return "a device's look_rad_per_count is not finite";
     if (!std::isfinite(device.turn_rad_per_s)) return "a device's turn_rad_per_s is not finite";
     constexpr auto known = DeviceSpec::invert_y | DeviceSpec::no_forces | DeviceSpec::force_bits |
                            DeviceSpec::weight_bits | DeviceSpec::blow_bits;
     if ((device.flags & ~known) != 0) return "a device's flag is unknown";
-    if (device.force_percent() > 100) return "a device's force is above 100 %";
-    if (device.weight_reduction() > 100) return "more than 100 % of a weight is kept off";
-    if (device.blow_reduction() > 100) return "more than 100 % of the blows is kept off";
+    if (device.force_percent() > 100) return "a device's largest force is above 100 %";
+    if (device.weight_reduction() > 100) return "a device's reduction of weight is above 100 %";
+    if (device.blow_reduction() > 100) return "a device's reduction of blows is above 100 %";
     for (const auto edge : device.box_um) {
         if (edge > DeviceSpec::most_box_um) return "a device's box is larger than 10 m";
     }
     for (const auto percent : device.fluid_reduction) {
-        if (percent > 100) return "more than 100 % of a fluid's force is kept off";
+        if (percent > 100) return "a device's reduction of a fluid's force is above 100 %";
     }
     return {};
 }
