@@ -1,4 +1,5 @@
-// The books of energy: what passive sources create, what the controller takes out, what active ones may give.
+// Unit tests of the passivity observer and controller: created energy, removed energy, and the budget of
+// active sources.
 #include "haptics/energy.h"
 
 #include <gtest/gtest.h>
@@ -23,12 +24,12 @@ DeviceSpec reference_device(int latency) {
 }
 
 struct Outcome {
-    double created{};   ///< J: the sum of F dx, computed here
-    double most{};      ///< J, the most of it
-    double farthest{};  ///< m, in the last quarter
+    double created{};   ///< sum of F dx, computed here (J)
+    double most{};      ///< largest value of `created` (J)
+    double farthest{};  ///< largest distance in the last quarter (m)
 };
 
-/// A tip of 0.1 m/s that meets a spring along x; one without controller and one with.
+/// Moves a tip at 0.1 m/s into a spring along x, with or without the controller.
 Outcome meet_spring(double stiffness, bool controlled, int latency) {
     const auto spec = reference_device(latency);
     const auto device = simulated_device(spec, no_hand);
@@ -113,7 +114,7 @@ TEST(HapticsEnergy, CapAndHeatScaleAllSourcesAlikeAndTheRestIsActive) {
 TEST(HapticsEnergy, WhatFadesAfterASwitchIsPassive) {
     PassivityObserver book;
     observe(book, {}, {}, 0, 0);
-    // The spring wants 1 N and gets it; 2 N of the last source are left.
+    // The spring asks for 1 N and gets it. 2 N of the last source are left.
     record_output(book, {3, 0, 0}, {1, 0, 0}, {}, {1, 0, 0}, {2, 0, 0});
     EXPECT_EQ(book.forces[book.newest].passive, vec3(3, 0, 0));
     EXPECT_EQ(book.forces[book.newest].world, vec3(1, 0, 0)) << "nothing of the world holds what is left";
@@ -138,7 +139,7 @@ TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
 
 TEST(HapticsEnergy, TheControllerBeginsWhileASpringStillHoldsWhatItMayGive) {
     PassivityObserver book;
-    book.created = -0.05;  // 0.05 J are not given back yet, and the spring holds 5 mJ more than that
+    book.created = -0.05;  // 0.05 J are not returned yet, and the spring holds 5 mJ more than that
     EXPECT_NEAR(surplus(book, 0.055), 0.005 - energy_slack, 1e-15);
     EXPECT_LE(surplus(book, 0.05), 0) << "a spring that created nothing is left alone";
     book.created = 1e-4;
@@ -157,7 +158,7 @@ TEST(HapticsEnergy, ForcesOnTheWayDoTheirWorkUnlessThereIsNoDelay) {
 
 TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {
     const double quantum = 5.5e-5, radius = 0.01,
-                 rate = 150;  // 1.5 m/s round a circle, by an Omni's encoders
+                 rate = 150;  // 1.5 m/s round a circle, with an Omni's encoders
     const auto rounded = [quantum](vec3 place) { return quantum * glm::round(place / quantum); };
     const Servo servo = servo_of(reference_device(0), 1);
     ServoState state;
@@ -189,7 +190,8 @@ TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
     EXPECT_EQ(within_budget(book, {-1, 1, 0}, {0.1, 0, 0}), vec3(-1, 1, 0)) << "but it may brake";
     book.active_work = 0;
     EXPECT_EQ(within_budget(book, {1, 1, 0}, {0.1, 0, 0}), vec3(1, 1, 0));
-    // A lean that pushes a free tip for ever: no more than its budget, and what leaks away of it.
+    // A steady force pushes a free tip for ever. It gives no more than its budget and the amount that decays
+    // from it.
     const auto spec = reference_device(0);
     auto device = simulated_device(spec, no_hand);
     device.reach = vec3(100);
@@ -212,7 +214,8 @@ TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
 
 TEST(HapticsEnergy, AStiffSpringThatWouldRingForEverIsKeptPassive) {
     for (const int latency : {0, 1}) {
-        const double stiffness = latency == 0 ? 2500 : 1500;  // beyond 2 b / T and its share with a delay
+        // Beyond 2 b / T, and beyond its share with a delay.
+        const double stiffness = latency == 0 ? 2500 : 1500;
         const auto bare = meet_spring(stiffness, false, latency);
         const auto kept = meet_spring(stiffness, true, latency);
         EXPECT_GT(bare.most, 1.0) << latency << ": without the controller it grows";
@@ -237,7 +240,8 @@ TEST(HapticsEnergy, OfAWeakSpringItTakesWhatTheTickAddsAndNoMore) {
     const auto kept = meet_spring(100, true, 0);
     EXPECT_GT(bare.most, 2e-5) << "half the stiffness times the square of a tick's way, each tick";
     EXPECT_LE(kept.most, 0.1 * bare.most);
-    // A continuous spring rings by the device's damping alone; the tick adds K T / 2 of negative damping.
+    // The device's damping alone decides how long a continuous spring oscillates. The tick adds K T / 2 of
+    // negative damping.
     const double continuous = bare.farthest * std::exp(-(100 * tick_seconds / 2) / (2 * 0.1) * 3);
     EXPECT_GT(kept.farthest, 0.7 * continuous) << "hardly more damping than that";
 }

@@ -1,4 +1,4 @@
-// The simulated device: what goes in and out beside the motion itself, and dry friction at rest.
+// Unit tests of the simulated device: input, output, and dry friction at rest.
 #include "haptics/simulated.h"
 
 #include <gtest/gtest.h>
@@ -137,7 +137,7 @@ TEST(HapticsSimulated, TheSameTicksGiveTheSameBits) {
         return hash;
     };
     EXPECT_EQ(run(), run());
-    // Those of every build and processor. A change of the model changes them: let it be on purpose.
+    // Hashes of every build and processor. They change only if the model is changed on purpose.
     EXPECT_EQ(run(), 4712942992120687017ULL);
 }
 
