@@ -1,4 +1,4 @@
-// Unit tests of flow patches: taking them from fields, and reading them.
+// The piece of a flow that a haptic model carries: what is taken of fields, and how it is read.
 #include "haptics/flow_patch.h"
 
 #include <gtest/gtest.h>
@@ -64,7 +64,7 @@ TEST(FlowPatch, ItsNodesAreTheFluidsFieldsThere) {
 }
 
 TEST(FlowPatch, ReadsALinearFlowExactlyAndOneAtRestAlikeFromEachPatch) {
-    // A field that is linear in space stays linear through the fluid's samples and the patch's.
+    // What is linear over the place keeps being it through the fluid's samples and the patch's.
     auto fluid = wild_fluid();
     const auto flow = [](vec3 p) { return vec3(1 + p.y, 2 * p.x - p.z, 0.5 - 3 * p.y); };
     fluid::set_velocity(fluid, flow);
@@ -104,7 +104,7 @@ TEST(FlowPatch, GoesOnBeyondItsNodesAndIsEmptyOfNothing) {
     EXPECT_EQ(flow_at({}, {}).density, 0);
     EXPECT_EQ(patch_of({}, {}).spacing, 0);
     EXPECT_EQ(patch_of(source_of(fluid), vec3(1e300)).spacing, 0.125);
-    // A substance that lowers the values below zero.
+    // A substance that makes lighter by more than there is.
     auto source = source_of(fluid);
     source.substances[2].density = -1e9;
     for (const FlowNode& node : patch_of(source, vec3(0.6)).nodes) EXPECT_GE(node.density, 0);
