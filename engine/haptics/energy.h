@@ -50,7 +50,7 @@ inline constexpr double active_budget = 0.5;
 /// `latency` is the device's delay (ticks). `supplied` is other energy that the world gave to the forces
 /// asked for in the last tick (J). A step longer than `longest_step` is a measurement error and does no work;
 /// otherwise one bad position would keep the controller active for ever.
-void observe(PassivityObserver& book, vec3 position, vec3 world_step, double stored, int latency,
+void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double stored, int latency,
              double supplied = 0);
 
 /// Energy that a spring may have created while it still holds more (J). Energy beyond it is taken out at
@@ -61,7 +61,7 @@ inline constexpr double energy_slack = 0.003;
 /// plus the energy that they will create before the next force acts (J). The controller must not wait until
 /// the springs have returned all of it. A damper at the device's limit takes out less than a stretched spring
 /// gives back.
-double surplus(const PassivityObserver& book, double held);
+double surplus(const PassivityObserver& observer, double held);
 
 /// Force against the velocity (m/s) that takes out `energy` (J) within the next tick (N). Its damping is at
 /// most `most` (N s/m).
@@ -69,15 +69,15 @@ vec3 passivity_control(double energy, vec3 velocity, double most);
 
 /// Work of the passive forces that are commanded but have not acted yet (J), if the tip moves by `step` (m)
 /// in every tick.
-double pending_work(const PassivityObserver& book, vec3 step, int latency);
+double pending_work(const PassivityObserver& observer, vec3 step, int latency);
 
 /// Limits the active force to its budget: beyond the budget, it no longer pushes along the velocity (N).
-vec3 within_budget(const PassivityObserver& book, vec3 active, vec3 velocity);
+vec3 within_budget(const PassivityObserver& observer, vec3 active, vec3 velocity);
 
 /// Records the force commanded to the device (N). `passive` and `active` are the forces that the sources
 /// asked for. `world` is the part of `passive` that acts on moving things of the world. `unrequested` is the
 /// part of `output` that no source asked for: the controller's brake and the fading offset of a switch.
-void record_output(PassivityObserver& book, vec3 output, vec3 passive, vec3 active, vec3 world,
+void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
                    vec3 unrequested = {});
 
 }  // namespace thaum::haptics

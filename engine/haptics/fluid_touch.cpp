@@ -42,7 +42,7 @@ bool asks_for_flow(const FluidModes& modes) {
     return modes.viscosity > 0 || modes.flow > 0 || modes.resistance > 0;
 }
 
-vec3 finite_or_none(vec3 v) { return is_finite(v) ? v : vec3(0); }
+vec3 finite_or_zero_force(vec3 v) { return is_finite(v) ? v : vec3(0); }
 
 /// Adds force and stored energy of one part, unless they are not finite.
 void add(FluidForces& feel, vec3 passive, double stored) {
@@ -227,7 +227,7 @@ void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3
     const double stretch = depth / touch.frame.metres_per_metre;
     const double push = scale * touch.wall.stiffness * stretch - damps * glm::dot(velocity, in);
     const vec3 force = std::max(0.0, push) * in;
-    state.wall = finite_or_none(force);
+    state.wall = finite_or_zero_force(force);
     add(feel, force, scale * touch.wall.stiffness * stretch * stretch / 2);
 }
 
@@ -276,7 +276,7 @@ void add_fluid_step(FluidTouch& touch, const FlowPatch& newest) {
     touch.step_age = 0;
 }
 
-bool note_fluid(FluidTouchState& state, const FluidTouch& touch) {
+bool detect_fluid_switch(FluidTouchState& state, const FluidTouch& touch) {
     if (touch.number == state.number) return false;
     state = {.number = touch.number};
     return true;
@@ -313,7 +313,7 @@ vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immers
             drags_of(FluidModes{}, touch.drag, sample, immersed, std::numeric_limits<double>::infinity());
         return (drags.flow + drags.resistance) * (sample.velocity - velocity);
     };
-    return finite_or_none(
+    return finite_or_zero_force(
         glm::mix(of(touch.older), of(touch.newer), share_of_newer(touch.step_age, model_age)));
 }
 

@@ -193,7 +193,7 @@ struct FluidForces {
 };
 
 /// Returns true if the fluid appeared, ended or jumped. The state then starts anew.
-bool note_fluid(FluidTouchState& state, const FluidTouch& touch);
+bool detect_fluid_switch(FluidTouchState& state, const FluidTouch& touch);
 
 /// Computes the forces of one tick with a fluid. A part that is not finite gives no force.
 FluidForces feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip);

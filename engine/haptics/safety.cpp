@@ -59,7 +59,7 @@ vec3 shortened(vec3 force, double most) {
 // ---- latches, gate and counters: the stage's memory of its input
 // ---------------------------------------------
 
-void note_rearm(SafetyState& state, const SafetyInput& input) {
+void update_rearm(SafetyState& state, const SafetyInput& input) {
     if (!input.rearm || state.latched == 0) return;
     state.latched = 0;
     state.gate_open = 0;
@@ -81,7 +81,7 @@ void begin_episode(SafetyState& state) {
 
 /// Counts episodes of excess. One wild tick may be a glitch. Three bursts in ten seconds are a fault, and
 /// shut the device off.
-void note_excess(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
+void count_excess(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     forget_old_episodes(state);
     const bool sane = is_finite(input.wanted) && glm::length(input.wanted - input.spring) <= limits.excess &&
                       glm::length(input.spring) <= limits.spring_excess;
@@ -94,7 +94,7 @@ void note_excess(const SafetyLimits& limits, SafetyState& state, const SafetyInp
 }
 
 /// Returns true while the hand is too fast, or was too fast and has not calmed down.
-bool note_speed(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
+bool update_speed(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     const double net = glm::length(input.velocity);
     if (!(net <= limits.max_speed && input.path_speed <= limits.max_speed)) {
         state.fast_ticks = calm_ticks;
@@ -108,7 +108,7 @@ bool note_speed(const SafetyLimits& limits, SafetyState& state, const SafetyInpu
 
 /// Returns true if the model is stale. Counts ticks itself because the age may jump; the ramp then still
 /// starts at its beginning.
-bool note_age(SafetyState& state, std::uint32_t age) {
+bool update_staleness(SafetyState& state, std::uint32_t age) {
     if (age <= freshest_ticks) {
         state.stale_ticks = 0;
         return false;
@@ -119,7 +119,7 @@ bool note_age(SafetyState& state, std::uint32_t age) {
 
 /// Opens the start gate. The first force let through must be in range, so that no large force meets a player
 /// at the start (003).
-void note_gate(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
+void update_gate(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
     if (state.gate_open != 0 || !is_finite(wanted) || !(glm::length(wanted) <= limits.cap)) return;
     state.gate_open = 1;
     state.fade = static_cast<std::uint32_t>(Fade::begins);
@@ -127,13 +127,13 @@ void note_gate(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
 
 /// Processes the whole input in every tick, so that no condition hides another. Returns the gravest reason to
 /// stop the force.
-SafetyCause note(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
-    note_rearm(state, input);
-    note_excess(limits, state, input);
+SafetyCause process(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
+    update_rearm(state, input);
+    count_excess(limits, state, input);
     if (input.panic) latch(state, SafetyCause::panic);
-    note_gate(limits, state, input.wanted);
-    const bool too_fast = note_speed(limits, state, input);
-    const bool stale = note_age(state, input.model_age);
+    update_gate(limits, state, input.wanted);
+    const bool too_fast = update_speed(limits, state, input);
+    const bool stale = update_staleness(state, input.model_age);
     if (latched(state, SafetyCause::panic)) return SafetyCause::panic;
     if (latched(state, SafetyCause::shut_off)) return SafetyCause::shut_off;
     if (!input.on) return SafetyCause::off;
@@ -217,7 +217,7 @@ void begin_fade(double most, SafetyState& state, vec3 goal) {
 
 /// Adds the offset's work since the last tick. A step that no hand makes is a measurement error and does no
 /// work.
-void book_work(SafetyState& state, vec3 tip) {
+void add_fade_work(SafetyState& state, vec3 tip) {
     const double work = glm::dot(state.offset, tip - state.tip);
     if (glm::distance(tip, state.tip) <= longest_step)
         state.fade_work = std::max(0.0, state.fade_work + work);
@@ -225,7 +225,7 @@ void book_work(SafetyState& state, vec3 tip) {
 
 /// Length that the work done so far allows (N). An offset that falls in proportion to the distance along it,
 /// like a relaxing spring, follows this law exactly. It is zero when it has done all its work.
-double worked_off(const SafetyState& state) {
+double length_after_work(const SafetyState& state) {
     const double left = std::clamp(1 - state.fade_work / switch_energy, 0.0, 1.0);
     return state.initial_offset * std::sqrt(left);
 }
@@ -249,10 +249,10 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
     if (state.fade == static_cast<std::uint32_t>(Fade::begins))
         begin_fade(most, state, goal);
     else
-        book_work(state, tip);
+        add_fade_work(state, tip);
     const double step = limits.slew * tick_seconds;
     const double size = glm::length(state.offset);
-    const double left = std::min(size, worked_off(state)) - step;
+    const double left = std::min(size, length_after_work(state)) - step;
     if (!(left > step * (almost_there - 1))) {
         state.fade = static_cast<std::uint32_t>(Fade::over);
         state.offset = {};
@@ -292,7 +292,7 @@ SafetyLimits safety_limits(const DeviceSpec& spec, double share) {
 }
 
 vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
-    SafetyCause cause = note(limits, state, input);
+    SafetyCause cause = process(limits, state, input);
     const double most = thermal_limit(limits, state);
     const vec3 wanted = is_finite(input.wanted) ? input.wanted : vec3(0);
     if (input.switched || cause != SafetyCause::none) state.fade = static_cast<std::uint32_t>(Fade::begins);

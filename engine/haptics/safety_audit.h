@@ -59,9 +59,9 @@ private:
     using Moment = std::uint64_t;  // tick number from 1; 0: never
 
     void count(SafetyRule rule, bool broken);
-    void watch_latches(const SafetyLimits& limits, const SafetyInput& input);
-    void watch_hand(const SafetyLimits& limits, const SafetyInput& input);
-    void watch_model(const SafetyInput& input);
+    void follow_latches(const SafetyLimits& limits, const SafetyInput& input);
+    void follow_hand(const SafetyLimits& limits, const SafetyInput& input);
+    void follow_model(const SafetyInput& input);
     void judge_always(const SafetyLimits& limits, vec3 output);
     bool judge_stopped(const SafetyInput& input, vec3 output);
     void judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output);
@@ -72,31 +72,31 @@ private:
 
     std::array<std::uint64_t, safety_rules> counts_{};
     Moment now_{};
-    vec3 before_{};  // last output (N)
+    vec3 last_output_{};  // last output (N)
 
     bool panicked_{};
     bool shut_off_{};
     bool gate_open_{};
     Moment last_excess_{};
     std::array<Moment, 3> episodes_{};  // starts of the last three, the newest last
-    Moment last_hurry_{};               // last tick too fast; 0: no cut
+    Moment last_too_fast_{};            // last tick too fast; 0: no cut
     Moment last_fresh_{};
-    vec3 at_stale_{};  // start of the ramp (N)
+    vec3 ramp_start_{};  // start of the ramp (N)
 
-    bool begins_ = true;        // the next force let through is a switch; so is the first one
-    bool maybe_fading_ = true;  // an offset may be left
-    bool known_ = false;        // `offset_` is known
+    bool next_is_switch_ = true;  // the next force let through is a switch; so is the first one
+    bool may_be_fading_ = true;   // an offset may be left
+    bool offset_known_ = false;   // `offset_` is known
     // The stage neither scales down to keep the motors cool nor recovers from that.
     bool unscaled_ = true;
-    vec3 offset_{};         // N
-    vec3 tip_{};            // m
-    double full_{};         // length of the offset at the switch (N)
-    double spent_{};        // work of the offset (J)
-    Moment last_fading_{};  // last tick in which there may be an offset
+    vec3 offset_{};            // N
+    vec3 tip_{};               // m
+    double initial_length_{};  // length of the offset at the switch (N)
+    double fade_work_{};       // work of the offset (J)
+    Moment last_fading_{};     // last tick in which there may be an offset
 
-    std::vector<double> squares_;  // squares of the output, a ring (N^2)
-    double window_sum_{};          // sum over the last 10 s (N^2)
-    double memory_sum_{};          // sum over the longest time that the stage may remember (N^2)
+    std::vector<double> squared_outputs_;  // squares of the output, a ring (N^2)
+    double window_sum_{};                  // sum over the last 10 s (N^2)
+    double memory_sum_{};                  // sum over the longest time that the stage may remember (N^2)
 };
 
 }  // namespace thaum::haptics

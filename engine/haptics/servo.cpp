@@ -9,7 +9,7 @@ namespace {
 /// Stores a position and returns the velocity over the window, or the filled part of it (m/s). Over one tick,
 /// an encoder's quantum would be noise of centimetres per second. A position that is not finite gives NaN
 /// when it arrives and when it is the oldest; the safety stage cuts the force on both.
-vec3 note_position(ServoState& state, vec3 position) {
+vec3 store_position(ServoState& state, vec3 position) {
     auto& ring = state.positions;
     const bool full = state.samples == velocity_window;
     const vec3 oldest = full ? ring[state.next_position] : ring[0];
@@ -53,7 +53,7 @@ vec3 play_pulses(ServoState& state) {
 // ----------------------------------------------------------------------------------
 
 /// Returns true if one of them appeared, ended or jumped.
-bool note_sources(ServoState& state, const HapticModel& model) {
+bool detect_source_switch(ServoState& state, const HapticModel& model) {
     const bool jumped =
         model.steady_force.number != state.steady_force_number || model.tether.number != state.tether_number;
     state.steady_force_number = model.steady_force.number;
@@ -68,7 +68,7 @@ bool note_sources(ServoState& state, const HapticModel& model) {
 constexpr double solved_residual = 1e-9;
 
 /// Returns true if the set appeared, ended or jumped.
-bool note_set(ServoState& state, const HapticModel& model) {
+bool detect_set_switch(ServoState& state, const HapticModel& model) {
     const auto count = static_cast<std::uint32_t>(model.primitives.items().size());
     const bool jumped = count != state.primitives || (count != 0 && model.set_number != state.set_number);
     state.set_number = count == 0 ? 0 : model.set_number;
@@ -91,7 +91,7 @@ vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3
 // ---- surfaces -----------------------------------------------------------------------------------------------------
 
 /// Returns true if the patch jumped, or ended while it was touched.
-bool note_patch(ServoState& state, const HapticModel& model) {
+bool detect_patch_switch(ServoState& state, const HapticModel& model) {
     const bool jumped = model.patch_number != state.patch_number;
     const bool ended = model.patch.count == 0 && state.surface.contacts != 0;
     state.patch_number = model.patch_number;
@@ -135,8 +135,8 @@ bool has_active_texture(const SurfacePatch& patch) {
 /// not press the tip in, so the offset grows by as much. The force therefore grows only by the motion of the
 /// hand and of things. A player who stands with the wand at a wall feels the same force after turning. After
 /// a jump, nothing is pressed in at all.
-ContactResult touch_shifted(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
-                            const Tip& probe, double dt) {
+ContactResult touch_with_offset(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
+                                const Tip& probe, double dt) {
     const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);
     state.contact_offset -= fading;
     const vec3 tip = probe.position + state.contact_offset;
@@ -156,7 +156,7 @@ ContactResult touch_shifted(ServoState& state, const SurfacePatch& patch, const 
 SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const FrameMotion& drift,
                          const Tip& probe, double dt) {
     const vec3 offset_before = state.contact_offset;
-    const ContactResult touched = touch_shifted(state, patch, drift, probe, dt);
+    const ContactResult touched = touch_with_offset(state, patch, drift, probe, dt);
     if (touched.force == vec3(0)) return {};
     const vec3 stretch = touched.proxy - (probe.position + state.contact_offset);
     return {.force = touched.force,
@@ -248,7 +248,7 @@ double other_energy(const Tether& tether, const SurfaceForces& surfaces, double 
 /// Largest force that a spring exerts at the device now (N): less than the cap while the motors are warm,
 /// zero while the output is stopped. A spring stretched meanwhile holds less than its potential, and the
 /// difference was not created.
-double most_felt(const Servo& servo, const SafetyState& safety) {
+double largest_felt_force(const Servo& servo, const SafetyState& safety) {
     const bool whole = safety.cause <= static_cast<std::uint32_t>(SafetyCause::capped);
     return whole ? servo.limits.cap : glm::length(safety.output);
 }
@@ -256,13 +256,13 @@ double most_felt(const Servo& servo, const SafetyState& safety) {
 /// Energy that the tether will create until the force of this tick has acted (J). The device holds every
 /// force for a tick and delays it; meanwhile the spring relaxes. A hand at 2 m/s crosses the whole spring of
 /// a Falcon in that time.
-double expected_creation(const Servo& servo, const PassivityObserver& book, const Tether& tether,
+double expected_creation(const Servo& servo, const PassivityObserver& observer, const Tether& tether,
                          const Tip& tip) {
     if (!(tether.stiffness > 0)) return 0;
     const double cap = servo.limits.cap;
     const vec3 step = (tip.velocity - tether.anchor_velocity) * tick_seconds;
     const vec3 pull = limited(tether.stiffness * (tether.anchor - tip.position), cap);
-    const double work = pending_work(book, step, servo.latency) + glm::dot(pull, step);
+    const double work = pending_work(observer, step, servo.latency) + glm::dot(pull, step);
     const double ahead = tether_energy(tether, tip.position + (servo.latency + 1.0) * step, cap);
     return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
 }
@@ -276,9 +276,10 @@ Tether moved_on(Tether tether, std::uint32_t age) {
 
 /// Updates the passivity observer and limits active sources to their budget. Returns the brake that keeps
 /// passive sources passive (N). A source that appears already stretched did not create that energy itself.
-vec3 keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
-                const Tip& tip, const SurfaceForces& surfaces, const FluidForces& fluid, Sources& sources) {
-    const double felt = most_felt(servo, state.safety);
+vec3 update_energy(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
+                   const Tip& tip, const SurfaceForces& surfaces, const FluidForces& fluid,
+                   Sources& sources) {
+    const double felt = largest_felt_force(servo, state.safety);
     const double springs = spring_energy(state, model, tether, tip.position, servo.limits.cap);
     const double held =
         felt < servo.limits.cap ? spring_energy(state, model, tether, tip.position, felt) : springs;
@@ -389,12 +390,12 @@ double path_speed(const ServoState& state, double quantum) {
 }
 
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample) {
-    const vec3 velocity = note_position(state, sample.position);
+    const vec3 velocity = store_position(state, sample.position);
     const bool cut_off = start_pulse(state, model.pulse);
-    const bool set_jumped = note_set(state, model);
-    const bool source_jumped = note_sources(state, model);
-    const bool patch_jumped = note_patch(state, model);
-    const bool fluid_jumped = note_fluid(state.fluid, model.fluid);
+    const bool set_jumped = detect_set_switch(state, model);
+    const bool source_jumped = detect_source_switch(state, model);
+    const bool patch_jumped = detect_patch_switch(state, model);
+    const bool fluid_jumped = detect_fluid_switch(state.fluid, model.fluid);
     const bool switched = set_jumped || source_jumped || patch_jumped || fluid_jumped;
     const SurfaceForces surfaces =
         feel_surfaces(state, model, sample.model_age, {sample.position, velocity, patch_jumped});
@@ -417,8 +418,8 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
         sources.passive += fluid.passive;
         sources.active += fluid.active;
     }
-    const vec3 brake = keep_books(servo, state, model, tether, {sample.position, velocity, switched},
-                                  surfaces, fluid, sources);
+    const vec3 brake = update_energy(servo, state, model, tether, {sample.position, velocity, switched},
+                                     surfaces, fluid, sources);
     const vec3 output = make_safe(servo.limits, state.safety,
                                   {.wanted = sources.passive + sources.active,
                                    .spring = spring,

@@ -21,8 +21,8 @@ bool was_touched(const Scene& scene, const SurfaceState& state, std::uint32_t i)
 
 /// Whether a flat surface moved over the proxy, which was in front of it before. A touched surface also
 /// counts if it moved slightly more than its velocity says.
-bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, vec3 from, vec3 x,
-             Wall& wall) {
+bool moved_over(const Scene& scene, const SurfaceState& state, const Facet& flat, vec3 from, vec3 x,
+                Wall& wall) {
     if (from != x) {
         Hit hit;
         sweep_flat(scene, flat, Sweep(from, x - from), hit);
@@ -39,7 +39,7 @@ bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, v
 }
 
 /// Whether a solid moved over the proxy. The proxy must not stay inside.
-bool overran(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall) {
+bool moved_over(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall) {
     if (from != x) {
         Hit hit;
         sweep_solid(scene, i, Sweep(from, x - from), hit);
@@ -56,18 +56,19 @@ using Places = std::array<vec3, surface_body_capacity>;
 
 /// Adds the walls that moved over the proxy. Returns false if there are none. `from`: position of the proxy
 /// if carried by each body.
-bool add_overrun(const Scene& scene, const SurfaceState& state, const Places& from, vec3 x, Walls& walls) {
+bool add_walls_that_moved_over(const Scene& scene, const SurfaceState& state, const Places& from, vec3 x,
+                               Walls& walls) {
     bool pushed = false;
     Wall wall;
     for (std::uint32_t i = 0; i < scene.flat_count && walls.count < most_walls; ++i) {
         const Facet& flat = scene.flats[i];
-        if (!overran(scene, state, flat, from[scene.surface(flat.surface).body], x, wall)) continue;
+        if (!moved_over(scene, state, flat, from[scene.surface(flat.surface).body], x, wall)) continue;
         add_wall(walls, wall);
         pushed = true;
     }
     for (std::uint32_t i = 0; i < scene.solid_count && walls.count < most_walls; ++i) {
         const std::uint32_t solid = scene.solids[i];
-        if (!overran(scene, solid, from[scene.surface(solid).body], x, wall)) continue;
+        if (!moved_over(scene, solid, from[scene.surface(solid).body], x, wall)) continue;
         add_wall(walls, wall);
         pushed = true;
     }
@@ -91,7 +92,7 @@ vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start) {
     vec3 x = start;
     for (int round = 0; round < most_pushes; ++round) {
         const std::size_t before = walls.count;
-        if (!add_overrun(scene, state, from, x, walls)) return x;
+        if (!add_walls_that_moved_over(scene, state, from, x, walls)) return x;
         const NearestPlace goal = nearest_place(walls, start);
         if (!goal.found) return x;
         x = goal.place;

@@ -56,104 +56,105 @@ Outcome meet_spring(double stiffness, bool controlled, int latency) {
 }
 
 TEST(HapticsEnergy, TheBooksAreTheSumOfForceTimesWay) {
-    PassivityObserver book;
-    observe(book, {0, 0, 0}, {}, 0, 0);
-    record_output(book, {2, 0, 0}, {2, 0, 0}, {}, {});
-    observe(book, {0.01, 0, 0}, {}, 0, 0);
-    EXPECT_NEAR(book.created, 0.02, 1e-15) << "the hand went where the force pushed it";
-    record_output(book, {2, 0, 0}, {2, 0, 0}, {}, {});
-    observe(book, {0.0, 0, 0}, {}, 1, 0);
-    EXPECT_NEAR(book.created, 0, 1e-15) << "and back against it";
-    record_output(book, {2, 0, 0}, {2, 0, 0}, {}, {2, 0, 0});
-    observe(book, {0.01, 0, 0}, {0.01, 0, 0}, 0, 0);
-    EXPECT_NEAR(book.created, 0, 1e-15) << "the world moved the other end as far: it paid";
-    EXPECT_NEAR(book.most_created, 0.02, 1e-15);
+    PassivityObserver observer;
+    observe(observer, {0, 0, 0}, {}, 0, 0);
+    record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {});
+    observe(observer, {0.01, 0, 0}, {}, 0, 0);
+    EXPECT_NEAR(observer.created, 0.02, 1e-15) << "the hand went where the force pushed it";
+    record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {});
+    observe(observer, {0.0, 0, 0}, {}, 1, 0);
+    EXPECT_NEAR(observer.created, 0, 1e-15) << "and back against it";
+    record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {2, 0, 0});
+    observe(observer, {0.01, 0, 0}, {0.01, 0, 0}, 0, 0);
+    EXPECT_NEAR(observer.created, 0, 1e-15) << "the world moved the other end as far: it paid";
+    EXPECT_NEAR(observer.most_created, 0.02, 1e-15);
 }
 
 TEST(HapticsEnergy, APoseThatJumpsIsNoWork) {
     for (const double away : {0.06, 1.0, 1e6}) {
-        PassivityObserver book;
+        PassivityObserver observer;
         const auto tick = [&](double x) {
-            observe(book, {x, 0, 0}, {}, 0, 0);
-            record_output(book, {3, 0, 0}, {2, 0, 0}, {1, 0, 0}, {});
+            observe(observer, {x, 0, 0}, {}, 0, 0);
+            record_output(observer, {3, 0, 0}, {2, 0, 0}, {1, 0, 0}, {});
         };
         tick(0), tick(0.001), tick(0.002);
-        const double created = book.created, given = book.active_work;
+        const double created = observer.created, given = observer.active_work;
         EXPECT_GT(created, 0.003);
         tick(0.002 + away), tick(0.002);
-        EXPECT_EQ(book.created, created) << away;
-        EXPECT_EQ(book.active_work, given) << away;
+        EXPECT_EQ(observer.created, created) << away;
+        EXPECT_EQ(observer.active_work, given) << away;
         tick(0.003);
-        EXPECT_NEAR(book.created, created + 0.002, 1e-12) << "and on it goes";
+        EXPECT_NEAR(observer.created, created + 0.002, 1e-12) << "and on it goes";
     }
 }
 
 TEST(HapticsEnergy, WhatDampingTookIsNoReserve) {
-    PassivityObserver book;
-    observe(book, {}, {}, 0, 0);
-    record_output(book, {-5, 0, 0}, {-5, 0, 0}, {}, {});
-    observe(book, {0.02, 0, 0}, {}, 0.02, 0);
-    EXPECT_NEAR(book.created, -0.02, 1e-15) << "0.1 J went in, and 0.02 J are stored";
+    PassivityObserver observer;
+    observe(observer, {}, {}, 0, 0);
+    record_output(observer, {-5, 0, 0}, {-5, 0, 0}, {}, {});
+    observe(observer, {0.02, 0, 0}, {}, 0.02, 0);
+    EXPECT_NEAR(observer.created, -0.02, 1e-15) << "0.1 J went in, and 0.02 J are stored";
 }
 
 TEST(HapticsEnergy, CapAndHeatScaleAllSourcesAlikeAndTheRestIsActive) {
-    PassivityObserver book;
-    record_output(book, {1, 0, 0}, {3, 0, 0}, {1, 0, 0}, {3, 0, 0});
-    const auto now = [&book] { return book.forces[book.newest]; };
+    PassivityObserver observer;
+    record_output(observer, {1, 0, 0}, {3, 0, 0}, {1, 0, 0}, {3, 0, 0});
+    const auto now = [&observer] { return observer.forces[observer.newest]; };
     EXPECT_NEAR(now().passive.x, 0.75, 1e-15);
     EXPECT_NEAR(now().world.x, 0.75, 1e-15);
     EXPECT_NEAR(now().active.x, 0.25, 1e-15);
-    record_output(book, {0, 1, 0}, {}, {}, {});
+    record_output(observer, {0, 1, 0}, {}, {}, {});
     EXPECT_EQ(now().passive, vec3(0));
     EXPECT_EQ(now().active, vec3(0, 1, 0));
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    record_output(book, {1, 0, 0}, {nan, 0, 0}, {}, {});
+    record_output(observer, {1, 0, 0}, {nan, 0, 0}, {}, {});
     EXPECT_EQ(now().passive, vec3(0));
 }
 
 TEST(HapticsEnergy, WhatFadesAfterASwitchIsPassive) {
-    PassivityObserver book;
-    observe(book, {}, {}, 0, 0);
+    PassivityObserver observer;
+    observe(observer, {}, {}, 0, 0);
     // The spring asks for 1 N and gets it. 2 N of the last source are left.
-    record_output(book, {3, 0, 0}, {1, 0, 0}, {}, {1, 0, 0}, {2, 0, 0});
-    EXPECT_EQ(book.forces[book.newest].passive, vec3(3, 0, 0));
-    EXPECT_EQ(book.forces[book.newest].world, vec3(1, 0, 0)) << "nothing of the world holds what is left";
-    EXPECT_EQ(book.forces[book.newest].active, vec3(0));
-    observe(book, {0.01, 0, 0}, {}, 0, 0);
-    EXPECT_NEAR(book.created, 0.03, 1e-15);
-    EXPECT_EQ(book.active_work, 0);
+    record_output(observer, {3, 0, 0}, {1, 0, 0}, {}, {1, 0, 0}, {2, 0, 0});
+    EXPECT_EQ(observer.forces[observer.newest].passive, vec3(3, 0, 0));
+    EXPECT_EQ(observer.forces[observer.newest].world, vec3(1, 0, 0))
+        << "nothing of the world holds what is left";
+    EXPECT_EQ(observer.forces[observer.newest].active, vec3(0));
+    observe(observer, {0.01, 0, 0}, {}, 0, 0);
+    EXPECT_NEAR(observer.created, 0.03, 1e-15);
+    EXPECT_EQ(observer.active_work, 0);
 }
 
 TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
-    PassivityObserver book;
-    book.created = 1e-4;
+    PassivityObserver observer;
+    observer.created = 1e-4;
     const vec3 velocity{0.5, 0, 0};
-    const vec3 force = passivity_control(book.created, velocity, 30);
+    const vec3 force = passivity_control(observer.created, velocity, 30);
     EXPECT_NEAR(-glm::dot(force, velocity) * 0.001, 1e-4, 1e-12);
-    EXPECT_NEAR(passivity_control(book.created, {0.01, 0, 0}, 30).x, -0.3, 1e-12)
+    EXPECT_NEAR(passivity_control(observer.created, {0.01, 0, 0}, 30).x, -0.3, 1e-12)
         << "at most the device's damping";
-    EXPECT_EQ(passivity_control(book.created, {}, 30), vec3(0));
-    book.created = -1;
-    EXPECT_EQ(passivity_control(book.created, velocity, 30), vec3(0));
+    EXPECT_EQ(passivity_control(observer.created, {}, 30), vec3(0));
+    observer.created = -1;
+    EXPECT_EQ(passivity_control(observer.created, velocity, 30), vec3(0));
 }
 
 TEST(HapticsEnergy, TheControllerBeginsWhileASpringStillHoldsWhatItMayGive) {
-    PassivityObserver book;
-    book.created = -0.05;  // 0.05 J are not returned yet, and the spring holds 5 mJ more than that
-    EXPECT_NEAR(surplus(book, 0.055), 0.005 - energy_slack, 1e-15);
-    EXPECT_LE(surplus(book, 0.05), 0) << "a spring that created nothing is left alone";
-    book.created = 1e-4;
-    EXPECT_EQ(surplus(book, 0), 1e-4) << "with nothing left to give there is no slack";
+    PassivityObserver observer;
+    observer.created = -0.05;  // 0.05 J are not returned yet, and the spring holds 5 mJ more than that
+    EXPECT_NEAR(surplus(observer, 0.055), 0.005 - energy_slack, 1e-15);
+    EXPECT_LE(surplus(observer, 0.05), 0) << "a spring that created nothing is left alone";
+    observer.created = 1e-4;
+    EXPECT_EQ(surplus(observer, 0), 1e-4) << "with nothing left to give there is no slack";
 }
 
 TEST(HapticsEnergy, ForcesOnTheWayDoTheirWorkUnlessThereIsNoDelay) {
-    PassivityObserver book;
-    record_output(book, {2, 0, 0}, {2, 0, 0}, {}, {});
-    record_output(book, {3, 0, 0}, {3, 0, 0}, {}, {});
+    PassivityObserver observer;
+    record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {});
+    record_output(observer, {3, 0, 0}, {3, 0, 0}, {}, {});
     const vec3 step{0.001, 0, 0};
-    EXPECT_EQ(pending_work(book, step, 0), 0);
-    EXPECT_NEAR(pending_work(book, step, 1), 0.003, 1e-15);
-    EXPECT_NEAR(pending_work(book, step, 2), 0.005, 1e-15);
+    EXPECT_EQ(pending_work(observer, step, 0), 0);
+    EXPECT_NEAR(pending_work(observer, step, 1), 0.003, 1e-15);
+    EXPECT_NEAR(pending_work(observer, step, 2), 0.005, 1e-15);
 }
 
 TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {
@@ -184,12 +185,12 @@ TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {
 }
 
 TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
-    PassivityObserver book;
-    book.active_work = active_budget + 0.01;
-    EXPECT_EQ(within_budget(book, {1, 1, 0}, {0.1, 0, 0}), vec3(0, 1, 0)) << "it may not push any more";
-    EXPECT_EQ(within_budget(book, {-1, 1, 0}, {0.1, 0, 0}), vec3(-1, 1, 0)) << "but it may brake";
-    book.active_work = 0;
-    EXPECT_EQ(within_budget(book, {1, 1, 0}, {0.1, 0, 0}), vec3(1, 1, 0));
+    PassivityObserver observer;
+    observer.active_work = active_budget + 0.01;
+    EXPECT_EQ(within_budget(observer, {1, 1, 0}, {0.1, 0, 0}), vec3(0, 1, 0)) << "it may not push any more";
+    EXPECT_EQ(within_budget(observer, {-1, 1, 0}, {0.1, 0, 0}), vec3(-1, 1, 0)) << "but it may brake";
+    observer.active_work = 0;
+    EXPECT_EQ(within_budget(observer, {1, 1, 0}, {0.1, 0, 0}), vec3(1, 1, 0));
     // A steady force pushes a free tip for ever. It gives no more than its budget and the amount that decays
     // from it.
     const auto spec = reference_device(0);
@@ -225,13 +226,13 @@ TEST(HapticsEnergy, AStiffSpringThatWouldRingForEverIsKeptPassive) {
 }
 
 TEST(HapticsEnergy, ALateForceIsBookedWhenItActs) {
-    PassivityObserver book;
-    observe(book, {}, {}, 0, 2);
+    PassivityObserver observer;
+    observe(observer, {}, {}, 0, 2);
     for (int tick = 0; tick < 6; ++tick) {
-        record_output(book, {tick == 1 ? 1.0 : 0.0, 0, 0}, {tick == 1 ? 1.0 : 0.0, 0, 0}, {}, {});
-        observe(book, {tick == 3 ? 0.01 : 0.0, 0, 0}, {}, 1, 2);
-        EXPECT_NEAR(book.created, tick == 3 ? 0.01 : 0.0, 1e-15) << tick;
-        book.created = 0;
+        record_output(observer, {tick == 1 ? 1.0 : 0.0, 0, 0}, {tick == 1 ? 1.0 : 0.0, 0, 0}, {}, {});
+        observe(observer, {tick == 3 ? 0.01 : 0.0, 0, 0}, {}, 1, 2);
+        EXPECT_NEAR(observer.created, tick == 3 ? 0.01 : 0.0, 1e-15) << tick;
+        observer.created = 0;
     }
 }
 
