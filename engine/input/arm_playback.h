@@ -25,8 +25,8 @@ struct PlaybackReport {
     std::uint64_t played{};   ///< forces played
     std::uint64_t starved{};  ///< ticks between the first and the last force that had none
     double strongest{};       ///< largest force that the arm was told (N)
-    std::array<std::uint64_t, haptics::safety_cause_names.size()>
-        causes{};  ///< ticks by haptics::SafetyCause
+    /// Ticks by haptics::SafetyCause.
+    std::array<std::uint64_t, haptics::safety_cause_names.size()> causes{};
     PoseTroubles poses{};
 };
 
