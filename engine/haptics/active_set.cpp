@@ -24,8 +24,7 @@ void guess_active_set(Problem& problem, double square) {
     for (Term& term : terms_of(problem)) term.active = glm::dot(term.distance, term.distance) < square;
 }
 
-// ---- the flat
-// -----------------------------------------------------------------------------------------------
+// ---- the flat ---------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -86,8 +85,7 @@ Flat flat_of_active(Problem& problem, vec3& x) {
     return flat;
 }
 
-// ---- Newton's method on the flat
-// ----------------------------------------------------------------------------
+// ---- Newton's method on the flat --------------------------------------------------------------------------
 
 vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
     Symmetric sum = scaled_identity(problem.stiffness);

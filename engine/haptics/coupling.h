@@ -20,7 +20,7 @@ namespace thaum::haptics {
 struct Coupling {
     double stiffness{};  ///< stiffness of the spring, >= 0 (N/m)
     double damping{};    ///< damping between hand and object, >= 0 (N s/m)
-    /// damping of the object against the player's frame, >= 0 (N s/m); the hand does not feel it
+    /// Damping of the object against the player's frame, >= 0 (N s/m); the hand does not feel it
     double drag{};
 };
 
@@ -29,7 +29,7 @@ struct CouplingStep {
     Coupling coupling{};
     double inverse_object{};  ///< inverse mass of the object (1/kg)
     double inverse_hand{};    ///< inverse mass of the hand (1/kg)
-    /// object's share of the relative motion; 1 if the motion of the hand is prescribed
+    /// Object's share of the relative motion; 1 if the motion of the hand is prescribed.
     double share{};
     Oscillator relative{};  ///< relative motion, HIP minus object
     Response response{};    ///< response of the relative motion over dt
@@ -55,7 +55,7 @@ struct CouplingResult {
     vec3 impulse{};       ///< impulse of spring and damper on the object; the hand gets the opposite (N s)
     vec3 mean_force{};    ///< impulse / dt (N)
     vec3 drag_impulse{};  ///< impulse of the drag on the object (N s)
-    /// change of the object's velocity by coupling, drag and other forces (m/s)
+    /// Change of the object's velocity by coupling, drag and other forces (m/s).
     vec3 velocity_change{};
     vec3 displacement{};  ///< displacement of the object over the step if nothing else touches it (m)
 };

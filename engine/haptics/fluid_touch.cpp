@@ -51,8 +51,7 @@ void add(FluidForces& feel, vec3 passive, double stored) {
     feel.stored += stored;
 }
 
-// ---- the ladle's own mass
-// -----------------------------------------------------------------------------------
+// ---- the ladle's own mass ---------------------------------------------------------------------------------
 
 bool has_mass(const FluidTouch& touch) {
     const auto& [mass, stiffness, damping] = touch.ladle;
@@ -86,8 +85,7 @@ void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
     add(feel, -pulled.mean_force, stored);
 }
 
-// ---- surface
-// ------------------------------------------------------------------------------------------------
+// ---- surface ----------------------------------------------------------------------------------------------
 
 /// Upward force (N, bowl frame) and energy (J) of the sheet's spring, stretched by `gap` metres
 /// (fluid/sheet.h).
@@ -133,8 +131,7 @@ void feel_surface(const FluidTouch& touch, FluidTouchState& state, double height
     add(feel, force * up, touch.modes.surface * hand_scale(touch.frame).energy * pull.stored);
 }
 
-// ---- flow
-// ---------------------------------------------------------------------------------------------------
+// ---- flow -------------------------------------------------------------------------------------------------
 
 /// Drag coefficients of equations (1) to (3) (N s/m, bowl frame).
 struct Drags {
@@ -211,8 +208,7 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
     feel.active += forces.flow;
 }
 
-// ---- wall
-// ---------------------------------------------------------------------------------------------------
+// ---- wall -------------------------------------------------------------------------------------------------
 
 /// Adds the wall's force. `place` is the true place P, and `state.place` the one held inside.
 void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3 velocity,

@@ -19,7 +19,7 @@ namespace thaum::haptics {
 
 struct Oscillator {
     double decay{};  ///< damping / (2 mass), >= 0 (1/s)
-    /// stiffness / mass, the square of the undamped angular frequency, >= 0 (1/s^2)
+    /// Stiffness / mass, the square of the undamped angular frequency, >= 0 (1/s^2).
     double frequency2{};
 };
 

@@ -56,8 +56,7 @@ vec3 shortened(vec3 force, double most) {
     return length > most ? force * (most / length * below) : force;
 }
 
-// ---- latches, gate and counters: the stage's memory of its input
-// ---------------------------------------------
+// ---- latches, gate and counters: the stage's memory of its input ------------------------------------------
 
 void update_rearm(SafetyState& state, const SafetyInput& input) {
     if (!input.rearm || state.latched == 0) return;

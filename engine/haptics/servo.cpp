@@ -49,8 +49,7 @@ vec3 play_pulses(ServoState& state) {
     return force;
 }
 
-// ---- steady force and tether
-// ----------------------------------------------------------------------------------
+// ---- steady force and tether ------------------------------------------------------------------------------
 
 /// Returns true if one of them appeared, ended or jumped.
 bool detect_source_switch(ServoState& state, const HapticModel& model) {

@@ -155,8 +155,8 @@ ServoState resumed(const ServoState& before);
 /// sample.
 vec3 tip_velocity(const ServoState& state);
 
-inline constexpr double finest_motion =
-    5e-5;  ///< smallest deviation from a line that counts as motion, not noise (m)
+/// Smallest deviation from a line that counts as motion, not noise (m).
+inline constexpr double finest_motion = 5e-5;
 
 /// Velocity of the tip (m/s) with the least delay that the quantum (m) allows. It is the mean over the
 /// longest part of the window in which the samples lie on a line. The tolerance is one quantum, or

@@ -67,7 +67,7 @@ struct SimulatedState {
     vec3 velocity{};  ///< velocity of the tip (m/s); exactly zero on an axis that dry friction holds
     vec3 target{};    ///< target of the hand (m)
     vec3 force{};     ///< force that acted on the tip in the last tick (N)
-    /// commanded forces that have not acted yet, the next one first (N)
+    /// Commanded forces that have not acted yet, the next one first (N).
     std::array<vec3, most_latency> commanded{};
 };
 static_assert(sizeof(SimulatedState) == (4 + most_latency) * 3 * sizeof(double));

@@ -9,8 +9,7 @@
 namespace thaum::haptics {
 namespace {
 
-// ---- pieces of surfaces
-// -------------------------------------------------------------------------------------
+// ---- pieces of surfaces -----------------------------------------------------------------------------------
 
 /// Smooth part of a surface: a plane, or all places at one distance from a point or a line.
 struct Piece {
@@ -76,8 +75,7 @@ double bend_along(const Piece& piece, vec3 y, vec3 tangent) {
     return (1 - along * along) / glm::length(from_core(piece, y));
 }
 
-// ---- paths
-// --------------------------------------------------------------------------------------------------
+// ---- paths ------------------------------------------------------------------------------------------------
 
 /// Path along one or two pieces, from 0 at the proxy to 1 at the goal.
 struct Path {
@@ -98,8 +96,8 @@ struct Path {
 bool onto_both(const std::array<Piece, 2>& pieces, vec3& y) {
     constexpr int most_steps = 12;
     constexpr double parallel = 1e-12;
-    constexpr double last =
-        1e-9;  // m; after a step this short, the error is its square over the radius, which is rounding
+    // m; after a step this short, the error is its square over the radius, which is rounding.
+    constexpr double last = 1e-9;
     for (int n = 0; n < most_steps; ++n) {
         const Distance a = distance_to(pieces[0], y), b = distance_to(pieces[1], y);
         const double g = glm::dot(a.normal, b.normal), sine2 = 1 - g * g;
@@ -175,8 +173,7 @@ Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 directio
     return path;
 }
 
-// ---- where a path ends
-// --------------------------------------------------------------------------------------
+// ---- where a path ends ------------------------------------------------------------------------------------
 
 /// Loads of the walls that hold the proxy on a path.
 struct Loads {
@@ -352,8 +349,7 @@ bool within_reach(const Track& track, double s) {
     return glm::dot(arm, arm) <= patch.reach * patch.reach;
 }
 
-// ---- the sweep
-// ----------------------------------------------------------------------------------------------
+// ---- the sweep --------------------------------------------------------------------------------------------
 
 /// Direction that rises by one above each piece.
 vec3 outward(const Path& path, vec3 y) {

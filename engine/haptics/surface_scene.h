@@ -48,8 +48,8 @@ struct Scene {
     std::array<std::uint32_t, surface_capacity> solids;
     std::array<vec3, surface_capacity> normal;  ///< normals of the flat surfaces (unit)
     std::array<double, surface_capacity> gap;
-    std::array<double, surface_capacity>
-        extent;  ///< largest distance of any part of a solid from its centre, with the gap (m)
+    /// Largest distance of any part of a solid from its centre, with the gap (m).
+    std::array<double, surface_capacity> extent;
     std::array<BodyMotion, surface_body_capacity> motions;
 
     const Surface& surface(std::uint32_t i) const { return patch->surfaces[i]; }

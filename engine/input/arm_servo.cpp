@@ -29,8 +29,7 @@ vec3 arm_step(const haptics::Servo& servo, haptics::ServoState& state, const hap
 
 }  // namespace
 
-// ---- the arm's thread
-// -----------------------------------------------------------------------------------------
+// ---- the arm's thread -------------------------------------------------------------------------------------
 
 ArmTick ArmServo::tick() {
     const auto step = [](void* context, const ArmReading& reading) {
@@ -63,8 +62,7 @@ vec3 ArmServo::step(const ArmReading& reading) {
     return force;
 }
 
-// ---- the simulation
-// -------------------------------------------------------------------------------------------
+// ---- the simulation ---------------------------------------------------------------------------------------
 
 void ArmServo::publish() {
     auto& order = orders_.to_fill();

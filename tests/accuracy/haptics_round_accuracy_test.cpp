@@ -29,8 +29,7 @@ double steady_lag(double radius, double tip_radius, double friction) {
     return sine < 1 ? std::asin(sine) - alpha : -1;
 }
 
-// ---- steady sliding
-// -------------------------------------------------------------------------------------------
+// ---- steady sliding ---------------------------------------------------------------------------------------
 
 /// A steady slide round a circle.
 struct Circle {
@@ -182,8 +181,7 @@ TEST(RoundBodies, AlongAHelixTheForceIsConstantSeenFromTheTip) {
     }
 }
 
-// ---- transients
-// -----------------------------------------------------------------------------------------------
+// ---- transients -------------------------------------------------------------------------------------------
 
 /// Exact proxy on a sphere about the origin after the tip has moved (m). It moves along the great circle
 /// until Coulomb's law holds.

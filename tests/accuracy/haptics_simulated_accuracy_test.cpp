@@ -104,8 +104,7 @@ TEST(HapticsSimulatedAccuracy, RampTarget) {
     }
 }
 
-// ---- dry friction
-// ---------------------------------------------------------------------------------------------
+// ---- dry friction -----------------------------------------------------------------------------------------
 
 SimulatedDevice with_friction(const Hand& hand, double friction, double damping, double dt = 1e-3) {
     auto spec = reference_spec();

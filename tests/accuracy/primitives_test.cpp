@@ -129,8 +129,7 @@ TEST(Primitives, ADamperIsAShiftedStifferSpring) {
     EXPECT_EQ(effective_spring(coupling, {1, 1, 1}, {}, {1, 1, 1}, 1e-3).centre, vec3(1, 1, 1));
 }
 
-// ---- refused input
-// --------------------------------------------------------------------------------------------
+// ---- refused input ----------------------------------------------------------------------------------------
 
 TEST(Primitives, WhatHasAFaultIsRefusedByNameAndLeavesTheSet) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();

@@ -21,8 +21,7 @@ vec3 vector_within(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-// ---- the loop through the fluid
-// -------------------------------------------------------------------------------
+// ---- the loop through the fluid ---------------------------------------------------------------------------
 
 /// A fluid that consists of one mass. It is pushed in the step after the one in which the hand moved it, and
 /// is read after that step.
@@ -73,8 +72,7 @@ TEST(FluidTouchHostile, TheWayThroughTheFluidDoesNotRing) {
     }
 }
 
-// ---- energy
-// ---------------------------------------------------------------------------------------------------
+// ---- energy -----------------------------------------------------------------------------------------------
 
 /// Limits so high that no cap takes energy that the world gave.
 DeviceSpec without_limits(DeviceSpec spec) {
@@ -96,8 +94,7 @@ TEST(FluidTouchHostile, PassiveModesCreateNothing) {
     }
 }
 
-// ---- input that is not finite
-// ---------------------------------------------------------------------------------
+// ---- input that is not finite -----------------------------------------------------------------------------
 
 double nasty_number(Random& random) {
     switch (random.below(9)) {

@@ -81,8 +81,7 @@ TEST(HapticsHostile, APassiveHandAndDeviceNeverGainEnergy) {
     }
 }
 
-// ---- coupling
-// -------------------------------------------------------------------------------------------------
+// ---- coupling ---------------------------------------------------------------------------------------------
 
 double pair_energy(const Coupling& c, double mass, const CouplingState& s) {
     const vec3 e = s.hand - s.object;

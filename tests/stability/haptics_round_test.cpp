@@ -17,8 +17,7 @@ namespace {
 
 using namespace round_rig;
 
-// ---- every shape
-// ----------------------------------------------------------------------------------------------
+// ---- every shape ------------------------------------------------------------------------------------------
 
 /// A convex body as the half-spaces and round solids that bound it. It checks a proxy without the code under
 /// test.
@@ -159,8 +158,7 @@ TEST(RoundBodies, WhileTheTipIsInsideItIsInContactAndWithinTheFrictionCone) {
                 for (const std::uint64_t seed : {1U, 2U}) wander(scene, friction, speed, seed);
 }
 
-// ---- edges of meshes
-// ------------------------------------------------------------------------------------------
+// ---- edges of meshes --------------------------------------------------------------------------------------
 
 /// Without friction, under a ridge and in a trench of two sloping faces, each 0.1 m wide, along and across
 /// the edge.
@@ -207,8 +205,7 @@ TEST(RoundBodies, SharpAndConcaveEdgesOfAMeshKeepTheForce) {
     }
 }
 
-// ---- attacks
-// --------------------------------------------------------------------------------------------------
+// ---- attacks ----------------------------------------------------------------------------------------------
 
 /// A closed box of two-sided triangles with round bodies in its walls: half spheres on faces, a capsule along
 /// an edge, a cylinder through a corner.
@@ -307,8 +304,7 @@ TEST(RoundBodies, AtTheEndOfThePatchTheProxyStaysOnItsSurface) {
     }
 }
 
-// ---- two solids
-// -----------------------------------------------------------------------------------------------
+// ---- two solids -------------------------------------------------------------------------------------------
 
 /// A cylinder and a box that overlap, rotated at random, without friction.
 SurfacePatch cylinder_in_box(Random& random) {
@@ -382,8 +378,7 @@ TEST(RoundBodies, InAGrooveFrictionHoldsAtTheFirstPlaceOfALongPath) {
     EXPECT_EQ(touched.contacts, 2U);
 }
 
-// ---- downhill
-// -------------------------------------------------------------------------------------------------
+// ---- downhill ---------------------------------------------------------------------------------------------
 
 /// A solid for the check: `shape` stands at its place, rotated about it.
 struct Ground {

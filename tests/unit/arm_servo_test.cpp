@@ -208,8 +208,7 @@ TEST(ArmServo, BeforeTheFirstModelThereIsNoForce) {
     EXPECT_EQ(servo.waiting(), 0U);
 }
 
-// ---- bad poses
-// ------------------------------------------------------------------------------------------------
+// ---- bad poses --------------------------------------------------------------------------------------------
 
 struct BadPoses : ::testing::Test {
     ArmServo servo{};
@@ -278,8 +277,7 @@ TEST_F(BadPoses, ThatJumpFar) {
     EXPECT_EQ(strongest(forces, 10), 0) << "nothing moves that fast";
 }
 
-// ---- the simulation's side
-// ------------------------------------------------------------------------------------
+// ---- the simulation's side --------------------------------------------------------------------------------
 
 TEST(ArmState, AnySampleOfADamagedLogIsSurvived) {
     Random random = random_stream(17, 1);

@@ -19,8 +19,7 @@ vec3 any_vector(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-// ---- drag
-// ----------------------------------------------------------------------------------------------------
+// ---- drag -------------------------------------------------------------------------------------------------
 
 TEST(FluidTouch, EachModeIsItsEquation) {
     Random random{3};
@@ -174,8 +173,7 @@ TEST(FluidTouch, TheFluidGetsAllOfItFromAGentleHand) {
     }
 }
 
-// ---- time
-// ----------------------------------------------------------------------------------------------------
+// ---- time -------------------------------------------------------------------------------------------------
 
 TEST(FluidTouch, AFluidStepMakesNoJump) {
     StirringRig rig;
@@ -223,8 +221,7 @@ TEST(FluidTouch, AnOldModelGoesOnAsANewOneWould) {
     EXPECT_GT(glm::length(fresh.state.fluid.force) + std::abs(fresh.state.fluid.surface_force), 0.1);
 }
 
-// ---- wall
-// ----------------------------------------------------------------------------------------------------
+// ---- wall -------------------------------------------------------------------------------------------------
 
 /// Largest distance of a place outside any piece of the profile (m); negative inside.
 double outside_by(const BowlWall& wall, vec3 place) {
@@ -302,8 +299,7 @@ TEST(FluidTouch, TheWallNeverPulls) {
     EXPECT_NEAR(rig.feel_moving({2, 0.5, 0}, {}).x, -100, 1e-9) << "above the rim it goes on upright";
 }
 
-// ---- surface
-// -------------------------------------------------------------------------------------------------
+// ---- surface ----------------------------------------------------------------------------------------------
 
 BrewSurface surface_of(const fluid::SheetSettings& s, const fluid::SheetReaction& r) {
     return {.height = r.height,
@@ -395,8 +391,7 @@ TEST(FluidTouch, TheLadleIsFeltAsItDipsIn) {
     EXPECT_EQ(rig.state.fluid.immersed, 0);
 }
 
-// ---- inertia and recoil
-// --------------------------------------------------------------------------------------
+// ---- inertia and recoil -----------------------------------------------------------------------------------
 
 TEST(FluidTouch, TheLadleIsAsHeavyAsItIs) {
     for (const double strength : {1.0, 0.5}) {
@@ -451,8 +446,7 @@ TEST(FluidTouch, WhatIsThrownInRecoilsByItsImpulse) {
     EXPECT_EQ(recoil_peak(rig.fluid(), impulse, 30), vec3(0));
 }
 
-// ---- off, and switches
-// ---------------------------------------------------------------------------------------
+// ---- off, and switches ------------------------------------------------------------------------------------
 
 TEST(FluidTouch, WithoutStrengthItIsFeltAsIfThereWereNone) {
     StirringRig none, off;

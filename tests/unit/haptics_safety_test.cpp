@@ -438,8 +438,7 @@ TEST(HapticsSafety, TheSameTicksGiveTheSameBits) {
     EXPECT_EQ(run(), 10325101369958194150ULL);
 }
 
-// ---- the audit reports violations
-// ----------------------------------------------------------------------------
+// ---- the audit reports violations -------------------------------------------------------------------------
 
 /// Plays a valid second of 1.5 N (zero before), changes the output, and returns the violations that the audit
 /// reports.

@@ -481,8 +481,7 @@ TEST(HapticsServo, TheSameTicksGiveTheSameBits) {
     EXPECT_EQ(forces, 15573094199214806716ULL);
 }
 
-// ---- primitives
-// -----------------------------------------------------------------------------------------------
+// ---- primitives -------------------------------------------------------------------------------------------
 
 PrimitiveSet primitives_of(std::initializer_list<Primitive> list) {
     PrimitiveSet set;

@@ -95,8 +95,7 @@ void add_box_mesh(SurfacePatch& patch, vec3 half, SurfaceKind kind) {
     }
 }
 
-// ---- position of the proxy
-// ------------------------------------------------------------------------------------
+// ---- position of the proxy --------------------------------------------------------------------------------
 
 TEST(Surface, APlaneIsASpringAlongItsNormal) {
     Random random{1};
@@ -555,8 +554,7 @@ TEST(Surface, TurnedAndMirroredItFeelsTheSame) {
     }
 }
 
-// ---- forbidden results
-// ----------------------------------------------------------------------------------------
+// ---- forbidden results ------------------------------------------------------------------------------------
 
 bool inside(vec3 p, vec3 half) {
     return std::abs(p.x) < half.x && std::abs(p.y) < half.y && std::abs(p.z) < half.z;

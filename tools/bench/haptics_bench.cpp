@@ -104,8 +104,7 @@ void simulated_ticks(const Options& options, Report& report) {
     }
 }
 
-// ---- safety and servo
-// -----------------------------------------------------------------------------------------
+// ---- safety and servo -------------------------------------------------------------------------------------
 
 /// Values of assets/devices that the safety stage reads.
 struct DeviceLimits {

@@ -58,8 +58,7 @@ void proxy_plane(Report& report) {
     }
 }
 
-// ---- a mesh
-// ---------------------------------------------------------------------------------------------------
+// ---- a mesh -----------------------------------------------------------------------------------------------
 
 constexpr double radius = 0.05;  // m
 
@@ -139,8 +138,7 @@ void proxy_mesh(const Options& options, Report& report) {
     }
 }
 
-// ---- among many bodies
-// ----------------------------------------------------------------------------------------
+// ---- among many bodies ------------------------------------------------------------------------------------
 
 constexpr std::array<std::int64_t, 3> crowds{1, 100, 1000};
 constexpr int crowd_ticks = 4000;
@@ -227,8 +225,7 @@ void servo_among_bodies(const Options& options, Report& report) {
              .hash = hex(hash_value(runs[i].state))});
 }
 
-// ---- a rising box
-// ---------------------------------------------------------------------------------------------
+// ---- a rising box -----------------------------------------------------------------------------------------
 
 /// A box rises at 0.1 m/s from below until it has passed, as in the measurement of CHAI3D.
 void rising_box(Report& report) {

@@ -27,8 +27,7 @@ physics::Physics world_with(double mass, vec3 place) {
     return physics;
 }
 
-// ---- a thing in the hand
-// --------------------------------------------------------------------------------------
+// ---- a thing in the hand ----------------------------------------------------------------------------------
 
 constexpr double held_mass = 20;         // kg
 constexpr double held_stiffness = 4000;  // N/m
@@ -114,8 +113,7 @@ void in_bullet(const Options& options, Report& report) {
     }
 }
 
-// ---- a wizard on a rope
-// ---------------------------------------------------------------------------------------
+// ---- a wizard on a rope -----------------------------------------------------------------------------------
 
 constexpr double wizard_mass = 75;       // kg
 constexpr double rope_stiffness = 4000;  // N/m
