@@ -13,6 +13,6 @@ struct Entity {
     explicit operator bool() const { return index != 0xffffffffU; }
 };
 
-inline constexpr Entity nobody{};
+inline constexpr Entity no_entity{};
 
 }  // namespace thaum::ecs

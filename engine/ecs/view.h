@@ -86,7 +86,7 @@ public:
         return n;
     }
 
-    /// Returns the first match, or `nobody` if there is none.
+    /// Returns the first match, or `no_entity` if there is none.
     Entity first() const {
         for (const auto t : query_.tables) {
             const auto& table = *world_.tables_[t];
@@ -96,7 +96,7 @@ public:
                     return table.entities()[row + static_cast<std::uint32_t>(std::countr_zero(word))];
             }
         }
-        return nobody;
+        return no_entity;
     }
 
 private:

@@ -77,10 +77,10 @@ public:
     }
     /// Number of entities, summed over the tables.
     std::size_t size() const;
-    /// Returns the living entity with this number, or `nobody` if there is none.
+    /// Returns the living entity with this number, or `no_entity` if there is none.
     Entity entity(std::uint32_t index) const {
         const bool lives = index < records_.size() && records_[index].table != none;
-        return lives ? Entity{index, records_[index].generation} : nobody;
+        return lives ? Entity{index, records_[index].generation} : no_entity;
     }
 
     template <Component C>

@@ -6,29 +6,32 @@
 #include "haptics/balance_descent.h"
 #include "haptics/smoothed_problem.h"
 
-// The method. All kinks are of one form, a norm (balance_problem.h).
+// Method. All kinks have the same form, a norm (balance_problem.h).
 //
-//  1. The smoothed problem (smoothed_problem.h): Newton's steps, the smoothing d smaller at each.
-//  2. Which kinks hold the proxy? Those with |m|^2 < d * (length of the problem): on the path m falls like d for them and
-//     stays for the others. On what they have in common the rest is smooth (held_kinks.h).
-//  3. Can the held ones exert what is missing (balance_proof.h)? If not, on with 1.
+//  1. Smoothed problem (smoothed_problem.h): Newton's method, with a smaller smoothing d at each step.
+//  2. Active set (active_set.h): the kinks with |m|^2 < d * (length of the problem). On the path, m falls
+//     like d for the kinks that hold the proxy, and stays for the others. On the intersection of the active
+//     kinks the rest is smooth.
+//  3. Optimality check (optimality_check.h): can the active kinks exert the missing force? If not, continue with 1.
 //
-// The best kink to start from is tried before 1, which settles most small sets. Where 1 fails at three paces, the proxy descends from
-// kink to kink (balance_descent.h). Why not always: that needs the steepest direction where several kinks meet, which is this
-// problem again. Coordinates are relative to a point on the nearest kink, since a unit vector m / |m| is only as good as m. Should
-// all fail, or the steps run out, the best forces so far are improved one by one (balance_proof.h), and the duality gap bounds the
-// error: lines that are parallel but for 1e-12 end there, within 1 mN.
+// The best kink to start from is tried before step 1, which solves most small sets. If step 1 fails with
+// three settings, the proxy descends from kink to kink (balance_descent.h). The descent is not the usual way
+// because it needs the steepest direction where several kinks meet, which is the same problem again.
+// Coordinates are relative to a point on the nearest kink, because a unit vector m / |m| is only as accurate
+// as m. If everything fails or the steps run out, the best forces so far are improved one by one
+// (optimality_check.h). The duality gap then bounds the error: lines that differ from parallel by 1e-12 end
+// there, within 1 mN.
 
 namespace thaum::haptics {
 namespace balancing {
 namespace {
 
-/// Turns the frame so that the held kinks lie along its axes: where they are many times stiffer than the rest, the
-/// matrix must have true zeros in the directions they leave free.
+/// Rotates the frame so that the active kinks lie along its axes. If they are many times stiffer than the
+/// rest, the matrix needs exact zeros in the directions that they leave free.
 void align(Problem& problem, vec3& x) {
     vec3 unused{};
-    const Flat flat = flat_of_held(problem, unused);
-    mat3 turn(1);  // columns: the new axes in the old frame
+    const Flat flat = flat_of_active(problem, unused);
+    mat3 turn(1);  // columns are the new axes in the old frame
     if (flat.count == 0 || flat.count == 3) return;
     turn[0] = flat.normals[0];
     turn[1] = flat.count == 2 ? flat.normals[1] : normals_to(turn[0])[0];
@@ -39,7 +42,7 @@ void align(Problem& problem, vec3& x) {
     for (Term& term : terms_of(problem)) {
         term.q = term.direction * problem.axes;
         term.dual = term.dual * turn;
-        if (!term.held) continue;
+        if (!term.active) continue;
         for (int i = 0; i < 3; ++i) {
             if (std::abs(term.q[i]) < 4 * epsilon) term.q[i] = 0;
         }
@@ -49,27 +52,28 @@ void align(Problem& problem, vec3& x) {
     measure_distances(problem, x);
 }
 
-/// Steps 2 and 3 from the smoothed state, whose kinks are held up to a distance: improves on `best` by up to four guesses. By how much
-/// the held kinks miss each other, m, where that was in the way; else 0.
-double settle(Problem& problem, vec3 x, double square, double accepted, Answer& best, int& steps) {
+/// Does steps 2 and 3 from the smoothed state, with the kinks up to a distance active. Improves `best` by up
+/// to four guesses. Returns the distance by which the active kinks miss each other if that was the obstacle
+/// (m), else 0.
+double try_active_sets(Problem& problem, vec3 x, double square, double accepted, Solution& best, int& steps) {
     move_origin(problem, x);
-    guess_held(problem, square);
+    guess_active_set(problem, square);
     for (int tries = 0; tries < 4; ++tries) {
-        Flat flat = flat_of_held(problem, x);
-        const double spread = spread_of_held(problem, x);
+        Flat flat = flat_of_active(problem, x);
+        const double spread = spread_of_active(problem, x);
         if (spread > 0) return spread;
         Symmetric matrix;
         if (!minimise_near(problem, flat, x, matrix, steps)) break;
-        const vec3 missing = balance_held(problem, x);
-        // What is not held exerts what it does at x; so do the held ones, if x has stayed on their kinks.
-        const bool stayed = spread_of_held(problem, x) == 0;
-        improve(best, problem, x, stayed ? glm::length(missing) : residual_at(problem, x));
+        const vec3 missing = balance_active(problem, x);
+        // Inactive terms have their force at x. So have the active ones if x is still on their kinks.
+        const bool stayed = spread_of_active(problem, x) == 0;
+        keep_if_better(best, problem, x, stayed ? glm::length(missing) : residual_at(problem, x));
         if (best.residual <= accepted || !release(problem, matrix, missing, x)) break;
     }
     return 0;
 }
 
-/// How far the terms can move x from where it is without them; at least the rounding there.
+/// Largest distance by which the terms can move x from its place without them; at least the rounding there.
 double length_of(Problem& problem) {
     double farthest = 0;
     for (const Term& term : terms_of(problem)) farthest = std::max(farthest, glm::length(term.distance));
@@ -77,16 +81,16 @@ double length_of(Problem& problem) {
                     4 * rounding_of(problem.centre));
 }
 
-/// How fast the smoothing follows the gap.
+/// Rate at which the smoothing follows the gap.
 struct Pace {
-    double good;   ///< of the gap, after a step that went as a quadratic problem would
-    double poor;   ///< after another
-    double least;  ///< of the smoothing before
+    double good;   ///< share of the gap after a step that went as for a quadratic problem
+    double poor;   ///< share of the gap after any other step
+    double least;  ///< smallest ratio to the last smoothing
     int rounds;
 };
 
-/// The next smoothing. On the path the gap between |m| and its lower bound y.m / s is at most 0.3 of the smoothing; far
-/// from the path it is more, and the smoothing must not run ahead.
+/// Computes the next smoothing. On the path, the gap between |m| and its lower bound y.m / s is at most 0.3
+/// of the smoothing. Far from the path the gap is larger, and the smoothing must not get ahead.
 double next_smoothing(Problem& problem, double smoothing, bool good, const Pace& pace) {
     double gap = 0;
     for (const Term& term : terms_of(problem))
@@ -94,35 +98,36 @@ double next_smoothing(Problem& problem, double smoothing, bool good, const Pace&
     return std::clamp((good ? pace.good : pace.poor) * 3 * gap, pace.least * smoothing, 3 * smoothing);
 }
 
-/// Few sets take more; from then on the smoothed answer itself is kept too, should the proof never succeed.
+/// Few sets take more rounds. From then on the smoothed solution is kept too, in case the optimality check
+/// never succeeds.
 constexpr int hard_rounds = 12;
 
-/// From x on, until the proof succeeds. Improves on `best`.
-void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& best, int& steps) {
+/// Follows the path from x until the optimality check succeeds. Improves `best`.
+void follow_path(Problem problem, vec3 x, const Pace& pace, double accepted, Solution& best, int& steps) {
     double length = length_of(problem);
     x = start_of(problem, x);
     measure_distances(problem, x);
     double smoothing = 0.3 * length;
-    for (int round = 0; round < pace.rounds && !spent(steps); ++round) {
+    for (int round = 0; round < pace.rounds && !budget_spent(steps); ++round) {
         if (problem.strength > 1e6 * problem.stiffness * smoothing) {
             move_origin(problem, x);
-            guess_held(problem, smoothing * std::max(length, 9 * smoothing));
+            guess_active_set(problem, smoothing * std::max(length, 9 * smoothing));
             align(problem, x);
         }
         const bool good = smoothed_step(problem, x, smoothing);
         ++steps;
         if (round >= hard_rounds) {
             const double bound = duality_bound(problem, x);
-            improve(best, problem, x, bound);
+            keep_if_better(best, problem, x, bound);
         }
         if (round >= 3) {
-            const bool small = round >= hard_rounds && round % 2 == 1;  // kinks that nearly meet
+            const bool small = round >= hard_rounds && round % 2 == 1;  // for kinks that nearly meet
             const double square = smoothing * std::max(small ? 0 : length, 9 * smoothing);
             Problem guess = problem;
-            const double spread = settle(guess, x, square, accepted, best, steps);
+            const double spread = try_active_sets(guess, x, square, accepted, best, steps);
             if (best.residual <= accepted) return;
             if (spread > 0 && spread < smoothing) {
-                // From here these kinks look like one: nearer.
+                // From here these kinks look like one, so the search restarts at their scale.
                 move_origin(problem, x);
                 length = 4 * spread;
             }
@@ -131,38 +136,38 @@ void follow(Problem problem, vec3 x, const Pace& pace, double accepted, Answer& 
     }
 }
 
-/// At x, which is where the proxy would be without the terms.
-void begin(Problem& problem, vec3 x) {
+/// Resets the problem at x, the place of the proxy without the terms.
+void reset(Problem& problem, vec3 x) {
     set_origin(problem, problem.centre);
-    for (Term& term : terms_of(problem)) term.dual = {}, term.held = false;
+    for (Term& term : terms_of(problem)) term.dual = {}, term.active = false;
     measure_distances(problem, x);
 }
 
-/// The best start, held where it is, and what becomes of it when it is let go of: settles nine of ten small sets.
-void settle_start(Problem& problem, vec3 x, double accepted, Answer& best, int& steps) {
+/// Tries the best start with its kink active, and the guesses that follow. Solves nine of ten small sets.
+void try_start(Problem& problem, vec3 x, double accepted, Solution& best, int& steps) {
     x = start_of(problem, x);
     measure_distances(problem, x);
     const double touching = 2 * rounding_of(world_of(problem, x));
-    settle(problem, x, touching * touching, accepted, best, steps);
+    try_active_sets(problem, x, touching * touching, accepted, best, steps);
 }
 
-void find_answer(Problem& problem, Answer& best, int& steps) {
+void find_solution(Problem& problem, Solution& best, int& steps) {
     const vec3 x = problem.load / problem.stiffness;
-    begin(problem, x);
-    if (problem.terms.count == 0) return improve(best, problem, x, 0);
+    reset(problem, x);
+    if (problem.terms.count == 0) return keep_if_better(best, problem, x, 0);
     const double accepted = 256 * epsilon * (problem.strength + glm::length(problem.load));
-    settle_start(problem, x, accepted, best, steps);
+    try_start(problem, x, accepted, best, steps);
     if (best.residual <= accepted) return;
-    begin(problem, x);
+    reset(problem, x);
     static constexpr std::array paces{Pace{0.1, 0.3, 0.01, 24}, Pace{0.3, 1, 0.05, 60},
                                       Pace{0.5, 1, 0.2, 150}};
     for (const Pace& pace : paces) {
-        follow(problem, x, pace, accepted, best, steps);
+        follow_path(problem, x, pace, accepted, best, steps);
         if (best.residual <= accepted) return;
-        if (spent(steps)) break;
+        if (budget_spent(steps)) break;
     }
-    if (!spent(steps)) descend(problem, start_of(problem, x), accepted, best, steps);
-    if (best.residual > accepted) improve_by_duals(problem, accepted, best, steps);
+    if (!budget_spent(steps)) descend(problem, start_of(problem, x), accepted, best, steps);
+    if (best.residual > accepted) improve_by_dual_ascent(problem, accepted, best, steps);
 }
 
 bool in_range(const Spring& spring) {
@@ -171,8 +176,9 @@ bool in_range(const Spring& spring) {
            spring.stiffness <= 1e9;
 }
 
-/// What each primitive exerts, from the pulls of the terms.
-void share_forces(const PrimitiveSet& set, const Problem& problem, const Answer& answer, Balance& result) {
+/// Computes the force of each primitive from the forces of the terms.
+void share_forces(const PrimitiveSet& set, const Problem& problem, const Solution& solution,
+                  Balance& result) {
     std::size_t i = 0;
     for (const Primitive& primitive : set.items()) {
         if (primitive.kind == PrimitiveKind::directed)
@@ -181,7 +187,7 @@ void share_forces(const PrimitiveSet& set, const Problem& problem, const Answer&
     }
     i = 0;
     for (const Term& term : terms_of(problem)) {
-        vec3& force = result.primitive[term.source] = answer.pulls[i++];
+        vec3& force = result.primitive[term.source] = solution.pulls[i++];
         if (term.identity == 0) force += term.strength * term.direction;
     }
     for (std::size_t k = 0; k < set.items().size(); ++k) result.force += result.primitive[k];
@@ -194,7 +200,7 @@ Spring effective_spring(const ProxyCoupling& coupling, vec3 probe, vec3 probe_ve
                         double period) noexcept {
     const double damper = coupling.damping / period;
     const double stiffness = coupling.stiffness + damper;
-    // As a sum of small parts, so that a still probe far from the origin is not moved by rounding.
+    // A sum of small parts, so that rounding does not move a still probe far from the origin.
     const vec3 shift = damper * (proxy_before - probe) + coupling.damping * probe_velocity;
     return {probe + shift / stiffness, stiffness};
 }
@@ -206,11 +212,11 @@ Balance balance(const PrimitiveSet& set, const Spring& spring) noexcept {
         return result;
     }
     auto problem = balancing::problem_of(set, spring);
-    balancing::Answer answer;
-    balancing::find_answer(problem, answer, result.steps);
-    result.proxy = answer.proxy;
-    result.residual = answer.residual;
-    balancing::share_forces(set, problem, answer, result);
+    balancing::Solution solution;
+    balancing::find_solution(problem, solution, result.steps);
+    result.proxy = solution.proxy;
+    result.residual = solution.residual;
+    balancing::share_forces(set, problem, solution, result);
     return result;
 }
 

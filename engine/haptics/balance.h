@@ -1,12 +1,12 @@
-// haptics/balance.h: where a proxy comes to rest between a spring and the forces of haptic primitives.
+// haptics/balance.h: the balance of a spring and the forces of haptic primitives on a proxy.
 //
-// Every force is minus the gradient of a convex function with a kink at its point, line or plane, and the spring's energy
-// is strictly convex. So the place where all forces cancel (eq. 8) is the one minimum of
+// Every force is minus the gradient of a convex function with a kink at its point, line or plane. The
+// spring's energy is strictly convex. So the place where all forces cancel (eq. 8) is the only minimum of
 //
 //     f(x) = k/2 |x - c|^2 + sum s |x - p| + sum s dist(x, line) + sum s max(0, -(x - p).q) - sum s q.x
 //
-// and the proxy is a proximal map of the spring's centre: of two centres the proxies are never further apart than these.
-// Nothing is kept from one call to the next, so a proxy depends on its arguments alone.
+// The proxy is a proximal map of the spring's centre: the proxies of two centres are never farther apart than
+// the centres. A call keeps no state, so a proxy depends on the arguments alone.
 #pragma once
 #include <array>
 
@@ -16,42 +16,48 @@ namespace thaum::haptics {
 
 /// A linear spring between the proxy and a fixed centre.
 struct Spring {
-    vec3 centre{};       ///< c, m
-    double stiffness{};  ///< k, N/m, 1e-6 to 1e9
+    vec3 centre{};       ///< centre c (m)
+    double stiffness{};  ///< stiffness k, 1e-6 to 1e9 (N/m)
 };
 
 /// Spring and damper between probe and proxy (eq. 3), within the ranges of Spring.
 struct ProxyCoupling {
-    double stiffness{};  ///< k, N/m, > 0
-    double damping{};    ///< D, N s/m, >= 0
+    double stiffness{};  ///< stiffness k, > 0 (N/m)
+    double damping{};    ///< damping D, >= 0 (N s/m)
 };
 
-/// The coupling's force k (probe - x) + D (probe_velocity - v) with the backward difference v = (x - proxy_before) / period
-/// is that of one spring: the damper only stiffens and moves it. Metres, m/s, s.
+/// Returns the one spring that acts like the coupling. The coupling's force is k (probe - x) + D
+/// (probe_velocity - v), with the backward difference v = (x - proxy_before) / period. The damper only
+/// stiffens and moves the spring. Units: m, m/s, s.
 Spring effective_spring(const ProxyCoupling& coupling, vec3 probe, vec3 probe_velocity, vec3 proxy_before,
                         double period) noexcept;
 
-/// Where the proxy is, and how well that is known.
+/// Position of the proxy, forces on it, and accuracy.
 struct Balance {
-    vec3 proxy{};  ///< x, m
-    vec3 force{};  ///< of the primitives on the proxy, so of the spring on the hand; N
-    std::array<vec3, primitive_capacity> primitive{};  ///< what each of them adds to it, N
-    /// N: bounds the error of force and of stiffness * proxy, whatever the set. Infinite where the spring is out of range.
+    vec3 proxy{};  ///< position x (m)
+    /// Force of the primitives on the proxy, equal to the spring's force on the hand (N).
+    vec3 force{};
+    std::array<vec3, primitive_capacity> primitive{};  ///< share of each primitive in `force` (N)
+    /// Bound of the error of force and of stiffness * proxy, for every set (N). Infinite if the spring is out
+    /// of range.
     ///
-    /// Solved where it is <= 1e-9: then it is what is left of the sum of all forces, each being one that its primitive can
-    /// exert at x. Of random sets at the scale of a hand (0.01 m, 3 N, 300 N/m), half of them degenerate, all of 8 million are.
-    /// Where strength / stiffness is 1e12 times the set's size, one in a thousand is left, and by any amount. Of lines that are parallel
-    /// but for 1e-8 to 1e-14, up to one in ten is left, by 0.3 mN at most of 280,000 sets.
+    /// Solved if it is <= 1e-9. It is then the remainder of the sum of all forces, each being one that its
+    /// primitive can exert at x. All of 8 million random sets at the scale of a hand (0.01 m, 3 N, 300 N/m)
+    /// are solved; half of them were degenerate. If strength / stiffness is 1e12 times the set's size, one in
+    /// a thousand is unsolved, by any amount. Of sets with lines that differ from parallel by 1e-8 to 1e-14,
+    /// up to one in ten is unsolved. In 280,000 such sets the error is at most 0.3 mN.
     double residual{};
-    int steps{};  ///< Newton steps and what costs as much
+    int steps{};  ///< number of Newton steps, and of other work of the same cost
 };
 
-/// Of steps in one call: a servo's tick must end, 0.2 ms at 16 primitives. Then the best place so far is returned with its
-/// residual. Random sets take at most 40; what is not solved at 128 was mostly not at 500 either.
+/// Largest number of steps in one call, because a servo's tick must end: 0.2 ms at 16 primitives. Beyond it,
+/// the best place so far is returned with its residual. Random sets take at most 40. Most sets unsolved at
+/// 128 steps were unsolved at 500 too.
 inline constexpr int balance_step_budget = 128;
 
-/// Balances spring and primitives (eq. 8). What lies closer to x than positions are rounded to (4e-15 of the
-/// coordinates of its position or of x, 2e-16 of those of the farthest position) counts as touched.
+/// Balances spring and primitives (eq. 8). A kink counts as touched if it is closer to x than the rounding of
+/// positions. That is 4e-15 of the coordinates of its position or of x, or 2e-16 of those of the farthest
+/// position.
 Balance balance(const PrimitiveSet& set, const Spring& spring) noexcept;
 
 }  // namespace thaum::haptics

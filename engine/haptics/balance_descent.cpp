@@ -5,17 +5,18 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// The least sum of the gradient and the held forces: each in turn takes the best of its own. Converges to it.
+/// Minimises the sum of the gradient and the active forces. Each force in turn takes its best value, which
+/// converges.
 vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     const vec3 gradient = problem.stiffness * x - problem.target;
     vec3 missing = gradient;
     for (const Term& term : terms_of(problem)) missing += term.dual;
     const double rounding = epsilon * problem.strength;
     for (int round = 0; round < 200; ++round) {
-        if (round % 16 == 15) ++steps;  // as dear as one
+        if (round % 16 == 15) ++steps;  // 16 rounds cost as much as one step
         double change = 0;
         for (Term& term : terms_of(problem)) {
-            if (!term.held) continue;
+            if (!term.active) continue;
             const vec3 before = term.dual;
             term.dual = project(term, before - missing);
             limit_dual(term);
@@ -27,11 +28,11 @@ vec3 least_missing(Problem& problem, vec3 x, int& steps) {
     return missing;
 }
 
-/// The slope along the step without the term `but`, and with no smoothing.
+/// Slope along the step without the term `but` and without smoothing.
 double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Term* but) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
     for (const Term& term : terms_of(problem)) {
-        if (term.held || &term == but) continue;
+        if (term.active || &term == but) continue;
         const vec3 moved = project(term, step);
         const vec3 m = term.distance + t * moved;
         const double size = glm::length(m);
@@ -40,15 +41,15 @@ double sharp_slope(const Problem& problem, vec3 x, vec3 step, double t, const Te
     return slope;
 }
 
-/// The first kink between low and high that the step runs into, and where.
+/// First kink between low and high that the step meets, with its position in `high`.
 Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     Term* result = nullptr;
     const double rounding = rounding_of(world_of(problem, x));
     for (Term& term : terms_of(problem)) {
         const vec3 moved = project(term, step);
         const double square = glm::dot(moved, moved);
-        // Where it starts on a kink, that has been let go of.
-        if (term.held || square == 0 || touches(term, rounding)) continue;
+        // A kink at the start of the step has been released.
+        if (term.active || square == 0 || touches(term, rounding)) continue;
         const double t = -glm::dot(term.distance, moved) / square;
         if (!(t > low && t < high)) continue;
         Term there = term;
@@ -60,7 +61,8 @@ Term* first_hit(Problem& problem, vec3 x, vec3 step, double low, double& high) {
     return result;
 }
 
-/// Goes along the step to the lowest place, which may be a kink: that is then held. At most eight times the step.
+/// Moves along the step to the lowest place, at most eight times the step. If that is a kink, it becomes
+/// active.
 void go_down(Problem& problem, vec3& x, vec3 step) {
     const double fall = -sharp_slope(problem, x, step, 0, nullptr);
     double low = 0, high = 8;
@@ -70,7 +72,7 @@ void go_down(Problem& problem, vec3& x, vec3 step) {
         const double jump = hit == nullptr ? 0 : hit->strength * glm::length(project(*hit, step));
         const double slope = sharp_slope(problem, x, step, t, hit);
         if (slope - jump < 0 && slope + jump > 0) {
-            hit->held = true;
+            hit->active = true;
             x += t * step;
             return;
         }
@@ -88,23 +90,23 @@ void go_down(Problem& problem, vec3& x, vec3 step) {
     x += t * step;
 }
 
-/// Holds whatever x touches.
-void hold_touched(Problem& problem, vec3 x) {
+/// Adds the kinks that x touches to the active set.
+void activate_touched(Problem& problem, vec3 x) {
     measure_distances(problem, x);
     const double rounding = rounding_of(world_of(problem, x));
-    for (Term& term : terms_of(problem)) term.held = term.held || touches(term, rounding);
+    for (Term& term : terms_of(problem)) term.active = term.active || touches(term, rounding);
 }
 
 }  // namespace
 
-void descend(Problem problem, vec3 x, double accepted, Answer& best, int& steps) {
+void descend(Problem problem, vec3 x, double accepted, Solution& best, int& steps) {
     double before = std::numeric_limits<double>::infinity();
-    for (Term& term : terms_of(problem)) term.held = false;
-    for (int tries = 0; tries < 40 && !spent(steps); ++tries, ++steps) {
+    for (Term& term : terms_of(problem)) term.active = false;
+    for (int tries = 0; tries < 40 && !budget_spent(steps); ++tries, ++steps) {
         measure_distances(problem, x);
         move_origin(problem, x);
-        hold_touched(problem, x);
-        const Flat flat = flat_of_held(problem, x);
+        activate_touched(problem, x);
+        const Flat flat = flat_of_active(problem, x);
         measure_distances(problem, x);
         Symmetric matrix;
         const vec3 slope = flat.along(smooth_gradient(problem, x, matrix));
@@ -116,15 +118,15 @@ void descend(Problem problem, vec3 x, double accepted, Answer& best, int& steps)
             continue;
         }
         for (Term& term : terms_of(problem)) {
-            if (!term.held) term.dual = term.distance * (term.strength / glm::length(term.distance));
+            if (!term.active) term.dual = term.distance * (term.strength / glm::length(term.distance));
         }
         const vec3 missing = least_missing(problem, x, steps);
         const double residual = residual_at(problem, x);
-        improve(best, problem, x, residual);
+        keep_if_better(best, problem, x, residual);
         vec3 there = x;
         if (residual <= accepted || !release(problem, matrix, missing, there)) break;
         vec3 unused = x;
-        go_down(problem, x, flat_of_held(problem, unused).along(there - x));
+        go_down(problem, x, flat_of_active(problem, unused).along(there - x));
     }
 }
 

@@ -1,12 +1,12 @@
-// haptics/balance_descent.h: where the path of balance.cpp fails: from kink to kink, always down. Slower, and the steepest direction where
-// kinks meet comes from rounds over their forces. It serves a few sets in a million, such as kinks that miss each other by a
-// billionth of the rest.
+// haptics/balance_descent.h: descent from kink to kink, for sets on which the path of balance.cpp fails. It
+// is slower: the steepest direction at a meeting of kinks is found by iterating over their forces. It serves
+// a few sets in a million, for example kinks that miss each other by a billionth of the problem's size.
 #pragma once
-#include "haptics/balance_proof.h"
+#include "haptics/optimality_check.h"
 
 namespace thaum::haptics::balancing {
 
-/// From x on, until what is missing is at most `accepted`, N. Improves on `best`.
-void descend(Problem problem, vec3 x, double accepted, Answer& best, int& steps);
+/// Descends from x until the missing force is at most `accepted` (N). Improves `best`.
+void descend(Problem problem, vec3 x, double accepted, Solution& best, int& steps);
 
 }  // namespace thaum::haptics::balancing

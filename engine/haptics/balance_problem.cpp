@@ -5,14 +5,14 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// What each kind makes of strength and direction. Tables and no branches: kinds come in any order.
+/// Factors by kind, for strength and direction. Tables avoid branches, because kinds come in any order.
 constexpr std::array<double, 4> load_of_kind{1, 0, 0, 0.5}, identity_of_kind{0, 1, 1, 0},
     dyad_of_kind{0, 0, -1, 1}, strength_of_kind{0, 1, 1, 0.5};
 
-/// All but the rounding and what set_origin finds.
+/// Fills a term except for its rounding and the values that set_origin computes.
 void fill(Term& term, const Primitive& primitive, std::size_t source) {
     const auto kind = static_cast<std::size_t>(primitive.kind);
-    // A point's may be anything, and is left out without a branch too.
+    // The direction of a point may have any value. It is left out without a branch too.
     static constexpr vec3 none{};
     const vec3& direction = primitive.kind == PrimitiveKind::point ? none : primitive.direction;
     term.q = term.direction = direction;
@@ -23,10 +23,11 @@ void fill(Term& term, const Primitive& primitive, std::size_t source) {
     term.source = source;
 }
 
-/// Strength below which a primitive counts as none (N): its square and what is divided by it leave the range of numbers.
+/// Strength below which a primitive counts as none (N). Its square and its quotients would underflow or
+/// overflow.
 constexpr double least_strength = 1e-300;
 
-/// Terms are those of strength that have a kink.
+/// Collects the terms: primitives with a kink and strength. Sums the constant forces.
 void take_primitives(Problem& problem, const PrimitiveSet& set) {
     std::size_t source = 0;
     for (const Primitive& primitive : set.items()) {
@@ -38,7 +39,7 @@ void take_primitives(Problem& problem, const PrimitiveSet& set) {
     }
 }
 
-/// J, at x; or some number above `most` where it is more than that.
+/// Energy at x (J), or any number above `most` if the energy exceeds `most`.
 double energy(const Problem& problem, vec3 x, double most) {
     double result = 0.5 * problem.stiffness * glm::dot(x, x) - glm::dot(problem.target, x);
     for (const Term& term : terms_of(problem)) {
@@ -56,8 +57,9 @@ void measure_distances(Problem& problem, vec3 x) {
 
 void set_origin(Problem& problem, vec3 origin) {
     problem.origin = origin;
-    problem.target = inward(problem, problem.stiffness * (problem.centre - origin) + problem.load);
-    for (Term& term : terms_of(problem)) term.offset = project(term, inward(problem, term.position - origin));
+    problem.target = to_problem_frame(problem, problem.stiffness * (problem.centre - origin) + problem.load);
+    for (Term& term : terms_of(problem))
+        term.offset = project(term, to_problem_frame(problem, term.position - origin));
 }
 
 void move_origin(Problem& problem, vec3& x) {
@@ -71,8 +73,8 @@ void move_origin(Problem& problem, vec3& x) {
     const bool is_point = nearest->dyad == 0;
     const vec3 before = problem.origin;
     const vec3 distance = nearest->distance;
-    set_origin(problem, is_point ? nearest->position : before + outward(problem, x - distance));
-    x = is_point ? distance : x + inward(problem, before - problem.origin);
+    set_origin(problem, is_point ? nearest->position : before + to_world_frame(problem, x - distance));
+    x = is_point ? distance : x + to_problem_frame(problem, before - problem.origin);
     measure_distances(problem, x);
 }
 
@@ -92,7 +94,7 @@ Problem problem_of(const PrimitiveSet& set, const Spring& spring) {
     problem.stiffness = spring.stiffness;
     problem.centre = spring.centre;
     take_primitives(problem, set);
-    // Where kinks meet at the world's origin, coordinates have no size of their own.
+    // Kinks may meet at the world's origin, where coordinates have no size of their own.
     double farthest = 0;
     for (Term& term : terms_of(problem)) {
         const double size = glm::length(term.position);

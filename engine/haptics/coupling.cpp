@@ -5,12 +5,12 @@
 namespace thaum::haptics {
 namespace {
 
-bool can_be(const Coupling& c) { return c.stiffness >= 0 && c.damping >= 0 && c.drag >= 0; }
+bool is_valid(const Coupling& c) { return c.stiffness >= 0 && c.damping >= 0 && c.drag >= 0; }
 
 }  // namespace
 
 CouplingStep coupling_step(Coupling coupling, double inverse_object, double inverse_hand, double dt) {
-    THAUM_ASSERT(can_be(coupling) && inverse_object >= 0 && inverse_hand >= 0 && dt > 0,
+    THAUM_ASSERT(is_valid(coupling) && inverse_object >= 0 && inverse_hand >= 0 && dt > 0,
                  "a coupling needs a step and nothing negative");
     THAUM_ASSERT(coupling.drag == 0 || inverse_hand == 0, "a drag needs a prescribed hand");
     const double inverse_mass = inverse_object + inverse_hand;  // of the relative motion
@@ -22,9 +22,10 @@ CouplingStep coupling_step(Coupling coupling, double inverse_object, double inve
     return step;
 }
 
-// With e = P_HIP - P_obj the pair obeys  e'' + 2 decay e' + frequency2 e = g,  g from constant forces alone; integrating
-// stiffness e + damping e' over the step gives the impulse with positive coefficients only. The object's own motion is that
-// of the centre of mass less its share of e: with a prescribed hand the centre of mass is the hand.
+// With e = P_HIP - P_obj the pair obeys e'' + 2 decay e' + frequency2 e = g, where g comes from constant
+// forces alone. The integral of stiffness e + damping e' over the step gives the impulse, with positive
+// coefficients only. The object moves like the centre of mass minus its share of e. With a prescribed hand,
+// the centre of mass is the hand.
 CouplingResult couple(const CouplingStep& step, const CouplingState& state) {
     const auto& [k, b, drag] = step.coupling;
     const auto& [t, s, s1, s2] = step.response;

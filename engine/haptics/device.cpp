@@ -17,13 +17,14 @@ void read_freedom(const ConfigTable& table, DeviceSpec& spec) {
     const auto read = [&table, &degrees](const char* key) {
         const auto value = static_cast<int>(table.integer(key, {0, 7}));
         if (std::find(degrees.begin(), degrees.end(), value) == degrees.end())
-            report(table, key, "must be 3, 6 or 7 (0: no force)");
+            report(table, key, "must be 3, 6 or 7; 'actuated' may also be 0 for a device without forces");
         return value;
     };
     spec.sensed = read("sensed");
     spec.actuated = read("actuated");
-    if (spec.sensed == 0) report(table, "sensed", "must not be 0: a device measures where it is");
-    if (spec.actuated > spec.sensed) report(table, "actuated", "cannot be more than what is sensed");
+    if (spec.sensed == 0)
+        report(table, "sensed", "must not be 0, because every device measures its position: give 3, 6 or 7");
+    if (spec.actuated > spec.sensed) report(table, "actuated", "must not be above 'sensed'");
 }
 
 void read_force(const ConfigTable& table, DeviceSpec& spec) {
@@ -31,8 +32,7 @@ void read_force(const ConfigTable& table, DeviceSpec& spec) {
     spec.continuous_force = table.number("continuous_n", {0.01, 1000});
     spec.max_stiffness = table.number("max_stiffness_n_per_m", {1, 1e6});
     spec.max_damping = table.number("max_damping_n_s_per_m", {0, 1e4});
-    if (spec.continuous_force > spec.peak_force)
-        report(table, "continuous_n", "cannot be more than the peak force");
+    if (spec.continuous_force > spec.peak_force) report(table, "continuous_n", "must not be above 'peak_n'");
 }
 
 void read_motion(const ConfigTable& table, DeviceSpec& spec) {
@@ -42,7 +42,7 @@ void read_motion(const ConfigTable& table, DeviceSpec& spec) {
     spec.latency = static_cast<int>(table.integer("latency_ticks", {0, most_latency}));
     const double shortest = std::min({spec.workspace.x, spec.workspace.y, spec.workspace.z});
     if (spec.position_quantum > shortest / 10)
-        report(table, "position_quantum_m", "must be far smaller than the workspace");
+        report(table, "position_quantum_m", "must be at most a tenth of the workspace's shortest edge");
 }
 
 void read_mechanism(const ConfigTable& table, DeviceSpec& spec) {
@@ -50,7 +50,7 @@ void read_mechanism(const ConfigTable& table, DeviceSpec& spec) {
     spec.damping = table.number("damping_n_s_per_m", {0, 100});
     spec.coulomb_friction = table.number("coulomb_friction_n", {0, 100});
     if (spec.coulomb_friction >= spec.peak_force)
-        report(table, "coulomb_friction_n", "must be less than the peak force, or nothing would be felt");
+        report(table, "coulomb_friction_n", "must be below 'peak_n', or friction would hide every force");
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ Expected<DeviceSpec> read_device(const Config& file) {
     DeviceSpec spec;
     const auto root = file.root();
     spec.name = root.string("name");
-    if (spec.name.empty()) report(root, "name", "must not be empty");
+    if (spec.name.empty()) report(root, "name", "must not be empty: name the device");
     read_freedom(root.table("degrees_of_freedom"), spec);
     read_force(root.table("force"), spec);
     read_motion(root.table("motion"), spec);

@@ -1,4 +1,4 @@
-// haptics/device.h: what a force feedback device is and can do; its models are files in assets/devices.
+// haptics/device.h: specification of a force feedback device. The models are files in assets/devices.
 //
 // Device frame: +x right, +y up, +z towards the user, origin in the middle of the workspace.
 #pragma once
@@ -8,27 +8,29 @@
 
 namespace thaum::haptics {
 
-/// The longest delay a model may have, in ticks.
+/// Largest latency that a device model may have (ticks).
 inline constexpr int most_latency = 8;
 
 struct DeviceSpec {
     std::string name{};
-    int sensed{};  ///< degrees of freedom that it measures: 3, 6 or 7 (the seventh is a gripper)
-    int actuated{};  ///< degrees of freedom in which it pushes, not more than it measures; 3: forces, no torques
-    double peak_force{};        ///< N, length of the vector
-    double continuous_force{};  ///< N, which it can hold without getting too hot
-    double max_stiffness{};     ///< N/m that it can render in closed loop at its rate
-    double max_damping{};       ///< N s/m, likewise
-    vec3 workspace{};           ///< m, the edges of the box
-    double position_quantum{};  ///< m, one encoder count at the tip; 0: it measures exactly
-    double mass{};              ///< kg, apparent at the tip
-    double damping{};           ///< N s/m, viscous
-    double coulomb_friction{};  ///< N, dry friction on each axis
-    double update_rate{};       ///< Hz
-    int latency{};  ///< ticks from a position read to the force computed from it, beyond the same tick
+    int sensed{};               ///< measured degrees of freedom: 3, 6 or 7 (the seventh is a gripper)
+    int actuated{};             ///< driven degrees of freedom, at most `sensed`; 3: forces without torques
+    double peak_force{};        ///< largest length of the force vector (N)
+    double continuous_force{};  ///< force that the motors can hold without overheating (N)
+    double max_stiffness{};     ///< largest stiffness that the device renders stably at its rate (N/m)
+    double max_damping{};       ///< largest damping that the device renders stably at its rate (N s/m)
+    vec3 workspace{};           ///< edges of the reachable box (m, device frame)
+    double position_quantum{};  ///< motion of the tip per encoder count (m); 0: exact measurement
+    double mass{};              ///< apparent mass at the tip (kg)
+    double damping{};           ///< viscous damping at the tip (N s/m)
+    double coulomb_friction{};  ///< dry friction on each axis (N)
+    double update_rate{};       ///< servo rate (Hz)
+    /// Delay from a measured position to the force computed from it (ticks); 0: the force acts in the same tick.
+    int latency{};
 };
 
-/// A whole device file; the error names file, line and key: what is unknown, missing, out of range or contradicts itself.
+/// Reads a device file. An error names file, line and key, and says what is unknown, missing, out of range or
+/// contradictory.
 Expected<DeviceSpec> read_device(const Config& file);
 
 }  // namespace thaum::haptics

@@ -8,34 +8,35 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double still = 1e-6;  // m/s: no damping takes anything out of less
+constexpr double still = 1e-6;  // m/s; below this speed, damping takes out no energy
 constexpr std::uint32_t kept = most_latency + 1;
 
 }  // namespace
 
-void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, int latency, double brought) {
-    if (!is_finite(position) || !is_finite(world_step) || !std::isfinite(brought)) {
-        book.open = 0;
+void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double stored, int latency,
+             double supplied) {
+    if (!is_finite(position) || !is_finite(world_step) || !std::isfinite(supplied)) {
+        observer.has_position = 0;
         return;
     }
-    const vec3 step = position - book.position;
-    if (book.open != 0 && glm::length(step) <= longest_step) {
+    const vec3 step = position - observer.position;
+    if (observer.has_position != 0 && glm::length(step) <= longest_step) {
         const auto back = static_cast<std::uint32_t>(std::clamp(latency, 0, most_latency));
-        const auto& force = book.forces[(book.newest + kept - back) % kept];
-        book.created += glm::dot(force.passive, step) - glm::dot(force.world, world_step) -
-                        book.forces[book.newest].share * brought;
-        // What damping took is gone; only what is stored may come back.
-        book.created = std::max(book.created, -stored);
-        book.most_created = std::max(book.most_created, book.created);
-        book.given += glm::dot(force.active, step) - book.given * tick_seconds;
-        book.given = std::max(book.given, 0.0);
+        const auto& force = observer.forces[(observer.newest + kept - back) % kept];
+        observer.created += glm::dot(force.passive, step) - glm::dot(force.world, world_step) -
+                            observer.forces[observer.newest].share * supplied;
+        // Damping has dissipated the rest; only stored energy can come back.
+        observer.created = std::max(observer.created, -stored);
+        observer.most_created = std::max(observer.most_created, observer.created);
+        observer.active_work += glm::dot(force.active, step) - observer.active_work * tick_seconds;
+        observer.active_work = std::max(observer.active_work, 0.0);
     }
-    book.position = position;
-    book.open = 1;
+    observer.position = position;
+    observer.has_position = 1;
 }
 
-double surplus(const EnergyBook& book, double held) {
-    return std::max(book.created, book.created + held - energy_slack);
+double surplus(const PassivityObserver& observer, double held) {
+    return std::max(observer.created, observer.created + held - energy_slack);
 }
 
 vec3 passivity_control(double energy, vec3 velocity, double most) {
@@ -44,33 +45,36 @@ vec3 passivity_control(double energy, vec3 velocity, double most) {
     return -std::min(energy / (speed * speed * tick_seconds), most) * velocity;
 }
 
-double work_on_the_way(const EnergyBook& book, vec3 step, int latency) {
+double pending_work(const PassivityObserver& observer, vec3 step, int latency) {
     double work = 0;
     for (int back = 0; back < std::min(latency, most_latency); ++back)
-        work += glm::dot(book.forces[(book.newest + kept - static_cast<std::uint32_t>(back)) % kept].passive,
-                         step);
+        work += glm::dot(
+            observer.forces[(observer.newest + kept - static_cast<std::uint32_t>(back)) % kept].passive,
+            step);
     return work;
 }
 
-vec3 within_budget(const EnergyBook& book, vec3 active, vec3 velocity) {
+vec3 within_budget(const PassivityObserver& observer, vec3 active, vec3 velocity) {
     const double speed = glm::length(velocity);
-    if (book.given <= active_budget || !(speed > still) || !std::isfinite(speed)) return active;
+    if (observer.active_work <= active_budget || !(speed > still) || !std::isfinite(speed)) return active;
     const vec3 way = velocity / speed;
     return active - std::max(0.0, glm::dot(active, way)) * way;
 }
 
-// Cap and heat scale all sources alike. What fades after a switch gives back what it was given and next to nothing besides, so it is
-// passive as the controller's brake is. The rest, the ramp of a dead model, is nobody's spring and counts as active.
-void enter(EnergyBook& book, vec3 output, vec3 passive, vec3 active, vec3 world, vec3 lag) {
+// Cap and heat scale all sources alike. The fading offset of a switch returns the energy that it received and
+// hardly any more. It is therefore passive, like the controller's brake. The rest is the ramp of an old
+// model, which is no spring, and counts as active.
+void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
+                   vec3 unrequested) {
     const vec3 wanted = passive + active;
     const double size2 = glm::dot(wanted, wanted);
-    const double share = size2 > 0 ? std::clamp(glm::dot(output - lag, wanted) / size2, 0.0, 1.0) : 0;
-    const bool sane =
-        is_finite(passive) && is_finite(active) && is_finite(world) && is_finite(lag) && std::isfinite(share);
-    book.newest = (book.newest + 1) % kept;
-    auto& force = book.forces[book.newest];
+    const double share = size2 > 0 ? std::clamp(glm::dot(output - unrequested, wanted) / size2, 0.0, 1.0) : 0;
+    const bool sane = is_finite(passive) && is_finite(active) && is_finite(world) && is_finite(unrequested) &&
+                      std::isfinite(share);
+    observer.newest = (observer.newest + 1) % kept;
+    auto& force = observer.forces[observer.newest];
     force.share = sane ? share : 0;
-    force.passive = sane ? share * passive + lag : vec3(0);
+    force.passive = sane ? share * passive + unrequested : vec3(0);
     force.world = sane ? share * world : vec3(0);
     force.active = output - force.passive;
 }

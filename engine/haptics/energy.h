@@ -1,10 +1,13 @@
-// haptics/energy.h: the books of energy at the device's port (haptics.md, "Energy"): an observer after the last stage, and a
-// controller that adds the damping which keeps the passive sources passive (time-domain passivity; Hannaford and Ryu 2002).
+// haptics/energy.h: energy bookkeeping at the device (haptics.md, "Energy"): a passivity observer after the
+// last stage, and a passivity controller. The controller adds the damping that keeps passive sources passive
+// (time-domain passivity; Hannaford and Ryu 2002).
 //
-// Passive sources (tether, primitives, surfaces) may give back what they were given, by the hand or by the world that moves the
-// other end, and no more. Active sources (pulses, lean, what a switch leaves) may push the hand, within a budget.
+// Passive sources (tether, primitives, surfaces) may return the energy that they received, and no more. They
+// receive it from the hand, or from the world that moves the spring's other end. Active sources (pulses,
+// steady force, the ramp of an old model) may push the hand within a budget.
 //
-// A force that is commanded acts over the tick that follows, so its work is known one tick later, from what the device then measures.
+// A commanded force acts over the tick that follows. Its work is known one tick later, from the position that
+// the device then measures.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,58 +17,67 @@
 
 namespace thaum::haptics {
 
-/// N, commanded in one tick, by kind of source.
-struct BookedForce {
+/// Force commanded in one tick, by kind of source (N).
+struct CommandedForce {
     vec3 passive{}, active{};
-    vec3 world{};    ///< of the passive force, by what the world moves
-    double share{};  ///< of what the sources wanted, 0 to 1
+    vec3 world{};    ///< part of the passive force that acts on things of the world
+    double share{};  ///< commanded share of the force that the sources asked for, 0 to 1
 };
 
-/// All that a tick leaves behind; no padding.
-struct EnergyBook {
-    vec3 position{};                                     ///< m, as measured at the last tick
-    std::array<BookedForce, most_latency + 1> forces{};  ///< the newest at `newest`, and back from there
-    double
-        created{};  ///< J, by passive sources: above 0, more than they got; never below minus what they store
-    double most_created{};  ///< J, the most it ever was
-    double given{};         ///< J, by active sources, of the last second or so
+/// State of the passivity observer; no padding.
+struct PassivityObserver {
+    vec3 position{};  ///< measured position at the last tick (m)
+    /// Commanded forces, a ring buffer with the newest at `newest`.
+    std::array<CommandedForce, most_latency + 1> forces{};
+    /// Energy created by passive sources (J); > 0: they gave more than they got. It never falls below minus their
+    /// stored energy.
+    double created{};
+    double most_created{};  ///< largest value of `created` so far (J)
+    double active_work{};   ///< work of active sources in the last second or so (J)
     std::uint32_t newest{};
-    std::uint32_t open{};  ///< 1: the position is that of the last tick
+    std::uint32_t has_position{};  ///< 1: `position` is the one of the last tick
 };
-static_assert(sizeof(EnergyBook) ==
+static_assert(sizeof(PassivityObserver) ==
               (3 + 10 * (most_latency + 1) + 3) * sizeof(double) + 2 * sizeof(std::uint32_t));
 
-inline constexpr double longest_step = 0.05;  ///< m, of a tick
+inline constexpr double longest_step = 0.05;  ///< largest plausible motion of the tip in a tick (m)
 
-/// J that active sources may give in about a second.
+/// Energy that active sources may give in about a second (J).
 inline constexpr double active_budget = 0.5;
 
-/// Books the work of the last tick, now that the device has measured where it led. world_step: m, by which the world moved the other end
-/// of what `world` pulls at. stored: J, that the passive sources hold now. latency: ticks, of the device. brought: J, that the world gave
-/// otherwise to what was wanted in the last tick. A step that no hand makes was measured wrongly at one of its ends: it is no work, or one
-/// bad pose would keep the controller busy for ever.
-void observe(EnergyBook& book, vec3 position, vec3 world_step, double stored, int latency,
-             double brought = 0);
+/// Adds the work of the last tick, once the device has measured the resulting position. `world_step` is the
+/// motion of the world's end of the spring (m). `stored` is the energy that the passive sources hold now (J).
+/// `latency` is the device's delay (ticks). `supplied` is other energy that the world gave to the forces
+/// asked for in the last tick (J). A step longer than `longest_step` is a measurement error and does no work;
+/// otherwise one bad position would keep the controller active for ever.
+void observe(PassivityObserver& observer, vec3 position, vec3 world_step, double stored, int latency,
+             double supplied = 0);
 
-/// Energy that a spring may have created while it still holds more (J). Whatever is beyond it is taken out at once.
+/// Energy that a spring may have created while it still holds more (J). Energy beyond it is taken out at
+/// once.
 inline constexpr double energy_slack = 0.003;
 
-/// Energy that the controller has to take out (J); 0 or less: none. held: energy that springs hold, and what they will create before
-/// the next force acts (J). A controller that waits until springs have given back all they hold begins too late: a damper at the
-/// device's limit takes out less than a stretched spring gives back.
-double surplus(const EnergyBook& book, double held);
+/// Energy that the controller has to take out (J); 0 or less: none. `held` is the energy that springs hold,
+/// plus the energy that they will create before the next force acts (J). The controller must not wait until
+/// the springs have returned all of it. A damper at the device's limit takes out less than a stretched spring
+/// gives back.
+double surplus(const PassivityObserver& observer, double held);
 
-/// Force against the velocity (m/s) that takes out `energy` (J) within the next tick, with at most `most` N s/m (N).
+/// Force against the velocity (m/s) that takes out `energy` (J) within the next tick (N). Its damping is at
+/// most `most` (N s/m).
 vec3 passivity_control(double energy, vec3 velocity, double most);
 
-/// Work of the passive forces that were commanded and have not acted yet, if the tip moves by `step` (m) in every tick (J).
-double work_on_the_way(const EnergyBook& book, vec3 step, int latency);
+/// Work of the passive forces that are commanded but have not acted yet (J), if the tip moves by `step` (m)
+/// in every tick.
+double pending_work(const PassivityObserver& observer, vec3 step, int latency);
 
-/// The active force as its budget allows: beyond it nothing that pushes along the velocity.
-vec3 within_budget(const EnergyBook& book, vec3 active, vec3 velocity);
+/// Limits the active force to its budget: beyond the budget, it no longer pushes along the velocity (N).
+vec3 within_budget(const PassivityObserver& observer, vec3 active, vec3 velocity);
 
-/// Books the force that the device is told (N). passive, active: what the sources wanted. world: the part of `passive` that pulls at
-/// something which the world moves. lag: the part of `output` that no source wanted, the controller's brake and what fades after a switch.
-void enter(EnergyBook& book, vec3 output, vec3 passive, vec3 active, vec3 world, vec3 lag = {});
+/// Records the force commanded to the device (N). `passive` and `active` are the forces that the sources
+/// asked for. `world` is the part of `passive` that acts on moving things of the world. `unrequested` is the
+/// part of `output` that no source asked for: the controller's brake and the fading offset of a switch.
+void record_output(PassivityObserver& observer, vec3 output, vec3 passive, vec3 active, vec3 world,
+                   vec3 unrequested = {});
 
 }  // namespace thaum::haptics

@@ -9,10 +9,10 @@ namespace {
 constexpr std::size_t node_count = FlowPatch{}.nodes.size();
 using NodeValues = std::array<double, node_count>;
 
-/// The two samples of a grid between which a node stands, along one axis.
+/// The two samples of a grid on either side of a node, along one axis.
 struct Between {
     std::ptrdiff_t low{}, high{};
-    double t{};  ///< of the way from low to high
+    double t{};  ///< position between them, 0 at low and 1 at high
 };
 using AxisOfNodes = std::array<Between, flow_nodes>;
 
@@ -34,7 +34,7 @@ AxisOfNodes axis_of(const field::Grid& grid, std::size_t axis, double first_node
     return nodes;
 }
 
-/// The grid at the patch's nodes, linear between its samples, times `weight`, on top of what is there.
+/// Adds the values of a grid at the patch's nodes, times `weight`. Linear between the grid's samples.
 void add_at_nodes(const field::Grid& grid, const FlowPatch& patch, double weight, NodeValues& values) {
     if (!has_samples(grid) || weight == 0) return;
     const AxisOfNodes x = axis_of(grid, 0, patch.origin.x, patch.spacing);
@@ -76,7 +76,7 @@ Mixture mixture_of(const FlowSource& source, const FlowPatch& patch) {
     return mix;
 }
 
-/// A place on one axis of the nodes: the node below it and how far it is on the way to the next.
+/// Position on one axis of the nodes: the node below, and the fraction of the distance to the next.
 struct Along {
     std::size_t low;
     double t;

@@ -1,13 +1,14 @@
-// haptics/flow_patch.h: the piece of a flow round the probe that the haptic model carries, so that the servo can read the flow at
-// 1 kHz without knowing the fluid:
+// haptics/flow_patch.h: the part of a flow around the probe that the haptic model carries. The servo reads
+// the flow from it at 1 kHz without access to the fluid:
 //
-//     fields of the fluid (field/field.h) --patch_of()--> FlowPatch (64 nodes) --flow_at()--> velocity, viscosity, density
+//     fields of the fluid (field/field.h) -patch_of()-> FlowPatch (64 nodes) -flow_at()-> velocity, viscosity, density
 //
-// Between nodes linear along each axis; beyond the outermost all is as at the nearest place within. A patch stands where it was
-// taken. Its nodes stand at whole spacings from the first sample of the velocity's x, so that patches which overlap have the
-// same nodes, and a flow that rests reads the same from each.
+// Values are linear between nodes along each axis. Beyond the outermost nodes, the value is that of the
+// nearest place within. A patch stays where it was taken. Its nodes are whole spacings away from the first
+// sample of the velocity's x component. Overlapping patches therefore have the same nodes, and a flow at rest
+// reads the same from each.
 //
-// Plain data, no allocation. Frame: the bowl's (haptics/fluid_touch.h), m.
+// Plain data, no allocation. Frame: that of the bowl (haptics/fluid_touch.h), in m.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -17,51 +18,52 @@
 
 namespace thaum::haptics {
 
-inline constexpr int flow_nodes = 4;  ///< along each axis
+inline constexpr int flow_nodes = 4;  ///< number of nodes along each axis
 inline constexpr std::size_t flow_substances = 3;
 
 struct FlowNode {
-    fvec3 velocity{};   ///< m/s
-    float viscosity{};  ///< Pa s, of the mixture
-    float density{};    ///< kg/m^3, of the mixture
+    fvec3 velocity{};   ///< velocity of the flow (m/s)
+    float viscosity{};  ///< viscosity of the mixture (Pa s)
+    float density{};    ///< density of the mixture (kg/m^3)
 };
 
-/// Node (i, j, k) is nodes[i + 4 j + 16 k] and stands at origin + spacing (i, j, k).
+/// Nodes of a flow. Node (i, j, k) is nodes[i + 4 j + 16 k] at origin + spacing (i, j, k).
 struct FlowPatch {
-    vec3 origin{};     ///< m
-    double spacing{};  ///< m; 0: no patch has been taken, which reads as nothing at rest
+    vec3 origin{};  ///< position of node (0, 0, 0) (m)
+    /// Distance between nodes (m); 0: no patch was taken, which reads as zero everywhere.
+    double spacing{};
     std::array<FlowNode, std::size_t{flow_nodes} * flow_nodes * flow_nodes> nodes{};
 };
 static_assert(sizeof(FlowPatch) == 4 * sizeof(double) + 64 * 5 * sizeof(float));
 
-/// What a place in a flow feels like.
+/// Values of a flow at one place.
 struct FlowSample {
-    vec3 velocity{};     ///< m/s
-    double viscosity{};  ///< Pa s
-    double density{};    ///< kg/m^3
+    vec3 velocity{};     ///< velocity (m/s)
+    double viscosity{};  ///< viscosity (Pa s)
+    double density{};    ///< density (kg/m^3)
 };
 
-/// Finite where the nodes about it are; nothing for a place that is not finite.
+/// Reads the flow at a place. Finite if the nodes around it are; all zero if the place is not finite.
 FlowSample flow_at(const FlowPatch& patch, vec3 place) noexcept;
 
-/// A substance in the mixture: where its amount is 1 it adds so much.
+/// A substance in the mixture. Its viscosity and density are added where its amount is 1.
 struct FlowSubstance {
-    field::Grid amount{};  ///< without samples: there is none of it
-    double viscosity{};    ///< Pa s
-    double density{};      ///< kg/m^3
+    field::Grid amount{};  ///< amount of the substance; no samples: none of it
+    double viscosity{};    ///< viscosity that the amount 1 adds (Pa s)
+    double density{};      ///< density that the amount 1 adds (kg/m^3)
 };
 
-/// What a patch is taken of. The mixture is weighted by amounts (Mora and Lee 2008, 4.1): what a place adds to viscosity and density
-/// is the sum over the substances of amount times theirs. Never below 0.
+/// Source of a patch. The mixture is weighted by amounts (Mora and Lee 2008, 4.1): viscosity and density at a
+/// place grow by the sum of amount times value over the substances. They are never below 0.
 struct FlowSource {
-    field::StaggeredGrid velocity{};  ///< m/s; the kernels are not asked, all is read linearly
-    double viscosity{};               ///< Pa s, of the base fluid
-    double density{};                 ///< kg/m^3, likewise
+    field::StaggeredGrid velocity{};  ///< velocity (m/s), always read linearly, whatever its kernels
+    double viscosity{};               ///< viscosity of the base fluid (Pa s)
+    double density{};                 ///< density of the base fluid (kg/m^3)
     std::array<FlowSubstance, flow_substances> substances{};
 };
 
-/// With the spacing of the velocity's samples, so that `middle` (m) is within its middle cell. Empty where that is not finite or there
-/// are no samples of the velocity.
+/// Takes a patch with the spacing of the velocity's samples. `middle` (m) lies in its middle cell. The patch
+/// is empty if `middle` is not finite or the velocity has no samples.
 FlowPatch patch_of(const FlowSource& source, vec3 middle) noexcept;
 
 }  // namespace thaum::haptics

@@ -12,10 +12,10 @@
 namespace thaum::haptics {
 namespace {
 
-/// At the hand, per what it is in the bowl (haptics.md, "Two scales").
+/// Scales from the bowl to the hand (haptics.md, "Two scales").
 struct HandScale {
-    double stiffness{};  ///< and damping and mass: s_f s_x
-    double energy{};     ///< s_f / s_x
+    double stiffness{};  ///< of stiffness, damping and mass: s_f s_x
+    double energy{};     ///< of energy: s_f / s_x
 };
 
 HandScale hand_scale(const BowlFrame& frame) {
@@ -27,8 +27,8 @@ vec3 force_to_hand(const BowlFrame& frame, vec3 bowl) {
     return frame.newtons_per_newton * (glm::transpose(frame.turn) * bowl);
 }
 
-/// What is left of the damping that the device can render, N s/m at the hand.
-struct DampingLeft {
+/// Remaining part of the damping that the device can render (N s/m, at the hand).
+struct DampingBudget {
     double left{};
 
     double take(double wanted, double most) {
@@ -42,25 +42,26 @@ bool asks_for_flow(const FluidModes& modes) {
     return modes.viscosity > 0 || modes.flow > 0 || modes.resistance > 0;
 }
 
-vec3 finite_or_none(vec3 v) { return is_finite(v) ? v : vec3(0); }
+vec3 finite_or_zero_force(vec3 v) { return is_finite(v) ? v : vec3(0); }
 
-/// Adds what one part is and holds, unless something about it is no number.
-void add(FluidFeel& feel, vec3 passive, double stored) {
+/// Adds force and stored energy of one part, unless they are not finite.
+void add(FluidForces& feel, vec3 passive, double stored) {
     if (!is_finite(passive) || !std::isfinite(stored)) return;
     feel.passive += passive;
     feel.stored += stored;
 }
 
-// ---- the ladle's own mass ------------------------------------------------------------------------------------------
+// ---- the ladle's own mass ---------------------------------------------------------------------------------
 
 bool has_mass(const FluidTouch& touch) {
     const auto& [mass, stiffness, damping] = touch.ladle;
     return touch.modes.inertia > 0 && mass > 0 && stiffness > 0 && damping >= 0;
 }
 
-/// The mass goes on over the coming tick, tied to a tip that goes on as it does; so its force does not come a tick late.
-void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingLeft& damping,
-               FluidFeel& feel) {
+/// Moves the mass on over the coming tick, tied to a tip that moves on evenly. So its force is not a tick
+/// late.
+void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
+               FluidForces& feel) {
     if (!has_mass(touch)) return;
     const double scale = touch.modes.inertia * hand_scale(touch.frame).stiffness;
     const double mass = scale * touch.ladle.mass, stiffness = scale * touch.ladle.stiffness;
@@ -84,9 +85,10 @@ void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
     add(feel, -pulled.mean_force, stored);
 }
 
-// ---- surface -------------------------------------------------------------------------------------------------------
+// ---- surface ----------------------------------------------------------------------------------------------
 
-/// N in the bowl, up, and J: of the sheet's spring, stretched by `gap` metres (fluid/sheet.h).
+/// Upward force (N, bowl frame) and energy (J) of the sheet's spring, stretched by `gap` metres
+/// (fluid/sheet.h).
 struct SurfacePull {
     double force{}, stored{};
 };
@@ -96,31 +98,31 @@ SurfacePull pull_of(const BrewSurface& surface, double gap) {
     const double stretch = surface.inside != 0 ? std::max(0.0, -gap) : std::max(0.0, gap);
     const double force = std::min(surface.stiffness * stretch, most);
     if (!(force > 0)) return {};
-    // Where the force has come to its most, energy grows in proportion.
+    // Beyond the largest force, energy grows in proportion to the stretch.
     const double stored = force * stretch - force * force / (2 * surface.stiffness);
     return {surface.inside != 0 ? -force : force, stored};
 }
 
-/// m, in the bowl: a surface that moves goes on, while the model is of use.
+/// Present height of a moving surface (m, bowl frame), extrapolated while the model is fresh.
 double height_now(const BrewSurface& surface, std::uint32_t age) {
     return surface.height + surface.velocity * (std::min(age, freshest_ticks) * tick_seconds);
 }
 
-/// 0 to 1
+/// Immersed share of the ladle, 0 to 1.
 double immersed_part(const FluidTouch& touch, double depth) {
-    if (touch.surface.there == 0) return 1;
+    if (touch.surface.present == 0) return 1;
     if (touch.surface.inside == 0) return 0;
     return touch.drag.height > 0 ? std::clamp(depth / touch.drag.height, 0.0, 1.0) : 1;
 }
 
 void feel_surface(const FluidTouch& touch, FluidTouchState& state, double height, double place_height,
-                  FluidFeel& feel) {
+                  FluidForces& feel) {
     const double step = (height - state.surface_height) / touch.frame.metres_per_metre;
-    if (state.begun != 0 && std::abs(step) <= longest_step) feel.brought += state.surface_force * step;
+    if (state.begun != 0 && std::abs(step) <= longest_step) feel.supplied += state.surface_force * step;
     state.surface_height = height;
     state.surface_force = 0;
     state.inside = touch.surface.inside;
-    if (touch.surface.there == 0 || !(touch.modes.surface > 0)) return;
+    if (touch.surface.present == 0 || !(touch.modes.surface > 0)) return;
     const SurfacePull pull = pull_of(touch.surface, height - place_height);
     const double force = touch.modes.surface * touch.frame.newtons_per_newton * pull.force;
     if (!std::isfinite(force)) return;
@@ -129,15 +131,15 @@ void feel_surface(const FluidTouch& touch, FluidTouchState& state, double height
     add(feel, force * up, touch.modes.surface * hand_scale(touch.frame).energy * pull.stored);
 }
 
-// ---- flow ----------------------------------------------------------------------------------------------------------
+// ---- flow -------------------------------------------------------------------------------------------------
 
-/// N s/m in the bowl, of equations (1) to (3).
+/// Drag coefficients of equations (1) to (3) (N s/m, bowl frame).
 struct Drags {
     double viscosity{}, flow{}, resistance{};
 };
 
-/// All scaled down alike where the device or the way through the fluid asks for it, so what goes with the flow still does. most: N s/m in
-/// the bowl, that the device can render.
+/// Computes the drags. All are scaled down together if the device or the loop through the fluid requires it,
+/// so their ratio stays. `most` is the damping that the device can render (N s/m, bowl frame).
 Drags drags_of(const FluidModes& modes, const LadleDrag& drag, const FlowSample& sample, double immersed,
                double most) {
     const double stokes = immersed * drag.viscous * sample.viscosity;
@@ -153,7 +155,7 @@ Drags drags_of(const FluidModes& modes, const LadleDrag& drag, const FlowSample&
     return {share * drags.viscosity, share * drags.flow, share * drags.resistance};
 }
 
-/// N on the hand, and the slope of all there, N s/m.
+/// Forces on the hand (N), and their slope there (N s/m).
 struct FlowForces {
     vec3 viscosity{}, flow{}, resistance{};
     double slope{};
@@ -170,20 +172,20 @@ FlowForces forces_of(const FluidTouch& touch, const FlowSample& sample, vec3 vel
             scale * (drags.viscosity + drags.resistance)};
 }
 
-/// Of the forces, not of what makes them: so a step that changes drag and flow at once is linear in time too.
+/// Mixes forces, not their causes. So a step that changes drag and flow at once is linear in time too.
 FlowForces mixed(const FlowForces& a, const FlowForces& b, double share) {
     return {glm::mix(a.viscosity, b.viscosity, share), glm::mix(a.flow, b.flow, share),
             glm::mix(a.resistance, b.resistance, share), glm::mix(a.slope, b.slope, share)};
 }
 
-/// Share of the newer step, 0 to 1: the first tick after a step has one sixteenth of it.
+/// Share of the newer step, 0 to 1. The first tick after a step has one sixteenth of it.
 double share_of_newer(std::uint64_t step_age, std::uint32_t model_age) {
     const std::uint64_t age = std::min<std::uint64_t>(step_age, fluid_period) + model_age;
     return static_cast<double>(std::min<std::uint64_t>(age + 1, fluid_period)) / fluid_period;
 }
 
-void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingLeft& damping,
-               FluidFeel& feel) {
+void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip, DampingBudget& damping,
+               FluidForces& feel) {
     state.force = {};
     state.flow_work = 0;
     if (!asks_for_flow(touch.modes) || !(state.immersed > 0)) return;
@@ -200,17 +202,17 @@ void feel_flow(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
     if (!is_finite(force) || !is_finite(step)) return;
     damping.take(forces.slope, damping.left);
     state.force = force;
-    // A step that nothing makes was read wrongly.
+    // A larger step is a reading error.
     if (glm::length(step) <= longest_step) state.flow_work = glm::dot(forces.resistance, step);
     feel.passive += forces.viscosity + forces.resistance;
     feel.active += forces.flow;
 }
 
-// ---- wall ----------------------------------------------------------------------------------------------------------
+// ---- wall -------------------------------------------------------------------------------------------------
 
-/// Of the place P as it is, which is held in to `state.place`.
+/// Adds the wall's force. `place` is the true place P, and `state.place` the one held inside.
 void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3 velocity,
-               DampingLeft& damping, FluidFeel& feel) {
+               DampingBudget& damping, FluidForces& feel) {
     state.wall = {};
     const vec3 off = state.place - place;  // inwards
     const double depth = glm::length(off);
@@ -221,11 +223,11 @@ void feel_wall(const FluidTouch& touch, FluidTouchState& state, vec3 place, vec3
     const double stretch = depth / touch.frame.metres_per_metre;
     const double push = scale * touch.wall.stiffness * stretch - damps * glm::dot(velocity, in);
     const vec3 force = std::max(0.0, push) * in;
-    state.wall = finite_or_none(force);
+    state.wall = finite_or_zero_force(force);
     add(feel, force, scale * touch.wall.stiffness * stretch * stretch / 2);
 }
 
-/// In a half plane through the axis (r outwards, y up), of a place: the nearest one within the profile.
+/// Nearest point within the profile, in a half plane through the axis (r outwards, y up).
 vec2 held_in_profile(const BowlWall& wall, vec2 place) {
     const std::size_t points = std::min<std::size_t>(wall.points, wall_points);
     vec2 nearest = place;
@@ -236,7 +238,7 @@ vec2 held_in_profile(const BowlWall& wall, vec2 place) {
         const bool outside = -way.y * off.x + way.x * off.y > 0;
         if (!outside || !(length2 > 0)) continue;
         const double along = glm::dot(off, way) / length2;
-        // The first piece goes on, to the axis at most.
+        // The first piece continues upwards, at most to the axis.
         const double first = i != 0 ? 0 : way.x > 0 ? -from.x / way.x : -HUGE_VAL;
         const vec2 foot = from + std::min(std::max(along, first), 1.0) * way;
         const double distance2 = glm::dot(place - foot, place - foot);
@@ -249,7 +251,7 @@ vec2 held_in_profile(const BowlWall& wall, vec2 place) {
 
 }  // namespace
 
-vec3 held_in(const BowlWall& wall, vec3 place) {
+vec3 nearest_in_bowl(const BowlWall& wall, vec3 place) {
     if (wall.points < 2 || !is_finite(place)) return place;
     const vec3 off = place - wall.centre;
     const double r = std::sqrt(off.x * off.x + off.z * off.z);
@@ -264,27 +266,27 @@ vec3 to_bowl(const BowlFrame& frame, vec3 device) {
     return frame.origin + frame.turn * (frame.metres_per_metre * device);
 }
 
-void newest_step(FluidTouch& touch, const FlowPatch& newest) {
+void add_fluid_step(FluidTouch& touch, const FlowPatch& newest) {
     touch.older = touch.newer.spacing > 0 ? touch.newer : newest;
     touch.newer = newest;
     touch.step_age = 0;
 }
 
-bool note_fluid(FluidTouchState& state, const FluidTouch& touch) {
+bool detect_fluid_switch(FluidTouchState& state, const FluidTouch& touch) {
     if (touch.number == state.number) return false;
     state = {.number = touch.number};
     return true;
 }
 
-FluidFeel feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip) {
+FluidForces feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip) {
     const vec3 place = to_bowl(touch.frame, tip.position);
     if (!is_finite(place) || !is_finite(tip.velocity)) {
         state = {.number = touch.number};
         return {};
     }
-    FluidFeel feel{.brought = state.begun != 0 ? state.flow_work : 0};
-    DampingLeft damping{tip.most_damping};
-    state.place = held_in(touch.wall, place);
+    FluidForces feel{.supplied = state.begun != 0 ? state.flow_work : 0};
+    DampingBudget damping{tip.most_damping};
+    state.place = nearest_in_bowl(touch.wall, place);
     const double height = height_now(touch.surface, tip.model_age);
     state.immersed = immersed_part(touch, height - state.place.y);
     feel_mass(touch, state, tip, damping, feel);
@@ -300,15 +302,14 @@ vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state) {
     return scale > 0 ? touch.frame.turn * state.force / scale : vec3(0);
 }
 
-vec3 whole_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
-                std::uint32_t model_age) {
+vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed, std::uint32_t model_age) {
     const auto of = [&](const FlowPatch& patch) {
         const FlowSample sample = flow_at(patch, place);
         const Drags drags =
             drags_of(FluidModes{}, touch.drag, sample, immersed, std::numeric_limits<double>::infinity());
         return (drags.flow + drags.resistance) * (sample.velocity - velocity);
     };
-    return finite_or_none(
+    return finite_or_zero_force(
         glm::mix(of(touch.older), of(touch.newer), share_of_newer(touch.step_age, model_age)));
 }
 

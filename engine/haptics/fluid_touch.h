@@ -1,57 +1,66 @@
-// haptics/fluid_touch.h: what a hand feels that stirs: a fluid, its surface and the bowl it stands in (Mora and Lee 2008, "Real-time 3D
-// fluid interaction with a haptic user interface", sections 4.1, 5 and 7). A part of the servo step.
+// haptics/fluid_touch.h: forces on a hand that stirs: from a fluid, its surface and its bowl (Mora and Lee
+// 2008, "Real-time 3D fluid interaction with a haptic user interface", sections 4.1, 5 and 7). A part of the
+// servo step.
 //
 //     FluidTouch (the model: flow round the probe, surface, bowl) --.
 //     tip, velocity ------------------------------------------------+--> feel_fluid() --> forces on the hand, by kind
 //     FluidTouchState ----------------------------------------------'                     and the force for the fluid
 //
-// Two frames, two scales (haptics.md). Bowl frame: m, y up, its origin the game's choice; flow, surface and wall are all in it. With x
-// and v of the tip in the device frame, R = `turn` and s_x, s_f:
+// There are two frames and two scales (haptics.md). The bowl frame has y up and an origin that the game
+// chooses (m). Flow, surface and wall are in the bowl frame. With x and v of the tip in the device frame, R =
+// `turn` and s_x, s_f:
 //
 //     place P = origin + R s_x x        velocity V = R s_x v        force on the hand f = s_f R^T F
 //
-// What is felt has modes, each with a strength w from 0 (off, at no cost) to 1. With the flow's velocity u, viscosity mu
-// and density rho at P (flow_patch.h), and i the immersed part of the ladle, 0 to 1:
+// Each force is a mode with a strength w from 0 (off, at no cost) to 1. The flow at P has velocity u,
+// viscosity mu and density rho (flow_patch.h). The immersed share of the ladle is i, 0 to 1:
 //
-//     viscosity     F = - w_v i viscous mu V               (1)  as if the medium were at rest: passive
-//     flow          F = + w_f i viscous mu u               (2)  carries a relaxed hand: an active source
-//     resistance    F = - w_r i form rho (V - u)           (3)  against the current; passive, the flow is its other end
-//     surface       F = w_s clamp(k (h - P_y), 0, pop) y   (4)  from outside, and clamp(.., -cling, 0) from inside:
-//                                                               the spring of fluid/sheet.h; passive, the surface moves its end
-//     wall          F = w_b max(0, k |N - P| + b V_out)    (5)  inwards; N the nearest place in the bowl, V_out the speed outwards
-//                                                               along P - N; passive
-//     inertia       F = w_m (k (M - P) + b (M' - V))       (6)  m M'' = minus that: a mass of its own, felt as s_f s_x m; passive
-//     recoil        a Pulse (servo.h), see recoil_peak()   (7)  active
+//     viscosity   F = - w_v i viscous mu V              (1)  as in a medium at rest: passive
+//     flow        F = + w_f i viscous mu u              (2)  carries a relaxed hand: an active source
+//     resistance  F = - w_r i form rho (V - u)          (3)  against the current: passive, its other end is the flow
+//     surface     F = w_s clamp(k (h - P_y), 0, pop) y  (4)  from outside; from inside clamp(.., -cling, 0). The spring
+//                                                            of fluid/sheet.h: passive, the surface moves its end
+//     wall        F = w_b max(0, k |N - P| + b V_out)   (5)  inwards: passive. N: nearest place in the bowl, V_out:
+//                                                            outward speed along P - N
+//     inertia     F = w_m (k (M - P) + b (M' - V))      (6)  m M'' = -F: a mass of its own, felt as s_f s_x m; passive
+//     recoil      a Pulse (servo.h), see recoil_peak()  (7)  active
 //
-// (1) and (2) at one strength are the Stokes drag -viscous mu (V - u) (a sphere of radius a has viscous = 6 pi a); (3) is the
-// form drag of an obstacle, with its slope at the speed of stirring (C_d A U / 2). Sums over substances are in mu and rho. (1) alone
-// challenges the hand, (2) alone guides it, (3) makes it fight the current until the flow has given way: section 7's modes.
+// With equal strengths, (1) and (2) are the Stokes drag -viscous mu (V - u); a sphere of radius a has viscous
+// = 6 pi a. (3) is the form drag of an obstacle with its slope at the speed of stirring, C_d A U / 2. mu and
+// rho already contain the sums over the substances. (1) alone challenges the hand and (2) alone guides it.
+// With (3) the hand fights the current until the flow has given way. These are the modes of section 7.
 //
-// The flow comes in steps of 16 ticks, the hand feels each tick. Between what the two newest steps make of them, (1) to (3) go
-// linearly in time: a step makes 16 changes of 1/16 of its size, and is felt one step late. What the hand gives comes back in u after
-// one to two steps more, and a loop so late rings: it fades while (w_f viscous mu + w_r form rho) T / stirred_mass < 0.83 (with T
-// 16 ms; the hand held fast). All drags together are scaled down so that this stays below `loop_gain`, and their slope at the hand,
-// s_f s_x (w_v viscous mu + w_r form rho), below the device's own most damping less what the ladle's spring takes of it (at most half).
+// The flow changes every 16 ticks, and the hand feels every tick. (1) to (3) are interpolated linearly in
+// time between their values for the two newest fluid steps. A step is felt as 16 changes of 1/16 of its size,
+// one fluid step late. The hand's push changes u one to two fluid steps later. This late loop oscillates. The
+// oscillation decays while (w_f viscous mu + w_r form rho) T / stirred_mass < 0.83, with T = 16 ms and a hand
+// that is held fast. All drags are scaled down together so that this stays below `loop_gain`. Their slope at
+// the hand, s_f s_x (w_v viscous mu + w_r form rho), stays below the device's damping limit. The ladle's
+// spring takes its share of that limit first, at most half.
 //
-// Energy (energy.h): the book is brought F u from the newest step's flow for (3), so what the lateness creates is seen by
-// it, and F dh for (4). (2) is within the budget of active sources.
+// Energy (energy.h): the observer is told the power F u of (3) in the newest step's flow, so it sees the
+// energy that the delay creates. It is told F dh for (4). (2) is within the budget of active sources.
 //
-// What the game does with it, each tick, for a player who stirs (else, number 0: it costs one compare; with all strengths 0 nothing is
-// felt, and where the ladle is is told all the same):
+// A game does the following in each tick for a player who stirs. Otherwise the number is 0, at the cost of
+// one compare. If all strengths are 0, nothing is felt, but the ladle's place is still computed.
 //
-//   1. Where a fluid step ends: newest_step(touch, patch_of(source, middle)), middle = the tip's place in the bowl, led by the velocity
-//      by some 16 ms: the patch is read for 32 ms. In each other tick ++touch.step_age. older, newer and step_age decide forces to come
-//      and do not follow from the fluid: they are state, to be kept in a component.
-//   2. surface = that of the sheet under the probe (SheetReaction, SheetSettings); velocity by difference; `there` = 0 without one.
-//   3. Frame, drag, wall, ladle and modes from its data, with felt stiffnesses s_f s_x k that the device can render. Another
-//      `number` (from 1, never 0) where the probe comes, or where frame, modes or data jump.
-//   4. After the servo step: -force_on_ladle(touch, state) is the force on the fluid, N in the bowl frame, at state.place, for
-//      this tick; the sum over 16 ticks, times tick_seconds and per density, is what fluid::push gets. It is not cut by cap or
-//      heat: the world gets all of it. The sheet takes the probe's place, and has its own reaction. state.place is where the
-//      ladle is drawn, too. A sample that did not come leaves the state, so the last force goes on, as the arm's does.
-//   5. A substance that is poured in: kick with recoil_peak().
+//   1. At the end of a fluid step: add_fluid_step(touch, patch_of(source, middle)). `middle` is the tip's
+//      place in the bowl, moved on by its velocity for some 16 ms, because the patch is read for 32 ms. In
+//      every other tick: ++touch.step_age. `older`, `newer` and `step_age` decide future forces and do not
+//      follow from the fluid. They are state and belong in a component.
+//   2. surface = the sheet under the probe (SheetReaction, SheetSettings), with the velocity by difference.
+//      Without a sheet, `present` = 0.
+//   3. Frame, drag, wall, ladle and modes from the game's data. The device must be able to render the felt
+//      stiffnesses s_f s_x k. `number` counts from 1 and changes when the probe appears, or when frame, modes
+//      or data jump.
+//   4. After the servo step: -force_on_ladle(touch, state) is the force on the fluid at state.place in this
+//      tick (N, bowl frame). fluid::push gets the sum over 16 ticks, times tick_seconds, per density. Cap and
+//      heat do not limit it: the world gets all of it. The sheet gets the probe's place and has its own
+//      reaction. The ladle is drawn at state.place. A missing sample leaves the state unchanged, so the last
+//      force continues, as on the arm.
+//   5. When a substance is poured in: kick with recoil_peak().
 //
-// Device frame where nothing else is said. No allocation, no clock.
+// Device frame unless stated otherwise. No allocation, no clock.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -62,7 +71,7 @@
 
 namespace thaum::haptics {
 
-/// Strengths, 0 to 1.
+/// Strengths of the modes, 0 to 1.
 struct FluidModes {
     double viscosity{1}, flow{1}, resistance{1}, surface{1}, wall{1}, inertia{1}, recoil{1};
 };
@@ -71,7 +80,7 @@ struct FluidMode {
     std::string_view name;
     double FluidModes::*strength;
 };
-/// All of them. The order is part of the log's format.
+/// All modes. Their order is part of the log's format.
 inline constexpr std::array<FluidMode, 7> fluid_modes{{{"viscosity", &FluidModes::viscosity},
                                                        {"flow", &FluidModes::flow},
                                                        {"resistance", &FluidModes::resistance},
@@ -80,124 +89,132 @@ inline constexpr std::array<FluidMode, 7> fluid_modes{{{"viscosity", &FluidModes
                                                        {"inertia", &FluidModes::inertia},
                                                        {"recoil", &FluidModes::recoil}}};
 
-/// From the device's frame to the bowl's.
+/// Transform from the device frame to the bowl frame.
 struct BowlFrame {
-    vec3 origin{};                ///< m, bowl frame: where the device's origin is
+    vec3 origin{};                ///< origin of the device frame (m, bowl frame)
     mat3 turn{1.0};               ///< R, orthonormal
-    double metres_per_metre{1};   ///< s_x, bowl per device, > 0
-    double newtons_per_newton{};  ///< s_f, device per world, >= 0
+    double metres_per_metre{1};   ///< s_x: bowl length per device length, > 0
+    double newtons_per_newton{};  ///< s_f: device force per world force, >= 0
 };
 
 struct LadleDrag {
-    double viscous{};  ///< m, >= 0
-    double form{};     ///< m^3/s, >= 0
-    /// kg of fluid that a push moves: its density over the peak of the push's kernel (per m^3), which for fluid::push with a radius r is
-    /// 32 pi / 105 r^3 times the density. 0: the flow does not answer, and no loop limits the drag.
+    double viscous{};  ///< coefficient of (1) and (2), >= 0 (m)
+    double form{};     ///< coefficient of (3), >= 0 (m^3/s)
+    /// Mass of fluid that a push moves (kg): its density divided by the peak of the push's kernel (1/m^3).
+    /// For fluid::push with a radius r it is 32 pi / 105 r^3 times the density. 0: the flow does not react,
+    /// and no loop limits the drag.
     double stirred_mass{};
-    double height{};  ///< m, of the part that dips in: immersed is (h - P_y) / height of it; 0: all at once
+    /// Height of the part that dips in (m); the immersed share is (h - P_y) / height; 0: all at once.
+    double height{};
 };
 
-/// Under the probe, as the model's tick has it.
+/// Surface under the probe at the model's tick.
 struct BrewSurface {
-    double height{};         ///< m, h
-    double velocity{};       ///< m/s, up
-    double stiffness{};      ///< N/m, >= 0
-    double pop_through{};    ///< N, >= 0
-    double cling{};          ///< N, >= 0
-    std::uint32_t inside{};  ///< 1: the probe has broken through
-    std::uint32_t there{};   ///< 0: no surface; the ladle is immersed wherever it is
+    double height{};          ///< h (m)
+    double velocity{};        ///< upward velocity (m/s)
+    double stiffness{};       ///< k, >= 0 (N/m)
+    double pop_through{};     ///< largest force from outside, >= 0 (N)
+    double cling{};           ///< largest force from inside, >= 0 (N)
+    std::uint32_t inside{};   ///< 1: the probe has broken through
+    std::uint32_t present{};  ///< 0: no surface; the ladle is fully immersed
 };
 
 inline constexpr std::size_t wall_points = 8;
 
-/// A bowl's inside: what lies within its profile turned about the upright axis. The profile goes from the rim down to the floor's middle
-/// on the axis and turns one way only, so that what is within is convex and has one nearest place to each. Its first piece goes on above
-/// the rim.
+/// Inside of a bowl: the space within its profile, rotated about the upright axis. The profile runs from the
+/// rim down to the middle of the floor on the axis, and bends one way only. The inside is therefore convex,
+/// with one nearest place for every point. The first piece continues above the rim.
 struct BowlWall {
-    vec3 centre{};  ///< m, on the axis
-    std::array<vec2, wall_points>
-        profile{};           ///< m: how far from the axis, and how high above the centre; the first `points`
-    std::uint64_t points{};  ///< below 2: no wall
-    double stiffness{};      ///< N/m, >= 0
-    double damping{};        ///< N s/m, >= 0; what the device can render of it
+    vec3 centre{};  ///< centre on the axis (m)
+    /// Distance from the axis, and height above the centre (m); the first `points` are in use.
+    std::array<vec2, wall_points> profile{};
+    std::uint64_t points{};  ///< number of profile points; below 2: no wall
+    double stiffness{};      ///< stiffness, >= 0 (N/m)
+    double damping{};        ///< damping, >= 0 (N s/m); only the share that the device can render
 };
 
 struct LadleMass {
-    double mass{};       ///< kg; 0: none
-    double stiffness{};  ///< N/m, > 0: of the spring that ties it to the hand
-    double damping{};    ///< N s/m, >= 0: of which the device renders at most half of what it can
+    double mass{};       ///< mass (kg); 0: none
+    double stiffness{};  ///< stiffness of the spring that ties it to the hand, > 0 (N/m)
+    /// Damping of that spring, >= 0 (N s/m); at most half of the device's limit is rendered.
+    double damping{};
 };
 
-inline constexpr std::uint32_t fluid_period = 16;  ///< ticks, of a fluid step
+inline constexpr std::uint32_t fluid_period = 16;  ///< period of fluid steps (ticks)
 inline constexpr double loop_gain = 0.4;
 
-/// What the model has of a fluid.
+/// Fluid part of the haptic model.
 struct FluidTouch {
-    std::uint64_t number{};  ///< 0: there is none; another one where it comes or jumps, which is a switch
+    /// 0: no fluid; changes when the fluid appears or jumps, which is a switch.
+    std::uint64_t number{};
     FluidModes modes{};
     BowlFrame frame{};
     LadleDrag drag{};
     BrewSurface surface{};
     BowlWall wall{};
     LadleMass ladle{};
-    FlowPatch older{}, newer{};  ///< of the two newest steps
-    std::uint64_t step_age{};    ///< ticks since `newer` came: 0 in the first
+    FlowPatch older{}, newer{};  ///< patches of the two newest fluid steps
+    std::uint64_t step_age{};    ///< ticks since `newer` was added, 0 in the first tick
 };
 static_assert(sizeof(FluidTouch) == 58 * sizeof(double) + 2 * sizeof(FlowPatch), "no padding");
 
-/// A fluid step has ended: `newest` becomes the newer of the two (both, if it is the first).
-void newest_step(FluidTouch& touch, const FlowPatch& newest);
+/// Adds the patch of a new fluid step: `newest` becomes the newer of the two, or both if it is the first.
+void add_fluid_step(FluidTouch& touch, const FlowPatch& newest);
 
-/// All that a tick leaves behind; no padding. All zero where there is no fluid.
+/// State of the fluid forces; no padding. All zero without a fluid.
 struct FluidTouchState {
-    vec3 force{};                           ///< N: (1) + (2) + (3) on the hand, before budget, cap and heat
-    vec3 place{};                           ///< m, bowl frame: of the probe, held in by the wall, felt or not
-    vec3 wall{};                            ///< N: (5)
-    vec3 mass_position{}, mass_velocity{};  ///< m, m/s: of the ladle's own mass
-    double surface_force{};                 ///< N, of (4), up in the bowl
-    double surface_height{};                ///< m, h as it was used
-    double flow_work{};      ///< J, that the flow gives in the coming tick by (3), at the hand's scale
-    double immersed{};       ///< 0 to 1
-    std::uint64_t number{};  ///< of the model; 0: there was none
-    std::uint32_t inside{};  ///< of the surface
-    std::uint32_t begun{};   ///< 0: mass and surface begin anew
+    vec3 force{};  ///< (1) + (2) + (3) on the hand, before budget, cap and heat (N)
+    vec3 place{};  ///< place of the probe, held inside by the wall, whether felt or not (m, bowl frame)
+    vec3 wall{};   ///< (5) (N)
+    vec3 mass_position{}, mass_velocity{};  ///< position and velocity of the ladle's own mass (m, m/s)
+    double surface_force{};                 ///< upward force of (4) in the bowl (N)
+    double surface_height{};                ///< h as used (m)
+    /// Energy that the flow gives by (3) in the coming tick, at the hand's scale (J).
+    double flow_work{};
+    double immersed{};       ///< immersed share of the ladle, 0 to 1
+    std::uint64_t number{};  ///< number of the model; 0: there was none
+    std::uint32_t inside{};  ///< BrewSurface::inside of the last tick
+    std::uint32_t begun{};   ///< 0: mass and surface start anew
 };
 static_assert(sizeof(FluidTouchState) == 5 * sizeof(vec3) + 5 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
 struct FluidTip {
-    vec3 position{}, velocity{};  ///< m, m/s
-    std::uint32_t model_age{};    ///< ticks
-    double most_damping{};        ///< N s/m, that the device can render
+    vec3 position{}, velocity{};  ///< position and velocity of the tip (m, m/s)
+    std::uint32_t model_age{};    ///< age of the model (ticks)
+    double most_damping{};        ///< largest damping that the device renders (N s/m)
 };
 
-/// On the hand, N, and what the books need.
-struct FluidFeel {
+/// Forces on the hand (N), and energies for the passivity observer.
+struct FluidForces {
     vec3 passive{}, active{};
-    double stored{};   ///< J, held by surface, wall and ladle at the hand's scale
-    double brought{};  ///< J, that flow and surface gave in the last tick by what was commanded then
+    double stored{};  ///< energy held by surface, wall and ladle at the hand's scale (J)
+    /// Energy that flow and surface gave to the force commanded in the last tick (J).
+    double supplied{};
 };
 
-/// True where it came, went or jumped; the state then begins anew.
-bool note_fluid(FluidTouchState& state, const FluidTouch& touch);
+/// Returns true if the fluid appeared, ended or jumped. The state then starts anew.
+bool detect_fluid_switch(FluidTouchState& state, const FluidTouch& touch);
 
-/// One tick, where there is a fluid. A part that is not finite is not felt.
-FluidFeel feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip);
+/// Computes the forces of one tick with a fluid. A part that is not finite gives no force.
+FluidForces feel_fluid(const FluidTouch& touch, FluidTouchState& state, const FluidTip& tip);
 
-/// N, bowl frame, of the fluid's flow on the ladle, as commanded in the last tick; the fluid gets the opposite.
+/// Force of the flow on the ladle as commanded in the last tick (N, bowl frame). The fluid gets the opposite.
 vec3 force_on_ladle(const FluidTouch& touch, const FluidTouchState& state);
 
-/// N, bowl frame: (1), (2) and (3) on a ladle there, all at full strength and no device asked: what a world whose hands may feel less of
-/// it, or none, gives the fluid the opposite of. The same as force_on_ladle at full strengths that the device can render.
-vec3 whole_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
-                std::uint32_t model_age = 0);
+/// Force (1) + (2) + (3) on a ladle at full strength, without any limit by a device (N, bowl frame). It
+/// equals force_on_ladle at full strengths that the device can render. A world gives its opposite to the
+/// fluid if its hands may feel less of it, or nothing.
+vec3 full_drag(const FluidTouch& touch, vec3 place, vec3 velocity, double immersed,
+               std::uint32_t model_age = 0);
 
-/// N, device frame: the peak of a pulse of `length` ticks by which a hand gets the impulse (N s, bowl frame) that the ladle does
-/// when it throws something in, at the mode's strength.
+/// Peak of a pulse of `length` ticks that gives the hand an impulse (N s, bowl frame), at the mode's strength
+/// (N, device frame). For a ladle that throws something in.
 vec3 recoil_peak(const FluidTouch& touch, vec3 impulse, std::uint32_t length);
 
 vec3 to_bowl(const BowlFrame& frame, vec3 device);
 
-/// The nearest place in the bowl; the place itself where it is within, there is no wall or it is not finite.
-vec3 held_in(const BowlWall& wall, vec3 place);
+/// Nearest place in the bowl. A place inside, a place that is not finite, and any place without a wall is
+/// returned unchanged.
+vec3 nearest_in_bowl(const BowlWall& wall, vec3 place);
 
 }  // namespace thaum::haptics

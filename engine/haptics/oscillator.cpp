@@ -5,16 +5,18 @@
 
 #include "core/maths.h"
 
-// Three ways, each where it loses no digits; all in the units of t. With x = decay t and q = frequency2 t^2 the roots of the
-// characteristic polynomial are -x +- sqrt(z), z = x^2 - q.
+// Three methods, each used where it loses no digits, all in units of t. With x = decay t and q = frequency2
+// t^2, the roots of the characteristic polynomial are -x +- sqrt(z), where z = x^2 - q.
 namespace thaum::haptics {
 namespace {
 
-constexpr double most_x_of_series = 1.5;  // then z > 1 wherever q <= 1 and the series is not used
+// for larger x, q <= 1 gives z > 1, and the series is not used
+constexpr double most_x_of_series = 1.5;
 
-constexpr int most_terms = 40;  // for x = 1.5; most calls need 8
+constexpr int most_terms = 40;  // enough for x = 1.5; most calls need 8
 
-/// 1 / ((n + 1) n), 1 / (n + 2), 1 / ((n + 2) (n + 3)): a division takes as long as all the rest of a term.
+/// Tables of 1 / ((n + 1) n), 1 / (n + 2) and 1 / ((n + 2) (n + 3)). One division takes as long as the rest
+/// of a term.
 struct Reciprocals {
     std::array<double, most_terms + 1> term{}, once{}, twice{};
     constexpr Reciprocals() {
@@ -28,7 +30,7 @@ struct Reciprocals {
 };
 constexpr Reciprocals reciprocals;
 
-/// q <= 1, x small: S's Taylor series and its integrals, term by term.
+/// Sums the Taylor series of S and its integrals. For q <= 1 and small x.
 Response by_series(double x, double q) {
     Response r{.t = 1, .s = 1, .s1 = 0.5, .s2 = 1.0 / 6};
     double before = 0, term = 1, factor = 0;
@@ -61,7 +63,8 @@ double phi2(double x) {
     return (1 + sum) / 2;
 }
 
-/// z > 1, slow root below 1: sums of two exponentials, whose rates are far enough apart to be subtracted.
+/// Differences of two exponentials. For z > 1 and a slow root below 1: the rates are far enough apart to
+/// subtract.
 Response by_two_rates(double slow, double fast) {
     const double apart = fast - slow;
     return {.t = 1,
@@ -72,10 +75,11 @@ Response by_two_rates(double slow, double fast) {
 
 struct Waves {
     double c,
-        s;  // e^-x cosh(sqrt z), e^-x sinh(sqrt z) / sqrt z: entire functions of z, so nothing happens at z = 0
+        s;  // e^-x cosh(sqrt z) and e^-x sinh(sqrt z) / sqrt z: entire functions of z, regular at z = 0
 };
 
-/// A number as an unevaluated sum of two, so that a product is exact. Dekker 1971; no fused multiply-add, for old processors lack it.
+/// A number as an unevaluated sum of two, so that a product is exact (Dekker 1971). Old processors have no
+/// fused multiply-add.
 struct Twofold {
     double high{}, low{};
 };
@@ -96,12 +100,14 @@ Twofold product(double a, double b) {
 struct Scaled {
     double x{}, q{};
     double z{};          ///< x^2 - q
-    double x_rounded{};  ///< what x lacks of the exact product
+    double x_rounded{};  ///< rounding error of x: exact product minus x
 };
 
-constexpr double rounding_matters_from = 8;  // of x: below, what rounding of x^2 does to z is nothing
+// value of x; below it, the rounding of x^2 does not matter to z
+constexpr double rounding_matters_from = 8;
 
-/// Near critical damping with large x, z is the small difference of large numbers, and their rounding would be its error.
+/// Near critical damping with large x, z is a small difference of large numbers. Their rounding would be its
+/// error.
 Scaled scaled(Oscillator o, double t) {
     const double x = o.decay * t, q = o.frequency2 * t * t;
     const double z = x * x - q;
@@ -121,7 +127,7 @@ Waves waves(const Scaled& in) {
         return {(rising + falling) / 2, (rising - falling) / (2 * root)};
     }
     const double decayed = det::exp(-x) * (1 - x_rounded);
-    if (z > 1) {  // the two above would each carry the rounding of a large exponent
+    if (z > 1) {  // the method above would carry the rounding of a large exponent twice
         const double root = std::sqrt(z), up = det::exp(root), down = det::exp(-root);
         return {decayed * (up + down) / 2, decayed * (up - down) / (2 * root)};
     }
@@ -137,7 +143,7 @@ Waves waves(const Scaled& in) {
     return {decayed * (1 + c), decayed * (1 + s)};
 }
 
-/// q > 1 and no slow root: the oscillator's own equation, integrated once and twice, gives the integrals.
+/// Derives the integrals from the oscillator's own equation. For q > 1 without a slow root.
 Response by_equation(const Scaled& in) {
     const double x = in.x, q = in.q;
     const auto [c, s] = waves(in);

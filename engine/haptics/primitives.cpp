@@ -31,11 +31,11 @@ PrimitiveFault PrimitiveSet::add(const Primitive& primitive) noexcept {
 
 Expected<PrimitiveSet> checked(std::span<const Primitive> primitives) {
     static constexpr std::array words{"",
-                                      "one too many: there is room for 16",
-                                      "a field is not finite",
-                                      "position or strength is beyond 1e6",
-                                      "strength is negative",
-                                      "the direction is not a unit vector"};
+                                      "the set is full: give at most 16 primitives",
+                                      "a field is not finite: give finite numbers",
+                                      "position or strength is above 1e6: give smaller values",
+                                      "strength is negative: give 0 or more",
+                                      "the direction is not a unit vector: normalise it"};
     PrimitiveSet set;
     for (std::size_t i = 0; i < primitives.size(); ++i) {
         const auto fault = set.add(primitives[i]);

@@ -1,5 +1,6 @@
-// haptics/primitives.h: forces on a proxy that a spring ties to the probe (Lundin, Cooper, Persson, Evestedt, Ynnerman
-// 2007, "Enabling design and interactive selection of haptic modes", section 2.3).
+// haptics/primitives.h: haptic primitives, forces on a proxy that a spring ties to the probe (Lundin, Cooper,
+// Persson, Evestedt, Ynnerman 2007, "Enabling design and interactive selection of haptic modes", section
+// 2.3).
 #pragma once
 #include <array>
 #include <cstddef>
@@ -13,37 +14,39 @@ namespace thaum::haptics {
 
 enum class PrimitiveKind : std::uint8_t { directed, point, line, plane };
 
-/// One force on the proxy x; world frame.
+/// One force on the proxy x (world frame).
 ///
 ///     directed   s q                                                    eq. 4
 ///     point      s (p - x) / |p - x|                                    eq. 5
 ///     line       s m / |m|, m from x to the nearest point of the line   eq. 6
 ///     plane      s q where (x - p).q < 0, none elsewhere                eq. 7
 ///
-/// On the kink itself the force is what balance asks for, up to s.
+/// The point, the line or the plane is a kink of the potential. On the kink the force is the one that
+/// balances the others, up to s.
 struct Primitive {
     PrimitiveKind kind{};
-    vec3 position{};   ///< p, m; directed ignores it
-    vec3 direction{};  ///< q, unit; point ignores it
-    double
-        strength{};  ///< s, N, >= 0: a repelling force is no gradient of a convex function; below 1e-300 it counts as 0
+    vec3 position{};   ///< p (m); not used by directed
+    vec3 direction{};  ///< q (unit); not used by point
+    /// S, >= 0 (N): a repelling force is not the gradient of a convex function. Below 1e-300 it counts as 0.
+    double strength{};
 };
 
 inline constexpr std::size_t primitive_capacity = 16;
 
-/// Of |position|, m, |centre|, m, and strength, N: far beyond any device, and no product of them overflows.
+/// Limit of |position| (m), |centre| (m) and strength (N): far beyond any device, and no product of them
+/// overflows.
 inline constexpr double primitive_limit = 1e6;
 
 enum class PrimitiveFault : std::uint8_t { none, full, not_finite, out_of_range, negative, not_unit };
 
-/// What is wrong with a primitive. Fields that its kind ignores may be anything.
+/// Returns the fault of a primitive. Fields that its kind does not use may have any value.
 PrimitiveFault fault_of(const Primitive& primitive) noexcept;
 
-/// Checked primitives. Trivially copyable, no allocation, so that a servo loop can hold and fill it.
+/// Checked primitives. Trivially copyable and without allocation, so a servo loop can hold and fill it.
 class PrimitiveSet {
 public:
-    /// Takes a primitive that has no fault, and otherwise leaves the set as it was. A direction within 1e-6 of unit length
-    /// is made unit; strength zero counts.
+    /// Adds a primitive without fault; otherwise leaves the set unchanged and returns the fault. A direction
+    /// within 1e-6 of unit length is normalised. A primitive of strength zero takes a place too.
     PrimitiveFault add(const Primitive& primitive) noexcept;
 
     void clear() noexcept { count_ = 0; }
@@ -54,7 +57,7 @@ private:
     std::size_t count_{};
 };
 
-/// The whole list or none of it. The error names the index and the fault.
+/// Checks a list and returns it as a set. The error names the index and the fault of the first bad primitive.
 Expected<PrimitiveSet> checked(std::span<const Primitive> primitives);
 
 }  // namespace thaum::haptics

@@ -4,32 +4,38 @@
 #include <cmath>
 #include <limits>
 
-// The stage knows two ways of holding back. What endangers the hand (a panic, a device shut off, a hand that flies, a player who
-// wants none) makes the force zero at once; a dead model ramps, for nothing says that its last force was wrong. And
-// whatever ended, the force comes back through the slew limit, from zero.
+// The stage holds the force back in two ways. Danger for the hand (a panic, a shut-off, a hand that is too
+// fast, a player who wants no forces) makes the force zero at once. An old model ramps to zero, because
+// nothing says that its last force was wrong. After either, the force returns from zero through the slew
+// limit.
 //
 // Every comparison is written so that NaN falls on the safe side.
 
 namespace thaum::haptics {
 namespace {
 
-constexpr double excess_over_peak = 4;  // of the device's peak
-// A small thing that is caught behind a corner stretches the lift wand's spring to 125 N, 38 times a Touch's peak, before it
-// slips away: that clips, and is no fault.
+constexpr double excess_over_peak = 4;  // multiple of the device's peak
+// Multiple of the device's peak. A small thing caught behind a corner stretches the lift wand's spring to 125
+// N before it slips away. That is 38 times the peak of a Touch. Such a force is clipped and is no fault.
 constexpr double stretched_over_peak = 50;
 constexpr double switching_slew = 40;  // N/s (game.md, "Total force")
-// m/s. A simulated hand that is flung across a Touch reaches 3.8, across a Premium 4.5. Chosen, without a source.
+// Speed limit (m/s). A simulated hand that is flung across a Touch reaches 3.8 m/s, across a Premium 4.5 m/s.
+// Chosen, without a source.
 constexpr double fastest_hand = 4;
 constexpr std::uint32_t ramp_ticks = 50;
-constexpr std::uint32_t calm_ticks = 100;  // below half the speed before an over-speed cut-out ends
-constexpr std::uint32_t apart_ticks = 20;  // without excess between two episodes of it
+// Ticks below half the speed limit before an over-speed cut ends.
+constexpr std::uint32_t calm_ticks = 100;
+constexpr std::uint32_t apart_ticks = 20;  // ticks without excess between two episodes of it
 constexpr std::uint32_t episode_ticks = 10'000;
 constexpr std::uint32_t bin_ticks = 500;
-constexpr double almost_there = 1 + 1e-9;  // else rounding may leave a slew one tick short of its end
-// Of the thermal budget: from the one on a burst is held back, by the other it is over. The rest is for what presses on.
+// Without it, rounding may leave a slew one tick short of its end.
+constexpr double almost_there = 1 + 1e-9;
+// Shares of the thermal budget: a burst is held back from the first one and ends at the second one. The rest
+// is for a hand that presses on.
 constexpr double warm_from = 0.8, burst_until = 0.9;
-constexpr double longest_step = 0.05;  // m, of a hand in a tick
-constexpr double rise_time = 0.5;      // s, of what is held back to what can be kept up
+constexpr double longest_step = 0.05;  // largest plausible motion of a hand in a tick (m)
+// Time constant with which a held-back force rises to the sustained one (s).
+constexpr double rise_time = 0.5;
 static_assert((thermal_bins - 2) * bin_ticks == ticks(thermal_window));
 
 bool latched(const SafetyState& state, SafetyCause cause) {
@@ -40,8 +46,8 @@ void latch(SafetyState& state, SafetyCause cause) {
     state.latched = std::max(state.latched, static_cast<std::uint32_t>(cause));
 }
 
-/// First by components, since the length of a huge vector overflows. What is shortened ends a little below `most`, so that
-/// rounding cannot carry it beyond.
+/// Shortens a force to `most`. Components come first because the length of a huge vector overflows. The
+/// result ends slightly below `most`, so that rounding cannot exceed it.
 vec3 shortened(vec3 force, double most) {
     constexpr double below = 1 - 2e-15;
     const double largest = std::max({std::abs(force.x), std::abs(force.y), std::abs(force.z)});
@@ -50,9 +56,9 @@ vec3 shortened(vec3 force, double most) {
     return length > most ? force * (most / length * below) : force;
 }
 
-// ---- latches, gate and counters: what the stage remembers of its input -------------------------------------------
+// ---- latches, gate and counters: the stage's memory of its input ------------------------------------------
 
-void note_rearm(SafetyState& state, const SafetyInput& input) {
+void update_rearm(SafetyState& state, const SafetyInput& input) {
     if (!input.rearm || state.latched == 0) return;
     state.latched = 0;
     state.gate_open = 0;
@@ -72,11 +78,12 @@ void begin_episode(SafetyState& state) {
     state.episodes[state.excess_count++] = 0;
 }
 
-/// One wild tick may be a glitch; three bursts of them in ten seconds are a fault, and no clamp makes a fault worth feeling.
-void note_excess(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
+/// Counts episodes of excess. One wild tick may be a glitch. Three bursts in ten seconds are a fault, and
+/// shut the device off.
+void count_excess(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     forget_old_episodes(state);
     const bool sane = is_finite(input.wanted) && glm::length(input.wanted - input.spring) <= limits.excess &&
-                      glm::length(input.spring) <= limits.stretched;
+                      glm::length(input.spring) <= limits.spring_excess;
     if (sane) {
         if (state.excess_ticks > 0) --state.excess_ticks;
         return;
@@ -85,21 +92,22 @@ void note_excess(const SafetyLimits& limits, SafetyState& state, const SafetyInp
     state.excess_ticks = apart_ticks;
 }
 
-/// True while the hand is too fast, or was and has not calmed down.
-bool note_speed(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
+/// Returns true while the hand is too fast, or was too fast and has not calmed down.
+bool update_speed(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
     const double net = glm::length(input.velocity);
-    if (!(net <= limits.fastest && input.path_speed <= limits.fastest)) {
+    if (!(net <= limits.max_speed && input.path_speed <= limits.max_speed)) {
         state.fast_ticks = calm_ticks;
         return true;
     }
     if (state.fast_ticks == 0) return false;
     const double speed = std::max(net, input.path_speed);
-    state.fast_ticks = speed < limits.fastest / 2 ? state.fast_ticks - 1 : calm_ticks;
+    state.fast_ticks = speed < limits.max_speed / 2 ? state.fast_ticks - 1 : calm_ticks;
     return true;
 }
 
-/// Counted here and not taken from the age, which may jump: the ramp starts at its beginning even so.
-bool note_age(SafetyState& state, std::uint32_t age) {
+/// Returns true if the model is stale. Counts ticks itself because the age may jump; the ramp then still
+/// starts at its beginning.
+bool update_staleness(SafetyState& state, std::uint32_t age) {
     if (age <= freshest_ticks) {
         state.stale_ticks = 0;
         return false;
@@ -108,21 +116,23 @@ bool note_age(SafetyState& state, std::uint32_t age) {
     return true;
 }
 
-/// Nobody is met by a large force at the start (003): the first one to be let through is in range.
-void note_gate(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
+/// Opens the start gate. The first force let through must be in range, so that no large force meets a player
+/// at the start (003).
+void update_gate(const SafetyLimits& limits, SafetyState& state, vec3 wanted) {
     if (state.gate_open != 0 || !is_finite(wanted) || !(glm::length(wanted) <= limits.cap)) return;
     state.gate_open = 1;
     state.fade = static_cast<std::uint32_t>(Fade::begins);
 }
 
-/// Takes in the whole input, whatever acts, so that no condition hides another. The gravest one that stops the force.
-SafetyCause note(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
-    note_rearm(state, input);
-    note_excess(limits, state, input);
+/// Processes the whole input in every tick, so that no condition hides another. Returns the gravest reason to
+/// stop the force.
+SafetyCause process(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
+    update_rearm(state, input);
+    count_excess(limits, state, input);
     if (input.panic) latch(state, SafetyCause::panic);
-    note_gate(limits, state, input.wanted);
-    const bool too_fast = note_speed(limits, state, input);
-    const bool stale = note_age(state, input.model_age);
+    update_gate(limits, state, input.wanted);
+    const bool too_fast = update_speed(limits, state, input);
+    const bool stale = update_staleness(state, input.model_age);
     if (latched(state, SafetyCause::panic)) return SafetyCause::panic;
     if (latched(state, SafetyCause::shut_off)) return SafetyCause::shut_off;
     if (!input.on) return SafetyCause::off;
@@ -133,7 +143,8 @@ SafetyCause note(const SafetyLimits& limits, SafetyState& state, const SafetyInp
 
 // ---- heat ---------------------------------------------------------------------------------------------------------
 
-/// N^2 s of the window that ends with this tick and up to a bin more, never less: the bin that left it fades while another fills.
+/// Heat of the window (N^2 s). It covers up to one bin more than the window, never less: the oldest bin fades
+/// while the newest fills.
 double heat_of(const SafetyState& state) {
     const std::size_t oldest = (state.bin + 1) % thermal_bins;
     double sum = 0;
@@ -145,9 +156,9 @@ double budget_of(const SafetyLimits& limits) {
     return limits.continuous * limits.continuous * thermal_window;
 }
 
-/// N^2, the most that can be kept up from now on: by the end of no bin, when another has faded, will there be more than the budget. Kept
-/// up, it never falls, since what was possible stays so; it ends at the square of the continuous force, less what the bin beyond the
-/// window costs.
+/// Square of the largest force that can be sustained from now on (N^2): at the end of no bin, when another
+/// has faded, does the heat exceed the budget. Sustaining it never lowers it, since what was possible stays
+/// possible. It approaches the square of the continuous force, less the cost of the bin beyond the window.
 double sustained(const SafetyLimits& limits, const SafetyState& state, double heat) {
     const double budget = budget_of(limits);
     const std::size_t oldest = (state.bin + 1) % thermal_bins;
@@ -162,17 +173,17 @@ double sustained(const SafetyLimits& limits, const SafetyState& state, double he
     return std::max(most, 0.0);
 }
 
-/// N, that the motors can still take. A burst has most of the budget, as long as it comes after rest: while it is held back, only
-/// what can be kept up gives more. Else a hand that presses on would get the next burst when the first leaves the window, and
-/// nothing in between.
-double bearable(const SafetyLimits& limits, const SafetyState& state) {
+/// Force that the motors can still take (N). A burst after rest may use most of the budget. While the force
+/// is held back, it rises only if a larger force can be sustained. Otherwise a hand that presses on would get
+/// a burst whenever the last one leaves the window, and nothing in between.
+double thermal_limit(const SafetyLimits& limits, const SafetyState& state) {
     const double budget = budget_of(limits), heat = heat_of(state), left = budget - heat;
     if (!(left > 0)) return 0;
     const bool held_back = state.cause == static_cast<std::uint32_t>(SafetyCause::warm);
     const double share = (left - (1 - burst_until) * budget) / ((burst_until - warm_from) * budget);
     if (share >= 1 && !held_back) return limits.cap;
     const double cool = std::clamp(share, 0.0, 1.0);
-    double burst = limits.cap * cool * (2 - cool);  // without a kink where it sets in
+    double burst = limits.cap * cool * (2 - cool);  // no kink where it starts
     double kept_up = std::sqrt(sustained(limits, state, heat));
     if (held_back) {
         const double before = glm::length(state.output);
@@ -180,7 +191,7 @@ double bearable(const SafetyLimits& limits, const SafetyState& state) {
         if (state.fade == static_cast<std::uint32_t>(Fade::over))
             kept_up = std::min(kept_up, before + (kept_up - before) * (tick_seconds / rise_time));
     }
-    const double at_most = std::sqrt(left / tick_seconds);  // does not overrun the budget within this tick
+    const double at_most = std::sqrt(left / tick_seconds);  // stays within the budget in this tick
     return std::min({std::max(burst, kept_up), at_most, limits.cap});
 }
 
@@ -192,31 +203,33 @@ void add_heat(SafetyState& state, vec3 force) {
     state.heat[state.bin] = 0;
 }
 
-// ---- the force ----------------------------------------------------------------------------------------------------
+// ---- force ------------------------------------------------------------------------------------------------
 
-/// A switch begins: the output stays where it was, and what parts it from the sources becomes the offset. The last output may be beyond
-/// what is possible now, for the cap may have come down.
+/// Starts a switch. The output stays, and its difference from the sources becomes the offset. The last output
+/// may exceed the present limit, because the cap may have been lowered.
 void begin_fade(double most, SafetyState& state, vec3 goal) {
     state.offset = shortened(state.output, most) - goal;
-    state.full_offset = glm::length(state.offset);
-    state.spent = 0;
+    state.initial_offset = glm::length(state.offset);
+    state.fade_work = 0;
     state.fade = static_cast<std::uint32_t>(Fade::running);
 }
 
-/// Books the work that the offset has done since the last tick. A step that no hand makes was measured wrongly, and is no work.
-void book_work(SafetyState& state, vec3 tip) {
+/// Adds the offset's work since the last tick. A step that no hand makes is a measurement error and does no
+/// work.
+void add_fade_work(SafetyState& state, vec3 tip) {
     const double work = glm::dot(state.offset, tip - state.tip);
-    if (glm::distance(tip, state.tip) <= longest_step) state.spent = std::max(0.0, state.spent + work);
+    if (glm::distance(tip, state.tip) <= longest_step)
+        state.fade_work = std::max(0.0, state.fade_work + work);
 }
 
-/// The length that the work done so far allows (N). An offset that falls in proportion to the way along it, like a spring that relaxes,
-/// keeps to this law exactly and is at zero when it has done all its work.
-double worked_off(const SafetyState& state) {
-    const double left = std::clamp(1 - state.spent / switch_energy, 0.0, 1.0);
-    return state.full_offset * std::sqrt(left);
+/// Length that the work done so far allows (N). An offset that falls in proportion to the distance along it,
+/// like a relaxing spring, follows this law exactly. It is zero when it has done all its work.
+double length_after_work(const SafetyState& state) {
+    const double left = std::clamp(1 - state.fade_work / switch_energy, 0.0, 1.0);
+    return state.initial_offset * std::sqrt(left);
 }
 
-/// The largest part of the offset, 0 to 1, with which force + offset is within `most`; 0 where there is none.
+/// Largest share of the offset, 0 to 1, with which force + offset is within `most`; 0 if there is none.
 double part_within(double most, vec3 force, vec3 offset) {
     const double square = glm::dot(offset, offset);
     const double along = glm::dot(force, offset);
@@ -228,16 +241,17 @@ double part_within(double most, vec3 force, vec3 offset) {
     return std::clamp(along > 0 ? room / (root + along) : (root - along) / square, 0.0, 1.0);
 }
 
-/// The force after a switch: the goal, which is never delayed, and an offset that fades. Every change of the offset is a shortening.
+/// Returns the force after a switch: the goal, which is never delayed, plus the fading offset. The offset
+/// only gets shorter.
 vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goal, vec3 tip) {
     if (state.fade == static_cast<std::uint32_t>(Fade::over)) return goal;
     if (state.fade == static_cast<std::uint32_t>(Fade::begins))
         begin_fade(most, state, goal);
     else
-        book_work(state, tip);
+        add_fade_work(state, tip);
     const double step = limits.slew * tick_seconds;
     const double size = glm::length(state.offset);
-    const double left = std::min(size, worked_off(state)) - step;
+    const double left = std::min(size, length_after_work(state)) - step;
     if (!(left > step * (almost_there - 1))) {
         state.fade = static_cast<std::uint32_t>(Fade::over);
         state.offset = {};
@@ -248,7 +262,7 @@ vec3 faded(const SafetyLimits& limits, double most, SafetyState& state, vec3 goa
     return goal + state.offset;
 }
 
-/// Of the last output, so that the ramp is a line whatever it started from; the last factor is zero.
+/// Scales the last output, so that the ramp is linear from any start; the last factor is zero.
 vec3 ramped_down(const SafetyState& state) {
     const auto left = static_cast<double>(ramp_ticks - state.stale_ticks);
     return state.output * (left / (left + 1));
@@ -259,7 +273,7 @@ SafetyCause shortening(const SafetyLimits& limits, double most, vec3 wanted) {
     return most < limits.cap ? SafetyCause::warm : SafetyCause::capped;
 }
 
-vec3 last_word(double most, vec3 force) {
+vec3 final_force(double most, vec3 force) {
     const vec3 last = shortened(force, most);
     return is_finite(last) ? last : vec3(0);
 }
@@ -270,15 +284,15 @@ SafetyLimits safety_limits(const DeviceSpec& spec, double share) {
     const double part = share > 0 ? std::min(share, 1.0) : 0.0;  // 0 for NaN
     return {.cap = part * spec.peak_force,
             .excess = excess_over_peak * spec.peak_force,
-            .stretched = stretched_over_peak * spec.peak_force,
+            .spring_excess = stretched_over_peak * spec.peak_force,
             .continuous = spec.continuous_force,
             .slew = switching_slew,
-            .fastest = fastest_hand};
+            .max_speed = fastest_hand};
 }
 
 vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput& input) {
-    SafetyCause cause = note(limits, state, input);
-    const double most = bearable(limits, state);
+    SafetyCause cause = process(limits, state, input);
+    const double most = thermal_limit(limits, state);
     const vec3 wanted = is_finite(input.wanted) ? input.wanted : vec3(0);
     if (input.switched || cause != SafetyCause::none) state.fade = static_cast<std::uint32_t>(Fade::begins);
 
@@ -292,8 +306,8 @@ vec3 make_safe(const SafetyLimits& limits, SafetyState& state, const SafetyInput
     } else if (cause == SafetyCause::stale) {
         force = ramped_down(state);
     }
-    state.output = last_word(most, force);
-    state.lag = follows ? state.output - target : vec3(0);
+    state.output = final_force(most, force);
+    state.unrequested = follows ? state.output - target : vec3(0);
     state.tip = input.tip;
     state.cause = static_cast<std::uint32_t>(cause);
     add_heat(state, state.output);

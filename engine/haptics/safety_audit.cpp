@@ -6,48 +6,52 @@
 namespace thaum::haptics {
 namespace {
 
-// Written anew from haptics.md; that the stage has the same figures is what is tested.
+// Copied from haptics.md, not from the stage: tests compare the stage with these figures.
 constexpr std::uint64_t window_ticks = 10'000;
 constexpr std::uint64_t memory_ticks = 11'000;
-constexpr double energy_of_a_switch = 0.01;       // J
-constexpr double longest_hand_step = 0.05;        // m
-constexpr double surely_cool = 0.8 * (1 - 1e-9);  // of the budget: nothing may be scaled below
+constexpr double energy_of_a_switch = 0.01;  // J
+constexpr double longest_hand_step = 0.05;   // m
+// Share of the budget below which nothing may be scaled.
+constexpr double surely_cool = 0.8 * (1 - 1e-9);
 constexpr std::uint64_t fresh_for = 20;
 constexpr double stale_ramp = 50;
 constexpr std::uint64_t calm_after = 100;
 constexpr std::uint64_t episodes_apart = 20;
 constexpr std::uint64_t episodes_within = 10'000;
 
-double size_of(vec3 v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+double length_of_vector(vec3 v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-double rounding(vec3 v) { return 1e-12 * (1 + size_of(v)); }
+double rounding(vec3 v) { return 1e-12 * (1 + length_of_vector(v)); }
 
-/// From the line between zero and `end`.
+/// Distance from the line between zero and `end`.
 double distance_from_line(vec3 point, vec3 end) {
     const double square = glm::dot(end, end);
     const double along = square > 0 ? glm::clamp(glm::dot(point, end) / square, 0.0, 1.0) : 0;
-    return size_of(point - along * end);
+    return length_of_vector(point - along * end);
 }
 
 /// Distance of a point from the parallelogram of all a * u + b * v, with a and b from 0 to 1.
 double distance_from_parts(vec3 point, vec3 u, vec3 v) {
-    vec3 across =
-        v;  // the part of v that is square to u; taken twice, since one subtraction leaves rounding along u
+    // Part of v at right angles to u. Taken twice, since one subtraction leaves rounding along u.
+    vec3 across = v;
     for (int pass = 0; pass < 2 && u != vec3(0); ++pass) across -= u * (glm::dot(across, u) / glm::dot(u, u));
     const double height = glm::dot(v, across);
     if (u != vec3(0) && height > 1e-24 * glm::dot(v, v)) {
         const double b = glm::dot(point, across) / height;
         const vec3 rest = point - b * v;
         const double a = glm::dot(rest, u) / glm::dot(u, u);
-        if (a >= 0 && a <= 1 && b >= 0 && b <= 1) return size_of(rest - a * u);
+        if (a >= 0 && a <= 1 && b >= 0 && b <= 1) return length_of_vector(rest - a * u);
     }
     return std::fmin(std::fmin(distance_from_line(point, u), distance_from_line(point, v)),
                      std::fmin(distance_from_line(point - v, u), distance_from_line(point - u, v)));
 }
 
-/// By halving: the largest share of `change`, 0 to 1, that leads from `force` to a place within the cap; 0 where none does.
+/// Finds by bisection the largest share of `change`, 0 to 1, that leads from `force` to a point within the
+/// cap; 0 if none does.
 double share_within(double cap, vec3 force, vec3 change) {
-    const auto within = [&](double share) { return size_of(force + share * change) <= cap * (1 + 1e-15); };
+    const auto within = [&](double share) {
+        return length_of_vector(force + share * change) <= cap * (1 + 1e-15);
+    };
     const double square = glm::dot(change, change);
     double inside = square > 0 ? glm::clamp(-glm::dot(force, change) / square, 0.0, 1.0) : 0;
     if (within(1)) return 1;
@@ -60,14 +64,14 @@ double share_within(double cap, vec3 force, vec3 change) {
     return inside;
 }
 
-vec3 without_the_infinite(vec3 v) { return is_finite(v) ? v : vec3(0); }
+vec3 finite_or_zero(vec3 v) { return is_finite(v) ? v : vec3(0); }
 
 vec3 within_cap(vec3 wanted, double cap) {
     const double largest =
         std::fmax(std::fmax(std::fabs(wanted.x), std::fabs(wanted.y)), std::fabs(wanted.z));
     if (largest == 0) return {};
-    const vec3 unit_sized = wanted / largest;  // whose length cannot overflow
-    const double size = size_of(unit_sized);
+    const vec3 unit_sized = wanted / largest;  // its length cannot overflow
+    const double size = length_of_vector(unit_sized);
     return largest * size <= cap ? wanted : unit_sized * (cap / size);
 }
 
@@ -80,7 +84,7 @@ const char* name(SafetyRule rule) {
     return names[static_cast<std::size_t>(rule)];
 }
 
-SafetyAudit::SafetyAudit() : squares_(memory_ticks) {}
+SafetyAudit::SafetyAudit() : squared_outputs_(memory_ticks) {}
 
 std::uint64_t SafetyAudit::violations() const {
     return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
@@ -93,22 +97,22 @@ double SafetyAudit::warmth() const {
 void SafetyAudit::record(const SafetyLimits& limits, const SafetyInput& input, vec3 output) {
     ++now_;
     count(SafetyRule::finite, !is_finite(output));
-    output = without_the_infinite(output);
-    watch_latches(limits, input);
-    watch_hand(limits, input);
-    watch_model(input);
+    output = finite_or_zero(output);
+    follow_latches(limits, input);
+    follow_hand(limits, input);
+    follow_model(input);
     if (!judge_stopped(input, output)) judge_following(limits, input, output);
     tip_ = input.tip;
     heat(output);
     judge_always(limits, output);
-    before_ = output;
+    last_output_ = output;
 }
 
 void SafetyAudit::count(SafetyRule rule, bool broken) {
     if (broken) ++counts_[static_cast<std::size_t>(rule)];
 }
 
-void SafetyAudit::watch_latches(const SafetyLimits& limits, const SafetyInput& input) {
+void SafetyAudit::follow_latches(const SafetyLimits& limits, const SafetyInput& input) {
     if (input.rearm && (panicked_ || shut_off_)) {
         panicked_ = shut_off_ = gate_open_ = false;
         last_excess_ = 0;
@@ -116,10 +120,11 @@ void SafetyAudit::watch_latches(const SafetyLimits& limits, const SafetyInput& i
     }
     if (input.panic) panicked_ = true;
 
-    const double size = is_finite(input.wanted) ? size_of(input.wanted) : HUGE_VAL;
+    const double size = is_finite(input.wanted) ? length_of_vector(input.wanted) : HUGE_VAL;
     if (size <= limits.cap) gate_open_ = true;
-    const double spring = size_of(input.spring), rest = size_of(input.wanted - input.spring);
-    if (is_finite(input.wanted) && rest <= limits.excess && spring <= limits.stretched) return;
+    const double spring = length_of_vector(input.spring),
+                 rest = length_of_vector(input.wanted - input.spring);
+    if (is_finite(input.wanted) && rest <= limits.excess && spring <= limits.spring_excess) return;
     if (last_excess_ == 0 || now_ - last_excess_ > episodes_apart) {
         episodes_ = {episodes_[1], episodes_[2], now_};
         if (episodes_[0] != 0 && now_ - episodes_[0] <= episodes_within) shut_off_ = true;
@@ -127,28 +132,29 @@ void SafetyAudit::watch_latches(const SafetyLimits& limits, const SafetyInput& i
     last_excess_ = now_;
 }
 
-void SafetyAudit::watch_hand(const SafetyLimits& limits, const SafetyInput& input) {
+void SafetyAudit::follow_hand(const SafetyLimits& limits, const SafetyInput& input) {
     const bool known = is_finite(input.velocity) && !std::isnan(input.path_speed);
-    const double speed = known ? std::fmax(size_of(input.velocity), input.path_speed) : HUGE_VAL;
-    if (now_ - last_hurry_ > calm_after) last_hurry_ = 0;
-    const bool cut_out = last_hurry_ != 0;
-    if (speed > limits.fastest || (cut_out && speed >= limits.fastest / 2)) last_hurry_ = now_;
+    const double speed = known ? std::fmax(length_of_vector(input.velocity), input.path_speed) : HUGE_VAL;
+    if (now_ - last_too_fast_ > calm_after) last_too_fast_ = 0;
+    const bool cut_out = last_too_fast_ != 0;
+    if (speed > limits.max_speed || (cut_out && speed >= limits.max_speed / 2)) last_too_fast_ = now_;
 }
 
-void SafetyAudit::watch_model(const SafetyInput& input) {
+void SafetyAudit::follow_model(const SafetyInput& input) {
     if (input.model_age <= fresh_for)
         last_fresh_ = now_;
     else if (last_fresh_ + 1 == now_)
-        at_stale_ = before_;
+        ramp_start_ = last_output_;
 }
 
 void SafetyAudit::judge_always(const SafetyLimits& limits, vec3 output) {
-    count(SafetyRule::cap, size_of(output) > limits.cap);
+    count(SafetyRule::cap, length_of_vector(output) > limits.cap);
     const double most = limits.continuous * limits.continuous * static_cast<double>(window_ticks);
     count(SafetyRule::budget, window_sum_ > most * (1 + 1e-9));
 }
 
-/// Whatever stops the force makes the next one a switch. False where nothing does.
+/// Checks the output while a condition stops the force; the next force is then a switch. Returns false if
+/// nothing stops it.
 bool SafetyAudit::judge_stopped(const SafetyInput& input, vec3 output) {
     const bool stale = last_fresh_ != now_;
     const bool felt = output != vec3(0);
@@ -158,18 +164,19 @@ bool SafetyAudit::judge_stopped(const SafetyInput& input, vec3 output) {
         count(SafetyRule::shut_off, felt);
     } else if (!input.on) {
         count(SafetyRule::off, felt);
-    } else if (last_hurry_ != 0) {
+    } else if (last_too_fast_ != 0) {
         count(SafetyRule::over_speed, felt);
     } else if (stale) {
         const double left = 1 - static_cast<double>(now_ - last_fresh_) / stale_ramp;
-        const vec3 highest = left > 0 ? at_stale_ * left : vec3(0);
-        count(SafetyRule::stale, left > 0 ? distance_from_line(output, highest) > rounding(at_stale_) : felt);
+        const vec3 highest = left > 0 ? ramp_start_ * left : vec3(0);
+        count(SafetyRule::stale,
+              left > 0 ? distance_from_line(output, highest) > rounding(ramp_start_) : felt);
     } else if (!gate_open_) {
         count(SafetyRule::waiting, felt);
     } else {
         return false;
     }
-    begins_ = true;
+    next_is_switch_ = true;
     unscaled_ = true;
     return true;
 }
@@ -179,28 +186,29 @@ bool SafetyAudit::is_cool(const SafetyLimits& limits) const {
     return memory_sum_ <= surely_cool * budget;
 }
 
-/// The force does not jump, unless it has to shrink.
+/// Checks that the force does not jump at a switch, unless it has to shrink.
 void SafetyAudit::begin_fade(const SafetyLimits& limits, vec3 goal, vec3 output, bool cool) {
-    const bool may_shrink = !cool || size_of(before_) > limits.cap;
-    const double moved = may_shrink ? distance_from_line(output, before_) : size_of(output - before_);
+    const bool may_shrink = !cool || length_of_vector(last_output_) > limits.cap;
+    const double moved =
+        may_shrink ? distance_from_line(output, last_output_) : length_of_vector(output - last_output_);
     const double step = limits.slew * tick_seconds;
-    count(SafetyRule::slew, moved > step * (1 + 1e-8) + rounding(before_));
+    count(SafetyRule::slew, moved > step * (1 + 1e-8) + rounding(last_output_));
 
-    offset_ = within_cap(before_, limits.cap) - goal;
-    full_ = size_of(offset_);
-    spent_ = 0;
-    const double longest = size_of(before_) + size_of(goal);
+    offset_ = within_cap(last_output_, limits.cap) - goal;
+    initial_length_ = length_of_vector(offset_);
+    fade_work_ = 0;
+    const double longest = length_of_vector(last_output_) + length_of_vector(goal);
     last_fading_ = now_ + static_cast<Moment>(longest / step) + 1;
-    begins_ = false;
-    maybe_fading_ = known_ = true;
+    next_is_switch_ = false;
+    may_be_fading_ = offset_known_ = true;
 }
 
-/// By time, by the work that it does, and so far that it leads nowhere beyond the cap.
+/// Shortens the offset by time, by the work that it does, and so far that the sum stays within the cap.
 void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, vec3 tip) {
-    if (size_of(tip - tip_) <= longest_hand_step)
-        spent_ = std::fmax(0, spent_ + glm::dot(offset_, tip - tip_));
-    const double size = size_of(offset_);
-    const double worked_off = full_ * std::sqrt(std::fmax(0, 1 - spent_ / energy_of_a_switch));
+    if (length_of_vector(tip - tip_) <= longest_hand_step)
+        fade_work_ = std::fmax(0, fade_work_ + glm::dot(offset_, tip - tip_));
+    const double size = length_of_vector(offset_);
+    const double worked_off = initial_length_ * std::sqrt(std::fmax(0, 1 - fade_work_ / energy_of_a_switch));
     const double left = std::fmin(size, worked_off) - limits.slew * tick_seconds;
     offset_ = left > 0 ? offset_ * (left / size) : vec3(0);
     offset_ *= share_within(limits.cap, goal, offset_);
@@ -208,44 +216,47 @@ void SafetyAudit::fade_on(const SafetyLimits& limits, vec3 goal, vec3 tip) {
 
 void SafetyAudit::judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output) {
     const bool cool = is_cool(limits);
-    const vec3 wanted = within_cap(without_the_infinite(input.wanted), limits.cap);
-    const vec3 brake = within_cap(without_the_infinite(input.brake), limits.cap);
+    const vec3 wanted = within_cap(finite_or_zero(input.wanted), limits.cap);
+    const vec3 brake = within_cap(finite_or_zero(input.brake), limits.cap);
     const vec3 goal = within_cap(wanted + brake, limits.cap);
-    const bool begins = begins_ || input.switched;
+    const bool begins = next_is_switch_ || input.switched;
     if (begins) begin_fade(limits, goal, output, cool);
-    const bool all_of_it = brake == vec3(0) && size_of(output - goal) <= rounding(goal);
+    const bool all_of_it = brake == vec3(0) && length_of_vector(output - goal) <= rounding(goal);
     unscaled_ = cool && (unscaled_ || all_of_it);
-    known_ = known_ && unscaled_;
-    if (known_) {
+    offset_known_ = offset_known_ && unscaled_;
+    if (offset_known_) {
         fade_on(limits, goal, begins ? tip_ : input.tip);
         const vec3 expected = within_cap(goal + offset_, limits.cap);
-        // Where the cap leaves next to nothing of an offset that is square to the force, rounding decides how much:
-        // the root of an ulp of the cap's square, a few 1e-8 of the cap.
+        // The cap may leave hardly anything of an offset that is at right angles to the force. Rounding then
+        // decides how much: the root of an ulp of the cap's square, a few 1e-8 of the cap.
         const double fade_step = limits.slew * tick_seconds;
-        const bool grazes = size_of(offset_) < fade_step;
+        const bool grazes = length_of_vector(offset_) < fade_step;
         const double tolerance = rounding(expected) + (grazes ? 3e-7 * limits.cap : 1e-8 * fade_step);
-        count(SafetyRule::slew, size_of(output - expected) > tolerance);
-        maybe_fading_ = known_ = offset_ != vec3(0);
-    } else if (!maybe_fading_) {
-        const double off = unscaled_ ? size_of(output - goal) : distance_from_parts(output, wanted, brake);
+        count(SafetyRule::slew, length_of_vector(output - expected) > tolerance);
+        may_be_fading_ = offset_known_ = offset_ != vec3(0);
+    } else if (!may_be_fading_) {
+        const double off =
+            unscaled_ ? length_of_vector(output - goal) : distance_from_parts(output, wanted, brake);
         count(SafetyRule::unasked, off > rounding(wanted));
     }
-    if (now_ > last_fading_) maybe_fading_ = known_ = false;
+    if (now_ > last_fading_) may_be_fading_ = offset_known_ = false;
 }
 
 void SafetyAudit::heat(vec3 output) {
     const auto at = static_cast<std::size_t>(now_ % memory_ticks);
     const auto leaves_window = static_cast<std::size_t>((now_ + memory_ticks - window_ticks) % memory_ticks);
     const double square = glm::dot(output, output);
-    memory_sum_ += square - squares_[at];
-    window_sum_ += square - squares_[leaves_window];
-    squares_[at] = square;
+    memory_sum_ += square - squared_outputs_[at];
+    window_sum_ += square - squared_outputs_[leaves_window];
+    squared_outputs_[at] = square;
     if (at != 0) return;
-    // Now and then from the beginning, so that rounding does not gather: here 0 is the newest, and the first of the
-    // memory that the window has left are the oldest.
+    // Sums again from the start now and then, so that rounding does not accumulate. Index 0 is the newest;
+    // the indices after it are the oldest, which only the longer memory holds.
     const auto in_memory_only = static_cast<std::ptrdiff_t>(memory_ticks - window_ticks);
-    const double older = std::accumulate(squares_.begin() + 1, squares_.begin() + 1 + in_memory_only, 0.0);
-    window_sum_ = std::accumulate(squares_.begin() + 1 + in_memory_only, squares_.end(), squares_[0]);
+    const double older =
+        std::accumulate(squared_outputs_.begin() + 1, squared_outputs_.begin() + 1 + in_memory_only, 0.0);
+    window_sum_ = std::accumulate(squared_outputs_.begin() + 1 + in_memory_only, squared_outputs_.end(),
+                                  squared_outputs_[0]);
     memory_sum_ = window_sum_ + older;
 }
 

@@ -1,15 +1,16 @@
-// haptics/safety_audit.h: an independent recorder behind the safety stage, which counts what must not be.
+// haptics/safety_audit.h: an independent audit of the safety stage. It counts violations of its rules.
 //
 //     wanted ---- make_safe ---- output ---- device
 //        |                         |
 //        +----- SafetyAudit -------+
 //
-// It holds the rules of haptics.md, "Safety stage", against the force that left, and shares no code with the stage: it keeps
-// moments where the stage keeps counters, every square of the window where the stage keeps bins. It knows nothing of the
-// stage's state, so it cannot believe it. Where the rules leave the stage free (how it scales down near the thermal budget) it
-// gives the benefit of the doubt, and only there.
+// The audit checks the output against the rules of haptics.md, "Safety stage". It shares no code with the
+// stage and does not see the stage's state. It keeps moments where the stage keeps counters, and every square
+// of the window where the stage keeps bins. The rules leave one thing free: how the stage scales down near
+// the thermal budget. Only there the audit accepts any choice.
 //
-// One audit follows one device from its start, and must see every tick. It takes 90 kB when made and allocates no more.
+// One audit follows one device from its start and must see every tick. It takes 90 kB at construction and
+// allocates nothing later.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -23,12 +24,14 @@ namespace thaum::haptics {
 
 enum class SafetyRule : std::uint32_t {
     finite,
-    cap,      ///< not longer than it, to the bit
-    budget,   ///< mean square over exactly the last 10 s
-    slew,     ///< no jump at a switch; then wanted force and an offset that fades by time, work and cap
-    unasked,  ///< otherwise: wanted force and brake in full, or parts of both while the motors are warm
+    cap,     ///< length at most the cap, to the bit
+    budget,  ///< mean square over exactly the last 10 s
+    /// No jump at a switch; then the wanted force plus an offset that fades by time, work and cap.
+    slew,
+    /// Without a switch: wanted force and brake in full, or parts of both while the motors are warm.
+    unasked,
     stale,    ///< not above the line to zero in 50 ms
-    waiting,  ///< zero before the first wanted force in range; the others below likewise
+    waiting,  ///< zero before the first wanted force in range; the causes below likewise
     over_speed,
     off,
     shut_off,
@@ -42,23 +45,23 @@ class SafetyAudit {
 public:
     SafetyAudit();
 
-    /// One tick: what make_safe was given, and what it returned or the device was told, N.
+    /// Records one tick: the input of make_safe and its output, or the force that the device was told (N).
     void record(const SafetyLimits& limits, const SafetyInput& input, vec3 output);
 
     std::uint64_t violations() const;
-    /// Ticks; one that breaks several rules counts for each.
+    /// Ticks in which a rule was broken. A tick that breaks several rules counts for each.
     std::uint64_t violations(SafetyRule rule) const { return counts_[static_cast<std::size_t>(rule)]; }
     std::uint64_t ticks() const { return now_; }
-    /// N, root of the mean square over the last 10 s; what lies before the start counts as zero.
+    /// Root of the mean square over the last 10 s (N); time before the start counts as zero.
     double warmth() const;
 
 private:
-    using Moment = std::uint64_t;  // a tick, from 1; 0: never
+    using Moment = std::uint64_t;  // tick number from 1; 0: never
 
     void count(SafetyRule rule, bool broken);
-    void watch_latches(const SafetyLimits& limits, const SafetyInput& input);
-    void watch_hand(const SafetyLimits& limits, const SafetyInput& input);
-    void watch_model(const SafetyInput& input);
+    void follow_latches(const SafetyLimits& limits, const SafetyInput& input);
+    void follow_hand(const SafetyLimits& limits, const SafetyInput& input);
+    void follow_model(const SafetyInput& input);
     void judge_always(const SafetyLimits& limits, vec3 output);
     bool judge_stopped(const SafetyInput& input, vec3 output);
     void judge_following(const SafetyLimits& limits, const SafetyInput& input, vec3 output);
@@ -69,30 +72,31 @@ private:
 
     std::array<std::uint64_t, safety_rules> counts_{};
     Moment now_{};
-    vec3 before_{};  // N, the last output
+    vec3 last_output_{};  // last output (N)
 
     bool panicked_{};
     bool shut_off_{};
     bool gate_open_{};
     Moment last_excess_{};
-    std::array<Moment, 3> episodes_{};  // began; the newest last
-    Moment last_hurry_{};               // 0: no cut-out
+    std::array<Moment, 3> episodes_{};  // starts of the last three, the newest last
+    Moment last_too_fast_{};            // last tick too fast; 0: no cut
     Moment last_fresh_{};
-    vec3 at_stale_{};  // N, where the ramp begins
+    vec3 ramp_start_{};  // start of the ramp (N)
 
-    bool begins_ = true;        // the next force that is let through is a switch, as the first one is
-    bool maybe_fading_ = true;  // an offset may be left
-    bool known_ = false;        // and is the one below
-    bool unscaled_ = true;  // the stage does not scale down to keep the motors cool, nor come back from that
-    vec3 offset_{};         // N
-    vec3 tip_{};            // m
-    double full_{};         // N, length of the offset when it began
-    double spent_{};        // J, work of the offset
-    Moment last_fading_{};  // the last tick in which there may be an offset
+    bool next_is_switch_ = true;  // the next force let through is a switch; so is the first one
+    bool may_be_fading_ = true;   // an offset may be left
+    bool offset_known_ = false;   // `offset_` is known
+    // The stage neither scales down to keep the motors cool nor recovers from that.
+    bool unscaled_ = true;
+    vec3 offset_{};            // N
+    vec3 tip_{};               // m
+    double initial_length_{};  // length of the offset at the switch (N)
+    double fade_work_{};       // work of the offset (J)
+    Moment last_fading_{};     // last tick in which there may be an offset
 
-    std::vector<double> squares_;  // N^2, a ring
-    double window_sum_{};          // N^2, of the last 10 s
-    double memory_sum_{};          // N^2, of as long as the stage may remember
+    std::vector<double> squared_outputs_;  // squares of the output, a ring (N^2)
+    double window_sum_{};                  // sum over the last 10 s (N^2)
+    double memory_sum_{};                  // sum over the longest time that the stage may remember (N^2)
 };
 
 }  // namespace thaum::haptics

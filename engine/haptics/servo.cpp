@@ -6,9 +6,10 @@
 namespace thaum::haptics {
 namespace {
 
-/// m/s, over the window or what there is of it: over one tick an encoder's quantum would be noise of centimetres a second.
-/// A position that is not finite makes it NaN, when it comes and when it is the oldest: the safety stage cuts out on both.
-vec3 note_position(ServoState& state, vec3 position) {
+/// Stores a position and returns the velocity over the window, or the filled part of it (m/s). Over one tick,
+/// an encoder's quantum would be noise of centimetres per second. A position that is not finite gives NaN
+/// when it arrives and when it is the oldest; the safety stage cuts the force on both.
+vec3 store_position(ServoState& state, vec3 position) {
     auto& ring = state.positions;
     const bool full = state.samples == velocity_window;
     const vec3 oldest = full ? ring[state.next_position] : ring[0];
@@ -21,13 +22,13 @@ vec3 note_position(ServoState& state, vec3 position) {
 }
 
 bool newer(std::uint32_t number, std::uint32_t than) {
-    const std::uint32_t ahead = number - than;  // wraps, as the numbers do
+    const std::uint32_t ahead = number - than;  // wraps like the numbers
     return ahead != 0 && ahead < 1U << 31U;
 }
 
 bool playing(const PlayingPulse& pulse) { return pulse.at < pulse.length; }
 
-/// True where it cuts off one that still plays.
+/// Returns true if the new pulse ends one that is still playing.
 bool start_pulse(ServoState& state, const Pulse& pulse) {
     if (!newer(pulse.number, state.last_pulse)) return false;
     state.last_pulse = pulse.number;
@@ -48,32 +49,33 @@ vec3 play_pulses(ServoState& state) {
     return force;
 }
 
-// ---- lean and tether ------------------------------------------------------------------------------------------------
+// ---- steady force and tether ------------------------------------------------------------------------------
 
-/// True where one of them came, went or jumped.
-bool note_sources(ServoState& state, const HapticModel& model) {
-    const bool jumped = model.lean.number != state.lean_number || model.tether.number != state.tether_number;
-    state.lean_number = model.lean.number;
+/// Returns true if one of them appeared, ended or jumped.
+bool detect_source_switch(ServoState& state, const HapticModel& model) {
+    const bool jumped =
+        model.steady_force.number != state.steady_force_number || model.tether.number != state.tether_number;
+    state.steady_force_number = model.steady_force.number;
     state.tether_number = model.tether.number;
     return jumped;
 }
 
 // ---- primitives ---------------------------------------------------------------------------------------------------
 
-/// N; above, the balance was cut short. The spring to the best proxy is then the better of its two forces: it is right
-/// wherever the proxy is, also where only the shares of the primitives are unknown.
+/// Residual up to which the balance counts as solved (N). Beyond it, the spring to the best proxy gives the
+/// better of two forces. It is right for the found proxy even if the shares of the primitives are unknown.
 constexpr double solved_residual = 1e-9;
 
-/// True where the set came, went or jumped.
-bool note_set(ServoState& state, const HapticModel& model) {
+/// Returns true if the set appeared, ended or jumped.
+bool detect_set_switch(ServoState& state, const HapticModel& model) {
     const auto count = static_cast<std::uint32_t>(model.primitives.items().size());
     const bool jumped = count != state.primitives || (count != 0 && model.set_number != state.set_number);
     state.set_number = count == 0 ? 0 : model.set_number;
     return jumped;
 }
 
-/// Moves the proxy to where spring and primitives balance. On the hand, N; none where the tip's place is no number or out of
-/// range, and after that the coupling begins anew.
+/// Moves the proxy to the balance of spring and primitives. Returns the force on the hand (N). The force is
+/// zero if the tip's position is not finite or out of range; the coupling then starts anew.
 vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3 velocity) {
     const vec3 before = state.primitives == 0 ? tip : state.proxy;
     const Spring spring = effective_spring(model.coupling, tip, velocity, before, tick_seconds);
@@ -87,32 +89,32 @@ vec3 feel_primitives(ServoState& state, const HapticModel& model, vec3 tip, vec3
 
 // ---- surfaces -----------------------------------------------------------------------------------------------------
 
-/// True where the patch jumped, or ended while it was touched.
-bool note_patch(ServoState& state, const HapticModel& model) {
+/// Returns true if the patch jumped, or ended while it was touched.
+bool detect_patch_switch(ServoState& state, const HapticModel& model) {
     const bool jumped = model.patch_number != state.patch_number;
     const bool ended = model.patch.count == 0 && state.surface.contacts != 0;
     state.patch_number = model.patch_number;
     if (jumped) {
         state.surface = {.proxy = model.start, .begun = 1};
-        state.shift = {};
+        state.contact_offset = {};
     }
     return jumped || ended;
 }
 
 struct Tip {
     vec3 position{}, velocity{};
-    bool switched{};  ///< a source came, went or jumped
+    bool switched{};  ///< a source appeared, ended or jumped
 };
 
-struct SurfaceFeel {
-    vec3 force{};       ///< N
-    vec3 world_step{};  ///< m, by which what is touched moved over the tip in the last tick
+struct SurfaceForces {
+    vec3 force{};       ///< force on the hand (N)
+    vec3 world_step{};  ///< motion of the touched body over the tip in the last tick (m)
     double stored{};    ///< energy that a spring of this force and stretch would hold (J)
     double stretch{};   ///< distance from the tip to the proxy (m)
-    bool active{};      ///< a texture that is no passive source
+    bool active{};      ///< a texture is an active source
 };
 
-/// m, in the last tick, of what was touched.
+/// Motion of the touched body in the last tick (m).
 vec3 step_of_touched(const SurfacePatch& patch, const SurfaceState& surface, vec3 place) {
     for (std::uint32_t i = 0; i < std::min<std::size_t>(patch.body_count, surface_body_capacity); ++i) {
         const SurfaceBody& body = patch.bodies[i];
@@ -128,69 +130,72 @@ bool has_active_texture(const SurfacePatch& patch) {
                        [](const SurfaceBody& b) { return b.material.texture.kind == TextureKind::impact; });
 }
 
-/// Touches the patch. The world that comes closer because the player turns or walks, and the shift that fades, press nothing
-/// in: by as much the tip is shifted out. So a force grows by the hand's own motion and by that of things alone, and who stands
-/// with the wand at a wall feels as much as before he turned. After a jump nothing is pressed in at all.
-Touched touch_shifted(ServoState& state, const SurfacePatch& patch, const Drift& drifting, const Tip& probe,
-                      double dt) {
-    const vec3 fading = state.shift * (tick_seconds / shift_time);
-    state.shift -= fading;
-    const vec3 tip = probe.position + state.shift;
+/// Computes the contact with the patch. Frame motion and the decaying offset bring the world closer but must
+/// not press the tip in, so the offset grows by as much. The force therefore grows only by the motion of the
+/// hand and of things. A player who stands with the wand at a wall feels the same force after turning. After
+/// a jump, nothing is pressed in at all.
+ContactResult touch_with_offset(ServoState& state, const SurfacePatch& patch, const FrameMotion& drifting,
+                                const Tip& probe, double dt) {
+    const vec3 fading = state.contact_offset * (tick_seconds / contact_offset_decay);
+    state.contact_offset -= fading;
+    const vec3 tip = probe.position + state.contact_offset;
     const vec3 drift = drifting.velocity + glm::cross(drifting.spin, tip);
     const vec3 over_drift = probe.velocity + drift;
-    const Touched touched = touch(patch, state.surface, {tip, over_drift}, dt);
+    const ContactResult touched = touch(patch, state.surface, {tip, over_drift}, dt);
     const double depth = glm::length(touched.push);
     if (depth == 0) return touched;
     const vec3 out = touched.push / depth;
     const double pressed = probe.switched ? depth : std::min(glm::dot(drift * dt + fading, out), depth);
     if (!(pressed > 0)) return touched;
-    state.shift += pressed * out;
-    if (!is_finite(state.shift)) state.shift = {};
+    state.contact_offset += pressed * out;
+    if (!is_finite(state.contact_offset)) state.contact_offset = {};
     return touch(patch, state.surface, {tip + pressed * out, over_drift}, 0);
 }
 
-SurfaceFeel feel_patch(ServoState& state, const SurfacePatch& patch, const Drift& drift, const Tip& probe,
-                       double dt) {
-    const vec3 shift = state.shift;
-    const Touched touched = touch_shifted(state, patch, drift, probe, dt);
+SurfaceForces feel_patch(ServoState& state, const SurfacePatch& patch, const FrameMotion& drift,
+                         const Tip& probe, double dt) {
+    const vec3 offset_before = state.contact_offset;
+    const ContactResult touched = touch_with_offset(state, patch, drift, probe, dt);
     if (touched.force == vec3(0)) return {};
-    const vec3 stretch = touched.proxy - (probe.position + state.shift);
+    const vec3 stretch = touched.proxy - (probe.position + state.contact_offset);
     return {.force = touched.force,
-            .world_step = step_of_touched(patch, state.surface, touched.proxy) - (state.shift - shift),
+            .world_step =
+                step_of_touched(patch, state.surface, touched.proxy) - (state.contact_offset - offset_before),
             .stored = std::max(0.0, glm::dot(touched.force, stretch) / 2),
             .stretch = glm::length(stretch),
             .active = has_active_texture(patch)};
 }
 
-/// By a model that is too old things stand still: soon there is no force.
-SurfaceFeel feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age, const Tip& probe) {
+/// Evaluates the patch. Things stand still if the model is too old; the force soon ends then.
+SurfaceForces feel_surfaces(ServoState& state, const HapticModel& model, std::uint32_t age,
+                            const Tip& probe) {
     if (model.patch.count == 0) {
-        state.shift -= state.shift * (tick_seconds / shift_time);
+        state.contact_offset -= state.contact_offset * (tick_seconds / contact_offset_decay);
         state.surface = {};
         return {};
     }
-    if (age == 0) return feel_patch(state, model.patch, model.drift, probe, tick_seconds);
+    if (age == 0) return feel_patch(state, model.patch, model.frame_motion, probe, tick_seconds);
     const bool moves = age <= freshest_ticks;
     const auto patch = moved_on(model.patch, std::min(age, freshest_ticks) * tick_seconds);
-    return feel_patch(state, patch, model.drift, probe, moves ? tick_seconds : 0);
+    return feel_patch(state, patch, model.frame_motion, probe, moves ? tick_seconds : 0);
 }
 
 // ---- energy -------------------------------------------------------------------------------------------------------
 
-/// N, on the tip, by kind of source.
+/// Forces on the tip by kind of source (N).
 struct Sources {
     vec3 passive{}, active{};
-    vec3 world{};  ///< of the passive force, what the world has its other end of
+    vec3 world{};  ///< part of the passive force whose other end the world holds
 };
 
-/// A directed force has no lowest place: it may push for ever, and is an active source.
+/// A directed force has no minimum of energy. It may push for ever and is an active source.
 bool conservative(const PrimitiveSet& set) {
     const auto items = set.items();
     return std::none_of(items.begin(), items.end(),
                         [](const Primitive& p) { return p.kind == PrimitiveKind::directed; });
 }
 
-/// J, above the lowest place of what pulls at a proxy.
+/// Potential of a primitive, above its minimum (J).
 double potential(const Primitive& primitive, vec3 proxy) {
     const vec3 off = proxy - primitive.position;
     const double along = glm::dot(off, primitive.direction);
@@ -203,7 +208,8 @@ double potential(const Primitive& primitive, vec3 proxy) {
     return 0;
 }
 
-/// Stored energy of a spring (J) that would hold `energy` at `stretch` (m) if the cap (N) let all of its force through.
+/// Stored energy of a spring (J) that would hold `energy` at `stretch` (m) if the cap (N) let all of its
+/// force through.
 double within_cap(double energy, double stretch, double cap) {
     const double pull = 2 * energy / stretch;
     if (!(pull > cap)) return energy;
@@ -217,7 +223,7 @@ double tether_energy(const Tether& tether, vec3 tip, double cap) {
     return within_cap(tether.stiffness * glm::dot(off, off) / 2, glm::length(off), cap);
 }
 
-/// Energy that tether and primitives hold (J): what lies beyond the cap was never put in.
+/// Energy that tether and primitives hold (J). Energy beyond the cap was never put in.
 double spring_energy(const ServoState& state, const HapticModel& model, const Tether& tether, vec3 tip,
                      double cap) {
     double held = tether_energy(tether, tip, cap);
@@ -233,59 +239,64 @@ double spring_energy(const ServoState& state, const HapticModel& model, const Te
 }
 
 /// Most energy that surfaces and detents hold (J).
-double other_energy(const Tether& tether, const SurfaceFeel& surfaces, double cap) {
+double other_energy(const Tether& tether, const SurfaceForces& surfaces, double cap) {
     const double notches = tether.stiffness > 0 ? tether.detents.depth * tether.detents.width / pi : 0;
     return notches + (surfaces.active ? 0 : within_cap(surfaces.stored, surfaces.stretch, cap));
 }
 
-/// Largest force that a spring has at the device now (N): less than the cap while the device is warm, none while nothing is felt. A
-/// spring stretched meanwhile holds less than its potential, and the difference was not created.
-double most_felt(const Servo& servo, const SafetyState& safety) {
+/// Largest force that a spring exerts at the device now (N): less than the cap while the motors are warm,
+/// zero while the output is stopped. A spring stretched meanwhile holds less than its potential, and the
+/// difference was not created.
+double largest_felt_force(const Servo& servo, const SafetyState& safety) {
     const bool whole = safety.cause <= static_cast<std::uint32_t>(SafetyCause::capped);
     return whole ? servo.limits.cap : glm::length(safety.output);
 }
 
-/// Energy that the tether will create until the force of this tick has acted (J). The device holds every force for a tick, and brings it
-/// late; meanwhile the spring relaxes. A hand of 2 m/s crosses the whole spring of a Falcon in that time.
-double expected_creation(const Servo& servo, const EnergyBook& book, const Tether& tether, const Tip& tip) {
+/// Energy that the tether will create until the force of this tick has acted (J). The device holds every
+/// force for a tick and delays it; meanwhile the spring relaxes. A hand at 2 m/s crosses the whole spring of
+/// a Falcon in that time.
+double expected_creation(const Servo& servo, const PassivityObserver& observer, const Tether& tether,
+                         const Tip& tip) {
     if (!(tether.stiffness > 0)) return 0;
     const double cap = servo.limits.cap;
     const vec3 step = (tip.velocity - tether.anchor_velocity) * tick_seconds;
     const vec3 pull = limited(tether.stiffness * (tether.anchor - tip.position), cap);
-    const double work = work_on_the_way(book, step, servo.latency) + glm::dot(pull, step);
+    const double work = pending_work(observer, step, servo.latency) + glm::dot(pull, step);
     const double ahead = tether_energy(tether, tip.position + (servo.latency + 1.0) * step, cap);
     return std::max(0.0, work + ahead - tether_energy(tether, tip.position, cap));
 }
 
-/// A thing that moves goes on: where it is now, by a model that is `age` ticks old. By one that is too old nothing is felt, so it stays
-/// where that began.
+/// Moves the anchor of a tether on to the present, for a model that is `age` ticks old. A model that is too
+/// old gives no force, so its anchor stops there.
 Tether moved_on(Tether tether, std::uint32_t age) {
     tether.anchor += tether.anchor_velocity * (std::min(age, freshest_ticks) * tick_seconds);
     return tether;
 }
 
-/// Books what the last tick did, and keeps active sources within their budget. Returns the brake that keeps passive ones passive (N). The
-/// energy that a source holds when it comes is not its own creation: whoever stretched it put it there.
-vec3 keep_books(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
-                const Tip& tip, const SurfaceFeel& surfaces, const FluidFeel& fluid, Sources& sources) {
-    const double felt = most_felt(servo, state.safety);
+/// Updates the passivity observer and limits active sources to their budget. Returns the brake that keeps
+/// passive sources passive (N). A source that appears already stretched did not create that energy itself.
+vec3 update_energy(const Servo& servo, ServoState& state, const HapticModel& model, const Tether& tether,
+                   const Tip& tip, const SurfaceForces& surfaces, const FluidForces& fluid,
+                   Sources& sources) {
+    const double felt = largest_felt_force(servo, state.safety);
     const double springs = spring_energy(state, model, tether, tip.position, servo.limits.cap);
     const double held =
         felt < servo.limits.cap ? spring_energy(state, model, tether, tip.position, felt) : springs;
     const double stored = springs + other_energy(tether, surfaces, servo.limits.cap) + fluid.stored;
-    // Who is tethered touches nothing else.
+    // A tethered hand touches nothing else.
     const vec3 step = tether.stiffness > 0 ? tether.anchor_velocity * tick_seconds : surfaces.world_step;
-    observe(state.energy, tip.position, step, stored, servo.latency, fluid.brought);
+    observe(state.energy, tip.position, step, stored, servo.latency, fluid.supplied);
     if (tip.switched) state.energy.created = -stored;
     sources.active = within_budget(state.energy, sources.active, tip.velocity);
     const double taken = surplus(state.energy, held + expected_creation(servo, state.energy, tether, tip));
-    if (!(taken > 0)) return vec3(0);  // and the velocity, which takes half of a quiet step, is not asked for
+    if (!(taken > 0)) return vec3(0);  // skips the velocity, which takes half the time of a quiet step
     return passivity_control(taken, prompt_velocity(state, servo.quantum), servo.most_damping);
 }
 
 }  // namespace
 
-/// (n/pi) (cos(pi k/n) - cos(pi (k+1)/n)), as the product that does not subtract two numbers which are nearly equal.
+/// (n/pi) (cos(pi k/n) - cos(pi (k+1)/n)), written as a product so that no nearly equal numbers are
+/// subtracted.
 double half_sine(std::uint32_t at, std::uint32_t length) {
     if (at >= length) return 0;
     const double half_tick = pi / (2.0 * length);
@@ -325,7 +336,7 @@ ServoState resumed(const ServoState& before) {
     state.safety.fast_ticks = state.safety.stale_ticks = 0;
     state.safety.cause = static_cast<std::uint32_t>(SafetyCause::stale);
     state.last_pulse = before.last_pulse;
-    state.energy.given = before.energy.given;
+    state.energy.active_work = before.energy.active_work;
     state.energy.most_created = before.energy.most_created;
     return state;
 }
@@ -378,18 +389,18 @@ double path_speed(const ServoState& state, double quantum) {
 }
 
 vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model, const ServoSample& sample) {
-    const vec3 velocity = note_position(state, sample.position);
+    const vec3 velocity = store_position(state, sample.position);
     const bool cut_off = start_pulse(state, model.pulse);
-    const bool set_jumped = note_set(state, model);
-    const bool source_jumped = note_sources(state, model);
-    const bool patch_jumped = note_patch(state, model);
-    const bool fluid_jumped = note_fluid(state.fluid, model.fluid);
+    const bool set_jumped = detect_set_switch(state, model);
+    const bool source_jumped = detect_source_switch(state, model);
+    const bool patch_jumped = detect_patch_switch(state, model);
+    const bool fluid_jumped = detect_fluid_switch(state.fluid, model.fluid);
     const bool switched = set_jumped || source_jumped || patch_jumped || fluid_jumped;
-    const SurfaceFeel surfaces =
+    const SurfaceForces surfaces =
         feel_surfaces(state, model, sample.model_age, {sample.position, velocity, patch_jumped});
     const Tether tether = moved_on(model.tether, sample.model_age);
     const vec3 spring = tether_force(tether, sample.position, velocity);
-    Sources sources{.active = play_pulses(state) + model.lean.force, .world = spring};
+    Sources sources{.active = play_pulses(state) + model.steady_force.force, .world = spring};
     (surfaces.active ? sources.active : sources.world) += surfaces.force;
     sources.passive = sources.world;
     if (model.primitives.items().empty()) {
@@ -399,15 +410,15 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
         const vec3 force = feel_primitives(state, model, sample.position, velocity);
         (conservative(model.primitives) ? sources.passive : sources.active) += force;
     }
-    FluidFeel fluid;
+    FluidForces fluid;
     if (state.fluid.number != 0) {
         fluid = feel_fluid(model.fluid, state.fluid,
                            {sample.position, velocity, sample.model_age, servo.most_damping});
         sources.passive += fluid.passive;
         sources.active += fluid.active;
     }
-    const vec3 brake = keep_books(servo, state, model, tether, {sample.position, velocity, switched},
-                                  surfaces, fluid, sources);
+    const vec3 brake = update_energy(servo, state, model, tether, {sample.position, velocity, switched},
+                                     surfaces, fluid, sources);
     const vec3 output = make_safe(servo.limits, state.safety,
                                   {.wanted = sources.passive + sources.active,
                                    .spring = spring,
@@ -420,7 +431,8 @@ vec3 servo_step(const Servo& servo, ServoState& state, const HapticModel& model,
                                    .on = model.on,
                                    .panic = model.panic,
                                    .rearm = model.rearm});
-    enter(state.energy, output, sources.passive, sources.active, sources.world, state.safety.lag);
+    record_output(state.energy, output, sources.passive, sources.active, sources.world,
+                  state.safety.unrequested);
     return output;
 }
 

@@ -8,27 +8,28 @@
 namespace thaum::haptics {
 namespace {
 
-/// Stops and starts in one tick; with a constant force and an even target there can be three. Beyond: held until its end.
+/// Largest number of stops and releases within one tick. A constant force and an evenly moving target allow
+/// three at most. After the last one the axis is held until the tick ends.
 constexpr int most_phases = 8;
 constexpr int most_refinements = 60;
 
-/// One axis at some moment of a tick.
+/// State of one axis at some moment of a tick.
 struct Axis {
     double position, velocity;
     double target, target_velocity;
-    double force;  // constant in the tick
+    double force;  // constant within the tick (N)
 };
 
-/// On the body, but for dry friction.
+/// Force on the body without dry friction (N).
 double load(const SimulatedDevice& d, const Axis& a) {
     return a.force + d.stiffness * (a.target - a.position) +
            d.hand_damping * (a.target_velocity - a.velocity) - d.damping * a.velocity;
 }
 
-/// One way, so that friction is constant and all is linear.
-struct Slide {
+/// Motion in one direction. Friction is constant there, so the equation of motion is linear.
+struct SlidePhase {
     const SimulatedDevice& device;
-    double velocity, acceleration;  // at its start
+    double velocity, acceleration;  // at the start of the phase (m/s, m/s^2)
     double target_velocity;
 
     double velocity_at(const Response& r) const {
@@ -53,8 +54,9 @@ struct Value {
     double value, slope;
 };
 
-/// Where `of` is zero between low and high, at whose ends its signs differ: Newton's method, halving where that leaves the
-/// bracket. A last step of 1e-10 of the bracket leaves an error of its square.
+/// Finds the zero of a function between low and high, where its values have different signs. Newton's method;
+/// it bisects where a step would leave the bracket. A last step of 1e-10 of the bracket leaves an error of
+/// the square of that.
 template <class Of>
 double root(Of of, double low, double high, bool positive_at_low, double guess) {
     const double small = 1e-10 * (high - low);
@@ -64,12 +66,12 @@ double root(Of of, double low, double high, bool positive_at_low, double guess) 
         ((f.value > 0) == positive_at_low ? low : high) = at;
         const double next = at - f.value / f.slope;
         if (std::abs(next - at) <= small) return std::clamp(next, low, high);
-        at = next >= low && next <= high ? next : (low + high) / 2;  // halves for NaN too
+        at = next >= low && next <= high ? next : (low + high) / 2;  // bisects for NaN too
     }
     return at;
 }
 
-double turning_point(const Slide& s, double end) {
+double turning_point(const SlidePhase& s, double end) {
     const auto of = [&s](double t) {
         const Response r = response(s.device.oscillator, t);
         return Value{s.acceleration_at(r), s.jerk_at(r)};
@@ -77,7 +79,7 @@ double turning_point(const Slide& s, double end) {
     return root(of, 0, end, s.acceleration > 0, end / 2);
 }
 
-double standstill(const Slide& s, double begin, double end, double direction) {
+double standstill(const SlidePhase& s, double begin, double end, double direction) {
     const auto of = [&s](double t) {
         const Response r = response(s.device.oscillator, t);
         return Value{s.velocity_at(r), s.acceleration_at(r)};
@@ -85,9 +87,10 @@ double standstill(const Slide& s, double begin, double end, double direction) {
     return root(of, begin, end, direction > 0, -s.velocity / s.acceleration);
 }
 
-/// When a slide in `direction` first comes to a stop, if before `whole` ends; else negative. The velocity turns at most once in
-/// so short a time, which leaves three pictures: it ends on the other side; it dips across and comes back; it does neither.
-double stop_time(const Slide& s, const Response& whole, double direction) {
+/// Returns the time at which a slide in `direction` first stops, or a negative number if it does not stop
+/// within `whole`. The velocity turns at most once in so short a time. So there are three cases: the velocity
+/// changes sign; it dips below zero and comes back; it does neither.
+double stop_time(const SlidePhase& s, const Response& whole, double direction) {
     const bool crossed = s.velocity_at(whole) * direction < 0;
     const bool starts_by_falling = s.acceleration * direction < 0;
     if (crossed) {
@@ -100,13 +103,14 @@ double stop_time(const Slide& s, const Response& whole, double direction) {
     return standstill(s, 0, lowest, direction);
 }
 
-void move(Axis& a, const Slide& s, const Response& r) {
+void move(Axis& a, const SlidePhase& s, const Response& r) {
     a.position += s.path(r);
     a.velocity = s.velocity_at(r);
     a.target += a.target_velocity * r.t;
 }
 
-/// How long dry friction holds a body at rest whose load is within its limits, while the target moves on.
+/// Returns the time for which dry friction holds a resting body while the target moves (s). The load must be
+/// within the friction's limits.
 double holding_time(const SimulatedDevice& d, const Axis& a, double left) {
     const double rate = d.stiffness * a.target_velocity;
     if (rate == 0) return left;
@@ -116,9 +120,9 @@ double holding_time(const SimulatedDevice& d, const Axis& a, double left) {
 
 void hold(Axis& a, double time) { a.target += a.target_velocity * time; }
 
-/// From rest or motion to the next stop, or to the end. Returns the time that is left.
+/// Slides to the next stop or to the end of the tick. Returns the time that is left (s).
 double slide_on(const SimulatedDevice& d, Axis& a, double direction, double acceleration, double left) {
-    const Slide s{d, a.velocity, acceleration, a.target_velocity};
+    const SlidePhase s{d, a.velocity, acceleration, a.target_velocity};
     const Response whole = left == d.dt ? d.tick : response(d.oscillator, left);
     const double stop = stop_time(s, whole, direction);
     if (stop < 0) {
@@ -147,7 +151,7 @@ void advance_with_friction(const SimulatedDevice& d, Axis& a) {
         const double held = holding_time(d, a, left);
         hold(a, held);
         left -= held;
-        // At the moment of letting go load and friction cancel; what rounding leaves of them must not start it backwards.
+        // Load and friction cancel at the release. Their rounding error must not start the body backwards.
         if (left > 0) left = slide_on(d, a, a.target_velocity > 0 ? 1 : -1, 0, left);
     }
     if (left > 0) hold(a, left);
@@ -158,7 +162,7 @@ void advance(const SimulatedDevice& d, Axis& a) {
     move(a, {d, a.velocity, load(d, a) / d.mass, a.target_velocity}, d.tick);
 }
 
-/// The commands pass through a queue of `latency` ticks.
+/// Delays a command by `latency` ticks.
 vec3 delayed(const SimulatedDevice& d, SimulatedState& state, vec3 command) {
     if (d.latency == 0) return command;
     auto& queue = state.commanded;
@@ -171,7 +175,7 @@ vec3 delayed(const SimulatedDevice& d, SimulatedState& state, vec3 command) {
 
 vec3 saturated(vec3 force, double most) {
     if (!is_finite(force)) return {};
-    // First by components, since the length of a huge vector overflows.
+    // Components come first because the length of a huge vector overflows.
     const double largest = std::max({std::abs(force.x), std::abs(force.y), std::abs(force.z)});
     if (largest > most) force *= most / largest;
     return limited(force, most);
@@ -199,7 +203,7 @@ SimulatedDevice simulated_device(const DeviceSpec& spec, const Hand& hand, doubl
                       .peak_force = spec.peak_force,
                       .quantum = spec.position_quantum,
                       .reach = spec.workspace / 2.0,
-                      .target_step = hand.fastest * dt,
+                      .target_step = hand.max_target_speed * dt,
                       .latency = spec.latency,
                       .dt = dt};
     THAUM_ASSERT(d.mass > 0 && dt > 0, "a simulated device needs a mass and a tick");

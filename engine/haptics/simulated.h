@@ -1,20 +1,21 @@
-// haptics/simulated.h: a force feedback device made of numbers, held by a hand made of numbers. Mouse, pad and bots hold
-// one: they move the hand's target, so that forces move the probe as they would a real one.
+// haptics/simulated.h: a simulated force feedback device, held by a simulated hand. Mouse, gamepad and bots
+// move the hand's target. Forces move the simulated device as they would move a real one.
 //
-//     target ---- hand's spring and damper ----[ mechanism + hand's mass ]---- viscous damping, dry friction ---- ground
-//                                                        ^ force: saturated, delayed
+//     target -- hand's spring and damper --[ mechanism + hand's mass ]-- viscous damping, dry friction -- ground
+//                                                    ^ force: saturated, delayed
 //
-// The hand grips rigidly: one body on each axis. Skin would make two, joined by a spring so stiff (a few kN/m on 50 g) that it
-// rings above the servo's own band and cannot be told from a rigid grip at 1 kHz; and with one body both the motion and
-// the moments at which dry friction stops it and lets go have closed forms.
+// The hand grips rigidly, so each axis has one body. Skin would need a second body on a spring of a few kN/m
+// and 50 g. That pair rings above the servo's band, so at 1 kHz it cannot be told from a rigid grip. With one
+// body, the motion and the moments at which dry friction stops and releases it have closed forms.
 //
-// In a tick the force is constant and the target moves evenly, so between two such moments the motion is exact
-// (haptics/oscillator.h). The moment of a stop is the first zero of the velocity, found by a bracketed Newton's method to
-// rounding; the moment of letting go is a linear equation. So the error of a tick is that of rounding, with friction too.
-// Dry friction acts on each axis by itself, as the friction of three joints does, with equal static and sliding values: along
-// a diagonal it holds up to sqrt 3 times as much.
+// The force is constant and the target moves evenly within a tick. The motion between two such moments is
+// therefore exact (haptics/oscillator.h). The stop is the first zero of the velocity, found to rounding by a
+// bracketed Newton's method. The release is the solution of a linear equation. The error of a tick is
+// rounding only, with friction too. Dry friction acts on each axis by itself, like the friction of three
+// joints. Its static and sliding values are equal. Along a diagonal it therefore holds up to sqrt 3 times as
+// much.
 //
-// The same bits on every processor. No allocation. SimulatedState is all that a tick leaves behind.
+// Results have the same bits on every processor. No allocation. SimulatedState is the whole state.
 #pragma once
 #include <array>
 
@@ -25,60 +26,66 @@
 
 namespace thaum::haptics {
 
-/// A mass on a spring and damper to where it wants to be. The defaults are assumed: between a loose arm (measured in one
-/// person: 0.55 kg, 135 N/m, 6.5 N s/m; Scientific Reports 5:18004) and a firm grip of a stylus.
+/// Simulated hand: a mass tied to a target by a spring and a damper. The defaults are assumed. They lie
+/// between a loose arm and a firm grip of a stylus. The loose arm was measured on one person: 0.55 kg, 135
+/// N/m, 6.5 N s/m (Scientific Reports 5:18004).
 struct Hand {
-    double mass = 0.15;      ///< kg
-    double stiffness = 400;  ///< N/m
-    double damping = 10;     ///< N s/m, against the target's velocity
-    double fastest = 3;      ///< m/s, of its target; what asks for more is followed at this speed
+    double mass = 0.15;      ///< mass of the hand (kg)
+    double stiffness = 400;  ///< stiffness towards the target (N/m)
+    double damping = 10;     ///< damping against the target's velocity (N s/m)
+    /// Largest speed of the target (m/s); faster requests are followed at this speed.
+    double max_target_speed = 3;
 };
 
-/// The bare device.
+/// No hand: the bare device.
 inline constexpr Hand no_hand{.mass = 0, .stiffness = 0, .damping = 0};
 
-/// What no tick changes.
+/// Constants of a simulated device and the hand that holds it.
 struct SimulatedDevice {
-    double mass{};          ///< kg, mechanism and hand
-    double stiffness{};     ///< N/m, the hand's
-    double hand_damping{};  ///< N s/m, to the target
-    double damping{};       ///< N s/m, to the ground
-    double friction{};      ///< N, on each axis
-    double peak_force{};    ///< N
-    double quantum{};       ///< m
-    vec3 reach{};           ///< m, half the workspace
-    double target_step{};   ///< m, the most that the target moves in a tick
-    int latency{};          ///< ticks
-    double dt{};            ///< s, of a tick
+    double mass{};          ///< mass of mechanism and hand (kg)
+    double stiffness{};     ///< stiffness of the hand (N/m)
+    double hand_damping{};  ///< damping between hand and target (N s/m)
+    double damping{};       ///< damping between device and ground (N s/m)
+    double friction{};      ///< dry friction on each axis (N)
+    double peak_force{};    ///< largest length of the force (N)
+    double quantum{};       ///< position per encoder count (m)
+    vec3 reach{};           ///< half the edges of the workspace (m)
+    double target_step{};   ///< largest motion of the target in a tick (m)
+    int latency{};          ///< delay of the force (ticks)
+    double dt{};            ///< length of a tick (s)
     Oscillator oscillator{};
-    Response tick{};  ///< over dt
+    Response tick{};  ///< response of the oscillator over one tick
 };
 
-/// dt in s, so short that the held device takes more than a sixth of a second-order period: sqrt(stiffness / mass) dt <= 3.
+/// Prepares a simulated device. `dt` is the length of a tick (s). The tick must be short against the hand's
+/// oscillation: sqrt(stiffness / mass) dt <= 3.
 SimulatedDevice simulated_device(const DeviceSpec& spec, const Hand& hand, double dt = tick_seconds);
 
-/// Device frame. 12 vectors of doubles without padding.
+/// State of a simulated device and its hand (device frame). It has no padding.
 struct SimulatedState {
-    vec3 position{};                             ///< m, of the tip: true, not as measured
-    vec3 velocity{};                             ///< m/s; exactly zero on an axis that dry friction holds
-    vec3 target{};                               ///< m, of the hand
-    vec3 force{};                                ///< N, that acted on the tip in the last tick
-    std::array<vec3, most_latency> commanded{};  ///< N, on their way: first the one that acts next
+    vec3 position{};  ///< true position of the tip, not the measured one (m)
+    vec3 velocity{};  ///< velocity of the tip (m/s); exactly zero on an axis that dry friction holds
+    vec3 target{};    ///< target of the hand (m)
+    vec3 force{};     ///< force that acted on the tip in the last tick (N)
+    /// Commanded forces that have not acted yet, the next one first (N).
+    std::array<vec3, most_latency> commanded{};
 };
 static_assert(sizeof(SimulatedState) == (4 + most_latency) * 3 * sizeof(double));
 
-/// At rest, the hand wanting to be there.
+/// A device at rest, with the hand's target at the same position (m).
 SimulatedState resting_at(vec3 position);
 
-/// Where the encoders say that the tip is, m: a whole number of quanta.
+/// Position of the tip as the encoders report it (m): a whole number of quanta.
 vec3 measured_position(const SimulatedDevice& device, const SimulatedState& state);
 
-/// One tick. target (m) is where the hand wants to be at its end; it is kept in the workspace, and followed not faster than
-/// the hand can; one that is not finite is ignored. force (N) is the command computed from the position at its beginning;
-/// one that is not finite counts as zero. The end stops of the workspace are plastic and act at the end of the tick.
+/// Advances the device by one tick. `target` is the target of the hand at the end of the tick (m). It is
+/// clamped to the workspace and followed no faster than the hand can move. A target that is not finite is
+/// ignored. `force` is the command computed from the position at the beginning of the tick (N). A force that
+/// is not finite counts as zero. The end stops of the workspace are plastic and act at the end of the tick.
 SimulatedState step(const SimulatedDevice& device, const SimulatedState& state, vec3 target, vec3 force);
 
-/// J, of motion and of the hand's spring: never grows while the target rests and no force is commanded.
+/// Kinetic energy plus the energy of the hand's spring (J). It never grows while the target rests and no
+/// force is commanded.
 double energy(const SimulatedDevice& device, const SimulatedState& state);
 
 }  // namespace thaum::haptics

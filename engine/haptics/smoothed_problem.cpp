@@ -3,7 +3,7 @@
 namespace thaum::haptics::balancing {
 namespace {
 
-/// The smoothed problem's slope along the step, at the part t of it; N m.
+/// Slope of the smoothed problem along the step, at the fraction t of it (N m).
 double slope_along(const Problem& problem, vec3 x, double smoothing, vec3 step, double t) {
     double slope = glm::dot(problem.stiffness * (x + t * step) - problem.target, step);
     for (const Term& term : terms_of(problem)) {
@@ -14,7 +14,8 @@ double slope_along(const Problem& problem, vec3 x, double smoothing, vec3 step, 
     return slope;
 }
 
-/// Where on the step between low and high a kink is nearest: there the slope jumps. The middle where there is none.
+/// Position between low and high at which a kink is nearest to the step: the slope jumps there. The middle if
+/// there is none.
 double next_try(const Problem& problem, vec3 step, double low, double high) {
     for (const Term& term : terms_of(problem)) {
         const vec3 moved = project(term, step);
@@ -26,12 +27,12 @@ double next_try(const Problem& problem, vec3 step, double low, double high) {
 
 struct Part {
     double taken = 1;
-    bool good = false;      ///< all of it, and the slope is small there
-    bool falls_on = false;  ///< all of it, and it falls on
+    bool good = false;      ///< the whole step was taken and the slope at its end is small
+    bool falls_on = false;  ///< the whole step was taken and the problem still falls at its end
 };
 
-/// How much of the step to take: all of it, unless the smoothed problem rises there more steeply than a quarter of its fall
-/// at the start; then about as far as to its lowest place.
+/// Chooses the fraction of the step. The whole step, unless the smoothed problem rises at its end more
+/// steeply than a quarter of the initial fall; then about the fraction up to the lowest place.
 Part part_of(const Problem& problem, vec3 x, double smoothing, vec3 step, double fall) {
     double low = 0, high = 1, t = 1;
     for (int tries = 0; tries < 24; ++tries) {

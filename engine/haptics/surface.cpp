@@ -9,34 +9,35 @@
 namespace thaum::haptics {
 namespace {
 
-/// A wall's share of the force on the hand.
+/// Share of a wall in the force on the hand.
 struct Share {
     vec3 force{};    ///< N
     double depth{};  ///< depth that is felt (m)
 };
 using Shares = std::array<Share, most_walls>;
 
-/// They are at most four.
+/// Sorts the walls by load. There are at most four.
 void most_loaded_first(Walls& walls) {
     for (std::size_t i = 1; i < walls.count; ++i)
         for (std::size_t j = i; j > 0 && walls.items[j - 1].depth < walls.items[j].depth; --j)
             std::swap(walls.items[j - 1], walls.items[j]);
 }
 
-/// N, on the hand. Of it each wall's `share`: its own push, and by its depth of what all have together.
-vec3 force_of(const Scene& scene, const Slide& slide, const SurfaceTip& tip, Shares& shares) {
+/// Computes the force on the hand (N). Each wall's share is its own push, plus a part of the common force in
+/// proportion to its depth.
+vec3 force_of(const Scene& scene, const SlideState& slide, const SurfaceTip& tip, Shares& shares) {
     double depth = 0, stiffness = 0, damping = 0;
     vec3 push(0), velocity(0), spring = slide.x - tip.position;
     for (std::size_t i = 0; i < slide.walls.count; ++i) {
         const Wall& wall = slide.walls.items[i];
         const SurfaceBody& body = scene.body_of(wall.surface);
-        const Felt here = felt(scene, wall, slide.x);
+        const TexturedPush here = textured_push(scene, wall, slide.x);
         depth += here.depth;
         stiffness += here.depth * body.material.stiffness;
         damping += here.depth * body.material.damping;
-        push += here.depth * here.way;
-        spring += here.depth * here.way - wall.depth * wall.normal;
-        shares[i] = {here.depth * here.way, here.depth};
+        push += here.depth * here.direction;
+        spring += here.depth * here.direction - wall.depth * wall.normal;
+        shares[i] = {here.depth * here.direction, here.depth};
         velocity += here.depth * (body.velocity + glm::cross(body.spin, slide.x - body.position));
     }
     const double length = glm::length(push);
@@ -52,7 +53,7 @@ vec3 force_of(const Scene& scene, const Slide& slide, const SurfaceTip& tip, Sha
     return force;
 }
 
-void remember(const Scene& scene, SurfaceState& state, const Slide& slide, const Shares& shares) {
+void remember(const Scene& scene, SurfaceState& state, const SlideState& slide, const Shares& shares) {
     const auto& walls = slide.walls;
     state = {.proxy = slide.x, .begun = 1};
     state.contacts = static_cast<std::uint32_t>(std::min<std::size_t>(walls.count, 3));
@@ -67,34 +68,35 @@ void remember(const Scene& scene, SurfaceState& state, const Slide& slide, const
 }  // namespace
 
 SurfacePatch moved_on(SurfacePatch patch, double seconds) {
-    std::array<Carrier, surface_body_capacity> carriers;
+    std::array<BodyMotion, surface_body_capacity> motions;
     const auto bodies = std::min<std::size_t>(patch.body_count, surface_body_capacity);
     for (std::size_t i = 0; i < bodies; ++i) {
         SurfaceBody& body = patch.bodies[i];
         const vec3 before = body.position;
         body.position += seconds * body.velocity;
-        carriers[i] = carrier_of(body, seconds);
-        carriers[i].pivot_before = before;
-        body.orientation = carriers[i].turning
-                               ? glm::normalize(glm::quat_cast(carriers[i].turn) * body.orientation)
+        motions[i] = motion_of(body, seconds);
+        motions[i].pivot_before = before;
+        body.orientation = motions[i].turning
+                               ? glm::normalize(glm::quat_cast(motions[i].turn) * body.orientation)
                                : body.orientation;
     }
     const auto count = std::min<std::size_t>(patch.count, surface_capacity);
     for (std::size_t i = 0; i < count; ++i) {
         Surface& surface = patch.surfaces[i];
-        if (surface.body >= bodies || !carriers[surface.body].moving) continue;
-        const Carrier& carrier = carriers[surface.body];
-        surface.a = carrier.now(surface.a);
+        if (surface.body >= bodies || !motions[surface.body].moving) continue;
+        const BodyMotion& motion = motions[surface.body];
+        surface.a = motion.now(surface.a);
         if (surface.kind == SurfaceKind::plane)
-            surface.b = carrier.turning ? carrier.turn * surface.b : surface.b;
+            surface.b = motion.turning ? motion.turn * surface.b : surface.b;
         if (!is_triangle(surface.kind)) continue;
-        surface.b = carrier.now(surface.b);
-        surface.c = carrier.now(surface.c);
+        surface.b = motion.now(surface.b);
+        surface.c = motion.now(surface.c);
     }
     return patch;
 }
 
-Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip, double dt) noexcept {
+ContactResult touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& tip,
+                    double dt) noexcept {
     if (!is_finite(tip.position)) {
         state = {};
         return {.proxy = tip.position};
@@ -107,7 +109,7 @@ Touched touch(const SurfacePatch& patch, SurfaceState& state, const SurfaceTip& 
     set_scene(scene, patch, dt);
     if (state.begun == 0) state.proxy = tip.position;
     const vec3 start = pushed_out(scene, state, carried(scene, state));
-    Slide slide = slide_to(scene, start, tip.position, state.sliding != 0);
+    SlideState slide = slide_to(scene, start, tip.position, state.sliding != 0);
     most_loaded_first(slide.walls);
     Shares shares{};
     const vec3 force = force_of(scene, slide, tip, shares);

@@ -6,7 +6,7 @@
 
 namespace thaum::haptics {
 
-Felt felt(const Scene& scene, const Wall& wall, vec3 x) {
+TexturedPush textured_push(const Scene& scene, const Wall& wall, vec3 x) {
     const SurfaceBody& body = scene.body_of(wall.surface);
     const Texture& texture = body.material.texture;
     const double top = top_of(texture);
@@ -28,7 +28,7 @@ double friction_reach(const Scene& scene, std::span<const Wall> walls, vec3 x, b
         const double friction = sliding ? m.dynamic_friction : m.static_friction;
         if (!(friction > 0)) continue;
         const bool smooth = top_of(m.texture) == 0;
-        reach += friction * (smooth ? wall.depth : felt(scene, wall, x).depth);
+        reach += friction * (smooth ? wall.depth : textured_push(scene, wall, x).depth);
     }
     return reach;
 }

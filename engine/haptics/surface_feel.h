@@ -1,4 +1,4 @@
-// haptics/surface_feel.h: how deep the tip feels to be behind a wall, and how far friction holds the proxy.
+// haptics/surface_feel.h: depth of the tip behind a textured wall, and the reach of friction.
 #pragma once
 #include <span>
 
@@ -6,15 +6,15 @@
 
 namespace thaum::haptics {
 
-/// A wall's push with its texture.
-struct Felt {
-    double depth{};  ///< depth that is felt (m)
-    vec3 way{};      ///< direction of the push; unit, but longer for bumps
+/// Push of a wall with its texture.
+struct TexturedPush {
+    double depth{};    ///< depth that the hand feels (m)
+    vec3 direction{};  ///< direction of the push; a unit vector except for bumps, where it is longer
 };
 
-Felt felt(const Scene& scene, const Wall& wall, vec3 x);
+TexturedPush textured_push(const Scene& scene, const Wall& wall, vec3 x);
 
-/// Pull along the walls up to which friction holds a proxy at x: the sum of the depths times the friction (m).
+/// Largest pull along the walls at which friction holds a proxy at x: the sum of depth times friction (m).
 double friction_reach(const Scene& scene, std::span<const Wall> walls, vec3 x, bool sliding);
 
 inline double friction_reach(const Scene& scene, const Walls& walls, vec3 x, bool sliding) {

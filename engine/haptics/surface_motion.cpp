@@ -7,7 +7,8 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double resting_slack = 5e-4;  // distance that a touched triangle may have moved unannounced (m)
+// Distance that a touched triangle may move without telling its velocity (m).
+constexpr double resting_slack = 5e-4;
 constexpr int most_pushes = 4;
 
 bool was_touched(const Scene& scene, const SurfaceState& state, std::uint32_t i) {
@@ -18,11 +19,10 @@ bool was_touched(const Scene& scene, const SurfaceState& state, std::uint32_t i)
     return false;
 }
 
-/// Whether a flat surface is now before the proxy, which came from in front of it. One that was touched and moved a
-/// little more
-/// than it said counts too.
-bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, vec3 from, vec3 x,
-             Wall& wall) {
+/// Whether a flat surface moved over the proxy, which was in front of it before. A touched surface also
+/// counts if it moved slightly more than its velocity says.
+bool moved_over(const Scene& scene, const SurfaceState& state, const Facet& flat, vec3 from, vec3 x,
+                Wall& wall) {
     if (from != x) {
         Hit hit;
         sweep_flat(scene, flat, Sweep(from, x - from), hit);
@@ -30,16 +30,16 @@ bool overran(const Scene& scene, const SurfaceState& state, const Facet& flat, v
         if (hit.at <= 1) return true;
     }
     const double height = glm::dot(flat.normal, x) - flat.offset;
-    if (height >= flat.gap - tight) return false;
+    if (height >= flat.gap - place_tolerance) return false;
     wall = {flat.normal, flat.offset + flat.gap, 0, flat.surface};
     if (flat.kind == SurfaceKind::plane) return true;
     return flat.kind == SurfaceKind::triangle && height < 0 && height > -resting_slack &&
            was_touched(scene, state, flat.surface) &&
-           over_triangle(scene.surface(flat.surface), flat.normal, x, tight);
+           over_triangle(scene.surface(flat.surface), flat.normal, x, place_tolerance);
 }
 
-/// Likewise a solid: nothing may stay inside.
-bool overran(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall) {
+/// Whether a solid moved over the proxy. The proxy must not stay inside.
+bool moved_over(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall) {
     if (from != x) {
         Hit hit;
         sweep_solid(scene, i, Sweep(from, x - from), hit);
@@ -49,24 +49,26 @@ bool overran(const Scene& scene, std::uint32_t i, vec3 from, vec3 x, Wall& wall)
     if (scene.beyond(i, x, 0)) return false;
     const Distance d = to_solid(scene.surface(i), scene.body_of(i).orientation, x);
     wall = wall_at(scene, x, d, i);
-    return d.value < scene.gap[i] - tight;
+    return d.value < scene.gap[i] - place_tolerance;
 }
 
 using Places = std::array<vec3, surface_body_capacity>;
 
-/// Adds the walls that overran the proxy; whether there were some. from: where each body would have taken it.
-bool add_overrun(const Scene& scene, const SurfaceState& state, const Places& from, vec3 x, Walls& walls) {
+/// Adds the walls that moved over the proxy. Returns false if there are none. `from`: position of the proxy
+/// if carried by each body.
+bool add_walls_that_moved_over(const Scene& scene, const SurfaceState& state, const Places& from, vec3 x,
+                               Walls& walls) {
     bool pushed = false;
     Wall wall;
     for (std::uint32_t i = 0; i < scene.flat_count && walls.count < most_walls; ++i) {
         const Facet& flat = scene.flats[i];
-        if (!overran(scene, state, flat, from[scene.surface(flat.surface).body], x, wall)) continue;
+        if (!moved_over(scene, state, flat, from[scene.surface(flat.surface).body], x, wall)) continue;
         add_wall(walls, wall);
         pushed = true;
     }
     for (std::uint32_t i = 0; i < scene.solid_count && walls.count < most_walls; ++i) {
         const std::uint32_t solid = scene.solids[i];
-        if (!overran(scene, solid, from[scene.surface(solid).body], x, wall)) continue;
+        if (!moved_over(scene, solid, from[scene.surface(solid).body], x, wall)) continue;
         add_wall(walls, wall);
         pushed = true;
     }
@@ -78,19 +80,19 @@ bool add_overrun(const Scene& scene, const SurfaceState& state, const Places& fr
 vec3 carried(const Scene& scene, const SurfaceState& state) {
     if (state.contacts == 0) return state.proxy;
     for (std::uint32_t i = 0; i < scene.body_count; ++i) {
-        if (scene.patch->bodies[i].key == state.touched[0].key) return scene.carriers[i].now(state.proxy);
+        if (scene.patch->bodies[i].key == state.touched[0].key) return scene.motions[i].now(state.proxy);
     }
     return state.proxy;
 }
 
 vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start) {
     Places from;
-    for (std::uint32_t i = 0; i < scene.body_count; ++i) from[i] = scene.carriers[i].now(state.proxy);
+    for (std::uint32_t i = 0; i < scene.body_count; ++i) from[i] = scene.motions[i].now(state.proxy);
     Walls walls;
     vec3 x = start;
     for (int round = 0; round < most_pushes; ++round) {
         const std::size_t before = walls.count;
-        if (!add_overrun(scene, state, from, x, walls)) return x;
+        if (!add_walls_that_moved_over(scene, state, from, x, walls)) return x;
         const NearestPlace goal = nearest_place(walls, start);
         if (!goal.found) return x;
         x = goal.place;

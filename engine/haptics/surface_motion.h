@@ -1,14 +1,14 @@
-// haptics/surface_motion.h: how moving bodies take the proxy along before it goes towards the tip.
+// haptics/surface_motion.h: motion of the proxy by moving bodies, before it moves towards the tip.
 #pragma once
 #include "haptics/surface_scene.h"
 
 namespace thaum::haptics {
 
-/// Place to which the body that bore most of the last push carries the proxy (m).
+/// Position to which the most loaded body of the last tick carries the proxy (m).
 vec3 carried(const Scene& scene, const SurfaceState& state);
 
-/// Place of the proxy after the bodies' motion, outside all of them (m). Between two bodies that close on it one must
-/// give.
+/// Position of the proxy after the bodies' motion, outside all of them (m). If two bodies close on it, the
+/// proxy stays inside one of them.
 vec3 pushed_out(const Scene& scene, const SurfaceState& state, vec3 start);
 
 }  // namespace thaum::haptics

@@ -9,20 +9,21 @@
 namespace thaum::haptics {
 namespace {
 
-// ---- pieces of surfaces ---------------------------------------------------------------------------------------------
+// ---- pieces of surfaces -----------------------------------------------------------------------------------
 
 /// Smooth part of a surface: a plane, or all places at one distance from a point or a line.
 struct Piece {
     enum class Kind : std::uint8_t { plane, about_point, about_line } kind{};
-    int zone{};  ///< which part of its solid: -1, 0 and 1 are the lower end, the side and the upper end of a capsule
-    vec3 centre{};    ///< a place of the core (m)
+    /// Part of its solid: -1, 0 and 1 are the lower end, the side and the upper end of a capsule.
+    int zone{};
+    vec3 centre{};    ///< a point of the core (m)
     vec3 axis{};      ///< direction of the line, or normal of the plane (unit)
-    double radius{};  ///< distance from the core, the gap included; offset of the plane (m)
+    double radius{};  ///< distance from the core with the gap; for a plane its offset (m)
 };
 
 constexpr int not_round = 2;  // zone of the caps and edges of a solid
 
-/// Part of a solid that is nearest to x, which lies outside.
+/// Part of a solid nearest to x, which lies outside.
 int zone_of(const Surface& s, quat orientation, vec3 x) {
     if (s.kind == SurfaceKind::sphere) return 0;
     if (s.kind != SurfaceKind::capsule && s.kind != SurfaceKind::cylinder) return not_round;
@@ -54,7 +55,7 @@ Piece piece_at(const Scene& scene, const Wall& wall, vec3 x) {
     return {Piece::Kind::about_point, zone, s.a + zone * s.b.y * axis, {}, radius};
 }
 
-/// Way from the core to y (m).
+/// Displacement from the core to y (m).
 vec3 from_core(const Piece& piece, vec3 y) {
     const vec3 arm = y - piece.centre;
     return piece.kind == Piece::Kind::about_line ? arm - glm::dot(arm, piece.axis) * piece.axis : arm;
@@ -74,29 +75,29 @@ double bend_along(const Piece& piece, vec3 y, vec3 tangent) {
     return (1 - along * along) / glm::length(from_core(piece, y));
 }
 
-// ---- paths ----------------------------------------------------------------------------------------------------------
+// ---- paths ------------------------------------------------------------------------------------------------
 
 /// Path along one or two pieces, from 0 at the proxy to 1 at the goal.
 struct Path {
     std::array<Piece, 2> pieces{};
     std::size_t count{};
-    vec3 from{}, way{};  ///< two pieces: the straight line that is projected onto both
-    bool has_end{};      ///< two pieces: its last place is known
-    vec3 end{};          ///< that place (m)
-    vec3 core{};         ///< one piece, from here on: the core's place nearest to the tip (m)
-    vec3 out{};          ///< direction from there to the tip (unit)
-    vec3 side{};         ///< direction at right angles to `out`, to the proxy's side (unit)
+    vec3 from{}, way{};  ///< two pieces: straight line that is projected onto both
+    bool has_end{};      ///< two pieces: the last place is known
+    vec3 end{};          ///< last place (m)
+    vec3 core{};         ///< one piece, here and below: point of the core nearest to the tip (m)
+    vec3 out{};          ///< direction from `core` to the tip (unit)
+    vec3 side{};         ///< direction at right angles to `out`, on the proxy's side (unit)
     double half_tan{};   ///< tangent of half the angle from `out` to the proxy
     double axial{};      ///< distance of the proxy from `core` along the axis (m)
-    double ratio{};      ///< distance of the tip from the core over that of the proxy
+    double ratio{};      ///< distance of the tip from the core divided by that of the proxy
 };
 
-/// Moves y onto both pieces, each time by the shortest way to their tangent planes.
+/// Moves y onto both pieces, each time along the shortest displacement to their tangent planes.
 bool onto_both(const std::array<Piece, 2>& pieces, vec3& y) {
     constexpr int most_steps = 12;
     constexpr double parallel = 1e-12;
-    constexpr double last =
-        1e-9;  // m; after a step so short the error is its square over the radius: rounding
+    // m; after a step this short, the error is its square over the radius, which is rounding.
+    constexpr double last = 1e-9;
     for (int n = 0; n < most_steps; ++n) {
         const Distance a = distance_to(pieces[0], y), b = distance_to(pieces[1], y);
         const double g = glm::dot(a.normal, b.normal), sine2 = 1 - g * g;
@@ -108,7 +109,7 @@ bool onto_both(const std::array<Piece, 2>& pieces, vec3& y) {
     return false;
 }
 
-/// Place on a path, s from 0 to 1. False where the two pieces have none.
+/// Place on a path, s from 0 to 1. Returns false if the two pieces do not meet there.
 bool place_on(const Path& path, double s, vec3& y) {
     if (path.count == 2) {
         y = path.from + s * path.way;
@@ -127,7 +128,7 @@ bool place_on(const Path& path, double s, vec3& y) {
 
 /// Path of steepest descent to the place on one piece that is nearest to the tip.
 Path path_on_one(const Piece& piece, vec3 x, vec3 tip) {
-    constexpr double opposite = 1e-15;  // sine, below which the pull has no direction round the core
+    constexpr double opposite = 1e-15;  // sine below which the pull has no direction round the core
     Path path{.pieces = {piece}, .count = 1};
     const double height =
         piece.kind == Piece::Kind::about_line ? glm::dot(tip - piece.centre, piece.axis) : 0;
@@ -149,9 +150,10 @@ Path path_on_one(const Piece& piece, vec3 x, vec3 tip) {
     return path;
 }
 
-/// Newton's step along the curve of two pieces, to where the pull has no part along it.
+/// Newton's step along the curve of two pieces, to the place where the pull has no component along it.
 Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 direction) {
-    constexpr double flattest = 1e-3;  // second derivative, relative to a straight curve's, that is trusted
+    // Smallest trusted second derivative, relative to that of a straight curve.
+    constexpr double flattest = 1e-3;
     Path path{.pieces = {a, b}, .count = 2, .from = x};
     const vec3 na = distance_to(a, x).normal, nb = distance_to(b, x).normal;
     const vec3 cross = glm::cross(na, nb);
@@ -171,16 +173,16 @@ Path path_on_two(const Piece& a, const Piece& b, vec3 x, vec3 tip, vec3 directio
     return path;
 }
 
-// ---- where a path ends ----------------------------------------------------------------------------------------------
+// ---- where a path ends ------------------------------------------------------------------------------------
 
-/// How a path's walls hold the proxy.
+/// Loads of the walls that hold the proxy on a path.
 struct Loads {
-    double least{};   ///< smallest depth of a wall; the wall lets go at zero (m)
+    double least{};   ///< smallest depth of a wall; at zero the wall releases the proxy (m)
     double pull{};    ///< pull along the walls (m)
-    double excess{};  ///< part of it that friction does not hold (m)
+    double excess{};  ///< part of the pull that friction does not hold (m)
 };
 
-/// A path with what is needed to judge its places.
+/// A path, with the data needed to evaluate its places.
 struct Track {
     const Scene* scene{};
     const Walls* walls{};
@@ -188,8 +190,9 @@ struct Track {
     Path path{};
     vec3 tip{};
 
-    mutable double known_s{-1};  ///< where the path's place was asked for last
-    mutable vec3 known{};        ///< place there (m); its loads, its pieces and its end ask for the same one
+    mutable double known_s{-1};  ///< parameter of the last place computed
+    /// That place (m), cached because loads, pieces and end ask for the same one.
+    mutable vec3 known{};
 
     vec3 at(double s) const {
         if (s == known_s) return known;
@@ -202,7 +205,7 @@ struct Track {
     }
 };
 
-/// Depths of the walls of a path at its place y: for two walls, of the push that both have together.
+/// Sets the depths of the walls at the place y of a path. Two walls share the push that both have together.
 void set_depths(std::span<Wall> walls, const Path& path, vec3 y, vec3 pull) {
     for (std::size_t i = 0; i < walls.size(); ++i) {
         walls[i].normal = distance_to(path.pieces[i], y).normal;
@@ -231,14 +234,14 @@ Loads loads_at(const Track& track, double s) {
     return {least, length, length - friction_reach(*track.scene, walls, y, true)};
 }
 
-/// A value of a function of the path.
+/// Value of a function at a place of the path.
 struct Sample {
     double s{}, value{};
 };
 
-/// Place where a function falls to zero between two samples, above and below zero: by the secant of the last two
-/// samples, or by
-/// halving where that leads out of the bracket. The value there is at most zero, or within the tolerance.
+/// Place where a function falls to zero between two samples, one above and one below zero. Uses the secant of
+/// the last two samples, or bisection if the secant leaves the bracket. The value there is at most zero, or
+/// within the tolerance.
 template <class Function>
 double fall_to_zero(const Function& function, Sample above, Sample below, double guess, double tolerance) {
     constexpr int most_samples = 64;
@@ -256,7 +259,7 @@ double fall_to_zero(const Function& function, Sample above, Sample below, double
     return below.s;
 }
 
-/// Last place of a path up to which a condition holds, by halving; the condition fails at `end`.
+/// Finds by bisection the last place of a path up to which a condition holds. It fails at `end`.
 template <class Condition>
 double fails_at(const Condition& condition, double end) {
     constexpr int halvings = 60;
@@ -268,7 +271,8 @@ double fails_at(const Condition& condition, double end) {
     return first;
 }
 
-/// Place between two where the walls let go or friction holds, or the second one. They do neither at the first one.
+/// First place between two where the walls release the proxy or friction holds it, else the second one.
+/// Neither is true at the first one.
 double hold_between(const Track& track, double from, const Loads& start, double to) {
     constexpr double exact = 1e-16;
     double end = to;
@@ -279,14 +283,14 @@ double hold_between(const Track& track, double from, const Loads& start, double 
                            {end, loads.least}, even, exact);
         loads = loads_at(track, end);
     }
-    if (loads.excess >= -0.5 * tight) return end;
+    if (loads.excess >= -0.5 * place_tolerance) return end;
     const double if_straight = from + (to - from) * (start.excess / start.pull);
     return fall_to_zero([&](double s) { return loads_at(track, s).excess; }, {from, start.excess},
-                        {end, loads.excess}, if_straight, 0.5 * tight);
+                        {end, loads.excess}, if_straight, 0.5 * place_tolerance);
 }
 
-/// Whether a path turns so far up to a place that its walls may let go on the way and hold again there, or friction
-/// likewise.
+/// Whether a path turns far up to a place. Its walls may then release the proxy and hold it again on the way,
+/// or friction may.
 bool is_long(const Path& path, double end) {
     constexpr double far = 0.1;  // rad
     if (path.count == 1) return path.half_tan > 1 && path.axial != 0;
@@ -296,7 +300,8 @@ bool is_long(const Path& path, double end) {
     });
 }
 
-/// First place where the walls let go or friction holds, or the end. A long path is looked at again, in parts.
+/// First place where the walls release the proxy or friction holds it, else the end. A long path is examined
+/// again, in parts.
 double hold_at(const Track& track, const Loads& start) {
     constexpr int parts = 8;
     const double last = hold_between(track, 0, start, 1);
@@ -313,7 +318,7 @@ double hold_at(const Track& track, const Loads& start) {
     return last;
 }
 
-/// Whether all walls have the same piece at a place as at the path's start.
+/// Whether all walls have the same piece at a place as at the start of the path.
 bool on_its_pieces(const Track& track, double s) {
     const vec3 y = track.at(s);
     for (std::size_t i = 0; i < track.walls->count; ++i) {
@@ -326,14 +331,14 @@ bool on_its_pieces(const Track& track, double s) {
     return true;
 }
 
-/// Place where a path leaves its pieces. The rounding of an edge is as wide as the gap: a path that begins on it goes
-/// on beyond it, along tangent planes that have the whole of each body behind them. Otherwise the proxy would hang on
-/// the edge.
+/// Place where a path leaves its pieces. The rounding of an edge is as wide as the gap. A path that starts on
+/// it continues beyond it, along tangent planes that have the whole of each body behind them. Otherwise the
+/// proxy would hang on the edge.
 double end_of_pieces(const Track& track, double end) {
     constexpr double over_an_edge = 5 * surface_gap;  // m
     const double last = fails_at([&](double s) { return on_its_pieces(track, s); }, end);
     const vec3 start = track.at(0);
-    if (glm::length(track.at(last) - start) > tight) return last;
+    if (glm::length(track.at(last) - start) > place_tolerance) return last;
     const double length = glm::length(track.at(end) - start);
     return length > over_an_edge ? end * (over_an_edge / length) : end;
 }
@@ -344,9 +349,9 @@ bool within_reach(const Track& track, double s) {
     return glm::dot(arm, arm) <= patch.reach * patch.reach;
 }
 
-// ---- the sweep ------------------------------------------------------------------------------------------------------
+// ---- the sweep --------------------------------------------------------------------------------------------
 
-/// Direction that rises above all pieces by one each.
+/// Direction that rises by one above each piece.
 vec3 outward(const Path& path, vec3 y) {
     constexpr double steepest = 0.1;
     const vec3 a = distance_to(path.pieces[0], y).normal;
@@ -367,13 +372,13 @@ Obstacle obstacle_on(const Scene& scene, const Sweep& way, SurfaceSet passed_ove
     return {hit.at <= 1, way.from + std::min(hit.at, 1.0) * way.step, hit.wall};
 }
 
-/// Two tangents between places of a path, that lie outside of the path's own surfaces.
+/// Two tangents between places of a path, outside the path's own surfaces.
 struct Tangents {
     vec3 from{}, apex{}, to{};
     double reach{};  ///< no place of them is farther from the first one (m)
 };
 
-/// The tangents between two places of a path, of which the first one, a, is known.
+/// Tangents between two places of a path. The first place, a, is given.
 Tangents tangents_between(const Track& track, double from, vec3 a, double to) {
     constexpr double above_tangents = 1.2;
     const vec3 b = track.at(to), middle = track.at(0.5 * (from + to));
@@ -389,15 +394,15 @@ Obstacle obstacle_on(const Scene& scene, const Tangents& tangents, SurfaceSet pa
     return first.met ? first : obstacle_on(scene, Sweep(apex, tangents.to - apex), passed_over);
 }
 
-/// Whether the patch holds no surfaces but those of the walls.
+/// Whether the patch has no surfaces except those of the walls.
 bool alone(const Scene& scene, const Walls& walls) {
     return scene.flat_count + scene.solid_count == walls.count;
 }
 
-/// Goes along a path up to a place or to the first obstacle. Where the tangents meet something, the path itself may
-/// pass beneath it: so a part of the path is halved until it is free or too short to pass, and doubled after each free
-/// part. From the second part on, only surfaces that are near enough are swept. Where no sweeps are left, the way
-/// ends there.
+/// Moves along a path up to a place or to the first obstacle. If the tangents meet something, the path itself
+/// may still pass beneath it. So a part of the path is halved until it is free or too short to pass, and
+/// doubled after each free part. From the second part on, only surfaces that are near enough are swept. The
+/// move ends when no sweeps are left.
 Obstacle travel(const Track& track, double end, int& sweeps_left) {
     constexpr double shortest = 1e-9;  // m; on a radius of 1 mm the tangents are then nowhere 1e-15 m outside
     constexpr int most_parts = 200;
@@ -448,21 +453,21 @@ void drop_least(Walls& walls) {
     --walls.count;
 }
 
-/// Three walls leave no freedom: what is left of the way is rounding, or a Newton step to their corner.
-RoundEnd step_to_corner(const Scene& scene, Slide& slide, vec3 corner) {
+/// Three walls leave no freedom. The remaining displacement is rounding, or a Newton step to their corner.
+RoundEnd step_to_corner(const Scene& scene, SlideState& slide, vec3 corner) {
     const Sweep way(slide.x, corner - slide.x);
     const Hit hit = first_hit(scene, way);
     slide.x += std::min(hit.at, 1.0) * way.step;
     if (hit.at <= 1) add_wall(slide.walls, hit.wall);
-    return way.length * std::min(hit.at, 1.0) > tight ? RoundEnd::moved : RoundEnd::rests;
+    return way.length * std::min(hit.at, 1.0) > place_tolerance ? RoundEnd::moved : RoundEnd::rests;
 }
 
-/// Adds a surface against which the proxy stands already. Its wall counts before the path's end is sought.
-bool add_blocking(const Scene& scene, Slide& slide, vec3 tangent) {
+/// Adds a surface at which the proxy already stands. Its wall counts before the path's end is computed.
+bool add_blocking(const Scene& scene, SlideState& slide, vec3 tangent) {
     if (alone(scene, slide.walls)) return false;
     const Sweep ahead(slide.x, tangent - slide.x);
     const Hit hit = first_hit(scene, ahead, surfaces_of(slide.walls));
-    if (hit.at * ahead.length > tight) return false;
+    if (hit.at * ahead.length > place_tolerance) return false;
     add_wall(slide.walls, hit.wall);
     return true;
 }
@@ -478,7 +483,7 @@ bool is_round(const Scene& scene, const Walls& walls, vec3 x) {
 }
 
 void refresh_round(const Scene& scene, Walls& walls, vec3 x, bool moved) {
-    constexpr double slack = 10 * tight;
+    constexpr double slack = 10 * place_tolerance;
     for (std::size_t i = 0; i < walls.count; ++i) {
         Wall& wall = walls.items[i];
         wall.met_here = wall.depth == 0 || (wall.met_here && !moved);
@@ -499,9 +504,9 @@ void refresh_round(const Scene& scene, Walls& walls, vec3 x, bool moved) {
     walls.count = kept;
 }
 
-RoundEnd slide_round(const Scene& scene, Slide& slide, const RoundGoal& goal) {
+RoundEnd slide_round(const Scene& scene, SlideState& slide, const RoundGoal& goal) {
     const double pull = glm::length(slide.x - goal.tangent);
-    if (pull <= friction_reach(scene, slide.walls, slide.x, goal.was_sliding || slide.slid) + tight)
+    if (pull <= friction_reach(scene, slide.walls, slide.x, goal.was_sliding || slide.slid) + place_tolerance)
         return RoundEnd::rests;
     if (slide.walls.count > 2) return step_to_corner(scene, slide, goal.tangent);
     if (add_blocking(scene, slide, goal.tangent)) return RoundEnd::moved;
@@ -518,7 +523,7 @@ RoundEnd slide_round(const Scene& scene, Slide& slide, const RoundGoal& goal) {
     const bool limited = scene.patch->reach < HUGE_VAL && !within_reach(track, end);
     if (limited) end = fails_at([&](double s) { return within_reach(track, s); }, end);
     const Obstacle obstacle = travel(track, end, slide.sweeps_left);
-    const bool moved = glm::length(obstacle.place - slide.x) > tight;
+    const bool moved = glm::length(obstacle.place - slide.x) > place_tolerance;
     slide.slid = slide.slid || moved;
     slide.x = obstacle.place;
     if (obstacle.met) {

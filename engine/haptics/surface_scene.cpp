@@ -7,7 +7,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// Leaves out a triangle without area.
+/// Adds a flat surface, unless it is a triangle without area.
 void add_flat(Scene& scene, std::uint32_t i) {
     const Surface& s = scene.surface(i);
     const vec3 normal = s.kind == SurfaceKind::plane ? s.b : glm::cross(s.b - s.a, s.c - s.a);
@@ -46,16 +46,16 @@ Distance to_cylinder(vec3 p, double radius, double half) {
 
 }  // namespace
 
-Carrier carrier_of(const SurfaceBody& body, double dt) {
-    Carrier carrier;
-    carrier.moving = body.velocity != vec3(0) || body.spin != vec3(0);
-    if (!carrier.moving) return carrier;
-    carrier.pivot = body.position;
-    carrier.pivot_before = body.position - dt * body.velocity;
+BodyMotion motion_of(const SurfaceBody& body, double dt) {
+    BodyMotion motion;
+    motion.moving = body.velocity != vec3(0) || body.spin != vec3(0);
+    if (!motion.moving) return motion;
+    motion.pivot = body.position;
+    motion.pivot_before = body.position - dt * body.velocity;
     const double speed = glm::length(body.spin);
-    carrier.turning = speed > 0;
-    if (carrier.turning) carrier.turn = glm::mat3_cast(rotation(body.spin / speed, speed * dt));
-    return carrier;
+    motion.turning = speed > 0;
+    if (motion.turning) motion.turn = glm::mat3_cast(rotation(body.spin / speed, speed * dt));
+    return motion;
 }
 
 void set_scene(Scene& scene, const SurfacePatch& patch, double dt) {
@@ -65,7 +65,7 @@ void set_scene(Scene& scene, const SurfacePatch& patch, double dt) {
         static_cast<std::uint32_t>(std::min<std::size_t>(patch.body_count, surface_body_capacity));
     std::array<double, surface_body_capacity> gaps{};
     for (std::uint32_t i = 0; i < scene.body_count; ++i) {
-        scene.carriers[i] = carrier_of(patch.bodies[i], dt);
+        scene.motions[i] = motion_of(patch.bodies[i], dt);
         gaps[i] = surface_gap + top_of(patch.bodies[i].material.texture);
     }
     const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(patch.count, surface_capacity));
@@ -102,7 +102,8 @@ bool over_triangle(const Surface& s, vec3 normal, vec3 p, double slack) {
     const std::array corners{s.a, s.b, s.c};
     for (std::size_t i = 0; i < 3; ++i) {
         const vec3 from = corners[i], edge = corners[(i + 1) % 3] - from;
-        const double inward = glm::dot(glm::cross(normal, edge), p - from);  // times the edge's length
+        // Multiplied by the edge's length.
+        const double inward = glm::dot(glm::cross(normal, edge), p - from);
         if (inward < 0 && inward * inward > slack * slack * glm::dot(edge, edge)) return false;
     }
     return true;

@@ -1,20 +1,18 @@
 // haptics/surface_scene.h: a patch prepared for one tick, and distances to its surfaces.
 //
-// All distances are to the surface `surface_gap` outside the true one: rounding (1e-16 of a coordinate) then never
-// decides on which
-// side the proxy is. A triangle is hit where the path crosses the triangle itself, not its offset plane: between the
-// offset
-// planes of two triangles that meet in a ridge there would be a slit. So a mesh whose triangles share corners has no
-// holes.
+// All distances are to the surface `surface_gap` outside the true one. Rounding (1e-16 of a coordinate) then
+// never decides on which side the proxy is. A triangle is hit if the path crosses the triangle itself, not
+// its offset plane. Between the offset planes of two triangles that meet in a ridge there would be a slit. So
+// a mesh whose triangles share corners has no holes.
 #pragma once
 #include "haptics/surface.h"
 
 namespace thaum::haptics {
 
-inline constexpr double tight = 1e-13;  ///< distance below which two places are the same (m)
+inline constexpr double place_tolerance = 1e-13;  ///< distance below which two places are the same (m)
 
-/// Motion of a body over the last tick: `now` maps a place of the tick before to its place in this one.
-struct Carrier {
+/// Motion of a body over the last tick. `now` maps a place of the last tick to its present place.
+struct BodyMotion {
     mat3 turn{1.0};
     vec3 pivot_before{};
     vec3 pivot{};
@@ -28,18 +26,19 @@ struct Carrier {
     }
 };
 
-Carrier carrier_of(const SurfaceBody& body, double dt);
+BodyMotion motion_of(const SurfaceBody& body, double dt);
 
-/// A plane, or that of a triangle, close together in memory: each sweep looks at all of them.
+/// A plane, or the plane of a triangle. They are stored together because each sweep reads all of them.
 struct Facet {
     vec3 normal;
-    double offset;  ///< offset of the true surface's plane (m)
-    double gap;     ///< distance at which the proxy stays before it, with the texture's top (m)
+    /// Plane of the true surface is at this distance from the origin along the normal (m).
+    double offset;
+    double gap;  ///< distance of the proxy in front of it, with the texture's top (m)
     std::uint32_t surface;
     SurfaceKind kind;
 };
 
-/// What a tick computes once from a patch. Only the entries below the counts are set.
+/// Data that a tick computes once from a patch. Only entries below the counts are set.
 struct Scene {
     const SurfacePatch* patch;
     std::uint32_t flat_count;
@@ -49,13 +48,14 @@ struct Scene {
     std::array<std::uint32_t, surface_capacity> solids;
     std::array<vec3, surface_capacity> normal;  ///< normals of the flat surfaces (unit)
     std::array<double, surface_capacity> gap;
-    std::array<double, surface_capacity>
-        extent;  ///< no part of a solid is farther from its centre, the gap included (m)
-    std::array<Carrier, surface_body_capacity> carriers;
+    /// Largest distance of any part of a solid from its centre, with the gap (m).
+    std::array<double, surface_capacity> extent;
+    std::array<BodyMotion, surface_body_capacity> motions;
 
     const Surface& surface(std::uint32_t i) const { return patch->surfaces[i]; }
     const SurfaceBody& body_of(std::uint32_t i) const { return patch->bodies[surface(i).body]; }
-    /// Whether a solid is farther than `distance` from a place: most are, and this is known without a square root.
+    /// Whether a solid is farther than `distance` from a place. Most solids are; the test needs no square
+    /// root.
     bool beyond(std::uint32_t solid, vec3 place, double distance) const {
         const vec3 arm = place - patch->surfaces[solid].a;
         const double near = extent[solid] + distance;
@@ -72,13 +72,13 @@ inline bool is_triangle(SurfaceKind kind) {
 
 struct Distance {
     double value;  ///< distance from the true surface, negative inside (m)
-    vec3 normal;   ///< unit, outward
+    vec3 normal;   ///< outward normal (unit)
 };
 
-/// Distance to a solid that is no half-space.
+/// Distance to a solid other than a half-space.
 Distance to_solid(const Surface& s, quat orientation, vec3 p);
 
-/// Whether the plane's point p lies in the triangle, or at most `slack` (m) beside it.
+/// Whether the point p of the plane lies in the triangle, or at most `slack` (m) beside it.
 bool over_triangle(const Surface& s, vec3 normal, vec3 p, double slack);
 
 }  // namespace thaum::haptics

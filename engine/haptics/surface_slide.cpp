@@ -11,7 +11,7 @@ namespace {
 
 constexpr int most_moves = 32;
 
-/// Fraction of a straight path from x that the patch's reach allows.
+/// Fraction of a straight path from x that stays within the patch's reach.
 double allowed(const SurfacePatch& patch, vec3 x, vec3 way) {
     if (!(patch.reach < HUGE_VAL)) return 1;
     const vec3 arm = x - patch.centre;
@@ -23,42 +23,41 @@ double allowed(const SurfacePatch& patch, vec3 x, vec3 way) {
     return root > 0 ? std::clamp((std::sqrt(root) - b) / a, 0.0, 1.0) : 0.0;
 }
 
-bool supported(const Scene& scene, const Slide& slide) {
+bool supported(const Scene& scene, const SlideState& slide) {
     for (std::size_t i = 0; i < slide.walls.count; ++i)
         if (!stands(scene, slide.walls.items[i], slide.x)) return false;
     return true;
 }
 
-/// Place to which friction lets the proxy go on a straight way to its goal.
-vec3 held_back(const Scene& scene, const Slide& slide, vec3 goal, bool sliding) {
+/// Place up to which friction lets the proxy move on a straight path to its goal.
+vec3 held_back(const Scene& scene, const SlideState& slide, vec3 goal, bool sliding) {
     if (slide.walls.count == 0) return goal;
     const vec3 away = slide.x - goal;
     const double distance = glm::length(away);
-    if (distance <= friction_reach(scene, slide.walls, slide.x, sliding || slide.slid) + tight)
+    if (distance <= friction_reach(scene, slide.walls, slide.x, sliding || slide.slid) + place_tolerance)
         return slide.x;
     return goal + away * (friction_reach(scene, slide.walls, slide.x, true) / distance);
 }
 
-/// Moves by a part of the way, as far as it is free.
-void move_by(Slide& slide, vec3 way) {
+/// Moves the proxy by the free part of the path.
+void move_by(SlideState& slide, vec3 way) {
     slide.x += way;
-    if (slide.walls.count != 0 && glm::dot(way, way) > tight * tight) slide.slid = true;
+    if (slide.walls.count != 0 && glm::dot(way, way) > place_tolerance * place_tolerance) slide.slid = true;
 }
 
 enum class Straight : std::uint8_t { met_a_wall, arrived, limited };
 
-/// Surface at which the proxy stands on its way, though the patch's reach leaves it no way to go; without it a force
-/// would end where
-/// the patch ends.
-Hit hit_at_reach(const Scene& scene, const Slide& slide, vec3 way) {
+/// Surface at which the proxy stands on its path although the patch's reach leaves no room to move. Without
+/// it, a force would end where the patch ends.
+Hit hit_at_reach(const Scene& scene, const SlideState& slide, vec3 way) {
     const Sweep ahead(slide.x, way);
     Hit hit = first_hit(scene, ahead);
-    if (hit.at * ahead.length > tight) hit.at = 2;
+    if (hit.at * ahead.length > place_tolerance) hit.at = 2;
     return hit;
 }
 
-/// Goes straight towards the goal until a surface, friction or the patch's reach stops the proxy.
-Straight go_straight(const Scene& scene, Slide& slide, vec3 goal, bool was_sliding) {
+/// Moves straight towards the goal until a surface, friction or the patch's reach stops the proxy.
+Straight go_straight(const Scene& scene, SlideState& slide, vec3 goal, bool was_sliding) {
     const vec3 whole = held_back(scene, slide, goal, was_sliding) - slide.x;
     const double part = allowed(*scene.patch, slide.x, whole);
     const vec3 way = part * whole;
@@ -73,10 +72,9 @@ Straight go_straight(const Scene& scene, Slide& slide, vec3 goal, bool was_slidi
     return slide.limited ? Straight::limited : Straight::arrived;
 }
 
-/// Ends a slide that has used up its moves or its patch. Where no wall is left, the last walls that held the proxy go
-/// on doing so:
-/// a force never vanishes because the moves are used up.
-void settle(const Scene& scene, Slide& slide, vec3 tip, const Walls& held) {
+/// Ends a slide that has used up its moves or its patch. If no wall is left, the last walls that held the
+/// proxy stay: the force never vanishes because the moves are used up.
+void settle(const Scene& scene, SlideState& slide, vec3 tip, const Walls& held) {
     if (is_round(scene, slide.walls, slide.x)) {
         refresh_round(scene, slide.walls, slide.x, false);
         if (!nearest_place(slide.walls, tip).found) slide.walls = held;
@@ -87,7 +85,7 @@ void settle(const Scene& scene, Slide& slide, vec3 tip, const Walls& held) {
 }  // namespace
 
 bool stands(const Scene& scene, const Wall& wall, vec3 x) {
-    constexpr double slack = 10 * tight;
+    constexpr double slack = 10 * place_tolerance;
     const std::uint32_t i = wall.surface;
     const Surface& s = scene.surface(i);
     if (is_triangle(s.kind)) return over_triangle(s, scene.normal[i], x, slack);
@@ -97,17 +95,17 @@ bool stands(const Scene& scene, const Wall& wall, vec3 x) {
     return here.value <= scene.gap[i] + slack && turned <= slack;
 }
 
-Slide slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
-    Slide slide{.x = start};
+SlideState slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
+    SlideState slide{.x = start};
     Walls held;
     vec3 cleared{}, last = start;
     bool first = true;
     for (int move = 0; move < most_moves; ++move) {
-        refresh_round(scene, slide.walls, slide.x, glm::length(slide.x - last) > tight);
+        refresh_round(scene, slide.walls, slide.x, glm::length(slide.x - last) > place_tolerance);
         last = slide.x;
         const Walls before = slide.walls;
         const NearestPlace goal = nearest_place(slide.walls, tip);
-        if (!goal.found) {  // no room: stays, held by those that were there before
+        if (!goal.found) {  // no room: the proxy stays, held by the walls before
             slide.walls = held.count != 0 ? held : before;
             return slide;
         }
@@ -121,7 +119,7 @@ Slide slide_to(const Scene& scene, vec3 start, vec3 tip, bool was_sliding) {
         const Straight end = go_straight(scene, slide, goal.place, was_sliding);
         if (end == Straight::met_a_wall) continue;
         if (end == Straight::limited || slide.walls.count == 0 || supported(scene, slide)) return slide;
-        if (!first && glm::length(slide.x - cleared) < tight) return slide;
+        if (!first && glm::length(slide.x - cleared) < place_tolerance) return slide;
         first = false;
         cleared = slide.x;
         slide.walls.count = 0;

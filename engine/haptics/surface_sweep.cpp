@@ -7,10 +7,11 @@ namespace {
 
 constexpr int most_advances = 60;  // grazing a round side halves the gap each time
 
-/// Whether a hit comes before another; of two at once the one that is met more squarely.
+/// Whether a hit comes before another one. Of two simultaneous hits, the one at the steeper angle comes
+/// first.
 bool sooner(double at, double drop, const Hit& than, double length) {
     const double lead = (than.at - at) * length;
-    return lead > tight || (lead > -tight && drop > than.drop);
+    return lead > place_tolerance || (lead > -place_tolerance && drop > than.drop);
 }
 
 }  // namespace
@@ -27,20 +28,21 @@ void sweep_flat(const Scene& scene, const Facet& flat, const Sweep& path, Hit& f
         drop = -drop;
     }
     const double end = start - drop;
-    if (!(drop > 0) || end >= flat.gap - tight) return;
+    if (!(drop > 0) || end >= flat.gap - place_tolerance) return;
     if (flat.kind != SurfaceKind::plane && start < -surface_gap / 2) return;
     const double at = std::clamp((start - flat.gap) / drop, 0.0, 1.0);
     if (!sooner(at, drop, first, path.length)) return;
     if (flat.kind != SurfaceKind::plane) {
         const double crossing = end < 0 ? std::clamp(start / drop, 0.0, 1.0) : 1.0;
-        if (!over_triangle(scene.surface(flat.surface), flat.normal, path.from + crossing * path.step, tight))
+        if (!over_triangle(scene.surface(flat.surface), flat.normal, path.from + crossing * path.step,
+                           place_tolerance))
             return;
     }
     first = {at, drop, {normal, offset + flat.gap, 0, flat.surface}};
 }
 
-/// At the nearest point of a convex shape stands a plane that has all of it behind, up to which a point may move at
-/// once.
+/// Advances to the tangent plane at the nearest point of the convex shape. The whole shape lies behind that
+/// plane, so the point may move up to it at once.
 void sweep_solid(const Scene& scene, std::uint32_t i, const Sweep& path, Hit& first) {
     if (scene.beyond(i, path.from, path.length)) return;
     const Surface& s = scene.surface(i);
@@ -52,8 +54,8 @@ void sweep_solid(const Scene& scene, std::uint32_t i, const Sweep& path, Hit& fi
     for (int n = 0; n < most_advances; ++n) {
         here = to_solid(s, orientation, path.from + at * path.step);
         drop = -glm::dot(here.normal, path.step);
-        if (!(drop > 0) || here.value - (1 - at) * drop >= gap - tight) return;
-        if (here.value <= gap + tight) break;
+        if (!(drop > 0) || here.value - (1 - at) * drop >= gap - place_tolerance) return;
+        if (here.value <= gap + place_tolerance) break;
         at += (here.value - gap) / drop;
         if (at > first.at + 1e-9) return;
     }
@@ -73,7 +75,7 @@ Hit first_hit(const Scene& scene, const Sweep& path, SurfaceSet passed_over) {
 }
 
 SurfaceSet Clearances::beyond(const Scene& scene, vec3 from, double distance) {
-    constexpr double stale = 4;  // distances known so many times farther away no longer tell much
+    constexpr double stale = 4;  // distances measured so many times farther away are too coarse
     double off = glm::length(from - place_);
     if (!(off <= stale * distance)) {
         measure(scene, from);
@@ -81,7 +83,7 @@ SurfaceSet Clearances::beyond(const Scene& scene, vec3 from, double distance) {
     }
     SurfaceSet far = 0;
     for (std::uint32_t i = 0; i < scene.patch->count && i < surface_capacity; ++i)
-        if (free_[i] > off + distance + tight) far |= only(i);
+        if (free_[i] > off + distance + place_tolerance) far |= only(i);
     return far;
 }
 

@@ -5,8 +5,8 @@
 namespace thaum::haptics {
 namespace {
 
-/// Of three nodes about a place, `off` from the middle one in cells: weights of the quadratic B-spline, and their
-/// slopes.
+/// Weights of the quadratic B-spline for three nodes, and their slopes. `off` is the distance from the middle
+/// node (cells).
 struct Weights {
     std::array<double, 3> value{};
     std::array<double, 3> slope{};
@@ -17,7 +17,7 @@ Weights weights_at(double off) {
     return {{before * before / 2, 0.75 - off * off, after * after / 2}, {-before, -2 * off, after}};
 }
 
-/// In cells, wrapped to the map.
+/// Position in cells, wrapped to the map.
 double cells_of(double length, double wavelength) {
     const double turns = length / wavelength;
     return (turns - std::floor(turns)) * static_cast<double>(bump_cells);

@@ -1,10 +1,10 @@
-// haptics/surface_texture.h: how high a texture rises above its surface.
+// haptics/surface_texture.h: greatest height of a texture.
 #pragma once
 #include "haptics/surface.h"
 
 namespace thaum::haptics {
 
-/// Greatest height of a texture (m); 0 where there is none.
+/// Greatest height of a texture (m); 0 without texture.
 inline double top_of(const Texture& texture) {
     return texture.kind != TextureKind::none && texture.amplitude > 0 && texture.wavelength > 0
                ? 2 * texture.amplitude

@@ -3,20 +3,22 @@
 namespace thaum::haptics {
 namespace {
 
-constexpr double nearly_parallel = 1e-15;    // sine squared, below which two planes make no crease
-constexpr double loose = 0.4 * surface_gap;  // height by which such planes may stand above each other (m)
+constexpr double nearly_parallel = 1e-15;  // squared sine below which two planes have no crease
+// Height by which such planes may stand above each other (m).
+constexpr double loose = 0.4 * surface_gap;
 
-/// Up to three walls that meet where the proxy is. Their depths are the multipliers of the place nearest to the tip.
+/// Up to three walls that meet at the proxy. Their depths are the multipliers of the place nearest to the
+/// tip.
 struct ActiveSet {
     std::array<std::size_t, 3> walls{};
     std::array<double, 3> depths{};
     std::size_t count{};
 };
 
-/// Whether all walls of the set push and no other wall is entered.
+/// Whether all walls of the set push and the place is behind no other wall.
 bool holds(const Walls& walls, const ActiveSet& active, vec3 tip, double slack, vec3& place) {
     place = tip;
-    unsigned used = 0;  // a bit each
+    unsigned used = 0;  // one bit for each wall
     for (std::size_t i = 0; i < active.count; ++i) {
         if (!(active.depths[i] > 0)) return false;
         place += active.depths[i] * walls.items[active.walls[i]].normal;
@@ -30,7 +32,7 @@ bool holds(const Walls& walls, const ActiveSet& active, vec3 tip, double slack, 
 }
 
 ActiveSet against_one(const Walls& walls, std::size_t i, vec3 tip) {
-    return {{i}, {entered(walls.items[i], tip)}, 1};
+    return {{i}, {depth_behind(walls.items[i], tip)}, 1};
 }
 
 ActiveSet against_two(const Walls& walls, std::size_t i, std::size_t j, vec3 tip) {
@@ -38,23 +40,25 @@ ActiveSet against_two(const Walls& walls, std::size_t i, std::size_t j, vec3 tip
     const double sine2 = glm::dot(along, along);
     const double g = glm::dot(walls.items[i].normal, walls.items[j].normal);
     if (sine2 < nearly_parallel) return {{i, j}, {-1, -1}, 2};
-    const Depths depths = depths_of_two(entered(walls.items[i], tip), entered(walls.items[j], tip), g, sine2);
+    const Depths depths =
+        depths_of_two(depth_behind(walls.items[i], tip), depth_behind(walls.items[j], tip), g, sine2);
     return {{i, j}, {depths.a, depths.b}, 2};
 }
 
-/// Three planes meet at sum offset_i (n_j x n_k) / det; the depths are coordinates of the way there along the normals.
+/// Three planes meet at sum offset_i (n_j x n_k) / det. The depths are the coordinates of the displacement
+/// along the normals.
 ActiveSet against_three(const Walls& walls, std::size_t i, std::size_t j, std::size_t k, vec3 tip) {
     const vec3 a = walls.items[i].normal, b = walls.items[j].normal, c = walls.items[k].normal;
     const vec3 bc = glm::cross(b, c), ca = glm::cross(c, a), ab = glm::cross(a, b);
     const double det = glm::dot(a, bc);
     if (det * det < nearly_parallel) return {{i, j, k}, {-1, -1, -1}, 3};
-    const vec3 way = (entered(walls.items[i], tip) * bc + entered(walls.items[j], tip) * ca +
-                      entered(walls.items[k], tip) * ab) /
+    const vec3 way = (depth_behind(walls.items[i], tip) * bc + depth_behind(walls.items[j], tip) * ca +
+                      depth_behind(walls.items[k], tip) * ab) /
                      det;
     return {{i, j, k}, {glm::dot(way, bc) / det, glm::dot(way, ca) / det, glm::dot(way, ab) / det}, 3};
 }
 
-/// Keeps the walls of the set, with their depths.
+/// Keeps only the walls of the set, with their depths.
 void keep(Walls& walls, const ActiveSet& active) {
     std::array<Wall, most_walls> kept{};
     for (std::size_t i = 0; i < active.count; ++i) {
@@ -90,7 +94,7 @@ NearestPlace nearest_place(Walls& walls, vec3 tip, double slack) {
 }  // namespace
 
 NearestPlace nearest_place(Walls& walls, vec3 tip) {
-    const NearestPlace nearest = nearest_place(walls, tip, tight);
+    const NearestPlace nearest = nearest_place(walls, tip, place_tolerance);
     return nearest.found ? nearest : nearest_place(walls, tip, loose);
 }
 

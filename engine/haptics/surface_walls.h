@@ -1,4 +1,5 @@
-// haptics/surface_walls.h: planes that hold the proxy, and the place before all of them that is nearest to the tip.
+// haptics/surface_walls.h: planes that hold the proxy, and the place in front of all of them that is nearest
+// to the tip.
 #pragma once
 #include "haptics/surface_scene.h"
 
@@ -6,11 +7,12 @@ namespace thaum::haptics {
 
 inline constexpr std::size_t most_walls = 4;
 
-/// Plane through the place where the proxy touches a surface: x is free where normal.x >= offset.
+/// Plane through the place where the proxy touches a surface. x is in front of it if normal.x >= offset.
 struct Wall {
     vec3 normal{};
-    double offset{};  ///< m
-    double depth{};   ///< how far it pushes the proxy from the tip (m); 0 until the next place is sought
+    double offset{};  ///< distance of the plane from the origin along the normal (m)
+    /// Displacement of the proxy from the tip by this wall (m); 0 until the next place is computed.
+    double depth{};
     std::uint32_t surface{};  ///< index in the patch
     bool met_here{};          ///< the proxy has not moved since it met the wall
 };
@@ -20,19 +22,20 @@ struct Walls {
     std::size_t count{};
 };
 
-/// Tangent plane of a surface at its gap, from the distance known at p.
+/// Tangent plane of a surface at its gap, from the distance measured at p.
 inline Wall wall_at(const Scene& scene, vec3 p, Distance d, std::uint32_t i) {
     return {d.normal, glm::dot(d.normal, p) - d.value + scene.gap[i], 0, i};
 }
 
-/// Adds a wall; it replaces an earlier one of the same surface, since a round surface has another plane at each place.
+/// Adds a wall. It replaces a wall of the same surface, because a round surface has another plane at each
+/// place.
 void add_wall(Walls& walls, const Wall& wall);
 
 /// Distance of the tip behind a wall (m).
-inline double entered(const Wall& wall, vec3 tip) { return wall.offset - glm::dot(wall.normal, tip); }
+inline double depth_behind(const Wall& wall, vec3 tip) { return wall.offset - glm::dot(wall.normal, tip); }
 
-/// Depths of two walls that both push: the tip's depth behind them is `a` and `b` (m), their normals have the product
-/// g.
+/// Depths of two walls that both push. `a` and `b` are the tip's depths behind them (m), g is the product of
+/// their normals.
 struct Depths {
     double a{}, b{};
 };
@@ -42,12 +45,11 @@ inline Depths depths_of_two(double a, double b, double g, double sine2) {
 
 struct NearestPlace {
     vec3 place{};
-    bool found{};  ///< false where no place is before all walls
+    bool found{};  ///< false: no place is in front of all walls
 };
 
-/// Finds the only place before all walls that is nearest to the tip, by trying every set of up to three walls. Keeps
-/// the walls
-/// that push, with their depths.
+/// Finds the unique place in front of all walls that is nearest to the tip. Tries every set of up to three
+/// walls. Keeps the walls that push, with their depths.
 NearestPlace nearest_place(Walls& walls, vec3 tip);
 
 }  // namespace thaum::haptics

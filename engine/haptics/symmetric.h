@@ -1,4 +1,4 @@
-// haptics/symmetric.h: symmetric 3 by 3 matrices, built of identities and dyads.
+// haptics/symmetric.h: symmetric 3 by 3 matrices, composed of identities and dyads.
 #pragma once
 #include <algorithm>
 
@@ -33,7 +33,7 @@ inline vec3 times(const Symmetric& m, vec3 v) {
             m.xz * v.x + m.yz * v.y + m.zz * v.z};
 }
 
-/// M x = b by L D L^T. A pivot below `least` is rounding error and taken for `least`.
+/// Solves M x = b by L D L^T. A pivot below `least` is rounding error and is replaced by `least`.
 inline vec3 solve(const Symmetric m, vec3 b, double least) {
     const double d0 = 1 / std::max(m.xx, least);
     const double l10 = m.xy * d0, l20 = m.xz * d0;

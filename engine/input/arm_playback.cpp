@@ -13,10 +13,11 @@ ArmTick ArmPlayback::tick() {
     return {step, this};
 }
 
-/// Takes this tick's force into the model; false before the first.
+/// Takes the force of this tick into the model. Returns false before the first force.
 bool ArmPlayback::next() {
     if (const auto* force = forces_.front(); force != nullptr) {
-        model_.lean = {.force = force->force, .number = model_.lean.number + (force->jumps ? 1 : 0)};
+        model_.steady_force = {.force = force->force,
+                               .number = model_.steady_force.number + (force->jumps ? 1 : 0)};
         forces_.pop();
         age_ = 0;
         count(played_);
@@ -24,7 +25,7 @@ bool ArmPlayback::next() {
     }
     if (played_.load(std::memory_order_relaxed) == 0) return false;
     if (ended_) {
-        if (!at_end_) model_.lean = {.force = vec3(0), .number = model_.lean.number + 1};
+        if (!at_end_) model_.steady_force = {.force = vec3(0), .number = model_.steady_force.number + 1};
         at_end_ = true;
         age_ = 0;
         return true;

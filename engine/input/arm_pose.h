@@ -1,6 +1,6 @@
-// input/arm_pose.h: the newest good pose of an arm, for its thread. A pose that did not come, or that was made no later than the
-// one before, leaves the last good one, which gets older: a force must not stem from a pose of more than 20 ticks
-// (haptics/safety.h).
+// input/arm_pose.h: newest valid pose of an arm, for the arm's thread. If a pose is missing, or is not newer
+// than the last one, the last valid pose stays and its age grows. No force may come from a pose older than 20
+// ticks (haptics/safety.h).
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -9,24 +9,24 @@
 
 namespace thaum::input {
 
-/// Poses that were none, since the start.
+/// Invalid poses since the start.
 struct PoseTroubles {
-    std::uint64_t repeated{};   ///< came again at once
-    std::uint64_t backwards{};  ///< were made before the one before
-    std::uint64_t unusable{};   ///< were no numbers
+    std::uint64_t repeated{};   ///< poses that came again at once
+    std::uint64_t backwards{};  ///< poses measured before the last one
+    std::uint64_t unusable{};   ///< poses that are not finite numbers
 };
 
 class ArmPose {
 public:
-    // The arm's thread.
+    // For the arm's thread.
     void note(const ArmReading& reading);
-    /// Whether there was one.
+    /// Whether there is a valid pose.
     bool known() const { return known_; }
     const ArmReading& last() const { return last_; }
-    /// Ticks since it was measured.
+    /// Ticks since the pose was measured.
     std::uint32_t age() const { return age_; }
 
-    /// Any thread.
+    /// For any thread.
     PoseTroubles troubles() const;
 
 private:
@@ -38,7 +38,7 @@ private:
     std::atomic<std::uint64_t> repeated_{0}, backwards_{0}, unusable_{0};
 };
 
-/// m, device frame.
+/// Position of the tip (m, device frame).
 vec3 position_of(const ArmReading& reading);
 
 }  // namespace thaum::input

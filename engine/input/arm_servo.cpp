@@ -7,11 +7,10 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::uint32_t newest_samples =
-    40;                                 // a model made longer ago than that many samples is not taken up
-constexpr std::uint32_t patience = 20;  // ticks without a sample or a pose
+constexpr std::uint32_t newest_samples = 40;  // samples; a model older than that is not used
+constexpr std::uint32_t patience = 20;        // ticks without a sample or a pose
 
-/// A stylus has one or two buttons, the first at the finger; other grips have more.
+/// A stylus has one or two buttons, the first at the finger. Other handles have more.
 std::uint32_t buttons_of(std::uint32_t arm) {
     constexpr std::array meanings{Button::fire, Button::next_wand, Button::clutch};
     std::uint32_t buttons = 0;
@@ -21,7 +20,8 @@ std::uint32_t buttons_of(std::uint32_t arm) {
     return buttons;
 }
 
-/// The step that the arm's thread and the simulation share. age: of model or pose, whichever is older, in samples.
+/// The step that the arm's thread and the simulation share. `age` is that of model or pose, whichever is
+/// older (samples).
 vec3 arm_step(const haptics::Servo& servo, haptics::ServoState& state, const haptics::HapticModel& model,
               vec3 position, std::uint32_t age) {
     return haptics::servo_step(servo, state, model, {position, age});
@@ -29,7 +29,7 @@ vec3 arm_step(const haptics::Servo& servo, haptics::ServoState& state, const hap
 
 }  // namespace
 
-// ---- the arm's thread --------------------------------------------------------------------------------------------------
+// ---- the arm's thread -------------------------------------------------------------------------------------
 
 ArmTick ArmServo::tick() {
     const auto step = [](void* context, const ArmReading& reading) {
@@ -62,7 +62,7 @@ vec3 ArmServo::step(const ArmReading& reading) {
     return force;
 }
 
-// ---- the simulation ----------------------------------------------------------------------------------------------------
+// ---- the simulation ---------------------------------------------------------------------------------------
 
 void ArmServo::publish() {
     auto& order = orders_.to_fill();

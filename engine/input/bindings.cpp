@@ -5,7 +5,7 @@
 
 #include "core/text.h"
 
-// Defaults are written in the words of the settings file, so one reader serves both and a menu can show them.
+// Defaults have the same form as the settings file. So one reader serves both, and a menu can show them.
 namespace thaum::input {
 namespace {
 
@@ -92,7 +92,7 @@ std::optional<int> index_in(std::span<const std::string_view> names, std::string
     return static_cast<int>(found - names.begin());
 }
 
-/// Takes the first piece before `separator` off `rest`, without spaces around it.
+/// Takes the part before `separator` off `rest`, without surrounding spaces.
 std::string_view take_piece(std::string_view& rest, char separator) {
     const auto trimmed = [](std::string_view s) {
         while (!s.empty() && s.front() == ' ') s.remove_prefix(1);
@@ -106,7 +106,7 @@ std::string_view take_piece(std::string_view& rest, char separator) {
     return piece;
 }
 
-/// 0 where the word is neither.
+/// Returns +1 or -1, or 0 if the word is neither.
 int direction_of(std::string_view word, std::string_view plus, std::string_view minus) {
     if (word == plus) return 1;
     return word == minus ? -1 : 0;
@@ -184,7 +184,7 @@ std::string words_of(const std::vector<Control>& controls, const KeyNames& names
 
 namespace {
 
-/// Those of toggle_actions that are chosen, with commas.
+/// Lists the chosen toggle_actions, separated by commas.
 template <class Chosen>
 std::string toggle_words(Chosen chosen) {
     std::string words;

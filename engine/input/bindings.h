@@ -1,5 +1,5 @@
-// input/bindings.h: which physical control does what. Knows mice and pads; keys are codes of the window layer, which
-// also knows their names.
+// input/bindings.h: bindings of physical controls to actions. Mice and gamepads are known here. Keys are
+// codes of the window layer, which also knows their names.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace thaum::input {
 
-/// What a control can do. The first ones are Button's bits, in their order; the others are directions.
+/// Actions of a control. The first ones are the bits of Button in their order. The others are directions.
 enum class Action : std::uint8_t {
     fire,
     jump,
@@ -48,14 +48,15 @@ enum class Action : std::uint8_t {
 inline constexpr std::size_t button_actions = 19;
 inline constexpr std::size_t actions = 27;
 
-/// "fire", "next_wand", "throw", "move_left", ...: the keys of a settings table.
+/// Name of an action: "fire", "next_wand", "throw", "move_left", ... Settings tables use it as key.
 std::string_view name_of(Action action);
 
-/// Actions that can be set to stay on from one press to the next (Bindings::toggled).
+/// Actions that may stay on from one press to the next (Bindings::toggled).
 inline constexpr std::array<Action, 4> toggle_actions{Action::fire, Action::trace, Action::stir,
                                                       Action::clutch};
 
-/// Codes of mouse buttons, pad buttons and pad axes; the window layer brings its own to these.
+/// Codes of mouse buttons, gamepad buttons and gamepad axes. The window layer converts its own codes to
+/// these.
 enum class MouseButton : std::uint8_t { left, right, middle, fourth, fifth };
 enum class PadButton : std::uint8_t {
     a,
@@ -78,42 +79,45 @@ enum class PadButton : std::uint8_t {
 enum class PadAxis : std::uint8_t { left_x, left_y, right_x, right_y, left_trigger, right_trigger };
 inline constexpr std::size_t pad_axes = 6;
 
-/// One physical control, or one direction of it.
+/// A physical control, or one direction of it.
 struct Control {
     enum class Source : std::uint8_t { key, mouse_button, wheel, pad_button, pad_axis };
     Source source{};
-    int code{};       ///< of the key, button or axis; 0 for the wheel
+    int code{};       ///< code of the key, button or axis; 0 for the wheel
     int direction{};  ///< wheel and axis: +1 or -1; else 0
     bool operator==(const Control&) const = default;
 };
 
-/// All of one player's hands.
+/// All bindings of one player's hands.
 struct Bindings {
     DeviceKind kind{};
     std::array<std::vector<Control>, actions> controls;
-    bool mouse_look = false;        ///< mouse motion and wheel go to this player
-    double stick_dead_zone = 0.15;  ///< of the stick's radius, 0..0.9; the rest is stretched to 0..1
-    double trigger_press = 0.3;     ///< an axis bound to a button presses it from here, lets go 0.1 below
-    std::array<bool, actions> toggled{};  ///< of toggle_actions: a press turns it on, the next one off
+    bool mouse_look = false;  ///< mouse motion and wheel act for this player
+    /// Dead zone of a stick, 0..0.9 of its radius; the rest is stretched to 0..1.
+    double stick_dead_zone = 0.15;
+    /// Position at which an axis presses a button; the release is 0.1 below.
+    double trigger_press = 0.3;
+    /// For toggle_actions: one press turns the action on, the next one off.
+    std::array<bool, actions> toggled{};
     bool operator==(const Bindings&) const = default;
 
     std::vector<Control>& of(Action action) { return controls[static_cast<std::size_t>(action)]; }
     const std::vector<Control>& of(Action action) const { return controls[static_cast<std::size_t>(action)]; }
 };
 
-/// The window layer's code of a key name such as "w", "space", "kp_8"; nothing where it knows none of that name.
+/// Returns the window layer's code of a key name such as "w", "space", "kp_8"; nothing for an unknown name.
 using KeyCodes = std::function<std::optional<int>(std::string_view)>;
-/// The other way round; empty for a code that is no key.
+/// Returns the name of a key code; empty for a code that is no key.
 using KeyNames = std::function<std::string(int)>;
 
-/// Names of the keys that the default bindings use; a test of the window layer asks for each.
+/// Names of all keys in the default bindings. A test of the window layer checks each of them.
 std::vector<std::string> default_key_names();
 
-/// The defaults of keyboard_mouse, keyboard_half or pad; no controls at all for other kinds.
-/// A key that `codes` does not know is left out.
+/// Default bindings of keyboard_mouse, keyboard_half or pad. Other kinds have no controls. A key that `codes`
+/// does not know is left out.
 Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
 
-/// The given bindings with what a settings table changes:
+/// Returns the bindings with the changes from a settings table:
 ///
 ///     fire = "mouse left"                     # replaces all controls of the action; "" leaves none
 ///     jump = "key space, mouse fourth"
@@ -126,17 +130,17 @@ Bindings default_bindings(DeviceKind kind, const KeyCodes& codes);
 /// An unknown name is reported at its key; the Config's check then fails with file, line and key.
 Bindings read_bindings(const ConfigTable& table, Bindings bindings, const KeyCodes& codes);
 
-/// One control such as "key w", "mouse left", "wheel up", "pad a", "pad right_trigger +". The error says what is
-/// unknown.
+/// Reads one control such as "key w", "mouse left", "wheel up", "pad a", "pad right_trigger +". The error
+/// names the unknown control.
 Expected<Control> parse_control(std::string_view words, const KeyCodes& codes);
 
-/// All controls of an action, "key space, mouse fourth"; the error says which is unknown.
+/// Reads all controls of an action, "key space, mouse fourth". The error names the unknown control.
 Expected<std::vector<Control>> parse_controls(std::string_view words, const KeyCodes& codes);
 
-/// What parse_control and parse_controls read.
+/// Writes controls in the form that parse_control and parse_controls read.
 std::string words_of(const Control& control, const KeyNames& names);
 std::string words_of(const std::vector<Control>& controls, const KeyNames& names);
-/// The value of `toggle`.
+/// Writes the value of the setting `toggle`.
 std::string toggles_of(const Bindings& bindings);
 
 }  // namespace thaum::input

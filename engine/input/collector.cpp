@@ -8,10 +8,12 @@
 namespace thaum::input {
 namespace {
 
-constexpr double release_below_press = 0.1;  // hysteresis, so a trigger at its threshold does not chatter
+// Hysteresis, so a trigger at its threshold does not flicker.
+constexpr double release_below_press = 0.1;
 constexpr unsigned latch_shift = 32;
 
-/// Whole steps of `rest` plus `amount`; `rest` keeps the fraction. A broken driver's NaN or a huge jump moves nothing.
+/// Returns the whole steps of `rest` plus `amount`; `rest` keeps the fraction. NaN or a huge jump of a broken
+/// driver gives no motion.
 std::int64_t whole_steps(double amount, double& rest) {
     constexpr double most = 1e9;
     if (!(std::abs(amount) <= most)) return 0;
@@ -21,7 +23,7 @@ std::int64_t whole_steps(double amount, double& rest) {
     return static_cast<std::int64_t>(whole);
 }
 
-/// What is new in `total`, as far as a sample can hold it.
+/// Returns the new part of `total`, as far as a sample can hold it.
 std::int32_t take_new(const std::atomic<std::int64_t>& total, std::int64_t& taken) {
     constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
     const auto amount = std::clamp(total.load(std::memory_order_relaxed) - taken, -most, most);
@@ -35,7 +37,7 @@ struct Stick {
     double x, y;
 };
 
-/// Radial, so that a diagonal keeps its direction and slow circles stay round.
+/// The dead zone is radial, so that a diagonal keeps its direction and slow circles stay round.
 Stick without_dead_zone(double x, double y, double dead) {
     x = finite_or_zero(x);
     y = finite_or_zero(y);
@@ -63,7 +65,7 @@ std::uint32_t bit_of(Action action) { return 1U << static_cast<unsigned>(action)
 
 HandsCollector::HandsCollector(Bindings bindings) { rebind(std::move(bindings)); }
 
-// Main thread --------------------------------------------------------------------------------------
+// Main thread -------------------------------------------------------------------------------------
 
 void HandsCollector::rebind(Bindings bindings) {
     bindings_ = std::move(bindings);
@@ -157,7 +159,7 @@ void HandsCollector::update(Bound& bound, double strength) {
     bound.pressed = strength >= threshold;
 }
 
-/// A press of an action that toggles turns it on or off.
+/// Turns actions that toggle on or off when they are pressed.
 void HandsCollector::flip(std::uint32_t pressed) {
     for (const auto action : toggle_actions) {
         if (toggles(action)) on_ ^= pressed & bit_of(action);
@@ -187,7 +189,7 @@ void HandsCollector::publish() {
     const auto pressed = held & ~std::uint64_t{held_before_};
     const auto released = std::uint64_t{held_before_} & ~held;
     held_before_ = static_cast<std::uint32_t>(held);
-    // One step: held and latched together, so `take` cannot see a press twice with a gap between.
+    // Held and latched bits change in one step, so that `take` cannot see a press twice with a gap between.
     buttons_.fetch_or(pressed | pressed << latch_shift, std::memory_order_relaxed);
     buttons_.fetch_and(~released, std::memory_order_relaxed);
 
@@ -203,7 +205,7 @@ void HandsCollector::publish() {
                   std::memory_order_relaxed);
 }
 
-// Simulation thread --------------------------------------------------------------------------------
+// Simulation thread -------------------------------------------------------------------------------
 
 DeviceSample HandsCollector::take() {
     DeviceSample sample;

@@ -1,5 +1,6 @@
-// input/collector.h: where events meet ticks. The main thread tells what the window system reports, whenever it does;
-// the simulation thread takes one sample a tick. Nothing is lost, nothing is counted twice, and neither waits.
+// input/collector.h: turns events of the window system into one sample per tick. The main thread reports
+// events at any time. The simulation thread takes the samples. No event is lost or counted twice, and neither
+// thread waits.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -10,42 +11,44 @@
 
 namespace thaum::input {
 
-/// A pad as it is now; one that is not there is all zero.
+/// State of a gamepad; all zero if it is absent.
 struct PadState {
-    std::array<double, pad_axes> axes{};  ///< sticks -1..1, right and up positive; triggers 0..1; see PadAxis
-    std::uint32_t buttons{};              ///< bit i is PadButton i
+    /// Sticks -1..1, right and up positive; triggers 0..1; indices as in PadAxis.
+    std::array<double, pad_axes> axes{};
+    std::uint32_t buttons{};  ///< bit i is PadButton i
 };
 
-/// One player's hands. All but `take` belong to one thread, `take` to another.
+/// Input of one player's hands. `take` belongs to one thread, all other functions to another.
 class HandsCollector {
 public:
     explicit HandsCollector(Bindings bindings);
 
-    // Main thread: events. Codes that are not bound are ignored, so every event may go to every collector.
+    // For the main thread: events. Unbound codes are ignored, so every event may go to every collector.
     void key(int code, bool pressed);
     void mouse_button(int code, bool pressed);
-    /// Counts, right and down positive (as on a screen); fractions are kept until they make a count.
+    /// Adds mouse counts, positive to the right and down (as on a screen). Fractions are kept until they make
+    /// a whole count.
     void mouse_move(double right, double down);
-    /// Steps; away from the user is positive.
+    /// Adds wheel steps; away from the user is positive.
     void wheel(double steps);
     void pad(const PadState& state);
-    /// Lets go of all that is held, since nobody will tell us when it is let go of.
+    /// Releases all held controls, because their release will not be reported.
     void focus_lost();
-    /// Changes the bindings; lets go of all that is held.
+    /// Changes the bindings and releases all held controls.
     void rebind(Bindings bindings);
-    /// From now on the mouse counts `gain` times as much (finite, above 0), and up is down with `inverted`: for what is changed
-    /// after the DeviceSpec was made, which holds for the whole log.
+    /// Multiplies later mouse counts by `gain` (finite, above 0), and exchanges up and down if `inverted`.
+    /// For changes after the DeviceSpec was made, which holds for the whole log.
     void set_look(double gain, bool inverted);
 
-    /// Simulation thread: what came in since the last call. A press shorter than that shows in one sample. Counts
-    /// beyond int32 wait for the next sample.
+    /// For the simulation thread: the input since the last call. A press between two calls shows in one
+    /// sample. Counts beyond int32 wait for the next sample.
     DeviceSample take();
 
 private:
     struct Bound {
         Action action;
         Control control;
-        double strength = 0;  ///< 0..1: how far it is pressed
+        double strength = 0;  ///< how far the control is pressed, 0..1
         bool pressed = false;
     };
     void press(Control::Source source, int code, double strength);
@@ -56,21 +59,22 @@ private:
     bool toggles(Action action) const { return bindings_.toggled[static_cast<std::size_t>(action)]; }
     void flip(std::uint32_t pressed);
 
-    // Main thread.
+    // Used by the main thread.
     Bindings bindings_;
     std::vector<Bound> bound_;
     double right_rest_ = 0, up_rest_ = 0, wheel_rest_ = 0;
     double gain_ = 1, up_sign_ = 1;
-    std::uint32_t controls_before_ = 0;  ///< buttons whose controls were held, whatever toggles make of it
+    std::uint32_t controls_before_ = 0;  ///< buttons whose controls were held, before toggles apply
     std::uint32_t on_ = 0;               ///< buttons that a toggle holds
     std::uint32_t held_before_ = 0;
 
-    // Shared. Motion is a sum since the start, so that taking needs no reset that an event could fall into.
+    // Shared. Motion is a sum since the start, so that `take` needs no reset during which an event could be lost.
     std::atomic<std::int64_t> right_{0}, up_{0}, wheel_{0};
-    std::atomic<std::uint64_t> buttons_{0};  ///< low half: held now; high half: pressed since the last take
-    std::atomic<std::uint64_t> levels_{0};   ///< five bytes: strafe, forward, turn_right, turn_up, trigger
+    /// Low half: held now; high half: pressed since the last `take`.
+    std::atomic<std::uint64_t> buttons_{0};
+    std::atomic<std::uint64_t> levels_{0};  ///< five bytes: strafe, forward, turn_right, turn_up, trigger
 
-    // Simulation thread.
+    // Used by the simulation thread.
     std::int64_t right_taken_ = 0, up_taken_ = 0, wheel_taken_ = 0;
 };
 

@@ -1,8 +1,8 @@
 #include "input/log.h"
 
-// Two passes over the file, a block in memory at a time: `open` checks and decodes every block, so that a replay knows
-// before its first tick how long the log is, how it ends and which hashes to expect; `next` decodes them again. A block
-// costs far less to decode than its 512 ticks cost to play.
+// The file is read twice, with one block in memory at a time. `open` checks and decodes every block, so a
+// replay knows the log's length, ending and hashes before its first tick. `next` decodes the blocks again.
+// Decoding a block costs far less than playing its 512 ticks.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -31,7 +31,7 @@ struct File {
         if (fd >= 0) ::close(fd);
     }
 
-    /// False where fewer bytes are there or the disk cannot read them.
+    /// Returns false if fewer bytes are there or the disk cannot read them.
     bool read_at(std::size_t at, std::span<std::byte> into) const {
         while (!into.empty()) {
             const auto n = ::pread(fd, into.data(), into.size(), static_cast<off_t>(at));
@@ -44,7 +44,7 @@ struct File {
     }
 };
 
-/// Bytes of the file up to its last one that is not zero.
+/// Size of the file up to its last byte that is not zero.
 std::size_t size_without_zeros(const File& file) {
     Bytes piece(std::size_t{1} << 20U);
     for (auto end = file.size; end > 0;) {
@@ -98,7 +98,8 @@ Expected<OpenedLog> open_log(const std::string& path) {
 
 }  // namespace
 
-/// Fewer zeros at the end of a file prove nothing: a block may well end with some.
+/// Smallest number of zeros that suggests a power cut. Fewer prove nothing, because a block may end with
+/// some.
 constexpr std::size_t least_zeros = 16;
 
 struct LogReader::State {
@@ -118,23 +119,23 @@ struct LogReader::State {
     std::string result;
     std::string reason;
     LogEnding ending = LogEnding::cut_off;
-    Tick ticks = 0;  // in whole blocks
+    Tick ticks = 0;  // ticks in whole blocks
 
-    // Where reading stands.
+    // Position of the reader.
     std::size_t at;
     std::size_t at_frame = 0;
     detail::Block block;
 
-    /// Always false: there is nothing more to read.
+    /// Records the ending. Returns false: there is nothing more to read.
     bool end(LogEnding how, std::string_view what) {
         ending = how;
         reason = how == LogEnding::damaged ? text(path, ": tick ", ticks, ": block damaged (", what, ")")
                                            : text(path, ": cut off after tick ", ticks, " (", what, ")");
         return false;
     }
-    /// A block that ends at byte `end` is not what was written. A power cut leaves a file of its full size whose last
-    /// pages never came: zeros. Damage seldom does, so that is told as what it most likely is.
-    bool spoilt(std::size_t end, std::string_view what) {
+    /// Handles a block ending at byte `end` that is not what was written. A power cut leaves a file of its
+    /// full size whose last pages are zeros. Other damage seldom does, so zeros are reported as a cut-off.
+    bool damaged_or_unwritten(std::size_t end, std::string_view what) {
         const auto written = size_without_zeros(log.file);
         const bool zeros = written < end && log.file.size - written >= least_zeros;
         return zeros ? cut_off("zeros at the end") : damaged(what);
@@ -142,7 +143,7 @@ struct LogReader::State {
     bool cut_off(std::string_view what) { return end(LogEnding::cut_off, what); }
     bool damaged(std::string_view what) { return end(LogEnding::damaged, what); }
 
-    /// The header of the block at `at`, and its bytes into `payload`.
+    /// Reads the header of the block at `at`, and the block's bytes into `payload`.
     bool read_block(detail::BlockHeader& header) {
         std::array<std::byte, detail::block_header_size> head{};
         const auto left = log.file.size - at;
@@ -150,7 +151,7 @@ struct LogReader::State {
         if (left < head.size()) return cut_off("part of a block");
         if (!log.file.read_at(at, head)) return damaged("cannot read");
         const auto found = detail::decode_block_header(head, log.salt);
-        if (!found) return spoilt(at + head.size(), "block header");
+        if (!found) return damaged_or_unwritten(at + head.size(), "block header");
         header = *found;
         if (header.first != ticks) return damaged("blocks missing");
         if (left - head.size() < header.packed_size) return cut_off("part of a block");
@@ -161,18 +162,19 @@ struct LogReader::State {
         return true;
     }
 
-    /// The next block of ticks into `block`; false at the end, and `ending` and `reason` tell why it is one.
+    /// Decodes the next block of ticks into `block`. Returns false at the end; `ending` and `reason` then say
+    /// why.
     bool decode_block() {
         detail::BlockHeader header;
         if (!read_block(header)) return false;
         const auto bytes = std::span<const std::byte>(payload).first(header.packed_size);
         if (header.kind == detail::BlockKind::end) return read_end(header, bytes);
-        return unpacker.ticks(header, bytes, block) || spoilt(at, "payload");
+        return unpacker.ticks(header, bytes, block) || damaged_or_unwritten(at, "payload");
     }
 
     bool read_end(const detail::BlockHeader& header, std::span<const std::byte> bytes) {
         auto end_block = unpacker.end(header, bytes);
-        if (!end_block) return spoilt(at, "payload");
+        if (!end_block) return damaged_or_unwritten(at, "payload");
         if (at != log.file.size) return damaged("bytes after the end");
         if (end_block->last && !add_last(*end_block->last)) return damaged("payload");
         ending = LogEnding::clean;
@@ -180,14 +182,14 @@ struct LogReader::State {
         return false;
     }
 
-    /// The hashes of the last state; false where the last block has others for it.
+    /// Adds the hashes of the last state. Returns false if the last block has others for it.
     bool add_last(const HashRecord& last) {
         if (!hashes.empty() && hashes.back().tick == last.tick) return hashes.back() == last;
         hashes.push_back(last);
         return true;
     }
 
-    /// Hashes and marks of `block` to the lists; false where they do not continue them.
+    /// Adds hashes and marks of `block` to the lists. Returns false if they do not continue the lists.
     bool collect() {
         const auto new_hashes = std::span(block.hashes).first(block.hash_count);
         const auto new_marks = std::span(block.marks).first(block.mark_count);
@@ -218,12 +220,12 @@ struct LogReader::State {
         return true;
     }
 
-    /// `open` has seen this block whole: any fault now is the file having changed since.
+    /// Decodes the next block. `open` has checked it, so any fault means that the file has changed since.
     bool next_block() {
         const auto all = ticks;
         const auto first = block.first + block.ticks;
         if (first >= all) return false;
-        ticks = first;  // so far, for read_block and its messages
+        ticks = first;  // ticks so far, for read_block and its messages
         const bool decoded = decode_block() && first + block.ticks <= all;
         if (!decoded) {
             damaged("changed while it was read");
@@ -278,12 +280,14 @@ bool log_in_use(const std::filesystem::path& path) {
 }
 
 Expected<void> remove_log(const std::filesystem::path& path) {
-    const auto stays = [&](std::string_view why) { return fail(text(path.string(), ": stays: ", why)); };
+    const auto stays = [&](std::string_view why) {
+        return fail(text(path.string(), ": not removed: ", why));
+    };
     std::error_code failed;
     if (!std::filesystem::exists(std::filesystem::symlink_status(path, failed))) return {};
     const bool is_empty =
         std::filesystem::is_regular_file(path, failed) && std::filesystem::is_empty(path, failed);
-    if (!is_empty && !begins_like_recording(path)) return stays("it is no log");
+    if (!is_empty && !begins_like_recording(path)) return stays("it is not a log");
     if (log_in_use(path)) return stays("a program is recording into it");
     if (std::filesystem::remove(path, failed)) return {};
     return stays(failed.message());

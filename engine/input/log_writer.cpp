@@ -1,12 +1,14 @@
 #include "input/log.h"
 
-// Two threads: the simulation fills a block, the log's own thread packs and writes it. Blocks travel between them on
-// two lock-free stacks (full ones there, spare ones back), so neither can hold the other up, and a thread that the
-// system stops in the middle stops nobody. A job of core/jobs.h would allocate at every block; this never does.
+// There are two threads: the simulation fills a block, the log's thread packs and writes it. Blocks travel
+// between them on two lock-free stacks, full ones one way and spare ones back. Neither thread can block the
+// other, even if the system suspends one of them at any point. A job of core/jobs.h would allocate for every
+// block; this code never does.
 //
-// The file is at every moment a whole log: a block is one write, and one that fails is cut away again. What is written
-// outlives the program at once; about once a second it is also forced onto the disk, so a power cut costs little more than
-// that. The waiting happens here, where nobody waits with us. While it is recorded a log is locked (flock).
+// The file is a whole log at every moment: a block is one write, and a failed write is truncated. Written
+// bytes outlive the program at once. About once a second they are flushed to the disk, so a power cut costs
+// little more than that. The log's thread waits for the flush, and no other thread does. A log is locked
+// while it is recorded (flock).
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/file.h>
@@ -28,21 +30,22 @@
 namespace thaum::input {
 namespace {
 
-constexpr std::size_t usual_blocks = 8;   // 4 s of a stalled disk
+constexpr std::size_t usual_blocks = 8;   // enough for a disk that stalls for 4 s
 constexpr std::size_t most_blocks = 256;  // 2 minutes, 21 MiB; then recording ends
 
 using Clock = std::chrono::steady_clock;
 constexpr auto sync_interval = std::chrono::seconds(1);
 
-/// What the log's thread does after a block.
-enum class Then : std::uint8_t { go_on, stop, end_block };
+/// Action of the log's thread after a block.
+enum class AfterBlock : std::uint8_t { go_on, stop, end_block };
 
 struct QueuedBlock : detail::Block {
-    Then then = Then::go_on;
+    AfterBlock after = AfterBlock::go_on;
     QueuedBlock* next = nullptr;
 };
 
-/// Any number may push; one thread takes all there is, so no block can come back between two looks (no ABA).
+/// Stack of blocks. Any thread may push. One thread takes all blocks at once, so no block can return between
+/// two reads (no ABA).
 class BlockStack {
 public:
     void push(QueuedBlock* block) {
@@ -51,7 +54,7 @@ public:
                                             std::memory_order_relaxed)) {}
     }
 
-    /// Linked by `next`, the newest first.
+    /// Returns the list linked by `next`, the newest first.
     QueuedBlock* take_all() { return head_.exchange(nullptr, std::memory_order_acquire); }
 
 private:
@@ -69,8 +72,8 @@ QueuedBlock* reversed(QueuedBlock* list) {
     return result;
 }
 
-/// A file's name lies in its folder, which reaches the disk on its own. A file system that cannot do this for a folder
-/// does it with the file.
+/// Flushes the folder, which holds the file's name and reaches the disk separately. Some file systems cannot
+/// flush a folder; they flush it with the file.
 void sync_folder_of(const std::filesystem::path& path) {
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     const int fd = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -79,7 +82,8 @@ void sync_folder_of(const std::filesystem::path& path) {
     ::close(fd);
 }
 
-/// Signals go to the program's other threads; so a file size limit (SIGXFSZ) is an error of `write` here.
+/// Leaves signals to the program's other threads. A file size limit (SIGXFSZ) then is an error of `write`
+/// here.
 void block_signals() {
     sigset_t all;
     sigfillset(&all);
@@ -102,7 +106,7 @@ struct LogWriter::State {
         current = take_spare();
     }
 
-    /// Before this nothing is written. The error is that of start_thread.
+    /// Starts the log's thread; before, nothing is written. The error is that of start_thread.
     Expected<void> start() {
         auto started = start_thread([this] { work(); });
         if (!started) return tl::unexpected(started.error());
@@ -111,7 +115,7 @@ struct LogWriter::State {
     }
 
     ~State() {
-        finish(Then::stop);
+        finish(AfterBlock::stop);
         ::close(fd);
     }
 
@@ -120,34 +124,35 @@ struct LogWriter::State {
     const std::size_t device_count;
     const WhenBehind when_behind;
 
-    // The appending thread's.
+    // Used by the appending thread.
     std::vector<std::unique_ptr<QueuedBlock>> blocks;
     QueuedBlock* current = nullptr;
     QueuedBlock* spare = nullptr;
-    Tick next_hash = 0;  // the least that may come next
+    Tick next_hash = 0;  // smallest tick of the next hash
     std::size_t mark_count = 0;
     bool finished = false;
 
-    // Between the threads.
+    // Shared between the threads.
     BlockStack full, used;
     std::atomic<std::uint32_t> handed_over{0};
     std::atomic<Tick> appended{0};
     std::atomic<Tick> on_disk{0};
     std::atomic<std::size_t> extra_blocks{0};
-    std::atomic<bool> stopped{false};  // recording ended early; `fault` is set before and never again
+    // Recording ended early; `fault` is set before and never changes again.
+    std::atomic<bool> stopped{false};
     std::atomic_flag fault_taken;
     std::string fault;
-    std::string result;              // this and `last` are set before the last block is handed over
+    std::string result;              // set before the last block is handed over, like `last`
     std::optional<HashRecord> last;  // hashes of the last state
 
-    // The log's thread's.
+    // Used by the log's thread.
     detail::Packer packer;
     std::size_t good_size;  // bytes of whole blocks
     bool write_failed = false;
     Clock::time_point synced{};
     std::thread thread;
 
-    // Appending ----------------------------------------------------------------------------------
+    // Appending ------------------------------------------------------------------------------------
 
     QueuedBlock* make_block(QueuedBlock* next) {
         blocks.push_back(std::make_unique<QueuedBlock>());
@@ -173,24 +178,24 @@ struct LogWriter::State {
     void begin_block() {
         current->first = appended.load(std::memory_order_relaxed);
         current->ticks = current->hash_count = current->mark_count = 0;
-        current->then = Then::go_on;
+        current->after = AfterBlock::go_on;
     }
 
-    void hand_over(Then then) {
-        current->then = then;
+    void hand_over(AfterBlock after) {
+        current->after = after;
         full.push(current);
         handed_over.fetch_add(1, std::memory_order_release);
         handed_over.notify_one();
     }
 
-    /// False where there is no room; the block then stays full and current, for `finish`.
+    /// Takes the next block. Returns false if there is none; the full block then stays current, for `finish`.
     bool next_block() {
         auto* next = take_spare();
         if (next == nullptr) {
             stop(text("the disk is too slow; kept up to tick ", appended.load()));
             return false;
         }
-        hand_over(Then::go_on);
+        hand_over(AfterBlock::go_on);
         current = next;
         begin_block();
         return true;
@@ -226,23 +231,23 @@ struct LogWriter::State {
         current->marks[current->mark_count++] = {appended.load(std::memory_order_relaxed), kind, number};
     }
 
-    /// Waits until all is written.
-    void finish(Then then) {
+    /// Waits until everything is written.
+    void finish(AfterBlock after) {
         if (finished) return;
         finished = true;
-        if (!thread.joinable()) return;  // it could not be started
-        hand_over(then);
+        if (!thread.joinable()) return;  // the thread could not be started
+        hand_over(after);
         thread.join();
     }
 
-    // Either thread: the first reason stays.
+    // For either thread: records why recording stopped. The first reason stays.
     void stop(std::string_view why) {
         if (fault_taken.test_and_set()) return;
         fault = text(path, ": recording stopped: ", why);
         stopped.store(true, std::memory_order_release);
     }
 
-    // The log's thread ---------------------------------------------------------------------------
+    // The log's thread -----------------------------------------------------------------------------
 
     void work() {
         block_signals();
@@ -254,10 +259,10 @@ struct LogWriter::State {
             while (list != nullptr) {
                 auto* block = list;
                 list = block->next;
-                const auto then = block->then;
+                const auto after = block->after;
                 write_block(*block);
                 used.push(block);
-                if (then != Then::go_on) return;
+                if (after != AfterBlock::go_on) return;
             }
         }
     }
@@ -266,15 +271,15 @@ struct LogWriter::State {
         if (block.ticks > 0 && write_whole(packer.ticks(block))) {
             on_disk.store(block.first + block.ticks, std::memory_order_relaxed);
         }
-        // The other thread may have stopped early for want of a block; then the log was not closed cleanly.
+        // The other thread may have stopped early for want of a block. Then the log was not closed cleanly.
         const bool whole = !stopped.load(std::memory_order_acquire);
-        if (block.then == Then::end_block && whole) {
+        if (block.after == AfterBlock::end_block && whole) {
             write_whole(packer.end(block.first + block.ticks, {result, last}));
         }
-        if (block.then != Then::go_on || Clock::now() >= synced + sync_interval) sync();
+        if (block.after != AfterBlock::go_on || Clock::now() >= synced + sync_interval) sync();
     }
 
-    /// A disk may take bytes into its memory and find only here that it has no place for them.
+    /// Flushes the file to the disk. A full disk may report its error only here, not at the write.
     void sync() {
         if (write_failed) return;
         synced = Clock::now();
@@ -283,7 +288,8 @@ struct LogWriter::State {
         stop(text(std::strerror(errno), " (flushing); kept up to about tick ", on_disk.load()));
     }
 
-    /// After the first failure nothing more is written: a later block would leave a gap.
+    /// Writes a whole block. After the first failure nothing more is written, because a later block would
+    /// leave a gap.
     bool write_whole(std::span<const std::byte> bytes) {
         if (write_failed) return false;
         const bool fits = good_size + bytes.size() <= detail::file_limit;
@@ -293,7 +299,7 @@ struct LogWriter::State {
         }
         write_failed = true;
         const auto why = fits ? std::strerror(errno) : "a log holds 1 GiB and no more";
-        // Where even this fails, readers find a cut-off block, which they leave out as well.
+        // If this fails too, readers find a cut-off block, which they leave out as well.
         const bool cut = ::ftruncate(fd, static_cast<off_t>(good_size)) == 0;
         stop(text(why, "; kept up to tick ", on_disk.load(), cut ? "" : " and part of a block"));
         return false;
@@ -311,10 +317,11 @@ Expected<LogWriter> LogWriter::create(const std::filesystem::path& path, const L
     if (!bytes) return fail(text(path.string(), ": ", bytes.error().message));
     const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (fd < 0 && errno == EEXIST) {
-        return fail(text(path.string(), ": exists, and a log is never written over: give another name"));
+        return fail(
+            text(path.string(), ": exists already, and a log is never overwritten: give another name"));
     }
     if (fd < 0) return fail(text(path.string(), ": cannot create: ", std::strerror(errno)));
-    ::flock(fd, LOCK_EX | LOCK_NB);  // nobody else can hold it: the file is new
+    ::flock(fd, LOCK_EX | LOCK_NB);  // no other program can hold the lock: the file is new
     if (!write_all(fd, *bytes)) {
         const auto why = std::strerror(errno);
         ::close(fd);
@@ -354,7 +361,7 @@ Expected<void> LogWriter::close(std::string_view result, std::optional<HashRecor
         // A log that stopped early has no end block.
         if (last && last->tick == ticks()) state_->last = last;
     }
-    state_->finish(Then::end_block);
+    state_->finish(AfterBlock::end_block);
     if (auto fault = error()) return tl::unexpected(std::move(*fault));
     return {};
 }

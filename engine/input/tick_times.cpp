@@ -7,7 +7,7 @@
 namespace thaum::input {
 namespace {
 
-/// By the only thread that writes: no other can come between.
+/// Adds to a counter. Only one thread writes, so load and store need not be one operation.
 template <class T>
 void raise(std::atomic<T>& count, T by) {
     count.store(count.load(std::memory_order_relaxed) + by, std::memory_order_relaxed);

@@ -84,7 +84,7 @@ std::string off_words(const Faders& faders) {
 void ask_for(const Faders& faders, input::DeviceSpec& device) {
     for (std::size_t i = 0; i < faders.size(); ++i) {
         const double share = faders[i].on ? faders[i].share : 0;
-        device.ask_for_fluid(i, static_cast<std::uint32_t>(std::lround(100 * share)));
+        device.set_fluid_percent(i, static_cast<std::uint32_t>(std::lround(100 * share)));
     }
 }
 

@@ -92,9 +92,9 @@ TakenSeat take_seat(const Settings& settings, Seat seat, std::uint32_t player) {
     spec.look_rad_per_count *= settings.sensitivity;
     spec.turn_rad_per_s = settings.turn_deg_per_s * radians_per_degree;
     if (settings.invert_y) spec.flags |= input::DeviceSpec::invert_y;
-    if (const auto percent = force_choices[settings.force[player]].percent) spec.ask_for_force(*percent);
+    if (const auto percent = force_choices[settings.force[player]].percent) spec.set_force_percent(*percent);
     const auto percent_of = [](double share) { return static_cast<std::uint32_t>(std::lround(100 * share)); };
-    spec.ask_for_carried(percent_of(settings.carried_weight), percent_of(settings.carried_blows));
+    spec.set_carried_percent(percent_of(settings.carried_weight), percent_of(settings.carried_blows));
     ask_for(settings.cauldron[player], spec);
     return {seat, spec, std::make_unique<input::HandsCollector>(settings.bindings_of(spec.kind))};
 }

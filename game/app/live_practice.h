@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/latest.h"
+#include "core/triple_buffer.h"
 #include "game/bots/range_files.h"
 #include "game/hud/picture.h"
 
@@ -27,7 +27,7 @@ private:
     void watch();
 
     game::RangeFiles files_;
-    Latest<game::Reload> reloads_{game::Reload{}};
+    TripleBuffer<game::Reload> reloads_{game::Reload{}};
     std::mutex mutex_;
     std::condition_variable stopped_;
     bool stop_ = false;

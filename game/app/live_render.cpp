@@ -32,7 +32,7 @@ void take_due(Stamps& stamps, std::int64_t due_ns, F f) {
     }
 }
 
-void advance(Latest<Picture>& pictures, InterpolationBuffer& buffer) {
+void advance(TripleBuffer<Picture>& pictures, InterpolationBuffer& buffer) {
     if (!pictures.take()) return;
     std::swap(buffer.before, buffer.now);
     buffer.now = pictures.newest();

@@ -5,8 +5,8 @@
 #include <variant>
 
 #include "core/clock.h"
-#include "core/latest.h"
-#include "core/ring.h"
+#include "core/spsc_queue.h"
+#include "core/triple_buffer.h"
 #include "game/app/live.h"
 #include "game/app/live_arm.h"
 #include "game/bots/range_files.h"
@@ -76,13 +76,13 @@ struct LiveShared {
     std::unique_ptr<ArmKeeper> arm;  ///< owned by the main thread; null: no arm was asked for
     std::uint32_t arm_player = game::no_player;  ///< player who holds the arm in this match; no_player: none
     /// filled by the simulation thread, and by the main thread while no simulation runs
-    Latest<game::Picture> pictures;
-    Latest<Screen> screen;  ///< filled by the main thread
+    TripleBuffer<game::Picture> pictures;
+    TripleBuffer<Screen> screen;  ///< filled by the main thread
     /// Data of the match that the pictures show; filled by the simulation thread.
-    Latest<std::shared_ptr<const game::MatchData>> scene{nullptr};
+    TripleBuffer<std::shared_ptr<const game::MatchData>> scene{nullptr};
     /// arrival of the first event that no tick has taken yet; 0: none
     std::atomic<std::int64_t> input_came_ns{0};
-    Ring<InputStamp, 256> stamps;  ///< from the simulation thread to the render thread
+    SpscQueue<InputStamp, 256> stamps;  ///< from the simulation thread to the render thread
 
     std::atomic<bool> ready{false};      ///< true: pictures can be drawn, and the match may begin
     std::atomic<bool> stop{false};       ///< true: all threads must end

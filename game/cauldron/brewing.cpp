@@ -62,7 +62,7 @@ void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint
              const Ladle& ladle, const Pouch& pouch, Tick tick) {
     const auto& rules = *context.data.cauldron;
     if (!substance_for(contents_to_come(cauldron), pouch.ingredient)) return;
-    const vec3 place = haptics::held_in(
+    const vec3 place = haptics::nearest_in_bowl(
         context.models[player].fluid.wall,
         {ladle.place.x - cauldron.middle.x, -rules.ladle.radius, ladle.place.z - cauldron.middle.z});
     const bool taken = add_stroke(cauldron, {.place = place,

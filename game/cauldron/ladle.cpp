@@ -120,8 +120,8 @@ void move_ladle(const MatchContext& context, Cauldron& cauldron, std::uint32_t p
     const vec3 tip = tip_of(hand_state);
     ladle.place = cauldron.middle + tip;
     ladle.velocity = velocity_of(ladle_frame(rules, cauldron, ladle), hand_state);
-    ladle.force = -haptics::whole_drag(context.models[player].fluid, tip, ladle.velocity,
-                                       hand_state.servo.fluid.immersed);
+    ladle.force = -haptics::full_drag(context.models[player].fluid, tip, ladle.velocity,
+                                      hand_state.servo.fluid.immersed);
     note_work(ladle, glm::dot(ladle.force, ladle.velocity) * tick_seconds, tick);
     if (ladle.force != vec3(0))
         add_ladle_stroke(cauldron, player, tip, ladle.force * tick_seconds, rules.ladle.radius);
@@ -156,7 +156,7 @@ void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t
     if (begins) begin_touch(context, cauldron, ladle, player, touch);
     const HandFrame frame = ladle_frame(*context.data.cauldron, cauldron, ladle);
     const vec3 place =
-        haptics::held_in(touch.wall, haptics::to_bowl(touch.frame, hand_state.device.position));
+        haptics::nearest_in_bowl(touch.wall, haptics::to_bowl(touch.frame, hand_state.device.position));
     read_flow(context, cauldron, place, velocity_of(frame, hand_state), ladle, touch);
     touch.step_age = static_cast<std::uint64_t>(tick - cauldron.stepped - 1);
     touch.surface = {.height = cauldron.height[player],
@@ -165,7 +165,7 @@ void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t
                      .pop_through = surface.settings.pop_through,
                      .cling = surface.settings.cling,
                      .inside = cauldron.inside[player],
-                     .there = 1};
+                     .present = 1};
     // The surface takes notice of a new ladle one tick late. A ladle that starts below the surface counts as
     // already inside.
     const double depth = touch.surface.height - place.y;

@@ -18,9 +18,10 @@ constexpr auto fields_of(const SimulatedState*) {
 constexpr auto fields_of(const SafetyState*) {
     using S = SafetyState;
     return std::tuple(ecs::field("output", &S::output), ecs::field("offset", &S::offset),
-                      ecs::field("lag", &S::lag), ecs::field("tip", &S::tip),
-                      ecs::field("full_offset", &S::full_offset), ecs::field("spent", &S::spent),
-                      ecs::field("heat", &S::heat), ecs::field("tick", &S::tick), ecs::field("bin", &S::bin),
+                      ecs::field("unrequested", &S::unrequested), ecs::field("tip", &S::tip),
+                      ecs::field("initial_offset", &S::initial_offset),
+                      ecs::field("fade_work", &S::fade_work), ecs::field("heat", &S::heat),
+                      ecs::field("tick", &S::tick), ecs::field("bin", &S::bin),
                       ecs::field("gate_open", &S::gate_open), ecs::field("fade", &S::fade),
                       ecs::field("fast_ticks", &S::fast_ticks), ecs::field("latched", &S::latched),
                       ecs::field("excess_ticks", &S::excess_ticks),
@@ -38,8 +39,8 @@ constexpr auto fields_of(const PlayingPulse*) {
                       ecs::field("at", &PlayingPulse::at));
 }
 
-constexpr auto fields_of(const Lean*) {
-    return std::tuple(ecs::field("force", &Lean::force), ecs::field("number", &Lean::number));
+constexpr auto fields_of(const SteadyForce*) {
+    return std::tuple(ecs::field("force", &SteadyForce::force), ecs::field("number", &SteadyForce::number));
 }
 
 constexpr auto fields_of(const Detents*) {
@@ -54,18 +55,18 @@ constexpr auto fields_of(const Tether*) {
                       ecs::field("detents", &T::detents), ecs::field("number", &T::number));
 }
 
-constexpr auto fields_of(const BookedForce*) {
-    using B = BookedForce;
+constexpr auto fields_of(const CommandedForce*) {
+    using B = CommandedForce;
     return std::tuple(ecs::field("passive", &B::passive), ecs::field("active", &B::active),
                       ecs::field("world", &B::world), ecs::field("share", &B::share));
 }
 
-constexpr auto fields_of(const EnergyBook*) {
-    using B = EnergyBook;
+constexpr auto fields_of(const PassivityObserver*) {
+    using B = PassivityObserver;
     return std::tuple(ecs::field("position", &B::position), ecs::field("forces", &B::forces),
                       ecs::field("created", &B::created), ecs::field("most_created", &B::most_created),
-                      ecs::field("given", &B::given), ecs::field("newest", &B::newest),
-                      ecs::field("open", &B::open));
+                      ecs::field("active_work", &B::active_work), ecs::field("newest", &B::newest),
+                      ecs::field("has_position", &B::has_position));
 }
 
 constexpr auto fields_of(const SurfaceContact*) {
@@ -97,9 +98,9 @@ constexpr auto fields_of(const ServoState*) {
                       ecs::field("next_position", &S::next_position), ecs::field("samples", &S::samples),
                       ecs::field("last_pulse", &S::last_pulse), ecs::field("next_pulse", &S::next_pulse),
                       ecs::field("primitives", &S::primitives), ecs::field("set_number", &S::set_number),
-                      ecs::field("lean_number", &S::lean_number),
+                      ecs::field("steady_force_number", &S::steady_force_number),
                       ecs::field("tether_number", &S::tether_number), ecs::field("energy", &S::energy),
-                      ecs::field("surface", &S::surface), ecs::field("shift", &S::shift),
+                      ecs::field("surface", &S::surface), ecs::field("contact_offset", &S::contact_offset),
                       ecs::field("patch_number", &S::patch_number), ecs::field("fluid", &S::fluid));
 }
 
@@ -112,8 +113,8 @@ using ecs::field;
 struct HandState {
     haptics::SimulatedState device{};
     haptics::ServoState servo{};
-    haptics::Pulse kick{};  ///< newest kick
-    haptics::Lean lean{};   ///< steady force set by the wand in hand
+    haptics::Pulse kick{};                ///< newest kick
+    haptics::SteadyForce steady_force{};  ///< steady force set by the wand in hand
     /// Spring to a point, set by the wand in hand.
     haptics::Tether tether{};
     vec3 home{};  ///< hand position chosen by the player (m, device frame)
@@ -130,7 +131,7 @@ struct HandState {
     static constexpr std::string_view name = "HandState";
     static constexpr auto fields() {
         return std::tuple(field("device", &HandState::device), field("servo", &HandState::servo),
-                          field("kick", &HandState::kick), field("lean", &HandState::lean),
+                          field("kick", &HandState::kick), field("steady_force", &HandState::steady_force),
                           field("tether", &HandState::tether), field("home", &HandState::home),
                           field("pull", &HandState::pull), field("frame_origin", &HandState::frame_origin),
                           field("frame_turn", &HandState::frame_turn),

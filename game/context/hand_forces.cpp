@@ -31,8 +31,8 @@ void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length) 
                        .number = hand_state.kick.number + 1};
 }
 
-void lean(MatchContext& context, ecs::Entity wizard, vec3 newtons) {
-    context.world.get<HandState>(wizard).lean.force = newtons * felt_share(context, wizard);
+void set_steady_force(MatchContext& context, ecs::Entity wizard, vec3 newtons) {
+    context.world.get<HandState>(wizard).steady_force.force = newtons * felt_share(context, wizard);
 }
 
 void tether(MatchContext& context, ecs::Entity wizard, const haptics::Tether& to) {
@@ -45,8 +45,8 @@ void tether(MatchContext& context, ecs::Entity wizard, const haptics::Tether& to
 
 void let_go(MatchContext& context, ecs::Entity wizard) {
     auto& hand_state = context.world.get<HandState>(wizard);
-    if (hand_state.lean.force != vec3(0))
-        hand_state.lean = {.force = {}, .number = hand_state.lean.number + 1};
+    if (hand_state.steady_force.force != vec3(0))
+        hand_state.steady_force = {.force = {}, .number = hand_state.steady_force.number + 1};
     tether(context, wizard, {});
     hand_state.pull = {};
 }
@@ -54,8 +54,8 @@ void let_go(MatchContext& context, ecs::Entity wizard) {
 vec3 wand_tip_of(double wand_per_hand, const HandState& hand_state) {
     const auto& servo = hand_state.servo;
     const bool touches = servo.surface.contacts != 0;
-    return wand_tip +
-           wand_per_hand * (touches ? servo.surface.proxy : hand_state.device.position + servo.shift);
+    return wand_tip + wand_per_hand *
+                          (touches ? servo.surface.proxy : hand_state.device.position + servo.contact_offset);
 }
 
 }  // namespace thaum::game

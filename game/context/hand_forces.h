@@ -17,7 +17,7 @@ void kick(MatchContext& context, ecs::Entity wizard, vec3 newtons, Tick length);
 
 /// Sets a steady force on the hand (N, device frame), scaled like a kick. It may change smoothly from call to
 /// call. Writes HandState.
-void lean(MatchContext& context, ecs::Entity wizard, vec3 newtons);
+void set_steady_force(MatchContext& context, ecs::Entity wizard, vec3 newtons);
 
 /// Ties the hand to a point by a spring. A moving point is set again every tick. Writes HandState.
 void tether(MatchContext& context, ecs::Entity wizard, const haptics::Tether& to);

@@ -91,7 +91,7 @@ void fill_patch(SurfacePatch& patch, const physics::Physics& physics, const Arou
     patch.reach = reach / frame.metres_per_metre;
 }
 
-haptics::Drift drift_of(const HandFrame& frame, const HandFrame& before) {
+haptics::FrameMotion frame_motion_of(const HandFrame& frame, const HandFrame& before) {
     if (frame == before) return {};
     return {frame.to_device(before.to_world(vec3(0))) / tick_seconds, spin_of(frame, before)};
 }

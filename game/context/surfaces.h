@@ -41,6 +41,6 @@ void fill_patch(haptics::SurfacePatch& patch, const physics::Physics& physics, c
                 const HandFrame& frame, const HandFrame& before, const Feel& feel);
 
 /// Motion of things at rest in the world, relative to the moving device frame.
-haptics::Drift drift_of(const HandFrame& frame, const HandFrame& before);
+haptics::FrameMotion frame_motion_of(const HandFrame& frame, const HandFrame& before);
 
 }  // namespace thaum::game

@@ -88,7 +88,7 @@ void add_probe_system(MatchContext& context, ecs::Schedule& schedule) {
 void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState& hand_state,
                       haptics::HapticModel& model) {
     model.patch.count = 0;
-    model.drift = {};
+    model.frame_motion = {};
     model.patch_number = hand_state.probe_number;
     const bool probed = hand_state.probing != 0;
     hand_state.probing = can_probe(context, wizard, hand_state) ? 1 : 0;
@@ -105,9 +105,9 @@ void fill_probe_model(const MatchContext& context, ecs::Entity wizard, HandState
     hand_state.frame_turn = frame.turn;
     model.patch_number = hand_state.probe_number;
     model.start = frame.to_device(eye);
-    model.drift = drift_of(frame, before);
+    model.frame_motion = frame_motion_of(frame, before);
     const auto& servo = hand_state.servo;
-    const vec3 tip = frame.to_world(hand_state.device.position + servo.shift);
+    const vec3 tip = frame.to_world(hand_state.device.position + servo.contact_offset);
     const vec3 proxy = jumped ? eye : servo.surface.begun != 0 ? before.to_world(servo.surface.proxy) : tip;
     const Around around{.point = 0.5 * (tip + proxy),
                         .radius = 0.5 * glm::length(tip - proxy) + margin,

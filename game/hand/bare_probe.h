@@ -3,7 +3,7 @@
 //
 // The origin of the device frame is at the tip of a wand whose hand is at rest. The frame turns with the
 // wizard's view. A metre of the hand is wand_m_per_m metres in the world. When the wizard turns or walks, the
-// world moves in the device frame. The servo subtracts that frame motion (haptics::Drift), so walking and
+// world moves in the device frame. The servo subtracts that frame motion (haptics::FrameMotion), so walking and
 // turning neither kick nor press the hand. The hand feels only its own motion and the motion of props. Props
 // are pushed with the opposite force: one newton on a prop is n_per_n newtons at the hand.
 #pragma once

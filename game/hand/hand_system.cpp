@@ -60,7 +60,7 @@ const haptics::HapticModel& next_model(MatchContext& context, ecs::Entity wizard
     const auto player = std::as_const(context.world).get<Wizard>(wizard).player;
     auto& model = context.models[player];
     model.pulse = hand_state.kick;
-    model.lean = hand_state.lean;
+    model.steady_force = hand_state.steady_force;
     model.tether = hand_state.tether;
     model.on = context.haptic_setup.on[player];
     model.panic = panic;

@@ -51,7 +51,7 @@ static_assert(haptics::fluid_modes.size() == input::fluid_faders);
 /// Reduces the brew's effects by the shares that the player does not want to feel.
 void reduce_modes(const input::DeviceSpec& device, haptics::FluidModes& modes) {
     for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i)
-        modes.*haptics::fluid_modes[i].strength *= 1 - device.fluid_kept_off[i] / 100.0;
+        modes.*haptics::fluid_modes[i].strength *= 1 - device.fluid_reduction[i] / 100.0;
 }
 
 void add_cauldron_systems(MatchContext& context, ecs::Schedule& schedule) {
@@ -70,11 +70,11 @@ HapticSetup haptic_setup_of(const MatchData& data, const std::vector<input::Devi
     for (const auto& device : devices) {
         if (device.player >= players) continue;
         if ((device.flags & input::DeviceSpec::no_forces) != 0) setup.on[device.player] = false;
-        const auto percent = device.force_asked_for();
+        const auto percent = device.force_percent();
         if (percent != 0) setup.servos[device.player] = haptics::servo_of(data.device, percent / 100.0);
         if (const vec3 box = box_of(device); box.x > 0) set_box(data, device.player, box, setup);
-        setup.weight[device.player] *= 1 - device.weight_kept_off() / 100.0;
-        setup.blows[device.player] *= 1 - device.blows_kept_off() / 100.0;
+        setup.weight[device.player] *= 1 - device.weight_reduction() / 100.0;
+        setup.blows[device.player] *= 1 - device.blow_reduction() / 100.0;
         reduce_modes(device, setup.brew[device.player]);
     }
     return setup;

@@ -285,16 +285,16 @@ void append_forces(const Simulation& match, std::string& out) {
         const vec3 at = hand_state.device.position, force = hand_state.servo.safety.output;
         append_numbers(out, {at.x, at.y, at.z, force.x, force.y, force.z});
         append_text(out, text(",", haptics::safety_cause_names[hand_state.servo.safety.cause]));
-        const auto& book = hand_state.servo.energy;
-        const vec3 passive = book.forces[book.newest].passive;
+        const auto& observer = hand_state.servo.energy;
+        const vec3 passive = observer.forces[observer.newest].passive;
         const auto& tether = hand_state.tether;
         const vec3 anchor = tether.stiffness > 0 ? tether.anchor : vec3(0);
         const auto& surface = hand_state.servo.surface;
         const bool touches = surface.contacts != 0;
-        const vec3 point = touches ? surface.proxy - hand_state.servo.shift : vec3(0);
-        append_numbers(out, {book.created, book.given, passive.x, passive.y, passive.z, tether.stiffness,
-                             anchor.x, anchor.y, anchor.z, touches ? 1.0 : 0.0, point.x, point.y, point.z,
-                             plays_by_arm(match.world(), player) ? 1.0 : 0.0});
+        const vec3 point = touches ? surface.proxy - hand_state.servo.contact_offset : vec3(0);
+        append_numbers(out, {observer.created, observer.active_work, passive.x, passive.y, passive.z,
+                             tether.stiffness, anchor.x, anchor.y, anchor.z, touches ? 1.0 : 0.0, point.x,
+                             point.y, point.z, plays_by_arm(match.world(), player) ? 1.0 : 0.0});
     }
     out += '\n';
 }

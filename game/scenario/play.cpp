@@ -101,11 +101,11 @@ Expected<void> begin_match(Play& play, const MatchOptions& wanted) {
     for (std::uint32_t player = 0; player < players; ++player) {
         const int level = wanted.bot_level[player];
         setup.devices.push_back(level == 0 ? script_device(player) : bot_device(player, level));
-        if (wanted.force[player]) setup.devices.back().ask_for_force(*wanted.force[player]);
-        setup.devices.back().ask_for_carried(wanted.weight[player].value_or(100),
-                                             wanted.blows[player].value_or(100));
+        if (wanted.force[player]) setup.devices.back().set_force_percent(*wanted.force[player]);
+        setup.devices.back().set_carried_percent(wanted.weight[player].value_or(100),
+                                                 wanted.blows[player].value_or(100));
         for (std::size_t mode = 0; mode < input::fluid_faders; ++mode)
-            setup.devices.back().ask_for_fluid(mode, wanted.modes[player][mode].value_or(100));
+            setup.devices.back().set_fluid_percent(mode, wanted.modes[player][mode].value_or(100));
     }
     for (std::uint32_t player = 0; player < players; ++player) {
         if (!wanted.arm[player]) continue;

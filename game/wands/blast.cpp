@@ -17,9 +17,9 @@ namespace thaum::game {
 namespace {
 
 struct BlastData {
-    Tick from{};           ///< ticks for which fire is held before the charge begins
-    double charge_step{};  ///< growth of the charge per tick
-    double lean{};         ///< steady force at full charge (N)
+    Tick from{};            ///< ticks for which fire is held before the charge begins
+    double charge_step{};   ///< growth of the charge per tick
+    double steady_force{};  ///< steady force at full charge (N)
     GrowingValue energy, damage, speed;
     double radius{};  ///< radius of the ball (m)
     Tick life{};
@@ -73,7 +73,7 @@ BlastData read(const ConfigTable& root) {
     if (full <= from) charge.report("full_s", "'full_s' must be more than from_s");
     data.from = ticks(from);
     data.charge_step = tick_seconds / std::max(full - from, tick_seconds);
-    data.lean = charge.number("force_n", {0, 100});
+    data.steady_force = charge.number("force_n", {0, 100});
     const auto shot = root.table("shot");
     data.damage = read_growing(shot, "damage", "damage_full", {0, 1e6});
     data.speed = read_growing(shot, "speed_m_s", "speed_full_m_s", {0.1, 1000});
@@ -127,7 +127,7 @@ void give_way(MatchContext& context, const BlastData& data, ecs::Entity wizard, 
     const auto at = static_cast<std::uint32_t>(tick - hand.went_off);
     const auto length = static_cast<std::uint32_t>(data.recoil_length);
     const double left = 2 * at < length ? 1 - haptics::half_sine(at, length) : 0;
-    lean(context, wizard, {0, 0, data.lean * hand.leaning * left});
+    set_steady_force(context, wizard, {0, 0, data.steady_force * hand.leaning * left});
     if (left == 0) hand.leaning = 0;
 }
 
@@ -160,7 +160,7 @@ void fire(const WandUse& use, const BlastData& data) {
 void charge(MatchContext& context, const BlastData& data, ecs::Entity wizard, Tick tick, BlastHand& hand) {
     if (hand.charging == 0 || tick <= hand.began + data.from) return;
     hand.charge = std::max(hand.charge, std::min(hand.charge + data.charge_step, hand.affordable));
-    lean(context, wizard, {0, 0, data.lean * hand.charge});
+    set_steady_force(context, wizard, {0, 0, data.steady_force * hand.charge});
 }
 
 void add_force_systems(const WandSystems& to, const BlastData& data) {

@@ -69,7 +69,7 @@ struct LiftHand {
                           field("pitch_rate", &H::pitch_rate), field("taken_object", &H::taken_object),
                           field("taken_device", &H::taken_device), field("hip", &H::hip),
                           field("base", &H::base), field("base_velocity", &H::base_velocity),
-                          field("tug", &H::coupling), field("metres_per_metre", &H::metres_per_metre),
+                          field("coupling", &H::coupling), field("metres_per_metre", &H::metres_per_metre),
                           field("impulse", &H::impulse), field("next_blow", &H::next_blow));
     }
 };
@@ -383,8 +383,9 @@ void pull(MatchContext& context, const LiftData& data, ecs::Entity wizard, Tick 
     }
     const vec3 moving = hand.coupling.expected + held_back(hand.coupling.expected, blow);
     tether(context, wizard, tether_to(data, frame, hand, device, object, moving, base_velocity));
-    lean(context, wizard,
-         vec3(0, -data.weight * context.haptic_setup.weight[now.get<Wizard>(wizard).player] * mass, 0));
+    set_steady_force(
+        context, wizard,
+        vec3(0, -data.weight * context.haptic_setup.weight[now.get<Wizard>(wizard).player] * mass, 0));
     if (glm::distance(hip, object) > data.lost) let_thing_go(context, wizard, hand);
 }
 

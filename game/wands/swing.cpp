@@ -42,7 +42,7 @@ struct SwingHand {
         return std::tuple(field("anchor", &H::anchor), field("taken_device", &H::taken_device),
                           field("length", &H::length), field("rest_length", &H::rest_length),
                           field("pulled", &H::pulled), field("tension", &H::tension),
-                          field("tug", &H::coupling));
+                          field("coupling", &H::coupling));
     }
 };
 
@@ -169,7 +169,7 @@ void pull(MatchContext& context, const SwingData& data, ecs::Entity wizard, Swin
         end_coupling(context.physics, key, hand.coupling);
     }
     context.world.get<Stance>(wizard).rope_lift = std::max(0.0, hand.tension * way.y);
-    context.world.get<HandState>(wizard).lean.force = felt(context, data, wizard, way, hand.tension);
+    context.world.get<HandState>(wizard).steady_force.force = felt(context, data, wizard, way, hand.tension);
 }
 
 void add_force_systems(const WandSystems& to, const SwingData& data) {

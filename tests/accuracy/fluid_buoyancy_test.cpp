@@ -15,7 +15,7 @@ void fall(flows::Weighing weighing, bool in_bowl, double viscosity) {
         text(name_of(weighing), in_bowl ? " in the bowl" : " in the box", ", viscosity ", viscosity));
     auto fluid = flows::weighing_fluid(weighing, in_bowl, 16, viscosity);
     ASSERT_TRUE(fluid.has_value());
-    flows::EnergyBook book = flows::open_book(*fluid);
+    flows::PassivityObserver book = flows::open_book(*fluid);
     for (int i = 0; i < 250; ++i) {
         enter(*fluid, advance(*fluid, flows::step), book);
         ASSERT_LE(book.excess, excess_most * book.released) << "step " << i;
@@ -33,7 +33,7 @@ TEST(FluidBuoyancy, WhatFallsKeepsMostOfWhatItsFallReleases) {
     for (const bool in_bowl : {false, true}) {
         auto fluid = flows::weighing_fluid(flows::Weighing::settling, in_bowl, 16, 0);
         ASSERT_TRUE(fluid.has_value());
-        flows::EnergyBook book = flows::open_book(*fluid);
+        flows::PassivityObserver book = flows::open_book(*fluid);
         for (int i = 0; i < 60; ++i) enter(*fluid, advance(*fluid, flows::step), book);
         EXPECT_GT(flows::kinetic_energy(*fluid), 0.95 * book.released) << in_bowl;
     }
@@ -44,7 +44,7 @@ TEST(FluidBuoyancy, WhatFallsKeepsMostOfWhatItsFallReleases) {
 TEST(FluidBuoyancy, TheReportTellsWhatWasTakenAway) {
     auto fluid = flows::weighing_fluid(flows::Weighing::sloshing, true, 16, 0);
     ASSERT_TRUE(fluid.has_value());
-    flows::EnergyBook book = flows::open_book(*fluid);
+    flows::PassivityObserver book = flows::open_book(*fluid);
     int told = 0;
     for (int i = 0; i < 250; ++i) {
         const double before = flows::kinetic_energy(*fluid) + flows::potential_energy(*fluid);

@@ -1,4 +1,4 @@
-// A hand in a fluid that is really computed, each pushing the other: what fluid_touch.h asks of a game, done.
+// A hand in a computed fluid, each pushing the other, as fluid_touch.h asks of a game.
 #include <gtest/gtest.h>
 
 #include "fluid/fields.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double brew_density = 8;  // kg/m^3
 
-/// A periodic box of 1 m, so that nothing takes momentum but the hand.
+/// A periodic box of 1 m, so that only the hand takes momentum.
 struct StirredBox {
     fluid::Fluid fluid =
         *fluid::make_fluid({.cells = {16, 16, 16},
@@ -18,7 +18,7 @@ struct StirredBox {
                             .edges = {fluid::Edge::periodic, fluid::Edge::periodic, fluid::Edge::periodic},
                             .viscosity = 0.02});
     StirringRig rig{};
-    vec3 given{};  ///< N s, to the fluid
+    vec3 given{};  ///< impulse given to the fluid (N s)
 
     StirredBox() {
         auto& touch = rig.fluid();
@@ -26,7 +26,7 @@ struct StirredBox {
         touch.frame.origin = vec3(0.5);
         touch.drag = {.viscous = 0.4, .form = 0.15, .stirred_mass = brew_density * 0.01};
         touch.newer = {};
-        newest_step(touch, flow());
+        add_fluid_step(touch, flow());
     }
 
     FlowPatch flow() const {
@@ -45,10 +45,10 @@ struct StirredBox {
         given += impulse;
         push(fluid, {rig.state.fluid.place, 0.2, impulse / brew_density});
         advance(fluid, fluid_period * tick_seconds);
-        newest_step(rig.fluid(), flow());
+        add_fluid_step(rig.fluid(), flow());
     }
 
-    /// kg m/s, in the bowl, of the hand: as heavy there as s_f makes it.
+    /// Momentum of the hand in the bowl (kg m/s); s_f scales its mass.
     vec3 hand_momentum() const {
         const auto& frame = rig.model.fluid.frame;
         return frame.turn * (rig.spec.mass * rig.tip.velocity) / frame.newtons_per_newton;
@@ -71,10 +71,10 @@ TEST(FluidTouchAccuracy, HandAndFluidTogetherKeepTheirMomentum) {
 }
 
 TEST(FluidTouchAccuracy, AHandThatLetsGoIsCarriedOn) {
-    // A hand that stirs round and round sets the fluid going; let go, it goes on with the current.
+    // A hand that stirs in circles sets the fluid in motion. After its release it moves on with the current.
     StirredBox box;
     auto& rig = box.rig;
-    rig.servo.limits.cap = 1e-9;  // led, not felt
+    rig.servo.limits.cap = 1e-9;  // led without feeling
     const double radius = 0.2 / 16, turns_per_second = 1.5;
     int tick = 0;
     const auto led = [&](double t) {
@@ -90,7 +90,7 @@ TEST(FluidTouchAccuracy, AHandThatLetsGoIsCarriedOn) {
         push(box.fluid, {rig.state.fluid.place, 0.2, impulse / brew_density});
         advance(box.fluid, fluid_period * tick_seconds);
         rig.tip.position = led(tick * tick_seconds);
-        newest_step(rig.fluid(), box.flow());
+        add_fluid_step(rig.fluid(), box.flow());
     }
     const double current = glm::length(fluid::velocity_at(box.fluid, rig.state.fluid.place));
     EXPECT_GT(current, 0.2) << "m/s";

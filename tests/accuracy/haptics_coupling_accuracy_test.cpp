@@ -1,4 +1,5 @@
-// The coupling against exact solutions: stiffness, masses, damping and step over all that a game may ask for.
+// Accuracy of the coupling against exact solutions, for all stiffnesses, masses, dampings and steps that a
+// game may use.
 #include <gtest/gtest.h>
 
 #include "haptics/coupling.h"
@@ -13,7 +14,8 @@ double relative(double value, Real exact, Real scale) {
     return static_cast<double>(std::abs(Real(value) - exact) / scale);
 }
 
-/// The hand moves evenly, the object follows: its velocity change and path over one step against the march in long double.
+/// The hand moves evenly and the object follows. Compares velocity change and path over one step with small
+/// steps in long double.
 double error_with_prescribed_hand(double stiffness, double damping, double mass, double dt) {
     const auto step = coupling_step({stiffness, damping, 0}, 1 / mass, 0, dt);
     const CouplingState state{.hand = {0.3, 0, 0},
@@ -50,7 +52,8 @@ TEST(HapticsCoupling, IsExactAtAnyStiffnessMassDampingAndStep) {
     RecordProperty("worst_relative_error", std::to_string(worst * 1e12) + "e-12");
 }
 
-/// Two free bodies of 1 kg and `ratio` kg let go 0.2 m apart: after one second, against the textbook's formula.
+/// Two free bodies of 1 kg and `ratio` kg, released 0.2 m apart. Compares them after one second with the
+/// textbook's formula.
 double error_of_free_pair(double stiffness, double damping_ratio, double ratio, double dt) {
     const double reduced = ratio / (1 + ratio);
     const double damping = damping_ratio * 2 * std::sqrt(stiffness * reduced);
@@ -59,8 +62,8 @@ double error_of_free_pair(double stiffness, double damping_ratio, double ratio, 
     const auto steps = static_cast<int>(std::lround(1 / dt));
     for (int i = 0; i < steps; ++i) {
         const auto r = couple(step, s);
-        const vec3 hand_change = -r.impulse;  // 1 kg
-        // The centre of mass rests, so the hand's path is the object's, weighed.
+        const vec3 hand_change = -r.impulse;  // for 1 kg
+        // The centre of mass rests, so the hand's path is the object's, weighted by mass.
         s.hand -= ratio * r.displacement;
         s.hand_velocity += hand_change;
         s.object += r.displacement;
@@ -98,14 +101,14 @@ TEST(HapticsCoupling, DragAndWeightAreIntegratedToo) {
     vec3 total{};
     for (int i = 0; i < 250; ++i) {
         const auto r = couple(step, s);
-        // Newton's law holds between what is returned, in every step.
+        // The returned values obey Newton's law in every step.
         EXPECT_NEAR(m * r.velocity_change.y, r.impulse.y + r.drag_impulse.y + m * g * dt, 1e-11);
         s.hand += s.hand_velocity * dt;
         s.object += r.displacement;
         s.object_velocity += r.velocity_change;
         total += r.impulse;
     }
-    // e = HIP - object is a free oscillation about the sag that drag and weight leave.
+    // e = HIP - object oscillates freely about the sag by drag and weight.
     const Real sag = (Real(drag) * (Real(w) - Real(vf)) - Real(m) * Real(g)) / Real(k);
     const auto exact = oracle::free_motion((Real(b) + Real(drag)) / (2 * Real(m)), Real(k) / Real(m),
                                            {0.1L - sag, Real(w) + 0.4L}, 1);

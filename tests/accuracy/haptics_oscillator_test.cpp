@@ -1,4 +1,5 @@
-// The oscillator's response against a march in long double, over all dampings, and across the critical one.
+// Accuracy of the oscillator's response against small steps in long double, for all dampings and across the
+// critical one.
 #include "haptics/oscillator.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +11,8 @@ namespace {
 
 using oracle::Real;
 
-/// The worst relative error of the three. S and, without damping, S1 swing through zero; their error is taken against the swing there.
+/// The worst relative error of the three. S and, without damping, S1 pass through zero. Near there, their
+/// error is relative to their amplitude.
 double worst_error(double x, double q) {
     constexpr double t = 0.003;
     const Oscillator o{.decay = x / t, .frequency2 = q / (t * t)};
@@ -56,7 +58,7 @@ TEST(HapticsOscillator, TwoHalvesAreAWhole) {
         for (const double q : {0.2, 1.0, 9.0, 500.0}) {
             const Oscillator o{x, q};
             const Response half = response(o, 0.5), whole = response(o, 1);
-            // S(2 h) = S(h) (S'(h) + S'(h) + 2 decay S(h)), from the matrix exponential squared.
+            // S(2 h) = S(h) (S'(h) + S'(h) + 2 decay S(h)), from the square of the matrix exponential.
             const double composed = half.s * (2 * slope(o, half) + 2 * o.decay * half.s);
             EXPECT_NEAR(composed, whole.s, 1e-14);
         }

@@ -1,13 +1,11 @@
-// A tip that slides under the surface of round bodies, at depths of 0.1 to 0.9 of the radius, with friction 0 to 1, at
-// up to 1 m/s: the force must follow the exact solution and never vanish while the tip is inside.
+// A tip slides under the surface of round bodies, at depths of 0.1 to 0.9 of the radius, with friction 0 to
+// 1, at up to 1 m/s. The force must follow the exact solution and never vanish while the tip is inside.
 //
-// Exact solution on a sphere of radius R: let theta be the angle at the centre between the proxy and the tip, which is
-// rho
-// from the centre. The pull has the normal part R - rho cos(theta) and the tangential part rho sin(theta), so
-// Coulomb's law, tangential = mu normal, reads sin(theta + alpha) = sin(alpha) R / rho with alpha = atan(mu). If the
-// right
-// side exceeds 1, the proxy sticks wherever it is. A groove round an axis obeys the same law with its own radius
-// and a larger coefficient.
+// Exact solution on a sphere of radius R: let theta be the angle at the centre between the proxy and the tip,
+// which is rho from the centre. The pull has the normal part R - rho cos(theta) and the tangential part rho
+// sin(theta). Coulomb's law, tangential = mu normal, then reads sin(theta + alpha) = sin(alpha) R / rho with
+// alpha = atan(mu). If the right side exceeds 1, the proxy sticks wherever it is. A groove round an axis
+// obeys the same law with its own radius and a larger coefficient.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,19 +22,19 @@ namespace {
 
 using namespace round_rig;
 
-/// Angle by which the proxy lags behind the tip in steady sliding (rad), or -1 where it sticks for ever.
+/// Angle by which the proxy lags behind the tip in steady sliding (rad), or -1 if it sticks for ever.
 double steady_lag(double radius, double tip_radius, double friction) {
     const double alpha = std::atan(friction);
     const double sine = std::sin(alpha) * radius / tip_radius;
     return sine < 1 ? std::asin(sine) - alpha : -1;
 }
 
-// ---- steady sliding -----------------------------------------------------------------------------------------------
+// ---- steady sliding ---------------------------------------------------------------------------------------
 
-/// One steady slide round a circle.
+/// A steady slide round a circle.
 struct Circle {
-    double radius{};       ///< m
-    double depth_ratio{};  ///< depth of the tip over the radius
+    double radius{};       ///< radius of the circle (m)
+    double depth_ratio{};  ///< depth of the tip divided by the radius
     double friction{};
     double speed{};  ///< speed of the tip over the surface (m/s)
 };
@@ -56,15 +54,16 @@ std::string name_of(const Circle& c) {
            std::to_string(c.friction) + " speed " + std::to_string(c.speed);
 }
 
-/// Largest differences between the forces and the exact ones (N), over a whole slide.
+/// Largest differences between the forces and the exact ones over a whole slide (N).
 struct Errors {
-    double steady{};  ///< once the lag is constant
+    double steady{};  ///< after the lag is constant
     double before{};  ///< while the proxy sticks and the lag grows
     int lost{};       ///< ticks without force
 };
 
-/// Slides a tip along a circle of radius `tip_radius`, on whose outside the proxy runs on one of radius `radius`, both
-/// about the z axis. Friction here is the ratio of tangential to radial pull at which the proxy slides.
+/// Slides a tip along a circle of radius `tip_radius`. The proxy runs outside it on a circle of radius
+/// `radius`; both are about the z axis. Friction here is the ratio of tangential to radial pull at which the
+/// proxy slides.
 Errors slide_round(Probe& probe, const Circle& c, double friction, double height) {
     Errors errors;
     const double radius = c.radius + surface_gap, tip_radius = c.radius * (1 - c.depth_ratio);
@@ -81,7 +80,7 @@ Errors slide_round(Probe& probe, const Circle& c, double friction, double height
         const bool slides = std::abs(along) > friction * normal * (1 + 1e-12);
         if (slides && lag >= 0 && along > 0) proxy = angle - lag;
         if (slides && along < 0) return errors;  // more than half a turn behind
-        const Touched touched = probe.at(tip);
+        const ContactResult touched = probe.at(tip);
         if (glm::length(touched.force) == 0) ++errors.lost;
         const vec3 exact = stiffness * (polar(radius, proxy) - tip);
         (slides ? errors.steady : errors.before) =
@@ -91,7 +90,7 @@ Errors slide_round(Probe& probe, const Circle& c, double friction, double height
 }
 
 constexpr double steady_chatter = 1e-6;  // N
-constexpr double judged_to = 1e-4;       // N; as exactly as Runge and Kutta's method judges a transient
+constexpr double judged_to = 1e-4;       // N; accuracy of the Runge-Kutta solution of a transient
 
 TEST(RoundBodies, SteadySlidingOverASphereIsTheClosedForm) {
     for (const Circle& c : all_circles()) {
@@ -109,7 +108,7 @@ TEST(RoundBodies, SteadySlidingRoundCapsuleAndCylinderIsTheSame) {
         for (const Circle& c : all_circles()) {
             Probe probe{rubbing_patch(c.friction)};
             add(probe.patch, kind, {}, {c.radius, 0.02, 0});
-            probe.patch.bodies[0].orientation = rotation({1, 0, 0}, pi / 2);  // its axis lies along z
+            probe.patch.bodies[0].orientation = rotation({1, 0, 0}, pi / 2);  // axis along z
             const Errors errors = slide_round(probe, c, c.friction, 0);
             EXPECT_EQ(errors.lost, 0) << name_of(c);
             EXPECT_LE(errors.steady, steady_chatter) << name_of(c);
@@ -118,10 +117,10 @@ TEST(RoundBodies, SteadySlidingRoundCapsuleAndCylinderIsTheSame) {
     }
 }
 
-/// Two spheres that overlap have a groove, a circle of radius c < R; the loads of both sum to R / c times the radial
-/// pull.
+/// Two overlapping spheres have a groove, a circle of radius c < R. The loads of both sum to R / c times the
+/// radial pull.
 TEST(RoundBodies, SteadySlidingInTheGrooveOfTwoSpheresIsTheClosedForm) {
-    for (const double overlap : {0.3, 0.6, 0.9}) {  // half the distance of the centres, over R
+    for (const double overlap : {0.3, 0.6, 0.9}) {  // half the distance of the centres, divided by R
         for (const Circle& c : all_circles()) {
             const double sphere = c.radius / std::sqrt(1 - overlap * overlap);
             Probe probe{rubbing_patch(c.friction)};
@@ -136,8 +135,8 @@ TEST(RoundBodies, SteadySlidingInTheGrooveOfTwoSpheresIsTheClosedForm) {
     }
 }
 
-/// A sphere stands on a floor and the tip is pressed under both: without friction the proxy is on their circle, beside
-/// the tip.
+/// A sphere stands on a floor and the tip is pressed under both. Without friction the proxy is on their
+/// circle, beside the tip.
 TEST(RoundBodies, BetweenASphereAndTheFloorTheForceIsExact) {
     for (const Circle& c : all_circles()) {
         if (c.friction > 0) continue;
@@ -152,14 +151,15 @@ TEST(RoundBodies, BetweenASphereAndTheFloorTheForceIsExact) {
     }
 }
 
-/// A helix at constant depth, with friction: seen from the tip nothing changes, so the force must not either.
+/// A helix at constant depth, with friction. Nothing changes relative to the tip, so the force must not
+/// either.
 TEST(RoundBodies, AlongAHelixTheForceIsConstantSeenFromTheTip) {
     for (const SurfaceKind kind : {SurfaceKind::capsule, SurfaceKind::cylinder}) {
         for (const Circle& c : all_circles()) {
             Probe probe{rubbing_patch(c.friction)};
             add(probe.patch, kind, {}, {c.radius, 2, 0});
             const double tip_radius = c.radius * (1 - c.depth_ratio);
-            if (c.speed < 0.1) continue;  // the lag settles over a way of some radii
+            if (c.speed < 0.1) continue;  // the lag settles over several radii
             const int settled = static_cast<int>(20 * c.radius / (c.speed * dt));
             probe.at({1.2 * c.radius, 0, 0});
             vec3 first(0);
@@ -170,7 +170,8 @@ TEST(RoundBodies, AlongAHelixTheForceIsConstantSeenFromTheTip) {
                 const vec3 force = probe.at(tip).force;
                 ASSERT_GT(glm::length(force), 0) << name_of(c) << " at " << tick;
                 const vec3 seen(glm::dot(force, out), force.y, glm::dot(force, round));
-                if (steady_lag(c.radius, tip_radius, c.friction) < 0) break;  // it sticks, and the pull grows
+                // It sticks, and the pull grows.
+                if (steady_lag(c.radius, tip_radius, c.friction) < 0) break;
                 if (tick == settled) first = seen;
                 if (tick > settled) {
                     ASSERT_LE(glm::length(seen - first), steady_chatter) << name_of(c);
@@ -180,10 +181,10 @@ TEST(RoundBodies, AlongAHelixTheForceIsConstantSeenFromTheTip) {
     }
 }
 
-// ---- transients ---------------------------------------------------------------------------------------------------
+// ---- transients -------------------------------------------------------------------------------------------
 
-/// Exact proxy on a sphere about the origin after the tip has moved (m): along the great circle until Coulomb's law
-/// holds.
+/// Exact proxy on a sphere about the origin after the tip has moved (m). It moves along the great circle
+/// until Coulomb's law holds.
 vec3 exact_on_sphere(vec3 proxy, vec3 tip, double friction) {
     const double radius = glm::length(proxy), tip_radius = glm::length(tip);
     const vec3 out = proxy / radius;
@@ -211,7 +212,7 @@ TEST(RoundBodies, OverASphereEveryTransientIsTheExactOne) {
                 place *= std::clamp(rho, 0.1 * radius, 0.9 * radius) / rho;
                 tip.place = place;
                 proxy = exact_on_sphere(proxy, place, friction);
-                const Touched touched = probe.at(place);
+                const ContactResult touched = probe.at(place);
                 ASSERT_LE(glm::length(touched.force - stiffness * (proxy - place)), judged_to)
                     << friction << " at " << tick;
                 proxy = touched.proxy;
@@ -220,7 +221,7 @@ TEST(RoundBodies, OverASphereEveryTransientIsTheExactOne) {
     }
 }
 
-/// Exact proxy without friction for a tip inside (m): the foot on the round side where the proxy is.
+/// Exact proxy without friction for a tip inside (m): its foot on the round side where the proxy is.
 vec3 foot_on_side(SurfaceKind kind, vec3 tip, double radius, double half) {
     const double held = kind == SurfaceKind::capsule ? std::clamp(tip.y, -half, half) : tip.y;
     const vec3 core(0, held, 0);
@@ -239,14 +240,14 @@ TEST(RoundBodies, WithoutFrictionTheProxyIsTheFootOnTheSideThatWasTouched) {
                 double worst = 0;
                 for (int tick = 0; tick < 2000; ++tick) {
                     const double angle = 0.8 * speed * dt / radius * tick;
-                    // Up and down to a hair before the cap, where the cap is nearer than the side; over both ends of a
-                    // capsule.
+                    // Up and down to just before the cap, where the cap is nearer than the side; over both
+                    // ends of a capsule.
                     const double reach = kind == SurfaceKind::capsule ? half + 0.4 * radius : half - 1e-5;
                     const double up = reach * std::sin(0.6 * speed * dt / reach * tick);
                     vec3 tip((1 - depth_ratio) * radius * std::cos(angle), up,
                              (1 - depth_ratio) * radius * std::sin(angle));
                     if (std::abs(up) > half) tip *= vec3(0.3, 1, 0.3);
-                    const Touched touched = probe.at(tip);
+                    const ContactResult touched = probe.at(tip);
                     const vec3 exact = stiffness * (foot_on_side(kind, tip, radius, half) - tip);
                     if (glm::length(touched.force) == 0) ++lost;
                     worst = bench::worse(worst, glm::length(touched.force - exact));
@@ -258,9 +259,8 @@ TEST(RoundBodies, WithoutFrictionTheProxyIsTheFootOnTheSideThatWasTouched) {
     }
 }
 
-/// Exact proxy on a capsule, or on the side of a cylinder, after the tip has moved: it descends its distance to the
-/// tip along the
-/// surface until Coulomb's law holds. Here by Runge and Kutta's method, with the last step halved.
+/// Exact proxy on a capsule, or on the side of a cylinder, after the tip has moved. It descends its distance
+/// to the tip along the surface until Coulomb's law holds. Runge-Kutta method, with the last step bisected.
 struct Descent {
     SurfaceKind kind{};
     double radius{}, half{}, friction{};
@@ -312,7 +312,7 @@ TEST(RoundBodies, OverCapsuleAndCylinderEveryTransientIsTheSteepestDescent) {
                     place = core + std::clamp(rho, 0.1 * radius, 0.9 * radius) / rho * (place - core);
                     tip.place = place;
                     proxy = exact.proxy(proxy, place);
-                    const Touched touched = probe.at(place);
+                    const ContactResult touched = probe.at(place);
                     ASSERT_LE(glm::length(touched.force - stiffness * (proxy - place)), judged_to)
                         << static_cast<int>(kind) << " friction " << friction << " speed " << speed << " at "
                         << tick;

@@ -1,4 +1,5 @@
-// The simulated device's motion against closed forms: without dry friction, with it, and at the moments in between.
+// Accuracy of the simulated device's motion against closed forms: without dry friction, with it, and at stops
+// and releases.
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -12,7 +13,7 @@ using oracle::Real;
 
 constexpr double most_error = 1e-9;  // relative
 
-/// One kilogram's worth of settings: the reference device held so that it is under-, critically and over-damped.
+/// Settings in which the reference device is held under-, critically and over-damped.
 struct Grip {
     const char* name;
     Hand hand;
@@ -20,10 +21,10 @@ struct Grip {
 
 // Mass 0.25 kg; critical: (damping + 0.5) = 2 sqrt(400 * 0.25) = 20.
 constexpr Grip grips[] = {
-    {"loose", {.mass = 0.15, .stiffness = 400, .damping = 3, .fastest = 1e9}},
-    {"nearly critical", {.mass = 0.15, .stiffness = 400, .damping = 19.5001, .fastest = 1e9}},
-    {"stiff and dry", {.mass = 0.15, .stiffness = 400, .damping = 90, .fastest = 1e9}},
-    {"very stiff", {.mass = 0.01, .stiffness = 90'000, .damping = 0, .fastest = 1e9}},
+    {"loose", {.mass = 0.15, .stiffness = 400, .damping = 3, .max_target_speed = 1e9}},
+    {"nearly critical", {.mass = 0.15, .stiffness = 400, .damping = 19.5001, .max_target_speed = 1e9}},
+    {"stiff and dry", {.mass = 0.15, .stiffness = 400, .damping = 90, .max_target_speed = 1e9}},
+    {"very stiff", {.mass = 0.01, .stiffness = 90'000, .damping = 0, .max_target_speed = 1e9}},
 };
 
 struct System {
@@ -91,7 +92,7 @@ TEST(HapticsSimulatedAccuracy, RampTarget) {
         const System system(grip.hand);
         auto state = resting_at({});
         constexpr Real w = 0.25L;
-        // Where it will run: behind the target by what the ground's damping costs.
+        // Steady state: behind the target by the lag that damping to the ground causes.
         const Real lag = Real(0.5) * w / system.k;
         for (int tick = 1; tick <= 1000; ++tick) {
             const Real t = Real(tick) / 1000;
@@ -103,7 +104,7 @@ TEST(HapticsSimulatedAccuracy, RampTarget) {
     }
 }
 
-// ---- dry friction -------------------------------------------------------------------------------------------------
+// ---- dry friction -----------------------------------------------------------------------------------------
 
 SimulatedDevice with_friction(const Hand& hand, double friction, double damping, double dt = 1e-3) {
     auto spec = reference_spec();
@@ -125,11 +126,11 @@ TEST(HapticsSimulatedAccuracy, FrictionStopsASlideWhereItShould) {
 }
 
 TEST(HapticsSimulatedAccuracy, AnUndampedSpringLosesTwoBandsAnHalfSwing) {
-    // The classical dry oscillator: about the middle -F/k or +F/k each half swing is a half cosine, so every turning point
-    // lies 2 F / k nearer; it stays where it first turns within the band.
+    // The classical dry oscillator. Each half swing is a half cosine about the middle -F/k or +F/k, so every
+    // turning point lies 2 F / k nearer. The mass stops where it first turns within the band.
     constexpr double k = 400, friction = 0.26;
     const auto device =
-        with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .fastest = 1e9}, friction, 0);
+        with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .max_target_speed = 1e9}, friction, 0);
     const Real band = Real(friction) / k, half = std::acos(Real(-1)) * std::sqrt(Real(0.25) / k);
     auto state = resting_at({});
     state.position.x = 0.02;
@@ -155,7 +156,7 @@ TEST(HapticsSimulatedAccuracy, AnUndampedSpringLosesTwoBandsAnHalfSwing) {
 TEST(HapticsSimulatedAccuracy, ARampLetsGoAtTheMomentItShould) {
     constexpr double k = 400, friction = 0.26, w = 0.0371;
     const auto device =
-        with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .fastest = 1e9}, friction, 0);
+        with_friction({.mass = 0.15, .stiffness = k, .damping = 0, .max_target_speed = 1e9}, friction, 0);
     const Real go = Real(friction) / (k * Real(w)), rate = std::sqrt(Real(k) / Real(0.25));
     auto state = resting_at({});
     for (int tick = 1; tick <= 90; ++tick) {  // until just before it would stop again
@@ -168,9 +169,9 @@ TEST(HapticsSimulatedAccuracy, ARampLetsGoAtTheMomentItShould) {
 }
 
 TEST(HapticsSimulatedAccuracy, StickAndSlipDoNotDependOnTheTick) {
-    // The same evenly moved target and constant force by ticks of 1/8, 1 and 8 ms. The bigger the tick the more stops and
-    // starts fall into one.
-    const Hand hand{.mass = 0.15, .stiffness = 400, .damping = 2, .fastest = 1e9};
+    // The same evenly moved target and constant force in ticks of 1/8, 1 and 8 ms. The longer the tick, the
+    // more stops and releases fall into one.
+    const Hand hand{.mass = 0.15, .stiffness = 400, .damping = 2, .max_target_speed = 1e9};
     const auto run = [&hand](int ticks_per_8_ms) {
         const auto device = with_friction(hand, 0.26, 0.2, 8e-3 / ticks_per_8_ms);
         auto state = resting_at({});

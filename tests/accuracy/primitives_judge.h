@@ -1,4 +1,4 @@
-// accuracy/primitives_judge.h: judges a balance by its documentation; shares no code with the solver.
+// accuracy/primitives_judge.h: checks a balance against its documentation; shares no code with the solver.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -8,12 +8,12 @@
 
 namespace thaum::haptics::sets {
 
-/// Of `new` in this program so far.
+/// Number of `new` in this program so far.
 std::size_t allocations();
 
-/// How far, in N, the balance is from what its documentation says: the spring against the sum of the forces, and every force
-/// against what its primitive can exert at the proxy. A position is known to `touching` m, so a force whose direction
-/// depends on it is known no better than that allows.
+/// Largest violation of the documentation by a balance (N): spring against sum of forces, and every force
+/// against what its primitive can exert at the proxy. A position is accurate to `touching` (m), so a force
+/// whose direction depends on it is accurate to what follows from that.
 inline double fault(const PrimitiveSet& set, const Spring& spring, const Balance& balance, double touching) {
     const auto items = set.items();
     double worst = 0;
@@ -25,7 +25,7 @@ inline double fault(const PrimitiveSet& set, const Spring& spring, const Balance
         vec3 m = balance.proxy - p.position;
         vec3 expected{};
         double distance = 0;
-        vec3 outside{};  // what the primitive cannot exert, wherever the proxy is
+        vec3 outside{};  // part that the primitive cannot exert at any proxy
         if (p.kind == PrimitiveKind::directed) {
             worst = std::max(worst, glm::length(force - p.strength * p.direction));
             continue;
@@ -63,9 +63,10 @@ inline Triple operator*(Real s, Triple a) { return {s * a.x, s * a.y, s * a.z}; 
 inline Real dot(Triple a, Triple b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Real length(Triple a) { return std::sqrt(dot(a, a)); }
 
-/// A proven bound of the error of the force, N, from what is returned alone, in 64 bits of mantissa; nothing counts as
-/// touched. f(x) = spring + sum of potentials is k/2 |x - minimum|^2 above its minimum, and the dual value at the forces lies
-/// below: so k |x - minimum| <= sqrt(|what is missing|^2 + 2 k gap).
+/// A proven bound of the error of the force (N), from the result alone, with 64 bits of mantissa. No kink
+/// counts as touched. f(x) = spring + sum of potentials is at least k/2 |x - minimum|^2 above its minimum,
+/// and the dual value at the forces is below the minimum. So k |x - minimum| <= sqrt(|missing force|^2 + 2 k
+/// gap).
 inline double proven_bound(const PrimitiveSet& set, const Spring& spring, const Balance& balance) {
     const Triple x = triple(balance.proxy);
     const Real k = spring.stiffness;
@@ -86,7 +87,8 @@ inline double proven_bound(const PrimitiveSet& set, const Spring& spring, const 
     return static_cast<double>(std::sqrt(dot(missing, missing) + 2 * k * gap));
 }
 
-/// N: how far rounding may raise proven_bound: of the proxy and the positions, which move a kink or a plane, and of forces.
+/// Largest increase of proven_bound by rounding (N): of proxy and positions, which move a kink or plane, and
+/// of forces.
 inline double bound_rounding(const PrimitiveSet& set, const Spring& spring, const Balance& balance) {
     double reach = glm::length(balance.proxy), strength = 0;
     for (const Primitive& p : set.items()) {

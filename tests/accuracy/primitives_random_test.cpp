@@ -1,4 +1,5 @@
-// Random and degenerate sets: the residual, judged anew; the laws of a proximal map; brute force.
+// Accuracy of balances of random and degenerate sets: independent residual, laws of a proximal map, brute
+// force.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace {
 using sets::Case;
 using sets::Scale;
 
-/// m: what a position in the box is known to; far more than its rounding, far less than an encoder's quantum.
+/// Accuracy of a position in the box (m): far above its rounding, far below an encoder's quantum.
 double touching(const Scale& scale) { return 1e-13 * (scale.size + scale.strength / scale.stiffness); }
 
 struct Worst {
@@ -46,7 +47,7 @@ TEST(PrimitivesRandom, SixteenPrimitivesBalance) {
     EXPECT_LE(worst.fault, 1e-9);
 }
 
-/// Sets on which the proof once failed, of the few in a million.
+/// Sets on which the optimality check once failed, of the few in a million.
 TEST(PrimitivesRandom, KinksThatNearlyMeetBalance) {
     using enum PrimitiveKind;
     const auto expect_balanced = [](const PrimitiveSet& set, const Spring& spring) {
@@ -55,7 +56,9 @@ TEST(PrimitivesRandom, KinksThatNearlyMeetBalance) {
         EXPECT_LE(sets::fault(set, spring, found, touching({})), 1e-9) << set.items().size();
         EXPECT_LT(found.steps, 60);
     };
-    {  // Two lines that cross, known each by a point and a direction: normals nearly along a line would place x badly.
+    // Two crossing lines, each given by a point and a direction. Normals nearly along a line would place x
+    // inaccurately.
+    {
         PrimitiveSet set;
         set.add({line,
                  {0.0047499410918187346, 0.0041211621887245718, -0.0086053205396185457},
@@ -67,7 +70,9 @@ TEST(PrimitivesRandom, KinksThatNearlyMeetBalance) {
                  2.9956764385774504});
         expect_balanced(set, {{0.0047499410918187346, 0.0041211621887245718, -0.0086053205396185457}, 300});
     }
-    {  // Lines through the world's origin, where coordinates have no size of their own; one is held at the end of its strength.
+    // Lines through the world's origin, where coordinates have no size of their own. One is held at its full
+    // strength.
+    {
         PrimitiveSet set;
         set.add({plane,
                  {0.0070340789584497259, 0.0025576690495779089, 0.0064541416609062057},
@@ -142,7 +147,7 @@ double f(const PrimitiveSet& set, const Spring& spring, vec3 x) {
     return result;
 }
 
-/// Steps of every length in every direction, halved when none goes down.
+/// Steps of every length in every direction, halved when none leads down.
 vec3 brute_minimum(const PrimitiveSet& set, const Spring& spring, double size, Random& random) {
     vec3 x = spring.centre;
     double best = f(set, spring, x);
@@ -236,7 +241,7 @@ TEST(PrimitivesRandom, ScalesFromTinyToHuge) {
         for (const double strength : {1e-6, 1.0, 1e3}) {
             for (const double size : {1e-9, 1e-3, 1.0, 1e3}) {
                 const double ratio = strength / stiffness / size;
-                if (ratio > 1e8) continue;  // beyond, more is left: TheResidualIsTrueEverywhere
+                if (ratio > 1e8) continue;  // beyond, more is unsolved: TheResidualIsTrueEverywhere
                 const Scale scale{strength, size, stiffness};
                 Worst worst;
                 int unsolved = 0;
@@ -278,7 +283,8 @@ TEST(PrimitivesRandom, TheResidualIsTrueEverywhere) {
 }
 
 TEST(PrimitivesRandom, StrengthsThatDwarfTheSetAreBalancedAllTheSame) {
-    // They would carry the proxy 1e9 times the size of the set away, where its kinks could not be told apart.
+    // They would carry the proxy away by 1e9 times the size of the set, where its kinks could not be told
+    // apart.
     const Scale scale{1e3, 1e-6, 1};
     Random random{11};
     for (int i = 0; i < 20'000; ++i) {
@@ -290,7 +296,7 @@ TEST(PrimitivesRandom, StrengthsThatDwarfTheSetAreBalancedAllTheSame) {
     }
 }
 
-/// A set of random primitives, one of which is next to nothing.
+/// A set of random primitives with one of negligible strength.
 PrimitiveSet set_with_a_speck(Random& random, double speck) {
     PrimitiveSet set;
     const std::size_t count = 1 + random.below(8), at = random.below(count + 1);
@@ -316,7 +322,7 @@ TEST(PrimitivesRandom, AStrengthNextToNothingSpoilsNoSet) {
 }
 
 TEST(PrimitivesRandom, LinesThatAreNearlyParallelGiveTheBestForceAndATrueResidual) {
-    // Where they are 1e-14 m apart their forces turn within a few roundings of a position: some sets end unsolved.
+    // Kinks 1e-14 m apart turn their forces within a few roundings of a position. Some sets end unsolved.
     for (const double angle : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14}) {
         Random random{13};
         for (int i = 0; i < 3'000; ++i) {
@@ -342,7 +348,7 @@ TEST(PrimitivesRandom, LinesThatAreNearlyParallelGiveTheBestForceAndATrueResidua
 }
 
 TEST(PrimitivesRandom, TheStepBudgetHolds) {
-    // Where strength / stiffness dwarfs the set, some are left.
+    // With a huge strength / stiffness, some sets are unsolved.
     Random random{5};
     Scale scale;
     int most = 0;
@@ -355,7 +361,7 @@ TEST(PrimitivesRandom, TheStepBudgetHolds) {
             most = std::max(most, found.steps);
         }
     }
-    EXPECT_LE(most, balance_step_budget + 13);  // 12 passes over the forces are one step's work each
+    EXPECT_LE(most, balance_step_budget + 13);  // 12 passes over the forces cost one step each
     EXPECT_GT(most, 100);
 }
 

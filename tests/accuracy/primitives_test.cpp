@@ -1,4 +1,4 @@
-// Proxies of known sets, in closed form, and what must be refused.
+// Accuracy of proxies of known sets in closed form, and refused input.
 #include "haptics/balance.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ TEST(Primitives, ThreePlanesHoldInTheirCorner) {
 }
 
 TEST(Primitives, APlaneHoldsBesideAPointThatPullsThroughIt) {
-    // The plane can bear the point's 2 N and the spring's 0.3 N.
+    // The plane can take the point's 2 N and the spring's 0.3 N.
     const auto set = set_of({plane({}, {0, 1, 0}, 3), point({0, -0.5, 0}, 2)});
     expect_at(balance(set, {{0, -0.001, 0}, k}), {}, {0, -0.001, 0});
 }
@@ -101,7 +101,7 @@ TEST(Primitives, CoincidentAndOppositeOnesAreOne) {
 }
 
 TEST(Primitives, ATensionRingFindsFermatsPoint) {
-    // Three strong points, a spring too weak to matter: the place that sees all sides at 120 degrees.
+    // Three strong points and a negligible spring: the place that sees all sides at 120 degrees.
     const double h = std::sqrt(3.0) / 2;
     const auto set = set_of({point({1, 0, 0}, 1), point({-0.5, h, 0}, 1), point({-0.5, -h, 0}, 1)});
     const Balance found = balance(set, {{}, 1e-3});
@@ -129,7 +129,7 @@ TEST(Primitives, ADamperIsAShiftedStifferSpring) {
     EXPECT_EQ(effective_spring(coupling, {1, 1, 1}, {}, {1, 1, 1}, 1e-3).centre, vec3(1, 1, 1));
 }
 
-// ---- what is refused ----------------------------------------------------------------------------------------------
+// ---- refused input ----------------------------------------------------------------------------------------
 
 TEST(Primitives, WhatHasAFaultIsRefusedByNameAndLeavesTheSet) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -152,7 +152,7 @@ TEST(Primitives, WhatHasAFaultIsRefusedByNameAndLeavesTheSet) {
     EXPECT_EQ(fault(point({}, 2e6)), Fault::out_of_range);
     EXPECT_EQ(fault({PrimitiveKind::point, {}, {nan, nan, nan}, 1}), Fault::none);  // has no direction
     EXPECT_EQ(fault({PrimitiveKind::directed, {nan, 0, 0}, {1, 0, 0}, 1}),
-              Fault::none);  // and this no position
+              Fault::none);  // has no position
     EXPECT_EQ(fault(plane({}, {0, 1 + 1e-9, 0}, 1)), Fault::none);
 }
 
@@ -166,9 +166,9 @@ TEST(Primitives, AListIsTakenWholeOrNot) {
     std::vector<Primitive> list(16, point({}, 1));
     EXPECT_EQ(checked(list)->items().size(), 16U);
     list.push_back(point({}, 1));
-    EXPECT_NE(checked(list).error().message.find("primitive 16: one too many"), std::string::npos);
+    EXPECT_NE(checked(list).error().message.find("primitive 16: the set is full"), std::string::npos);
     list = {point({}, 1), point({}, -1)};
-    EXPECT_EQ(checked(list).error().message, "primitive 1: strength is negative");
+    EXPECT_EQ(checked(list).error().message, "primitive 1: strength is negative: give 0 or more");
 }
 
 TEST(Primitives, ASpringOutOfRangeGivesNoForce) {

@@ -88,7 +88,7 @@ expect 2 "huge" replay "$folder/huge" --verify
 "$thaum" --headless --seconds 5 --out "$folder/out" >"$folder/said" || { echo "failed: no duel"; exit 1; }
 [[ $(grep -c '^player [12]' "$folder/said") == 2 && -s $folder/out/duel.png ]] || { echo "failed: the duel's files"; exit 1; }
 log=$folder/out/duel.thaumlog
-expect 2 "never written over" --headless --seconds 1 --record "$log" --out "$folder/out"
+expect 2 "never overwritten" --headless --seconds 1 --record "$log" --out "$folder/out"
 expect 2 "the log has 5000 ticks" replay "$log" --dump 5001 "$folder/dump"
 expect 2 "the log has 5.0 s" replay "$log" --at 6
 expect 2 "there are mark, shot" replay "$log" --shots shots --shot-on nothing

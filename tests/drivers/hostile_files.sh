@@ -109,7 +109,7 @@ for run in 1 2 3 4; do
     "$thaum" --headless --seconds 1 --record "$folder/shared.thaumlog" --out "$folder/out$run" >/dev/null 2>"$folder/line$run" &
 done
 wait
-[[ $(cat "$folder"/line[1-4] | grep -c 'never written over') == 3 ]] || fail "four programs, one name: $(cat "$folder"/line[1-4])"
+[[ $(cat "$folder"/line[1-4] | grep -c 'never overwritten') == 3 ]] || fail "four programs, one name: $(cat "$folder"/line[1-4])"
 "$thaum" replay "$folder/shared.thaumlog" --verify >/dev/null || fail "the log of the one that got the name"
 
 # No further thread can be started: commands must use fewer workers, or say in one line that they need one.

@@ -37,8 +37,8 @@ void print(std::size_t device, const input::DeviceSpec& spec, const Seen& s) {
         device, s.sum[hand::look_right], s.sum[hand::look_up], s.sum[hand::wheel], s.least[hand::strafe],
         s.most[hand::strafe], s.least[hand::forward], s.most[hand::forward], s.least[hand::turn_right],
         s.most[hand::turn_right], s.most[hand::trigger], s.buttons, s.skips);
-    for (const auto& percent : spec.fluid_kept_off)
-        std::printf("%c%d", &percent == spec.fluid_kept_off.data() ? ' ' : ',', percent);
+    for (const auto& percent : spec.fluid_reduction)
+        std::printf("%c%d", &percent == spec.fluid_reduction.data() ? ' ' : ',', percent);
     std::printf("\n");
 }
 

@@ -1,5 +1,5 @@
-// Logs: plain damage stops at the checksums, so most mutants are signed again and reach zstd, the decoder, and the match
-// that the header describes.
+// Fuzzing of logs. Plain damage stops at the checksums. So most mutants get correct checksums, and reach
+// zstd, the decoder, and the match that the header describes.
 #include <zstd.h>
 
 #include "core/text.h"
@@ -44,7 +44,7 @@ std::vector<std::string> recorded_logs(const Places& places) {
     return logs;
 }
 
-/// A seed whose blocks can be found: those of the folder may be damaged.
+/// A seed whose blocks can be found; those of the folder may be damaged.
 bool has_blocks(const std::string& seed) {
     if (seed.size() < detail::preamble_size) return false;
     const auto log = bytes_of(seed);
@@ -80,7 +80,8 @@ std::string mutated_columns(const Bytes& log, Random& random) {
         samples::with_block(log, place, samples::signed_block(log, place.begin, packed, changed.size())));
 }
 
-/// The header with its size and checksum right. The blocks belong to another salt then, and are signed again as well.
+/// Corrects size and checksum of the header. The blocks then belong to another salt, so their checksums are
+/// corrected too.
 std::string mutated_header(const Bytes& log, Random& random) {
     const auto body_end = detail::preamble_size + samples::u32_at(log, 12);
     const auto body =

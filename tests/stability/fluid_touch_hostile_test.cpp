@@ -1,4 +1,5 @@
-// A hand that stirs creates no energy and comes to no harm, whatever hand, fluid and delay do.
+// Stability of the fluid forces: a stirring hand creates no energy and stays unharmed, for any hand, fluid
+// and delay.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -20,22 +21,24 @@ vec3 vector_within(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-// ---- the way through the fluid -------------------------------------------------------------------------------------
+// ---- the loop through the fluid ---------------------------------------------------------------------------
 
-/// A fluid that is one mass: it is pushed in the step after the one in which the hand moved it, and is read when that has ended.
+/// A fluid that consists of one mass. It is pushed in the step after the one in which the hand moved it, and
+/// is read after that step.
 struct LateFluid {
-    double mass{};  ///< kg
+    double mass{};  ///< mass of the fluid (kg)
     vec3 velocity{}, pushed{}, coming{};
 
     void step(FluidTouch& touch) {
         velocity += coming / mass;
         coming = pushed;
         pushed = {};
-        newest_step(touch, uniform_flow(velocity, 4, 8));
+        add_fluid_step(touch, uniform_flow(velocity, 4, 8));
     }
 };
 
-/// m/s, of the flow after so many steps, begun at 1; the hand is held fast where hand_mass is 0. told: the mass that the model names.
+/// Velocity of the flow after some steps, 1 at the start (m/s). hand_mass 0: the hand is held fast. `told`:
+/// mass that the model states.
 double flow_after(int steps, double told, double mass, double hand_mass) {
     StirringRig rig;
     rig.servo.most_damping = hand_mass > 0 ? 4 : 1e9;
@@ -63,15 +66,15 @@ TEST(FluidTouchHostile, TheWayThroughTheFluidDoesNotRing) {
     for (const double mass : {0.1, 3.0, 200.0}) {
         EXPECT_LE(flow_after(60, mass, mass, 0), 1e-4) << mass;
         for (const double hand : {0.02, 0.1, 1.0}) EXPECT_LE(flow_after(300, mass, mass, hand), 1e-3);
-        // What the limit is for: up to a gain of 0.83 it fades, beyond it grows.
+        // Purpose of the limit: the oscillation decays up to a gain of 0.83 and grows beyond.
         EXPECT_LE(flow_after(400, mass * 0.80 / loop_gain, mass, 0), 0.2);
         EXPECT_GE(flow_after(400, mass * 0.86 / loop_gain, mass, 0), 5);
     }
 }
 
-// ---- energy --------------------------------------------------------------------------------------------------------
+// ---- energy -----------------------------------------------------------------------------------------------
 
-/// So that no cap takes anything from the hand that the world gave.
+/// Limits so high that no cap takes energy that the world gave.
 DeviceSpec without_limits(DeviceSpec spec) {
     spec.peak_force = spec.continuous_force = 1000;
     return spec;
@@ -91,7 +94,7 @@ TEST(FluidTouchHostile, PassiveModesCreateNothing) {
     }
 }
 
-// ---- what is no number ---------------------------------------------------------------------------------------------
+// ---- input that is not finite -----------------------------------------------------------------------------
 
 double nasty_number(Random& random) {
     switch (random.below(9)) {
@@ -130,7 +133,7 @@ void spoil_fluid(FluidTouch& touch, Random& random) {
     touch.wall = bench::round_bowl(1.5, 1);
     touch.wall.stiffness = 5000;
     touch.wall.damping = 10;
-    touch.surface = {.stiffness = 5000, .pop_through = 200, .cling = 40, .there = 1};
+    touch.surface = {.stiffness = 5000, .pop_through = 200, .cling = 40, .present = 1};
     touch.wall.points = random.below(12);
     touch.surface.inside = static_cast<std::uint32_t>(random.below(2));
     for (const FluidMode& mode : fluid_modes) sometimes(touch.modes.*mode.strength);
@@ -182,7 +185,7 @@ TEST(FluidTouchHostile, NothingGetsThroughAndWhatIsSaneAgainIsFeltAgain) {
                         std::isfinite(state.fluid.flow_work));
             ASSERT_TRUE(std::isfinite(state.energy.created));
         }
-        // Sane again. What was asked for repeatedly has shut it off, perhaps: armed anew.
+        // Valid input again. Repeated excess may have shut the stage off, so it is re-armed.
         model = {};
         model.fluid = some_fluid();
         model.fluid.number = 77;
@@ -192,7 +195,7 @@ TEST(FluidTouchHostile, NothingGetsThroughAndWhatIsSaneAgainIsFeltAgain) {
             model.rearm = tick == 1000;
             servo_step(servo, state, model, {vec3(1e-5 * tick, 0, 0), 0});
         }
-        // 0.01 m/s: 1/16 (2 4 + 1/2 8) of it; the mass goes along by now.
+        // 0.01 m/s: 1/16 (2 4 + 1/2 8) of it; the mass follows by now.
         EXPECT_NEAR(state.fluid.force.x, -0.01 * 0.75, 1e-6);
         EXPECT_NEAR(state.safety.output.x, -0.01 * 0.75, 1e-4) << run << " " << state.safety.cause;
     }

@@ -49,7 +49,7 @@ struct Watch {
             audits[p].record(match.haptic_setup().servos[p].limits, {.wanted = told}, told);
             strongest = std::max(strongest, glm::length(told));
             created = std::max(created, hand_state.servo.energy.most_created);
-            given = std::max(given, hand_state.servo.energy.given);
+            given = std::max(given, hand_state.servo.energy.active_work);
             fastest = std::max(fastest, glm::length(world.get<Motion>(wizard).velocity));
             ASSERT_TRUE(is_finite(hand_state.device.position) && is_finite(hand_state.device.velocity));
         }

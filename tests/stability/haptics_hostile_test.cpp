@@ -1,4 +1,5 @@
-// Hostile input: the simulated device and the coupling stay finite, bounded and passive.
+// Stability of the simulated device and the coupling: they stay finite, bounded and passive for hostile
+// input.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -33,13 +34,13 @@ vec3 hostile_vector(Random& random) {
 TEST(HapticsHostile, NothingMakesTheSimulatedDeviceLeaveItsLimits) {
     for (const auto& spec : shipped_devices()) {
         for (const Hand& hand :
-             {Hand{}, no_hand, Hand{.mass = 0.01, .stiffness = 1e4, .damping = 0, .fastest = inf}}) {
+             {Hand{}, no_hand, Hand{.mass = 0.01, .stiffness = 1e4, .damping = 0, .max_target_speed = inf}}) {
             const auto device = simulated_device(spec, hand);
             Random random{9};
             auto state = resting_at({});
             double fastest = 0;
             for (int tick = 0; tick < 60'000; ++tick) {
-                // Now and then quiet, so that stopping, holding and letting go are met too.
+                // Quiet at times, so that stops, holds and releases occur too.
                 const bool quiet = (tick / 500) % 2 == 1;
                 state = step(device, state, quiet ? vec3(0) : hostile_vector(random),
                              quiet ? vec3(0) : hostile_vector(random));
@@ -50,7 +51,8 @@ TEST(HapticsHostile, NothingMakesTheSimulatedDeviceLeaveItsLimits) {
                 ASSERT_TRUE(is_finite(measured_position(device, state)));
                 fastest = std::max(fastest, glm::length(state.velocity));
             }
-            EXPECT_LE(fastest, 200) << spec.name;  // m/s; the spring of the third hand alone gives some 100
+            // m/s; the spring of the third hand alone reaches about 100.
+            EXPECT_LE(fastest, 200) << spec.name;
         }
     }
 }
@@ -79,7 +81,7 @@ TEST(HapticsHostile, APassiveHandAndDeviceNeverGainEnergy) {
     }
 }
 
-// ---- coupling -----------------------------------------------------------------------------------------------------
+// ---- coupling ---------------------------------------------------------------------------------------------
 
 double pair_energy(const Coupling& c, double mass, const CouplingState& s) {
     const vec3 e = s.hand - s.object;
@@ -110,7 +112,7 @@ TEST(HapticsHostile, ACouplingToAStillHandNeverGainsEnergy) {
                         before = now;
                     }
                     if (ratio > 0) continue;
-                    EXPECT_NEAR(before, start, 1e-8 * start);  // it loses none by itself
+                    EXPECT_NEAR(before, start, 1e-8 * start);  // the energy stays the same
                 }
             }
         }
@@ -118,7 +120,7 @@ TEST(HapticsHostile, ACouplingToAStillHandNeverGainsEnergy) {
 }
 
 TEST(HapticsHostile, WhateverTheHandDoesTheObjectStaysNearIt) {
-    // A hand that teleports in a box of 2 m: at rest in between, so that only the spring carries the object.
+    // A hand that jumps within a box of 2 m. It rests in between, so that only the spring moves the object.
     Random random{21};
     for (const double k : {10.0, 4e3, 1e6}) {
         for (const double m : {1e-3, 1.0, 1e3}) {
@@ -132,7 +134,8 @@ TEST(HapticsHostile, WhateverTheHandDoesTheObjectStaysNearIt) {
                 ASSERT_TRUE(is_finite(s.object) && is_finite(s.object_velocity));
                 farthest = std::max(farthest, glm::length(s.object));
             }
-            // An oscillator pushed at its worst by jumps of size 1: sum of a geometric series in exp(-pi zeta ...).
+            // The worst case of an oscillator driven by jumps of size 1: the sum of a geometric series in
+            // exp(-pi zeta ...).
             EXPECT_LE(farthest, 2 * std::sqrt(3.0) / std::tanh(pi * 0.2 / 2)) << k << " " << m;
         }
     }

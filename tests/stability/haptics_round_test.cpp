@@ -1,6 +1,6 @@
-// A tip that goes anywhere over and in round bodies, edges and grooves: while it is inside it is felt, within
-// Coulomb's cone, and the
-// proxy enters nothing. The places are judged by geometry of their own.
+// Stability of contact with round bodies, edges and grooves: a tip goes anywhere over and in them. While it
+// is inside, there is a force within Coulomb's cone, and the proxy enters nothing. Independent geometry
+// checks the places.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,9 +17,10 @@ namespace {
 
 using namespace round_rig;
 
-// ---- every shape --------------------------------------------------------------------------------------------------
+// ---- every shape ------------------------------------------------------------------------------------------
 
-/// A convex body as the half-spaces and round solids that bound it, for judging a proxy without the code under test.
+/// A convex body as the half-spaces and round solids that bound it. It checks a proxy without the code under
+/// test.
 struct Scene {
     std::string name;
     SurfacePatch patch{};
@@ -29,11 +30,11 @@ struct Scene {
 };
 
 struct Judged {
-    double depth{};  ///< depth of a place beneath the surface (m); below zero outside
+    double depth{};  ///< depth of a place beneath the surface, negative outside (m)
     vec3 normal{};
 };
 
-/// Depth of p in one solid and the normal there; for a box and a cylinder by the nearest face.
+/// Depth of p in one solid and the normal there. For a box and a cylinder, of the nearest face.
 std::vector<Judged> judged(const Surface& s, vec3 p) {
     const vec3 arm = p - s.a;
     const auto from_core = [&](vec3 out, double radius) {
@@ -71,8 +72,7 @@ double depth_in(const Surface& s, vec3 p) {
     return depth;
 }
 
-/// Least by which Coulomb's law is broken with the loads that the normals bear (m, of pull); below zero inside the
-/// cone.
+/// Smallest violation of Coulomb's law by the loads along the normals (m of pull); negative inside the cone.
 double beyond_cone(const std::vector<vec3>& normals, vec3 pull, double friction) {
     double best = glm::length(pull);
     for (std::size_t i = 0; i < normals.size(); ++i) {
@@ -112,7 +112,7 @@ std::vector<Scene> convex_scenes() {
     return scenes;
 }
 
-/// In contact while inside, and within the cone, wherever the tip goes.
+/// Checks contact while inside, and Coulomb's cone, wherever the tip goes.
 void wander(const Scene& scene, double friction, double speed, std::uint64_t seed) {
     const std::string name =
         scene.name + " friction " + std::to_string(friction) + " speed " + std::to_string(speed);
@@ -128,7 +128,7 @@ void wander(const Scene& scene, double friction, double speed, std::uint64_t see
     for (int tick = 0; tick < 3000; ++tick) {
         vec3 place = tip.next(speed);
         if (glm::length(place - scene.middle) > scene.size) tip.way = -glm::normalize(place - scene.middle);
-        const Touched touched = probe.at(place);
+        const ContactResult touched = probe.at(place);
         std::vector<vec3> normals;
         double depth = -1;
         for (std::uint32_t i = 0; i < scene.patch.count; ++i) {
@@ -158,9 +158,10 @@ TEST(RoundBodies, WhileTheTipIsInsideItIsInContactAndWithinTheFrictionCone) {
                 for (const std::uint64_t seed : {1U, 2U}) wander(scene, friction, speed, seed);
 }
 
-// ---- edges of meshes ----------------------------------------------------------------------------------------------
+// ---- edges of meshes --------------------------------------------------------------------------------------
 
-/// Without friction, under a ridge and in a trench of two sloping faces each 0.1 m wide, along and across the edge.
+/// Without friction, under a ridge and in a trench of two sloping faces, each 0.1 m wide, along and across
+/// the edge.
 TEST(RoundBodies, SharpAndConcaveEdgesOfAMeshKeepTheForce) {
     for (const double slope : {0.2, 1.0, 3.0, -0.2, -1.0, -3.0}) {  // above zero: a ridge
         for (const double friction : {0.0, 0.1, 0.35, 1.0}) {
@@ -183,7 +184,7 @@ TEST(RoundBodies, SharpAndConcaveEdgesOfAMeshKeepTheForce) {
                     const vec3 off = place - middle;
                     if (glm::length(off) > 0.01) tip.way = -glm::normalize(off);
                     const double under = -slope * std::abs(place.x) - place.y;
-                    const Touched touched = probe.at(place);
+                    const ContactResult touched = probe.at(place);
                     if (under < 1e-6) continue;
                     ++inside;
                     if (touched.contacts == 0 || glm::length(touched.force) == 0) ++lost;
@@ -204,11 +205,10 @@ TEST(RoundBodies, SharpAndConcaveEdgesOfAMeshKeepTheForce) {
     }
 }
 
-// ---- attacks ------------------------------------------------------------------------------------------------------
+// ---- attacks ----------------------------------------------------------------------------------------------
 
-/// A closed box of two-sided triangles, from whose walls round bodies stick out: half spheres on faces, a capsule
-/// along an edge, a
-/// cylinder through a corner.
+/// A closed box of two-sided triangles with round bodies in its walls: half spheres on faces, a capsule along
+/// an edge, a cylinder through a corner.
 SurfacePatch cave(double half, double friction) {
     SurfacePatch patch = rubbing_patch(friction);
     const auto corner = [&](int i) {
@@ -238,7 +238,7 @@ TEST(RoundBodies, NoSpeedTakesTheProxyThroughRoundBodiesOrTheWallsBesideThem) {
             const double size = std::pow(10.0, random.uniform(-5, 1));
             tip = n % 2 == 0 ? tip + 1e-3 * random_vec(random) : size * random_vec(random);
             if (n % 7 == 0) tip = half * random_vec(random);
-            const Touched touched = probe.at(tip);
+            const ContactResult touched = probe.at(tip);
             const vec3 x = probe.state.proxy;
             ASSERT_TRUE(std::abs(x.x) < half && std::abs(x.y) < half && std::abs(x.z) < half)
                 << n << " friction " << friction;
@@ -255,7 +255,7 @@ TEST(RoundBodies, NoSpeedTakesTheProxyThroughRoundBodiesOrTheWallsBesideThem) {
     }
 }
 
-/// A ball that rolls and a spinning barrel carry the proxy that sticks to them, and push the one that slides.
+/// A rolling ball and a spinning barrel carry the proxy that sticks to them, and push the one that slides.
 TEST(RoundBodies, MovingBodiesCarryAndPushTheProxy) {
     for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder}) {
         for (const double friction : {0.0, 0.35, 5.0}) {
@@ -269,7 +269,7 @@ TEST(RoundBodies, MovingBodiesCarryAndPushTheProxy) {
             for (int tick = 0; tick < 400; ++tick) {
                 probe.patch = moved_on(probe.patch, dt);
                 const vec3 tip(0.0001, 0, 0.012);
-                const Touched touched = probe.at(tip);
+                const ContactResult touched = probe.at(tip);
                 const Surface& s = probe.patch.surfaces[0];
                 const double depth = depth_in(s, tip);
                 if (depth < 1e-6) continue;
@@ -295,7 +295,7 @@ TEST(RoundBodies, AtTheEndOfThePatchTheProxyStaysOnItsSurface) {
         probe.at({0, 1.1 * radius, 0});
         for (int tick = 0; tick < 100; ++tick) {
             const vec3 tip = polar(0.7 * radius, 0.01 * tick);
-            const Touched touched = probe.at(tip);
+            const ContactResult touched = probe.at(tip);
             ASSERT_GT(touched.contacts, 0U) << tick;
             ASSERT_NEAR(glm::length(touched.proxy), radius + surface_gap, 1e-12) << tick;
             ASSERT_LE(glm::length(touched.proxy - probe.patch.centre), 0.005 + 1e-12) << tick;
@@ -304,9 +304,9 @@ TEST(RoundBodies, AtTheEndOfThePatchTheProxyStaysOnItsSurface) {
     }
 }
 
-// ---- two solids -----------------------------------------------------------------------------------------------------
+// ---- two solids -------------------------------------------------------------------------------------------
 
-/// A cylinder and a box that overlap, turned at random, without friction.
+/// A cylinder and a box that overlap, rotated at random, without friction.
 SurfacePatch cylinder_in_box(Random& random) {
     constexpr double size = 0.01;  // m
     SurfacePatch patch = rubbing_patch(0);
@@ -325,8 +325,9 @@ SurfacePatch cylinder_in_box(Random& random) {
     return patch;
 }
 
-/// Without friction the surfaces alone hold the proxy: their pushes reach from the tip to it. Where an edge of one body
-/// crosses the side of another, the proxy hung on the rounding of the edge, by up to 5 N.
+/// Without friction, only the surfaces hold the proxy: the sum of their pushes is the displacement from the
+/// tip. Where an edge of one body crosses the side of another, the proxy once hung on the rounding of the
+/// edge, with up to 5 N.
 TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
     constexpr double rest = 1e-8;  // m; 5e-6 N
     for (std::uint64_t seed = 0; seed < 150; ++seed) {
@@ -338,16 +339,17 @@ TEST(RoundBodies, NothingButPushHoldsAProxyBetweenACylinderAndTheEdgesOfABox) {
             vec3 place = tip.next(0.5);
             if (glm::length(place) > 0.03) place *= 0.999;  // back to the bodies
             tip.place = place;
-            const Touched touched = probe.at(place);
+            const ContactResult touched = probe.at(place);
             const vec3 spring = touched.proxy - place;
             ASSERT_LE(glm::length(spring - touched.push), rest) << "seed " << seed << " tick " << tick;
         }
     }
 }
 
-/// Friction 0.061 holds a proxy in the groove of a sphere and a capsule a third of the way to where the next sphere
-/// would stop it. The exact place is by integrating the descent in long double. Beyond it the pull leaves the cone
-/// again: looked at in its end alone, the path went on to the sphere, with 0.086 N of error in 0.22 N.
+/// Friction 0.061 holds a proxy in the groove of a sphere and a capsule, a third of the way to where the next
+/// sphere would stop it. The exact place comes from integrating the descent in long double. Beyond that place
+/// the pull leaves the cone again. A check of the path's end alone let the proxy go on to the sphere, with
+/// 0.086 N of error in 0.22 N.
 TEST(RoundBodies, InAGrooveFrictionHoldsAtTheFirstPlaceOfALongPath) {
     SurfacePatch patch = rubbing_patch(0.061098345613583738);
     for (std::uint32_t i = 0; i < 3; ++i) {
@@ -370,15 +372,15 @@ TEST(RoundBodies, InAGrooveFrictionHoldsAtTheFirstPlaceOfALongPath) {
                    .sliding = 1,
                    .begun = 1};
     const vec3 exact(-0.00054325069086277227, -0.00043011490315473403, -0.00075069875892546284);
-    const Touched touched =
+    const ContactResult touched =
         probe.at({-0.00047677046294828491, -8.1155886553072374e-06, -0.00013956396290504223});
     EXPECT_LE(glm::length(touched.proxy - exact), 1e-10);
     EXPECT_EQ(touched.contacts, 2U);
 }
 
-// ---- downhill -------------------------------------------------------------------------------------------------------
+// ---- downhill ---------------------------------------------------------------------------------------------
 
-/// A solid as it is judged: `shape` stands at its place, turned about it.
+/// A solid for the check: `shape` stands at its place, rotated about it.
 struct Ground {
     Surface shape{};
     quat turned{1, 0, 0, 0};
@@ -393,8 +395,8 @@ struct Ground {
     }
 };
 
-/// Distance by which a free place within 0.1 um of the proxy is nearer to the tip (m): tries random steps, moves them
-/// out of the solids, and takes the best.
+/// Distance by which a free place within 0.1 um of the proxy is nearer to the tip (m). Tries random steps,
+/// moves them out of the solids, and takes the best.
 double downhill(const std::array<Ground, 2>& grounds, vec3 proxy, vec3 tip, Random& random) {
     constexpr double step = 1e-7, exact = 1e-13;  // m
     std::array<double, 2> allowed{};  // the rounding of an edge lies beneath the gap over its faces
@@ -418,7 +420,8 @@ double downhill(const std::array<Ground, 2>& grounds, vec3 proxy, vec3 tip, Rand
     return best;
 }
 
-/// A box of half extents `half`, turned about the origin: one solid of the patch's first body, or a closed mesh.
+/// A box of half extents `half`, rotated about the origin: one solid of the patch's first body, or a closed
+/// mesh.
 void add_box(SurfacePatch& patch, vec3 half, quat turned, bool mesh) {
     patch.bodies[0].orientation = turned;
     if (!mesh) return add(patch, SurfaceKind::box, {}, half);
@@ -436,7 +439,7 @@ void add_box(SurfacePatch& patch, vec3 half, quat turned, bool mesh) {
     }
 }
 
-/// A box and a round solid that cross, without friction.
+/// A box and a round solid that intersect, without friction.
 struct Crossing {
     SurfacePatch patch{};
     std::array<Ground, 2> grounds{};
@@ -461,8 +464,8 @@ Crossing crossing(SurfaceKind kind, bool mesh, Random& random) {
     return made;
 }
 
-/// Without friction the proxy goes down to the tip as far as the bodies let it, whatever it went over before. The edge of
-/// a box and the seam of two triangles held it beside a round solid, with up to 12 N.
+/// Without friction, the proxy moves as near to the tip as the bodies allow, whatever it passed before. The
+/// edge of a box and the seam of two triangles once held it beside a round solid, with up to 12 N.
 TEST(RoundBodies, NoProxyStaysWhereAWayDownhillIsFree) {
     constexpr double rest = 2e-9;  // m; a pull of a fiftieth of the force
     for (const SurfaceKind kind : {SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder}) {
@@ -489,8 +492,8 @@ TEST(RoundBodies, NoProxyStaysWhereAWayDownhillIsFree) {
     }
 }
 
-/// A plane, two capsules and a sphere leave the proxy no room. The walls that held it last go on doing so: the force
-/// was zero, 15 mm from the tip.
+/// A plane, two capsules and a sphere leave the proxy no room. The walls that held it last keep holding it.
+/// The force was once zero there, 15 mm from the tip.
 TEST(RoundBodies, WithoutRoomTheLastWallsKeepTheForce) {
     SurfacePatch patch = rubbing_patch(0);
     const auto body = [&](SurfaceKind kind, vec3 a, vec3 b, quat turned) {
@@ -511,7 +514,7 @@ TEST(RoundBodies, WithoutRoomTheLastWallsKeepTheForce) {
          {0.13001072, -0.26728686, 0.58271843, -0.75636908});
     Probe probe{patch};
     probe.state = {.proxy = {-0.00408844, 0.01708846, -0.01752639}, .begun = 1};
-    const Touched touched = probe.at({-0.01389941, 0.00874292, -0.00754157});
+    const ContactResult touched = probe.at({-0.01389941, 0.00874292, -0.00754157});
     EXPECT_GT(touched.contacts, 0U);
     EXPECT_GT(glm::length(touched.force), 0);
 }

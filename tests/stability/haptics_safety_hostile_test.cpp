@@ -1,4 +1,5 @@
-// Hostile input: nothing makes the safety stage or the servo step let through what they must not, on any device shipped.
+// Stability of the safety stage and the servo step: no input makes them break a safety rule, on any shipped
+// device.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -36,7 +37,7 @@ void attack_stage(const DeviceSpec& spec, std::uint64_t seed) {
     }
     const std::string rig = spec.name + ", seed " + std::to_string(seed);
     expect_none(audit, rig);
-    // An attack that met only shut doors would prove nothing.
+    // An attack that never gets a force through proves nothing.
     EXPECT_GT(felt, attack_ticks / 10) << rig;
     for (std::size_t cause = 0; cause < met.size(); ++cause) {
         const bool cannot =
@@ -49,13 +50,13 @@ TEST(HapticsSafetyHostile, NothingGetsThroughTheSafetyStage) {
     const auto devices = shipped_devices();
     EXPECT_EQ(devices.size(), 5U);
     for (const auto& spec : devices) {
-        // Seed 1 meets a brake while the force of a Touch comes back from warm motors.
+        // With seed 1, a brake acts while the force of a Touch returns from warm motors.
         attack_stage(spec, 1);
         attack_stage(spec, 5);
     }
 }
 
-/// Something at the tip, sane or not.
+/// A random model at the tip, valid or not.
 void change_patch(HapticModel& model, vec3 at, Random& random) {
     const auto nasty = [&random] {
         constexpr std::array values{0.0, 1e300, -1e-300, HUGE_VAL, std::numeric_limits<double>::quiet_NaN()};
@@ -79,7 +80,7 @@ void change_patch(HapticModel& model, vec3 at, Random& random) {
         body.material.damping = 100 * nasty();
         body.material.static_friction = body.material.dynamic_friction = 50 * nasty();
     }
-    model.drift = {10.0 * place(), 100.0 * place()};
+    model.frame_motion = {10.0 * place(), 100.0 * place()};
     model.patch_number += random.below(2);
 }
 
@@ -90,7 +91,7 @@ TEST(HapticsSafetyHostile, NothingGetsThroughTheServoStep) {
         const Servo servo{safety_limits(spec, 1)};
         ServoState state;
         HapticModel model;
-        const double fall = servo.limits.fastest * tick_seconds;
+        const double fall = servo.limits.max_speed * tick_seconds;
         vec3 position{};
         for (int tick = 0; tick < attack_ticks; ++tick) {
             const auto input = attack.next();

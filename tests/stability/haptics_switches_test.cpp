@@ -1,4 +1,5 @@
-// Switches of passive sources create next to no energy at the hand, whatever the device and whoever holds it.
+// Stability of switches: switching passive sources creates hardly any energy at the hand, for every device
+// and hand.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -26,7 +27,8 @@ TEST(HapticsSwitches, AStretchedSpringThatComesIsNotChased) {
 }
 
 TEST(HapticsSwitches, AHundredThousandRandomSwitchesCreateNextToNothing) {
-    constexpr int switches = 500;  // each of five devices, five hands and eight seeds: 100,000
+    // For each of five devices, five hands and eight seeds: 100,000 in total.
+    constexpr int switches = 500;
     for (const auto& spec : shipped_devices()) {
         for (const auto& hand : bench::switch_hands) {
             const auto run = bench::random_switches(spec, hand, switches);

@@ -1,4 +1,4 @@
-// Z-width: the simulated device against the theory of sampled walls, and against what other simulations of it gave.
+// Z-width: the simulated device against the theory of sampled walls, and against published simulations of it.
 #include "tools/bench/z_width.h"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@ namespace thaum::bench {
 namespace {
 
 TEST(HapticsZWidth, TheExactLimitIsThatOfTheClosedForm) {
-    // Without latency Jury's condition on the constant term: K (a b2 - b1 e) < 1 - e.
+    // Without latency, Jury's condition on the constant term is K (a b2 - b1 e) < 1 - e.
     for (const double b : {0.2, 0.5, 1.0, 5.0}) {
         const double lost = 1 - std::exp(-b * 1e-3 / 0.1), e = 1 - lost;
         const double a = lost * 0.1 / b;
@@ -21,7 +21,7 @@ TEST(HapticsZWidth, EigenvaluesAreOnTheUnitCircleAtTheLimit) {
         const auto spec = reference_device(0.5, latency);
         const double k = exact_limit(spec);
         EXPECT_TRUE(is_stable(wall_polynomial(spec, 0.999 * k)));
-        // The factor by which the loop grows in a tick, by iterating it, is 1.
+        // The growth factor of the loop per tick, found by iteration, is 1.
         const auto p = wall_polynomial(spec, k);
         std::vector<double> y(p.size() - 1, 0.0);
         y.back() = 1;
@@ -59,7 +59,8 @@ struct Published {
     double stiffness;
 };
 
-/// The first of 50, 51.5, ... N/m, 3 % apart, that shakes: how the published figures were found.
+/// The first unstable stiffness of 50, 51.5, ... N/m in steps of 3 %, which is how the published figures were
+/// found.
 double first_that_shakes(const haptics::DeviceSpec& spec) {
     double k = 50;
     while (wall_calms_down(spec, k)) k *= 1.03;
@@ -67,8 +68,9 @@ double first_that_shakes(const haptics::DeviceSpec& spec) {
 }
 
 TEST(HapticsZWidth, PublishedSimulationsAgree) {
-    // With latency on the same rung. Without, the published ones are two or three rungs (up to 10 %) above the loop's own
-    // limit, just above which a shake grows so slowly that they did not see it; ours is at the first rung above the limit.
+    // With latency, the figures agree on the same step. Without it, the published ones are two or three steps
+    // (up to 10 %) above the loop's own limit. Just above the limit the oscillation grows so slowly that they
+    // did not see it. Ours is the first step above the limit.
     for (const auto& p : {Published{0.2, 0, 433}, Published{0.5, 0, 1082}, Published{0.5, 1, 341},
                           Published{1.0, 0, 2199}, Published{1.0, 1, 674}}) {
         const auto spec = reference_device(p.damping, p.latency);
@@ -101,7 +103,7 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
     const auto spec = reference_device(0.5, 1);
     constexpr double newtons = 2;
     EXPECT_LE(delivered_limit(spec, {}, newtons),
-              exact_limit(spec));  // bare: 334, and less for one that is landed on
+              exact_limit(spec));  // bare: 334, and less after a landing
     EXPECT_GE(delivered_limit(spec, {.damping = 2, .controller = 5}, newtons), 2000);
     EXPECT_GE(delivered_limit(spec, {.controller = 5}, newtons), 1500);  // the controller alone
     for (const double stiffness : {1000.0, 1500.0, 2000.0}) {
@@ -109,7 +111,7 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
         EXPECT_LE(at.depth + at.shake, 1.1 * newtons / stiffness) << stiffness;
         EXPECT_NEAR(at.depth, newtons / stiffness, 1e-3 * newtons / stiffness)
             << stiffness;                              // it pushes no deeper
-        EXPECT_LE(at.added_later, 0.05) << stiffness;  // N: once settled, it is the wall alone
+        EXPECT_LE(at.added_later, 0.05) << stiffness;  // N; after settling, only the wall acts
         EXPECT_LE(at.created, 0.02) << stiffness;
     }
     // Without either, the same wall throws the hand off.
@@ -117,7 +119,8 @@ TEST(HapticsZWidth, WithDampingAndControllerAWallOf1000IsDeliveredAtOneTickOfDel
 }
 
 TEST(HapticsZWidth, AControllerOfMoreThanTheLoopBearsShakesByItself) {
-    // Its damping goes by a velocity over eight ticks, which is late: that of the device's own limit, not the most that a number holds.
+    // Its damping acts on a velocity over eight ticks, which is late. So the device's own limit counts, not
+    // the largest number.
     const auto spec = reference_device(0.5, 1);
     EXPECT_LT(delivered_limit(spec, {.damping = 2, .controller = 1000}, 2),
               delivered_limit(spec, {.damping = 2, .controller = 5}, 2) / 2);

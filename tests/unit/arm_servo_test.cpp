@@ -1,5 +1,5 @@
-// The servo of a real arm and the simulation that makes the same steps once more: the same forces to the bit, whatever the two
-// threads do to each other.
+// Unit tests of the servo of a real arm and the simulation that repeats its steps: their forces are equal to
+// the bit, whatever the timing of the two threads.
 #include "input/arm_servo.h"
 
 #include <gtest/gtest.h>
@@ -19,12 +19,12 @@ constexpr std::int64_t ms = 1'000'000;
 const haptics::Servo touch_servo{haptics::safety_limits(
     {.name = "Touch", .sensed = 6, .actuated = 3, .peak_force = 3.3, .continuous_force = 0.88}, 1.0)};
 
-/// An arm that moves by 1 um a tick, so that its place tells which tick it is of.
+/// An arm that moves by 1 um per tick, so that its position identifies the tick.
 struct Arm {
     ArmServo& servo;
     std::int32_t ticks = 0;
     std::int64_t now_ns = 5 * ms;
-    std::vector<vec3> forces{vec3(0)};  // by place in um
+    std::vector<vec3> forces{vec3(0)};  // by position (um)
 
     void step() {
         now_ns += ms;
@@ -36,18 +36,18 @@ struct Arm {
     }
 };
 
-/// A simulation that makes a new model each tick.
+/// A simulation that makes a new model in each tick.
 struct Mirror {
     ArmServo& servo;
     ArmState arm{};
     std::vector<KeptModel> kept = std::vector<KeptModel>(models_kept);
     Random random = random_stream(7, 1);
-    std::map<std::int32_t, vec3> forces{};  // by place in um
+    std::map<std::int32_t, vec3> forces{};  // by position (um)
     std::uint32_t pulses = 0;
     bool panic = false, rearm = false;
     double push = 1;
     DeviceSample newest{};
-    std::uint32_t epoch = 1;  // of what is kept
+    std::uint32_t epoch = 1;  // epoch of the remembered models
 
     const KeptModel* find(std::uint32_t number) const {
         const auto& model = kept[number % models_kept];
@@ -56,7 +56,7 @@ struct Mirror {
 
     haptics::HapticModel next_model() {
         haptics::HapticModel model;
-        model.lean.force = push * vec3(random.uniform(), random.uniform(), -random.uniform());
+        model.steady_force.force = push * vec3(random.uniform(), random.uniform(), -random.uniform());
         model.tether = {
             .anchor = {0.001 * random.uniform(), 0, 0}, .stiffness = 100, .damping = 1, .number = 1};
         if (random.uniform() < 0.01) ++pulses;
@@ -81,7 +81,7 @@ struct Mirror {
     }
 };
 
-/// Returns how many forces were compared.
+/// Returns the number of compared forces.
 std::size_t expect_same_forces(const Arm& arm, const Mirror& mirror) {
     for (const auto& [place, force] : mirror.forces) {
         const auto& told = arm.forces[static_cast<std::size_t>(place)];
@@ -110,7 +110,7 @@ TEST(ArmServo, InStepTheForcesAgree) {
     EXPECT_EQ(servo.troubles().lost, 0U);
 }
 
-/// Nobody keeps step: either side waits now and then, for up to 30 ticks.
+/// Uneven timing: either side waits now and then, for up to 30 ticks.
 TEST(ArmServo, OutOfStepTheForcesAgree) {
     ArmServo servo;
     Arm arm{servo};
@@ -128,7 +128,7 @@ TEST(ArmServo, OutOfStepTheForcesAgree) {
     EXPECT_GT(oldest, 10);
 }
 
-/// Long stalls of the simulation, which then leaves ticks out, and of the arm; samples get lost on the way.
+/// Long stalls of the simulation, which then leaves ticks out, and of the arm. Samples are lost on the way.
 TEST(ArmServo, AfterGapsTheForcesAgreeAgain) {
     ArmServo servo;
     Arm arm{servo};
@@ -140,18 +140,18 @@ TEST(ArmServo, AfterGapsTheForcesAgreeAgain) {
         EXPECT_EQ(mirror.newest.model_age, 1) << "in step again";
         const auto stall = static_cast<int>(random.uniform() * 1500);
         switch (round % 4) {
-            case 0:  // the simulation stands still, and leaves out what it missed
+            case 0:  // the simulation stops, and leaves out the ticks that it missed
                 for (int i = 0; i < stall; ++i) arm.step();
                 mirror.tick(true);
                 break;
-            case 1:  // it catches up instead
+            case 1:  // the simulation catches up instead
                 for (int i = 0; i < stall; ++i) arm.step();
                 for (int i = 0; i < stall; ++i) mirror.tick();
                 break;
-            case 2:  // the arm stands still
+            case 2:  // the arm stops
                 for (int i = 0; i < stall; ++i) mirror.tick();
                 break;
-            default:  // another simulation
+            default:  // a new simulation
                 gaps += mirror.arm.gaps;
                 mirror.arm = {};
                 mirror.kept.assign(models_kept, {});
@@ -208,7 +208,7 @@ TEST(ArmServo, BeforeTheFirstModelThereIsNoForce) {
     EXPECT_EQ(servo.waiting(), 0U);
 }
 
-// ---- bad poses -------------------------------------------------------------------------------------------------------------
+// ---- bad poses --------------------------------------------------------------------------------------------
 
 struct BadPoses : ::testing::Test {
     ArmServo servo{};
@@ -219,7 +219,7 @@ struct BadPoses : ::testing::Test {
     BadPoses() {
         for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
     }
-    /// 200 ticks with a reading made by f(number).
+    /// Runs 200 ticks with readings made by f(number).
     template <class F>
     void feed(F f) {
         for (int i = 1; i <= 200; ++i) {
@@ -277,7 +277,7 @@ TEST_F(BadPoses, ThatJumpFar) {
     EXPECT_EQ(strongest(forces, 10), 0) << "nothing moves that fast";
 }
 
-// ---- the simulation's side --------------------------------------------------------------------------------------------------
+// ---- the simulation's side --------------------------------------------------------------------------------
 
 TEST(ArmState, AnySampleOfADamagedLogIsSurvived) {
     Random random = random_stream(17, 1);
@@ -320,7 +320,7 @@ TEST(ArmServo, PanicAndItsEndReachTheArm) {
     mirror.panic = false;
     both(1);
     EXPECT_EQ(arm.forces.back(), vec3(0));
-    // What was latched stays so in the next epoch.
+    // A latch stays in the next epoch.
     mirror.tick(true);
     const auto then = arm.forces.size();
     both(200);
@@ -331,7 +331,7 @@ TEST(ArmServo, PanicAndItsEndReachTheArm) {
     expect_same_forces(arm, mirror);
 }
 
-/// Two threads, both as fast as they can: what a race would spoil shows as a force that differs (and to a thread sanitizer).
+/// Two threads, both as fast as they can. A race would show as a different force (and to a thread sanitizer).
 TEST(ArmServo, TwoThreadsAgree) {
     ArmServo servo;
     Arm arm{servo};
@@ -342,7 +342,8 @@ TEST(ArmServo, TwoThreadsAgree) {
             arm.step();
             if (servo.waiting() > 20 || arm.ticks % 50 == 0) std::this_thread::yield();
         }
-        stop = true;  // or the other waits for ever, where it had no processor until all ticks were over
+        // Without it the other thread could wait for ever, if it got no processor until all ticks were over.
+        stop = true;
     });
     for (int i = 0; i < 20'000; ++i) {
         while (servo.waiting() == 0 && i % 100 != 0 && !stop) std::this_thread::yield();

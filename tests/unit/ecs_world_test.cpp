@@ -30,7 +30,7 @@ TEST_F(EcsWorld, AHandleOfADestroyedEntityIsStaleEvenWhenItsNumberIsUsedAgain) {
     EXPECT_EQ(a.index, b.index);
     EXPECT_FALSE(world.alive(a));
     EXPECT_TRUE(world.alive(b));
-    EXPECT_FALSE(world.alive(nobody));
+    EXPECT_FALSE(world.alive(no_entity));
     EXPECT_EQ(world.find<Position>(a), nullptr);
 }
 

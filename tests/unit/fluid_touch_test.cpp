@@ -1,4 +1,4 @@
-// What a hand feels that stirs, against closed forms; what the fluid gets of it.
+// Unit tests of the forces on a stirring hand against closed forms, and of the force for the fluid.
 #include "haptics/fluid_touch.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// s_f s_x: what 1 N s/m of the bowl is at the hand.
+/// s_f s_x: damping at the hand per 1 N s/m in the bowl.
 constexpr double felt_share = 16.0 / 256;
 
 vec3 in_device(const FluidTouch& touch, vec3 bowl) { return glm::transpose(touch.frame.turn) * bowl; }
@@ -19,7 +19,7 @@ vec3 any_vector(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-// ---- drag ----------------------------------------------------------------------------------------------------------
+// ---- drag -------------------------------------------------------------------------------------------------
 
 TEST(FluidTouch, EachModeIsItsEquation) {
     Random random{3};
@@ -34,8 +34,8 @@ TEST(FluidTouch, EachModeIsItsEquation) {
                                .wall = 0,
                                .inertia = 0};
         rig.fluid().modes = modes;
-        newest_step(rig.fluid(), uniform_flow(u, viscosity, density));
-        newest_step(rig.fluid(), uniform_flow(u, viscosity, density));
+        add_fluid_step(rig.fluid(), uniform_flow(u, viscosity, density));
+        add_fluid_step(rig.fluid(), uniform_flow(u, viscosity, density));
         const vec3 force = rig.feel_moving(at, v);
         const vec3 bowl_velocity = rig.fluid().frame.turn * (16.0 * v);
         const double mu = static_cast<float>(viscosity), rho = static_cast<float>(density);
@@ -49,7 +49,8 @@ TEST(FluidTouch, EachModeIsItsEquation) {
 }
 
 TEST(FluidTouch, AMixtureIsFeltAsTheWeightedSumOfItsSubstances) {
-    // Two substances, each in an own grid: the force is the sum of theirs by amount (section 4.1 of the paper).
+    // Two substances, each in a grid of its own: the force is the sum of theirs by amount (section 4.1 of the
+    // paper).
     std::array<float, 8> one{}, other{}, still{};
     one.fill(0.25F);
     other.fill(0.5F);
@@ -62,8 +63,8 @@ TEST(FluidTouch, AMixtureIsFeltAsTheWeightedSumOfItsSubstances) {
         FlowSource source{.velocity = {{grid(still), grid(still), grid(still)}}};
         source.substances[0] = {grid(one), 2 * first, 4 * first};
         source.substances[1] = {grid(other), 3 * second, 1 * second};
-        newest_step(rig.fluid(), patch_of(source, {}));
-        newest_step(rig.fluid(), patch_of(source, {}));
+        add_fluid_step(rig.fluid(), patch_of(source, {}));
+        add_fluid_step(rig.fluid(), patch_of(source, {}));
         return rig.feel_moving({}, {0.1, 0, 0});
     };
     const vec3 sum = force_of(1, 0) + force_of(0, 1);
@@ -82,14 +83,15 @@ TEST(FluidTouch, AFreeHandComesToGoAsTheFlowDoes) {
             modes.viscosity = modes.flow = 1;
         const vec3 u{1, 0.25, -0.5};
         rig.fluid().step_age = 100;
-        newest_step(rig.fluid(), uniform_flow(u, 4, 8));
+        add_fluid_step(rig.fluid(), uniform_flow(u, 4, 8));
         for (int tick = 0; tick < 8000; ++tick, ++rig.fluid().step_age) rig.tick();
         EXPECT_LE(glm::length(rig.tip.velocity - in_device(rig.fluid(), u) / 16.0), 1e-6) << by_resistance;
         EXPECT_LE(rig.state.energy.most_created, 1e-3);
     }
 }
 
-/// Of 1 - z = gain (1 + z) / 2 (1/8) sum z^-j: a velocity of 8 ticks back to now, held for a tick, brakes a mass.
+/// Solves 1 - z = gain (1 + z) / 2 (1/8) sum z^-j: a mass braked by the velocity over the last 8 ticks, held
+/// for a tick.
 double decay_per_tick(double gain) {
     double low = 0.9, high = 1;
     for (int i = 0; i < 200; ++i) {
@@ -120,8 +122,8 @@ TEST(FluidTouch, NoBrewIsTooThickForTheDevice) {
         const vec3 u = in_device(across.fluid(), vec3(2, 0, 0) / 16.0), v{0, 0.2, 0};
         for (StirringRig* rig : {&across, &along}) {
             rig->fluid().modes.viscosity = rig->fluid().modes.flow = 1;
-            newest_step(rig->fluid(), uniform_flow({2, 0, 0}, viscosity, 0));
-            newest_step(rig->fluid(), uniform_flow({2, 0, 0}, viscosity, 0));
+            add_fluid_step(rig->fluid(), uniform_flow({2, 0, 0}, viscosity, 0));
+            add_fluid_step(rig->fluid(), uniform_flow({2, 0, 0}, viscosity, 0));
         }
         const double slope = std::min(felt_share * 2 * viscosity, 30.0);
         EXPECT_LE(glm::length(across.feel_moving({}, v) + slope * (v - u)), 1e-9) << viscosity;
@@ -130,8 +132,8 @@ TEST(FluidTouch, NoBrewIsTooThickForTheDevice) {
 }
 
 TEST(FluidTouch, WhatTheHandGetsTheFluidLoses) {
-    // All drags, in a flow that grows and a brew that changes from step to step: the momentum of the device, of which the test
-    // knows by its motion alone, against the sum of what the fluid is to get.
+    // All drags, in a growing flow and a brew that changes from step to step. The device's momentum, derived
+    // from its motion alone, must equal the sum of what the fluid gets.
     StirringRig rig;
     rig.fluid().modes = {1, 1, 1, 0, 0, 0, 0};
     Random random{5};
@@ -141,14 +143,14 @@ TEST(FluidTouch, WhatTheHandGetsTheFluidLoses) {
     for (int tick = 0; tick < 3000; ++tick, ++rig.fluid().step_age) {
         const double much = (tick - tick % 16) / 3200.0;
         if (tick % 16 == 0)
-            newest_step(rig.fluid(),
-                        uniform_flow(much * vec3(1, -0.5, 2), random.uniform(0, 5), random.uniform(0, 5)));
+            add_fluid_step(rig.fluid(),
+                           uniform_flow(much * vec3(1, -0.5, 2), random.uniform(0, 5), random.uniform(0, 5)));
         rig.tick();
         const vec3 on_fluid = -force_on_ladle(rig.fluid(), rig.state.fluid) * tick_seconds;
         fluid_got += on_fluid;
         size += glm::abs(on_fluid);
     }
-    ASSERT_LT(rig.state.energy.given, active_budget) << "nothing was kept from the hand";
+    ASSERT_LT(rig.state.energy.active_work, active_budget) << "nothing was kept from the hand";
     ASSERT_EQ(rig.state.energy.most_created, 0) << "and the controller asked for nothing";
     const vec3 hand_got = rig.fluid().frame.turn * (0.1 * (rig.tip.velocity - start)) * 256.0;
     EXPECT_LE(glm::length(fluid_got + hand_got), 1e-6 * glm::length(size));
@@ -171,7 +173,7 @@ TEST(FluidTouch, TheFluidGetsAllOfItFromAGentleHand) {
     }
 }
 
-// ---- time ----------------------------------------------------------------------------------------------------------
+// ---- time -------------------------------------------------------------------------------------------------
 
 TEST(FluidTouch, AFluidStepMakesNoJump) {
     StirringRig rig;
@@ -180,11 +182,11 @@ TEST(FluidTouch, AFluidStepMakesNoJump) {
     const auto step = [&] {
         return uniform_flow(any_vector(random, 2), random.uniform(0, 4), random.uniform(0, 4));
     };
-    newest_step(rig.fluid(), step());
+    add_fluid_step(rig.fluid(), step());
     rig.fluid().step_age = 16;
     vec3 before = rig.feel_moving({}, {}), at_step = before;
     for (int fluid_step = 0; fluid_step < 200; ++fluid_step) {
-        newest_step(rig.fluid(), step());
+        add_fluid_step(rig.fluid(), step());
         double largest = 0;
         for (int tick = 0; tick < 16; ++tick, ++rig.fluid().step_age) {
             const vec3 force = rig.feel_at({});
@@ -202,8 +204,8 @@ TEST(FluidTouch, AnOldModelGoesOnAsANewOneWould) {
     for (StirringRig* rig : {&fresh, &old}) {
         rig->fluid().modes = {1, 1, 1, 1, 0, 0, 0};
         rig->fluid().surface = {
-            .height = 0.3, .velocity = 0.2, .stiffness = 4000, .pop_through = 300, .there = 1};
-        newest_step(rig->fluid(), uniform_flow({2, 1, 0}, 1, 3));
+            .height = 0.3, .velocity = 0.2, .stiffness = 4000, .pop_through = 300, .present = 1};
+        add_fluid_step(rig->fluid(), uniform_flow({2, 1, 0}, 1, 3));
     }
     for (int tick = 0; tick < 40; ++tick) {
         old.model_age = static_cast<std::uint32_t>(std::min(tick, 19));
@@ -219,9 +221,9 @@ TEST(FluidTouch, AnOldModelGoesOnAsANewOneWould) {
     EXPECT_GT(glm::length(fresh.state.fluid.force) + std::abs(fresh.state.fluid.surface_force), 0.1);
 }
 
-// ---- wall ----------------------------------------------------------------------------------------------------------
+// ---- wall -------------------------------------------------------------------------------------------------
 
-/// m: how far a place is outside each piece of the profile, at most; below 0 within all.
+/// Largest distance of a place outside any piece of the profile (m); negative inside.
 double outside_by(const BowlWall& wall, vec3 place) {
     const vec3 off = place - wall.centre;
     const vec2 at{std::sqrt(off.x * off.x + off.z * off.z), off.y};
@@ -235,20 +237,21 @@ double outside_by(const BowlWall& wall, vec3 place) {
 
 TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
     Random random{4};
-    // The bowl of the court, whose inside is widest below its level; and half an ellipsoid.
+    // The bowl of the arena, which is widest below its rim; and half an ellipsoid.
     BowlWall court{.points = 5};
     court.profile = {vec2{1.265, 0}, {1.35, -0.31}, {1.2, -0.56}, {0.75, -0.73}, {0, -0.76}};
     for (int run = 0; run < 3000; ++run) {
         BowlWall wall = run % 2 == 0 ? court : bench::round_bowl(1.2, 0.7);
         wall.centre = any_vector(random, 1);
         const vec3 place = wall.centre + any_vector(random, run % 3 == 0 ? 30 : 1.5);
-        const vec3 held = held_in(wall, place);
+        const vec3 held = nearest_in_bowl(wall, place);
         if (outside_by(wall, place) <= 0) {
             EXPECT_EQ(held, place);
             continue;
         }
         EXPECT_LE(std::abs(outside_by(wall, held)), 1e-12);
-        // Of a convex set the nearest place is the one from which none within lies nearer: (place - held) . (other - held) <= 0.
+        // In a convex set, the nearest place is where (place - held) . (other - held) <= 0 for every other
+        // place inside.
         for (int other = 0; other < 30; ++other) {
             const vec3 within = wall.centre + any_vector(random, 1.4);
             if (outside_by(wall, within) > 0) continue;
@@ -256,9 +259,9 @@ TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
         }
     }
     for (const vec3 place : {vec3(0, -50, 0), vec3(50, 0, 0), vec3(0, -1e9, 0)})
-        EXPECT_LE(std::abs(outside_by(court, held_in(court, place))), 1e-6);
+        EXPECT_LE(std::abs(outside_by(court, nearest_in_bowl(court, place))), 1e-6);
     court.points = 1;
-    EXPECT_EQ(held_in(court, {9, 9, 9}), vec3(9, 9, 9));
+    EXPECT_EQ(nearest_in_bowl(court, {9, 9, 9}), vec3(9, 9, 9));
 }
 
 TEST(FluidTouch, AHandThatLeansOnTheBowlGoesInByForceOverStiffness) {
@@ -268,17 +271,17 @@ TEST(FluidTouch, AHandThatLeansOnTheBowlGoesInByForceOverStiffness) {
     rig.fluid().modes.wall = 1;
     rig.fluid().frame.origin = {};
     rig.fluid().wall = bench::round_bowl(1.5, 1);
-    rig.fluid().wall.stiffness = 5000;  // 312.5, 2.5 at the hand
+    rig.fluid().wall.stiffness = 5000;  // 312.5 N/m, 2.5 N s/m at the hand
     rig.fluid().wall.damping = 40;
     const vec3 out = in_device(rig.fluid(), glm::normalize(vec3(0.3, -1, 0.2)));
-    rig.model.lean = {2.0 * out, 1};
+    rig.model.steady_force = {2.0 * out, 1};
     for (int tick = 0; tick < 6000; ++tick) rig.tick();
     const auto& state = rig.state.fluid;
     const vec3 place = to_bowl(rig.fluid().frame, rig.tip.position);
     EXPECT_NEAR(glm::length(place - state.place) / 16, 2.0 / 312.5, 2e-6);
     EXPECT_NEAR(glm::length(state.wall), 2, 1e-3);
-    EXPECT_LE(glm::length(state.wall + rig.model.lean.force), 1e-2);
-    // However deep it is, and wherever it came from, it is drawn back in.
+    EXPECT_LE(glm::length(state.wall + rig.model.steady_force.force), 1e-2);
+    // The wall pulls the tip back from any depth, wherever it came from.
     const vec3 far = rig.feel_at(out * 3.0);
     EXPECT_LT(glm::dot(far, out), 0);
 }
@@ -296,7 +299,7 @@ TEST(FluidTouch, TheWallNeverPulls) {
     EXPECT_NEAR(rig.feel_moving({2, 0.5, 0}, {}).x, -100, 1e-9) << "above the rim it goes on upright";
 }
 
-// ---- surface -------------------------------------------------------------------------------------------------------
+// ---- surface ----------------------------------------------------------------------------------------------
 
 BrewSurface surface_of(const fluid::SheetSettings& s, const fluid::SheetReaction& r) {
     return {.height = r.height,
@@ -304,7 +307,7 @@ BrewSurface surface_of(const fluid::SheetSettings& s, const fluid::SheetReaction
             .pop_through = s.pop_through,
             .cling = s.cling,
             .inside = r.inside ? 1U : 0U,
-            .there = 1};
+            .present = 1};
 }
 
 TEST(FluidTouch, TheSurfaceIsTheSheetsOwnSpring) {
@@ -343,11 +346,12 @@ TEST(FluidTouch, TheSurfaceIsTheSheetsOwnSpring) {
 }
 
 TEST(FluidTouch, ASurfaceThatLiftsAHandPaysForIt) {
-    // Lifted with it, a hand gets the energy that the surface loses; held against it as it sinks, the surface gets the hand's.
+    // A hand lifted with the surface gets the energy that the surface loses. Held against a sinking surface,
+    // the hand gives energy.
     StirringRig rig;
     rig.fluid().modes.surface = 1;
     rig.fluid().frame = {.metres_per_metre = 20, .newtons_per_newton = 0.005};
-    rig.fluid().surface = {.stiffness = 4000, .pop_through = 300, .there = 1};
+    rig.fluid().surface = {.stiffness = 4000, .pop_through = 300, .present = 1};
     rig.feel_at({});
     for (int tick = 0; tick < 1000; ++tick) {
         const double y = 0.02 * std::sin(2 * pi * tick / 1000);
@@ -360,7 +364,7 @@ TEST(FluidTouch, ASurfaceThatLiftsAHandPaysForIt) {
 TEST(FluidTouch, ACurrentIsHeldToItsBudget) {
     StirringRig rig;
     rig.fluid().modes.flow = 1;
-    for (int step = 0; step < 2; ++step) newest_step(rig.fluid(), uniform_flow({160, 0, 0}, 4, 0));
+    for (int step = 0; step < 2; ++step) add_fluid_step(rig.fluid(), uniform_flow({160, 0, 0}, 4, 0));
     double work = 0;
     for (int tick = 0; tick < 1000; ++tick) {
         const vec3 from = rig.tip.position;
@@ -376,7 +380,7 @@ TEST(FluidTouch, TheLadleIsFeltAsItDipsIn) {
     rig.fluid().modes.viscosity = 1;
     rig.fluid().frame = {.metres_per_metre = 1, .newtons_per_newton = 1};
     rig.fluid().drag = {.viscous = 1, .height = 0.2};
-    rig.fluid().surface = {.height = 0, .inside = 1, .there = 1};
+    rig.fluid().surface = {.height = 0, .inside = 1, .present = 1};
     const auto drag_at = [&rig](double y) { return -rig.feel_moving({0, y, 0}, {0.1, 0, 0}).x / 0.1; };
     EXPECT_EQ(drag_at(0.05), 0);
     EXPECT_NEAR(drag_at(-0.05), 1, 1e-9);
@@ -387,27 +391,29 @@ TEST(FluidTouch, TheLadleIsFeltAsItDipsIn) {
     EXPECT_EQ(rig.state.fluid.immersed, 0);
 }
 
-// ---- inertia and recoil --------------------------------------------------------------------------------------------
+// ---- inertia and recoil -----------------------------------------------------------------------------------
 
 TEST(FluidTouch, TheLadleIsAsHeavyAsItIs) {
     for (const double strength : {1.0, 0.5}) {
         StirringRig rig;
         rig.fluid().modes.inertia = strength;
-        rig.fluid().ladle = {.mass = 3.2, .stiffness = 4800, .damping = 60};  // 0.2 kg, 300 N/m, 3.75 N s/m
+        // 0.2 kg, 300 N/m, 3.75 N s/m at the hand.
+        rig.fluid().ladle = {.mass = 3.2, .stiffness = 4800, .damping = 60};
         const double mass = strength * 0.2;
         for (int tick = 0; tick < 10; ++tick) rig.tick();
-        rig.model.lean = {{0.3, 0, 0.4}, 1};
+        rig.model.steady_force = {{0.3, 0, 0.4}, 1};
         vec3 halfway{};
         for (int tick = 0; tick < 1000; ++tick) {
             rig.tick();
             if (tick == 499) halfway = rig.tip.velocity;
-            // What hand and ladle have is what was given, in each tick.
+            // The momentum of hand and ladle is the impulse given so far, in each tick.
             const vec3 momentum = 0.1 * rig.tip.velocity + mass * rig.state.fluid.mass_velocity;
-            ASSERT_LE(glm::length(momentum - rig.model.lean.force * ((tick + 1) * tick_seconds)), 1e-9)
+            ASSERT_LE(glm::length(momentum - rig.model.steady_force.force * ((tick + 1) * tick_seconds)),
+                      1e-9)
                 << tick;
         }
         const vec3 acceleration = (rig.tip.velocity - halfway) / 0.5;
-        EXPECT_LE(glm::length(acceleration - rig.model.lean.force / (0.1 + mass)), 1e-3) << strength;
+        EXPECT_LE(glm::length(acceleration - rig.model.steady_force.force / (0.1 + mass)), 1e-3) << strength;
         EXPECT_LE(rig.state.energy.most_created, 1e-4);
     }
 }
@@ -440,7 +446,7 @@ TEST(FluidTouch, WhatIsThrownInRecoilsByItsImpulse) {
     EXPECT_EQ(recoil_peak(rig.fluid(), impulse, 30), vec3(0));
 }
 
-// ---- off, and switches ---------------------------------------------------------------------------------------------
+// ---- off, and switches ------------------------------------------------------------------------------------
 
 TEST(FluidTouch, WithoutStrengthItIsFeltAsIfThereWereNone) {
     StirringRig none, off;
@@ -449,20 +455,20 @@ TEST(FluidTouch, WithoutStrengthItIsFeltAsIfThereWereNone) {
     off.fluid().wall = bench::round_bowl(0.01, 0.01);
     off.fluid().wall.stiffness = 1e4;
     off.fluid().ladle = {1, 300, 3};
-    off.fluid().surface = {.height = 1, .stiffness = 1e4, .pop_through = 1e4, .there = 1};
+    off.fluid().surface = {.height = 1, .stiffness = 1e4, .pop_through = 1e4, .present = 1};
     Random random{6};
     for (int tick = 0; tick < 500; ++tick) {
         const vec3 at = any_vector(random, 0.001);
         for (StirringRig* rig : {&none, &off}) {
             rig->model.tether = {.stiffness = 100, .damping = 1};
             rig->model.pulse = {{1, 0, 0}, 10, static_cast<std::uint32_t>(1 + tick / 50)};
-            rig->model.lean.number =
-                1 + static_cast<std::uint64_t>(tick) / 7;  // another one is a switch, too
+            rig->model.steady_force.number =
+                1 + static_cast<std::uint64_t>(tick) / 7;  // another number is a switch, too
         }
-        off.fluid().number = none.model.lean.number;
+        off.fluid().number = none.model.steady_force.number;
         ASSERT_EQ(none.feel_at(at), off.feel_at(at));
-        // Where the ladle is, is told all the same.
-        const vec3 place = held_in(off.fluid().wall, to_bowl(off.fluid().frame, at));
+        // The ladle's place is computed all the same.
+        const vec3 place = nearest_in_bowl(off.fluid().wall, to_bowl(off.fluid().frame, at));
         ASSERT_EQ(off.state.fluid.place, place);
         ASSERT_EQ(off.state.fluid.immersed, 0) << "above the surface";
         ServoState but_for_it = off.state;
@@ -477,8 +483,8 @@ TEST(FluidTouch, WhatComesGoesOrJumpsIsASwitch) {
     rig.fluid().modes = {1, 1, 1, 0, 0, 0, 0};
     rig.servo.limits.slew = 40;
     const vec3 u{6, 0, 0};
-    newest_step(rig.fluid(), uniform_flow(u, 4, 8));
-    newest_step(rig.fluid(), uniform_flow(u, 4, 8));
+    add_fluid_step(rig.fluid(), uniform_flow(u, 4, 8));
+    add_fluid_step(rig.fluid(), uniform_flow(u, 4, 8));
     vec3 before = rig.feel_at({});
     const auto numbers = {1U, 2U, 0U, 5U};
     double largest = 0;

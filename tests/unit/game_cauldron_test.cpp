@@ -90,7 +90,7 @@ struct HeldLadle {
 
     explicit HeldLadle(const Percents& percents) {
         auto hand = mouse(0);
-        for (std::size_t i = 0; i < percents.size(); ++i) hand.ask_for_fluid(i, percents[i]);
+        for (std::size_t i = 0; i < percents.size(); ++i) hand.set_fluid_percent(i, percents[i]);
         match = at_the_rim(
             {.seed = 4,
              .devices = {hand, mouse(1), {.player = 0, .kind = input::DeviceKind::arm, .name = "arm"}}},

@@ -43,7 +43,7 @@ TEST(Probe, ThingsAtRestMoveExactlyInATurningFrame) {
         const auto& body = patch.bodies[patch.surfaces[0].body];
         EXPECT_EQ(body.key, 5U);
         EXPECT_LE(glm::length(body.position - frame.to_device(middle)), 1e-15);
-        const auto drift = drift_of(frame, before);
+        const auto drift = frame_motion_of(frame, before);
         for (int i = 0; i < 10; ++i) {
             const vec3 place = middle + any_place(random, 0.3);
             const vec3 was = before.to_device(place), is = frame.to_device(place);
@@ -98,7 +98,7 @@ TEST(Probe, TurningAndWalkingGiveNoForce) {
         match.tick(frame);
         const auto& hand_state = match.world().get<HandState>(wizard_of(match.world(), 0));
         strongest = std::max(strongest, glm::length(hand_state.servo.safety.output));
-        if (glm::length(hand_state.servo.shift) > 0.005) ++shifted;
+        if (glm::length(hand_state.servo.contact_offset) > 0.005) ++shifted;
     }
     EXPECT_LT(strongest, 0.1);
     EXPECT_GT(shifted, 1000) << "the wand met nothing at all";

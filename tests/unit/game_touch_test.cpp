@@ -177,7 +177,7 @@ TEST(HapticSetup, ARowOfForcesHoldsTheForceOnTheHand) {
         const vec3 x = hand_state.device.position, f = hand_state.servo.safety.output;
         const auto& energy = hand_state.servo.energy;
         append_text(expected, text(",", x.x, ",", x.y, ",", x.z, ",", f.x, ",", f.y, ",", f.z, ",none,",
-                                   energy.created, ",", energy.given, ",0,0,0,0,0,0,0,0,0,0,0,0"));
+                                   energy.created, ",", energy.active_work, ",0,0,0,0,0,0,0,0,0,0,0,0"));
     }
     EXPECT_EQ(row, expected + "\n");
     const auto header = forces_header();

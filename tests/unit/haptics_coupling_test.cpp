@@ -1,4 +1,4 @@
-// The coupling's frames, signs and bookkeeping.
+// Unit tests of the coupling: frames, signs and bookkeeping.
 #include "haptics/coupling.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// A device that lies on its side and is mirrored: no symmetry left to hide a wrong transpose behind.
+/// A device that lies on its side and is mirrored. It has no symmetry that could hide a wrong transpose.
 CouplingFrame crooked() {
     CouplingFrame f;
     f.player_to_world = glm::mat3_cast(rotation(glm::normalize(vec3(1, 2, 3)), 1.1));
@@ -22,14 +22,15 @@ CouplingFrame crooked() {
     return f;
 }
 
-/// Force on the object when the hand has moved by `moved`, in the device's frame, since the object was taken.
+/// Force on the object after the hand has moved by `moved` (m, device frame) since the object was taken.
 vec3 pull(const CouplingFrame& f, const Coupling& c, vec3 moved) {
     const vec3 object = interface_point(f, f.taken_device);
-    const auto step = coupling_step(c, 1 / 5.0, 0, 1e-9);  // so short that the mean force is the first
+    // So short that the mean force equals the first one.
+    const auto step = coupling_step(c, 1 / 5.0, 0, 1e-9);
     return couple(step, {.hand = interface_point(f, f.taken_device + moved), .object = object}).mean_force;
 }
 
-/// F_device = -s_f R_d^T R_g^T F_world, N: what the hand bears.
+/// Force on the hand, F_device = -s_f R_d^T R_g^T F_world (N).
 vec3 felt_by_hand(const CouplingFrame& f, vec3 force) { return -f.newtons_per_newton * to_device(f, force); }
 
 constexpr Coupling lift{.stiffness = 4000, .damping = 40, .drag = 0};
@@ -44,8 +45,7 @@ TEST(HapticsCoupling, NothingPullsWhenTaken) {
 TEST(HapticsCoupling, AHandThatMovesRightPullsRightAndIsPulledBackLeft) {
     auto f = crooked();
     const vec3 right_of_player = f.player_to_world * vec3(1, 0, 0);
-    const vec3 right_of_device =
-        glm::transpose(f.device_to_player) * vec3(1, 0, 0);  // what the player calls right
+    const vec3 right_of_device = glm::transpose(f.device_to_player) * vec3(1, 0, 0);  // the player's right
     const vec3 force = pull(f, lift, 0.01 * right_of_device);
     EXPECT_NEAR(glm::dot(glm::normalize(force), right_of_player), 1, 1e-9);
     const vec3 felt = felt_by_hand(f, force);
@@ -62,7 +62,7 @@ TEST(HapticsCoupling, AnyMoveIsResistedWithTheFeltStiffness) {
         EXPECT_LE(glm::length(felt + felt_stiffness(f, lift.stiffness) * moved), 1e-6 * glm::length(felt));
     }
     EXPECT_NEAR(felt_stiffness(f, lift.stiffness), 300,
-                1e-9);  // haptics.md: 4,000 N/m in the world, 300 at a Touch
+                1e-9);  // haptics.md: 4,000 N/m in the world, 300 N/m at a Touch
 }
 
 TEST(HapticsCoupling, PowerScalesByTheTwoScales) {
@@ -98,7 +98,8 @@ TEST(HapticsCoupling, WhatNothingMovesStillPulls) {
     const auto r = couple(step, {.hand = {0.01, 0, 0}, .hand_velocity = {1, 0, 0}});
     EXPECT_EQ(r.velocity_change, vec3(0));
     EXPECT_EQ(r.displacement, vec3(0));
-    EXPECT_NEAR(r.mean_force.x, 1000 * (0.01 + 0.5e-3) + 10, 1e-9);  // of an evenly growing stretch
+    // Mean over an evenly growing stretch.
+    EXPECT_NEAR(r.mean_force.x, 1000 * (0.01 + 0.5e-3) + 10, 1e-9);
 }
 
 }  // namespace

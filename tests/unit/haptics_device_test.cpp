@@ -1,4 +1,4 @@
-// Device files: the shipped ones, and the faults that each must name.
+// Unit tests of device files: the shipped ones are read, and each fault is named.
 #include "haptics/device.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ Expected<DeviceSpec> read(const std::string& toml) {
     return read_device(*config);
 }
 
-/// The fault of touch.toml with the line that starts with `key` replaced.
+/// Error of touch.toml after the line that starts with `key` is replaced.
 std::string fault_of(const std::string& key, const std::string& line) {
     auto toml = shipped("touch");
     const auto at = toml.find("\n" + key) + 1;

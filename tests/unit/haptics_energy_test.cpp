@@ -1,4 +1,5 @@
-// The books of energy: what passive sources create, what the controller takes out, what active ones may give.
+// Unit tests of the passivity observer and controller: created energy, removed energy, and the budget of
+// active sources.
 #include "haptics/energy.h"
 
 #include <gtest/gtest.h>
@@ -23,18 +24,18 @@ DeviceSpec reference_device(int latency) {
 }
 
 struct Outcome {
-    double created{};   ///< J: the sum of F dx, computed here
-    double most{};      ///< J, the most of it
-    double farthest{};  ///< m, in the last quarter
+    double created{};   ///< sum of F dx, computed here (J)
+    double most{};      ///< largest value of `created` (J)
+    double farthest{};  ///< largest distance in the last quarter (m)
 };
 
-/// A tip of 0.1 m/s that meets a spring along x; one without controller and one with.
+/// Moves a tip at 0.1 m/s into a spring along x, with or without the controller.
 Outcome meet_spring(double stiffness, bool controlled, int latency) {
     const auto spec = reference_device(latency);
     const auto device = simulated_device(spec, no_hand);
     Servo servo = servo_of(spec, 1);
     servo.limits.slew = 1e9;
-    servo.limits.fastest = 1e9;
+    servo.limits.max_speed = 1e9;
     if (!controlled) servo.most_damping = 0;
     ServoState state{};
     HapticModel model{};
@@ -55,109 +56,110 @@ Outcome meet_spring(double stiffness, bool controlled, int latency) {
 }
 
 TEST(HapticsEnergy, TheBooksAreTheSumOfForceTimesWay) {
-    EnergyBook book;
-    observe(book, {0, 0, 0}, {}, 0, 0);
-    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {});
-    observe(book, {0.01, 0, 0}, {}, 0, 0);
-    EXPECT_NEAR(book.created, 0.02, 1e-15) << "the hand went where the force pushed it";
-    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {});
-    observe(book, {0.0, 0, 0}, {}, 1, 0);
-    EXPECT_NEAR(book.created, 0, 1e-15) << "and back against it";
-    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {2, 0, 0});
-    observe(book, {0.01, 0, 0}, {0.01, 0, 0}, 0, 0);
-    EXPECT_NEAR(book.created, 0, 1e-15) << "the world moved the other end as far: it paid";
-    EXPECT_NEAR(book.most_created, 0.02, 1e-15);
+    PassivityObserver observer;
+    observe(observer, {0, 0, 0}, {}, 0, 0);
+    record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {});
+    observe(observer, {0.01, 0, 0}, {}, 0, 0);
+    EXPECT_NEAR(observer.created, 0.02, 1e-15) << "the hand went where the force pushed it";
+    record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {});
+    observe(observer, {0.0, 0, 0}, {}, 1, 0);
+    EXPECT_NEAR(observer.created, 0, 1e-15) << "and back against it";
+    record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {2, 0, 0});
+    observe(observer, {0.01, 0, 0}, {0.01, 0, 0}, 0, 0);
+    EXPECT_NEAR(observer.created, 0, 1e-15) << "the world moved the other end as far: it paid";
+    EXPECT_NEAR(observer.most_created, 0.02, 1e-15);
 }
 
 TEST(HapticsEnergy, APoseThatJumpsIsNoWork) {
     for (const double away : {0.06, 1.0, 1e6}) {
-        EnergyBook book;
+        PassivityObserver observer;
         const auto tick = [&](double x) {
-            observe(book, {x, 0, 0}, {}, 0, 0);
-            enter(book, {3, 0, 0}, {2, 0, 0}, {1, 0, 0}, {});
+            observe(observer, {x, 0, 0}, {}, 0, 0);
+            record_output(observer, {3, 0, 0}, {2, 0, 0}, {1, 0, 0}, {});
         };
         tick(0), tick(0.001), tick(0.002);
-        const double created = book.created, given = book.given;
+        const double created = observer.created, given = observer.active_work;
         EXPECT_GT(created, 0.003);
         tick(0.002 + away), tick(0.002);
-        EXPECT_EQ(book.created, created) << away;
-        EXPECT_EQ(book.given, given) << away;
+        EXPECT_EQ(observer.created, created) << away;
+        EXPECT_EQ(observer.active_work, given) << away;
         tick(0.003);
-        EXPECT_NEAR(book.created, created + 0.002, 1e-12) << "and on it goes";
+        EXPECT_NEAR(observer.created, created + 0.002, 1e-12) << "and on it goes";
     }
 }
 
 TEST(HapticsEnergy, WhatDampingTookIsNoReserve) {
-    EnergyBook book;
-    observe(book, {}, {}, 0, 0);
-    enter(book, {-5, 0, 0}, {-5, 0, 0}, {}, {});
-    observe(book, {0.02, 0, 0}, {}, 0.02, 0);
-    EXPECT_NEAR(book.created, -0.02, 1e-15) << "0.1 J went in, and 0.02 J are stored";
+    PassivityObserver observer;
+    observe(observer, {}, {}, 0, 0);
+    record_output(observer, {-5, 0, 0}, {-5, 0, 0}, {}, {});
+    observe(observer, {0.02, 0, 0}, {}, 0.02, 0);
+    EXPECT_NEAR(observer.created, -0.02, 1e-15) << "0.1 J went in, and 0.02 J are stored";
 }
 
 TEST(HapticsEnergy, CapAndHeatScaleAllSourcesAlikeAndTheRestIsActive) {
-    EnergyBook book;
-    enter(book, {1, 0, 0}, {3, 0, 0}, {1, 0, 0}, {3, 0, 0});
-    const auto now = [&book] { return book.forces[book.newest]; };
+    PassivityObserver observer;
+    record_output(observer, {1, 0, 0}, {3, 0, 0}, {1, 0, 0}, {3, 0, 0});
+    const auto now = [&observer] { return observer.forces[observer.newest]; };
     EXPECT_NEAR(now().passive.x, 0.75, 1e-15);
     EXPECT_NEAR(now().world.x, 0.75, 1e-15);
     EXPECT_NEAR(now().active.x, 0.25, 1e-15);
-    enter(book, {0, 1, 0}, {}, {}, {});
+    record_output(observer, {0, 1, 0}, {}, {}, {});
     EXPECT_EQ(now().passive, vec3(0));
     EXPECT_EQ(now().active, vec3(0, 1, 0));
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    enter(book, {1, 0, 0}, {nan, 0, 0}, {}, {});
+    record_output(observer, {1, 0, 0}, {nan, 0, 0}, {}, {});
     EXPECT_EQ(now().passive, vec3(0));
 }
 
 TEST(HapticsEnergy, WhatFadesAfterASwitchIsPassive) {
-    EnergyBook book;
-    observe(book, {}, {}, 0, 0);
-    // The spring wants 1 N and gets it; 2 N of the last source are left.
-    enter(book, {3, 0, 0}, {1, 0, 0}, {}, {1, 0, 0}, {2, 0, 0});
-    EXPECT_EQ(book.forces[book.newest].passive, vec3(3, 0, 0));
-    EXPECT_EQ(book.forces[book.newest].world, vec3(1, 0, 0)) << "nothing of the world holds what is left";
-    EXPECT_EQ(book.forces[book.newest].active, vec3(0));
-    observe(book, {0.01, 0, 0}, {}, 0, 0);
-    EXPECT_NEAR(book.created, 0.03, 1e-15);
-    EXPECT_EQ(book.given, 0);
+    PassivityObserver observer;
+    observe(observer, {}, {}, 0, 0);
+    // The spring asks for 1 N and gets it. 2 N of the last source are left.
+    record_output(observer, {3, 0, 0}, {1, 0, 0}, {}, {1, 0, 0}, {2, 0, 0});
+    EXPECT_EQ(observer.forces[observer.newest].passive, vec3(3, 0, 0));
+    EXPECT_EQ(observer.forces[observer.newest].world, vec3(1, 0, 0))
+        << "nothing of the world holds what is left";
+    EXPECT_EQ(observer.forces[observer.newest].active, vec3(0));
+    observe(observer, {0.01, 0, 0}, {}, 0, 0);
+    EXPECT_NEAR(observer.created, 0.03, 1e-15);
+    EXPECT_EQ(observer.active_work, 0);
 }
 
 TEST(HapticsEnergy, TheControllerTakesOutWhatWasCreatedAndNoMore) {
-    EnergyBook book;
-    book.created = 1e-4;
+    PassivityObserver observer;
+    observer.created = 1e-4;
     const vec3 velocity{0.5, 0, 0};
-    const vec3 force = passivity_control(book.created, velocity, 30);
+    const vec3 force = passivity_control(observer.created, velocity, 30);
     EXPECT_NEAR(-glm::dot(force, velocity) * 0.001, 1e-4, 1e-12);
-    EXPECT_NEAR(passivity_control(book.created, {0.01, 0, 0}, 30).x, -0.3, 1e-12)
+    EXPECT_NEAR(passivity_control(observer.created, {0.01, 0, 0}, 30).x, -0.3, 1e-12)
         << "at most the device's damping";
-    EXPECT_EQ(passivity_control(book.created, {}, 30), vec3(0));
-    book.created = -1;
-    EXPECT_EQ(passivity_control(book.created, velocity, 30), vec3(0));
+    EXPECT_EQ(passivity_control(observer.created, {}, 30), vec3(0));
+    observer.created = -1;
+    EXPECT_EQ(passivity_control(observer.created, velocity, 30), vec3(0));
 }
 
 TEST(HapticsEnergy, TheControllerBeginsWhileASpringStillHoldsWhatItMayGive) {
-    EnergyBook book;
-    book.created = -0.05;  // 0.05 J are not given back yet, and the spring holds 5 mJ more than that
-    EXPECT_NEAR(surplus(book, 0.055), 0.005 - energy_slack, 1e-15);
-    EXPECT_LE(surplus(book, 0.05), 0) << "a spring that created nothing is left alone";
-    book.created = 1e-4;
-    EXPECT_EQ(surplus(book, 0), 1e-4) << "with nothing left to give there is no slack";
+    PassivityObserver observer;
+    observer.created = -0.05;  // 0.05 J are not returned yet, and the spring holds 5 mJ more than that
+    EXPECT_NEAR(surplus(observer, 0.055), 0.005 - energy_slack, 1e-15);
+    EXPECT_LE(surplus(observer, 0.05), 0) << "a spring that created nothing is left alone";
+    observer.created = 1e-4;
+    EXPECT_EQ(surplus(observer, 0), 1e-4) << "with nothing left to give there is no slack";
 }
 
 TEST(HapticsEnergy, ForcesOnTheWayDoTheirWorkUnlessThereIsNoDelay) {
-    EnergyBook book;
-    enter(book, {2, 0, 0}, {2, 0, 0}, {}, {});
-    enter(book, {3, 0, 0}, {3, 0, 0}, {}, {});
+    PassivityObserver observer;
+    record_output(observer, {2, 0, 0}, {2, 0, 0}, {}, {});
+    record_output(observer, {3, 0, 0}, {3, 0, 0}, {}, {});
     const vec3 step{0.001, 0, 0};
-    EXPECT_EQ(work_on_the_way(book, step, 0), 0);
-    EXPECT_NEAR(work_on_the_way(book, step, 1), 0.003, 1e-15);
-    EXPECT_NEAR(work_on_the_way(book, step, 2), 0.005, 1e-15);
+    EXPECT_EQ(pending_work(observer, step, 0), 0);
+    EXPECT_NEAR(pending_work(observer, step, 1), 0.003, 1e-15);
+    EXPECT_NEAR(pending_work(observer, step, 2), 0.005, 1e-15);
 }
 
 TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {
     const double quantum = 5.5e-5, radius = 0.01,
-                 rate = 150;  // 1.5 m/s round a circle, by an Omni's encoders
+                 rate = 150;  // 1.5 m/s round a circle, with an Omni's encoders
     const auto rounded = [quantum](vec3 place) { return quantum * glm::round(place / quantum); };
     const Servo servo = servo_of(reference_device(0), 1);
     ServoState state;
@@ -183,21 +185,22 @@ TEST(HapticsEnergy, ThePromptVelocityIsLateByHalfATickInATurnAndQuietAtRest) {
 }
 
 TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
-    EnergyBook book;
-    book.given = active_budget + 0.01;
-    EXPECT_EQ(within_budget(book, {1, 1, 0}, {0.1, 0, 0}), vec3(0, 1, 0)) << "it may not push any more";
-    EXPECT_EQ(within_budget(book, {-1, 1, 0}, {0.1, 0, 0}), vec3(-1, 1, 0)) << "but it may brake";
-    book.given = 0;
-    EXPECT_EQ(within_budget(book, {1, 1, 0}, {0.1, 0, 0}), vec3(1, 1, 0));
-    // A lean that pushes a free tip for ever: no more than its budget, and what leaks away of it.
+    PassivityObserver observer;
+    observer.active_work = active_budget + 0.01;
+    EXPECT_EQ(within_budget(observer, {1, 1, 0}, {0.1, 0, 0}), vec3(0, 1, 0)) << "it may not push any more";
+    EXPECT_EQ(within_budget(observer, {-1, 1, 0}, {0.1, 0, 0}), vec3(-1, 1, 0)) << "but it may brake";
+    observer.active_work = 0;
+    EXPECT_EQ(within_budget(observer, {1, 1, 0}, {0.1, 0, 0}), vec3(1, 1, 0));
+    // A steady force pushes a free tip for ever. It gives no more than its budget and the amount that decays
+    // from it.
     const auto spec = reference_device(0);
     auto device = simulated_device(spec, no_hand);
     device.reach = vec3(100);
     Servo servo = servo_of(spec, 1);
-    servo.limits.fastest = 1e9;
+    servo.limits.max_speed = 1e9;
     ServoState state{};
     HapticModel model{};
-    model.lean.force = {3, 0, 0};
+    model.steady_force.force = {3, 0, 0};
     auto tip = resting_at({});
     double work = 0;
     for (int t = 0; t < 1000; ++t) {
@@ -212,7 +215,8 @@ TEST(HapticsEnergy, AnActiveSourceIsHeldToItsBudget) {
 
 TEST(HapticsEnergy, AStiffSpringThatWouldRingForEverIsKeptPassive) {
     for (const int latency : {0, 1}) {
-        const double stiffness = latency == 0 ? 2500 : 1500;  // beyond 2 b / T and its share with a delay
+        // Beyond 2 b / T, and beyond its share with a delay.
+        const double stiffness = latency == 0 ? 2500 : 1500;
         const auto bare = meet_spring(stiffness, false, latency);
         const auto kept = meet_spring(stiffness, true, latency);
         EXPECT_GT(bare.most, 1.0) << latency << ": without the controller it grows";
@@ -222,13 +226,13 @@ TEST(HapticsEnergy, AStiffSpringThatWouldRingForEverIsKeptPassive) {
 }
 
 TEST(HapticsEnergy, ALateForceIsBookedWhenItActs) {
-    EnergyBook book;
-    observe(book, {}, {}, 0, 2);
+    PassivityObserver observer;
+    observe(observer, {}, {}, 0, 2);
     for (int tick = 0; tick < 6; ++tick) {
-        enter(book, {tick == 1 ? 1.0 : 0.0, 0, 0}, {tick == 1 ? 1.0 : 0.0, 0, 0}, {}, {});
-        observe(book, {tick == 3 ? 0.01 : 0.0, 0, 0}, {}, 1, 2);
-        EXPECT_NEAR(book.created, tick == 3 ? 0.01 : 0.0, 1e-15) << tick;
-        book.created = 0;
+        record_output(observer, {tick == 1 ? 1.0 : 0.0, 0, 0}, {tick == 1 ? 1.0 : 0.0, 0, 0}, {}, {});
+        observe(observer, {tick == 3 ? 0.01 : 0.0, 0, 0}, {}, 1, 2);
+        EXPECT_NEAR(observer.created, tick == 3 ? 0.01 : 0.0, 1e-15) << tick;
+        observer.created = 0;
     }
 }
 
@@ -237,7 +241,8 @@ TEST(HapticsEnergy, OfAWeakSpringItTakesWhatTheTickAddsAndNoMore) {
     const auto kept = meet_spring(100, true, 0);
     EXPECT_GT(bare.most, 2e-5) << "half the stiffness times the square of a tick's way, each tick";
     EXPECT_LE(kept.most, 0.1 * bare.most);
-    // A continuous spring rings by the device's damping alone; the tick adds K T / 2 of negative damping.
+    // The device's damping alone decides how long a continuous spring oscillates. The tick adds K T / 2 of
+    // negative damping.
     const double continuous = bare.farthest * std::exp(-(100 * tick_seconds / 2) / (2 * 0.1) * 3);
     EXPECT_GT(kept.farthest, 0.7 * continuous) << "hardly more damping than that";
 }

@@ -1,4 +1,4 @@
-// The reference device of the haptic tests.
+// Reference device of the haptic tests.
 #pragma once
 #include "tools/bench/z_width.h"
 

@@ -1,4 +1,4 @@
-// unit/haptics_round_rig.h: a probe over round surfaces, and a tip that wanders.
+// unit/haptics_round_rig.h: a probe over round surfaces, and a wandering tip.
 #pragma once
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace thaum::haptics::round_rig {
 inline constexpr double dt = tick_seconds;
 inline constexpr double stiffness = 500;  // N/m
 
-/// One body of a given friction, without surfaces.
+/// A patch with one body of a given friction, without surfaces.
 inline SurfacePatch rubbing_patch(double friction) {
     SurfacePatch patch;
     patch.bodies[0].material = {
@@ -26,12 +26,12 @@ inline void add(SurfacePatch& patch, SurfaceKind kind, vec3 a, vec3 b, vec3 c = 
     ++patch.count;
 }
 
-/// A tip, and the proxy that it has left.
+/// A patch and its contact state.
 struct Probe {
     SurfacePatch patch{};
     SurfaceState state{};
 
-    Touched at(vec3 tip) { return touch(patch, state, {tip, {}}, dt); }
+    ContactResult at(vec3 tip) { return touch(patch, state, {tip, {}}, dt); }
 };
 
 inline vec3 polar(double radius, double angle) {
@@ -42,10 +42,10 @@ inline vec3 random_vec(Random& random) {
     return {random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)};
 }
 
-/// A tip that wanders at a given speed (m/s) and turns into a new direction every few ticks.
+/// A tip that wanders at a given speed (m/s) and takes a new direction every few ticks.
 struct Wanderer {
     Random random;
-    vec3 place{};  ///< m
+    vec3 place{};  ///< position (m)
     vec3 way{};
     int turns{};
 

@@ -1,4 +1,4 @@
-// The safety stage, a rule at a time, and the audit behind it.
+// Unit tests of the safety stage, rule by rule, and of its audit.
 #include "haptics/safety.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ DeviceSpec omni_like() {
     return spec;
 }
 
-/// A stage with its audit; a test that leaves it with a violation fails.
+/// A stage with its audit. A test fails if the audit counts a violation.
 struct Stage {
     SafetyLimits limits = safety_limits(omni_like(), 1);
     SafetyState state{};
@@ -51,7 +51,7 @@ TEST(HapticsSafety, LimitsComeFromTheDeviceAndThePlayersShare) {
     const auto limits = safety_limits(omni_like(), gentle_share);
     EXPECT_DOUBLE_EQ(limits.cap, 1.485);
     EXPECT_DOUBLE_EQ(limits.excess, 13.2);
-    EXPECT_DOUBLE_EQ(limits.stretched, 165);
+    EXPECT_DOUBLE_EQ(limits.spring_excess, 165);
     EXPECT_EQ(limits.continuous, 0.88);
     EXPECT_EQ(limits.slew, 40);
     for (const double none : {0.0, -1.0, not_a_number})
@@ -66,7 +66,7 @@ TEST(HapticsSafety, NothingIsFeltBeforeAForceInRange) {
     EXPECT_EQ(stage.feel({3.31, 0, 0}), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::waiting);
     EXPECT_EQ(stage.feel({not_a_number, 0, 0}), vec3(0));
-    EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);  // the gate opens: a switch
+    EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);  // the gate opens, which is a switch
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.08, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}}, 48).x, 2, 1e-12);
     EXPECT_EQ(stage.feel({-2, 0, 0}).x, -2);  // arrived: follows freely
@@ -113,7 +113,8 @@ TEST(HapticsSafety, ASwitchSlewsAndWithinASourceNothingIsDelayed) {
 }
 
 TEST(HapticsSafety, WhileASwitchFadesTheSourceIsNotDelayed) {
-    // A spring that swings at 1 N in 6 ms, four times what the slew limit would follow, is met in 50 ms all the same.
+    // A spring that swings by 1 N in 6 ms changes four times as fast as the slew limit. The output reaches it
+    // within 50 ms all the same.
     Stage stage;
     stage.feel(vec3(0));
     const auto swings = [](int tick) { return vec3(2 + std::sin(1e-3 * 250 * tick), 0, 0); };
@@ -129,7 +130,7 @@ TEST(HapticsSafety, AFadeEndsWithinTwiceTheCapWhateverIsWanted) {
     Random random{3};
     for (int round = 0; round < 200; ++round) {
         Stage stage;
-        stage.limits.continuous = 1e3;  // so that heat does not hide the force
+        stage.limits.continuous = 1e3;  // heat then does not hide the force
         stage.feel(vec3(0));
         const auto anything = [&random] {
             return vec3(random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-3, 3));
@@ -143,7 +144,7 @@ TEST(HapticsSafety, AFadeEndsWithinTwiceTheCapWhateverIsWanted) {
 }
 
 TEST(HapticsSafety, AHandThatYieldsToWhatFadesIsLetGoOf) {
-    // The force of a source that has gone pushes on by 40 N/s less, and a hand that gives way to it gets 0.01 J and no more.
+    // The force of a removed source fades by 40 N/s. A hand that yields to it gets 0.01 J and no more.
     for (const double speed : {0.01, 0.1, 0.5}) {
         for (const double way : {1.0, -1.0}) {
             Stage stage;
@@ -173,7 +174,7 @@ TEST(HapticsSafety, TheCapDoesNotSwallowTheBrake) {
     EXPECT_NEAR(stage.feel({.wanted = far, .spring = far}).x, 3.3, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = far, .spring = far, .brake = {-2, 0, 0}}).x, 1.3, 1e-12);
     EXPECT_NEAR(stage.feel({.wanted = far, .spring = far, .brake = {2, 0, 0}}).x, 3.3, 1e-12);
-    EXPECT_NEAR(stage.state.lag.x, 0, 1e-12) << "what the cap let through of it";
+    EXPECT_NEAR(stage.state.unrequested.x, 0, 1e-12) << "what the cap let through of it";
     EXPECT_NEAR(stage.feel({.wanted = far, .spring = far, .brake = {not_a_number, 0, 0}}).x, 3.3, 1e-12);
 }
 
@@ -187,13 +188,13 @@ TEST(HapticsSafety, OffAndPanicAreZeroAtOnceAndComeBackSlowly) {
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true}), vec3(0));
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}}, 100'000), vec3(0));  // latched
     EXPECT_EQ(stage.cause(), SafetyCause::panic);
-    // The key that is still down wins, and what is out of range keeps the gate shut.
+    // A key that is still down has priority, and a force out of range keeps the gate shut.
     EXPECT_EQ(stage.feel({.wanted = {2, 0, 0}, .panic = true, .rearm = true}), vec3(0));
     EXPECT_EQ(stage.feel({.wanted = {5, 0, 0}, .rearm = true}), vec3(0));
     EXPECT_EQ(stage.cause(), SafetyCause::waiting);
     EXPECT_EQ(stage.feel({5, 0, 0}), vec3(0));
     EXPECT_NEAR(stage.feel({2, 0, 0}).x, 0.04, 1e-12);
-    // Asked for again without need, it changes nothing: a key that is held must not keep the gate shut.
+    // A needless request to re-arm changes nothing. A key that is held must not keep the gate shut.
     EXPECT_NEAR(stage.feel({.wanted = {2, 0, 0}, .rearm = true}).x, 0.08, 1e-12);
 }
 
@@ -225,9 +226,10 @@ TEST(HapticsSafety, AHandThatFliesIsLeftAloneUntilItHasBeenSlow) {
         EXPECT_EQ(stage.feel({.wanted = {1, 0, 0}, .velocity = wild}), vec3(0));
         EXPECT_EQ(stage.cause(), SafetyCause::over_speed);
         EXPECT_EQ(stage.feel(at(1.9), 99), vec3(0));
-        EXPECT_EQ(stage.feel(at(2)), vec3(0));  // not slow enough: once more from the beginning
+        EXPECT_EQ(stage.feel(at(2)), vec3(0));  // not slow enough: the wait starts again
         EXPECT_EQ(stage.feel(at(1.9), 100), vec3(0));
-        EXPECT_NEAR(stage.feel(at(3.9)).x, 0.04, 1e-12);  // over: an ordinary speed again
+        // The cut is over: an ordinary speed is allowed again.
+        EXPECT_NEAR(stage.feel(at(3.9)).x, 0.04, 1e-12);
     }
 }
 
@@ -249,15 +251,15 @@ TEST(HapticsSafety, ThreeBurstsOfExcessInTenSecondsShutItOff) {
     EXPECT_FALSE(shuts_off({21}));
     EXPECT_TRUE(shuts_off({20, 20}));
     EXPECT_FALSE(shuts_off({19, 19, 19, 19, 19}));  // one long burst
-    EXPECT_TRUE(shuts_off({4999, 4999}));           // the third begins 10 s after the first
+    EXPECT_TRUE(shuts_off({4999, 4999}));           // the third starts 10 s after the first
     EXPECT_FALSE(shuts_off({4999, 5000}));
-    EXPECT_TRUE(shuts_off({9000, 2000, 100}));  // of four, the last three
+    EXPECT_TRUE(shuts_off({9000, 2000, 100}));  // the last three of four
 
     Stage stage;
     ASSERT_TRUE(bursts(stage, {100, 100}));
     EXPECT_EQ(stage.feel({.wanted = calm}, 50'000), vec3(0));
     EXPECT_NEAR(stage.feel({.wanted = calm, .rearm = true}).x, 0.04, 1e-12);
-    EXPECT_FALSE(bursts(stage, {100}));  // counted anew
+    EXPECT_FALSE(bursts(stage, {100}));  // counting starts anew
 }
 
 TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {
@@ -271,16 +273,19 @@ TEST(HapticsSafety, ASpringThatTheWorldStretchesClipsAndIsNoFault) {
     };
     EXPECT_FALSE(shut_off_by({.wanted = {0, 125, 0}, .spring = {0, 125, 0}}));
     EXPECT_FALSE(shut_off_by({.wanted = {0, 125, 13}, .spring = {0, 125, 0}}));
-    EXPECT_TRUE(shut_off_by({.wanted = {0, 125, 14}, .spring = {0, 125, 0}}));  // what comes besides
-    EXPECT_TRUE(shut_off_by({.wanted = {0, 166, 0}, .spring = {0, 166, 0}}));   // stretched beyond all sense
-    EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, 20, 0}}));      // the rest is wild
+    // Excess besides the spring.
+    EXPECT_TRUE(shut_off_by({.wanted = {0, 125, 14}, .spring = {0, 125, 0}}));
+    // Stretched beyond its limit.
+    EXPECT_TRUE(shut_off_by({.wanted = {0, 166, 0}, .spring = {0, 166, 0}}));
+    // Excess of the rest of the force.
+    EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, 20, 0}}));
     EXPECT_TRUE(shut_off_by({.wanted = {0, 1, 0}, .spring = {0, not_a_number, 0}}));
     EXPECT_TRUE(shut_off_by({.wanted = {0, not_a_number, 0}, .spring = {0, 1, 0}}));
 }
 
 TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
-    // 2.75 N for 1 s is 0.87 N over 10 s of an Omni's 0.88 N (game.md): it may just be held, with the last fifth of the
-    // budget holding it back, and another one right after it finds the motors warm.
+    // 2.75 N for 1 s is 0.87 N over 10 s of an Omni's 0.88 N (game.md). The stage may just allow it, held
+    // back in the last fifth of the budget. A second one right after it finds the motors warm.
     Stage stage;
     stage.feel(vec3(0));
     double asked = 0;
@@ -298,7 +303,7 @@ TEST(HapticsSafety, AFullLobPullUsesTheWholeBudget) {
 }
 
 TEST(HapticsSafety, HeatIsSharedOutSmoothlyAndNeverTooMuch) {
-    // For a minute, with the pauses that a window of bins would mistake most: the window is slid tick by tick.
+    // A minute with the pauses that suit a window of bins worst. Here the window moves tick by tick.
     for (const int period : {1, 333, 500, 1499, 10'000, 60'000}) {
         Stage stage;
         stage.feel(vec3(0));
@@ -316,14 +321,15 @@ TEST(HapticsSafety, HeatIsSharedOutSmoothlyAndNeverTooMuch) {
             wanted_before = wants;
         }
         EXPECT_LE(std::sqrt(most / 10'000), 0.88) << period;
-        EXPECT_GE(std::sqrt(most / 10'000), 0.83) << period;  // and does not hold back more than it must
-        EXPECT_LE(jump, 0.1) << period;                       // N in a tick, up or down
+        EXPECT_GE(std::sqrt(most / 10'000), 0.83) << period;  // does not hold back more than necessary
+        EXPECT_LE(jump, 0.1) << period;                       // change within a tick, up or down (N)
     }
 }
 
 TEST(HapticsSafety, AHandThatPressesOnIsLedToTheContinuousForceAndKeptThere) {
-    // Of the budget B a burst takes nine tenths. What is left is shared out evenly until the burst leaves the window, which no law
-    // can spare it; then the force goes to the continuous one, and no second burst comes.
+    // A burst takes nine tenths of the budget B. The rest is shared evenly until the burst leaves the window,
+    // which no control law can avoid. Then the force approaches the continuous one, and no second burst
+    // follows.
     const double budget = 0.88 * 0.88 * 10,
                  last = 0.88 * std::sqrt(10 / 10.5);  // the window and half a second more
     for (const double wanted : {3.3, 2.0, 1.2}) {
@@ -428,13 +434,14 @@ TEST(HapticsSafety, TheSameTicksGiveTheSameBits) {
         return hash;
     };
     EXPECT_EQ(run(), run());
-    // Those of every build and processor. A change of the rules changes them: let it be on purpose.
+    // Hashes of every build and processor. They change only if the rules are changed on purpose.
     EXPECT_EQ(run(), 10325101369958194150ULL);
 }
 
-// ---- the audit can fail -------------------------------------------------------------------------------------------
+// ---- the audit reports violations -------------------------------------------------------------------------
 
-/// Plays a proper second of 1.5 N (quiet before), spoils what leaves, and tells what the audit saw of it.
+/// Plays a valid second of 1.5 N (zero before), changes the output, and returns the violations that the audit
+/// reports.
 std::uint64_t seen(SafetyRule rule, const std::function<void(int tick, SafetyInput&)>& arrange,
                    const std::function<vec3(int tick, vec3 output)>& spoil) {
     const auto limits = safety_limits(omni_like(), 1);
@@ -448,7 +455,7 @@ std::uint64_t seen(SafetyRule rule, const std::function<void(int tick, SafetyInp
     return audit.violations(rule);
 }
 
-/// What a spoiler finds is told with the same story unspoilt beside it.
+/// Checks that the audit reports a changed output, and nothing for the unchanged one.
 void expect_caught(SafetyRule rule, const std::function<void(int, SafetyInput&)>& arrange,
                    const std::function<vec3(int, vec3)>& spoil) {
     EXPECT_EQ(seen(rule, arrange, [](int, vec3 output) { return output; }), 0) << name(rule);
@@ -473,10 +480,10 @@ TEST(HapticsSafetyAudit, SeesEveryKindOfFault) {
     expect_caught(SafetyRule::unasked, as_usual, at_500(0.001));
     expect_caught(SafetyRule::unasked, as_usual,
                   [](int tick, vec3 output) { return tick == 500 ? output * 1.001 : output; });
-    // Cool motors get all of what is wanted.
+    // Cool motors get all of the wanted force.
     expect_caught(SafetyRule::unasked, as_usual,
                   [](int tick, vec3 output) { return tick == 500 ? output * 0.999 : output; });
-    // Warm motors get less of the wanted force but all of the brake, which may point elsewhere.
+    // Warm motors get less of the wanted force but all of the brake, which may have another direction.
     const auto presses_and_brakes = [](int, SafetyInput& input) {
         input.wanted = {3.3, 0, 0};
         input.brake = {0, 0.2, 0};
@@ -491,10 +498,10 @@ TEST(HapticsSafetyAudit, SeesEveryKindOfFault) {
     };
     expect_caught(SafetyRule::slew, goes,
                   [](int tick, vec3 output) { return tick == 500 ? output - vec3(0.001, 0, 0) : output; });
-    expect_caught(SafetyRule::slew, as_usual, [](int tick, vec3 output) {  // the gate's opening is a switch
-        return tick == 0 ? vec3(1.5, 0, 0) : output;
-    });
-    // The limit that this stage had once: it followed a swinging spring at 40 N/s, and so for ever.
+    // The gate's opening is a switch.
+    expect_caught(SafetyRule::slew, as_usual,
+                  [](int tick, vec3 output) { return tick == 0 ? vec3(1.5, 0, 0) : output; });
+    // A former fault of this stage: it followed a swinging spring at 40 N/s for ever.
     const auto swings = [](int tick, SafetyInput& input) {
         input.switched = tick == 500;
         if (tick >= 500) input.wanted = {std::sin(0.2 * tick), 0, 0};
@@ -505,7 +512,7 @@ TEST(HapticsSafetyAudit, SeesEveryKindOfFault) {
         const vec3 gap = vec3(std::sin(0.2 * tick), 0, 0) - chasing;
         return chasing += gap * std::min(1.0, 0.04 / glm::length(gap));
     });
-    // A hand that yields to a force that fades, and is pushed on.
+    // A hand that yields to a fading force and is pushed on.
     const auto goes_and_yields = [&goes](int tick, SafetyInput& input) {
         goes(tick, input);
         input.tip.x = tick < 500 ? 0 : 1e-3 * (tick - 500);
@@ -540,7 +547,7 @@ TEST(HapticsSafetyAudit, CountsTicksAndHeat) {
     for (int tick = 0; tick < 25'000; ++tick) audit.record(limits, {.wanted = {0.5, 0, 0}}, {0.5, 0, 0});
     EXPECT_EQ(audit.ticks(), 25'000U);
     EXPECT_NEAR(audit.warmth(), 0.5, 1e-12);
-    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));  // it came at once
+    EXPECT_EQ(audit.violations(), audit.violations(SafetyRule::slew));  // the change came at once
     for (int tick = 0; tick < 9000; ++tick) audit.record(limits, {}, {});
     EXPECT_NEAR(audit.warmth(), 0.5 * std::sqrt(0.1), 1e-12);
 }

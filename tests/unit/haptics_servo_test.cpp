@@ -1,4 +1,4 @@
-// The servo step: pulses, the tip's velocity, primitives.
+// Unit tests of the servo step: pulses, velocity of the tip, tether, surfaces and primitives.
 #include "haptics/servo.h"
 
 #include <gtest/gtest.h>
@@ -32,9 +32,9 @@ struct Rig {
 };
 
 TEST(HapticsServo, ATipThatIsHereAndThereInTurnIsTooFast) {
-    for (const double apart : {0.0039, 0.0041, 0.03}) {  // m in a tick, of 4 m/s
+    for (const double apart : {0.0039, 0.0041, 0.03}) {  // m per tick, for a limit of 4 m/s
         Rig rig;
-        rig.model.lean = {{0, 0, 0.5}, 1};
+        rig.model.steady_force = {{0, 0, 0.5}, 1};
         for (int tick = 0; tick < 50; ++tick) rig.feel();
         ASSERT_EQ(rig.state.safety.output.z, 0.5);
         for (int tick = 0; tick < 50; ++tick) {
@@ -49,8 +49,9 @@ TEST(HapticsServo, ATipThatIsHereAndThereInTurnIsTooFast) {
 }
 
 TEST(HapticsServo, AnEncodersQuantumIsNoSpeed) {
-    // Just below the limit, askew, rounded to a quantum; where every other sample comes late; and at rest where encoders flicker.
-    const double quantum = 2e-4;  // m, four times the coarsest of the devices shipped
+    // Speeds just below the limit, in an oblique direction, rounded to a quantum. Every other sample may come
+    // late. At rest the encoders flicker.
+    const double quantum = 2e-4;  // m, four times the coarsest of the shipped devices
     const auto rounded = [quantum](vec3 place) { return quantum * glm::round(place / quantum); };
     for (const bool late : {false, true}) {
         Rig rig;
@@ -67,7 +68,7 @@ TEST(HapticsServo, AnEncodersQuantumIsNoSpeed) {
         }
         const double allowed = std::sqrt(3.0) * quantum / tick_seconds;
         EXPECT_LE(most, speed * (late ? 8.0 / 7 : 1));
-        EXPECT_GE(least, speed * (late ? 6.0 / 7 : 1) - 2 * allowed);  // so that it means something
+        EXPECT_GE(least, speed * (late ? 6.0 / 7 : 1) - 2 * allowed);  // the bound is meaningful
     }
     Rig still;
     still.servo.quantum = quantum;
@@ -81,16 +82,17 @@ TEST(HapticsServo, AnEncodersQuantumIsNoSpeed) {
 }
 
 TEST(HapticsServo, WhatATetherHoldsIsThatOfWhereItIsByNow) {
-    // Moved on by an old model, it stretches by as much as the force says: the book may give back that, and no more.
+    // An old model moves the anchor on, and the spring stretches as its force says. The observer may allow
+    // that energy and no more.
     Rig rig;
     rig.feel();
     rig.model.tether = {
         .anchor = {0.001, 0, 0}, .anchor_velocity = {0.5, 0, 0}, .stiffness = 200, .number = 1};
     rig.sample.model_age = 10;
     const double stretch = 0.001 + 0.5 * 10 * tick_seconds;
-    rig.feel();  // comes as a switch: what it holds is owed
+    rig.feel();  // appears as a switch, so its stored energy may come back
     EXPECT_NEAR(rig.state.energy.created, -200 * stretch * stretch / 2, 1e-15);
-    // By a model that is too old for any force it stays where that began, and asks for nothing wild.
+    // A model too old for any force stops the anchor there, and asks for nothing wild.
     rig.sample.model_age = 4'000'000'000;
     for (int tick = 0; tick < 100; ++tick) rig.feel();
     EXPECT_EQ(rig.state.safety.excess_count, 0U);
@@ -100,14 +102,14 @@ TEST(HapticsServo, AThingCaughtBehindACornerDoesNotShutTheForcesOff) {
     Rig rig;
     rig.feel();
     for (int time = 0; time < 6; ++time) {
-        // The lift wand's spring, stretched as far as a small thing may be away, and let go again.
+        // The lift wand's spring, stretched as far as a small thing may be away, and released.
         rig.model.tether = {.anchor = {0.4, 0, 0}, .stiffness = 300, .number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 200; ++tick) rig.feel();
-        EXPECT_GT(rig.state.safety.output.x, 0.1) << time;  // warm by and by
+        EXPECT_GT(rig.state.safety.output.x, 0.1) << time;  // warm after some time
         rig.model.tether = {.number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 200; ++tick) rig.feel();
     }
-    // A fault of the world is one still.
+    // A world that stretches it too far is still a fault.
     for (int time = 0; time < 3; ++time) {
         rig.model.tether = {.anchor = {40, 0, 0}, .stiffness = 300, .number = rig.model.tether.number + 1};
         for (int tick = 0; tick < 50; ++tick) rig.feel();
@@ -150,14 +152,14 @@ TEST(HapticsServo, ABoltsKickHasItsWholeImpulse) {
         EXPECT_EQ(force.z > 0, tick < 15) << tick;
     }
     EXPECT_NEAR(impulse, 2 / pi * 1.2 * 0.015, 1e-12);
-    EXPECT_GT(fastest, 200);  // N/s: no slew limit is in its way
+    EXPECT_GT(fastest, 200);  // N/s: no slew limit acts on it
     EXPECT_EQ(rig.cause(), SafetyCause::none);
 }
 
 TEST(HapticsServo, ALeanIsFeltAsItIsAndGoesSlowlyWhereItJumps) {
     Rig rig;
     rig.feel();
-    rig.model.lean = {{0, 0, 0.5}, 1};
+    rig.model.steady_force = {{0, 0, 0.5}, 1};
     vec3 before{};
     for (int tick = 0; tick < 13; ++tick) {
         const vec3 force = rig.feel();
@@ -165,7 +167,7 @@ TEST(HapticsServo, ALeanIsFeltAsItIsAndGoesSlowlyWhereItJumps) {
         before = force;
     }
     EXPECT_EQ(before, vec3(0, 0, 0.5));
-    rig.model.lean.force.z = 0.9;  // the same number: it grew, and did not jump
+    rig.model.steady_force.force.z = 0.9;  // the same number: it grew without a jump
     EXPECT_EQ(rig.feel(), vec3(0, 0, 0.9));
 }
 
@@ -239,12 +241,12 @@ TEST(HapticsServo, APatchIsFeltAndItsEndIsASwitch) {
     EXPECT_NEAR(after, 0.6 - rig.servo.limits.slew * tick_seconds, 1e-6) << "slowly";
     for (int tick = 0; tick < 100; ++tick) rig.feel();
     EXPECT_EQ(rig.feel(), vec3(0));
-    // Another patch that has nothing to do with the last one.
+    // Another patch, unrelated to the last one.
     rig.model.patch = wall_below(0);
     ++rig.model.patch_number;
     rig.model.start = {0, 0.01, 0};
     EXPECT_EQ(rig.feel(), vec3(0)) << "the hand has pressed nothing into it yet";
-    EXPECT_NEAR(rig.state.shift.y, 0.002, 1e-6);
+    EXPECT_NEAR(rig.state.contact_offset.y, 0.002, 1e-6);
     rig.sample.position.y -= 1e-4;
     EXPECT_NEAR(rig.feel().y, 0.03, gap_newtons);
 }
@@ -258,29 +260,29 @@ TEST(HapticsServo, AWallThatComesIsFeltButNotOneThatThePlayerWalksInto) {
         rig.sample.position.y = -0.001;  // the hand presses by 1 mm
         for (int tick = 0; tick < 20; ++tick) rig.feel();
         rig.model.patch.bodies[0].velocity = {0, 0.05, 0};
-        if (walks) rig.model.drift.velocity = {0, 0.05, 0};
+        if (walks) rig.model.frame_motion.velocity = {0, 0.05, 0};
         for (int tick = 1; tick <= 60; ++tick) {
             rig.model.patch.surfaces[0].a.y = 5e-5 * tick;
             const double expected = 300 * (0.001 + (walks ? 0 : 5e-5 * tick));
             EXPECT_NEAR(rig.feel().y, expected, gap_newtons) << tick;
         }
-        // He stands again: nothing changes, though the shift would fade.
+        // The player stands still again. Nothing changes although the offset would decay.
         rig.model.patch.bodies[0].velocity = {};
-        rig.model.drift = {};
+        rig.model.frame_motion = {};
         for (int tick = 0; tick < 600; ++tick)
             EXPECT_NEAR(rig.feel().y, walks ? 0.3 : 1.2, 60 * gap_newtons) << tick;
-        // Away from the wall it does fade, and the hand feels the wall where it is.
+        // Away from the wall the offset decays, and the hand feels the wall at its true place.
         if (!walks) continue;
-        EXPECT_NEAR(rig.state.shift.y, 0.003, 1e-6);
+        EXPECT_NEAR(rig.state.contact_offset.y, 0.003, 1e-6);
         rig.sample.position.y = 0.01;
         for (int tick = 0; tick < 5000; ++tick) EXPECT_EQ(rig.feel(), vec3(0));
-        EXPECT_NEAR(rig.state.shift.y, 0, 1e-9);
+        EXPECT_NEAR(rig.state.contact_offset.y, 0, 1e-9);
         rig.sample.position.y = 0.002;
         EXPECT_NEAR(rig.feel().y, 0.3, gap_newtons);
     }
 }
 
-/// A wall that comes at a still hand, told of each tick, or each fifth.
+/// A wall that approaches a still hand, with a new model in each tick or in each fifth.
 TEST(HapticsServo, ByAnOldModelAWallThatComesGoesOnComing) {
     Rig late, fresh;
     for (Rig* rig : {&late, &fresh}) {
@@ -315,15 +317,16 @@ TEST(HapticsServo, TurningTheViewPastAWallDoesNotKickTheHand) {
     rig.model.patch = wall_below(0);
     rig.feel();
     double most = 0;
-    for (int tick = 1; tick <= 300; ++tick) {  // 60 degrees at 200 degrees a second: the wall comes by 5 cm
+    // 60 degrees at 200 degrees per second: the wall approaches by 5 cm.
+    for (int tick = 1; tick <= 300; ++tick) {
         const double turn = 0.0035;
         const vec3 normal = rotation({0, 0, 1}, turn * tick) * vec3(0, 1, 0);
         rig.model.patch.surfaces[0].b = normal;
         rig.model.patch.bodies[0].spin = {0, 0, turn / tick_seconds};
-        rig.model.drift.spin = {0, 0, turn / tick_seconds};
+        rig.model.frame_motion.spin = {0, 0, turn / tick_seconds};
         most = std::max(most, glm::length(rig.feel()));
     }
-    EXPECT_GT(glm::length(rig.state.shift), 0.02);
+    EXPECT_GT(glm::length(rig.state.contact_offset), 0.02);
     EXPECT_LT(most, 0.01);
 }
 
@@ -355,7 +358,8 @@ TEST(HapticsServo, APulseIsPlayedOnceAndOnlyIfItIsNewer) {
     EXPECT_EQ(impulse(), 0);
     rig.model.pulse.number = 12;
     EXPECT_NEAR(impulse(), 2 / pi * 10, 1e-12);
-    for (const std::uint32_t number : {1U << 31U, (1U << 31U) + 100, ~0U}) {  // up to where the numbers wrap
+    // Up to where the numbers wrap.
+    for (const std::uint32_t number : {1U << 31U, (1U << 31U) + 100, ~0U}) {
         rig.model.pulse.number = number;
         EXPECT_NEAR(impulse(), 2 / pi * 10, 1e-12);
     }
@@ -378,7 +382,8 @@ TEST(HapticsServo, PulsesAddAndAFifthTakesTheOldestsPlaceWithoutAJump) {
     EXPECT_NEAR(before.y, 0.4, 0.001);
     EXPECT_NEAR(before.x, 0.9, 0.001);
     const vec3 force = rig.feel_pulse({0, 0, 0.1}, 200);
-    EXPECT_NEAR(glm::length(force - before), 0.04, 1e-12);  // the oldest was cut off at 0.3 N: a switch
+    // The oldest pulse was cut off at 0.3 N, which is a switch.
+    EXPECT_NEAR(glm::length(force - before), 0.04, 1e-12);
     for (int tick = 0; tick < 20; ++tick) before = rig.feel();
     EXPECT_NEAR(before.x, 0.57, 0.01);
 }
@@ -397,7 +402,7 @@ TEST(HapticsServo, AWildPulseIsHeldBackLikeAnythingElse) {
 }
 
 TEST(HapticsServo, TheVelocityIsThatOfTheWindow) {
-    const auto speed_limit = some_servo().limits.fastest;
+    const auto speed_limit = some_servo().limits.max_speed;
     for (const double share : {0.99, 1.01}) {
         Rig rig;
         for (int tick = 0; tick < 50; ++tick) {
@@ -406,7 +411,8 @@ TEST(HapticsServo, TheVelocityIsThatOfTheWindow) {
             EXPECT_EQ(rig.cause() == SafetyCause::over_speed, share > 1 && tick > 0) << tick;
         }
     }
-    // A sample that is read twice, as from a device that is served slower, and an encoder's quantum are no speed.
+    // A sample read twice, as from a device that is served slower, and an encoder's quantum do not count as
+    // speed.
     Rig rig;
     for (int tick = 0; tick < 200; ++tick) {
         if (tick % 8 == 0) rig.sample.position.y += 0.02;
@@ -470,12 +476,12 @@ TEST(HapticsServo, TheSameTicksGiveTheSameBits) {
         return hash;
     };
     EXPECT_EQ(run(), run());
-    // Those of every build and processor. A change of the rules changes them: let it be on purpose.
+    // Hashes of every build and processor. They change only if the rules are changed on purpose.
     EXPECT_EQ(run(), 17056982631307133588ULL);
     EXPECT_EQ(forces, 15573094199214806716ULL);
 }
 
-// ---- primitives ---------------------------------------------------------------------------------------------------
+// ---- primitives -------------------------------------------------------------------------------------------
 
 PrimitiveSet primitives_of(std::initializer_list<Primitive> list) {
     PrimitiveSet set;
@@ -484,7 +490,7 @@ PrimitiveSet primitives_of(std::initializer_list<Primitive> list) {
 }
 Primitive floor_plane(double strength) { return {PrimitiveKind::plane, {}, {0, 1, 0}, strength}; }
 
-/// A rig whose tip is at a place, and felt it long enough for the slew limit to be done.
+/// A rig with its tip at a place for so long that the slew limit is over.
 Rig rig_at(vec3 position, const PrimitiveSet& set, double stiffness = 300, double damping = 0) {
     Rig rig;
     rig.model.primitives = set;
@@ -505,13 +511,14 @@ TEST(HapticsServo, AStrongPlaneStopsTheHandWithStiffnessTimesDepth) {
         expect_force(above, {});
         EXPECT_LT(glm::length(above.state.proxy - vec3(0.01, 0.002, 0.03)), 1e-15);
         for (const double depth : {1e-6, 0.001, 0.005}) {
-            // The hand rests: the damper adds nothing.
+            // The hand rests, so the damper adds nothing.
             Rig pressed = rig_at({0.01, -depth, 0.03}, primitives_of({floor_plane(100)}), 300, damping);
             expect_force(pressed, {0, 300 * depth, 0});
             EXPECT_LT(glm::length(pressed.state.proxy - vec3(0.01, 0, 0.03)), 1e-12);
         }
     }
-    Rig through = rig_at({0, -0.005, 0}, primitives_of({floor_plane(0.5)}));  // it yields beyond its strength
+    // Yields beyond its strength.
+    Rig through = rig_at({0, -0.005, 0}, primitives_of({floor_plane(0.5)}));
     expect_force(through, {0, 0.5, 0});
 }
 
@@ -566,7 +573,8 @@ TEST(HapticsServo, ASetThatComesGoesOrJumpsIsASwitchAndOneThatGlidesIsNot) {
 }
 
 TEST(HapticsServo, APlaneCreatesNoMoreThanTheDelayOfATickDoes) {
-    // Of a spring whose force comes a tick late, convexity gives 0 <= work on the hand <= stiffness / 2 * sum |dx|^2.
+    // For a spring whose force is a tick late, convexity gives 0 <= work on the hand <= stiffness / 2 * sum
+    // |dx|^2.
     for (const double speed : {0.01, 0.05, 0.2}) {  // m/s
         for (const double strength : {100.0, 0.5}) {
             Rig rig = rig_at({0, 0.003, 0}, primitives_of({floor_plane(strength)}));

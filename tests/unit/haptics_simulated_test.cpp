@@ -1,4 +1,4 @@
-// The simulated device: what goes in and out beside the motion itself, and dry friction at rest.
+// Unit tests of the simulated device: input, output, and dry friction at rest.
 #include "haptics/simulated.h"
 
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(HapticsSimulated, ForcesSaturateInLengthAndKeepTheirDirection) {
 TEST(HapticsSimulated, TheHandFollowsItsTargetNotFasterThanItCan) {
     auto spec = reference_spec();
     spec.workspace = {0.4, 0.3, 0.2};
-    const auto device = simulated_device(spec, {.fastest = 2});
+    const auto device = simulated_device(spec, {.max_target_speed = 2});
     auto state = step(device, resting_at({}), {0.1, 0, 0}, {});
     EXPECT_NEAR(state.target.x, 0.002, 1e-15);
     for (int i = 0; i < 60; ++i) state = step(device, state, {0.1, 0, 0}, {});
@@ -137,7 +137,7 @@ TEST(HapticsSimulated, TheSameTicksGiveTheSameBits) {
         return hash;
     };
     EXPECT_EQ(run(), run());
-    // Those of every build and processor. A change of the model changes them: let it be on purpose.
+    // Hashes of every build and processor. They change only if the model is changed on purpose.
     EXPECT_EQ(run(), 4712942992120687017ULL);
 }
 

@@ -1,5 +1,5 @@
-// Surfaces against closed forms: springs to planes, creases and corners, Coulomb's law, moving bodies; then what must never
-// happen, at any speed and with any input.
+// Unit tests of surfaces against closed forms: springs to planes, creases and corners, Coulomb's law and
+// moving bodies. Then properties that must hold at any speed and for any input.
 #include "haptics/surface.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double dt = tick_seconds;
 constexpr double stiffness = 500;                            // N/m
-constexpr double gap_force = 1.5 * stiffness * surface_gap;  // N, the known error, friction included
+constexpr double gap_force = 1.5 * stiffness * surface_gap;  // known error with friction (N)
 constexpr double rounding = 1e-9;                            // N
 
 std::uint32_t add_body(SurfacePatch& patch, const SurfaceMaterial& material = {.stiffness = stiffness}) {
@@ -43,13 +43,13 @@ SurfacePatch floor_patch(const SurfaceMaterial& material = {.stiffness = stiffne
     return patch;
 }
 
-/// A hand that is at a place without having come from somewhere.
+/// A hand at a place that it did not move to.
 struct Probe {
     SurfacePatch patch{};
     SurfaceState state{};
 
-    Touched at(vec3 tip, vec3 velocity = {}) { return touch(patch, state, {tip, velocity}, dt); }
-    /// The bodies move as they say.
+    ContactResult at(vec3 tip, vec3 velocity = {}) { return touch(patch, state, {tip, velocity}, dt); }
+    /// A hand over moving bodies, which move by their own velocities.
     void advance() {
         for (std::uint32_t i = 0; i < patch.count; ++i) {
             Surface& s = patch.surfaces[i];
@@ -95,7 +95,7 @@ void add_box_mesh(SurfacePatch& patch, vec3 half, SurfaceKind kind) {
     }
 }
 
-// ---- where the proxy is -------------------------------------------------------------------------------------------
+// ---- position of the proxy --------------------------------------------------------------------------------
 
 TEST(Surface, APlaneIsASpringAlongItsNormal) {
     Random random{1};
@@ -107,17 +107,17 @@ TEST(Surface, APlaneIsASpringAlongItsNormal) {
         const vec3 along = random_vec(random, 0.1);
         const vec3 over = point + along - normal * glm::dot(normal, along);
         EXPECT_EQ(probe.at(over + 0.01 * normal).force, vec3(0));
-        const Touched in = probe.at(over - depth * normal);
+        const ContactResult in = probe.at(over - depth * normal);
         expect_near(in.force, stiffness * depth * normal, gap_force + rounding);
         expect_near(in.proxy, over, 2 * surface_gap);
         EXPECT_EQ(in.contacts, 1U);
-        const Touched out = probe.at(over + 0.001 * normal);
+        const ContactResult out = probe.at(over + 0.001 * normal);
         EXPECT_EQ(out.force, vec3(0));
         EXPECT_EQ(out.proxy, over + 0.001 * normal);
     }
 }
 
-/// The foot of the tip on the line in which two planes through the origin meet.
+/// Foot of the tip on the intersection line of two planes through the origin.
 TEST(Surface, InACreaseAndACornerItIsAsNearAsBothAllow) {
     Random random{2};
     int creases = 0, corners = 0;
@@ -129,14 +129,14 @@ TEST(Surface, InACreaseAndACornerItIsAsNearAsBothAllow) {
             add(probe.patch, SurfaceKind::plane, {}, normal);
         }
         if (std::abs(glm::dot(normals[0], glm::cross(normals[1], normals[2]))) < 0.05) continue;
-        // In the cone that the normals span backwards the corner is nearest; likewise for each crease.
+        // The corner is nearest in the cone that the negative normals span; likewise for each crease.
         const vec3 depths(random.uniform(0, 0.01), random.uniform(0, 0.01), random.uniform(0, 0.01));
         const bool corner = n % 2 == 0;
         const vec3 tip =
             -depths.x * normals[0] - depths.y * normals[1] - (corner ? depths.z : 0) * normals[2];
         vec3 nearest(0);
         if (!corner) {
-            // Out along the crease, to the free side of the third plane.
+            // Along the crease to the free side of the third plane.
             vec3 crease = glm::normalize(glm::cross(normals[0], normals[1]));
             if (glm::dot(crease, normals[2]) < 0) crease = -crease;
             nearest = 0.1 * crease;
@@ -149,7 +149,7 @@ TEST(Surface, InACreaseAndACornerItIsAsNearAsBothAllow) {
         if (!free) continue;
         (corner ? corners : creases)++;
         probe.state = {.proxy = nearest + 0.02 * start, .begun = 1};
-        const Touched in = probe.at(nearest + tip);
+        const ContactResult in = probe.at(nearest + tip);
         expect_near(in.proxy, nearest, 40 * surface_gap, std::to_string(n));
         expect_near(in.force, -stiffness * tip, 40 * gap_force);
         EXPECT_EQ(in.contacts, corner ? 3U : 2U);
@@ -182,7 +182,7 @@ TEST(Surface, RoundOnesPushFromTheirCore) {
                 return centre + turn * (c.core + (radius + height) * c.normal);
             };
             EXPECT_EQ(probe.at(at(0.01)).force, vec3(0));
-            const Touched in = probe.at(at(-depth));
+            const ContactResult in = probe.at(at(-depth));
             expect_near(in.force, stiffness * depth * (turn * c.normal), gap_force + rounding);
             EXPECT_EQ(in.contacts, 1U);
         }
@@ -200,7 +200,7 @@ TEST(Surface, RoundASphereItKeepsUpWithTheTip) {
     }
 }
 
-/// A convex body has no crease: past the middle of an edge the nearest place is on the other face.
+/// A convex body has no crease: beyond the middle of an edge, the nearest place is on the other face.
 TEST(Surface, ItSlidesRoundAConvexEdge) {
     for (const bool mesh : {false, true}) {
         Probe probe;
@@ -211,9 +211,9 @@ TEST(Surface, ItSlidesRoundAConvexEdge) {
             add(probe.patch, SurfaceKind::box, {}, half);
         probe.at({0.03, 0.03, 0.001});
         for (int step = 0; step <= 40; ++step) {
-            const double x = 0.03 + 0.0005 * step;  // at 5 mm under the top, to 0 mm before the side
+            const double x = 0.03 + 0.0005 * step;  // at 5 mm under the top, up to the side
             const vec3 force = probe.at({x, 0.015, 0.001}).force;
-            // The proxy stays on top while the side is farther, and is held there until the top's edge.
+            // The proxy stays on top while the side is farther, and the top's edge holds it there.
             if (step < 40)
                 expect_near(force, {0, stiffness * 0.005, 0}, gap_force + rounding, std::to_string(step));
         }
@@ -269,7 +269,7 @@ TEST(Surface, ItSticksUpToTheStaticConeAndSlidesAtTheDynamicOne) {
             expect_near(force, {-0.4 * normal_force, normal_force, 0}, gap_force + rounding, "slides");
             EXPECT_EQ(probe.state.sliding, 1U);
         }
-        // It stops: sticks where it is, and then the static friction counts again.
+        // It stops and sticks there, and static friction counts again.
         probe.at({depth * 1.99, -depth, 0});
         EXPECT_EQ(probe.state.sliding, 0U);
         const vec3 more = probe.at({depth * (1.99 + 0.19), -depth, 0}).force;
@@ -287,7 +287,7 @@ TEST(Surface, SlidingFrictionIsAgainstTheMotionWhateverItsDirection) {
         const vec3 way(det::cos(angle), 0, det::sin(angle));
         probe.at({0, 0.001, 0});
         probe.at({0, -depth, 0});
-        Touched last;
+        ContactResult last;
         for (int i = 1; i <= 100; ++i) last = probe.at(0.0005 * i * way - vec3(0, depth, 0));
         expect_near(last.force, stiffness * depth * (vec3(0, 1, 0) - 0.4 * way), gap_force + rounding);
     }
@@ -302,9 +302,9 @@ TEST(Surface, ACreaseRubsOnBothSides) {
     Probe probe{patch};
     probe.at({0, 0.01, 0});
     const double depth = 0.005;
-    Touched last;
+    ContactResult last;
     for (int i = 0; i <= 100; ++i) last = probe.at({0, -depth, 0.0005 * i});
-    // Each wall bears depth s, and both rub: 2 mu depth s.
+    // Each wall has the depth s, and both rub: 2 mu depth s.
     expect_near(last.force, stiffness * depth * vec3(0, 1, -2 * s * 0.4), 4 * gap_force + rounding);
     EXPECT_EQ(last.contacts, 2U);
 }
@@ -317,7 +317,7 @@ TEST(Surface, WhatIsTouchedHasItsShareOfTheForce) {
     add(patch, SurfaceKind::plane, {}, {-1, 0, 0});
     Probe probe{patch};
     probe.at({-0.01, 0.01, 0});
-    Touched last;
+    ContactResult last;
     for (int i = 0; i <= 100; ++i) last = probe.at({0.004, -0.007, 0.0005 * i});
     ASSERT_EQ(probe.state.contacts, 2U);
     const auto& floor = probe.state.touched[0];
@@ -363,7 +363,7 @@ TEST(Surface, AWallThatMovesIsFeltInEveryTickItOverlaps) {
     }
 }
 
-/// A box that flies and turns, and what is fixed to it.
+/// A box that flies and turns, with places fixed to it.
 TEST(Surface, APatchThatGoesOnIsWhereItsBodiesAre) {
     Random random{5};
     for (int n = 0; n < 100; ++n) {
@@ -410,7 +410,7 @@ TEST(Surface, AFastPlateDoesNotPassThroughAStillProbe) {
                 add(probe.patch, kind, start, {5, 1e-4, 5});
             probe.patch.bodies[0].velocity = {0, speed, 0};
             for (int tick = 0; tick < 300; ++tick, probe.advance()) {
-                const Touched t = probe.at({0, 0, 0});
+                const ContactResult t = probe.at({0, 0, 0});
                 const double top = probe.patch.surfaces[0].a.y + (flat ? 0 : 1e-4);
                 if (top <= 0) continue;
                 expect_near(t.force, {0, stiffness * top, 0}, gap_force + rounding * top * 1e3,
@@ -440,7 +440,7 @@ TEST(Surface, ARoughWallTakesTheProxyAlong) {
     }
 }
 
-/// On a turning disc a probe that sticks goes round with it.
+/// A probe that sticks to a turning disc goes round with it.
 TEST(Surface, ASpinningBodyTurnsTheProxyAboutItsAxis) {
     SurfacePatch patch;
     add_body(patch, {.stiffness = stiffness, .static_friction = 10, .dynamic_friction = 10});
@@ -471,7 +471,7 @@ TEST(Surface, DampingActsOnTheWayInAlone) {
 
 // ---- laws ---------------------------------------------------------------------------------------------------------
 
-/// J, by the trapezoid rule along a closed slow path.
+/// Work along a closed slow path by the trapezoid rule (J).
 double work_round(Probe& probe, vec3 centre, vec3 u, vec3 v, int ticks) {
     vec3 tip = centre + u;
     vec3 force = probe.at(tip).force;
@@ -517,7 +517,7 @@ TEST(Surface, FrictionOnlyTakesEnergy) {
     EXPECT_LT(work, -1e-6);
 }
 
-/// A rotation or a mirror of everything is one of the answer; and the order of the patch means nothing.
+/// A rotation or reflection of everything turns the result alike. The order of the patch does not matter.
 TEST(Surface, TurnedAndMirroredItFeelsTheSame) {
     Random random{5};
     for (int n = 0; n < 100; ++n) {
@@ -554,7 +554,7 @@ TEST(Surface, TurnedAndMirroredItFeelsTheSame) {
     }
 }
 
-// ---- what must not be ---------------------------------------------------------------------------------------------
+// ---- forbidden results ------------------------------------------------------------------------------------
 
 bool inside(vec3 p, vec3 half) {
     return std::abs(p.x) < half.x && std::abs(p.y) < half.y && std::abs(p.z) < half.z;
@@ -576,7 +576,7 @@ TEST(Surface, NoSpeedTakesTheProxyThroughAClosedMesh) {
             vec3 tip(0, 0.05, 0);
             for (int n = 0; n < 100'000; ++n) {
                 const double size = std::pow(10.0, random.uniform(-6, 1));
-                // Often exactly at edges and corners, where a crack would be.
+                // Often exactly at edges and corners, where a crack would show.
                 const vec3 spot = n % 3 == 0 ? half * vec3(1, 1, n % 2 == 0 ? 1 : 0) : vec3(0);
                 tip = n % 5 == 0 ? tip + random_vec(random, 1e-3) : spot + random_vec(random, size);
                 probe.at(tip);
@@ -595,9 +595,9 @@ TEST(Surface, FromTheInsideOfATwoSidedBoxThereIsNoWayOut) {
     for (int n = 0; n < 100'000; ++n) {
         const double size = std::pow(10.0, random.uniform(-3, 1));
         const vec3 tip = random_vec(random, size);
-        const Touched t = probe.at(tip);
+        const ContactResult t = probe.at(tip);
         ASSERT_TRUE(inside(probe.state.proxy, half)) << n;
-        // And it is the nearest place: the box is convex.
+        // It is also the nearest place, because the box is convex.
         expect_near(t.proxy, glm::clamp(tip, -half, half), 1e-8);
     }
 }
@@ -654,7 +654,7 @@ TEST(Surface, HostileInputNeverLeavesANumberThatIsNone) {
         patch.centre = place();
         if (random.below(2) == 0) patch.reach = value();
         for (int tick = 0; tick < 5; ++tick) {
-            const Touched t = probe.at(place(), place());
+            const ContactResult t = probe.at(place(), place());
             ASSERT_TRUE(is_finite(t.force)) << n;
             ASSERT_TRUE(probe.state.begun == 0 || is_finite(probe.state.proxy)) << n;
             ASSERT_LE(t.contacts, 3U);

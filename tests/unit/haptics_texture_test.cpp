@@ -1,4 +1,5 @@
-// Textures on surfaces: paper 004's sinusoidal grating with both its normals and the bump map, against closed forms.
+// Unit tests of textures on surfaces against closed forms: paper 004's sinusoidal grating with both normals,
+// and the bump map.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace thaum::haptics {
 namespace {
 
 constexpr double wall_stiffness = 500, crest = 2e-4, period = 0.004;  // N/m, m (amplitude), m
-constexpr double force_rounding = 1e-6;                               // N; 1e-7 of it is the surface's gap
+constexpr double force_rounding = 1e-6;                               // N; 1e-7 N of it is the surface's gap
 
 SurfacePatch textured(TextureKind kind, double friction = 0) {
     SurfacePatch patch;
@@ -30,7 +31,7 @@ SurfacePatch textured(TextureKind kind, double friction = 0) {
 double grating(double x) { return crest * (std::sin(2 * pi * x / period) + 1); }
 double grating_slope(double x) { return crest * 2 * pi / period * std::cos(2 * pi * x / period); }
 
-/// Slides in from a place above, so that the proxy is over the tip.
+/// Moves in from a place above, so that the proxy is over the tip.
 vec3 feel(const SurfacePatch& patch, vec3 tip) {
     SurfaceState state{.proxy = {tip.x, 0.01, tip.z}, .begun = 1};
     return touch(patch, state, {tip, {}}, tick_seconds).force;
@@ -106,7 +107,7 @@ TEST(Texture, BumpsPushByTheSlopeOfTheSpringsEnergy) {
     }
 }
 
-/// J, of a slow round in which the tip presses in at one place and comes out at another.
+/// Work of a slow round trip (J): the tip presses in at one place and comes out at another.
 double work_of_round(const SurfacePatch& patch) {
     SurfaceState state;
     touch(patch, state, {{0, 0.005, 0}, {}}, tick_seconds);
@@ -157,7 +158,7 @@ TEST(Texture, OnABallItIsCutFromABlock) {
         const double angle = 0.03 * i;
         const vec3 out(std::sin(angle), std::cos(angle), 0);
         SurfaceState state{.proxy = 0.06 * out, .begun = 1};
-        const Touched felt = touch(patch, state, {(radius - 0.001) * out, {}}, tick_seconds);
+        const ContactResult felt = touch(patch, state, {(radius - 0.001) * out, {}}, tick_seconds);
         const double x = (radius + 2 * crest) * out.x;  // of the proxy, on the texture's top
         const vec3 along(grating_slope(x), 0, 0);
         const vec3 normal = glm::normalize(out - (along - glm::dot(along, out) * out));

@@ -1,5 +1,5 @@
-// Every `new` of the test program is counted, in any thread. In a file of its own: where the compiler sees both sides of
-// a `new` it warns of the `free`.
+// Counts every `new` of the test program, in any thread. It is a file of its own because the compiler warns
+// of the `free` if it sees both sides of a `new`.
 #include <atomic>
 #include <cstdlib>
 #include <new>

@@ -7,7 +7,7 @@
 namespace thaum::input {
 namespace {
 
-/// A keyboard whose codes are made up; "no_such_key" is on none.
+/// A keyboard with invented codes; no key is called "no_such_key".
 std::optional<int> code_of(std::string_view name) {
     if (name == "no_such_key") return {};
     int code = 1000;
@@ -47,7 +47,7 @@ TEST(InputBindings, NoDefaultKeyServesTwoPlayersAtOneKeyboard) {
     const auto one = default_bindings(DeviceKind::keyboard_mouse, code_of);
     const auto two = default_bindings(DeviceKind::keyboard_half, code_of);
     for (std::size_t a = 0; a < actions; ++a) {
-        if (static_cast<Action>(a) == Action::panic) continue;  // forces off for everybody
+        if (static_cast<Action>(a) == Action::panic) continue;  // switches off everybody's forces
         for (const auto& control : one.controls[a]) {
             for (const auto& other : two.controls) {
                 EXPECT_EQ(std::count(other.begin(), other.end(), control), 0)
@@ -111,7 +111,7 @@ TEST(InputBindings, UnknownNamesTellFileLineAndKey) {
     EXPECT_FALSE(read("version = 1\n[pad]\nfire = \"pad a,,pad b\"\n"));
 }
 
-/// The made-up codes of the keys used here, back to their names.
+/// Names of the invented codes used here.
 std::string name_of_code(int code) {
     for (const auto& name : default_key_names()) {
         if (code_of(name) == code) return name;

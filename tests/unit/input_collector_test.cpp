@@ -115,7 +115,7 @@ TEST(InputCollector, SticksHaveARoundDeadZone) {
     EXPECT_EQ(hands.take().counts[hand::strafe], 0);
     hands.pad(pad_with(PadAxis::left_x, -1));
     EXPECT_EQ(hands.take().counts[hand::strafe], -127);
-    hands.pad(pad_with(PadAxis::right_y, 0.578));  // half of what is left of the radius
+    hands.pad(pad_with(PadAxis::right_y, 0.578));  // half of the remaining radius
     EXPECT_EQ(hands.take().counts[hand::turn_up], 64);
 
     PadState corner;
@@ -162,7 +162,7 @@ TEST(InputCollector, LosingFocusLetsGoOfEverything) {
     hands.take();
     hands.focus_lost();
     EXPECT_EQ(hands.take(), DeviceSample{});
-    hands.key('w', false);  // comes late, or never
+    hands.key('w', false);  // arrives late, or never
     EXPECT_EQ(hands.take(), DeviceSample{});
     hands.key('w', true);
     EXPECT_EQ(hands.take().counts[hand::forward], 127);
@@ -170,7 +170,7 @@ TEST(InputCollector, LosingFocusLetsGoOfEverything) {
     EXPECT_EQ(hands.take(), DeviceSample{});
 }
 
-// One thread moves, turns the wheel and presses; the other takes samples as fast as it can.
+// One thread moves, turns the wheel and presses. The other takes samples as fast as it can.
 TEST(InputCollector, TwoThreadsLoseNothingAndCountNothingTwice) {
     auto hands = mouse();
     constexpr int events = 200000;
@@ -182,7 +182,7 @@ TEST(InputCollector, TwoThreadsLoseNothingAndCountNothingTwice) {
             hands.mouse_move(i % 7, -(i % 3));
             hands.wheel(i % 5 == 0 ? 1 : 0);
             if (i % 64 != 0 || presses_seen.load() < presses) continue;
-            ++presses;  // shorter than a tick; the next only when this one was seen
+            ++presses;  // shorter than a tick; the next one only after this one was seen
             hands.mouse_button(left_button, true);
             hands.mouse_button(left_button, false);
         }
@@ -197,7 +197,7 @@ TEST(InputCollector, TwoThreadsLoseNothingAndCountNothingTwice) {
         wheel += sample.counts[hand::wheel];
         const bool down = sample.down(Button::fire);
         if (was_down && !down)
-            presses_seen.fetch_add(1);  // counted when it is over, so the next is a new edge
+            presses_seen.fetch_add(1);  // counted after the press, so that the next one is a new edge
         was_down = down;
     };
     while (!done) take();
@@ -229,7 +229,7 @@ TEST(InputCollector, AToggleStaysOnFromOnePressToTheNext) {
         auto sample = hands.take();
         EXPECT_EQ(sample.down(Button::fire), on);
         hands.mouse_button(left_button, false);
-        hands.key(*length_code_of("a"), true);  // others do not mind
+        hands.key(*length_code_of("a"), true);  // other actions do not mind
         sample = hands.take();
         EXPECT_EQ(sample.down(Button::fire), on);
         EXPECT_EQ(sample.counts[hand::trigger], on ? 255 : 0);
@@ -238,7 +238,7 @@ TEST(InputCollector, AToggleStaysOnFromOnePressToTheNext) {
     }
     hands.focus_lost();
     EXPECT_FALSE(hands.take().down(Button::fire));
-    // After that the first press turns it on again.
+    // After that, the first press turns it on again.
     hands.mouse_button(left_button, true);
     EXPECT_TRUE(hands.take().down(Button::fire));
 }

@@ -1,4 +1,4 @@
-// The end of a log and the limits of its blocks, with every checksum right.
+// Unit tests of the end of a log and of the limits of its blocks, with correct checksums.
 #include <gtest/gtest.h>
 #include <zstd.h>
 
@@ -31,7 +31,7 @@ TEST(InputLog, TheEndBlockHasTheHashesOfTheLastState) {
     EXPECT_EQ(LogReader::open(folder / "two").value().ending(), LogEnding::damaged);
 }
 
-/// A few bytes that claim megabytes, with every checksum right, are refused by what they claim.
+/// A few bytes that claim megabytes, with correct checksums, are refused by their claim.
 TEST(InputLog, ABlockThatClaimsMoreThanItCanHoldIsRefused) {
     const Folder folder;
     const auto log = samples::small_log(folder);
@@ -57,12 +57,12 @@ TEST(InputLog, ABlockThatClaimsMoreThanItCanHoldIsRefused) {
     EXPECT_LT(zeros.size(), 5000U);
     for (const std::size_t claim : {std::size_t{22'000'000}, detail::raw_limit, std::size_t{1000}})
         EXPECT_TRUE(refused(zeros, claim)) << claim;
-    // Two frames, of which the second would be work for nothing.
+    // Two frames, of which the second would be needless work.
     auto two = packed(1000);
     const auto more = packed(0);
     two.insert(two.end(), more.begin(), more.end());
     EXPECT_TRUE(refused(two, 1000));
-    // A block of one tick cannot hold what one of 512 can.
+    // A block of one tick cannot hold as much as one of 512.
     Bytes header(log.begin() + static_cast<std::ptrdiff_t>(place.begin),
                  log.begin() + static_cast<std::ptrdiff_t>(place.begin + detail::block_header_size));
     samples::put_at(header, 6, std::uint16_t{1});

@@ -1,4 +1,4 @@
-// Logs for tests: a folder that goes away, headers, frames that are a function of the tick, and the bytes of a file.
+// Logs for tests: a temporary folder, headers, frames as a function of the tick, and the bytes of a file.
 #pragma once
 #include <fcntl.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@
 
 namespace thaum::input::samples {
 
-/// How often this program has called `new`.
+/// Number of `new` in this program so far.
 std::size_t allocations();
 
 struct Folder {
@@ -30,7 +30,7 @@ struct Folder {
     std::filesystem::path operator/(std::string_view name) const { return path / name; }
 };
 
-/// One file whose bytes change often: far quicker than a new file each time.
+/// One file whose bytes change often, which is far quicker than a new file each time.
 class Scratch {
 public:
     explicit Scratch(std::filesystem::path where)
@@ -39,7 +39,7 @@ public:
     Scratch& operator=(const Scratch&) = delete;
     ~Scratch() { ::close(fd_); }
 
-    /// False where the disk did not take them.
+    /// Returns false if the disk did not take the bytes.
     bool set(std::span<const std::byte> bytes) const {
         return set_from(0, bytes) && ::ftruncate(fd_, static_cast<off_t>(bytes.size())) == 0;
     }
@@ -69,10 +69,10 @@ inline LogHeader header(std::size_t devices = 2) {
         device.kind = i == 0 ? DeviceKind::keyboard_mouse : DeviceKind::pad;
         device.name = text("device ", i);
         device.flags = i == 1 ? DeviceSpec::invert_y : 0;
-        if (i == 1) device.ask_for_carried(75, 0);
+        if (i == 1) device.set_carried_percent(75, 0);
         if (i == 1) device.box_um = {160'000, 1, DeviceSpec::most_box_um};
         for (std::size_t source = 0; source < fluid_faders && i > 0; ++source)
-            device.ask_for_fluid(source, static_cast<std::uint32_t>(16 * source));
+            device.set_fluid_percent(source, static_cast<std::uint32_t>(16 * source));
         h.devices.push_back(device);
     }
     h.files = {{"wands/lift.toml", 1}, {"wands/blast.toml", 2}};
@@ -81,7 +81,7 @@ inline LogHeader header(std::size_t devices = 2) {
     return h;
 }
 
-/// Every field takes small, zero and extreme values.
+/// Frames in which every field takes small, zero and extreme values.
 inline InputFrame random_frame(Tick tick, std::size_t devices, std::uint64_t seed = 0) {
     std::mt19937_64 random(hash_combine(seed, tick));
     InputFrame frame;
@@ -101,7 +101,7 @@ inline InputFrame random_frame(Tick tick, std::size_t devices, std::uint64_t see
     return frame;
 }
 
-/// Mostly the same from tick to tick, so that a log is small.
+/// Frames that are mostly the same from tick to tick, so that a log is small.
 inline InputFrame calm_frame(Tick tick) {
     InputFrame frame;
     frame.devices[0].counts[hand::look_right] = static_cast<std::int32_t>(tick / 100);
@@ -112,7 +112,7 @@ inline InputFrame calm_frame(Tick tick) {
 
 inline HashRecord hash_of(Tick tick) { return {tick, hash_value(tick, 1), hash_value(tick, 2)}; }
 
-/// Appends as the game does: frame, then at every multiple of 128 the hashes after it.
+/// Appends as the game does: a frame, then at every multiple of 128 the hashes of the state after it.
 template <class Frame>
 void record(LogWriter& writer, Tick count, Frame frame_at) {
     for (Tick t = writer.ticks(); count > 0; --count) {
@@ -122,7 +122,7 @@ void record(LogWriter& writer, Tick count, Frame frame_at) {
     }
 }
 
-/// Writes the file where a log may lie already, which no writer of ours replaces.
+/// Writes the file over an existing log, which no writer of ours does.
 inline Expected<void> put_file(const std::filesystem::path& path, std::span<const std::byte> bytes) {
     std::filesystem::remove(path);
     return write_file(path, bytes);
@@ -130,7 +130,7 @@ inline Expected<void> put_file(const std::filesystem::path& path, std::span<cons
 
 inline Bytes bytes_of(const std::filesystem::path& path) { return read_file(path, 1U << 28U).value(); }
 
-/// A closed log of 1,100 calm ticks: three blocks and the end.
+/// A closed log of 1,100 quiet ticks: three blocks and the end.
 inline Bytes small_log(const Folder& folder) {
     const auto path = folder / "small.thaumlog";
     auto writer = LogWriter::create(path, header()).value();
@@ -145,11 +145,11 @@ inline std::uint32_t u32_at(const Bytes& bytes, std::size_t at) {
 }
 
 struct BlockPlace {
-    std::size_t begin, end;  ///< bytes
-    Tick first, last;        ///< ticks
+    std::size_t begin, end;  ///< offsets in the file (bytes)
+    Tick first, last;        ///< first and last tick
 };
 
-/// Where the blocks of an undamaged log lie (the end block too).
+/// Positions of the blocks of an undamaged log, with the end block.
 inline std::vector<BlockPlace> blocks_of(const Bytes& log) {
     std::vector<BlockPlace> places;
     std::size_t at = detail::preamble_size + u32_at(log, 12);
@@ -173,7 +173,7 @@ void put_at(Bytes& bytes, std::size_t at, T value) {
     std::memcpy(bytes.data() + at, &value, sizeof value);
 }
 
-/// The block at `at` with a payload of the caller's; its checksums and sizes are right.
+/// Block at `at` with another payload. Its checksums and sizes are correct.
 inline Bytes signed_block(const Bytes& log, std::size_t at, std::span<const std::byte> payload,
                           std::size_t raw_size) {
     Bytes block(log.begin() + static_cast<std::ptrdiff_t>(at),

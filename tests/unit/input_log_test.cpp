@@ -24,7 +24,7 @@ namespace {
 using samples::blocks_of;
 using samples::Folder;
 
-/// Reads all that can be read and compares it with what was recorded.
+/// Reads everything readable and compares it with the recorded values.
 template <class Frame>
 void expect_frames(LogReader& reader, Frame frame_at) {
     InputFrame frame;
@@ -158,12 +158,12 @@ TEST(InputLog, HeaderBeyondTheLimitsIsRefused) {
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 127U << DeviceSpec::blow_shift; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 1U << 31U; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].flags = 1U << 30U; }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_kept_off[6] = 101; }));
-    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_kept_off[0] = 255; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_reduction[6] = 101; }));
+    EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].fluid_reduction[0] = 255; }));
     EXPECT_TRUE(refused([](LogHeader& h) { h.devices[0].box_um[2] = DeviceSpec::most_box_um + 1; }));
 }
 
-/// With this body; size and checksum are right.
+/// A file with this body and a correct size and checksum.
 Bytes signed_header(const Bytes& like, std::span<const std::byte> body) {
     Bytes file(like.begin(), like.begin() + detail::preamble_size);
     samples::put_at(file, 12, static_cast<std::uint32_t>(body.size()));
@@ -182,7 +182,7 @@ TEST(InputLog, WhatIsFeltOfAFluidStandsInTheHeaderOnlyWhereItIsLess) {
     const auto without = detail::encode_header(header).value();
     EXPECT_EQ(decoded(without), header);
     for (std::size_t source = 0; source < fluid_faders; ++source)
-        header.devices[0].ask_for_fluid(source, static_cast<std::uint32_t>(99 - source));
+        header.devices[0].set_fluid_percent(source, static_cast<std::uint32_t>(99 - source));
     const auto with = detail::encode_header(header).value();
     EXPECT_EQ(decoded(with), header);
     ASSERT_EQ(with.size(), without.size() + fluid_faders);
@@ -213,7 +213,7 @@ TEST(InputLog, OlderLogsFeelAllOfAFluid) {
     ASSERT_TRUE(header) << header.error().message;
     ASSERT_EQ(header->devices.size(), 2U);
     for (const auto& device : header->devices)
-        EXPECT_EQ(device.fluid_kept_off, (std::array<std::uint8_t, fluid_faders>{}));
+        EXPECT_EQ(device.fluid_reduction, (std::array<std::uint8_t, fluid_faders>{}));
 }
 
 TEST(InputLog, OtherFilesAreRefusedInOneLine) {
@@ -226,7 +226,7 @@ TEST(InputLog, OtherFilesAreRefusedInOneLine) {
     EXPECT_TRUE(contains(open_error(path), "not a Thaum log"));
     ASSERT_TRUE(write_text_file(path, "THAUMLOG"));
     EXPECT_TRUE(contains(open_error(path), "cut off"));
-    std::filesystem::remove(path);  // no writer replaces what begins like a recording
+    std::filesystem::remove(path);  // no writer replaces a file that begins like a recording
     ASSERT_TRUE(write_text_file(path, std::string(5000, 'x')));
     EXPECT_TRUE(contains(open_error(path), "not a Thaum log"));
     EXPECT_TRUE(contains(open_error(folder.path), "not an ordinary file"));
@@ -275,7 +275,7 @@ TEST(InputLog, EveryTruncationReadsToItsLastWholeBlock) {
     }
 }
 
-/// After a power cut: the size is there, the last pages are not.
+/// A file as after a power cut: the size is right, the last pages are missing.
 TEST(InputLog, ATailOfZerosReadsAsCutOff) {
     const Folder folder;
     const auto log = samples::small_log(folder);
@@ -300,7 +300,7 @@ TEST(InputLog, ATailOfZerosReadsAsCutOff) {
     const auto reader = LogReader::open(file.path).value();
     EXPECT_EQ(reader.ending(), LogEnding::cut_off);
     EXPECT_EQ(reader.ticks(), blocks[1].last);
-    // Zeros in the middle are damage: something was written after them.
+    // Zeros in the middle are damage, because something was written after them.
     auto hole = log;
     std::fill_n(hole.begin() + static_cast<std::ptrdiff_t>(blocks[1].begin), 64, std::byte{});
     ASSERT_TRUE(file.set(hole));
@@ -382,7 +382,7 @@ TEST(InputLog, ChangedAfterOpeningIsDamage) {
     EXPECT_EQ(reader.ending(), LogEnding::damaged);
 }
 
-/// 100 MiB of zeros in a few kilobytes, signed and said to be small: only the promised size is unpacked.
+/// 100 MiB of zeros in a few kilobytes, with a small stated size. Only the stated size is unpacked.
 TEST(InputLog, AZipBombIsRefused) {
     const Folder folder;
     const auto log = samples::small_log(folder);
@@ -431,7 +431,7 @@ struct Progress {
     std::atomic<Tick> appended{0}, on_disk{0};
 };
 
-/// Never returns: a match at about 60 times real time until it is killed.
+/// Records a match at about 60 times real time until it is killed. Never returns.
 [[noreturn]] void record_forever(const std::filesystem::path& path, Progress& progress) {
     auto writer = LogWriter::create(path, samples::header()).value();
     for (Tick t = 0;; ++t) {
@@ -504,17 +504,17 @@ TEST(InputLog, TooSlowADiskStopsRecordingAndKeepsAWholeLog) {
     EXPECT_GT(writer.extra_blocks(), 0U);
     const auto closed = writer.close("");
     auto reader = LogReader::open(folder / "log").value();
-    if (!closed) {  // as fast as memory against zstd: always, unless this thread slept
+    if (!closed) {  // memory is faster than zstd, so this always happens unless this thread slept
         EXPECT_TRUE(contains(closed.error().message, text("kept up to tick ", reader.ticks())));
         EXPECT_EQ(reader.ending(), LogEnding::cut_off);
     }
     expect_frames(reader, [&](Tick t) { return frames[t % 512]; });
 }
 
-// Size ---------------------------------------------------------------------------------------------
+// Size ----------------------------------------------------------------------------------------------
 
-/// Two players who never rest: a mouse at 1 kHz whose speed wanders, keys and buttons; a pad at 250 Hz whose sticks
-/// wander and tremble.
+/// Two players who never rest: a mouse at 1 kHz with changing speed, keys and buttons; a gamepad at 250 Hz
+/// whose sticks wander and tremble.
 class BusyHands {
 public:
     InputFrame next() {

@@ -113,9 +113,9 @@ TEST(Settings, FadersOfTheCauldronAreEachPlayersAndOffKeepsTheirPlaces) {
     EXPECT_EQ(off_words(wanted), "flow, recoil");
     input::DeviceSpec device;
     ask_for(wanted, device);
-    EXPECT_EQ(device.fluid_kept_off, (std::array<std::uint8_t, 7>{0, 100, 0, 0, 100, 0, 100}));
+    EXPECT_EQ(device.fluid_reduction, (std::array<std::uint8_t, 7>{0, 100, 0, 0, 100, 0, 100}));
     ask_for(s->cauldron[1], device);
-    EXPECT_EQ(device.fluid_kept_off, (std::array<std::uint8_t, 7>{}));
+    EXPECT_EQ(device.fluid_reduction, (std::array<std::uint8_t, 7>{}));
 }
 
 TEST(Settings, AMissingFileIsMadeAndAnExistingOneIsLeftAlone) {
@@ -326,7 +326,7 @@ TEST(SettingsScreen, AFaderGoesByFivesAndIsSwitchedWhereItIs) {
         change(fader, 1);
         input::DeviceSpec device;
         ask_for({Fader{.share = fader.share}}, device);
-        EXPECT_EQ(device.fluid_kept_off[0], 100 - 5 * i);
+        EXPECT_EQ(device.fluid_reduction[0], 100 - 5 * i);
     }
     EXPECT_EQ(shown({.share = 0.333}), "33.3 %");
     for (std::size_t i = 0; i < haptics::fluid_modes.size(); ++i) {

@@ -29,7 +29,7 @@ inline FluidTouch some_fluid() {
                    .metres_per_metre = 16,
                    .newtons_per_newton = 1.0 / 256};
     touch.drag = {.viscous = 2, .form = 0.5};
-    newest_step(touch, uniform_flow({}, 4, 8));
+    add_fluid_step(touch, uniform_flow({}, 4, 8));
     return touch;
 }
 
@@ -39,7 +39,7 @@ struct StirringRig {
     SimulatedDevice device = simulated_device(spec, no_hand);
     Servo servo = [this] {
         Servo result = servo_of(spec, 1);
-        result.limits.fastest = 1e9;
+        result.limits.max_speed = 1e9;
         result.limits.slew = 1e12;
         return result;
     }();

@@ -1,5 +1,5 @@
-// The virtual coupling: run time against error, over stiffness, mass ratio and step, beside semi-implicit Euler, which is how
-// such springs are mostly stepped.
+// Benchmark of the virtual coupling: run time and error over stiffness, mass ratio and step. The baseline is
+// semi-implicit Euler, the usual way to step such springs.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -18,13 +18,13 @@ using haptics::CouplingState;
 
 constexpr double pair_seconds = 1;
 constexpr double pair_damping_ratio = 0.1;
-constexpr double pair_stretch = 0.2;  // m, at the start
-constexpr double hand_mass = 1;       // kg, where the hand is free
+constexpr double pair_stretch = 0.2;  // stretch at the start (m)
+constexpr double hand_mass = 1;       // mass of a free hand (kg)
 
 struct PairSetting {
     bool exact;
     double stiffness;   // N/m
-    double mass_ratio;  // object to hand_mass
+    double mass_ratio;  // object's mass divided by hand_mass
     std::int64_t step_ms;
     bool free_hand = false;
 
@@ -34,7 +34,7 @@ struct PairSetting {
     double damping() const { return 2 * pair_damping_ratio * std::sqrt(stiffness / inverse_mass()); }
 };
 
-/// m/s of a hand that is prescribed, one value for each step: to and fro in 16 ms, whatever the step.
+/// Velocity of a prescribed hand at each step (m/s): back and forth in 16 ms, for every step length.
 double hand_velocity(const PairSetting& s, int i) {
     if (s.free_hand) return 0;
     return (i * s.step_ms / 16) % 2 == 0 ? 0.5 : -0.5;
@@ -91,7 +91,7 @@ void step_by_euler(const PairSetting& s, std::vector<double>& stretches) {
     }
 }
 
-/// Largest difference over the run, against the stretch at the start.
+/// Largest difference over the run, relative to the stretch at the start.
 double relative_error(const std::vector<double>& found, const std::vector<double>& exact) {
     double worst = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -102,7 +102,7 @@ double relative_error(const std::vector<double>& found, const std::vector<double
     return worst;
 }
 
-/// A hand that is moved, then one of hand_mass that is free.
+/// Runs with a prescribed hand, and with a free hand of hand_mass.
 struct PairRun {
     std::vector<double> moved, free;
 };

@@ -338,7 +338,7 @@ void add_weighing(flows::Weighing weighing, bool in_bowl, int n, double viscosit
     auto fluid = flows::weighing_fluid(weighing, in_bowl, n, viscosity);
     if (!fluid) return report.faults.push_back(text("fluid: ", fluid.error().message));
     FluidRun run{.scheme = {Solver::thaum, in_bowl ? 2 : 4}, .n = n, .fluid = std::move(*fluid)};
-    flows::EnergyBook book = flows::open_book(run.fluid);
+    flows::PassivityObserver book = flows::open_book(run.fluid);
     for (const double dt : flows::steps_until(4)) {
         advance_timed(run, dt);
         enter(run.fluid, run.last, book);

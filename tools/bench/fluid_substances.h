@@ -66,16 +66,16 @@ inline double potential_energy(const Fluid& fluid) {
 }
 
 /// Follows the energies of a fluid at rest that is left to its weight.
-struct EnergyBook {
+struct PassivityObserver {
     double start{};     ///< potential energy at first (m^5/s^2)
     double released{};  ///< most of it that was given so far
     double excess{};    ///< most by which kinetic and potential energy together were above the start
     double rescaled{};  ///< kinetic energy that the solver took away, all in all
 };
 
-inline EnergyBook open_book(const Fluid& fluid) { return {.start = potential_energy(fluid)}; }
+inline PassivityObserver open_book(const Fluid& fluid) { return {.start = potential_energy(fluid)}; }
 
-inline void enter(const Fluid& fluid, const StepReport& report, EnergyBook& book) {
+inline void enter(const Fluid& fluid, const StepReport& report, PassivityObserver& book) {
     const double potential = potential_energy(fluid);
     book.released = bench::worse(book.released, book.start - potential);
     book.excess = bench::worse(book.excess, kinetic_energy(fluid) + potential - book.start);

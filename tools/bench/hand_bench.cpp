@@ -151,7 +151,7 @@ haptics::HapticModel stirring_model(const StirLoad& load) {
     touch.frame = {.metres_per_metre = 20, .newtons_per_newton = 0.00375};
     touch.drag = {.viscous = 10, .form = 1, .stirred_mass = 10, .height = 0.1};
     touch.surface = {
-        .height = 0.01, .stiffness = 4000, .pop_through = 200, .cling = 40, .inside = 1, .there = 1};
+        .height = 0.01, .stiffness = 4000, .pop_through = 200, .cling = 40, .inside = 1, .present = 1};
     touch.wall = round_bowl(0.02, 0.11);
     touch.wall.centre = {0.01, 0.1, 0.01};
     touch.wall.stiffness = 4000;
@@ -176,7 +176,7 @@ double largest_step_share(const StirLoad& load) {
     double worst = 0;
     vec3 before{};
     for (int step = 0; step < 200; ++step) {
-        newest_step(model.fluid, some_flow(random));
+        add_fluid_step(model.fluid, some_flow(random));
         const vec3 start = before;
         double largest = 0;
         for (std::uint32_t tick = 0; tick < haptics::fluid_period; ++tick, ++model.fluid.step_age) {
@@ -198,7 +198,7 @@ haptics::ServoState stir(const StirLoad& load) {
     haptics::ServoState state;
     haptics::HapticModel model = stirring_model(load);
     Random random = random_stream(5, 4);
-    for (int i = 0; i < 2; ++i) newest_step(model.fluid, some_flow(random));
+    for (int i = 0; i < 2; ++i) add_fluid_step(model.fluid, some_flow(random));
     for (std::uint32_t tick = 0; tick < stir_ticks; ++tick) {
         model.fluid.step_age = tick % haptics::fluid_period;
         const double x = 1e-5 * (tick % 100);
@@ -254,7 +254,7 @@ struct StrokingHand {
         const FlowSource source{.velocity = face_grid(fluid.lattice, fluid.now.velocity),
                                 .viscosity = fluid.settings.viscosity * brew_density,
                                 .density = brew_density};
-        newest_step(model.fluid, patch_of(source, haptics::to_bowl(model.fluid.frame, place())));
+        add_fluid_step(model.fluid, patch_of(source, haptics::to_bowl(model.fluid.frame, place())));
     }
 
     /// Impulse given to the fluid in one of its steps (N s).

@@ -1,5 +1,5 @@
-// The simulated device: how stiff a wall it can touch (Z-width) beside what theory says, and what a tick costs. The safety
-// stage under attack, and what a step of the servo costs.
+// Benchmark of the simulated device: stiffest stable wall (Z-width) beside theory, and time of a tick. Also
+// the safety stage under attack, and the time of a servo step.
 
 #include "core/hash.h"
 #include "core/text.h"
@@ -33,8 +33,9 @@ void z_width(Report& report) {
     }
 }
 
-/// What a wall delivers at 2 N with damping of its own and the passivity controller, and what these cost: the force that is felt beside
-/// the wall's while it settles, and how long that takes.
+/// Stiffness that a wall delivers at 2 N with its own damping and the passivity controller, and their side
+/// effects: the difference between the felt force and the wall's while it settles, and the time until it
+/// settles.
 void controlled_walls(Report& report) {
     constexpr double newtons = 2;
     for (const int latency : {0, 1, 2}) {
@@ -62,11 +63,11 @@ void controlled_walls(Report& report) {
     }
 }
 
-/// What a device is put through, and so which way through a tick is taken.
+/// Motion that a device goes through; it decides which branches of a tick run.
 struct Motion {
     const char* name;
     double friction;  // N
-    double swing;     // m, of the target
+    double swing;     // amplitude of the target (m)
     int period;       // ticks
 };
 constexpr std::array motions{Motion{"frictionless", 0, 0.03, 400}, Motion{"sliding", 0.26, 0.03, 400},
@@ -103,9 +104,9 @@ void simulated_ticks(const Options& options, Report& report) {
     }
 }
 
-// ---- safety and servo ----------------------------------------------------------------------------------------------
+// ---- safety and servo -------------------------------------------------------------------------------------
 
-/// The figures of assets/devices that the safety stage reads.
+/// Values of assets/devices that the safety stage reads.
 struct DeviceLimits {
     const char* name;
     double peak, continuous;  // N
@@ -122,7 +123,7 @@ haptics::DeviceSpec spec_of(const DeviceLimits& device) {
     return spec;
 }
 
-/// In blocks, so that the clock is read around the stage alone: neither the attack nor the audit counts.
+/// Ticks run in blocks, so that the clock measures the stage alone, without the attack and the audit.
 constexpr std::size_t block_ticks = 1000;
 
 struct AttackBlock {
@@ -131,7 +132,7 @@ struct AttackBlock {
     std::array<vec3, block_ticks> outputs{};
 };
 
-/// us of a tick.
+/// Time of a tick (us).
 double run_block(AttackBlock& block, haptics::SafetyState& state) {
     return us_of([&] {
                for (std::size_t i = 0; i < block_ticks; ++i)
@@ -182,7 +183,7 @@ constexpr std::array servo_loads{ServoLoad{"quiet", 0, 0}, ServoLoad{"bolts", 12
                                  ServoLoad{"four_pulses", 25, 100}, ServoLoad{"four_primitives", 0, 0, true},
                                  ServoLoad{"full_patch", 0, 0, false, true}};
 
-/// One of each kind: a floor, a snap, a groove that leads to it and a wind.
+/// One primitive of each kind: a floor, a snap, a groove that leads to it, and a wind.
 haptics::PrimitiveSet four_primitives() {
     using enum haptics::PrimitiveKind;
     haptics::PrimitiveSet set;
@@ -192,7 +193,7 @@ haptics::PrimitiveSet four_primitives() {
     set.add({directed, {}, {0, -1, 0}, 0.1});
     return set;
 }
-/// All that fits: a rough floor of 32 triangles of eight bodies, which moves.
+/// A full patch: a rough, moving floor of 32 triangles of eight bodies.
 haptics::SurfacePatch full_patch() {
     haptics::SurfacePatch patch;
     patch.body_count = haptics::surface_body_capacity;

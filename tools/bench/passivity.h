@@ -1,5 +1,5 @@
-// tools/bench/passivity.h: the energy that passive sources created, summed from a table of forces (`thaum replay --forces`) by itself:
-// of the simulation's own books it reads nothing. Used by benchmark and test.
+// tools/bench/passivity.h: energy that passive sources created, summed from a table of forces (`thaum replay
+// --forces`). It does not use the simulation's own passivity observer. Benchmark and test use it.
 #pragma once
 #include <algorithm>
 #include <charconv>
@@ -12,18 +12,19 @@
 
 namespace thaum::bench {
 
-/// What a table of forces comes to.
+/// Energies from a table of forces.
 struct PassiveEnergy {
-    double created{};      ///< J, the most that passive sources ever gave above what they got and held
-    double moved{};        ///< J, that went through them at the hand either way: nothing proves nothing
-    double held{};         ///< J, the most that a tether held
-    double most_booked{};  ///< J, the most that the simulation's own observer has: not used
+    double created{};  ///< most energy that passive sources gave above what they got and held (J)
+    /// Energy that went through them at the hand in both directions (J); zero would prove nothing.
+    double moved{};
+    double held{};         ///< most energy that a tether held (J)
+    double most_booked{};  ///< largest value of the simulation's own observer (J), only for comparison
     std::size_t rows{};
 };
 
 namespace detail {
 
-/// A line of fields apart by commas; those of the table are never quoted.
+/// Splits a line at its commas. Fields of the table are never quoted.
 inline std::vector<std::string_view> fields_of(std::string_view line) {
     std::vector<std::string_view> fields;
     for (;;) {
@@ -34,17 +35,17 @@ inline std::vector<std::string_view> fields_of(std::string_view line) {
     }
 }
 
-/// One hand in one tick.
+/// State of one hand in one tick.
 struct HandRow {
-    vec3 at{};       ///< m, of the device
-    vec3 passive{};  ///< N
+    vec3 at{};       ///< position of the device (m)
+    vec3 passive{};  ///< passive force (N)
     vec3 anchor{}, surface{};
     double stiffness{}, booked{};
     bool touches{}, real{};
-    bool cut{};  ///< the hand was told less than the sources wanted
+    bool cut{};  ///< the hand got less than the sources wanted
 };
 
-/// Where the columns of a player are.
+/// Columns of a player in the table.
 class HandColumns {
 public:
     static Expected<HandColumns> find(const std::vector<std::string_view>& header, int player) {
@@ -84,18 +85,18 @@ public:
     }
 
 private:
-    static constexpr std::size_t count = 16;  // of those that are numbers
+    static constexpr std::size_t count = 16;  // number of the columns that are numbers
     std::array<std::size_t, count + 1> places_{};
 };
 
-/// The sum for one hand. A force F acts while the hand makes the step dx and the other end of what pulls the step da: F dx goes
-/// out at the hand, F da comes in from the world.
+/// Sum for one hand. A force F acts while the hand moves by dx and the world's end of the spring moves by da.
+/// The energy F dx goes out at the hand, and F da comes in from the world.
 class HandSum {
 public:
     void add(const HandRow& now, PassiveEnergy& out) {
         out.most_booked = std::max(out.most_booked, now.booked);
         if (rows_ >= 2) {
-            // The force of the tick before this one, whose end and the next row's surface are now known.
+            // The force of the tick before, whose end and next surface are now known.
             const HandRow &first = before_[0], &row = before_[1];
             const vec3 step = row.real ? now.at - row.at : row.at - first.at;
             const double out_at_hand = glm::dot(row.passive, step);
@@ -113,18 +114,18 @@ private:
         const vec3 end = hangs                        ? row.anchor - first.anchor
                          : row.touches && now.touches ? now.surface - row.surface
                                                       : vec3(0);
-        // What a spring holds when it comes is whose it is that stretched it.
+        // A spring that appears already stretched did not create that energy itself.
         const vec3 stretch = row.at - row.anchor;
         double held = row.stiffness * glm::dot(stretch, stretch) / 2;
         if (row.touches) {
             const vec3 pressed = row.surface - (row.real ? row.at : first.at);
-            // Of one that pulls no harder from somewhere on, at most the whole rectangle.
+            // For a spring whose force is constant beyond some stretch: at most the whole rectangle.
             held += std::max(0.0, glm::dot(row.passive, pressed)) / (row.cut ? 1 : 2);
         }
         if (row.stiffness > 0 && first.stiffness == 0) created_ = -held;
         if (row.stiffness == 0 && first.stiffness > 0) created_ = 0;
         created_ += out_at_hand - glm::dot(row.passive, end);
-        // What damping took is gone: only what is held may come back.
+        // Damping dissipated the rest; only held energy may come back.
         created_ = std::max(created_, -held);
         out.created = std::max(out.created, created_);
         out.moved += std::abs(out_at_hand);
@@ -138,7 +139,7 @@ private:
 
 }  // namespace detail
 
-/// Of both hands; the table begins with its header. The worse of the two is what was created.
+/// Energies of both hands from a table with its header. `created` is the worse of the two.
 inline Expected<PassiveEnergy> passive_energy(std::string_view csv) {
     const auto next_line = [&csv] {
         const auto end = csv.find('\n');

@@ -1,4 +1,4 @@
-// Energy that passive sources create at the hand, over all haptic scenarios: the worst of them.
+// Benchmark of the energy that passive sources create at the hand: the worst of all haptic scenarios.
 
 #include "core/file.h"
 #include "core/text.h"
@@ -26,7 +26,7 @@ game::ScenarioOptions options_in(const fs::path& folder) {
     options.out = folder;
     options.once = true;
     options.read_screen = game::words_over_views;
-    // What is seen is not asked here.
+    // Pictures do not matter here, so a blank one serves.
     options.take_picture = [](const auto&, auto, const auto&) -> Expected<game::Pixels> {
         return game::Pixels{1, 1, {0, 0, 0}};
     };

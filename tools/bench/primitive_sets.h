@@ -1,4 +1,4 @@
-// tools/bench/primitive_sets.h: random sets of primitives, for the tests and the benchmark.
+// tools/bench/primitive_sets.h: random sets of primitives for the tests and the benchmark.
 #pragma once
 #include <cstddef>
 
@@ -8,12 +8,12 @@
 namespace thaum::haptics::sets {
 
 struct Scale {
-    double strength = 3;     ///< N, the most
-    double size = 0.01;      ///< m, half the edge of the box all positions lie in
-    double stiffness = 300;  ///< N/m
+    double strength = 3;     ///< largest strength (N)
+    double size = 0.01;      ///< half the edge of the box that contains all positions (m)
+    double stiffness = 300;  ///< stiffness of the spring (N/m)
 };
 
-/// Uniform in direction.
+/// Random direction, uniformly distributed.
 inline vec3 random_direction(Random& random) {
     for (;;) {
         const vec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
@@ -39,7 +39,8 @@ inline vec3 random_axis(Random& random) {
     return axis;
 }
 
-/// Makes the new one degenerate together with an older one: zero, coincident, parallel, opposite, on it, along an axis.
+/// Makes a new primitive degenerate with an older one: zero, coincident, parallel, opposite, on it, along an
+/// axis.
 inline void degenerate(Random& random, const Scale& scale, const Primitive& older, Primitive& p) {
     switch (random.below(8)) {
         case 0: p.strength = 0; break;
@@ -56,7 +57,7 @@ inline void degenerate(Random& random, const Scale& scale, const Primitive& olde
     }
 }
 
-/// Every second set is degenerate, and its spring often centred on a kink.
+/// Random set. Every second set is degenerate, and its spring is often centred on a kink.
 struct Case {
     PrimitiveSet set;
     Spring spring;

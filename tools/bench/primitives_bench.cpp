@@ -1,8 +1,10 @@
-// The proxy of haptic primitives (engine/haptics/balance.h): run time against what is left of the sum of forces.
+// Benchmark of the proxy of haptic primitives (engine/haptics/balance.h): run time and remaining sum of
+// forces.
 //
-// "exact" is what ships. "iterative" is the usual way, minimising the size of eq. 8's sum numerically: damped steps along it,
-// halved where it does not fall, at most 200. "gauss_seidel" is how a physics engine would do it: 20 rounds in which one
-// primitive after another takes the force, within its strength, that puts the proxy on its kink.
+// "exact" is the shipped method. "iterative" is the usual way, which minimises the length of eq. 8's sum
+// numerically: damped steps along the sum, halved where it does not fall, at most 200. "gauss_seidel" is a
+// physics engine's way: 20 rounds in which each primitive in turn takes the force, within its strength, that
+// puts the proxy on its kink.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +27,7 @@ using haptics::PrimitiveKind;
 using haptics::PrimitiveSet;
 using haptics::Spring;
 
-/// From the kink to x, m.
+/// Displacement from the kink to x (m).
 vec3 from_kink(const Primitive& p, vec3 x) {
     const vec3 m = x - p.position;
     const vec3 along = glm::dot(m, p.direction) * p.direction;
@@ -33,14 +35,14 @@ vec3 from_kink(const Primitive& p, vec3 x) {
     return p.kind == PrimitiveKind::line ? m - along : along;
 }
 
-/// The force nearest to one that the primitive can exert on its kink, N.
+/// The nearest force that the primitive can exert on its kink (N).
 vec3 within_strength(const Primitive& p, vec3 force) {
     if (p.kind == PrimitiveKind::plane)
         return std::clamp(glm::dot(force, p.direction), 0.0, p.strength) * p.direction;
     return limited(force, p.strength);
 }
 
-/// Eqs. 4 to 7; on the kink none.
+/// Force of a primitive by eqs. 4 to 7; none on the kink.
 vec3 force_at(const Primitive& p, vec3 x) {
     if (p.kind == PrimitiveKind::directed) return p.strength * p.direction;
     const vec3 m = from_kink(p, x);
@@ -50,7 +52,7 @@ vec3 force_at(const Primitive& p, vec3 x) {
     return distance > 0 ? m * (-p.strength / distance) : vec3(0);
 }
 
-/// What is left of the sum, and how much the most mistaken force would change if its primitive chose anew; N. Zero at the
+/// Remaining sum of forces (N), with the largest change of a force if its primitive chose anew. Zero at the
 /// balance and only there, for every method.
 double residual(const PrimitiveSet& set, const Spring& spring, const Balance& found) {
     vec3 sum = spring.stiffness * (spring.centre - found.proxy);
@@ -121,13 +123,13 @@ constexpr std::array methods{
     Method{"iterative", iterative}, Method{"gauss_seidel", gauss_seidel}};
 constexpr std::array<std::size_t, 5> counts{1, 2, 4, 8, 16};
 
-/// Of many random sets.
+/// Statistics of many random sets.
 struct Tally {
-    double residual{};     ///< N, the worst
-    double own{};          ///< N, the worst that the method itself reports
-    double force_error{};  ///< N, at the hand, the worst against exact
+    double residual{};     ///< worst residual (N)
+    double own{};          ///< worst residual that the method itself reports (N)
+    double force_error{};  ///< worst error of the force at the hand against exact (N)
     double above{};        ///< share of sets above 1e-9 N
-    double steps{};        ///< mean
+    double steps{};        ///< mean number of steps
     double most_steps{};
     double allocations{};
     std::uint64_t hash{};
@@ -210,7 +212,7 @@ void primitives(const Options& options, Report& report) {
     const auto samples = measure(contestants, {.seconds = options.quick ? 2.0 : 10.0});
     std::size_t i = 0;
     for (const Method& method : methods) {
-        // The baselines fail in the first thousand sets; a million of them would only take longer.
+        // The baselines fail in the first thousand sets, so a million would only take longer.
         const std::size_t sets = options.quick ? 10'000 : method.ships ? 1'000'000 : 50'000;
         for (const auto count : counts)
             report.rows.push_back(primitives_row(method, count, tally_of(method, count, sets), samples[i++]));

@@ -1,8 +1,10 @@
-// Sliding over round bodies: the time of a servo step beside the error of the force against the closed form.
+// Benchmark of sliding over round bodies: time of a servo step, and error of the force against the closed
+// form.
 //
-// The tip circles at 0.2 m/s under a surface of radius R = 10 mm, at a distance rho from the axis. Coulomb's law puts
-// the proxy an angle theta behind the tip with sin(theta + alpha) = sin(alpha) R / rho, where tan(alpha) is the friction.
-// In the groove of two spheres of radius S both bear the pull, so that the friction counts S / R times.
+// The tip circles at 0.2 m/s under a surface of radius R = 10 mm, at a distance rho from the axis. By
+// Coulomb's law the proxy is an angle theta behind the tip, with sin(theta + alpha) = sin(alpha) R / rho,
+// where tan(alpha) is the friction. In the groove of two spheres of radius S both take the pull, so the
+// friction counts S / R times.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,9 +27,9 @@ using haptics::SurfaceState;
 
 constexpr double surface_stiffness = 300;  // N/m
 constexpr double body_radius = 0.01;       // m
-constexpr double depth_ratio = 0.4;        // depth of the tip over the radius
+constexpr double depth_ratio = 0.4;        // depth of the tip divided by the radius
 constexpr double speed = 0.2;              // m/s
-constexpr double groove_radius = 1.25;     // radius of the two spheres over that of their groove
+constexpr double groove_radius = 1.25;     // radius of the two spheres divided by that of their groove
 constexpr int ticks = 4000;
 
 enum class Ground : std::uint8_t { sphere, capsule, cylinder, groove, crowd };
@@ -38,8 +40,8 @@ struct Slide {
     double friction{};
     haptics::ServoState state{};
     double worst{};  ///< largest error of the force (N)
-    double
-        chatter{};  ///< largest change of the force from tick to tick, seen from the tip, once it slides steadily (N)
+    /// Largest change of the force per tick, in the tip's frame, during steady sliding (N).
+    double chatter{};
     int lost{};  ///< ticks without force
 };
 
@@ -57,7 +59,7 @@ void add_body(SurfacePatch& patch, double friction) {
         .stiffness = surface_stiffness, .static_friction = friction, .dynamic_friction = friction};
 }
 
-/// As many round bodies as fit stand about the sphere that is felt.
+/// Adds as many round bodies as fit, around the sphere that is touched.
 void add_crowd(SurfacePatch& patch, double friction) {
     constexpr std::array kinds{SurfaceKind::sphere, SurfaceKind::capsule, SurfaceKind::cylinder};
     while (patch.count < haptics::surface_capacity) {
@@ -91,14 +93,14 @@ SurfacePatch patch_of(const Slide& run) {
 
 vec3 on_circle(double r, double angle) { return {r * det::cos(angle), r * det::sin(angle), 0}; }
 
-/// Tip at a tick: it comes from outside.
+/// Position of the tip at a tick. It comes from outside.
 vec3 tip_at(int tick) {
     const double in = (1 - depth_ratio) * body_radius;
     return tick == 0 ? vec3(1.5 * body_radius, 0, 0)
                      : on_circle(in, speed * tick_seconds / body_radius * tick);
 }
 
-/// Compares the forces with the closed form, once the proxy slides.
+/// Compares the forces with the closed form after the proxy slides.
 void judge(Slide& run) {
     const SurfacePatch patch = patch_of(run);
     const double felt = run.friction * (run.ground == Ground::groove ? groove_radius : 1);

@@ -1,5 +1,5 @@
-// tools/bench/safety_attack.h: what nothing sane would ask of the safety stage, for the tests and the benchmark. It goes
-// through phases: pure noise alone would keep the stage shut off or cut out, and never meet it warm, fading or ramping.
+// tools/bench/safety_attack.h: hostile input for the safety stage, for the tests and the benchmark. It goes
+// through phases. Pure noise would keep the stage shut off or cut, and never meet it warm, fading or ramping.
 #pragma once
 #include <limits>
 
@@ -31,7 +31,7 @@ public:
                 .panic = once_in(panics_),
                 .rearm = once_in(1000)};
     }
-    /// Of the input that came last: the player changes the cap too.
+    /// Limits for the last input; the player changes the cap too.
     const haptics::SafetyLimits& limits() const { return limits_; }
 
 private:
@@ -67,7 +67,7 @@ private:
     }
     vec3 hostile_vector() { return {hostile_number(), hostile_number(), hostile_number()}; }
 
-    /// None, all of what is wanted, or anything.
+    /// Spring force: none, all of the wanted force, or a random force.
     vec3 spring_of(vec3 all) {
         if (kind_ == 0 && once_in(2)) return hostile_vector();
         return kind_ % 2 == 0 ? vec3(0) : all;
@@ -80,21 +80,22 @@ private:
             case 0: return hostile_vector();
             case 1: return once_in(60) ? hostile_vector() : peak * direction_;
             case 2: return 2 * peak * direction_;                                 // hot
-            case 3: return (at_ / 40 % 2 == 0 ? 3.0 : -3.0) * peak * direction_;  // to and fro
+            case 3: return (at_ / 40 % 2 == 0 ? 3.0 : -3.0) * peak * direction_;  // back and forth
             case 4: return peak * (1 - std::abs(4 * phase - 2)) * direction_;     // a triangle
-            case 5: return at_ % 1500 < 300 ? peak * direction_ : vec3(0);        // held and let go
+            case 5: return at_ % 1500 < 300 ? peak * direction_ : vec3(0);        // held and released
             case 6: return {peak * random_.uniform(-1, 1), 0, peak * random_.uniform(-1, 1)};
             default: return once_in(50) ? vec3(-0.0) : 0.2 * peak * direction_;
         }
     }
 
-    /// None for most phases; else along with the motion or against it, for the stage need not know which.
+    /// Brake: none in most phases, else along the motion or against it, because the stage need not know
+    /// which.
     vec3 brake() {
         if (lateness_ == 3 && once_in(100)) return hostile_vector();
         return haste_ == 4 && once_in(3) ? random_.uniform(-1, 1) * spec_.peak_force * direction_ : vec3(0);
     }
 
-    /// To and fro along the force, askew, far away, nowhere.
+    /// Position of the tip: back and forth along the force, oblique, far away, not finite.
     vec3 tip() {
         if (haste_ == 5 && once_in(200)) return hostile_vector();
         const double step = 1e-4 * (at_ / 300 % 2 == 0 ? 1.0 : -1.0);
@@ -103,7 +104,7 @@ private:
     }
 
     vec3 velocity() {
-        const double fastest = limits_.fastest;
+        const double fastest = limits_.max_speed;
         if (haste_ == 0 && once_in(300)) return hostile_vector();
         if (haste_ == 1 && once_in(500)) return {0, fastest * random_.uniform(0.9, 1.1), 0};
         return fastest * 0.55 * (once_in(50) ? direction_ : 0.3 * direction_);
@@ -111,7 +112,7 @@ private:
 
     double path_speed() {
         if (haste_ == 2 && once_in(400)) return hostile_number();
-        return limits_.fastest * (haste_ == 3 && once_in(500) ? random_.uniform(0.9, 1.1) : 0.4);
+        return limits_.max_speed * (haste_ == 3 && once_in(500) ? random_.uniform(0.9, 1.1) : 0.4);
     }
 
     std::uint32_t next_age() {

@@ -56,7 +56,7 @@ public:
           stiffness_(std::min(spec.max_stiffness, 1000.0)),  // the largest stiffness in matches
           device_(simulated_device(spec, haptics::Hand{})),
           servo_(servo_of(spec, 1)) {
-        servo_.limits.fastest = 1e9;
+        servo_.limits.max_speed = 1e9;
         servo_.limits.slew = 1e12;
         constexpr double felt = metres_per_metre * newtons_per_newton;
         auto& touch = model_.fluid;
@@ -120,7 +120,7 @@ private:
     double held(const haptics::FluidTouch& touch, double height) const {
         const auto& fluid = state_.fluid;
         const vec3 place = to_bowl(touch.frame, tip_.position);
-        const double in = glm::length(held_in(touch.wall, place) - place) / metres_per_metre;
+        const double in = glm::length(nearest_in_bowl(touch.wall, place) - place) / metres_per_metre;
         const vec3 off = fluid.mass_position - tip_.position, speed = fluid.mass_velocity;
         const double ladle = ladle_mass * glm::dot(speed, speed) + stiffness_ / 2 * glm::dot(off, off);
         return (touch.modes.wall * stiffness_ * in * in + touch.modes.inertia * ladle) / 2 +
@@ -130,7 +130,7 @@ private:
     void move_world(int tick) {
         auto& touch = model_.fluid;
         if (tick % static_cast<int>(haptics::fluid_period) == 0)
-            newest_step(touch, uniform_flow(any(world_.flow), random_.uniform(), random_.uniform()));
+            add_fluid_step(touch, uniform_flow(any(world_.flow), random_.uniform(), random_.uniform()));
         else
             ++touch.step_age;
         if (!world_.waves) return;
@@ -144,7 +144,7 @@ private:
                          .pop_through = settings_.pop_through,
                          .cling = settings_.cling,
                          .inside = reaction.inside ? 1U : 0U,
-                         .there = 1};
+                         .present = 1};
     }
 
     StirredWorld world_;

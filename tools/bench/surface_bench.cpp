@@ -1,5 +1,6 @@
-// Touching surfaces, in the cases in which CHAI3D was measured (500 N/m, no friction, 0.1 m/s): how even the force is on a plane,
-// what a tick costs that slides on a mesh of 5,000 triangles, look-up included, and whether a box that rises is felt.
+// Benchmark of contact with surfaces, in the cases in which CHAI3D was measured (500 N/m, no friction, 0.1
+// m/s): evenness of the force on a plane, time of a tick that slides on a mesh of 5,000 triangles with its
+// look-up, and the force of a rising box.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -31,7 +32,7 @@ SurfacePatch patch_of(SurfaceKind kind, vec3 a, vec3 b) {
     return patch;
 }
 
-/// N: the largest change of the force from tick to tick, 5 mm under a plane. The exact one is zero.
+/// Largest change of the force per tick, 5 mm under a plane (N). The exact change is zero.
 double plane_chatter(double speed) {
     const SurfacePatch patch = patch_of(SurfaceKind::plane, {}, {0, 1, 0});
     SurfaceState state;
@@ -57,11 +58,12 @@ void proxy_plane(Report& report) {
     }
 }
 
-// ---- a mesh -------------------------------------------------------------------------------------------------------
+// ---- a mesh -----------------------------------------------------------------------------------------------
 
 constexpr double radius = 0.05;  // m
 
-/// A sphere of 50 rings by 50 sides less the poles' degenerate halves, and a little more to make 5,000 triangles.
+/// A sphere of 50 rings by 50 sides without the degenerate triangles at the poles, and a few more to make
+/// 5,000 triangles.
 physics::TriangleMesh ball_mesh() {
     constexpr std::uint32_t rings = 51, sides = 50;
     physics::TriangleMesh mesh;
@@ -88,12 +90,12 @@ struct MeshRun {
     double friction{};
     SurfaceState state{};
     double most_surfaces{};
-    double worst{};  // m, of the proxy from the sphere, beyond the chords
+    double worst{};  // distance of the proxy from the sphere beyond the chords (m)
 };
 
 constexpr int mesh_ticks = 4000;
 
-/// 5 mm under the surface at 0.1 m/s, round and up: through flat triangles and slivers.
+/// Slides 5 mm under the surface at 0.1 m/s, around and up: through flat triangles and slivers.
 vec3 mesh_tip(int tick, double in) {
     const double round = 0.002 * tick, up = 0.6 * det::sin(0.0007 * tick);
     return (radius - in) *
@@ -136,12 +138,12 @@ void proxy_mesh(const Options& options, Report& report) {
     }
 }
 
-// ---- among many bodies ----------------------------------------------------------------------------------------------
+// ---- among many bodies ------------------------------------------------------------------------------------
 
 constexpr std::array<std::int64_t, 3> crowds{1, 100, 1000};
 constexpr int crowd_ticks = 4000;
 
-/// Crates of 0.4 m on a grid; the first lies below the wand's tip.
+/// Crates of 0.4 m on a grid. The first one lies below the wand's tip.
 void add_crates(physics::Physics& world, std::int64_t count) {
     for (std::int64_t i = 0; i < count; ++i) {
         const std::int64_t column = i % 10, row = i / 10 % 10, layer = i / 100;
@@ -155,14 +157,14 @@ void add_crates(physics::Physics& world, std::int64_t count) {
 
 struct CrowdRun {
     std::int64_t bodies{};
-    bool steps{};  // else it is looked up alone, along the same way
+    bool steps{};  // false: only the look-up runs, along the same path
     physics::Physics world{};
     haptics::ServoState state{};
-    double pressed{};  // N, mean
+    double pressed{};  // mean force (N)
 };
 
-/// As a match does it for a wizard who turns and whose hand slides on a crate: what is near is looked up and published, then comes the
-/// servo step.
+/// Does the work of a match for a wizard who turns and whose hand slides on a crate: look up the near
+/// surfaces, publish them, and do the servo step.
 void feel_crowd(CrowdRun& run) {
     const haptics::DeviceSpec spec{
         .peak_force = 12, .continuous_force = 12, .max_damping = 5, .position_quantum = 5.5e-5};
@@ -177,12 +179,13 @@ void feel_crowd(CrowdRun& run) {
     for (int tick = 0; tick < crowd_ticks; ++tick) {
         game::HandFrame frame = before;
         frame.turn = rotation({0, 1, 0}, 0.2 * det::sin(0.002 * tick));
-        const double down = std::min(tick / 300.0, 1.0);  // from above: what a hand begins in is not felt
+        // From above, because a body that contains the hand at the start gives no force.
+        const double down = std::min(tick / 300.0, 1.0);
         const vec3 tip(0.01 * det::cos(0.005 * tick), 0.003 - 0.006 * down, 0.01 * det::sin(0.005 * tick));
         const auto& surface = run.state.surface;
         const vec3 at = frame.to_world(tip);
         const vec3 proxy = surface.begun != 0 ? before.to_world(surface.proxy) : at;
-        model.drift = game::drift_of(frame, before);
+        model.frame_motion = game::frame_motion_of(frame, before);
         game::fill_patch(model.patch, run.world,
                          {.point = 0.5 * (at + proxy), .radius = 0.5 * glm::length(at - proxy) + 0.15}, frame,
                          before, feel);
@@ -193,7 +196,7 @@ void feel_crowd(CrowdRun& run) {
     }
 }
 
-/// The step alone knows the patch and nothing of the bodies; the look-up goes over all of them.
+/// The servo step knows only the patch. The look-up searches all bodies.
 void servo_among_bodies(const Options& options, Report& report) {
     std::vector<CrowdRun> runs;
     for (const bool steps : {false, true}) {
@@ -222,9 +225,9 @@ void servo_among_bodies(const Options& options, Report& report) {
              .hash = hex(hash_value(runs[i].state))});
 }
 
-// ---- a box that rises -----------------------------------------------------------------------------------------------
+// ---- a rising box -----------------------------------------------------------------------------------------
 
-/// As it was measured of CHAI3D: 0.1 m/s from below, until it has gone by.
+/// A box rises at 0.1 m/s from below until it has passed, as in the measurement of CHAI3D.
 void rising_box(Report& report) {
     const vec3 half(0.02, 0.01, 0.02);
     SurfacePatch patch = patch_of(SurfaceKind::box, {0, -0.0195, 0}, half);

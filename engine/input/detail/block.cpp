@@ -1,8 +1,9 @@
 #include "input/detail/block.h"
 
-// A block is turned by column before zstd sees it: a device's field over 512 ticks. Most columns idle or hold a level,
-// so runs of "nothing new" take two bytes; the rest is noise of a few bits, which zstd's entropy coder brings close to
-// its bound. Each column says for itself whether values (a mouse) or differences (a stick) were the shorter way.
+// A block is stored by column before zstd packs it: one field of a device over 512 ticks. Most columns are
+// idle or hold a level, so a run of unchanged values takes two bytes. The rest is noise of a few bits, which
+// zstd's entropy coder packs close to its bound. Each column states whether it holds values (shorter for a
+// mouse) or differences (shorter for a stick).
 #include <zstd.h>
 
 #include <algorithm>
@@ -17,8 +18,8 @@ constexpr std::uint32_t block_magic = 0x4b4c4254;  // "TBLK"
 constexpr std::size_t block_checksum_offset = 32;
 constexpr int compression_level = 3;
 
-/// Bytes that a block can hold unpacked. A residual costs at most a token of its own (2 bytes) and 5 bytes; hashes and
-/// marks are written in at most 18 and 8 bytes, and counts, lengths and the total in at most 10.
+/// Largest unpacked size of a block (bytes). A residual takes at most a token (2 bytes) and 5 bytes. A hash
+/// takes at most 18 bytes and a mark 8. Counts, lengths and the total take at most 10.
 constexpr std::size_t most_raw(BlockKind kind, std::size_t ticks) {
     if (kind == BlockKind::end) return 10 + 4 + result_limit + 16;
     return max_devices * columns * (1 + ticks * 7) + block_hashes * 18 + block_marks * 8 + 8;
@@ -33,7 +34,7 @@ std::uint32_t field(const DeviceSample& s, std::size_t column) {
     return column == max_counts + 1 ? s.model_age : s.skips;
 }
 
-/// False where the value does not fit the field.
+/// Sets a field. Returns false if the value does not fit.
 bool set_field(DeviceSample& s, std::size_t column, std::uint32_t value) {
     if (column < max_counts) {
         s.counts[column] = static_cast<std::int32_t>(value);
@@ -46,7 +47,7 @@ bool set_field(DeviceSample& s, std::size_t column, std::uint32_t value) {
     return true;
 }
 
-// Modulo 2^32, so that every difference of two values has a zigzag form of 32 bits.
+// Arithmetic is modulo 2^32, so that every difference of two values has a zigzag form of 32 bits.
 std::uint32_t zigzag(std::uint32_t v) { return (v << 1U) ^ (0U - (v >> 31U)); }
 std::uint32_t unzigzag(std::uint32_t z) { return (z >> 1U) ^ (0U - (z & 1U)); }
 
@@ -243,7 +244,7 @@ Unpacker::~Unpacker() { ZSTD_freeDCtx(zstd_); }
 
 bool Unpacker::unpack(const BlockHeader& header, std::span<const std::byte> payload) {
     if (hash_bytes(payload, salt_) != header.payload_checksum) return false;
-    // One frame that claims what the block does: else a few bytes could ask for any amount of work.
+    // A single frame of the stated size. Otherwise a few bytes could ask for any amount of work.
     if (ZSTD_getFrameContentSize(payload.data(), payload.size()) != header.raw_size) return false;
     if (ZSTD_findFrameCompressedSize(payload.data(), payload.size()) != payload.size()) return false;
     const auto size =

@@ -1,4 +1,5 @@
-// input/detail/block.h: the bytes of the log's header and blocks, without any file. FORMAT.md is the reference.
+// input/detail/block.h: encoding of the log's header and blocks, independent of files. FORMAT.md is the
+// reference.
 #pragma once
 #include <array>
 #include <memory>
@@ -8,7 +9,7 @@
 #include "core/bytes.h"
 #include "input/log.h"
 
-// zstd's contexts; its header stays in block.cpp.
+// zstd's contexts, declared here so that its header stays in block.cpp.
 struct ZSTD_CCtx_s;
 struct ZSTD_DCtx_s;
 
@@ -45,7 +46,7 @@ struct Block {
     std::array<Mark, block_marks> marks{};
 };
 
-/// The whole header. The error names what is beyond the format's limits, without a path.
+/// Encodes the whole header. The error names the value beyond the format's limits, without a path.
 Expected<Bytes> encode_header(const LogHeader& header);
 
 struct Preamble {
@@ -53,12 +54,12 @@ struct Preamble {
     std::uint64_t salt{};
 };
 
-/// From the first preamble_size bytes of a file. Errors are without a path.
+/// Decodes the first preamble_size bytes of a file. Errors are without a path.
 Expected<Preamble> decode_preamble(std::span<const std::byte> bytes);
-/// `file` starts with the preamble and holds the whole body.
+/// Decodes the header. `file` starts with the preamble and holds the whole body.
 Expected<LogHeader> decode_header(std::span<const std::byte> file, const Preamble& preamble);
 
-/// What an end block says.
+/// Content of an end block.
 struct EndBlock {
     std::string result;
     std::optional<HashRecord> last{};  ///< hashes of the last state; logs of older programs have none
@@ -75,10 +76,10 @@ struct BlockHeader {
     std::uint64_t payload_checksum{};
 };
 
-/// Nothing where the bytes are damaged.
+/// Decodes a block header. Returns nothing if the bytes are damaged.
 std::optional<BlockHeader> decode_block_header(std::span<const std::byte> bytes, std::uint64_t salt);
 
-/// Packs blocks. Its buffers are as large as a block can ask for from the start.
+/// Packs blocks. Its buffers have the size of the largest block from the start.
 class Packer {
 public:
     Packer(std::size_t devices, std::uint64_t salt);
@@ -86,7 +87,7 @@ public:
     Packer& operator=(const Packer&) = delete;
     ~Packer();
 
-    /// Block header and payload; valid until the next call.
+    /// Packs a block of ticks. Returns block header and payload, valid until the next call.
     std::span<const std::byte> ticks(const Block& block);
     std::span<const std::byte> end(Tick total, const EndBlock& end);
 
@@ -98,7 +99,7 @@ private:
     Bytes raw_, packed_, head_, column_a_, column_b_;
 };
 
-/// Unpacks blocks. A false or empty answer is damage.
+/// Unpacks blocks. A false or empty result means damage.
 class Unpacker {
 public:
     Unpacker(std::size_t devices, std::uint64_t salt);

@@ -1,4 +1,4 @@
-// The log's header: bytes out, bytes in, and the limits that both sides keep to.
+// Encoding and decoding of the log's header, and the limits that both enforce.
 #include <cmath>
 
 #include "core/hash.h"
@@ -20,7 +20,7 @@ std::uint64_t salt_of(std::span<const std::byte> file, std::size_t body_size) {
     return hash_bytes(file.subspan(preamble_size, body_size), hash_bytes(file.first(salt_offset)));
 }
 
-// What a header may hold -------------------------------------------------------------------------
+// Limits of a header -----------------------------------------------------------------------------
 
 bool all_short(const std::vector<std::string>& list) {
     for (const auto& s : list) {
@@ -42,26 +42,26 @@ bool strings_short(const LogHeader& h) {
 }
 
 std::string_view device_fault(const DeviceSpec& device, std::size_t players) {
-    if (device.player >= players) return "a device's player does not exist";
+    if (device.player >= players) return "a device's player is not among the players";
     if (static_cast<std::size_t>(device.kind) >= device_kinds) return "a device's kind is unknown";
     if (!std::isfinite(device.look_rad_per_count)) return "a device's look_rad_per_count is not finite";
     if (!std::isfinite(device.turn_rad_per_s)) return "a device's turn_rad_per_s is not finite";
     constexpr auto known = DeviceSpec::invert_y | DeviceSpec::no_forces | DeviceSpec::force_bits |
                            DeviceSpec::weight_bits | DeviceSpec::blow_bits;
     if ((device.flags & ~known) != 0) return "a device's flag is unknown";
-    if (device.force_asked_for() > 100) return "a device's force is above 100 %";
-    if (device.weight_kept_off() > 100) return "more than 100 % of a weight is kept off";
-    if (device.blows_kept_off() > 100) return "more than 100 % of the blows is kept off";
+    if (device.force_percent() > 100) return "a device's largest force is above 100 %";
+    if (device.weight_reduction() > 100) return "a device's reduction of weight is above 100 %";
+    if (device.blow_reduction() > 100) return "a device's reduction of blows is above 100 %";
     for (const auto edge : device.box_um) {
         if (edge > DeviceSpec::most_box_um) return "a device's box is larger than 10 m";
     }
-    for (const auto percent : device.fluid_kept_off) {
-        if (percent > 100) return "more than 100 % of a fluid's force is kept off";
+    for (const auto percent : device.fluid_reduction) {
+        if (percent > 100) return "a device's reduction of a fluid's force is above 100 %";
     }
     return {};
 }
 
-/// Empty where the header is right.
+/// Returns the first fault of a header; empty if there is none.
 std::string_view header_fault(const LogHeader& h) {
     if (h.players.size() > player_limit) return "more than 16 players";
     if (h.devices.size() > max_devices) return "more than 4 devices";
@@ -87,7 +87,7 @@ void put_strings(ByteWriter& out, const std::vector<std::string>& list) {
     put_list(out, list, [&](const std::string& s) { out.put_string(s); });
 }
 
-/// Stops at the first item that is not there, so a wrong count costs nothing.
+/// Reads a list. Stops at the first missing item, so a wrong count costs nothing.
 template <class Get>
 auto get_list(ByteReader& in, Get get) {
     std::vector<decltype(get())> list;
@@ -100,12 +100,13 @@ std::vector<std::string> get_strings(ByteReader& in) {
     return get_list(in, [&] { return in.get_string(); });
 }
 
-/// In the file's flags alone: behind them stand the edges of the box, and then what is kept off of a fluid.
+/// Bits of the flags in the file only. They say that the edges of the box, and then the fluid reductions,
+/// follow.
 constexpr std::uint32_t box_follows = 1U << 31U;
 constexpr std::uint32_t fluid_follows = 1U << 30U;
 
 bool has_box(const DeviceSpec& d) { return d.box_um != decltype(d.box_um){}; }
-bool has_fluid(const DeviceSpec& d) { return d.fluid_kept_off != decltype(d.fluid_kept_off){}; }
+bool has_fluid(const DeviceSpec& d) { return d.fluid_reduction != decltype(d.fluid_reduction){}; }
 
 void put_device(ByteWriter& out, const DeviceSpec& d) {
     out.put(d.player);
@@ -118,7 +119,7 @@ void put_device(ByteWriter& out, const DeviceSpec& d) {
         for (const auto edge : d.box_um) out.put(edge);
     }
     if (has_fluid(d)) {
-        for (const auto percent : d.fluid_kept_off) out.put(percent);
+        for (const auto percent : d.fluid_reduction) out.put(percent);
     }
 }
 
@@ -135,7 +136,7 @@ DeviceSpec get_device(ByteReader& in) {
         for (auto& edge : d.box_um) edge = in.get<std::uint32_t>();
     }
     if ((flags & fluid_follows) != 0) {
-        for (auto& percent : d.fluid_kept_off) percent = in.get<std::uint8_t>();
+        for (auto& percent : d.fluid_reduction) percent = in.get<std::uint8_t>();
     }
     return d;
 }

@@ -14,11 +14,11 @@ namespace {
 
 thread_local CallNote* note_of_thread = nullptr;
 
-/// Owned by the thread that works and by the one that waits.
+/// Work, shared by the thread that does it and the thread that waits.
 struct Job {
     std::function<void()> work, if_late;
     CallNote in_call{nullptr};
-    std::mutex mutex{};  // of the rest
+    std::mutex mutex{};  // protects the members below
     std::condition_variable changed{};
     bool ended = false, given_up = false;
 };

@@ -1,5 +1,6 @@
-// input/detail/watchdog.h: calls of a vendor's library that may never return. Work that calls it runs on a thread of its own, and
-// whoever wants the result waits only so long. A thread that hangs is left behind, never joined, so the work must own all that it uses.
+// input/detail/watchdog.h: runs calls of a vendor's library that may never return. The calls run on a thread
+// of their own, and the caller waits only for a limited time. A thread that hangs is abandoned and never
+// joined, so the work must own everything that it uses.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -8,10 +9,10 @@
 
 namespace thaum::input {
 
-/// The call of the library in which a thread is at the moment; null between calls.
+/// Name of the library call in which a thread is at the moment; null between calls.
 using CallNote = std::atomic<const char*>;
 
-/// Names the call for the thread's watchdog, if it has one, while the object lives.
+/// Names the call for the thread's watchdog, if it has one, during the object's lifetime.
 class NotedCall {
 public:
     explicit NotedCall(const char* name);
@@ -20,7 +21,8 @@ public:
     NotedCall& operator=(const NotedCall&) = delete;
 };
 
-/// How the work went. The line says what to do: the call that did not return, or that no thread could be made.
+/// Outcome of watched work. The line says what to do: which call did not return, or that no thread could be
+/// started.
 struct Watched {
     enum class End : std::uint8_t { in_time, hangs, no_thread } end{};
     std::string line{};

@@ -1,4 +1,4 @@
-// core/latest.h: passes the newest of a stream of values from one thread to another (a triple buffer).
+// core/triple_buffer.h: passes the newest of a stream of values from one thread to another (a triple buffer).
 //
 // Neither thread ever waits: the writer fills one value, the reader reads another, and the third is exchanged
 // between them.
@@ -10,9 +10,9 @@
 namespace thaum {
 
 template <class T>
-class Latest {
+class TripleBuffer {
 public:
-    explicit Latest(const T& start) : values_{start, start, start} {}
+    explicit TripleBuffer(const T& start) : values_{start, start, start} {}
 
     // Called by the writer.
     T& to_fill() { return values_[back_]; }

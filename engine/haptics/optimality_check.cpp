@@ -1,15 +1,15 @@
-#include "haptics/balance_proof.h"
+#include "haptics/optimality_check.h"
 
 #include <algorithm>
 
 namespace thaum::haptics::balancing {
 namespace {
 
-/// N: what counts as solved.
+/// residual up to which a set counts as solved (N)
 constexpr double solved = 1e-9;
 
-/// Distances at x and forces within the strengths.
-void tidy(Problem& problem, vec3 x) {
+/// Computes the distances at x and limits the forces to the strengths.
+void refresh_terms(Problem& problem, vec3 x) {
     for (Term& term : terms_of(problem)) {
         term.distance = project(term, project(term, x) - term.offset);
         term.dual = project(term, term.dual);
@@ -17,7 +17,7 @@ void tidy(Problem& problem, vec3 x) {
     }
 }
 
-/// How far the most mistaken force is from the one that its primitive exerts at x, N.
+/// Largest difference between a force and the one that its primitive exerts at x (N).
 double worst_misfit(const Problem& problem, vec3 x) {
     const double rounding = rounding_of(world_of(problem, x));
     double worst = 0;
@@ -31,19 +31,19 @@ double worst_misfit(const Problem& problem, vec3 x) {
 
 }  // namespace
 
-void improve(Answer& best, const Problem& problem, vec3 x, double residual) {
+void keep_if_better(Solution& best, const Problem& problem, vec3 x, double residual) {
     if (!(residual < best.residual)) return;
     best.residual = residual;
     best.proxy = world_of(problem, x);
     std::size_t i = 0;
-    for (const Term& term : terms_of(problem)) best.pulls[i++] = -outward(problem, term.dual);
+    for (const Term& term : terms_of(problem)) best.pulls[i++] = -to_world_frame(problem, term.dual);
 }
 
-double spread_of_held(Problem& problem, vec3 x) {
+double spread_of_active(Problem& problem, vec3 x) {
     const double rounding = rounding_of(world_of(problem, x));
     double spread = 0;
     for (Term& term : terms_of(problem)) {
-        if (!term.held) continue;
+        if (!term.active) continue;
         term.distance = project(term, x) - term.offset;
         if (!touches(term, rounding)) spread = std::max(spread, glm::dot(term.distance, term.distance));
     }
@@ -51,7 +51,7 @@ double spread_of_held(Problem& problem, vec3 x) {
 }
 
 double residual_at(Problem& problem, vec3 x) {
-    tidy(problem, x);
+    refresh_terms(problem, x);
     const double rounding = rounding_of(world_of(problem, x));
     vec3 missing = problem.stiffness * x - problem.target;
     for (Term& term : terms_of(problem)) {
@@ -63,7 +63,7 @@ double residual_at(Problem& problem, vec3 x) {
 }
 
 double duality_bound(Problem& problem, vec3 x) {
-    tidy(problem, x);
+    refresh_terms(problem, x);
     vec3 missing = problem.stiffness * x - problem.target;
     double gap = 0;
     for (const Term& term : terms_of(problem)) {
@@ -71,17 +71,18 @@ double duality_bound(Problem& problem, vec3 x) {
         gap += std::max(0.0, term.strength * glm::length(term.distance) - glm::dot(term.dual, term.distance));
     }
     const double bound = std::sqrt(glm::dot(missing, missing) + 2 * problem.stiffness * gap);
-    // The sum may be known while a strong force next to its kink is not: that is not solved.
+    // The sum may be accurate while a strong force next to its kink is not. That does not count as solved.
     return bound <= solved && worst_misfit(problem, x) > solved ? 2 * solved : bound;
 }
 
-void improve_by_duals(Problem& problem, double accepted, Answer& best, int& steps) {
+void improve_by_dual_ascent(Problem& problem, double accepted, Solution& best, int& steps) {
     constexpr int most_passes = 12;
-    constexpr std::size_t updates_of_a_pass = 256;  // of single terms: as dear as a Newton step of a full set
+    // Updates of single terms, which cost as much as a Newton step of a full set.
+    constexpr std::size_t updates_of_a_pass = 256;
     std::size_t i = 0;
     vec3 sum{};
     for (Term& term : terms_of(problem)) {
-        term.dual = std::isfinite(best.residual) ? -inward(problem, best.pulls[i++]) : vec3(0);
+        term.dual = std::isfinite(best.residual) ? -to_problem_frame(problem, best.pulls[i++]) : vec3(0);
         sum += term.dual;
     }
     int passes = std::clamp(balance_step_budget + most_passes - steps, 1, most_passes);
@@ -96,27 +97,27 @@ void improve_by_duals(Problem& problem, double accepted, Answer& best, int& step
         }
         const vec3 x = (problem.target - sum) / problem.stiffness;
         const double bound = duality_bound(problem, x);
-        improve(best, problem, x, bound);
+        keep_if_better(best, problem, x, bound);
     }
 }
 
-vec3 balance_held(Problem& problem, vec3 x) {
+vec3 balance_active(Problem& problem, vec3 x) {
     const vec3 gradient = problem.stiffness * x - problem.target;
     vec3 missing = gradient;
-    std::size_t held = 0;
+    std::size_t active = 0;
     for (Term& term : terms_of(problem)) {
-        if (!term.held) missing += term.dual;
-        held += term.held ? 1 : 0;
+        if (!term.active) missing += term.dual;
+        active += term.active ? 1 : 0;
     }
-    if (held == 0) return missing;
-    if (Term* const only = held == 1 ? only_held(problem) : nullptr) {
+    if (active == 0) return missing;
+    if (Term* const only = active == 1 ? only_active(problem) : nullptr) {
         only->dual = -project(*only, missing);
         limit_dual(*only);
         return missing + only->dual;
     }
     const double rounding = 2 * epsilon * (problem.strength + glm::length(gradient));
     for (Term& term : terms_of(problem)) {
-        if (term.held) term.dual = project(term, term.dual);
+        if (term.active) term.dual = project(term, term.dual);
     }
     double before = std::numeric_limits<double>::infinity();
     for (;;) {
@@ -125,7 +126,7 @@ vec3 balance_held(Problem& problem, vec3 x) {
         double most = 0;
         for (Term& term : terms_of(problem)) {
             missing += term.dual;
-            if (!term.held) continue;
+            if (!term.active) continue;
             const double left = 1.01 * term.strength - glm::length(term.dual);
             add_projector(room, term, left);
             most += left;
@@ -136,7 +137,7 @@ vec3 balance_held(Problem& problem, vec3 x) {
         add_identity(room, 1e-14 * most);
         const vec3 share = solve(room, missing, 1e-14 * most);
         for (Term& term : terms_of(problem)) {
-            if (!term.held) continue;
+            if (!term.active) continue;
             const double left = 1.01 * term.strength - glm::length(term.dual);
             term.dual -= left * project(term, share);
             limit_dual(term);

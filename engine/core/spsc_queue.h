@@ -1,4 +1,4 @@
-// core/ring.h: a queue of fixed capacity from one thread to another. Neither thread ever waits. If the queue
+// core/spsc_queue.h: a queue of fixed capacity from one thread to another. Neither thread ever waits. If the queue
 // is full, `push` drops the value and returns false.
 #pragma once
 #include <array>
@@ -8,7 +8,7 @@
 namespace thaum {
 
 template <class T, std::size_t N>
-class Ring {
+class SpscQueue {
 public:
     // Called by the writer.
     /// Returns false if the queue is full.

@@ -1,4 +1,4 @@
-#include "haptics/held_kinks.h"
+#include "haptics/active_set.h"
 
 #include <algorithm>
 
@@ -10,25 +10,25 @@ std::array<vec3, 2> normals_to(vec3 q) {
     return {first, glm::cross(q, first)};
 }
 
-Term* only_held(Problem& problem) {
+Term* only_active(Problem& problem) {
     Term* result = nullptr;
     for (Term& term : terms_of(problem)) {
-        if (!term.held) continue;
+        if (!term.active) continue;
         if (result != nullptr) return nullptr;
         result = &term;
     }
     return result;
 }
 
-void guess_held(Problem& problem, double square) {
-    for (Term& term : terms_of(problem)) term.held = glm::dot(term.distance, term.distance) < square;
+void guess_active_set(Problem& problem, double square) {
+    for (Term& term : terms_of(problem)) term.active = glm::dot(term.distance, term.distance) < square;
 }
 
-// ---- the flat -------------------------------------------------------------------------------------------------------
+// ---- the flat ---------------------------------------------------------------------------------------------
 
 namespace {
 
-/// Moves x within the flat onto q.x = height, and takes that up. q: unit.
+/// Moves x within the flat onto q.x = height, and fixes that direction. q is a unit vector.
 void fix(Flat& flat, vec3& x, vec3 q, double height) {
     if (flat.count == 0) {
         x += q * (height - glm::dot(q, x));
@@ -41,7 +41,7 @@ void fix(Flat& flat, vec3& x, vec3 q, double height) {
     flat.normals[flat.count++] = normal;
 }
 
-/// Of the unit vectors normal to a kink the one that the flat leaves most free.
+/// The unit vector normal to a kink that the flat leaves most free.
 vec3 freest_normal(const Flat& flat, const Term& term) {
     if (term.identity == 0) return term.q;
     if (flat.count == 0) return normals_to(term.q)[0];
@@ -51,7 +51,7 @@ vec3 freest_normal(const Flat& flat, const Term& term) {
     return length > 1e-9 ? free / length : normals_to(term.q)[0];
 }
 
-/// Puts x onto a line or plane.
+/// Moves x onto the line or plane of a term.
 Flat flat_of(const Term& term, vec3& x) {
     x -= project(term, x) - term.offset;
     if (term.identity == 0) return {{term.q}, 1};
@@ -61,20 +61,20 @@ Flat flat_of(const Term& term, vec3& x) {
 
 }  // namespace
 
-Flat flat_of_held(Problem& problem, vec3& x) {
+Flat flat_of_active(Problem& problem, vec3& x) {
     Flat flat;
     for (const Term& term : terms_of(problem)) {
-        if (!term.held || term.identity == 0 || term.dyad != 0) continue;
+        if (!term.active || term.identity == 0 || term.dyad != 0) continue;
         x = term.offset;
         return {{vec3(1, 0, 0), vec3(0, 1, 0), vec3(0, 0, 1)}, 3};
     }
-    if (const Term* const only = only_held(problem)) return flat_of(*only, x);
+    if (const Term* const only = only_active(problem)) return flat_of(*only, x);
     while (flat.count < 3) {
         const Term* best = nullptr;
         vec3 normal{};
         double most = 1e-12;
         for (const Term& term : terms_of(problem)) {
-            if (!term.held) continue;
+            if (!term.active) continue;
             const vec3 candidate = freest_normal(flat, term);
             const double left = glm::length(flat.along(candidate));
             if (left > most * (1 + 1e-9)) most = left, normal = candidate, best = &term;
@@ -85,14 +85,14 @@ Flat flat_of_held(Problem& problem, vec3& x) {
     return flat;
 }
 
-// ---- Newton's method on it ------------------------------------------------------------------------------------------
+// ---- Newton's method on the flat --------------------------------------------------------------------------
 
 vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
     Symmetric sum = scaled_identity(problem.stiffness);
     vec3 gradient = problem.stiffness * x - problem.target;
     for (Term& term : terms_of(problem)) {
-        if (term.held) continue;
-        // Twice, since a small distance has been left a large part of rounding the other way.
+        if (term.active) continue;
+        // Projected twice: after the first time, rounding is a large part of a small distance.
         const vec3 distance = project(term, project(term, x) - term.offset);
         const double square = glm::dot(distance, distance);
         if (square == 0) return vec3(std::numeric_limits<double>::infinity());
@@ -111,7 +111,7 @@ vec3 smooth_gradient(Problem& problem, vec3 x, Symmetric& matrix) {
 
 namespace {
 
-/// The matrix on the flat, and k on what it fixes, so that it can be solved.
+/// The matrix restricted to the flat, with k in the fixed directions to keep it invertible.
 Symmetric restricted(const Symmetric& m, const Flat& flat, double stiffness) {
     Symmetric result = m;
     for (std::size_t i = 0; i < flat.count; ++i) {
@@ -137,25 +137,25 @@ vec3 newton_step(const Symmetric& m, const Flat& flat, vec3 slope, double stiffn
 
 namespace {
 
-/// N: of the held terms together.
-double strength_of_held(const Problem& problem) {
+/// Sum of the strengths of the active terms (N).
+double strength_of_active(const Problem& problem) {
     double result = 0;
-    for (const Term& term : terms_of(problem)) result += term.held ? term.strength : 0;
+    for (const Term& term : terms_of(problem)) result += term.active ? term.strength : 0;
     return result;
 }
 
-/// From one origin.
+/// Newton's method with one origin.
 bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix, int& steps) {
     const double rounding = 4 * epsilon * (problem.strength + glm::length(problem.target));
-    const double holding = strength_of_held(problem);
+    const double holding = strength_of_active(problem);
     double before = std::numeric_limits<double>::infinity();
-    while (!spent(steps)) {
+    while (!budget_spent(steps)) {
         const vec3 gradient = smooth_gradient(problem, x, matrix);
         const vec3 slope = flat.along(gradient);
         const double size = glm::length(slope);
         if (size <= rounding) return true;
         if (flat.count > 0 && glm::length(gradient - slope) > holding + size) return true;
-        // Where rounding sets the floor, it cannot fall further.
+        // The size cannot fall further once rounding limits it.
         if (!(size < 0.5 * before)) return before <= 16 * rounding && size <= 16 * rounding;
         before = size;
         x += newton_step(matrix, flat, slope, problem.stiffness);
@@ -164,7 +164,7 @@ bool minimise_on(Problem& problem, const Flat& flat, vec3& x, Symmetric& matrix,
     return false;
 }
 
-/// Whether the origin is so far off that distances at x are not known to the rounding of the coordinates.
+/// Whether the origin is so far away that distances at x lose accuracy to the rounding of coordinates.
 bool origin_is_far(const Problem& problem, vec3 x) {
     return glm::dot(x, x) > 16 * (1e-60 + glm::dot(world_of(problem, x), world_of(problem, x)));
 }
@@ -177,17 +177,17 @@ bool minimise_near(Problem& problem, Flat& flat, vec3& x, Symmetric& matrix, int
         if (frames == 3 || !origin_is_far(problem, x)) return true;
         measure_distances(problem, x);
         move_origin(problem, x);
-        flat = flat_of_held(problem, x);
+        flat = flat_of_active(problem, x);
     }
 }
 
 bool release(Problem& problem, const Symmetric& matrix, vec3 missing, vec3& x) {
     bool any = false;
     for (Term& term : terms_of(problem)) {
-        if (!term.held) continue;
+        if (!term.active) continue;
         const double square = glm::dot(term.dual, term.dual);
         if (square < (1 - 1e-9) * term.strength * term.strength) continue;
-        term.held = false;
+        term.active = false;
         any = true;
     }
     const vec3 d = missing;
