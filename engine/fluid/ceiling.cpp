@@ -17,14 +17,14 @@ namespace {
 }
 
 /// Densities along one axis: a cell in the middle and three on each side, mirrored at walls and solids.
-struct Stretch {
+struct DensityStencil {
     std::array<float, 7> value{};
     bool narrow{};  ///< true where there are walls on both sides
 };
 
 /// `aperture` points to the open share of the face below the cell; null where all faces are open.
-Stretch densities_along(const float* density, const float* aperture, std::ptrdiff_t s) {
-    Stretch result;
+DensityStencil densities_along(const float* density, const float* aperture, std::ptrdiff_t s) {
+    DensityStencil result;
     auto& v = result.value;
     for (std::ptrdiff_t i = 0; i < 7; ++i) v[static_cast<std::size_t>(i)] = density[(i - 3) * s];
     if (aperture == nullptr) return result;
@@ -58,7 +58,7 @@ float rise_to_wall(const std::array<float, 7>& v) {
 }
 
 /// How much higher than its highest cell a smooth hill is, by a parabola along each axis; 0 where it is not smooth, as sharp edges are.
-float crest_above(const std::array<Stretch, 3>& along) {
+float crest_above(const std::array<DensityStencil, 3>& along) {
     float sum = 0;
     for (const auto& [v, narrow] : along) {
         const auto bend = [&v = v](std::size_t i) { return (v[i] - v[i + 1]) + (v[i] - v[i - 1]); };
@@ -107,7 +107,7 @@ float density_ceiling(const Rows& rows, const std::array<Samples, 3>* aperture, 
     each_row(rows,
              [&](Row row) { most = std::max(most, highest_of_row(density.data() + row.at, row.count)); });
     const auto crest = [&](std::ptrdiff_t at) {
-        std::array<Stretch, 3> along;
+        std::array<DensityStencil, 3> along;
         for (std::size_t axis = 0; axis < 3; ++axis)
             along[axis] = densities_along(density.data() + at,
                                           aperture != nullptr ? (*aperture)[axis].data() + at : nullptr,

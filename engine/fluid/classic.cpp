@@ -29,7 +29,7 @@ Border border_of_velocity(const Settings& settings, std::size_t component) {
 }
 
 /// The ghosts of both sides of one row of cells along an axis.
-struct Sides {
+struct RowEnds {
     std::ptrdiff_t last;    ///< from the first cell of the row to the last
     std::ptrdiff_t stride;  ///< from a cell to the next
     bool periodic;
@@ -47,11 +47,11 @@ void fill_border(const Lattice& lattice, const Border& border, Samples& samples)
     const auto [nx, ny, nz] = lattice.cells;
     const auto sides = [&](std::size_t axis) {
         const auto stride = lattice.stride[axis];
-        return Sides{(lattice.cells[axis] - 1) * stride, stride, lattice.edges[axis] == Edge::periodic,
-                     border.factor[axis], axis == 1 ? border.lid : 0.0F};
+        return RowEnds{(lattice.cells[axis] - 1) * stride, stride, lattice.edges[axis] == Edge::periodic,
+                       border.factor[axis], axis == 1 ? border.lid : 0.0F};
     };
     float* const field = samples.data();
-    const Sides x = sides(0), y = sides(1), z = sides(2);
+    const RowEnds x = sides(0), y = sides(1), z = sides(2);
     for (int k = 0; k < nz; ++k) {
         for (int j = 0; j < ny; ++j) x.fill(field + lattice.at(0, j, k));
     }
@@ -134,19 +134,19 @@ void project(Fluid& fluid, ClassicScratch& scratch) {
 }
 
 /// A place between eight cells.
-struct Traced {
+struct TracedPlace {
     std::ptrdiff_t corner;      ///< the lowest of the eight
     std::array<float, 3> part;  ///< of the way to the highest
 };
 
 /// Where the fluid in a cell came from along one axis: between which cell and the next, and how far.
-struct Along {
+struct AxisPlace {
     std::ptrdiff_t cell;
     float part;
 };
 
 /// `place` in cells, 0 at the centre of the first. Walls hold it within half a cell of their centres; round a periodic box it goes.
-Along along(float place, int n, bool periodic) {
+AxisPlace along(float place, int n, bool periodic) {
     const auto cells = static_cast<float>(n);
     if (periodic) place -= cells * std::floor(place / cells);
     // What is not a number becomes the first bound.
@@ -161,13 +161,13 @@ struct Tracer {
     float cells_per_speed;  ///< dt / h
     std::array<bool, 3> periodic;
 
-    Traced back(int i, int j, int k) const {
+    TracedPlace back(int i, int j, int k) const {
         const std::array<int, 3> from{i, j, k};
         const auto at = static_cast<std::size_t>(lattice.at(i, j, k));
-        Traced result{lattice.first, {}};
+        TracedPlace result{lattice.first, {}};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const float place = static_cast<float>(from[axis]) - cells_per_speed * velocity[axis][at];
-            const Along found = along(place, lattice.cells[axis], periodic[axis]);
+            const AxisPlace found = along(place, lattice.cells[axis], periodic[axis]);
             result.corner += found.cell * lattice.stride[axis];
             result.part[axis] = found.part;
         }
@@ -185,7 +185,7 @@ Tracer tracer_of(const Fluid& fluid, const std::array<Samples, 3>& velocity, dou
 float mix(float a, float b, float part) { return a + part * (b - a); }
 
 /// Linear in each axis.
-float sample(const Lattice& lattice, const Traced& place, const Samples& samples) {
+float sample(const Lattice& lattice, const TracedPlace& place, const Samples& samples) {
     const auto [sx, sy, sz] = lattice.stride;
     const float* const c = samples.data() + place.corner;
     const auto [px, py, pz] = place.part;
@@ -209,7 +209,7 @@ void trace_back(const Tracer& tracer, F&& f) {
 void carry_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
     std::swap(fluid.now.velocity, scratch.before);
     auto& to = fluid.now.velocity;
-    trace_back(tracer_of(fluid, scratch.before, dt), [&](std::size_t cell, const Traced& from) {
+    trace_back(tracer_of(fluid, scratch.before, dt), [&](std::size_t cell, const TracedPlace& from) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             to[axis][cell] = sample(fluid.lattice, from, scratch.before[axis]);
     });
@@ -219,7 +219,7 @@ void carry_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
 void carry_substance(Fluid& fluid, Samples& substance, ClassicScratch& scratch, double dt) {
     Samples& before = scratch.before[0];
     std::swap(substance, before);
-    trace_back(tracer_of(fluid, fluid.now.velocity, dt), [&](std::size_t cell, const Traced& from) {
+    trace_back(tracer_of(fluid, fluid.now.velocity, dt), [&](std::size_t cell, const TracedPlace& from) {
         substance[cell] = sample(fluid.lattice, from, before);
     });
     fill_border(fluid.lattice, border_of_scalar(), substance);

@@ -15,7 +15,7 @@
 namespace thaum::fluid {
 
 struct Workspace {
-    std::unique_ptr<Staggered> staggered;  ///< null: classic
+    std::unique_ptr<StaggeredSolver> staggered;  ///< null: classic
     ClassicScratch classic{};
 };
 
@@ -155,7 +155,7 @@ Expected<Fluid> make_fluid(const Settings& settings) {
     fluid.now.substances.assign(settings.substances.size(), make_samples(fluid.lattice));
     fluid.now.asleep = settings.lid == 0;
     if (settings.solver == Solver::thaum) {
-        fluid.work->staggered = std::make_unique<Staggered>(settings, fluid.lattice);
+        fluid.work->staggered = std::make_unique<StaggeredSolver>(settings, fluid.lattice);
         fluid.work->staggered->fill(settings, fluid.now.velocity);
     }
     return fluid;
@@ -192,7 +192,7 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
                                      fluid.now.substances[substance],
                                      [&](vec3, std::size_t at) { return holds_fluid(fluid, at); });
     if (!poured) return false;
-    fill_ghosts(fluid.lattice, evenly, fluid.now.substances[substance]);
+    fill_ghosts(fluid.lattice, all_even, fluid.now.substances[substance]);
     fluid.now.asleep = false;
     return true;
 }
@@ -206,7 +206,7 @@ StepReport advance(Fluid& fluid, double dt) {
 
 void carry_substances(Fluid& fluid, double dt) {
     if (fluid.work->staggered)
-        fluid.work->staggered->carry(fluid.settings, fluid.now, dt);
+        fluid.work->staggered->carry_substances(fluid.settings, fluid.now, dt);
     else
         classic_carry_substances(fluid, fluid.work->classic, dt);
 }
@@ -234,7 +234,7 @@ void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity) {
         for (const CutFace& face : solids->cut_faces(axis))
             fluid.now.velocity[axis][face.at] =
                 static_cast<float>(velocity(face.middle)[static_cast<int>(axis)]);
-    altered(fluid);
+    refresh_after_edit(fluid);
 }
 
 void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density) {
@@ -244,17 +244,17 @@ void set_substance(Fluid& fluid, std::size_t substance, const std::function<doub
         fluid.now.substances[substance][at] =
             static_cast<float>(holds_fluid(fluid, at) ? std::max(value, 0.0) : 0.0);
     });
-    altered(fluid);
+    refresh_after_edit(fluid);
 }
 
-void altered(Fluid& fluid) {
+void refresh_after_edit(Fluid& fluid) {
     if (fluid.work->staggered)
         fluid.work->staggered->fill(fluid.settings, fluid.now.velocity);
     else
         classic_fill(fluid);
-    fill_ghosts(fluid.lattice, evenly, fluid.now.pressure);
-    fill_ghosts(fluid.lattice, evenly, fluid.now.projected);
-    for (Samples& substance : fluid.now.substances) fill_ghosts(fluid.lattice, evenly, substance);
+    fill_ghosts(fluid.lattice, all_even, fluid.now.pressure);
+    fill_ghosts(fluid.lattice, all_even, fluid.now.projected);
+    for (Samples& substance : fluid.now.substances) fill_ghosts(fluid.lattice, all_even, substance);
     fluid.now.asleep = false;
 }
 

@@ -133,7 +133,7 @@ void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity);
 void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density);
 
 /// To be called after samples were written from outside: what edges and solids say holds again, the fluid is awake.
-void altered(Fluid& fluid);
+void refresh_after_edit(Fluid& fluid);
 
 /// m^4/s and m^5/s^2, summed in double in a fixed order.
 vec3 momentum(const Fluid& fluid);

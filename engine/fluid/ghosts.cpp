@@ -54,10 +54,10 @@ Mirrors through_walls(int n, int depth) {
     return result;
 }
 
-Mirrors mirrors(int n, Edge edge, Beyond beyond, int depth) {
+Mirrors mirrors(int n, Edge edge, GhostRule rule, int depth) {
     if (edge == Edge::periodic) return round_about(n, depth);
-    if (beyond == Beyond::through_wall) return through_walls(n, depth);
-    return about_walls(n, beyond == Beyond::even ? 1.0F : -1.0F, depth);
+    if (rule == GhostRule::through_wall) return through_walls(n, depth);
+    return about_walls(n, rule == GhostRule::even ? 1.0F : -1.0F, depth);
 }
 
 void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float factor) {
@@ -73,7 +73,7 @@ void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float facto
 void fill_row(const Lattice& lattice, const Mirrors& all, float* row) {
     // Rows are written in whole eights: what that left beyond the cells may be anything.
     for (const Mirror& m : all) row[m.to] = m.factor == 0 ? 0 : m.factor * row[m.from];
-    for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < whole_eights(lattice.cells[0]); ++i) row[i] = 0;
+    for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < round_up_to_8(lattice.cells[0]); ++i) row[i] = 0;
 }
 
 void fill_x(const Lattice& lattice, const Mirrors& all, float* cells) {
@@ -137,32 +137,32 @@ void fill_z(const Rows& rows, const Mirrors& all, float* cells) {
 
 }  // namespace
 
-void fill_ghosts_across(const Lattice& lattice, std::size_t axis, Beyond beyond, Samples& samples) {
+void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule, Samples& samples) {
     constexpr std::array<void (*)(const Lattice&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
-    fill[axis](lattice, mirrors(lattice.cells[axis], lattice.edges[axis], beyond, ghosts), samples.data());
+    fill[axis](lattice, mirrors(lattice.cells[axis], lattice.edges[axis], rule, ghosts), samples.data());
 }
 
-void fill_ghosts_across(const Rows& rows, std::size_t axis, Beyond beyond, Samples& samples, int depth) {
+void fill_ghosts_across(const Rows& rows, std::size_t axis, GhostRule rule, Samples& samples, int depth) {
     const Lattice& lattice = rows.lattice;
-    if (rows.all) return fill_ghosts_across(lattice, axis, beyond, samples);
+    if (rows.all) return fill_ghosts_across(lattice, axis, rule, samples);
     constexpr std::array<void (*)(const Rows&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
-    fill[axis](rows, mirrors(lattice.cells[axis], lattice.edges[axis], beyond, depth), samples.data());
+    fill[axis](rows, mirrors(lattice.cells[axis], lattice.edges[axis], rule, depth), samples.data());
 }
 
 // One axis after another, so that edges and corners follow from what was filled before.
-void fill_ghosts(const Lattice& lattice, const std::array<Beyond, 3>& beyond, Samples& samples) {
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(lattice, axis, beyond[axis], samples);
+void fill_ghosts(const Lattice& lattice, const std::array<GhostRule, 3>& rule, Samples& samples) {
+    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(lattice, axis, rule[axis], samples);
 }
 
-void fill_ghosts(const Rows& rows, const std::array<Beyond, 3>& beyond, Samples& samples, int depth) {
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(rows, axis, beyond[axis], samples, depth);
+void fill_ghosts(const Rows& rows, const std::array<GhostRule, 3>& rule, Samples& samples, int depth) {
+    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(rows, axis, rule[axis], samples, depth);
 }
 
-std::array<Beyond, 3> beyond_of_velocity(const Lattice& lattice, std::size_t axis) {
-    std::array<Beyond, 3> result{};
+std::array<GhostRule, 3> ghost_rules_of_velocity(const Lattice& lattice, std::size_t axis) {
+    std::array<GhostRule, 3> result{};
     for (std::size_t across = 0; across < 3; ++across)
-        result[across] = lattice.edges[across] == Edge::no_slip ? Beyond::odd : Beyond::even;
-    result[axis] = Beyond::through_wall;
+        result[across] = lattice.edges[across] == Edge::no_slip ? GhostRule::odd : GhostRule::even;
+    result[axis] = GhostRule::through_wall;
     return result;
 }
 

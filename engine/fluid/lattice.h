@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "fluid/eight.h"
+#include "fluid/floats8.h"
 #include "fluid/samples.h"
 
 namespace thaum::fluid {
@@ -40,7 +40,7 @@ struct Lattice {
 inline Lattice make_lattice(Cells cells, double h, Edges edges) {
     Lattice result{.cells = cells, .edges = edges, .h = h};
     // Rows of whole vectors; more at the end, so that the last one may be read past.
-    const std::ptrdiff_t row = whole_eights(cells[0] + 2 * ghosts);
+    const std::ptrdiff_t row = round_up_to_8(cells[0] + 2 * ghosts);
     result.stride = {1, row, row * (cells[1] + 2 * ghosts)};
     result.first = ghosts * (result.stride[0] + result.stride[1] + result.stride[2]);
     result.size = static_cast<std::size_t>(result.stride[2] * (cells[2] + 2 * ghosts) + 8);

@@ -16,7 +16,7 @@
 namespace thaum::fluid {
 
 /// One stage of a Runge-Kutta step:  next = start + next_part * rate(from),  sum = (first ? start : sum) + sum_part * rate(from).
-struct Stage {
+struct RungeKuttaStage {
     const std::array<Samples, 3>& from;  ///< ghosts filled
     const std::array<Samples, 3>& start;
     const std::array<Samples, 3>* force{};  ///< m/s^2; null: none
@@ -33,26 +33,26 @@ public:
     Momentum(const Lattice& lattice, int order, const Solids* solids);
     /// Of all cells that hold fluid, 0 on closed faces; what stands on the lattice's walls, and in the ghosts of sum and next, is left
     /// to fill_ghosts. viscosity in m^2/s.
-    void take(const Stage& stage, double viscosity);
+    void run_stage(const RungeKuttaStage& stage, double viscosity);
 
 private:
     template <bool fourth, bool viscous>
-    void components(const Stage& stage, float viscosity);
+    void components(const RungeKuttaStage& stage, float viscosity);
     template <bool fourth, bool viscous, std::size_t axis>
-    void component(const Stage& stage, float viscosity);
+    void component(const RungeKuttaStage& stage, float viscosity);
 
     /// What holds all rows of a layer that hold fluid: rows first to end - 1, `count` cells from `start` on.
-    struct Hull {
+    struct LayerBounds {
         int first, end;
         std::ptrdiff_t start, count;
     };
-    Hull hull_of(int k) const;
+    LayerBounds bounds_of_layer(int k) const;
 
     Lattice lattice_;
     int order_;
     const Solids* solids_;
     Rows rows_;
-    std::vector<Hull> hulls_;        ///< of each layer
+    std::vector<LayerBounds> layer_bounds_;  ///< of each layer
     std::array<Samples, 6> planes_;  ///< of the carrying velocity: along x, y, and a ring of four along z
 };
 

@@ -8,6 +8,6 @@ namespace thaum::fluid {
 /// read by the Catmull-Rom kernel and is free of divergence after the next step; densities linearly, so that none falls below
 /// zero, and scaled so that the amount of each substance stays. What has nowhere to be, since all its places are solid now, is
 /// spread evenly. Where cells are larger, a value is the mean over places in the cell. Substances beyond those of `to` are lost.
-void take_over(Fluid& to, const Fluid& from);
+void resample_into(Fluid& to, const Fluid& from);
 
 }  // namespace thaum::fluid

@@ -17,7 +17,7 @@
 namespace thaum::fluid {
 
 /// Some places of an axis that follow one another.
-struct Places {
+struct CellRange {
     int first{}, count{};
 };
 
@@ -25,17 +25,17 @@ struct Places {
 /// lower half with the middle, and their difference in the upper one; what has been folded belongs to one matrix for each of the
 /// dense places, of as many waves.
 struct Waves {
-    int start{};                  ///< the first cell or face that is not given by the edge
-    int count{};                  ///< of cells, and of waves
-    std::vector<double> angle{};  ///< rad per cell, wave by wave
-    std::vector<Places> folds{};  ///< one after another; first of all the whole
-    std::vector<Places> dense{};
+    int start{};                     ///< the first cell or face that is not given by the edge
+    int count{};                     ///< of cells, and of waves
+    std::vector<double> angle{};     ///< rad per cell, wave by wave
+    std::vector<CellRange> folds{};  ///< one after another; first of all the whole
+    std::vector<CellRange> dense{};
     std::vector<std::vector<float>> forth{};   ///< of each dense places: [place][wave]
     std::vector<std::vector<float>> back{};    ///< [wave][place]
     std::vector<std::vector<double>> exact{};  ///< back, before it was rounded
 };
 
-Waves make_waves(int cells, Edge edge, Beyond beyond);
+Waves make_waves(int cells, Edge edge, GhostRule rule);
 
 /// Symbols of differences: minus the eigenvalue of a wave times h^2.
 /// Of the gradient's divergence on the staggered grid, order 2 or 4.
@@ -63,7 +63,7 @@ public:
     Diffusion(const Lattice& lattice, int order);
     /// part: nu dt / h^2, >= 0. lid: as Settings say; where it is not 0 the edges across x and z do not hold. Ghosts of the velocity
     /// are left as they are.
-    void take(double part, double lid, std::array<Samples, 3>& velocity);
+    void diffuse(double part, double lid, std::array<Samples, 3>& velocity);
 
 private:
     void component(double part, const std::array<Waves, 3>& waves, Samples& u);

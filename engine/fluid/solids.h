@@ -37,22 +37,23 @@ public:
     const Rows& rows() const { return rows_; }
 
     /// Velocities on closed faces become 0.
-    void close(std::array<Samples, 3>& velocity) const;
+    void clear_closed_faces(std::array<Samples, 3>& velocity) const;
 
-    struct Found {
+    struct ProjectionResult {
         int iterations{};
         double divergence{};  ///< 1/s, the largest that is left
     };
     /// Takes the divergence away, down to `share` of the largest component that is left by h; `potential`, ghosts included, becomes
     /// what was subtracted the gradient of. What it was, that of the last projection, is where the search begins: as far along it as
     /// leaves the least (Fischer 1998, with one direction), so that a bad guess does no harm. The velocity is 0 on closed faces.
-    Found project(std::array<Samples, 3>& velocity, Samples& potential, double share, int iterations_most);
+    ProjectionResult project(std::array<Samples, 3>& velocity, Samples& potential, double share,
+                             int iterations_most);
 
 private:
-    struct Largest {
+    struct Maxima {
         double divergence, velocity;  ///< 1/s; m/s, of all components
     };
-    Largest divergence(const std::array<Samples, 3>& velocity);
+    Maxima divergence(const std::array<Samples, 3>& velocity);
     double apply_to_direction();
     double precondition();
     std::optional<double> step_along_direction(double slope);

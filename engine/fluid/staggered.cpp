@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "fluid/buoyancy.h"
-#include "fluid/eight.h"
+#include "fluid/floats8.h"
 #include "fluid/ghosts.h"
 #include "fluid/pressure.h"
 #include "fluid/sample.h"
@@ -53,7 +53,7 @@ double sum_of_largest(const Rows& rows, const std::array<Samples, 3>& velocity) 
 
 }  // namespace
 
-Staggered::Staggered(const Settings& settings, const Lattice& lattice)
+StaggeredSolver::StaggeredSolver(const Settings& settings, const Lattice& lattice)
     : lattice_(lattice),
       order_(settings.solid ? 2 : settings.order),
       solids_(settings.solid ? std::make_unique<Solids>(lattice, settings.solid) : nullptr),
@@ -62,25 +62,25 @@ Staggered::Staggered(const Settings& settings, const Lattice& lattice)
       momentum_(lattice, order_, solids_.get()),
       viscosity_(lattice, solids_.get(), settings.solid),
       diffusion_(lattice, order_),
-      currents_(make_currents(lattice)),
+      face_flow_(make_face_flow(lattice)),
       transport_(make_transport_scratch(lattice)),
       potential_(make_samples(lattice)),
       mixed_(make_samples(lattice)) {
-    if (solids_) openings_ = make_openings(lattice, solids_->open());
+    if (solids_) face_apertures_ = make_face_apertures(lattice, solids_->open());
     pushed_.fill(rows_);
     for (auto* velocity : {&force_, &stage_, &other_, &sum_}) velocity->fill(make_samples(lattice));
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
                    static_cast<std::size_t>(lattice.cells[2]));
 }
 
-void Staggered::fill(const Settings& settings, Velocity& velocity) const {
-    if (solids_) solids_->close(velocity);
+void StaggeredSolver::fill(const Settings& settings, Velocity& velocity) const {
+    if (solids_) solids_->clear_closed_faces(velocity);
     fill_sides(settings, velocity);
 }
 
-void Staggered::fill_sides(const Settings& settings, Velocity& velocity, int depth) const {
+void StaggeredSolver::fill_sides(const Settings& settings, Velocity& velocity, int depth) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-        fill_ghosts(rows_, beyond_of_velocity(lattice_, axis), velocity[axis], depth);
+        fill_ghosts(rows_, ghost_rules_of_velocity(lattice_, axis), velocity[axis], depth);
     if (settings.lid == 0 || lattice_.edges[1] != Edge::no_slip) return;
     // Odd about the wall's own speed.
     const auto twice = static_cast<float>(2 * settings.lid);
@@ -92,25 +92,25 @@ void Staggered::fill_sides(const Settings& settings, Velocity& velocity, int dep
     }
 }
 
-bool Staggered::viscosity_varies(const Settings& settings) const {
+bool StaggeredSolver::viscosity_varies(const Settings& settings) const {
     return std::any_of(settings.substances.begin(), settings.substances.end(),
                        [](const Substance& s) { return s.viscosity > 0; });
 }
 
-bool Staggered::weighs(const Settings& settings) {
+bool StaggeredSolver::has_weight(const Settings& settings) {
     return settings.gravity != vec3(0) && std::any_of(settings.substances.begin(), settings.substances.end(),
                                                       [](const Substance& s) { return s.weight != 0; });
 }
 
 /// Of equal length, so that none carries too far.
-double Staggered::steps_wanted(const Settings& settings, double dt) const {
+double StaggeredSolver::steps_wanted(const Settings& settings, double dt) const {
     double carried = before_.sum_of_largest + std::abs(settings.lid);
     if (forced_) carried += dt * sum_of_largest(rows_, force_);
     return std::ceil(carried * dt / (lattice_.h * carried_most));
 }
 
 /// share: 1/s, of what was pushed.
-void Staggered::gather_forces(const Settings& settings, const State& now, double share) {
+void StaggeredSolver::gather_forces(const Settings& settings, const State& now, double share) {
     forced_ = now.pushed || solids_ != nullptr;
     const auto factor = static_cast<float>(share);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -127,7 +127,7 @@ void Staggered::gather_forces(const Settings& settings, const State& now, double
 }
 
 /// mixed_ = base + sum over substances of what they have by density, in the rows and beyond the sides.
-void Staggered::mix(const Settings& settings, const State& now, double base, double Substance::*part) {
+void StaggeredSolver::mix(const Settings& settings, const State& now, double base, double Substance::*part) {
     each_row(rows_, [&](Row row) {
         float* to = mixed_.data() + row.at;
         std::fill_n(to, row.count, static_cast<float>(base));
@@ -138,12 +138,12 @@ void Staggered::mix(const Settings& settings, const State& now, double base, dou
             for (std::ptrdiff_t i = 0; i < row.count; ++i) to[i] += factor * density[i];
         }
     });
-    fill_ghosts(rows_, evenly, mixed_);
+    fill_ghosts(rows_, all_even, mixed_);
 }
 
 /// What is heavier sinks. The mean of every level is a pressure's and left out, so that what is layered stays at rest exactly.
-void Staggered::add_buoyancy(const Settings& settings, const State& now) {
-    if (!weighs(settings)) return;
+void StaggeredSolver::add_buoyancy(const Settings& settings, const State& now) {
+    if (!has_weight(settings)) return;
     mix(settings, now, 0, &Substance::weight);
     forced_ = true;
     pull_mixed(settings);
@@ -151,19 +151,19 @@ void Staggered::add_buoyancy(const Settings& settings, const State& now) {
 
 /// Replaces the buoyancy of the densities at the start of a sub-step, which gather_forces left in mixed_, by that
 /// half the sub-step later.
-void Staggered::predict_buoyancy(const Settings& settings, const State& now, double dt) {
-    if (!weighs(settings)) return;
+void StaggeredSolver::predict_buoyancy(const Settings& settings, const State& now, double dt) {
+    if (!has_weight(settings)) return;
     predict_weight(rows_, now.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt, mixed_, potential_);
     each_row(rows_, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
             store(mixed_.data() + i, load(potential_.data() + i) - load(mixed_.data() + i));
     });
-    fill_ghosts(rows_, evenly, mixed_);
+    fill_ghosts(rows_, all_even, mixed_);
     pull_mixed(settings);
 }
 
 /// Adds the pull of gravity on mixed_ to the forces.
-void Staggered::pull_mixed(const Settings& settings) {
+void StaggeredSolver::pull_mixed(const Settings& settings) {
     const vec3& pull = settings.gravity;
     const std::size_t down = pull.y != 0 ? 1 : pull.z != 0 ? 2 : 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -173,7 +173,7 @@ void Staggered::pull_mixed(const Settings& settings) {
 }
 
 /// The open faces across an axis, by the mean of mixed_ on their two sides.
-void Staggered::pull_along(std::size_t axis, float pull, bool without_mean) {
+void StaggeredSolver::pull_along(std::size_t axis, float pull, bool without_mean) {
     // Across x every row meets all levels at once.
     const int groups = axis == 0 ? 1 : lattice_.cells[axis];
     for (int group = 0; group < groups; ++group) {
@@ -187,14 +187,14 @@ void Staggered::pull_along(std::size_t axis, float pull, bool without_mean) {
 }
 
 /// Of one level, or across x of all.
-void Staggered::pull_rows(std::size_t axis, const Cells& first, const Cells& end, float pull,
-                          bool without_mean) {
+void StaggeredSolver::pull_rows(std::size_t axis, const Cells& first, const Cells& end, float pull,
+                                bool without_mean) {
     const auto s = lattice_.stride[axis];
     const float* mixed = mixed_.data();
     const float* open = solids_ ? solids_->open()[axis].data() : nullptr;
     float* force = force_[axis].data();
     // Calls with where eight faces stand, and where along x.
-    const auto each_eight = [&](auto&& visit) {
+    const auto each_8_faces = [&](auto&& visit) {
         for (int k = first[2]; k < end[2]; ++k) {
             for (int j = first[1]; j < end[1]; ++j) {
                 const Row row = rows_.at(j, k);
@@ -203,11 +203,11 @@ void Staggered::pull_rows(std::size_t axis, const Cells& first, const Cells& end
             }
         }
     };
-    const auto open_at = [&](std::ptrdiff_t at) { return open != nullptr ? load(open + at) : none + 1.0F; };
+    const auto open_at = [&](std::ptrdiff_t at) { return open != nullptr ? load(open + at) : zero8 + 1.0F; };
     // At order 4 the flow through a face is (26 u[0] - u[-1] - u[1]) / 24; the same of the density beside it makes force times velocity
     // what the flow carries down.
     const auto both_sides = [&](std::ptrdiff_t at) {
-        const Eight near = load(mixed + at) + load(mixed + at - s);
+        const Floats8 near = load(mixed + at) + load(mixed + at - s);
         if (order_ == 2) return near;
         return (25.0F / 24) * near - (1.0F / 24) * (load(mixed + at + s) + load(mixed + at - 2 * s));
     };
@@ -215,13 +215,13 @@ void Staggered::pull_rows(std::size_t axis, const Cells& first, const Cells& end
     std::array<double, cells_most> sums{};
     std::array<float, cells_most> counts{}, means{};
     if (without_mean) {
-        each_eight([&](std::ptrdiff_t at, std::ptrdiff_t x) {
-            const Eight share = open_at(at);
-            const Eight both = share > none ? both_sides(at) : none;
+        each_8_faces([&](std::ptrdiff_t at, std::ptrdiff_t x) {
+            const Floats8 share = open_at(at);
+            const Floats8 both = share > zero8 ? both_sides(at) : zero8;
             for (std::ptrdiff_t lane = 0; lane < 8; ++lane)
                 sums[static_cast<std::size_t>(x + lane)] += static_cast<double>(both[lane]);
             float* count = counts.data() + x;
-            store(count, load(count) + (share > none ? none + 1.0F : none));
+            store(count, load(count) + (share > zero8 ? zero8 + 1.0F : zero8));
         });
         const auto nx = lattice_.cells[0];
         if (axis != 0) {
@@ -233,17 +233,17 @@ void Staggered::pull_rows(std::size_t axis, const Cells& first, const Cells& end
                            return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : 0.0F;
                        });
     }
-    each_eight([&](std::ptrdiff_t at, std::ptrdiff_t x) {
-        const Eight more = 0.5F * pull * (both_sides(at) - load(means.data() + x));
-        store(force + at, load(force + at) + (open_at(at) > none ? more : none));
+    each_8_faces([&](std::ptrdiff_t at, std::ptrdiff_t x) {
+        const Floats8 more = 0.5F * pull * (both_sides(at) - load(means.data() + x));
+        store(force + at, load(force + at) + (open_at(at) > zero8 ? more : zero8));
     });
 }
 
 /// Free of divergence where that is had directly; ghosts filled.
-void Staggered::end_stage(const Settings& settings, Velocity& velocity) {
+void StaggeredSolver::end_stage(const Settings& settings, Velocity& velocity) {
     if (!solids_) {
         for (std::size_t axis = 0; axis < 3; ++axis)
-            fill_ghosts_across(rows_, axis, Beyond::through_wall, velocity[axis]);
+            fill_ghosts_across(rows_, axis, GhostRule::through_wall, velocity[axis]);
         divergence(lattice_, order_, velocity, packed_);
         pressure_.solve(packed_);
         const float* packed = packed_.data();
@@ -251,7 +251,7 @@ void Staggered::end_stage(const Settings& settings, Velocity& velocity) {
             std::copy_n(packed, lattice_.cells[0], potential_.data() + at);
             packed += lattice_.cells[0];
         });
-        fill_ghosts(rows_, evenly, potential_);
+        fill_ghosts(rows_, all_even, potential_);
         subtract_gradient(rows_, order_, potential_, velocity);
     }
     // At order 2, as it is where there are solids, a stage reads no farther.
@@ -259,7 +259,7 @@ void Staggered::end_stage(const Settings& settings, Velocity& velocity) {
 }
 
 /// sum_ becomes the velocity.
-void Staggered::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
+void StaggeredSolver::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
     if (solids_) {
         const auto found = solids_->project(sum_, now.projected, divergence_most, iterations_most);
         report.pressure_iterations += found.iterations;
@@ -275,7 +275,7 @@ void Staggered::end_step(const Settings& settings, State& now, double dt, StepRe
 }
 
 /// Where pushes stand: rows of the fluid in which one is not 0.
-void Staggered::find_pushes(const State& now) {
+void StaggeredSolver::find_pushes(const State& now) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
             const Row row = rows_.rows[r];
@@ -289,7 +289,7 @@ void Staggered::find_pushes(const State& now) {
 }
 
 /// Work of the pushes at the velocity given: their force times that (m^2/s^2, summed over cells, for the whole step).
-double Staggered::work_of_pushes(const State& now, const Velocity& velocity) const {
+double StaggeredSolver::work_of_pushes(const State& now, const Velocity& velocity) const {
     if (!now.pushed) return 0;
     double work = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) work += dot(pushed_[axis], now.push[axis], velocity[axis]);
@@ -300,11 +300,11 @@ double Staggered::work_of_pushes(const State& now, const Velocity& velocity) con
 /// pushes did work at the mean of the velocities before and after. Two things make more: the pressure kept from the step before,
 /// where there are solids, and differences between the force on a substance and its flux. `share`: of the pushes, in this sub-step;
 /// `sunk`: potential energy given (m^2/s^2, summed over cells).
-void Staggered::keep_energy(const Settings& settings, State& now, double share, double sunk,
-                            StepReport& report) {
+void StaggeredSolver::limit_energy(const Settings& settings, State& now, double share, double sunk,
+                                   StepReport& report) {
     moving_.reset();
-    if (settings.lid != 0 || (!solids_ && !weighs(settings))) return;
-    const Motion found = motion(rows_, now.velocity);
+    if (settings.lid != 0 || (!solids_ && !has_weight(settings))) return;
+    const VelocityNorms found = velocity_norms(rows_, now.velocity);
     const double is = found.half_square;
     const double most = std::max(0.0, before_.half_square + sunk + 0.5 * share * work_of_pushes(now, sum_));
     const double by_pushes = 0.5 * share * work_of_pushes(now, now.velocity);
@@ -321,32 +321,33 @@ void Staggered::keep_energy(const Settings& settings, State& now, double share, 
     report.rescaled += (1 - factor * factor) * is * lattice_.h * lattice_.h * lattice_.h;
 }
 
-void Staggered::substep(const Settings& settings, State& now, double dt, double whole, StepReport& report) {
+void StaggeredSolver::substep(const Settings& settings, State& now, double dt, double whole,
+                              StepReport& report) {
     predict_buoyancy(settings, now, dt);
     const double nu = explicit_ ? settings.viscosity : 0;
     const auto* force = forced_ ? &force_ : nullptr;
     const auto& start = now.velocity;
     const auto part = [dt](double share) { return static_cast<float>(share * dt); };
-    momentum_.take({start, start, force, &stage_, sum_, part(place_1), part(weight_1), true}, nu);
+    momentum_.run_stage({start, start, force, &stage_, sum_, part(place_1), part(weight_1), true}, nu);
     end_stage(settings, stage_);
-    momentum_.take({stage_, start, force, &other_, sum_, part(0.5), part(weight_2), false}, nu);
+    momentum_.run_stage({stage_, start, force, &other_, sum_, part(0.5), part(weight_2), false}, nu);
     end_stage(settings, other_);
-    momentum_.take({other_, start, force, &stage_, sum_, part(1), part(weight_3), false}, nu);
+    momentum_.run_stage({other_, start, force, &stage_, sum_, part(1), part(weight_3), false}, nu);
     end_stage(settings, stage_);
-    momentum_.take({stage_, start, force, nullptr, sum_, 0, part(weight_4), false}, nu);
-    if (!explicit_) spread(settings, now, dt);
+    momentum_.run_stage({stage_, start, force, nullptr, sum_, 0, part(weight_4), false}, nu);
+    if (!explicit_) diffuse_velocity(settings, now, dt);
     end_step(settings, now, dt, report);
     const double sunk = carry_along(settings, now, dt);
-    keep_energy(settings, now, dt / whole, sunk, report);
+    limit_energy(settings, now, dt / whole, sunk, report);
     ++report.substeps;
 }
 
 /// Of sum_.
-void Staggered::spread(const Settings& settings, const State& now, double dt) {
+void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& now, double dt) {
     if (settings.viscosity <= 0 && !viscosity_varies(settings)) return;
     const bool lid_alone = lattice_.edges[0] != Edge::no_slip && lattice_.edges[2] != Edge::no_slip;
     if (!solids_ && !viscosity_varies(settings) && (settings.lid == 0 || lid_alone)) {
-        diffusion_.take(settings.viscosity * dt / (lattice_.h * lattice_.h), settings.lid, sum_);
+        diffusion_.diffuse(settings.viscosity * dt / (lattice_.h * lattice_.h), settings.lid, sum_);
         return;
     }
     mix(settings, now, settings.viscosity, &Substance::viscosity);
@@ -354,21 +355,21 @@ void Staggered::spread(const Settings& settings, const State& now, double dt) {
     const auto thickest = static_cast<float>(rigid * lattice_.h * lattice_.h / dt);
     for (float& viscosity : mixed_) viscosity = std::min(viscosity, thickest);
     const double ratio = settings.viscosity * dt / (lattice_.h * lattice_.h);
-    viscosity_.take({.viscosity = &mixed_,
-                     .force = forced_ ? &force_ : nullptr,
-                     .solid_holds = settings.solid_holds,
-                     .lid = settings.lid,
-                     .dt = dt,
-                     .passes = ratio > one_pass_most ? 2 : 1},
-                    sum_);
+    viscosity_.diffuse({.viscosity = &mixed_,
+                        .force = forced_ ? &force_ : nullptr,
+                        .solid_holds = settings.solid_holds,
+                        .lid = settings.lid,
+                        .dt = dt,
+                        .passes = ratio > one_pass_most ? 2 : 1},
+                       sum_);
 }
 
 /// Carries the substances -> potential energy that they gave by sinking, but for what diffusion lifted (m^2/s^2, summed over cells).
-double Staggered::carry_by(const Velocity& before, const Velocity& after, const Settings& settings,
-                           State& now, double dt, int most_substeps) {
+double StaggeredSolver::carry_by(const Velocity& before, const Velocity& after, const Settings& settings,
+                                 State& now, double dt, int most_substeps) {
     if (now.substances.empty()) return 0;
     const auto* open = solids_ ? &solids_->open() : nullptr;
-    set_currents(lattice_, before, after, solids_ ? &openings_ : nullptr, dt, currents_, order_);
+    set_face_flow(lattice_, before, after, solids_ ? &face_apertures_ : nullptr, dt, face_flow_, order_);
     double sunk = 0;
     for (std::size_t s = 0; s < now.substances.size(); ++s) {
         const Substance& substance = settings.substances[s];
@@ -376,7 +377,7 @@ double Staggered::carry_by(const Velocity& before, const Velocity& after, const 
         const vec3 pull = substance.weight * settings.gravity;
         const double lifted = substance.diffusion > 0 ? lifted_by_diffusion(rows_, open, pull, density) : 0;
         const TransportReport did =
-            transport(lattice_, currents_,
+            transport(lattice_, face_flow_,
                       {.diffusion = substance.diffusion, .most_substeps = most_substeps, .moved_along = pull},
                       density, transport_);
         sunk += lattice_.h * glm::dot(pull, did.moved) + dt * did.spread * substance.diffusion * lifted;
@@ -384,22 +385,22 @@ double Staggered::carry_by(const Velocity& before, const Velocity& after, const 
     return sunk;
 }
 
-void Staggered::carry(const Settings& settings, State& now, double dt) {
+void StaggeredSolver::carry_substances(const Settings& settings, State& now, double dt) {
     carry_by(now.velocity, now.velocity, settings, now, dt);
 }
 
 /// Substances, by the velocities before and after a sub-step; the former stand in sum_. Returns what carry_by does.
-double Staggered::carry_along(const Settings& settings, State& now, double dt, int most_substeps) {
+double StaggeredSolver::carry_along(const Settings& settings, State& now, double dt, int most_substeps) {
     return carry_by(sum_, now.velocity, settings, now, dt, most_substeps);
 }
 
 /// Whatever dt is: each place takes what came from where its flow was. Energy that the interpolation made is taken away again.
-void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt, double whole,
-                                StepReport& report) {
+void StaggeredSolver::semi_lagrangian(const Settings& settings, State& now, double dt, double whole,
+                                      StepReport& report) {
     const double before = before_.half_square;
     for (std::size_t axis = 0; axis < 3; ++axis) carry_back(lattice_, now.velocity, axis, dt, sum_[axis]);
-    if (solids_) solids_->close(sum_);
-    const double after = motion(rows_, sum_).half_square;
+    if (solids_) solids_->clear_closed_faces(sum_);
+    const double after = velocity_norms(rows_, sum_).half_square;
     const auto factor = static_cast<float>(after > before ? std::sqrt(before / after) : 1);
     const auto step = static_cast<float>(dt);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -410,16 +411,16 @@ void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt,
                 u[i] = factor * u[i] + (forced_ ? step * f[i] : 0);
         });
     }
-    if (solids_) solids_->close(sum_);
-    spread(settings, now, dt);
+    if (solids_) solids_->clear_closed_faces(sum_);
+    diffuse_velocity(settings, now, dt);
     end_step(settings, now, dt, report);
     const double sunk = carry_along(settings, now, dt, transports_of_fall_back);
-    keep_energy(settings, now, dt / whole, sunk, report);
+    limit_energy(settings, now, dt / whole, sunk, report);
     report.fell_back = true;
 }
 
 /// Of what is slower than rest_speed: where nothing drives it, it stands still; and sleeps, unless something spreads.
-void Staggered::come_to_rest(const Settings& settings, State& now, double dt, double speed) const {
+void StaggeredSolver::come_to_rest(const Settings& settings, State& now, double dt, double speed) const {
     if (settings.lid != 0) return;
     bool spreads = false;
     for (std::size_t s = 0; s < now.substances.size(); ++s)
@@ -437,7 +438,7 @@ void Staggered::come_to_rest(const Settings& settings, State& now, double dt, do
 }
 
 /// What is left of it in a box, 1/s.
-void Staggered::clear_divergence(const Settings& settings, State& now, StepReport& report) {
+void StaggeredSolver::clear_divergence(const Settings& settings, State& now, StepReport& report) {
     const double most = divergence_of_box * report.speed / lattice_.h;
     for (int more = 0;; ++more) {
         divergence(lattice_, order_, now.velocity, packed_);
@@ -450,13 +451,13 @@ void Staggered::clear_divergence(const Settings& settings, State& now, StepRepor
     }
 }
 
-StepReport Staggered::step(const Settings& settings, State& now, double dt) {
+StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt) {
     StepReport report;
     double left = dt;
     moving_.reset();
     find_pushes(now);
     while (left > 0) {
-        before_ = moving_ ? *moving_ : motion(rows_, now.velocity);
+        before_ = moving_ ? *moving_ : velocity_norms(rows_, now.velocity);
         gather_forces(settings, now, 1 / dt);
         double wanted = std::max(1.0, steps_wanted(settings, left));
         const int allowed = substeps_most - report.substeps;
@@ -485,7 +486,7 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
         for (auto& push : now.push) std::fill(push.begin(), push.end(), 0.0F);
     now.pushed = false;
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
-    const Motion is = moving_ ? *moving_ : motion(rows_, now.velocity);
+    const VelocityNorms is = moving_ ? *moving_ : velocity_norms(rows_, now.velocity);
     report.energy = is.half_square * lattice_.h * lattice_.h * lattice_.h;
     report.speed = is.largest;
     if (!solids_) clear_divergence(settings, now, report);

@@ -19,13 +19,13 @@
 namespace thaum::fluid {
 
 /// Tables and scratch, made once for a Fluid; no state.
-class Staggered {
+class StaggeredSolver {
 public:
-    Staggered(const Settings& settings, const Lattice& lattice);
+    StaggeredSolver(const Settings& settings, const Lattice& lattice);
 
     StepReport step(const Settings& settings, State& now, double dt);
     /// Substances alone, by the velocity that stands there.
-    void carry(const Settings& settings, State& now, double dt);
+    void carry_substances(const Settings& settings, State& now, double dt);
     /// Null: none but the edges.
     const Solids* solids() const { return solids_.get(); }
     /// Writes the ghosts, and 0 on walls and in solids.
@@ -36,7 +36,7 @@ private:
 
     void fill_sides(const Settings& settings, Velocity& velocity, int depth = ghosts) const;
     bool viscosity_varies(const Settings& settings) const;
-    static bool weighs(const Settings& settings);
+    static bool has_weight(const Settings& settings);
     double steps_wanted(const Settings& settings, double dt) const;
     void come_to_rest(const Settings& settings, State& now, double dt, double speed) const;
     void gather_forces(const Settings& settings, const State& now, double share);
@@ -52,8 +52,8 @@ private:
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
     void find_pushes(const State& now);
     double work_of_pushes(const State& now, const Velocity& velocity) const;
-    void keep_energy(const Settings& settings, State& now, double share, double sunk, StepReport& report);
-    void spread(const Settings& settings, const State& now, double dt);
+    void limit_energy(const Settings& settings, State& now, double share, double sunk, StepReport& report);
+    void diffuse_velocity(const Settings& settings, const State& now, double dt);
     double carry_along(const Settings& settings, State& now, double dt,
                        int most_substeps = TransportSettings{}.most_substeps);
     double carry_by(const Velocity& before, const Velocity& after, const Settings& settings, State& now,
@@ -68,12 +68,12 @@ private:
     Momentum momentum_;
     Viscosity viscosity_;
     Diffusion diffusion_;
-    Openings openings_;  ///< of the solids
-    Currents currents_;
+    FaceApertures face_apertures_;  ///< of the solids
+    FaceFlow face_flow_;
     TransportScratch transport_;
-    std::array<Rows, 3> pushed_;    ///< where this step's pushes are not 0
-    Motion before_{};               ///< of the velocity before a sub-step
-    std::optional<Motion> moving_;  ///< of the velocity that stands, where it is known
+    std::array<Rows, 3> pushed_;           ///< where this step's pushes are not 0
+    VelocityNorms before_{};               ///< of the velocity before a sub-step
+    std::optional<VelocityNorms> moving_;  ///< of the velocity that stands, where it is known
     Velocity force_, stage_, other_, sum_;
     bool forced_ = false;    ///< force_ is not all zero
     bool explicit_ = false;  ///< viscosity is in the stages of this step

@@ -66,8 +66,8 @@ double largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     return most;
 }
 
-Motion motion(const Rows& rows, const std::array<Samples, 3>& velocity) {
-    Motion result;
+VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity) {
+    VelocityNorms result;
     double sum = 0;
     for (const Samples& component : velocity) {
         std::uint32_t most = 0;

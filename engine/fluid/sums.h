@@ -14,12 +14,12 @@ double largest(const Rows& rows, const Samples& samples);
 double largest(const Rows& rows, const std::array<Samples, 3>& velocity);
 
 /// What a velocity comes to.
-struct Motion {
+struct VelocityNorms {
     double half_square{};     ///< summed over cells (m^2/s^2)
     double largest{};         ///< component (m/s)
     double sum_of_largest{};  ///< over the components (m/s)
 };
 
-Motion motion(const Rows& rows, const std::array<Samples, 3>& velocity);
+VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity);
 
 }  // namespace thaum::fluid

@@ -27,7 +27,7 @@
 namespace thaum::fluid {
 
 /// Apertures of the faces, at the places of the velocities, and what may be read across each. Made once.
-struct Openings {
+struct FaceApertures {
     std::array<Samples, 3> aperture{};
     std::array<Samples, 3> third{}, fifth{};  ///< 5 and 1 where the flux may be of that order, else 0
     Rows rows{};                              ///< of the cells with open faces
@@ -35,27 +35,27 @@ struct Openings {
 
 /// Of apertures from 0 to 1; their ghosts are not read. Faces on the lattice's own walls count as open to reading, for what is
 /// beyond them is mirrored.
-Openings make_openings(const Lattice& lattice, const std::array<Samples, 3>& aperture);
+FaceApertures make_face_apertures(const Lattice& lattice, const std::array<Samples, 3>& aperture);
 
 /// A flow over a time: what part of a cell goes through each face. The same for all substances.
-struct Currents {
+struct FaceFlow {
     std::array<Samples, 3> courant{};
-    const Openings* openings{};  ///< null: all faces are open
-    Rows whole{};                ///< all cells, for where all faces are open
+    const FaceApertures* face_apertures{};  ///< null: all faces are open
+    Rows whole{};                           ///< all cells, for where all faces are open
     double outflow{};  ///< the largest part that leaves a cell; above 1 where it is changed more than once
     double dt{};       ///< s
 
-    const Rows& rows() const { return openings != nullptr ? openings->rows : whole; }
+    const Rows& rows() const { return face_apertures != nullptr ? face_apertures->rows : whole; }
 };
 
-Currents make_currents(const Lattice& lattice);
+FaceFlow make_face_flow(const Lattice& lattice);
 
 /// By the mean of the velocities before and after, m/s, that are finite, with their ghosts, for dt s >= 0. No allocation. The openings
 /// must outlive the currents. `order`: of the divergence that the velocity is free of (pressure.h). At order 4 it is the
 /// difference of (26 u[0] - u[-1] - u[1]) / 24 on the two sides of a cell, which is then the flow; openings must be null.
-void set_currents(const Lattice& lattice, const std::array<Samples, 3>& before,
-                  const std::array<Samples, 3>& after, const Openings* openings, double dt,
-                  Currents& currents, int order = 2);
+void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
+                   const std::array<Samples, 3>& after, const FaceApertures* face_apertures, double dt,
+                   FaceFlow& face_flow, int order = 2);
 
 /// Kept from call to call, for any substances of one lattice between the same openings. Zero where nothing is open.
 struct TransportScratch {
@@ -87,7 +87,7 @@ struct TransportReport {
 
 /// Carries densities, finite and >= 0, by the currents. They need no ghosts and leave with them. What falls below
 /// 1e-20 becomes 0.
-TransportReport transport(const Lattice& lattice, const Currents& currents, const TransportSettings& settings,
-                          Samples& density, TransportScratch& scratch);
+TransportReport transport(const Lattice& lattice, const FaceFlow& face_flow,
+                          const TransportSettings& settings, Samples& density, TransportScratch& scratch);
 
 }  // namespace thaum::fluid

@@ -20,7 +20,7 @@
 
 namespace thaum::fluid {
 
-struct Spread {
+struct ViscousStep {
     const Samples* viscosity{};  ///< m^2/s, of cells, ghosts filled evenly
     /// The constant force of this step (m/s^2), whose work is in the velocity already; null for none.
     const std::array<Samples, 3>* force{};
@@ -58,34 +58,35 @@ public:
     /// `solids` and `solid`: null for none; the former must outlive this.
     explicit Viscosity(const Lattice& lattice, const Solids* solids = nullptr, const SolidShare& solid = {});
     /// Ghosts of the velocity are left as they are.
-    void take(const Spread& spread, std::array<Samples, 3>& velocity);
+    void diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity);
 
 private:
-    void component(const Spread& spread, std::size_t axis, Samples& u);
-    void along(const Spread& spread, std::size_t axis, std::size_t across, Samples& u);
+    void component(const ViscousStep& step, std::size_t axis, Samples& u);
+    void along(const ViscousStep& step, std::size_t axis, std::size_t across, Samples& u);
 
-    static void add_force(const Spread& spread, std::size_t axis, float sign, const Eight& nodal,
+    static void add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& nodal,
                           std::ptrdiff_t at, Samples& u);
     void put_onto_lines(std::size_t axis, Samples& u);
-    void put_onto_faces(const Spread& spread, std::size_t axis, Samples& u);
+    void put_onto_faces(const ViscousStep& step, std::size_t axis, Samples& u);
 
     vec3 place_of(std::size_t axis, std::size_t at) const;
     DraggedFace dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const;
     void find_faces(const SolidShare& solid, std::size_t axis);
     void find_cuts(const SolidShare& solid, std::size_t axis, std::size_t across);
-    void find_wet(std::size_t axis, std::size_t across);
+    void find_open_ranges(std::size_t axis, std::size_t across);
     std::span<const CutLink> cuts_of(std::size_t axis, std::size_t across, int slab) const;
 
     Lattice lattice_;
     const Solids* solids_;
-    Rows rows_;                      ///< cells that hold fluid
-    std::array<Samples, 3> stands_;  ///< above 0 where a component stands on the lines; empty without solids
+    Rows rows_;  ///< cells that hold fluid
+    std::array<Samples, 3>
+        on_lines_;  ///< above 0 where a component stands on the lines; empty without solids
     std::array<std::vector<ScaledFace>, 3> scaled_;
     std::array<std::vector<DraggedFace>, 3> dragged_;
-    std::vector<float> kept_;  ///< speeds of the dragged faces
+    std::vector<float> dragged_speeds_;  ///< speeds of the dragged faces
     std::array<std::array<std::vector<CutLink>, 3>, 3>
         cuts_;  ///< by component and direction, in order of slabs
-    std::array<std::array<std::vector<Places>, 3>, 3> wet_;  ///< by component, direction and slab
+    std::array<std::array<std::vector<CellRange>, 3>, 3> open_ranges_;  ///< by component, direction and slab
     Samples nodal_;  ///< dt nu / h^2 where the component stands; below 0 where it does not
     // Of the lines that stand side by side, [place along a line][line]; value_ and coefficient_ of lines along x alone.
     std::vector<float> value_, coefficient_, upper_, corner_;

@@ -86,7 +86,7 @@ void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
 
 // ---- surface -------------------------------------------------------------------------------------------------------
 
-/// N in the bowl, up, and J: of the sheet's spring, stretched by `gap` metres (fluid/sheet.h).
+/// N in the bowl, up, and J: of the sheet's spring, stretched by `gap` metres (fluid/spring_surface.h).
 struct SurfacePull {
     double force{}, stored{};
 };

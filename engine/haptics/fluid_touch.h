@@ -17,7 +17,7 @@
 //     flow          F = + w_f i viscous mu u               (2)  carries a relaxed hand: an active source
 //     resistance    F = - w_r i form rho (V - u)           (3)  against the current; passive, the flow is its other end
 //     surface       F = w_s clamp(k (h - P_y), 0, pop) y   (4)  from outside, and clamp(.., -cling, 0) from inside:
-//                                                               the spring of fluid/sheet.h; passive, the surface moves its end
+//                                                               the spring of fluid/spring_surface.h; passive, the surface moves its end
 //     wall          F = w_b max(0, k |N - P| + b V_out)    (5)  inwards; N the nearest place in the bowl, V_out the speed outwards
 //                                                               along P - N; passive
 //     inertia       F = w_m (k (M - P) + b (M' - V))       (6)  m M'' = minus that: a mass of its own, felt as s_f s_x m; passive
@@ -42,7 +42,7 @@
 //   1. Where a fluid step ends: newest_step(touch, patch_of(source, middle)), middle = the tip's place in the bowl, led by the velocity
 //      by some 16 ms: the patch is read for 32 ms. In each other tick ++touch.step_age. older, newer and step_age decide forces to come
 //      and do not follow from the fluid: they are state, to be kept in a component.
-//   2. surface = that of the sheet under the probe (SheetReaction, SheetSettings); velocity by difference; `there` = 0 without one.
+//   2. surface = that of the sheet under the probe (ProbeReaction, SpringSurfaceSettings); velocity by difference; `there` = 0 without one.
 //   3. Frame, drag, wall, ladle and modes from its data, with felt stiffnesses s_f s_x k that the device can render. Another
 //      `number` (from 1, never 0) where the probe comes, or where frame, modes or data jump.
 //   4. After the servo step: -force_on_ladle(touch, state) is the force on the fluid, N in the bowl frame, at state.place, for

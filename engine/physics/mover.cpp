@@ -65,23 +65,23 @@ vec3 drive(const MoverSettings& settings, const MoverState& state, vec3 target, 
 }
 
 /// What is left of the grip on the ground, 0 to 1.
-double grip(const Physics& physics, Key key, double hung) {
+double traction(const Physics& physics, Key key, double rope_lift) {
     const double weight = physics.desc(key).mass * glm::length(physics.settings().gravity);
-    return weight > 0 ? std::clamp(1 - hung / weight, 0.0, 1.0) : 1;
+    return weight > 0 ? std::clamp(1 - rope_lift / weight, 0.0, 1.0) : 1;
 }
 
-void walk(Physics& physics, Key key, const Ground& ground, vec3 wish, MoverSettings settings, double grip,
+void walk(Physics& physics, Key key, const Ground& ground, vec3 wish, MoverSettings settings, double traction,
           MoverState& state, double dt) {
     const double mass = physics.desc(key).mass;
-    settings.ground_acceleration *= grip;
-    settings.push_force *= grip;
-    settings.adhesion *= grip;
+    settings.ground_acceleration *= traction;
+    settings.push_force *= traction;
+    settings.adhesion *= traction;
     const vec3 relative = physics.velocity(key) - ground.velocity;
     const vec3 now = along(relative, ground.normal);
     const vec3 change = drive(settings, state, wish_along(wish, ground.normal), now, mass, dt);
     const double leaving = std::max(0.0, glm::dot(relative, ground.normal));
     const vec3 down = ground.normal * -std::min(leaving, settings.adhesion * dt);
-    const vec3 uphill = -along(physics.settings().gravity, ground.normal) * (grip * dt);
+    const vec3 uphill = -along(physics.settings().gravity, ground.normal) * (traction * dt);
     physics.nudge(key, mass * (change + down + uphill));
     state.expected = now + change;
     state.driven = 1;
@@ -134,8 +134,8 @@ MoverResult move(Physics& physics, Key key, const MoverInput& input, const Mover
     }
 
     const auto ground = find_ground(physics, key, settings);
-    const double gripping = grip(physics, key, input.hung);
-    if (!ground || gripping == 0 || leaves(physics, key, *ground, state)) {
+    const double traction_left = traction(physics, key, input.rope_lift);
+    if (!ground || traction_left == 0 || leaves(physics, key, *ground, state)) {
         take_off(state);
         state.falling = std::max(0.0, -physics.velocity(key).y);
         fly(physics, key, wish, settings, dt);
@@ -154,7 +154,7 @@ MoverResult move(Physics& physics, Key key, const MoverInput& input, const Mover
         result.jumped = true;
         return result;
     }
-    walk(physics, key, *ground, wish, settings, gripping, state, dt);
+    walk(physics, key, *ground, wish, settings, traction_left, state, dt);
     return result;
 }
 

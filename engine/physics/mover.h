@@ -19,7 +19,7 @@ struct MoverInput {
     vec3 wish_velocity{};  ///< m/s; its y is ignored; cut to MoverSettings::walk_speed
     bool jump{};           ///< jumps whenever it stands; the caller makes one press one jump
     double
-        hung{};  ///< N, upward, by something else (a rope): so much less grip on the ground; its weight and more: none
+        rope_lift{};  ///< N, upward, by something else (a rope): so much less grip on the ground; its weight and more: none
 };
 
 struct MoverSettings {

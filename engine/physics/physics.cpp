@@ -140,7 +140,7 @@ std::vector<detail::Mesh> built(const std::vector<TriangleMesh>& meshes) {
 
 }  // namespace
 
-struct Physics::Inside {
+struct Physics::Impl {
     Settings settings;
     std::vector<detail::Mesh> meshes;
     std::vector<Body> bodies;  ///< sorted by key
@@ -153,8 +153,8 @@ struct Physics::Inside {
     double damping_dt{};
     bool quiet{};  ///< the last step changed nothing, and nothing was touched since
 
-    Inside(const Settings& s, const std::vector<TriangleMesh>& m);
-    ~Inside() { world.reset(); }  // before the bodies in it
+    Impl(const Settings& s, const std::vector<TriangleMesh>& m);
+    ~Impl() { world.reset(); }  // before the bodies in it
 
     Body* find(Key);
     Body& at(Key);
@@ -169,16 +169,15 @@ struct Physics::Inside {
     bool after_step();
     void collect_contacts();
     void remember_touching();
-    std::optional<detail::Touch> cast_at(const Body&, const detail::Path&) const;
+    std::optional<detail::CastHit> cast_at(const Body&, const detail::Path&) const;
     /// Adds the body's surfaces within the radius of the point.
-    void gather_from(const Body&, vec3 point, detail::Gathering&) const;
+    void gather_from(const Body&, vec3 point, detail::NearestSurfaces&) const;
     /// Calls back for each body whose box comes within the radius, and maybe for others, in the order of keys.
     template <class Each>
     void each_near(vec3 point, double radius, const Each& each) const;
 };
 
-Physics::Inside::Inside(const Settings& s, const std::vector<TriangleMesh>& m)
-    : settings(s), meshes(built(m)) {
+Physics::Impl::Impl(const Settings& s, const std::vector<TriangleMesh>& m) : settings(s), meshes(built(m)) {
     THAUM_ASSERT(s.max_bodies > 0 && s.max_bodies <= 30000, "Settings.max_bodies is not in 1..30,000");
     THAUM_ASSERT(thaum::is_finite(s.gravity), "Settings.gravity is not finite");
     THAUM_ASSERT(s.max_speed > 0 && s.max_spin > 0 && s.world_half_extent > 0,
@@ -190,25 +189,25 @@ Physics::Inside::Inside(const Settings& s, const std::vector<TriangleMesh>& m)
     world = std::make_unique<detail::BulletWorld>(settings);
 }
 
-Body* Physics::Inside::find(Key key) {
+Body* Physics::Impl::find(Key key) {
     const auto found = std::ranges::lower_bound(bodies, key, {}, &Body::key);
     return found != bodies.end() && found->key == key ? &*found : nullptr;
 }
 
-Body& Physics::Inside::at(Key key) {
+Body& Physics::Impl::at(Key key) {
     Body* const body = find(key);
     THAUM_ASSERT(body, about(key, "unknown"));
     return *body;
 }
 
-void Physics::Inside::enter_world(Body& body) {
+void Physics::Impl::enter_world(Body& body) {
     body.bullet = detail::make_body(body.key, body.desc, body.state, meshes, settings);
     (*world)->addRigidBody(&body.bt(), std::bit_cast<int>(body.desc.layer),
                            std::bit_cast<int>(body.desc.collides_with));
     detail::write_sleep(body.bt(), body.state);
 }
 
-void Physics::Inside::wake(Body& body) {
+void Physics::Impl::wake(Body& body) {
     if (!body.dynamic()) return;
     body.bt().activate(true);
     body.state.asleep = body.state.drowsy = 0;
@@ -216,7 +215,7 @@ void Physics::Inside::wake(Body& body) {
     quiet = false;
 }
 
-void Physics::Inside::wake_near(const Box& box) {
+void Physics::Impl::wake_near(const Box& box) {
     for (Body& body : bodies) {
         if (body.state.asleep && overlap(box, box_around(body), resting_gap)) wake(body);
     }
@@ -224,7 +223,7 @@ void Physics::Inside::wake_near(const Box& box) {
 
 /// Damping by the rate c in 1/s: v' = g - c v, so after a step of dt v = v0 k + g (1 - k)/c with k = exp(-c dt), and the path is
 /// v0 (1 - k)/c + g (dt - (1 - k)/c)/c. Without damping that is v0 + g dt and v0 dt + g dt^2/2.
-void Physics::Inside::prepare_damping(Body& body) const {
+void Physics::Impl::prepare_damping(Body& body) const {
     body.kept_velocity = det::pow(1 - body.desc.linear_damping, damping_dt);
     body.kept_spin = det::pow(1 - body.desc.angular_damping, damping_dt);
     const double y = -det::log(1 - body.desc.linear_damping) * damping_dt;  // c dt
@@ -238,7 +237,7 @@ void Physics::Inside::prepare_damping(Body& body) const {
     }
 }
 
-void Physics::Inside::before_step(double dt) {
+void Physics::Impl::before_step(double dt) {
     if (dt != damping_dt) {
         damping_dt = dt;
         for (Body& body : bodies) prepare_damping(body);
@@ -256,7 +255,7 @@ void Physics::Inside::before_step(double dt) {
 }
 
 /// Puts a body that nothing pushed since `from` where its flight ends.
-void Physics::Inside::fly_exactly(Body& body, vec3 from) const {
+void Physics::Impl::fly_exactly(Body& body, vec3 from) const {
     const vec3 velocity = body.state.velocity;
     const vec3 free = body.start_velocity * body.kept_velocity + settings.gravity * body.drive_s;
     if (glm::length(velocity - free) > pushed * (1 + glm::length(free))) return;
@@ -268,7 +267,7 @@ void Physics::Inside::fly_exactly(Body& body, vec3 from) const {
 
 /// Share of a sphere's way from start to end before it meets a static body; 1: meets none. One that overlaps a body at the start
 /// does not meet it.
-double Physics::Inside::free_share(const Body& moving, vec3 start, vec3 end, double radius) const {
+double Physics::Impl::free_share(const Body& moving, vec3 start, vec3 end, double radius) const {
     const double length = glm::length(end - start);
     if (length <= 0) return 1;
     detail::Path left{start, (end - start) / length, length, radius};
@@ -281,7 +280,7 @@ double Physics::Inside::free_share(const Body& moving, vec3 start, vec3 end, dou
 }
 
 /// Puts a body that would have come through a wall in this step where it meets that wall. The solver does the rest in the next one.
-void Physics::Inside::stop_at_walls(Body& body, const BodyState& from) const {
+void Physics::Impl::stop_at_walls(Body& body, const BodyState& from) const {
     BodyState& to = body.state;
     const detail::InnerSpheres spheres = detail::inner_spheres(body.desc);
     const double path = glm::length(to.position - from.position);
@@ -305,7 +304,7 @@ void Physics::Inside::stop_at_walls(Body& body, const BodyState& from) const {
 }
 
 /// Whether nothing moved.
-bool Physics::Inside::after_step() {
+bool Physics::Impl::after_step() {
     counters.awake = 0;
     bool still = true;
     for (Body& body : bodies) {
@@ -325,7 +324,7 @@ bool Physics::Inside::after_step() {
     return still;
 }
 
-void Physics::Inside::collect_contacts() {
+void Physics::Impl::collect_contacts() {
     contacts.clear();
     touching_next.clear();
     btDispatcher& dispatcher = *(*world)->getDispatcher();
@@ -347,7 +346,7 @@ void Physics::Inside::collect_contacts() {
 }
 
 /// In a fresh world: finds who touches whom, sleepers too, which Bullet leaves out by itself.
-void Physics::Inside::remember_touching() {
+void Physics::Impl::remember_touching() {
     for (Body& body : bodies) {
         if (body.dynamic()) body.bt().forceActivationState(ACTIVE_TAG);
     }
@@ -365,7 +364,7 @@ void Physics::Inside::remember_touching() {
     std::ranges::sort(touching);
 }
 
-std::optional<detail::Touch> Physics::Inside::cast_at(const Body& body, const detail::Path& path) const {
+std::optional<detail::CastHit> Physics::Impl::cast_at(const Body& body, const detail::Path& path) const {
     const quat to_local = glm::conjugate(body.state.orientation);
     detail::Path local = path;
     local.from = to_local * (path.from - body.state.position);
@@ -378,14 +377,14 @@ std::optional<detail::Touch> Physics::Inside::cast_at(const Body& body, const de
 }
 
 Physics::Physics(const Settings& settings, const std::vector<TriangleMesh>& meshes)
-    : inside_(std::make_unique<Inside>(settings, meshes)) {}
+    : impl_(std::make_unique<Impl>(settings, meshes)) {}
 
 Physics::~Physics() = default;
 Physics::Physics(Physics&&) noexcept = default;
 Physics& Physics::operator=(Physics&&) noexcept = default;
 
 void Physics::add(Key key, const BodyDesc& desc, const BodyState& state) {
-    Inside& in = *inside_;
+    Impl& in = *impl_;
     THAUM_ASSERT(key != no_key, "no_key is not a key");
     THAUM_ASSERT(in.bodies.size() < in.settings.max_bodies,
                  about(key, "more bodies than Settings.max_bodies"));
@@ -405,7 +404,7 @@ void Physics::add(Key key, const BodyDesc& desc, const BodyState& state) {
 }
 
 void Physics::remove(Key key) {
-    Inside& in = *inside_;
+    Impl& in = *impl_;
     Body& body = in.at(key);
     const Box place = box_around(body);
     (*in.world)->removeRigidBody(&body.bt());
@@ -416,14 +415,14 @@ void Physics::remove(Key key) {
     in.wake_near(place);
 }
 
-bool Physics::has(Key key) const { return inside_->find(key) != nullptr; }
+bool Physics::has(Key key) const { return impl_->find(key) != nullptr; }
 
-const BodyDesc& Physics::desc(Key key) const { return inside_->at(key).desc; }
+const BodyDesc& Physics::desc(Key key) const { return impl_->at(key).desc; }
 
-const BodyState& Physics::state(Key key) const { return inside_->at(key).state; }
+const BodyState& Physics::state(Key key) const { return impl_->at(key).state; }
 
 void Physics::set_state(Key key, const BodyState& state) {
-    Inside& in = *inside_;
+    Impl& in = *impl_;
     Body& body = in.at(key);
     detail::check_state(key, state);
     in.wake_near(box_around(body));
@@ -436,26 +435,26 @@ void Physics::set_state(Key key, const BodyState& state) {
 }
 
 void Physics::set_velocity(Key key, vec3 velocity) {
-    Body& body = inside_->at(key);
+    Body& body = impl_->at(key);
     THAUM_ASSERT(is_finite(velocity), about(key, "velocity is not finite"));
     if (!body.dynamic()) return;
-    inside_->wake(body);
+    impl_->wake(body);
     body.state.velocity = velocity;
 }
 
 void Physics::set_spin(Key key, vec3 spin) {
-    Body& body = inside_->at(key);
+    Body& body = impl_->at(key);
     THAUM_ASSERT(is_finite(spin), about(key, "spin is not finite"));
     if (!body.dynamic() || body.desc.upright) return;
-    inside_->wake(body);
+    impl_->wake(body);
     body.state.spin = spin;
 }
 
 void Physics::apply_impulse(Key key, vec3 impulse, vec3 point) {
-    Body& body = inside_->at(key);
+    Body& body = impl_->at(key);
     THAUM_ASSERT(is_finite(impulse) && is_finite(point), about(key, "impulse is not finite"));
     if (!body.dynamic()) return;
-    inside_->wake(body);
+    impl_->wake(body);
     body.state.velocity += impulse / body.desc.mass;
     THAUM_ASSERT(is_finite(body.state.velocity), about(key, "impulse overflows"));
     if (body.desc.upright) return;
@@ -465,21 +464,21 @@ void Physics::apply_impulse(Key key, vec3 impulse, vec3 point) {
 }
 
 void Physics::apply_central_impulse(Key key, vec3 impulse) {
-    apply_impulse(key, impulse, inside_->at(key).state.position);
+    apply_impulse(key, impulse, impl_->at(key).state.position);
 }
 
 void Physics::nudge(Key key, vec3 impulse) {
-    Body& body = inside_->at(key);
+    Body& body = impl_->at(key);
     THAUM_ASSERT(is_finite(impulse), about(key, "impulse is not finite"));
     if (body.dynamic() && !body.state.asleep) body.state.velocity += impulse / body.desc.mass;
 }
 
-void Physics::wake_touching(Key key) { inside_->wake_near(box_around(inside_->at(key))); }
+void Physics::wake_touching(Key key) { impl_->wake_near(box_around(impl_->at(key))); }
 
-void Physics::wake(Key key) { inside_->wake(inside_->at(key)); }
+void Physics::wake(Key key) { impl_->wake(impl_->at(key)); }
 
 void Physics::step(double dt) {
-    Inside& in = *inside_;
+    Impl& in = *impl_;
     THAUM_ASSERT(std::isfinite(dt) && dt > 0, "a step must take a time > 0");
     ++in.counters.steps;
     if (in.quiet && in.settings.skip_asleep) {
@@ -493,7 +492,7 @@ void Physics::step(double dt) {
     in.collect_contacts();
 }
 
-std::span<const Contact> Physics::contacts() const { return inside_->contacts; }
+std::span<const Contact> Physics::contacts() const { return impl_->contacts; }
 
 std::optional<RayHit> Physics::ray(vec3 from, vec3 to, Layers mask, Key ignore_key) const {
     return sweep_sphere(from, to, 0, mask, ignore_key);
@@ -504,10 +503,10 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
     THAUM_ASSERT(is_finite(from) && is_finite(to) && radius >= 0, "a ray or sweep that is not finite");
     const double length = glm::length(to - from);
     if (length == 0) return std::nullopt;
-    const Inside& in = *inside_;
+    const Impl& in = *impl_;
     detail::Path path{from, (to - from) / length, length, radius};
     const Body* nearest = nullptr;
-    detail::Touch touch{};
+    detail::CastHit touch{};
     for (const Body& body : in.bodies) {
         if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
         if (!comes_near(body, path)) continue;
@@ -522,7 +521,7 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
     return RayHit{nearest->key, centre - radius * touch.normal, touch.normal, touch.travelled / length};
 }
 
-void Physics::Inside::gather_from(const Body& body, vec3 point, detail::Gathering& into) const {
+void Physics::Impl::gather_from(const Body& body, vec3 point, detail::NearestSurfaces& into) const {
     const BodyState& s = body.state;
     const vec3 local = glm::conjugate(s.orientation) * (point - s.position);
     Nearby surface{.key = body.key, .shape = body.desc.shape, .velocity = velocity_at(s, point)};
@@ -543,7 +542,7 @@ void Physics::Inside::gather_from(const Body& body, vec3 point, detail::Gatherin
 }
 
 template <class Each>
-void Physics::Inside::each_near(vec3 point, double radius, const Each& each) const {
+void Physics::Impl::each_near(vec3 point, double radius, const Each& each) const {
     const double size = radius + detail::touching;
     detail::NearKeys keys;
     const auto near = tree.near({point - size, point + size}, keys);
@@ -558,11 +557,11 @@ void Physics::Inside::each_near(vec3 point, double radius, const Each& each) con
     }
 }
 
-Surroundings Physics::nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask,
+NearbyResult Physics::nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask,
                              Key ignore_key) const {
     THAUM_ASSERT(is_finite(point) && radius >= 0, "surroundings of a point that is not finite");
-    const Inside& in = *inside_;
-    detail::Gathering gathering{into, {0, radius}};
+    const Impl& in = *impl_;
+    detail::NearestSurfaces gathering{into, {0, radius}};
     in.each_near(point, radius, [&](const Body& body) {
         if ((body.desc.layer & mask) == 0 || body.key == ignore_key) return;
         const vec3 apart = body.state.position - point;
@@ -573,7 +572,7 @@ Surroundings Physics::nearby(vec3 point, double radius, std::span<Nearby> into, 
 }
 
 void Physics::rebuild() {
-    Inside& in = *inside_;
+    Impl& in = *impl_;
     in.world.reset();
     for (Body& body : in.bodies) body.bullet = {};
     in.world = std::make_unique<detail::BulletWorld>(in.settings);
@@ -584,11 +583,11 @@ void Physics::rebuild() {
 }
 
 Counters Physics::counters() const {
-    Counters counters = inside_->counters;
-    counters.bodies = static_cast<std::uint32_t>(inside_->bodies.size());
+    Counters counters = impl_->counters;
+    counters.bodies = static_cast<std::uint32_t>(impl_->bodies.size());
     return counters;
 }
 
-const Settings& Physics::settings() const { return inside_->settings; }
+const Settings& Physics::settings() const { return impl_->settings; }
 
 }  // namespace thaum::physics

@@ -115,7 +115,7 @@ struct Nearby {
     vec3 velocity{};  ///< m/s, of the body where the point is
 };
 
-struct Surroundings {
+struct NearbyResult {
     std::size_t count{};  ///< in the caller's array
     double
         reach{};  ///< m: all surfaces nearer than this are among them; less than the radius asked for, if it was full
@@ -191,7 +191,7 @@ public:
                                        Key ignore_key = no_key) const;
     /// What lies within `radius` of the point, m, as exact as a ray; the nearest where the array does not hold all. In the order
     /// of keys, triangles in one that their mesh alone decides. Allocates nothing; for a patch that a hand can touch.
-    Surroundings nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask = all_layers,
+    NearbyResult nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask = all_layers,
                         Key ignore_key = no_key) const;
 
     /// Forgets all that is not in a BodyState (see above). Contacts become empty.
@@ -201,8 +201,8 @@ public:
     const Settings& settings() const;
 
 private:
-    struct Inside;
-    std::unique_ptr<Inside> inside_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace thaum::physics

@@ -48,7 +48,7 @@ bool has_pages(const ecs::World& world) { return world.count<BrewPage>() > 0; }
 
 void add_pages(ecs::World& world, const Brew& brew) {
     const auto fluid = pages_for<BrewPage>(2 * size_of(brew.fluid));
-    const auto surface = pages_for<SurfacePage>(2 * brew.sheet.height.size());
+    const auto surface = pages_for<SurfacePage>(2 * brew.surface.height.size());
     world.reserve<BrewPage>(static_cast<std::uint32_t>(fluid));
     for (std::size_t i = 0; i < fluid; ++i) world.create(BrewPage{});
     for (std::size_t i = 0; i < surface; ++i) world.create(SurfacePage{});
@@ -68,20 +68,20 @@ void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid)
     fluid.now.pushed = false;
 }
 
-void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& sheet) {
+void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::SpringSurface& surface) {
     auto* to = first_sample<SurfacePage>(world);
-    to = std::copy(sheet.height.begin(), sheet.height.end(), to);
-    std::copy(sheet.velocity.begin(), sheet.velocity.end(), to);
-    cauldron.inside = sheet.inside;
-    cauldron.surface_asleep = sheet.asleep;
+    to = std::copy(surface.height.begin(), surface.height.end(), to);
+    std::copy(surface.velocity.begin(), surface.velocity.end(), to);
+    cauldron.inside = surface.inside;
+    cauldron.surface_asleep = surface.asleep;
 }
 
-void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Sheet& sheet) {
+void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::SpringSurface& surface) {
     const auto* from = first_sample<SurfacePage>(world);
-    std::copy_n(from, sheet.height.size(), sheet.height.begin());
-    std::copy_n(from + sheet.height.size(), sheet.velocity.size(), sheet.velocity.begin());
-    sheet.inside = cauldron.inside;
-    sheet.asleep = cauldron.surface_asleep;
+    std::copy_n(from, surface.height.size(), surface.height.begin());
+    std::copy_n(from + surface.height.size(), surface.velocity.size(), surface.velocity.begin());
+    surface.inside = cauldron.inside;
+    surface.asleep = cauldron.surface_asleep;
 }
 
 std::span<const float> brew_samples(const ecs::World& world, std::size_t which, const fluid::Fluid& fluid,

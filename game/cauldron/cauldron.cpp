@@ -118,8 +118,8 @@ void step_fluid(MatchContext& context, Cauldron& cauldron, Tick tick) {
 /// Steps the surface with the ladles as probes. Ladles in or above the surface push it; ladles below it make
 /// ripples when they leave.
 void step_surface(MatchContext& context, Cauldron& cauldron) {
-    auto& sheet = context.brew->brew.sheet;
-    std::array<fluid::SheetProbe, players> probes;
+    auto& surface = context.brew->brew.surface;
+    std::array<fluid::SurfaceProbe, players> probes;
     bool any = false;
     probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});  // absent probes
     context.world.view<const Wizard, const Ladle>().each([&](const Wizard& wizard, const Ladle& ladle) {
@@ -128,13 +128,13 @@ void step_surface(MatchContext& context, Cauldron& cauldron) {
             .place = {at.x, at.z}, .height = at.y, .radius = context.data.cauldron->ladle.radius};
         any = true;
     });
-    if (!any && sheet.asleep != 0) return;
-    const auto step = fluid::advance(sheet, context.brew->brew.scratch, probes, surface_dt);
+    if (!any && surface.asleep != 0) return;
+    const auto step = fluid::advance(surface, context.brew->brew.scratch, probes, surface_dt);
     for (std::size_t p = 0; p < players; ++p) {
         cauldron.rise[p] = (step.probes[p].height - cauldron.height[p]) / surface_dt;
         cauldron.height[p] = step.probes[p].height;
     }
-    write_surface(context.world, cauldron, sheet);
+    write_surface(context.world, cauldron, surface);
 }
 
 std::unique_ptr<BrewWork> make_work(const MatchData& data) {
@@ -172,7 +172,7 @@ void rebuild_brew(MatchContext& context) {
     }
     read_fluid(context.world, cauldron.newest, brew.fluid);
     brew.fluid.now.asleep = cauldron.under_way == 0;
-    read_surface(context.world, cauldron, brew.sheet);
+    read_surface(context.world, cauldron, brew.surface);
     // Haptic data is read again from the restored state.
     for (auto& model : context.models) model.fluid = {};
     if (cauldron.under_way != 0) begin_step(context, cauldron);
@@ -213,7 +213,7 @@ void add_ladle_stroke(Cauldron& cauldron, std::uint32_t player, vec3 place, vec3
 double surface_at(const BrewWork* work, const Cauldron& cauldron, vec3 place) {
     if (work == nullptr) return cauldron.middle.y;
     const vec3 at = place - cauldron.middle;
-    return cauldron.middle.y + fluid::height_at(work->brew.sheet, {at.x, at.z});
+    return cauldron.middle.y + fluid::height_at(work->brew.surface, {at.x, at.z});
 }
 
 double share_of_step(const Cauldron& cauldron, Tick tick) {

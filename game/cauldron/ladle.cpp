@@ -151,7 +151,7 @@ HandFrame ladle_frame(const CauldronRules& rules, const Cauldron& cauldron, cons
 void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t player, Ladle& ladle,
                Tick tick, haptics::FluidTouch& touch) {
     const auto& cauldron = std::as_const(context.world).single<Cauldron>();
-    const auto& sheet = context.brew->brew.sheet;
+    const auto& surface = context.brew->brew.surface;
     const bool begins = touch.number == 0;
     if (begins) begin_touch(context, cauldron, ladle, player, touch);
     const HandFrame frame = ladle_frame(*context.data.cauldron, cauldron, ladle);
@@ -161,9 +161,9 @@ void feel_brew(MatchContext& context, const HandState& hand_state, std::uint32_t
     touch.step_age = static_cast<std::uint64_t>(tick - cauldron.stepped - 1);
     touch.surface = {.height = cauldron.height[player],
                      .velocity = cauldron.rise[player],
-                     .stiffness = sheet.settings.contact,
-                     .pop_through = sheet.settings.pop_through,
-                     .cling = sheet.settings.cling,
+                     .stiffness = surface.settings.contact,
+                     .pop_through = surface.settings.pop_through,
+                     .cling = surface.settings.cling,
                      .inside = cauldron.inside[player],
                      .there = 1};
     // The surface takes notice of a new ladle one tick late. A ladle that starts below the surface counts as

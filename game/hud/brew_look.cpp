@@ -77,7 +77,7 @@ void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state
         out.densities[s] = fluid.now.substances[s];
         out.colours.substances[s] = fvec3(rules.ingredients[brew.what[s]].colour);
     }
-    out.sheet = brew.sheet;
+    out.surface = brew.surface;
 }
 
 BrewPlace brew_place(const BowlPlace& bowl, const CauldronRules& rules) {
@@ -109,7 +109,7 @@ bool show_brew(const BrewPicture& picture, const BrewOverlay& overlay, BrewLook&
     look.flow.clear();
     if (picture.state == 0) return false;
     make_texels(picture, look.place, look.scratch, look.texels);
-    make_skin(picture.sheet, look.place, look.skin);
+    make_skin(picture.surface, look.place, look.skin);
     if (overlay.arrows) add_arrows(picture, look.place, look.meshes, look.flow);
     if (overlay.streamlines) add_streamlines(picture, look.place, look.meshes, look.flow);
     auto& volume = look.volume;

@@ -36,7 +36,7 @@ void take_state(const Simulation& match, const BrewWork& work, const Cauldron& c
         assign(samples(3 + s), out.densities[s]);
         out.colours.substances[s] = fvec3(rules.ingredients[cauldron.what[s]].colour);
     }
-    out.sheet = work.brew.sheet;
+    out.surface = work.brew.surface;
 }
 
 /// Takes a brew that no player has touched, before any solver memory exists.
@@ -51,7 +51,7 @@ void take_still(const MatchData& data, BrewPicture& out) {
     }
     for (auto& density : out.densities) density.clear();
     out.colours.base = fvec3(rules.colour);
-    out.sheet = fluid::sheet_of(brew_surface(rules, basin));
+    out.surface = fluid::make_spring_surface(brew_surface(rules, basin));
 }
 
 void take_brew_of(const Simulation& match, const Cauldron& cauldron, BrewPicture& out) {

@@ -50,7 +50,7 @@ void find_columns(const BrewPicture& picture, const BrewPlace& place, std::size_
         const vec2 at(corner.x + h * (static_cast<double>(i) + 0.5),
                       corner.z + h * (static_cast<double>(k) + 0.5));
         const auto away = static_cast<float>(glm::length(at) / place.basin.radius);
-        const double lift = picture.sheet.asleep != 0 ? 0 : fluid::height_at(picture.sheet, at);
+        const double lift = picture.surface.asleep != 0 ? 0 : fluid::height_at(picture.surface, at);
         out[i] = {.lift = std::isfinite(lift) ? static_cast<float>(lift / h) : 0.0F,
                   .light = glm::mix(middle_light, rim_light, smooth(0, 1, away))};
     }
@@ -109,7 +109,7 @@ void find_layer(const BrewPicture& picture, const BrewPlace& place, std::size_t 
                 std::span<const Column> columns, const Seen& seen) {
     const double depth = -(corner_of(picture, place).y + (static_cast<double>(j) + 0.5) * picture.lattice.h);
     const auto transmitted =
-        static_cast<float>(fluid::transmitted(picture.sheet.settings, std::max(depth, 0.0), 1));
+        static_cast<float>(fluid::transmitted(picture.surface.settings, std::max(depth, 0.0), 1));
     const auto row = seen.box.row(j, k);
     float* sum = seen.sum() + row;
     for (std::size_t s = 0; s < Seen::count; ++s) {
@@ -140,46 +140,49 @@ void light_row(const Seen& seen, std::size_t j, std::size_t k, float per_two_h, 
 }
 
 /// Height, slopes and speed of the surface at a point.
-struct SheetPoint {
+struct SkinPoint {
     float height{}, slope_x{}, slope_z{}, speed{};
 };
 
-SheetPoint node(const fluid::Sheet& sheet, std::size_t x, std::size_t z) {
-    const auto& s = sheet.settings;
+SkinPoint node(const fluid::SpringSurface& surface, std::size_t x, std::size_t z) {
+    const auto& s = surface.settings;
     const std::size_t last = s.nodes - 1;
     const std::size_t x0 = x == 0 ? 0 : x - 1, x1 = std::min(x + 1, last), z0 = z == 0 ? 0 : z - 1,
                       z1 = std::min(z + 1, last);
-    const auto at = [&](std::size_t i, std::size_t j) { return sheet.height[fluid::sheet_index(s, i, j)]; };
-    const double spacing = fluid::sheet_spacing(s);
+    const auto at = [&](std::size_t i, std::size_t j) {
+        return surface.height[fluid::surface_node_index(s, i, j)];
+    };
+    const double spacing = fluid::surface_node_spacing(s);
     return {static_cast<float>(at(x, z)),
             static_cast<float>((at(x1, z) - at(x0, z)) / (static_cast<double>(x1 - x0) * spacing)),
             static_cast<float>((at(x, z1) - at(x, z0)) / (static_cast<double>(z1 - z0) * spacing)),
-            static_cast<float>(std::abs(sheet.velocity[fluid::sheet_index(s, x, z)]))};
+            static_cast<float>(std::abs(surface.velocity[fluid::surface_node_index(s, x, z)]))};
 }
 
 /// All nodes, row by row along x. Empty for a surface at rest.
-std::vector<SheetPoint> nodes_of(const fluid::Sheet& sheet) {
-    std::vector<SheetPoint> out;
-    if (sheet.asleep != 0 || sheet.height.empty()) return out;
-    for (std::size_t z = 0; z < sheet.settings.nodes; ++z) {
-        for (std::size_t x = 0; x < sheet.settings.nodes; ++x) {
-            const auto n = node(sheet, x, z);
+std::vector<SkinPoint> nodes_of(const fluid::SpringSurface& surface) {
+    std::vector<SkinPoint> out;
+    if (surface.asleep != 0 || surface.height.empty()) return out;
+    for (std::size_t z = 0; z < surface.settings.nodes; ++z) {
+        for (std::size_t x = 0; x < surface.settings.nodes; ++x) {
+            const auto n = node(surface, x, z);
             const bool is_one = std::isfinite(n.height + n.slope_x + n.slope_z + n.speed);
-            out.push_back(is_one ? n : SheetPoint{});
+            out.push_back(is_one ? n : SkinPoint{});
         }
     }
     return out;
 }
 
 /// Interpolates the nodes at `from`, measured from the middle (m). Points outside are clamped to the border.
-SheetPoint point(const fluid::SheetSettings& s, std::span<const SheetPoint> nodes, vec2 from) {
+SkinPoint point(const fluid::SpringSurfaceSettings& s, std::span<const SkinPoint> nodes, vec2 from) {
     if (nodes.empty()) return {};
-    const vec2 at = glm::clamp((from + s.side / 2) / fluid::sheet_spacing(s), vec2(0), vec2(s.nodes - 1));
+    const vec2 at =
+        glm::clamp((from + s.side / 2) / fluid::surface_node_spacing(s), vec2(0), vec2(s.nodes - 1));
     const auto x = std::min(static_cast<std::size_t>(at.x), std::size_t{s.nodes} - 2),
                z = std::min(static_cast<std::size_t>(at.y), std::size_t{s.nodes} - 2);
     const auto px = static_cast<float>(at.x - static_cast<double>(x)),
                pz = static_cast<float>(at.y - static_cast<double>(z));
-    SheetPoint sum;
+    SkinPoint sum;
     for (const std::size_t j : {0U, 1U}) {
         for (const std::size_t i : {0U, 1U}) {
             const auto& n = nodes[(z + j) * s.nodes + x + i];
@@ -194,7 +197,7 @@ SheetPoint point(const fluid::SheetSettings& s, std::span<const SheetPoint> node
 }
 
 /// Amount of foam. Foam appears where the surface is steep or moves fast.
-float foam_of(const SheetPoint& p) {
+float foam_of(const SkinPoint& p) {
     return std::min(smooth(0.25F, 0.8F, std::hypot(p.slope_x, p.slope_z)) + smooth(0.35F, 1.5F, p.speed),
                     1.0F);
 }
@@ -202,7 +205,7 @@ float foam_of(const SheetPoint& p) {
 /// Radius of the level surface (m).
 double surface_radius(const BrewPlace& place) { return width_at(place.basin, 0); }
 
-render::SkinVertex skin_vertex(const SheetPoint& p, const BrewPlace& place, vec2 from) {
+render::SkinVertex skin_vertex(const SkinPoint& p, const BrewPlace& place, vec2 from) {
     // A ring of foam lies along the wall.
     const float rim =
         rim_foam * smooth(0.93F, 0.99F, static_cast<float>(glm::length(from) / surface_radius(place)));
@@ -305,12 +308,13 @@ void make_skin_indices(std::vector<std::uint32_t>& out) {
     }
 }
 
-void make_skin(const fluid::Sheet& sheet, const BrewPlace& place, std::vector<render::SkinVertex>& out) {
+void make_skin(const fluid::SpringSurface& surface, const BrewPlace& place,
+               std::vector<render::SkinVertex>& out) {
     // The skin reaches a little into the wall, so that no gap shows.
     const double drawn = 1.02 * surface_radius(place);
-    const auto nodes = nodes_of(sheet);
+    const auto nodes = nodes_of(surface);
     const auto add = [&](vec2 from) {
-        out.push_back(skin_vertex(point(sheet.settings, nodes, from), place, from));
+        out.push_back(skin_vertex(point(surface.settings, nodes, from), place, from));
     };
     std::array<vec2, sectors> ways;
     for (int sector = 0; sector < sectors; ++sector) {

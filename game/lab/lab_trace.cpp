@@ -19,7 +19,7 @@ void append_lab_row(const LabState& lab, const LabFigures& f, bool times, std::s
     rows += text(lab.seconds(), ',', f.fluid.energy, ',', p.x, ',', p.y, ',', p.z, ',', f.fluid.speed, ',',
                  f.fluid.divergence, ',', f.cfl, ',', f.fluid.substeps, ',', f.fluid.fell_back ? 1 : 0, ',',
                  f.fluid.pressure_iterations, ',', f.fluid.cells, ',', f.mixing, ',',
-                 fluid::energy(lab.brew.sheet), ',', f.surface.steps);
+                 fluid::energy(lab.brew.surface), ',', f.surface.steps);
     rows += lab.ladle ? text(',', lab.ladle->x, ',', lab.ladle->y, ',', lab.ladle->z) : std::string(",,,");
     for (const double amount : f.amounts) rows += text(',', amount);
     if (times) rows += text(',', fixed(f.fluid_us, 1), ',', fixed(f.surface_us, 1));

@@ -27,7 +27,7 @@ std::array<Samples, 3> random_flow(const Lattice& lattice, const Solids* solids)
                     velocity[axis][static_cast<std::size_t>(lattice.at(i, j, k))] =
                         static_cast<float>(random.uniform(-1, 1));
     }
-    if (solids != nullptr) solids->close(velocity);
+    if (solids != nullptr) solids->clear_closed_faces(velocity);
     return velocity;
 }
 
@@ -72,7 +72,7 @@ TEST(FluidSolids, AProjectionTakesTheWholeOfAGradientAndNothingOfWhatIsFree) {
             for (int i = 0; i < n; ++i)
                 velocity[1][static_cast<std::size_t>(lattice.at(i, j, k))] =
                     static_cast<float>(j * j) / (n * n);
-    solids.close(velocity);
+    solids.clear_closed_faces(velocity);
     const double gradient = square(lattice, velocity);
     solids.project(velocity, potential, 1e-6, 100);
     EXPECT_LT(square(lattice, velocity), 1e-10 * gradient);
@@ -211,7 +211,7 @@ TEST(FluidSolids, AThickBrewIsStiller) {
 void spread(const Lattice& lattice, double nu, double dt, std::array<Samples, 3>& velocity) {
     Viscosity viscosity(lattice);
     const Samples everywhere(lattice.size, static_cast<float>(nu));
-    viscosity.take({.viscosity = &everywhere, .dt = dt}, velocity);
+    viscosity.diffuse({.viscosity = &everywhere, .dt = dt}, velocity);
 }
 
 TEST(FluidViscosity, ConvergesToTheExactOneInFirstOrder) {
@@ -220,9 +220,9 @@ TEST(FluidViscosity, ConvergesToTheExactOneInFirstOrder) {
         const auto start = random_flow(lattice, nullptr);
         auto exact = start;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            fill_ghosts(lattice, beyond_of_velocity(lattice, axis), exact[axis]);
+            fill_ghosts(lattice, ghost_rules_of_velocity(lattice, axis), exact[axis]);
         const auto begun = exact;
-        Diffusion(lattice, 2).take(2, 0, exact);
+        Diffusion(lattice, 2).diffuse(2, 0, exact);
         std::vector<double> errors;
         for (const int steps : {16, 32, 64}) {
             auto found = begun;

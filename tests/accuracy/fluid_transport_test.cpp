@@ -33,7 +33,8 @@ Samples field(const Lattice& l, const std::function<double(vec3)>& value) {
 }
 
 void fill_velocity_ghosts(const Lattice& l, Velocity& velocity) {
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts(l, beyond_of_velocity(l, axis), velocity[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        fill_ghosts(l, ghost_rules_of_velocity(l, axis), velocity[axis]);
 }
 
 Velocity uniform(const Lattice& l, vec3 v) {
@@ -128,12 +129,12 @@ double error(const Lattice& l, const Samples& found, const Samples& exact) {
 /// `steps` of `seconds` together. What the last one says.
 TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& density, double seconds, int steps,
                       const TransportSettings& settings = {.most_substeps = 64},
-                      const Openings* openings = nullptr) {
-    Currents currents = make_currents(l);
+                      const FaceApertures* face_apertures = nullptr) {
+    FaceFlow face_flow = make_face_flow(l);
     TransportScratch scratch = make_transport_scratch(l);
-    set_currents(l, velocity, velocity, openings, seconds / steps, currents);
+    set_face_flow(l, velocity, velocity, face_apertures, seconds / steps, face_flow);
     TransportReport report;
-    for (int i = 0; i < steps; ++i) report = transport(l, currents, settings, density, scratch);
+    for (int i = 0; i < steps; ++i) report = transport(l, face_flow, settings, density, scratch);
     return report;
 }
 
@@ -224,15 +225,15 @@ Deformed deformed(double (*shape)(vec3), int n, double courant) {
     const Lattice l = make_lattice({n, n, n}, 1.0 / n, {Edge::free_slip, Edge::free_slip, Edge::free_slip});
     const Samples before = field(l, shape);
     Samples density = before;
-    Currents currents = make_currents(l);
+    FaceFlow face_flow = make_face_flow(l);
     TransportScratch scratch = make_transport_scratch(l);
     const Velocity start = deformation_at_start(l);
     const int steps = flows::steps_of_deformation(n, courant);
     Deformed result{.error = 0, .least = 0, .most = 0, .change = 0};
     for (int i = 0; i < steps; ++i) {
         const Velocity velocity = times(det::cos(pi * (i + 0.5) / steps), start);
-        set_currents(l, velocity, velocity, nullptr, flows::deformation_end / steps, currents);
-        transport(l, currents, {}, density, scratch);
+        set_face_flow(l, velocity, velocity, nullptr, flows::deformation_end / steps, face_flow);
+        transport(l, face_flow, {}, density, scratch);
         result.least = std::min(result.least, double{least(l, density)});
         result.most = std::max(result.most, largest(l, density));
     }
@@ -454,12 +455,12 @@ TEST(TransportSolids, AConstantStaysOneRoundAStoneAndNothingEntersIt) {
     };
     for (const Edges& edges : {all_round, all_walls}) {
         const Lattice l = make_lattice({14, 12, 10}, 0.1, edges);
-        const Openings openings = make_openings(l, apertures(l, stone));
+        const FaceApertures face_apertures = make_face_apertures(l, apertures(l, stone));
         const Velocity velocity = solenoidal(l, 4, stone);
         Samples density = make_samples(l);
         each_cell(l,
                   [&](int i, int j, int k, std::size_t at) { density[at] = stone(i, j, k) ? 0.0F : 0.7F; });
-        carry(l, velocity, density, 2, 20, {.diffusion = 1e-3, .most_substeps = 64}, &openings);
+        carry(l, velocity, density, 2, 20, {.diffusion = 1e-3, .most_substeps = 64}, &face_apertures);
         each_cell(l, [&](int i, int j, int k, std::size_t at) {
             ASSERT_NEAR(density[at], stone(i, j, k) ? 0 : 0.7, stone(i, j, k) ? 0 : 2e-5);
         });
@@ -472,7 +473,7 @@ TEST(TransportSolids, AWallOfClosedFacesIsAsGoodAsTheBoxesOwn) {
     const Lattice wide =
         make_lattice({16, 16, 8}, 1.0 / 16, {Edge::periodic, Edge::free_slip, Edge::free_slip});
     const auto walls = [](int, int j, int) { return j < 4 || j >= 12; };
-    const Openings openings = make_openings(wide, apertures(wide, walls));
+    const FaceApertures face_apertures = make_face_apertures(wide, apertures(wide, walls));
     const auto wave = [](double x, double y) { return 1 + 0.5 * std::sin(2 * pi * x) + y; };
     Samples plain = field(box, [&](vec3 at) { return wave(at.x, at.y); });
     Samples duct = make_samples(wide);
@@ -481,7 +482,7 @@ TEST(TransportSolids, AWallOfClosedFacesIsAsGoodAsTheBoxesOwn) {
     });
     const TransportSettings settings{.diffusion = 1e-3, .most_substeps = 64};
     carry(box, uniform(box, {1, 0, 0}), plain, 0.5, 20, settings);
-    carry(wide, uniform(wide, {1, 0, 0}), duct, 0.5, 20, settings, &openings);
+    carry(wide, uniform(wide, {1, 0, 0}), duct, 0.5, 20, settings, &face_apertures);
     each_cell(box, [&](int i, int j, int k, std::size_t at) {
         ASSERT_NEAR(duct[place(wide, i, j + 4, k)], plain[at], 3e-6);
     });
@@ -491,11 +492,11 @@ TEST(TransportSolids, HalfOpenFacesLetHalfThrough) {
     const Lattice l = make_lattice({16, 8, 8}, 1.0 / 16, all_round);
     Velocity half{make_samples(l), make_samples(l), make_samples(l)};
     for (Samples& samples : half) samples.assign(l.size, 0.5F);
-    const Openings openings = make_openings(l, half);
+    const FaceApertures face_apertures = make_face_apertures(l, half);
     const auto wave = [](vec3 at) { return 2 + std::sin(2 * pi * at.x); };
     Samples through_half = field(l, wave), slower = field(l, wave);
     carry(l, uniform(l, {1, 0, 0}), through_half, 0.25, 16, {.diffusion = 2e-3, .most_substeps = 9},
-          &openings);
+          &face_apertures);
     carry(l, uniform(l, {0.5, 0, 0}), slower, 0.25, 16, {.diffusion = 1e-3, .most_substeps = 9});
     EXPECT_LE(error(l, through_half, slower), 1e-6);
 }

@@ -140,8 +140,8 @@ TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
     fill(0, ramp);
     const auto level = texels();
     const double lift = 0.12;
-    for (auto& height : brew.sheet.height) height = lift;
-    fluid::altered(brew.sheet);
+    for (auto& height : brew.surface.height) height = lift;
+    fluid::refresh_after_edit(brew.surface);
     const auto lifted = texels();
     // Cover is linear in density; find by it what is at each layer.
     const auto density = [&](const std::vector<render::Texel>& all, double y) {
@@ -153,13 +153,14 @@ TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
     for (const int layer : {2, 4, 6, 8}) {
         const double y = -(layer + 0.5) * h;
         const double seen = (density(lifted, y) - density(level, y)) / per_m;
-        EXPECT_NEAR(seen, lift * fluid::transmitted(brew.sheet.settings, -y, 1), 0.012) << "layer " << layer;
+        EXPECT_NEAR(seen, lift * fluid::transmitted(brew.surface.settings, -y, 1), 0.012)
+            << "layer " << layer;
     }
 }
 
 TEST_F(BrewLookTest, TheSkinFollowsTheSheetAndFoamsWhereItIsSteep) {
     std::vector<render::SkinVertex> skin;
-    make_skin(taken().sheet, place, skin);
+    make_skin(taken().surface, place, skin);
     for (const auto& v : skin) {
         EXPECT_EQ(v.normal, fvec3(0, 1, 0));
         const double out = std::hypot(v.position.x, v.position.z);
@@ -170,14 +171,14 @@ TEST_F(BrewLookTest, TheSkinFollowsTheSheetAndFoamsWhereItIsSteep) {
         }
     }
     // A slope of a half along x.
-    const auto& s = brew.sheet.settings;
+    const auto& s = brew.surface.settings;
     for (std::size_t z = 0; z < s.nodes; ++z) {
         for (std::size_t x = 0; x < s.nodes; ++x)
-            brew.sheet.height[fluid::sheet_index(s, x, z)] =
-                0.5 * (static_cast<double>(x) * fluid::sheet_spacing(s) - s.side / 2);
+            brew.surface.height[fluid::surface_node_index(s, x, z)] =
+                0.5 * (static_cast<double>(x) * fluid::surface_node_spacing(s) - s.side / 2);
     }
-    brew.sheet.asleep = 0;
-    make_skin(taken().sheet, place, skin);
+    brew.surface.asleep = 0;
+    make_skin(taken().surface, place, skin);
     const fvec3 expected = glm::normalize(fvec3(-0.5F, 1, 0));
     for (const auto& v : skin) {
         EXPECT_NEAR(v.position.y - static_cast<float>(place.middle.y), 0.5F * v.position.x, 1e-3F);
@@ -301,9 +302,9 @@ TEST_F(BrewLookTest, IsMadeAnewOnlyForAnotherStateOrOverlay) {
 TEST_F(BrewLookTest, NeitherNoNumberNorGiantsBreakAPicture) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     fill(0, [&](vec3 p) { return p.x < 0 ? nan : 1e30; });
-    for (auto& height : brew.sheet.height) height = nan;
-    for (auto& velocity : brew.sheet.velocity) velocity = 1e300;
-    brew.sheet.asleep = 0;
+    for (auto& height : brew.surface.height) height = nan;
+    for (auto& velocity : brew.surface.velocity) velocity = 1e300;
+    brew.surface.asleep = 0;
     BrewLook look;
     look.place = place;
     fluid::set_velocity(brew.fluid, [&](vec3 p) { return p.x < 1 ? vec3(nan) : vec3(1e5, 0, 1e-30); });

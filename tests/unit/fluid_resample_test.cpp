@@ -34,7 +34,7 @@ Fluid filled(const Settings& settings) {
 
 Fluid taken_over(const Fluid& from, const Settings& settings) {
     Fluid to = *make_fluid(settings);
-    take_over(to, from);
+    resample_into(to, from);
     return to;
 }
 

@@ -84,9 +84,9 @@ TEST(Lab, ALadleComesThroughTheSurface) {
     LabState lab = lab_of(small());
     LabScript script = stirred(Stirring::figure8);
     run(lab, script, 8);
-    EXPECT_GT(energy(lab.brew.sheet), 0);  // it pushes
+    EXPECT_GT(energy(lab.brew.surface), 0);  // it pushes
     run(lab, script, 25);
-    EXPECT_EQ(lab.brew.sheet.inside[0], 1U);
+    EXPECT_EQ(lab.brew.surface.inside[0], 1U);
 }
 
 TEST(Lab, EveryChangeKeepsTheFlowAndTheAmounts) {

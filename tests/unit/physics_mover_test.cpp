@@ -63,8 +63,8 @@ TEST(Mover, ARopeTakesAsMuchGripAsItTakesWeight) {
         w.enter({0, standing, 0});
         w.run(100, {});
         for (int i = 0; i < 50; ++i) {
-            w.last =
-                move(w.physics, me, {.wish_velocity = {4.5, 0, 0}, .hung = hung}, w.settings, w.state, dt);
+            w.last = move(w.physics, me, {.wish_velocity = {4.5, 0, 0}, .rope_lift = hung}, w.settings,
+                          w.state, dt);
             w.physics.apply_central_impulse(me, {0, std::min(hung, weight) * dt, 0});
             w.physics.step(dt);
         }

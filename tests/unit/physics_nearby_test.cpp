@@ -17,7 +17,7 @@ constexpr double exact = 1e-12;  // m
 
 std::vector<Nearby> near_point(const Physics& physics, vec3 point, double radius) {
     std::array<Nearby, 64> found{};
-    const Surroundings all = physics.nearby(point, radius, found);
+    const NearbyResult all = physics.nearby(point, radius, found);
     EXPECT_EQ(all.reach, radius);
     return {found.begin(), found.begin() + static_cast<std::ptrdiff_t>(all.count)};
 }

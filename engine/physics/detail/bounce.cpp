@@ -82,17 +82,17 @@ void BouncingWorld::put_back(const btCollisionObject& object, const btVector3& w
     if (length <= 0) return;
     auto* const body = const_cast<btRigidBody*>(btRigidBody::upcast(&object));
     const btVector3 direction = way / length;
-    for (int i = 0; i < excess_.size(); ++i) {
-        Excess& known = excess_[i];
+    for (int i = 0; i < unused_paths_.size(); ++i) {
+        UnusedPath& known = unused_paths_[i];
         if (known.body != body) continue;
         known.way += direction * std::max(btScalar(0), length - known.way.dot(direction));
         return;
     }
-    excess_.push_back({body, way});
+    unused_paths_.push_back({body, way});
 }
 
 void BouncingWorld::solveConstraints(btContactSolverInfo& info) {
-    excess_.resizeNoInitialize(0);
+    unused_paths_.resizeNoInitialize(0);
     btDispatcher& dispatcher = *getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
@@ -106,9 +106,9 @@ void BouncingWorld::solveConstraints(btContactSolverInfo& info) {
 
 void BouncingWorld::integrateTransforms(btScalar dt) {
     btDiscreteDynamicsWorld::integrateTransforms(dt);
-    for (int i = 0; i < excess_.size(); ++i) {
-        btTransform& place = excess_[i].body->getWorldTransform();
-        place.setOrigin(place.getOrigin() + excess_[i].way);
+    for (int i = 0; i < unused_paths_.size(); ++i) {
+        btTransform& place = unused_paths_[i].body->getWorldTransform();
+        place.setOrigin(place.getOrigin() + unused_paths_[i].way);
     }
 }
 

@@ -28,14 +28,14 @@ protected:
 
 private:
     /// Way that a body had no time for (m, world).
-    struct Excess {
+    struct UnusedPath {
         btRigidBody* body;
         btVector3 way;
     };
     void time_contact(btPersistentManifold&, btScalar dt, btScalar least_speed);
     void put_back(const btCollisionObject&, const btVector3& way);
 
-    btAlignedObjectArray<Excess> excess_;
+    btAlignedObjectArray<UnusedPath> unused_paths_;
 };
 
 }  // namespace thaum::physics::detail

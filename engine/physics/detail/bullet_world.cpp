@@ -124,10 +124,10 @@ Mesh& Mesh::operator=(Mesh&&) noexcept = default;
 
 btCollisionShape* Mesh::shape() const { return parts_->shape.get(); }
 
-std::optional<Touch> Mesh::cast(const Path& path) const {
-    struct NearestTouch : btTriangleCallback {
+std::optional<CastHit> Mesh::cast(const Path& path) const {
+    struct NearestHit : btTriangleCallback {
         Path path;
-        std::optional<Touch> touch;
+        std::optional<CastHit> touch;
         void processTriangle(btVector3* corner, int, int) override {
             const vec3 corners[3] = {from_bullet(corner[0]), from_bullet(corner[1]), from_bullet(corner[2])};
             const auto here = detail::cast(path, [&](vec3 p) { return nearest_to_triangle(corners, p); });
@@ -144,11 +144,11 @@ std::optional<Touch> Mesh::cast(const Path& path) const {
     return nearest.touch;
 }
 
-void Mesh::gather(vec3 point, double radius, const Nearby& body, Gathering& into) const {
+void Mesh::gather(vec3 point, double radius, const Nearby& body, NearestSurfaces& into) const {
     struct Within : btTriangleCallback {
         vec3 point;
         Nearby triangle;
-        Gathering* into;
+        NearestSurfaces* into;
         void processTriangle(btVector3* corner, int, int index) override {
             const vec3 corners[3] = {from_bullet(corner[0]), from_bullet(corner[1]), from_bullet(corner[2])};
             triangle.distance = nearest_to_triangle(corners, point).distance;

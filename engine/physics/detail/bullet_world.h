@@ -28,9 +28,9 @@ public:
 
     btCollisionShape* shape() const;
     /// Path in the mesh's frame.
-    std::optional<Touch> cast(const Path&) const;
+    std::optional<CastHit> cast(const Path&) const;
     /// Its triangles within the radius of a point, all in the mesh's frame.
-    void gather(vec3 point, double radius, const Nearby& body, Gathering&) const;
+    void gather(vec3 point, double radius, const Nearby& body, NearestSurfaces&) const;
 
 private:
     struct Parts;

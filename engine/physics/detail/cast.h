@@ -13,7 +13,7 @@
 namespace thaum::physics::detail {
 
 /// Of a point to a convex shape.
-struct Nearest {
+struct NearestPoint {
     double distance;  ///< m; <= 0 inside
     vec3 normal;      ///< unit, from the shape to the point; zero where that is not defined
 };
@@ -22,8 +22,8 @@ struct Nearest {
 inline constexpr double touching = 1e-9;
 
 /// All in the shape's own frame.
-Nearest nearest_to(const BodyDesc&, vec3 point);
-Nearest nearest_to_triangle(const vec3 (&corner)[3], vec3 point);
+NearestPoint nearest_to(const BodyDesc&, vec3 point);
+NearestPoint nearest_to_triangle(const vec3 (&corner)[3], vec3 point);
 
 /// A moving point or sphere.
 struct Path {
@@ -33,18 +33,18 @@ struct Path {
     double radius;   ///< m; 0: a ray
 };
 
-struct Touch {
+struct CastHit {
     double travelled;  ///< m
     vec3 normal;       ///< unit, outward of the shape
 };
 
 /// `nearest` tells a point's Nearest to one convex shape.
 template <class NearestTo>
-std::optional<Touch> cast(const Path& path, const NearestTo& nearest) {
+std::optional<CastHit> cast(const Path& path, const NearestTo& nearest) {
     constexpr int most_advances = 100;  // grazing a curved side halves the gap each time; 30 suffice
-    Touch touch{0, -path.direction};
+    CastHit touch{0, -path.direction};
     for (int i = 0; i < most_advances; ++i) {
-        const Nearest here = nearest(path.from + touch.travelled * path.direction);
+        const NearestPoint here = nearest(path.from + touch.travelled * path.direction);
         // Without a direction here the last one still holds; from inside, the surface has none to offer.
         if (here.normal != vec3{} && (i > 0 || here.distance > 0)) touch.normal = here.normal;
         const double gap = here.distance - path.radius;

@@ -4,7 +4,7 @@
 
 namespace thaum::physics::detail {
 
-void add(Gathering& gathering, const Nearby& surface) {
+void add(NearestSurfaces& gathering, const Nearby& surface) {
     auto& [into, found] = gathering;
     if (found.count < into.size()) {
         into[found.count++] = surface;

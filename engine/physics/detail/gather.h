@@ -7,14 +7,16 @@
 namespace thaum::physics::detail {
 
 /// Grows up to the array's size; then what is farther makes room.
-struct Gathering {
+struct NearestSurfaces {
     std::span<Nearby> into;
-    Surroundings found;  ///< reach: begins as the radius asked for
+    NearbyResult found;  ///< reach: begins as the radius asked for
 };
 
-inline bool wanted(const Gathering& gathering, double distance) { return distance <= gathering.found.reach; }
+inline bool wanted(const NearestSurfaces& gathering, double distance) {
+    return distance <= gathering.found.reach;
+}
 
 /// What is wanted.
-void add(Gathering&, const Nearby&);
+void add(NearestSurfaces&, const Nearby&);
 
 }  // namespace thaum::physics::detail

@@ -1,4 +1,4 @@
-#include "fluid/sheet.h"
+#include "fluid/spring_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +20,18 @@ namespace {
 constexpr double longest_step = 1;
 
 /// The springs, per kg of a node.
-struct Net {
+struct SpringNetwork {
     std::size_t stride{}, first{}, end{};  ///< nodes that move, in x and in z: [first, end)
     double structural{}, shear{}, level{}, drag{};
     double mass{};  ///< kg, of a node
     bool mirrored{};
 };
 
-Net net_of(const SheetSettings& s) {
-    const double a = sheet_spacing(s);
+SpringNetwork spring_network(const SpringSurfaceSettings& s) {
+    const double a = surface_node_spacing(s);
     const double mass = s.areal_mass * a * a;
     const std::size_t rim = s.rim == Rim::pinned ? 1 : 0;
-    return {.stride = sheet_stride(s),
+    return {.stride = surface_row_stride(s),
             .first = rim,
             .end = s.nodes - rim,
             .structural = (1 - s.shear) * s.tension / mass,
@@ -43,7 +43,7 @@ Net net_of(const SheetSettings& s) {
 }
 
 /// 1/s^2
-double stiffest(const Net& net) {
+double stiffest(const SpringNetwork& net) {
     return std::max(8 * net.structural, 4 * net.structural + 8 * net.shear) + net.level;
 }
 
@@ -52,18 +52,18 @@ struct Span {
 };
 
 /// The places in memory of a row's nodes that move.
-Span row(const Net& net, std::size_t z) {
+Span row(const SpringNetwork& net, std::size_t z) {
     const std::size_t at = (z + 1) * net.stride + 1;
     return {at + net.first, at + net.end};
 }
 
 /// The same, and up to three more: whole vectors. What they come to there is taken back by close_rows.
-Span vectors(const Net& net, std::size_t z) {
+Span vectors(const SpringNetwork& net, std::size_t z) {
     const auto [begin, end] = row(net, z);
     return {begin, begin + (end - begin + 3) / 4 * 4};
 }
 
-void close_rows(const Net& net, double* values) {
+void close_rows(const SpringNetwork& net, double* values) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         for (std::size_t i = row(net, z).end; i < vectors(net, z).end; ++i) values[i] = 0;
     }
@@ -72,7 +72,7 @@ void close_rows(const Net& net, double* values) {
 // ---- springs -------------------------------------------------------------------------------------------------------
 
 /// m/s^2, of the springs and the level. Sums in pairs that lie opposite each other, so that a mirror changes nothing.
-inline double pull(const Net& net, const double* h, std::size_t i) {
+inline double spring_acceleration(const SpringNetwork& net, const double* h, std::size_t i) {
     const std::size_t s = net.stride;
     const double middle = h[i];
     const double sides = (h[i - 1] + h[i + 1]) + (h[i - s] + h[i + s]);
@@ -82,7 +82,7 @@ inline double pull(const Net& net, const double* h, std::size_t i) {
 
 /// What lies outside a free rim is what lies inside it: waves come back as they went. The shear springs that would lead
 /// out lie along the rim instead.
-void mirror(const Net& net, double* h) {
+void mirror(const SpringNetwork& net, double* h) {
     if (!net.mirrored) return;
     const std::size_t n = net.end, s = net.stride;
     std::copy_n(h + s + 1, n, h + 1);
@@ -103,35 +103,35 @@ struct Footprint {
     double height{};                     ///< m, of the probe
 };
 
-struct Grip {
-    std::array<Footprint, sheet_probe_capacity> prints{};
+struct ProbeFootprints {
+    std::array<Footprint, surface_probe_capacity> prints{};
     std::size_t count{};
 };
 
 template <class Visit>
-void each_node(const Net& net, const Footprint& print, Visit visit) {
+void each_node(const SpringNetwork& net, const Footprint& print, Visit visit) {
     const double* weight = print.weights;
     for (std::size_t z = print.z0; z < print.z1; ++z) {
         for (std::size_t x = print.x0; x < print.x1; ++x) visit((z + 1) * net.stride + x + 1, *weight++);
     }
 }
 
-bool is_there(const SheetSettings& s, const SheetProbe& p) {
+bool is_on_surface(const SpringSurfaceSettings& s, const SurfaceProbe& p) {
     const double half = s.side / 2;
     return std::abs(p.place.x) <= half && std::abs(p.place.y) <= half && std::isfinite(p.height) &&
            std::isfinite(p.radius);
 }
 
-Span nodes_within(const SheetSettings& s, double place, double radius) {
-    const double a = sheet_spacing(s), middle = 0.5 * (s.nodes - 1), last = s.nodes - 1;
+Span nodes_within(const SpringSurfaceSettings& s, double place, double radius) {
+    const double a = surface_node_spacing(s), middle = 0.5 * (s.nodes - 1), last = s.nodes - 1;
     const double from = std::clamp(std::ceil((place - radius) / a + middle), 0.0, last);
     const double to = std::clamp(std::floor((place + radius) / a + middle), 0.0, last);
     return {static_cast<std::size_t>(from), static_cast<std::size_t>(to) + 1};
 }
 
 /// Weights (1 - (r / radius)^2)^2.
-Footprint footprint(const SheetSettings& s, const SheetProbe& p, double* weights) {
-    const double a = sheet_spacing(s), middle = 0.5 * (s.nodes - 1);
+Footprint footprint(const SpringSurfaceSettings& s, const SurfaceProbe& p, double* weights) {
+    const double a = surface_node_spacing(s), middle = 0.5 * (s.nodes - 1);
     const double radius = std::clamp(p.radius, 1.5 * a, s.side);
     const Span xs = nodes_within(s, p.place.x, radius), zs = nodes_within(s, p.place.y, radius);
     Footprint print{xs.begin, xs.end, zs.begin, zs.end, weights, 0, p.height};
@@ -152,20 +152,21 @@ Footprint footprint(const SheetSettings& s, const SheetProbe& p, double* weights
     return print;
 }
 
-double height_under(const Net& net, const Footprint& print, const double* h) {
+double height_under(const SpringNetwork& net, const Footprint& print, const double* h) {
     double sum = 0;
     each_node(net, print, [&](std::size_t i, double w) { sum += w * h[i]; });
     return sum;
 }
 
 /// N, up on the probe: it pushes from outside only, and pulls from inside only.
-double contact_force(const SheetSettings& s, const Footprint& print, bool inside, double height) {
+double contact_force(const SpringSurfaceSettings& s, const Footprint& print, bool inside, double height) {
     const double gap = s.contact * (height - print.height);
     return inside ? std::clamp(gap, -s.cling, 0.0) : std::clamp(gap, 0.0, s.pop_through);
 }
 
 /// Breaks through, or is torn off.
-void cross(const SheetSettings& s, const Footprint& print, std::uint32_t& inside, double height) {
+void update_inside(const SpringSurfaceSettings& s, const Footprint& print, std::uint32_t& inside,
+                   double height) {
     const double gap = s.contact * (height - print.height);
     if (inside != 0 ? gap <= -s.cling && gap < 0 : gap >= s.pop_through && gap > 0) inside = 1 - inside;
 }
@@ -173,22 +174,22 @@ void cross(const SheetSettings& s, const Footprint& print, std::uint32_t& inside
 // ---- a step --------------------------------------------------------------------------------------------------------
 
 /// One call's arrays, constants and probes.
-struct March {
-    const SheetSettings& settings;
-    const Net net;
-    const Grip grip;
-    std::array<std::uint32_t, sheet_probe_capacity>& inside;
+struct SurfaceStepContext {
+    const SpringSurfaceSettings& settings;
+    const SpringNetwork net;
+    const ProbeFootprints footprints;
+    std::array<std::uint32_t, surface_probe_capacity>& inside;
     double* h;
     double* v;
     double* stage;  ///< heights of a stage
     std::array<double*, 4> a;
-    std::array<double, sheet_probe_capacity> impulse{};  ///< N s, up on the probes
+    std::array<double, surface_probe_capacity> impulse{};  ///< N s, up on the probes
 };
 
 /// Adds what the probes do to the accelerations of a stage, and `share` s of it to their impulses.
-void add_probes(March& m, const double* h, double* a, double share) {
-    for (std::size_t p = 0; p < m.grip.count; ++p) {
-        const Footprint& print = m.grip.prints[p];
+void add_probes(SurfaceStepContext& m, const double* h, double* a, double share) {
+    for (std::size_t p = 0; p < m.footprints.count; ++p) {
+        const Footprint& print = m.footprints.prints[p];
         if (print.x0 == print.x1) continue;
         const double force =
             contact_force(m.settings, print, m.inside[p] != 0, height_under(m.net, print, h));
@@ -203,46 +204,47 @@ void add_probes(March& m, const double* h, double* a, double share) {
 using Values = const double* __restrict;
 
 /// a = springs of h - drag v
-void accelerate(const Net& net, Values h, Values v, double* __restrict a) {
+void accelerate(const SpringNetwork& net, Values h, Values v, double* __restrict a) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
-        for (std::size_t i = begin; i < end; ++i) a[i] = pull(net, h, i) - net.drag * v[i];
+        for (std::size_t i = begin; i < end; ++i) a[i] = spring_acceleration(net, h, i) - net.drag * v[i];
     }
 }
 
 /// a = springs of h - drag (v + t before)
-void accelerate(const Net& net, Values h, Values v, Values before, double t, double* __restrict a) {
+void accelerate(const SpringNetwork& net, Values h, Values v, Values before, double t, double* __restrict a) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
-        for (std::size_t i = begin; i < end; ++i) a[i] = pull(net, h, i) - net.drag * (v[i] + t * before[i]);
+        for (std::size_t i = begin; i < end; ++i)
+            a[i] = spring_acceleration(net, h, i) - net.drag * (v[i] + t * before[i]);
     }
 }
 
-void close(const Net& net, double* values) {
+void close_array(const SpringNetwork& net, double* values) {
     close_rows(net, values);
     mirror(net, values);
 }
 
 /// stage = h + t v
-void place_stage(const Net& net, Values h, Values v, double t, double* __restrict stage) {
+void place_stage(const SpringNetwork& net, Values h, Values v, double t, double* __restrict stage) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
         for (std::size_t i = begin; i < end; ++i) stage[i] = h[i] + t * v[i];
     }
-    close(net, stage);
+    close_array(net, stage);
 }
 
 /// stage = h + t v + t2 a
-void place_stage(const Net& net, Values h, Values v, double t, Values a, double t2,
+void place_stage(const SpringNetwork& net, Values h, Values v, double t, Values a, double t2,
                  double* __restrict stage) {
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = vectors(net, z);
         for (std::size_t i = begin; i < end; ++i) stage[i] = (h[i] + t * v[i]) + t2 * a[i];
     }
-    close(net, stage);
+    close_array(net, stage);
 }
 
-void finish(const March& m, double t) {
+void finish(const SurfaceStepContext& m, double t) {
     double* __restrict h = m.h;
     double* __restrict v = m.v;
     const Values a0 = m.a[0], a1 = m.a[1], a2 = m.a[2], a3 = m.a[3];
@@ -254,12 +256,12 @@ void finish(const March& m, double t) {
             v[i] += t / 6 * ((a0[i] + a3[i]) + 2 * inner);
         }
     }
-    close(m.net, h);
+    close_array(m.net, h);
     close_rows(m.net, v);
 }
 
 /// Classical Runge-Kutta, t s.
-void runge_kutta(March& m, double t) {
+void runge_kutta(SurfaceStepContext& m, double t) {
     const auto& [a0, a1, a2, a3] = m.a;
     accelerate(m.net, m.h, m.v, a0);
     add_probes(m, m.h, a0, t / 6);
@@ -275,15 +277,16 @@ void runge_kutta(March& m, double t) {
     finish(m, t);
 }
 
-void cross_all(March& m) {
-    for (std::size_t p = 0; p < m.grip.count; ++p) {
-        const Footprint& print = m.grip.prints[p];
-        if (print.x0 != print.x1) cross(m.settings, print, m.inside[p], height_under(m.net, print, m.h));
+void update_all_inside(SurfaceStepContext& m) {
+    for (std::size_t p = 0; p < m.footprints.count; ++p) {
+        const Footprint& print = m.footprints.prints[p];
+        if (print.x0 != print.x1)
+            update_inside(m.settings, print, m.inside[p], height_under(m.net, print, m.h));
     }
 }
 
-SheetReaction reaction(const March& m, std::size_t p, double seconds) {
-    const Footprint& print = m.grip.prints[p];
+ProbeReaction reaction(const SurfaceStepContext& m, std::size_t p, double seconds) {
+    const Footprint& print = m.footprints.prints[p];
     if (print.x0 == print.x1) return {};
     return {.force = m.impulse[p] / seconds,
             .height = height_under(m.net, print, m.h),
@@ -301,130 +304,140 @@ double sum_of_squares(std::span<const double> values) {
 }
 
 /// An upper bound of its energy is below what `still` allows.
-bool is_still(const Sheet& sheet, const Net& net) {
+bool is_still(const SpringSurface& surface, const SpringNetwork& net) {
     const double most =
-        net.mass / 2 * (sum_of_squares(sheet.velocity) + stiffest(net) * sum_of_squares(sheet.height));
-    return most <= sheet.settings.tension * sheet.settings.still * sheet.settings.still;
+        net.mass / 2 * (sum_of_squares(surface.velocity) + stiffest(net) * sum_of_squares(surface.height));
+    return most <= surface.settings.tension * surface.settings.still * surface.settings.still;
 }
 
-void fall_asleep(Sheet& sheet) {
-    std::ranges::fill(sheet.height, 0.0);
-    std::ranges::fill(sheet.velocity, 0.0);
-    sheet.asleep = 1;
+void fall_asleep(SpringSurface& surface) {
+    std::ranges::fill(surface.height, 0.0);
+    std::ranges::fill(surface.velocity, 0.0);
+    surface.asleep = 1;
 }
 
 /// A probe that touches a level sheet wakes it.
-bool touches_level(const Sheet& sheet, const Grip& grip) {
-    for (std::size_t p = 0; p < grip.count; ++p) {
-        const Footprint& print = grip.prints[p];
-        if (print.x0 != print.x1 && contact_force(sheet.settings, print, sheet.inside[p] != 0, 0) != 0)
+bool touches_level(const SpringSurface& surface, const ProbeFootprints& footprints) {
+    for (std::size_t p = 0; p < footprints.count; ++p) {
+        const Footprint& print = footprints.prints[p];
+        if (print.x0 != print.x1 && contact_force(surface.settings, print, surface.inside[p] != 0, 0) != 0)
             return true;
     }
     return false;
 }
 
 /// Footprints of the probes that are there, with their weights from `weights` on. One that is not there is outside.
-Grip grip_of(Sheet& sheet, std::span<const SheetProbe> probes, double* weights) {
-    Grip grip{.count = std::min(probes.size(), sheet_probe_capacity)};
-    for (std::size_t p = 0; p < sheet_probe_capacity; ++p) {
-        if (p >= grip.count || !is_there(sheet.settings, probes[p])) {
-            sheet.inside[p] = 0;
+ProbeFootprints probe_footprints(SpringSurface& surface, std::span<const SurfaceProbe> probes,
+                                 double* weights) {
+    ProbeFootprints footprints{.count = std::min(probes.size(), surface_probe_capacity)};
+    for (std::size_t p = 0; p < surface_probe_capacity; ++p) {
+        if (p >= footprints.count || !is_on_surface(surface.settings, probes[p])) {
+            surface.inside[p] = 0;
             continue;
         }
-        Footprint& print = grip.prints[p];
-        print = footprint(sheet.settings, probes[p], weights);
+        Footprint& print = footprints.prints[p];
+        print = footprint(surface.settings, probes[p], weights);
         weights += (print.x1 - print.x0) * (print.z1 - print.z0);
     }
-    return grip;
+    return footprints;
 }
 
-double stiffness_of_probes(const SheetSettings& s, const Net& net, const Grip& grip) {
+double stiffness_of_probes(const SpringSurfaceSettings& s, const SpringNetwork& net,
+                           const ProbeFootprints& footprints) {
     double sum = 0;
-    for (const Footprint& print : grip.prints) sum += s.contact * print.squares / net.mass;
+    for (const Footprint& print : footprints.prints) sum += s.contact * print.squares / net.mass;
     return sum;
 }
 
 /// Sub-steps and the length of each, s.
-std::pair<std::uint32_t, double> sub_steps(const SheetSettings& s, const Net& net, const Grip& grip,
-                                           double dt) {
-    const double rate = std::max(std::sqrt(stiffest(net) + stiffness_of_probes(s, net, grip)), net.drag);
+std::pair<std::uint32_t, double> sub_steps(const SpringSurfaceSettings& s, const SpringNetwork& net,
+                                           const ProbeFootprints& footprints, double dt) {
+    const double rate =
+        std::max(std::sqrt(stiffest(net) + stiffness_of_probes(s, net, footprints)), net.drag);
     const double wanted = std::max(1.0, std::ceil(dt * rate / longest_step));
     if (wanted <= s.most_steps) return {static_cast<std::uint32_t>(wanted), dt / wanted};
     return {s.most_steps, longest_step / rate};
 }
 
-std::size_t array_size(const SheetSettings& s) { return (s.nodes + std::size_t{2}) * sheet_stride(s); }
+std::size_t array_size(const SpringSurfaceSettings& s) {
+    return (s.nodes + std::size_t{2}) * surface_row_stride(s);
+}
 
 }  // namespace
 
-Sheet sheet_of(const SheetSettings& settings) {
+SpringSurface make_spring_surface(const SpringSurfaceSettings& settings) {
     THAUM_ASSERT(checked(settings), "settings of the surface are not checked");
-    Sheet sheet{.settings = settings};
-    sheet.height.assign(array_size(settings), 0);
-    sheet.velocity.assign(array_size(settings), 0);
-    return sheet;
+    SpringSurface surface{.settings = settings};
+    surface.height.assign(array_size(settings), 0);
+    surface.velocity.assign(array_size(settings), 0);
+    return surface;
 }
 
-void altered(Sheet& sheet) {
-    const Net net = net_of(sheet.settings);
-    const std::size_t n = sheet.settings.nodes;
+void refresh_after_edit(SpringSurface& surface) {
+    const SpringNetwork net = spring_network(surface.settings);
+    const std::size_t n = surface.settings.nodes;
     for (std::size_t z = 0; z < n && !net.mirrored; ++z) {
         for (std::size_t x = 0; x < n; x += z == 0 || z == n - 1 ? 1 : n - 1) {
-            sheet.height[sheet_index(sheet.settings, x, z)] = 0;
-            sheet.velocity[sheet_index(sheet.settings, x, z)] = 0;
+            surface.height[surface_node_index(surface.settings, x, z)] = 0;
+            surface.velocity[surface_node_index(surface.settings, x, z)] = 0;
         }
     }
-    mirror(net, sheet.height.data());
-    sheet.asleep = 0;
+    mirror(net, surface.height.data());
+    surface.asleep = 0;
 }
 
-SheetStep advance(Sheet& sheet, SheetScratch& scratch, std::span<const SheetProbe> probes, double dt) {
-    const SheetSettings& s = sheet.settings;
-    const Net net = net_of(s);
+SpringSurfaceStep advance(SpringSurface& surface, SpringSurfaceScratch& scratch,
+                          std::span<const SurfaceProbe> probes, double dt) {
+    const SpringSurfaceSettings& s = surface.settings;
+    const SpringNetwork net = spring_network(s);
     const std::size_t size = array_size(s);
-    scratch.values.resize((5 + sheet_probe_capacity) * size);
+    scratch.values.resize((5 + surface_probe_capacity) * size);
     double* const values = scratch.values.data();
-    const Grip grip = grip_of(sheet, probes, values + 5 * size);
-    SheetStep result;
+    const ProbeFootprints footprints = probe_footprints(surface, probes, values + 5 * size);
+    SpringSurfaceStep result;
     // Asleep or not, a probe that has broken through is inside.
-    for (std::size_t p = 0; p < grip.count; ++p) result.probes[p].inside = sheet.inside[p] != 0;
+    for (std::size_t p = 0; p < footprints.count; ++p) result.probes[p].inside = surface.inside[p] != 0;
     if (!(dt > 0)) return result;
-    dt = std::min(dt, longest_sheet_call);
+    dt = std::min(dt, longest_surface_call);
     result.seconds = dt;
-    if (sheet.asleep != 0 && !touches_level(sheet, grip)) return result;
-    sheet.asleep = 0;
-    const auto [steps, t] = sub_steps(s, net, grip, dt);
+    if (surface.asleep != 0 && !touches_level(surface, footprints)) return result;
+    surface.asleep = 0;
+    const auto [steps, t] = sub_steps(s, net, footprints, dt);
     result.steps = steps;
     result.seconds = t * steps;
     result.visited = steps * static_cast<std::uint32_t>((net.end - net.first) * (net.end - net.first));
-    March march{s, net, grip, sheet.inside, sheet.height.data(), sheet.velocity.data(), values, {}};
-    for (std::size_t i = 0; i < 4; ++i) march.a[i] = values + (i + 1) * size;
+    SurfaceStepContext context{
+        s, net, footprints, surface.inside, surface.height.data(), surface.velocity.data(), values, {}};
+    for (std::size_t i = 0; i < 4; ++i) context.a[i] = values + (i + 1) * size;
     for (std::uint32_t i = 0; i < steps; ++i) {
-        cross_all(march);
-        runge_kutta(march, t);
+        update_all_inside(context);
+        runge_kutta(context, t);
     }
-    for (std::size_t p = 0; p < grip.count; ++p) result.probes[p] = reaction(march, p, result.seconds);
-    const bool held = std::ranges::any_of(march.impulse, [](double impulse) { return impulse != 0; });
-    if (!held && is_still(sheet, net)) fall_asleep(sheet);
+    for (std::size_t p = 0; p < footprints.count; ++p)
+        result.probes[p] = reaction(context, p, result.seconds);
+    const bool held = std::ranges::any_of(context.impulse, [](double impulse) { return impulse != 0; });
+    if (!held && is_still(surface, net)) fall_asleep(surface);
     return result;
 }
 
-double energy(const Sheet& sheet) {
-    const Net net = net_of(sheet.settings);
-    const double* h = sheet.height.data();
-    const double* v = sheet.velocity.data();
+double energy(const SpringSurface& surface) {
+    const SpringNetwork net = spring_network(surface.settings);
+    const double* h = surface.height.data();
+    const double* v = surface.velocity.data();
     double sum = 0;
     for (std::size_t z = net.first; z < net.end; ++z) {
         const auto [begin, end] = row(net, z);
-        for (std::size_t i = begin; i < end; ++i) sum += v[i] * v[i] - h[i] * pull(net, h, i);
+        for (std::size_t i = begin; i < end; ++i) sum += v[i] * v[i] - h[i] * spring_acceleration(net, h, i);
     }
     return net.mass / 2 * sum;
 }
 
-double stiffest_frequency(const SheetSettings& settings) { return std::sqrt(stiffest(net_of(settings))); }
+double stiffest_frequency(const SpringSurfaceSettings& settings) {
+    return std::sqrt(stiffest(spring_network(settings)));
+}
 
-double mode_frequency(const SheetSettings& settings, std::uint32_t p, std::uint32_t q) {
-    const Net net = net_of(settings);
+double mode_frequency(const SpringSurfaceSettings& settings, std::uint32_t p, std::uint32_t q) {
+    const SpringNetwork net = spring_network(settings);
     const double parts = net.mirrored ? settings.nodes : settings.nodes - 1;
     const double x = pi * p / parts, z = pi * q / parts;
     const double sx = det::sin(x / 2), sz = det::sin(z / 2);
@@ -433,28 +446,28 @@ double mode_frequency(const SheetSettings& settings, std::uint32_t p, std::uint3
     return std::sqrt(4 * net.structural * (sx * sx + sz * sz) + 4 * net.shear * corners + net.level);
 }
 
-double height_at(const Sheet& sheet, vec2 place) {
-    const SheetSettings& s = sheet.settings;
+double height_at(const SpringSurface& surface, vec2 place) {
+    const SpringSurfaceSettings& s = surface.settings;
     const double half = s.side / 2;
     if (!(std::abs(place.x) <= half && std::abs(place.y) <= half)) return 0;
-    const double last = s.nodes - 1, a = sheet_spacing(s);
+    const double last = s.nodes - 1, a = surface_node_spacing(s);
     const double x = std::clamp(place.x / a + last / 2, 0.0, last);
     const double z = std::clamp(place.y / a + last / 2, 0.0, last);
     const double x0 = std::min(std::floor(x), last - 1), z0 = std::min(std::floor(z), last - 1);
-    const std::size_t i = sheet_index(s, static_cast<std::size_t>(x0), static_cast<std::size_t>(z0));
-    const double* h = sheet.height.data() + i;
-    const double* next = h + sheet_stride(s);
+    const std::size_t i = surface_node_index(s, static_cast<std::size_t>(x0), static_cast<std::size_t>(z0));
+    const double* h = surface.height.data() + i;
+    const double* next = h + surface_row_stride(s);
     const double low = h[0] + (x - x0) * (h[1] - h[0]), high = next[0] + (x - x0) * (next[1] - next[0]);
     return low + (z - z0) * (high - low);
 }
 
-double transmitted(const SheetSettings& settings, double depth, double density) {
+double transmitted(const SpringSurfaceSettings& settings, double depth, double density) {
     if (!std::isfinite(depth) || !std::isfinite(density)) return 0;
     const double fall = std::max(0.0, depth) / settings.reach * std::max(0.0, density);
     return std::isfinite(fall) ? det::exp(-fall) : 0;
 }
 
-Expected<SheetSettings> checked(const SheetSettings& s) {
+Expected<SpringSurfaceSettings> checked(const SpringSurfaceSettings& s) {
     struct Bound {
         const char* name;
         double value, low, high;

@@ -1,4 +1,4 @@
-// fluid/sheet.h: the brew's surface, a sheet of masses and springs that a probe can push, break through and leave (paper
+// fluid/spring_surface.h: the brew's surface, a sheet of masses and springs that a probe can push, break through and leave (paper
 // 000, section 5).
 //
 //     o---o---o     structural springs along the sides of the lattice, shear springs along its diagonals; all of no rest
@@ -38,7 +38,7 @@ enum class Rim : std::uint32_t {
     free,    ///< waves are thrown back as they came; needs `level` or it will not come back to level itself
 };
 
-struct SheetSettings {
+struct SpringSurfaceSettings {
     std::uint32_t nodes{33};  ///< on a side, 3 to 129; `classic_nodes` as in the paper
     Rim rim{};                //
     double side{2};           ///< m, > 0
@@ -56,49 +56,51 @@ struct SheetSettings {
 };
 
 inline constexpr std::uint32_t classic_nodes = 15;
-inline constexpr std::size_t sheet_probe_capacity = 4;
-inline constexpr double longest_sheet_call = 0.1;  ///< s; more than that counts as that
+inline constexpr std::size_t surface_probe_capacity = 4;
+inline constexpr double longest_surface_call = 0.1;  ///< s; more than that counts as that
 
 /// The error names the setting that is out of its range or not finite.
-Expected<SheetSettings> checked(const SheetSettings& settings);
+Expected<SpringSurfaceSettings> checked(const SpringSurfaceSettings& settings);
 
 /// What touches the sheet.
-struct SheetProbe {
+struct SurfaceProbe {
     vec2 place{};     ///< m, x and z
     double height{};  ///< m, of its lowest point above the level surface
     double radius{};  ///< m; less than one and a half spacings counts as that
 };
 
 /// State: all that decides the future.
-struct Sheet {
-    SheetSettings settings{};
-    /// m and m/s, (nodes + 2) rows of sheet_stride: node (x, z) at sheet_index; outside the nodes lies what the rim mirrors.
+struct SpringSurface {
+    SpringSurfaceSettings settings{};
+    /// m and m/s, (nodes + 2) rows of surface_row_stride: node (x, z) at surface_node_index; outside the nodes lies what the rim mirrors.
     std::vector<double> height{}, velocity{};
-    std::array<std::uint32_t, sheet_probe_capacity> inside{};  ///< 1: this probe has broken through
-    std::uint32_t asleep{1};                                   ///< 1: every height and velocity is exactly 0
+    std::array<std::uint32_t, surface_probe_capacity> inside{};  ///< 1: this probe has broken through
+    std::uint32_t asleep{1};  ///< 1: every height and velocity is exactly 0
 };
 
 /// Room for what lies outside and, so that no row of vectors needs a remainder, for three more.
-constexpr std::size_t sheet_stride(const SheetSettings& s) { return (s.nodes + std::size_t{7}) / 4 * 4; }
-constexpr std::size_t sheet_index(const SheetSettings& s, std::size_t x, std::size_t z) {
-    return (z + 1) * sheet_stride(s) + x + 1;
+constexpr std::size_t surface_row_stride(const SpringSurfaceSettings& s) {
+    return (s.nodes + std::size_t{7}) / 4 * 4;
+}
+constexpr std::size_t surface_node_index(const SpringSurfaceSettings& s, std::size_t x, std::size_t z) {
+    return (z + 1) * surface_row_stride(s) + x + 1;
 }
 /// m, between neighbours.
-constexpr double sheet_spacing(const SheetSettings& s) { return s.side / (s.nodes - 1); }
+constexpr double surface_node_spacing(const SpringSurfaceSettings& s) { return s.side / (s.nodes - 1); }
 
 /// A level sheet; settings must be checked.
-Sheet sheet_of(const SheetSettings& settings);
+SpringSurface make_spring_surface(const SpringSurfaceSettings& settings);
 
 /// To be called after heights or velocities were written from outside: a pinned rim is level again, what a free one mirrors
 /// follows, the sheet is awake.
-void altered(Sheet& sheet);
+void refresh_after_edit(SpringSurface& surface);
 
 /// To be kept from call to call; what it holds means nothing.
-struct SheetScratch {
+struct SpringSurfaceScratch {
     std::vector<double> values{};
 };
 
-struct SheetReaction {
+struct ProbeReaction {
     double
         force{};  ///< N, up on the probe; the mean over the call, so that force times seconds is the impulse the sheet got. At most
                   ///< pop_through, at least -cling
@@ -106,8 +108,8 @@ struct SheetReaction {
     bool inside{};
 };
 
-struct SheetStep {
-    std::array<SheetReaction, sheet_probe_capacity> probes{};
+struct SpringSurfaceStep {
+    std::array<ProbeReaction, surface_probe_capacity> probes{};
     double seconds{};         ///< by which it advanced; less than dt where the sub-steps were not enough
     std::uint32_t steps{};    ///< sub-steps; 0 while asleep
     std::uint32_t visited{};  ///< nodes, over all sub-steps
@@ -115,23 +117,24 @@ struct SheetStep {
 
 /// Advances by dt s under probes that stay where they are. Probes are known from call to call by their number; one that
 /// is not finite is not there, nor is one beside the sheet, or beyond the capacity. dt that is not above 0 does nothing.
-SheetStep advance(Sheet& sheet, SheetScratch& scratch, std::span<const SheetProbe> probes, double dt);
+SpringSurfaceStep advance(SpringSurface& surface, SpringSurfaceScratch& scratch,
+                          std::span<const SurfaceProbe> probes, double dt);
 
 /// J: of motion, springs and level.
-double energy(const Sheet& sheet);
+double energy(const SpringSurface& surface);
 
 /// rad/s: above every frequency that the sheet has by itself.
-double stiffest_frequency(const SheetSettings& settings);
+double stiffest_frequency(const SpringSurfaceSettings& settings);
 
 /// rad/s: of the lattice's mode (p, q), undamped, in closed form. Pinned, from 1 to nodes - 2: sin(p pi x / (nodes - 1)) sin(q pi z / (nodes - 1)) at node
 /// (x, z). Free, from 0 to nodes - 1: cos(p pi (x + 1/2) / nodes) cos(...).
-double mode_frequency(const SheetSettings& settings, std::uint32_t p, std::uint32_t q);
+double mode_frequency(const SpringSurfaceSettings& settings, std::uint32_t p, std::uint32_t q);
 
 /// m, above level, between the nodes linearly; 0 beside the sheet.
-double height_at(const Sheet& sheet, vec2 place);
+double height_at(const SpringSurface& surface, vec2 place);
 
 /// The part of the surface's displacement that reaches a layer at `depth` m, of `density` relative to the base fluid's: e^(-depth
 /// density / reach). 1 above the surface, 0 for what is not finite.
-double transmitted(const SheetSettings& settings, double depth, double density);
+double transmitted(const SpringSurfaceSettings& settings, double depth, double density);
 
 }  // namespace thaum::fluid
