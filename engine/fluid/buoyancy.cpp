@@ -3,10 +3,10 @@
 namespace thaum::fluid {
 namespace {
 
-/// Change of a row of values by the flow across one axis, times -2 h (m/s).
+/// Advection of one row of values across one axis; the change is multiplied by -2 h (m/s).
 struct AxisAdvection {
     const float* velocity;
-    const float* open;  ///< null: all open
+    const float* open;  ///< null: all faces are open
     std::ptrdiff_t step;
 
     Floats8 flow(std::ptrdiff_t i) const {

@@ -1,5 +1,5 @@
-// fluid/floats8.h: eight floats side by side. Spelt out where a compiler's own vectors hang on what it can prove; the arithmetic is that
-// of floats, whatever the processor.
+// fluid/floats8.h: vectors of eight floats. They are explicit because a compiler vectorises a loop only
+// if it can prove that this is safe. The arithmetic is that of float on every processor.
 #pragma once
 #include <bit>
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace thaum::fluid {
 using Floats8 = float __attribute__((vector_size(32)));
 inline constexpr Floats8 zero8{};
 
-/// From anywhere: no alignment is asked.
+/// Reads eight floats; the address needs no alignment.
 inline Floats8 load(const float* from) {
     Floats8 result;
     std::memcpy(&result, from, sizeof result);
@@ -21,12 +21,12 @@ inline Floats8 load(const float* from) {
 
 inline void store(float* to, const Floats8& values) { std::memcpy(to, &values, sizeof values); }
 
-/// At least `count` values, in whole eights.
+/// Copies at least `count` values, rounded up to a multiple of eight.
 inline void copy_by_8(const float* from, float* to, std::ptrdiff_t count) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) store(to + i, load(from + i));
 }
 
-/// Integers that compare like the sizes of floats; those of NaNs are the largest.
+/// Magnitudes of floats as integers that compare in the same order. NaNs compare as the largest.
 using Magnitudes8 = std::int32_t __attribute__((vector_size(32)));
 
 inline Magnitudes8 magnitudes_of(const Floats8& values) {
@@ -40,7 +40,8 @@ inline double largest_of(const Magnitudes8& sizes) {
     return static_cast<double>(std::bit_cast<float>(most));
 }
 
-/// The least multiple of eight that is not below n. A row of the lattice may be written so far: what is beyond it are ghosts.
+/// The least multiple of eight that is >= n. Rows of a lattice may be written up to this length,
+/// because ghosts follow them.
 inline std::ptrdiff_t round_up_to_8(std::ptrdiff_t n) { return (n + 7) / 8 * 8; }
 
 }  // namespace thaum::fluid

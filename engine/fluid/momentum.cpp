@@ -7,7 +7,8 @@
 namespace thaum::fluid {
 namespace {
 
-/// The carrying velocity between a place and the one before it, `step` away; order 4: times 16 / 9, order 2: times 2.
+/// Interpolates the advecting velocity between a sample and the previous one, `step` away. The result
+/// is multiplied by 16 / 9 at order 4 and by 2 at order 2.
 template <bool fourth>
 void interpolate_row(const float* u, std::ptrdiff_t step, std::ptrdiff_t count, float* out) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) {
@@ -17,16 +18,17 @@ void interpolate_row(const float* u, std::ptrdiff_t step, std::ptrdiff_t count, 
     }
 }
 
-/// Rows of the carrying velocity round a row of what is carried: one before it, its own low side, its high side, one after that.
+/// Rows of the advecting velocity around a row of advected values: the previous row, the low side, the
+/// high side, the next row.
 struct CarryingRows {
     const float* before;
     const float* low;
     const float* high;
     const float* after;
-    std::ptrdiff_t step;  ///< to the next place along it, in what is carried
+    std::ptrdiff_t step;  ///< index distance between advected neighbours along this axis
 };
 
-/// What flows out to the next places and in from those before them.
+/// Flux to the next samples minus flux from the previous ones.
 inline Floats8 near_flux(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
     return load(by.high + i) * load(q + by.step) - load(by.low + i) * load(q - by.step);
 }
@@ -39,7 +41,7 @@ struct Factors {
     float near, far, spread;
 };
 
-/// One axis apart from the other two, whose sum comes first: so that exchanging these changes no bit.
+/// The first axis is added to the sum of the other two, so exchanging those two changes no bit.
 template <bool fourth, bool viscous>
 inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const CarryingRows& c, const float* q,
                        std::ptrdiff_t i, const Factors& factors) {
@@ -50,7 +52,8 @@ inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const Carry
         if constexpr (fourth) {
             const Floats8 twos =
                 round_about(q, 2 * a.step) + (round_about(q, 2 * b.step) + round_about(q, 2 * c.step));
-            // Twelfths of whole numbers, which float has: what leaves one place enters the others.
+            // The factors are integers (twelfths), which float holds exactly, so what leaves one sample
+            // enters the others.
             sum += factors.spread * ((16.0F * ones - twos) - 90.0F * load(q));
         } else {
             sum += factors.spread * (ones - 6.0F * load(q));
@@ -59,14 +62,14 @@ inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const Carry
     return sum;
 }
 
-/// Of a row: where they go, and from what.
+/// Input and output arrays of one row.
 struct RowTargets {
     const float* start;
-    const float* before;  ///< what the sum was
-    const float* force;   ///< null: none
-    const float* open;    ///< 0 where closed; null: nowhere
+    const float* before;  ///< sum of the earlier stages
+    const float* force;   ///< null: no force
+    const float* open;    ///< open shares of faces; null: all are open
     float* sum;
-    float* next;  ///< null: none
+    float* next;  ///< null in the last stage
 };
 
 template <bool fourth, bool viscous>

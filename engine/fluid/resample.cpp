@@ -8,7 +8,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// Mean over `per_edge` places along each edge of the cell round a place.
+/// Mean of a field over a cell, sampled at `per_edge` places along each edge.
 double mean_round(const field::Grid& grid, vec3 middle, double h, int per_edge) {
     if (per_edge == 1) return grid(middle).value;
     double sum = 0;

@@ -9,18 +9,19 @@
 namespace thaum::fluid {
 namespace {
 
-constexpr std::uint64_t magic = 0x756c666d75616874;  // "thaumflu" as it lies in the file
+constexpr std::uint64_t magic = 0x756c666d75616874;  // the bytes "thaumflu" in the file
 constexpr std::size_t head_size = 20;                // magic, version, length
 constexpr std::size_t hash_size = 8;
 constexpr std::size_t shape_numbers_most = 16;
 constexpr std::size_t shape_name_most = 32;
 
-// What no fluid comes to by any push, and what still has a square in float.
+// Bound that no push can exceed; its square is still finite in float.
 constexpr double sample_most = 1e18;
 constexpr double height_most = 1e6;      // m
 constexpr double node_speed_most = 1e9;  // m/s
 
-// ---- what is in the body, listed once for both ways ----------------------------------------------------------------
+// ---- contents of the body, listed once for saving and restoring
+// ------------------------------------------------------
 
 template <class S, class F>
 void each_setting(S& s, F&& f) {
@@ -42,7 +43,7 @@ void each_surface_setting(S& s, F&& f) {
     f(s.contact), f(s.pop_through), f(s.cling), f(s.reach), f(s.still), f(s.most_steps);
 }
 
-/// Calls with each of a state's samples and its name.
+/// Calls `f` with each array of samples of a state and its name.
 template <class S, class F>
 void each_samples(S& now, F&& f) {
     constexpr std::array along{"x", "y", "z"};
@@ -53,13 +54,14 @@ void each_samples(S& now, F&& f) {
     for (std::size_t i = 0; i < now.substances.size(); ++i) f(now.substances[i], text("substance ", i + 1));
 }
 
-/// Calls with the first node of each row.
+/// Calls `f` with the index of the first node of each row.
 template <class F>
 void each_node_row(const SpringSurfaceSettings& s, F&& f) {
     for (std::size_t z = 0; z < s.nodes; ++z) f(surface_node_index(s, 0, z));
 }
 
-// ---- out -----------------------------------------------------------------------------------------------------------
+// ---- saving
+// --------------------------------------------------------------------------------------------------------
 
 template <class T>
 std::span<const std::byte> row_bytes(const T* first, std::size_t count) {
@@ -91,12 +93,13 @@ void put_surface(const SpringSurface& surface, ByteWriter& out) {
         });
 }
 
-// ---- in ------------------------------------------------------------------------------------------------------------
+// ---- restoring
+// -----------------------------------------------------------------------------------------------------
 
 tl::unexpected<Error> wrong(std::string_view what) { return fail(text("saved fluid: ", what)); }
 tl::unexpected<Error> ends_within(std::string_view what) { return wrong(text("it ends within ", what)); }
 
-/// The body, where all that is around it is right.
+/// Checks everything around the body and returns the body.
 Expected<std::span<const std::byte>> opened(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     const auto begins = in.get<std::uint64_t>();
@@ -145,17 +148,18 @@ Expected<Settings> get_settings(ByteReader& in) {
     return settings;
 }
 
-/// Are there as many samples as the settings say? Asked before there is room for them.
+/// Whether enough bytes are left for the samples that the settings ask for. Checked before memory is
+/// allocated.
 bool fits(const Settings& settings, std::size_t left) {
     std::size_t values = 7 + settings.substances.size();
     for (const int cells : settings.cells) {
-        if (cells < 1 || cells > cells_most) return true;  // make_fluid tells
+        if (cells < 1 || cells > cells_most) return true;  // make_fluid reports the error
         values *= static_cast<std::size_t>(cells);
     }
     return values * sizeof(float) <= left;
 }
 
-/// The first fault of one field of samples.
+/// Describes the first invalid value of one array of samples; empty if there is none.
 std::string fault_of(const Lattice& lattice, const Samples& samples, bool of_substance) {
     bool finite = true, sound = true;
     each_row(lattice, [&](std::ptrdiff_t at) {

@@ -14,11 +14,11 @@ namespace {
 // ---- waves ----------------------------------------------------------------------------------------------------------
 
 struct Wave {
-    double angle;  ///< rad per cell
+    double angle;  ///< phase per cell (rad)
     bool cosine;
 };
 
-/// Of the places at i + 1/2 (cells) or i + 1 (faces between walls), i from 0.
+/// All waves for places at i + 1/2 (cells) or i + 1 (faces between walls), i from 0.
 std::vector<Wave> waves_of(int n, Edge edge, GhostRule rule) {
     std::vector<Wave> result;
     if (edge == Edge::periodic) {
@@ -45,17 +45,17 @@ std::vector<double> column(const Wave& wave, int count, double offset) {
     return result;
 }
 
-/// Fewer places are not folded but at first: it would take longer than what it saves.
+/// Shorter ranges are not folded again, because folding would take longer than the work it saves.
 constexpr int fold_least = 8;
 constexpr double symmetry_error = 1e-9;
 
-/// A wave, and its value at each place.
+/// The values of a wave at each place.
 struct SampledWave {
     double angle;
     std::vector<double> values;
 };
 
-/// Whether it is its own mirror image about the middle of some places, times `sign`.
+/// Whether a wave equals `sign` times its own mirror image about the middle of a range.
 bool mirrored(const SampledWave& column, const CellRange& places, double sign) {
     const double* here = column.values.data() + places.first;
     for (int i = 0; i < places.count; ++i) {
@@ -83,7 +83,8 @@ void add_dense(const std::vector<SampledWave>& columns, const CellRange& places,
     waves.back.push_back(std::move(back));
 }
 
-/// As many waves as places, folded as long as each is symmetric or antisymmetric about the middle.
+/// Folds a range as long as each of its waves is symmetric or antisymmetric about the middle. There are
+/// as many waves as places.
 void fold_waves(const std::vector<SampledWave>& columns, const CellRange& places, Waves& waves) {
     if (places.count == 0) return;
     std::vector<SampledWave> symmetric;
@@ -103,12 +104,14 @@ void fold_waves(const std::vector<SampledWave>& columns, const CellRange& places
     fold_waves(antisymmetric, {places.first + half, places.count - half}, waves);
 }
 
-// ---- the change to waves and back -----------------------------------------------------------------------------------
+// ---- transform to waves and back
+// --------------------------------------------------------------------------------------
 
-/// Columns that are changed together.
+/// Number of columns that are transformed together.
 constexpr std::ptrdiff_t wide = 16;
 
-/// out[r] = sum over d of matrix[d][r] in[d], for `rows` at once; every row is `wide` long.
+/// out[r] = sum over d of matrix[d][r] in[d], for `rows` values of r at once; every row has `wide`
+/// values.
 template <int rows>
 inline void multiply_block(const float* matrix, std::ptrdiff_t pitch, int depth, const Floats8* in,
                            Floats8* out) {
@@ -135,7 +138,7 @@ inline void multiply_block(const float* matrix, std::ptrdiff_t pitch, int depth,
     }
 }
 
-/// matrix[in][out]
+/// Multiplies by matrix[in][out].
 void multiply(const float* matrix, int n, const Floats8* in, Floats8* out) {
     int r = 0;
     for (; n - r >= 6 && n - r != 8; r += 6) multiply_block<6>(matrix + r, n, n, in, out + 2 * r);
@@ -144,14 +147,14 @@ void multiply(const float* matrix, int n, const Floats8* in, Floats8* out) {
     for (; r < n; ++r) multiply_block<1>(matrix + r, n, n, in, out + 2 * r);
 }
 
-/// Rows of `width` values, at most `wide`, each `pitch` from the next one in memory.
+/// Rows of `width` values, at most `wide`. Consecutive rows are `pitch` apart in memory.
 struct RowBlock {
     float* first;
     std::ptrdiff_t pitch;
     std::size_t width;
 };
 
-/// `whole`: of `wide` values, which is faster where the compiler knows it.
+/// `whole` means that width is `wide`; a compile-time width is faster.
 template <bool whole>
 inline void load_row(const RowBlock& rows, int row, Floats8* to) {
     if constexpr (!whole) to[0] = to[1] = Floats8{};
@@ -164,7 +167,7 @@ inline void store_row(const RowBlock& rows, int row, const Floats8* from) {
                 sizeof(float) * (whole ? std::size_t{wide} : rows.width));
 }
 
-/// A place and its mirror image become their sum and their difference.
+/// Replaces each place and its mirror image by their sum and their difference.
 inline void fold(const CellRange& places, Floats8* values) {
     for (int low = places.first, high = low + places.count - 1; low < high; ++low, --high) {
         for (int v = 0; v < 2; ++v) {
@@ -187,10 +190,10 @@ inline void unfold(const CellRange& places, Floats8* values) {
     }
 }
 
-/// From cells to waves, back, or both in one.
+/// `through` multiplies by a matrix from places to places, with folds on both sides.
 enum class TransformDirection : std::uint8_t { to_waves, from_waves, through };
 
-/// A matrix, [in][out], for each of the waves' dense places.
+/// One matrix, [in][out], for each dense range of the waves.
 struct DenseTransform {
     const Waves& waves;
     const std::vector<std::vector<float>>& matrices;
@@ -214,7 +217,7 @@ void change_columns(const DenseTransform& by, const RowBlock& from, const RowBlo
     for (int i = 0; i < waves.count; ++i) store_row<whole>(to, i, found + 2 * i);
 }
 
-/// Along the outer index of from[count][width]; `to` may be the same.
+/// Transforms along the outer index of from[count][width]; `to` may be the same array.
 template <TransformDirection direction>
 void change(const DenseTransform& by, float* from, float* to, std::ptrdiff_t width) {
     std::ptrdiff_t c = 0;
@@ -225,7 +228,7 @@ void change(const DenseTransform& by, float* from, float* to, std::ptrdiff_t wid
     change_columns<direction, false>(by, {from + c, width, left}, {to + c, width, left});
 }
 
-/// How an equation in the Laplacian is solved for one product of three waves: times scale / ((along + outer) + inner).
+/// Factor of a Poisson equation for each product of three waves: scale / ((along + outer) + inner).
 struct SpectralDivision {
     float scale;
     const float* along;          ///< by the wave along the columns
@@ -247,7 +250,7 @@ void divide_columns(const Waves& waves, const SpectralDivision& by, const RowBlo
         const Floats8 outer = load(by.outer + column + 8 * v), inner = load(by.inner + column + 8 * v);
         for (int i = 0; i < waves.count; ++i) found[2 * i + v] *= by.scale / ((by.along[i] + outer) + inner);
     }
-    // The mean comes first of all.
+    // The first value belongs to the constant wave, which is the mean.
     if (column == 0) found[0][0] = 0;
     for (std::size_t d = 0; d < waves.dense.size(); ++d) {
         const CellRange& places = waves.dense[d];
@@ -257,7 +260,8 @@ void divide_columns(const Waves& waves, const SpectralDivision& by, const RowBlo
     for (int i = 0; i < waves.count; ++i) store_row<whole>(block, i, given + 2 * i);
 }
 
-/// To waves along the outer index of values[count][width], the division, and back.
+/// Transforms along the outer index of values[count][width], multiplies by the factors, and transforms
+/// back.
 void divide(const Waves& waves, const SpectralDivision& by, float* values, std::ptrdiff_t width) {
     std::ptrdiff_t c = 0;
     for (; c + wide <= width; c += wide) divide_columns<true>(waves, by, {values + c, width, wide}, c);
@@ -268,8 +272,9 @@ void divide(const Waves& waves, const SpectralDivision& by, float* values, std::
 DenseTransform forth(const Waves& waves) { return {waves, waves.forth}; }
 DenseTransform back(const Waves& waves) { return {waves, waves.back}; }
 
-/// sum over waves of wave[i] factor[wave] wave[j]. Momentum is the sum over all places: what rounding takes of a row's sum its smallest
-/// element gives back, since that has the finest digits.
+/// Matrix with elements sum over k of wave_k[i] factor[k] wave_k[j]. Momentum is the sum over all
+/// places, so each row must keep its sum. The rounding error of a row is added to its smallest element,
+/// which has the finest resolution.
 std::vector<float> damped(const std::vector<double>& waves, std::span<const double> factor) {
     const std::size_t n = factor.size();
     std::vector<float> result(n * n);
@@ -324,7 +329,7 @@ PressureSolver::PressureSolver(const Lattice& lattice, int order)
         by_x_.insert(by_x_.end(), symbols[1].size(), x);
         by_y_.insert(by_y_.end(), symbols[1].begin(), symbols[1].end());
     }
-    // The last columns may be read past.
+    // The arrays are padded because the last columns may be read past their end.
     for (auto* by : {&by_x_, &by_y_}) by->resize(by->size() + wide, 1.0F);
     along_z_ = symbols[2];
 }
@@ -371,7 +376,8 @@ void Diffusion::diffuse(double part, double lid, std::array<Samples, 3>& velocit
             for (int i = 0; i < lattice_.cells[0]; ++i) row[i] += sign * carried(static_cast<int>(j));
         });
     };
-    // What the moving wall draws along at last is left out: it does not spread any more.
+    // The linear profile of a moving wall's steady flow is subtracted, because diffusion does not
+    // change it.
     if (lid != 0) add_carried(-1);
     for (std::size_t axis = 0; axis < 3; ++axis) component(part, waves_[axis], velocity[axis]);
     if (lid != 0) add_carried(1);

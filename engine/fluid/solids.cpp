@@ -9,15 +9,15 @@
 namespace thaum::fluid {
 namespace {
 
-// Less of a face is taken for closed. What would have flowed through is missing: with 0.125 that was 8 to 10 % of the
-// squared error of a bowl's flow, and more the finer the grid. Smaller openings cost the pressure solve no more
-// iterations.
+// Faces with a smaller open share count as closed, and the flow through them is lost. With 0.125 this
+// loss was 8 to 10 % of the squared error of a flow in a bowl, and more on finer grids. Smaller
+// openings do not add iterations to the pressure solve.
 constexpr double open_least = 0.02;
-// What the preconditioner adds for a cell that is mostly closed, by the sum d of its open shares: own_part h^2 (1 / d - 1 / own_below).
-// With these the cauldron takes 4.2 iterations; with h^2 / d, as it was, 6.2.
+// Extra term of the preconditioner for a mostly closed cell with sum d of open shares: own_part h^2 (1
+// / d - 1 / own_below). With these values the cauldron takes 4.2 iterations; with h^2 / d it took 6.2.
 constexpr double own_part = 0.8, own_below = 5;
-// In float, conjugate gradients lose their way some thousandths below where they began. Then they begin anew with what the velocity
-// itself says is left.
+// In float, conjugate gradients stop converging at a few thousandths of the initial residual. They are
+// then restarted from the divergence of the corrected velocity.
 constexpr double gain_of_round = 2e-3;
 constexpr int rounds_most = 4;
 
@@ -42,7 +42,8 @@ void clear(const Rows& rows, Samples& samples) {
     each_row(rows, [&](Row row) { std::fill_n(samples.data() + row.at, row.count, 0.0F); });
 }
 
-/// Walls are closed faces, and what is beyond a closed face counts for nothing.
+/// Fills ghosts at periodic sides only. Walls are closed faces, and values beyond closed faces have no
+/// effect.
 void fill_round(const Rows& rows, Samples& potential) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (rows.lattice.edges[axis] == Edge::periodic)
@@ -54,7 +55,7 @@ void fill_round(const Rows& rows, Samples& potential) {
 Solids::Solids(const Lattice& lattice, const SolidShare& solid) : lattice_(lattice), box_(lattice, 2) {
     for (auto* samples : {&residual_, &smoothed_, &direction_, &image_, &correction_})
         *samples = make_samples(lattice);
-    // And eight more, so that the last row may be read past, as those of the lattice.
+    // Eight more values, so that the last row may be read past its end.
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
                        static_cast<std::size_t>(lattice.cells[2]) +
                    8);
@@ -91,7 +92,7 @@ void Solids::clear_closed_faces(std::array<Samples, 3>& velocity) const {
     }
 }
 
-/// residual = minus the divergence -> the largest, and the largest velocity.
+/// Sets residual_ to minus the divergence. Returns the largest divergence and velocity.
 Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
     const auto [x, y, z] = lattice_.stride;
     const auto per_h = static_cast<float>(1 / lattice_.h);
@@ -101,7 +102,7 @@ Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
     Magnitudes8 largest{}, fastest{};
     each_row(rows_, [&, x = x, y = y, z = z](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
-            // Also beyond the end of a row that is no whole eights.
+            // Also correct beyond the end of a row that is not a multiple of eight.
             const auto holds = load(diagonal_.data() + i) > zero8;
             const Floats8 ux = load(u + i), vy = load(v + i), wz = load(w + i);
             const Floats8 along_x = load(a + i + x) * load(u + i + x) - load(a + i) * ux;
@@ -119,8 +120,8 @@ Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
     return {largest_of(largest), largest_of(fastest)};
 }
 
-/// image = minus the divergence, through open faces, of the direction's gradient; what is beyond periodic sides is filled -> the product
-/// of the direction and its image.
+/// Sets image_ to minus the divergence, through open faces, of the direction's gradient. Ghosts at
+/// periodic sides must be filled. Returns the product of direction and image.
 double Solids::apply_to_direction() {
     const auto [x, y, z] = lattice_.stride;
     const auto per_h2 = static_cast<float>(1 / (lattice_.h * lattice_.h));
@@ -146,12 +147,12 @@ double Solids::apply_to_direction() {
     return sum;
 }
 
-/// smoothed = preconditioner * residual -> their product.
+/// Sets smoothed_ to the preconditioned residual. Returns the product of both.
 double Solids::precondition() {
     const std::ptrdiff_t nx = lattice_.cells[0];
     float* packed = packed_.data();
     each_row(lattice_, [&](std::ptrdiff_t at) {
-        // What is written too far, the next row writes over.
+        // Values written past the end of a row are overwritten by the next row.
         copy_by_8(residual_.data() + at, packed, nx);
         packed += nx;
     });
@@ -164,7 +165,7 @@ double Solids::precondition() {
                 packed_.data() + (k * lattice_.cells[1] + j) * nx + (row.at - lattice_.at(0, j, k));
             Floats8 products{};
             for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
-                // -lap in the operator, lap in the box's solve.
+                // The operator has the sign of -lap, the solve of the box that of lap.
                 const Floats8 d = load(diagonal_.data() + row.at + i);
                 const Floats8 residual = load(residual_.data() + row.at + i);
                 const Floats8 both = load(own_.data() + row.at + i) * residual - load(found + i);
@@ -178,8 +179,9 @@ double Solids::precondition() {
     return sum;
 }
 
-/// The step along direction_, of which what is beyond periodic sides is filled, that leaves the least energy -> the largest residual
-/// that is left, or none where no step does. `slope`: of the residual along it.
+/// Moves along direction_ as far as reduces the energy most. Ghosts of the direction at periodic sides
+/// must be filled. `slope` is the product of residual and direction. Returns the largest remaining
+/// residual, or nothing if no step reduces the energy.
 std::optional<double> Solids::step_along_direction(double slope) {
     const double curvature = apply_to_direction();
     if (!(curvature > 0)) return std::nullopt;
@@ -191,7 +193,7 @@ std::optional<double> Solids::step_along_direction(double slope) {
             const Floats8 left = load(residual_.data() + i) - step * load(image_.data() + i);
             store(residual_.data() + i, left);
             const Floats8 size = left < zero8 ? -left : left;
-            // A comparison with what is no number is false: so that is kept.
+            // A comparison with NaN is false, so a NaN is kept.
             most = size <= most ? most : size;
         }
     });
@@ -203,8 +205,9 @@ std::optional<double> Solids::step_along_direction(double slope) {
     return result;
 }
 
-/// Adds to the correction what the residual, `left` at most, is minus the divergence of the gradient of, down to `tolerance` in each
-/// cell.
+/// Adds to correction_ the potential whose gradient has minus the residual as divergence. Stops when
+/// the residual, initially at most `left`, is at most `tolerance` in each cell. Returns the number of
+/// iterations.
 int Solids::solve(double left, double tolerance, int iterations_most) {
     double before = 0;
     int iterations = 0;

@@ -6,8 +6,9 @@
 #include "core/assert.h"
 #include "core/text.h"
 
-// With no constant terms but the probes', x'' = -K x - 2 d x' + f(x); Runge-Kutta's stages then need only the accelerations
-// a0 to a3, the velocities being combinations of them:
+// The equation of motion is x'' = -K x - 2 d x' + f(x), where f is the force of the probes. The stages
+// of Runge-Kutta then need only the accelerations a0 to a3, because the velocities are combinations of
+// them:
 //
 //     h1 = h0 + t/2 v0     h2 = h1 + t^2/4 a0     h3 = h0 + t v0 + t^2/2 a1
 //     v1 = v0 + t/2 a0     v2 = v0 + t/2 a1       v3 = v0 + t a2
@@ -15,15 +16,16 @@
 namespace thaum::fluid {
 namespace {
 
-/// rad of the stiffest mode in a sub-step. Up to 2, of frequency and of damping alike, no step can add energy; 1 keeps what is
-/// lost to less than 1.4 % of that mode's and 1e-6 of all modes five times slower.
+/// Largest phase of the stiffest mode in a sub-step (rad). Up to 2, for frequency and for damping, no
+/// step can add energy. At 1 the stiffest mode loses less than 1.4 % of its energy, and all modes five
+/// times slower less than 1e-6.
 constexpr double longest_step = 1;
 
-/// The springs, per kg of a node.
+/// The springs, divided by the mass of a node.
 struct SpringNetwork {
     std::size_t stride{}, first{}, end{};  ///< nodes that move, in x and in z: [first, end)
     double structural{}, shear{}, level{}, drag{};
-    double mass{};  ///< kg, of a node
+    double mass{};  ///< mass of a node (kg)
     bool mirrored{};
 };
 
@@ -42,7 +44,7 @@ SpringNetwork spring_network(const SpringSurfaceSettings& s) {
             .mirrored = s.rim == Rim::free};
 }
 
-/// 1/s^2
+/// Square of the highest frequency (1/s^2).
 double stiffest(const SpringNetwork& net) {
     return std::max(8 * net.structural, 4 * net.structural + 8 * net.shear) + net.level;
 }
@@ -51,13 +53,13 @@ struct Span {
     std::size_t begin, end;
 };
 
-/// The places in memory of a row's nodes that move.
+/// Indices of the moving nodes of a row.
 Span row(const SpringNetwork& net, std::size_t z) {
     const std::size_t at = (z + 1) * net.stride + 1;
     return {at + net.first, at + net.end};
 }
 
-/// The same, and up to three more: whole vectors. What they come to there is taken back by close_rows.
+/// The same range, extended to whole vectors. close_rows resets the up to three extra values to zero.
 Span vectors(const SpringNetwork& net, std::size_t z) {
     const auto [begin, end] = row(net, z);
     return {begin, begin + (end - begin + 3) / 4 * 4};
@@ -71,7 +73,8 @@ void close_rows(const SpringNetwork& net, double* values) {
 
 // ---- springs -------------------------------------------------------------------------------------------------------
 
-/// m/s^2, of the springs and the level. Sums in pairs that lie opposite each other, so that a mirror changes nothing.
+/// Acceleration by the springs and the level (m/s^2). Opposite neighbours are summed in pairs, so that
+/// a mirror image gives the same bits.
 inline double spring_acceleration(const SpringNetwork& net, const double* h, std::size_t i) {
     const std::size_t s = net.stride;
     const double middle = h[i];
@@ -80,8 +83,8 @@ inline double spring_acceleration(const SpringNetwork& net, const double* h, std
     return net.structural * (sides - 4 * middle) + net.shear * (corners - 4 * middle) - net.level * middle;
 }
 
-/// What lies outside a free rim is what lies inside it: waves come back as they went. The shear springs that would lead
-/// out lie along the rim instead.
+/// Beyond a free rim the heights are mirrored, so waves are reflected without inversion. Shear springs
+/// that would lead outwards lie along the rim.
 void mirror(const SpringNetwork& net, double* h) {
     if (!net.mirrored) return;
     const std::size_t n = net.end, s = net.stride;
@@ -93,14 +96,14 @@ void mirror(const SpringNetwork& net, double* h) {
     }
 }
 
-// ---- probes ----------------------------------------------------------------------------------------------------------
+// ---- probes --------------------------------------------------------------------------------------------------------
 
-/// Where a probe presses: a square of nodes and the weights of each, whose sum is 1.
+/// Rectangle of nodes under a probe and the weight of each; the weights add up to 1.
 struct Footprint {
-    std::size_t x0{}, x1{}, z0{}, z1{};  ///< none where x0 == x1
+    std::size_t x0{}, x1{}, z0{}, z1{};  ///< empty if x0 == x1
     const double* weights{};             ///< row by row
-    double squares{};                    ///< sum of the weights' squares
-    double height{};                     ///< m, of the probe
+    double squares{};                    ///< sum of the squared weights
+    double height{};                     ///< height of the probe (m)
 };
 
 struct ProbeFootprints {
@@ -129,7 +132,7 @@ Span nodes_within(const SpringSurfaceSettings& s, double place, double radius) {
     return {static_cast<std::size_t>(from), static_cast<std::size_t>(to) + 1};
 }
 
-/// Weights (1 - (r / radius)^2)^2.
+/// Computes the footprint with weights proportional to (1 - (r / radius)^2)^2.
 Footprint footprint(const SpringSurfaceSettings& s, const SurfaceProbe& p, double* weights) {
     const double a = surface_node_spacing(s), middle = 0.5 * (s.nodes - 1);
     const double radius = std::clamp(p.radius, 1.5 * a, s.side);
@@ -158,13 +161,13 @@ double height_under(const SpringNetwork& net, const Footprint& print, const doub
     return sum;
 }
 
-/// N, up on the probe: it pushes from outside only, and pulls from inside only.
+/// Force up on the probe (N): from outside the surface only pushes, from inside it only pulls.
 double contact_force(const SpringSurfaceSettings& s, const Footprint& print, bool inside, double height) {
     const double gap = s.contact * (height - print.height);
     return inside ? std::clamp(gap, -s.cling, 0.0) : std::clamp(gap, 0.0, s.pop_through);
 }
 
-/// Breaks through, or is torn off.
+/// Lets the probe break through or tear off when its force reaches the limit.
 void update_inside(const SpringSurfaceSettings& s, const Footprint& print, std::uint32_t& inside,
                    double height) {
     const double gap = s.contact * (height - print.height);
@@ -173,7 +176,7 @@ void update_inside(const SpringSurfaceSettings& s, const Footprint& print, std::
 
 // ---- a step --------------------------------------------------------------------------------------------------------
 
-/// One call's arrays, constants and probes.
+/// Arrays, constants and probes of one call.
 struct SurfaceStepContext {
     const SpringSurfaceSettings& settings;
     const SpringNetwork net;
@@ -183,10 +186,11 @@ struct SurfaceStepContext {
     double* v;
     double* stage;  ///< heights of a stage
     std::array<double*, 4> a;
-    std::array<double, surface_probe_capacity> impulse{};  ///< N s, up on the probes
+    std::array<double, surface_probe_capacity> impulse{};  ///< impulse up on each probe (N s)
 };
 
-/// Adds what the probes do to the accelerations of a stage, and `share` s of it to their impulses.
+/// Adds the probes' forces to the accelerations of a stage, and force times `share` (s) to the
+/// impulses.
 void add_probes(SurfaceStepContext& m, const double* h, double* a, double share) {
     for (std::size_t p = 0; p < m.footprints.count; ++p) {
         const Footprint& print = m.footprints.prints[p];
@@ -196,7 +200,7 @@ void add_probes(SurfaceStepContext& m, const double* h, double* a, double share)
         if (force == 0) continue;
         m.impulse[p] += share * force;
         const double per_mass = force / m.net.mass;
-        // Nodes of a pinned rim do not move, whatever they are given.
+        // The nodes of a pinned rim do not move, so their acceleration is never used.
         each_node(m.net, print, [&](std::size_t i, double w) { a[i] -= per_mass * w; });
     }
 }
@@ -260,7 +264,7 @@ void finish(const SurfaceStepContext& m, double t) {
     close_rows(m.net, v);
 }
 
-/// Classical Runge-Kutta, t s.
+/// One step of classical Runge-Kutta over t (s).
 void runge_kutta(SurfaceStepContext& m, double t) {
     const auto& [a0, a1, a2, a3] = m.a;
     accelerate(m.net, m.h, m.v, a0);
@@ -303,7 +307,7 @@ double sum_of_squares(std::span<const double> values) {
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-/// An upper bound of its energy is below what `still` allows.
+/// Whether an upper bound of the energy is below the limit set by `still`.
 bool is_still(const SpringSurface& surface, const SpringNetwork& net) {
     const double most =
         net.mass / 2 * (sum_of_squares(surface.velocity) + stiffest(net) * sum_of_squares(surface.height));
@@ -316,7 +320,7 @@ void fall_asleep(SpringSurface& surface) {
     surface.asleep = 1;
 }
 
-/// A probe that touches a level sheet wakes it.
+/// Whether a probe touches the level surface, which wakes it.
 bool touches_level(const SpringSurface& surface, const ProbeFootprints& footprints) {
     for (std::size_t p = 0; p < footprints.count; ++p) {
         const Footprint& print = footprints.prints[p];
@@ -326,7 +330,8 @@ bool touches_level(const SpringSurface& surface, const ProbeFootprints& footprin
     return false;
 }
 
-/// Footprints of the probes that are there, with their weights from `weights` on. One that is not there is outside.
+/// Footprints of the probes on the surface; their weights are written from `weights` on. An absent
+/// probe is marked as outside.
 ProbeFootprints probe_footprints(SpringSurface& surface, std::span<const SurfaceProbe> probes,
                                  double* weights) {
     ProbeFootprints footprints{.count = std::min(probes.size(), surface_probe_capacity)};
@@ -349,7 +354,7 @@ double stiffness_of_probes(const SpringSurfaceSettings& s, const SpringNetwork& 
     return sum;
 }
 
-/// Sub-steps and the length of each, s.
+/// Number of sub-steps, and the length of each (s).
 std::pair<std::uint32_t, double> sub_steps(const SpringSurfaceSettings& s, const SpringNetwork& net,
                                            const ProbeFootprints& footprints, double dt) {
     const double rate =
@@ -395,7 +400,7 @@ SpringSurfaceStep advance(SpringSurface& surface, SpringSurfaceScratch& scratch,
     double* const values = scratch.values.data();
     const ProbeFootprints footprints = probe_footprints(surface, probes, values + 5 * size);
     SpringSurfaceStep result;
-    // Asleep or not, a probe that has broken through is inside.
+    // A probe that has broken through stays inside while the surface sleeps.
     for (std::size_t p = 0; p < footprints.count; ++p) result.probes[p].inside = surface.inside[p] != 0;
     if (!(dt > 0)) return result;
     dt = std::min(dt, longest_surface_call);
@@ -441,7 +446,7 @@ double mode_frequency(const SpringSurfaceSettings& settings, std::uint32_t p, st
     const double parts = net.mirrored ? settings.nodes : settings.nodes - 1;
     const double x = pi * p / parts, z = pi * q / parts;
     const double sx = det::sin(x / 2), sz = det::sin(z / 2);
-    // 1 - cos x cos z, without the loss of digits for slow modes
+    // 1 - cos x cos z, in a form that keeps its digits for slow modes.
     const double corners = 2 * (sx * sx + sz * sz) - 4 * sx * sx * sz * sz;
     return std::sqrt(4 * net.structural * (sx * sx + sz * sz) + 4 * net.shear * corners + net.level);
 }

@@ -8,57 +8,62 @@
 #include "fluid/floats8.h"
 #include "fluid/ghosts.h"
 
-// With F the flux of a field by the fifth order and q, q1, q2 Runge-Kutta's three fields,
+// F is the flux of fifth order, and q, q1, q2 are the fields of the three Runge-Kutta stages:
 //
 //     q1 = q - div F(q)     q2 = q - 1/4 div (F(q) + F(q1))     high = 1/6 (F(q) + F(q1)) + 2/3 F(q2)
 //
-// so one array per axis holds all that is to be kept of the fluxes. Layer by layer: fluxes through the faces of a layer, and as soon
-// as those above it are there, what they make of the layer.
+// One array for each axis is enough for all fluxes. The lattice is processed layer by layer: first the
+// fluxes through the faces of a layer, then, when those above it are ready, the new values of the
+// layer.
 //
-// The flux of fifth order through a face with the cells a b c | d e f around it and the Courant number u is
+// The flux of fifth order through a face with cells a b c | d e f around it and Courant number u is
 //
 //     u/60 (37 (d + c) - 8 (e + b) + (f + a)) - |u|/60 bias (10 (d - c) - 5 (e - b) + (f - a))
 //
-// The first bracket is of sixth order and spreads nothing; the second damps what the grid cannot carry. Upwind differences have it with
-// bias 1. A quarter of it is enough: the limits below see to the rest. A Gaussian comes back from a turn with half the error (64^3:
-// 2.1e-4 after 4.1e-4), and without any bias with more (1.0e-3), for its short waves stay behind.
+// The first bracket is of sixth order and does not diffuse. The second damps waves that are too short
+// for the grid. Upwind differences have a bias of 1. A quarter of it is enough, because the limiter
+// removes the rest. A Gaussian returns from one revolution with half the error (64^3: 2.1e-4 instead of
+// 4.1e-4). Without any bias the error is larger (1.0e-3), because its short waves lag behind.
 //
-// a mirror exchanges the terms within each bracket and the sign of u, so it turns the sign of the flux and nothing else.
+// A mirror image exchanges the terms in each bracket and the sign of u. It therefore changes the sign
+// of the flux and nothing else.
 namespace thaum::fluid {
 namespace {
 
 constexpr float bias = 0.25F;
-constexpr float least_density = 1e-20F;  // numbers of less precision, which are slow, begin at 1e-38
+// Smaller numbers soon become subnormal (below 1e-38), which are slow.
+constexpr float least_density = 1e-20F;
 
 using Floats = const float* __restrict;
 
-// The loops over rows are functions that are not inlined, and written without branches: so GCC 12 makes vectors of all of them.
+// The loops over rows are functions without inlining and without branches; GCC 12 then vectorises all
+// of them.
 
-/// What a row of faces is crossed by.
+/// One row of faces.
 struct FaceRow {
     Floats courant;
-    Floats aperture, third, fifth;  ///< null where all is open
-    std::ptrdiff_t step;            ///< from a cell to the next across the face
+    Floats aperture, third, fifth;  ///< null if all faces are open
+    std::ptrdiff_t step;            ///< index distance between the cells on both sides of a face
 };
 
-/// Of a sub-step.
+/// Scale of a sub-step relative to the whole time.
 struct SubstepScale {
-    float courant;    ///< its part of the currents
+    float courant;    ///< part of the flow
     float diffusion;  ///< k dt / h^2
 };
 
 enum class StageIndex { first, second, third };
 
-/// What costs nothing where there is none of it.
+/// Terms that a sub-step needs; loops are compiled separately for each combination.
 struct TransportTerms {
     bool solids, diffuses;
 };
 
-// Exact, and without a branch: GCC makes no vectors of loops with several.
+// These are exact and have no branch; GCC does not vectorise loops with several branches.
 inline float above_zero(float x) { return 0.5F * (x + std::abs(x)); }
 inline float below_zero(float x) { return 0.5F * (x - std::abs(x)); }
 
-/// Of first order; `low` and `high` are the values of the cells below and above the face.
+/// Flux of first order. `low` and `high` are the densities below and above the face.
 template <TransportTerms terms>
 inline float donor(float courant, float diffusion, float low, float high) {
     const float carried = above_zero(courant) * low + below_zero(courant) * high;
@@ -66,7 +71,8 @@ inline float donor(float courant, float diffusion, float low, float high) {
     return carried;
 }
 
-/// Adds a stage's flux to the sum; the last one turns the sum into high less first order of `start`.
+/// Adds the flux of a stage to the sum. The last stage replaces the sum by the difference of high order
+/// and first order from `start`.
 template <StageIndex stage, TransportTerms terms>
 [[gnu::noinline]] void flux_row(SubstepScale scale, const FaceRow& face, Floats value, Floats start,
                                 std::ptrdiff_t count, float* __restrict sum) {
@@ -99,7 +105,8 @@ template <StageIndex stage, TransportTerms terms>
     }
 }
 
-/// The three rows of fluxes that meet a row of cells from below; those from above lie a step farther.
+/// Fluxes through the lower faces of a row of cells, one row for each axis. Those of the upper faces
+/// are a step farther.
 struct Fluxes {
     std::array<const float*, 3> low;
     std::array<std::ptrdiff_t, 3> step;
@@ -113,7 +120,7 @@ struct Fluxes {
         value[i] = start[i] - part * (((x[i + 1] - x[i]) + (y[i + sy] - y[i])) + (z[i + sz] - z[i]));
 }
 
-/// What leaves a cell across one axis by the fluxes of first order.
+/// Net outflow of a cell across one axis by fluxes of first order.
 template <TransportTerms terms>
 inline float donors(float part, float diffusion, Floats courant, Floats aperture, Floats value,
                     std::ptrdiff_t i, std::ptrdiff_t s) {
@@ -126,8 +133,9 @@ inline float donors(float part, float diffusion, Floats courant, Floats aperture
            donor<terms>(part * courant[i], below, value[i - s], value[i]);
 }
 
-/// What the first-order fluxes make of a row of cells, and what part of the differences each cell can afford: `part` of those that leave
-/// it, so that it stays above zero, and `room` for those that enter it, so that it stays below `ceiling`.
+/// Applies the first-order fluxes to a row of cells, and computes the share of the differences that
+/// each cell can take. `part` limits those that leave a cell, so that it stays above zero. `room`
+/// limits those that enter it, so that it stays below `ceiling`.
 template <TransportTerms terms>
 [[gnu::noinline]] void afford_row(SubstepScale scale, const std::array<FaceRow, 3>& faces,
                                   const Fluxes& difference, Floats start, float ceiling, std::ptrdiff_t count,
@@ -149,7 +157,7 @@ template <TransportTerms terms>
         const float given =
             ((above_zero(x[i]) - below_zero(x[i + 1])) + (above_zero(y[i]) - below_zero(y[i + sy]))) +
             (above_zero(z[i]) - below_zero(z[i + sz]));
-        // A little less than all, so that the rounding of what is taken or given cannot go beyond it.
+        // The share is slightly below 1, so that rounding cannot exceed the limit.
         const float most = left * 0.999999F / (taken + 1e-30F);
         const float free = above_zero(ceiling - left) * 0.999999F / (given + 1e-30F);
         value[i] = left;
@@ -158,16 +166,17 @@ template <TransportTerms terms>
     }
 }
 
-/// Without a branch.
+/// Minimum without a branch.
 inline float lesser(float a, float b) { return a < b ? a : b; }
 
-/// A difference through a face, as far as the cells on both sides of it can afford; s: from the cell below to that above.
+/// The difference through a face, limited by the cells on both sides. `s` is the step from the cell
+/// below to the one above.
 inline float cut(Floats difference, Floats part, Floats room, std::ptrdiff_t i, std::ptrdiff_t s) {
     return above_zero(difference[i]) * lesser(part[i - s], room[i]) +
            below_zero(difference[i]) * lesser(part[i], room[i - s]);
 }
 
-/// Takes the differences.
+/// Applies the limited differences to a row of cells.
 [[gnu::noinline]] void cut_row(const Fluxes& difference, Floats value, Floats part, Floats room,
                                std::ptrdiff_t count, float* __restrict result) {
     const Floats x = difference.low[0], y = difference.low[1], z = difference.low[2];
@@ -181,18 +190,20 @@ inline float cut(Floats difference, Floats part, Floats room, std::ptrdiff_t i, 
     }
 }
 
-/// Sums over faces of one level, for one sub-step.
+/// Sums over the faces of one level in one sub-step.
 struct LevelCrossing {
-    double density{};  ///< density that crosses them
-    double flow{};     ///< fluid that crosses them, in cells
-    double either{};   ///< fluid that crosses them either way
-    double carried{};  ///< that fluid times the mean density beside the face
+    double density{};  ///< density that crossed
+    double flow{};     ///< net flow of fluid (cells)
+    double either{};   ///< sum of the absolute flows of fluid (cells)
+    double carried{};  ///< sum of absolute flow times mean density beside the face
 
-    /// What crosses beyond the fluid's own mean: no fluid crosses a level in all, but for what the pressure solve has left.
+    /// Density that crossed beyond the flow of the mean density. The net flow through a level is zero
+    /// except for the error of the pressure solve.
     double beyond_mean() const { return either > 0 ? density - flow * carried / either : density; }
 };
 
-/// Adds the low faces of a row of cells to `levels`, each cell's level being `across` beyond that of the cell before it.
+/// Adds the low faces of a row of cells to `levels`. The level of each cell is `across` higher than
+/// that of the previous cell.
 template <TransportTerms terms>
 [[gnu::noinline]] void add_crossed(SubstepScale scale, const FaceRow& face, Floats difference, Floats start,
                                    Floats part, Floats room, std::ptrdiff_t count, std::ptrdiff_t across,
@@ -233,7 +244,7 @@ template <TransportTerms terms>
 
 // ---- over the lattice --------------------------------------------------------------------------------------------
 
-/// One sub-step's arrays.
+/// Arguments and arrays of one sub-step.
 struct SubstepContext {
     const Lattice& lattice;
     const FaceFlow& face_flow;
@@ -266,8 +277,8 @@ template <StageIndex stage, TransportTerms terms>
     });
 }
 
-/// The last faces of a periodic lattice are the first ones. On walls they are closed, as are those behind the last cells before
-/// something solid: nothing goes through, and nothing is ever written there.
+/// Copies the first faces to the last ones at periodic sides. On walls and behind the last cells before
+/// a solid, the last faces are closed: their flux is never written and stays 0.
 void close_rings(const SubstepContext& c, int k) {
     const auto [nx, ny, nz] = c.lattice.cells;
     auto& flux = c.scratch.flux;
@@ -281,8 +292,8 @@ void close_rings(const SubstepContext& c, int k) {
         for (int j = 0; j < ny; ++j) std::copy_n(first(2, j, 0), nx, first(2, j, nz));
 }
 
-/// All fluxes of a stage, and `layer(k)` once those of layer k are there. Rows are taken in whole vectors; what that writes beyond
-/// them is nowhere read.
+/// Computes all fluxes of a stage and calls `layer(k)` when those of layer k are ready. Rows are
+/// extended to whole vectors; the extra values are never read.
 template <StageIndex stage, TransportTerms terms, class Layer>
 void each_layer(const SubstepContext& c, const Samples& value, Layer layer) {
     const int nz = c.lattice.cells[2];
@@ -296,7 +307,7 @@ void each_layer(const SubstepContext& c, const Samples& value, Layer layer) {
     layer(nz - 1);
 }
 
-/// The field after `part` of the fluxes so far.
+/// The field after `part` of the sum of fluxes so far.
 template <StageIndex stage, TransportTerms terms>
 void take_stage(const SubstepContext& c, const Samples& value, float part, Samples& next) {
     each_layer<stage, terms>(c, value, [&](int k) {
@@ -308,7 +319,7 @@ void take_stage(const SubstepContext& c, const Samples& value, float part, Sampl
     fill_ghosts(c.rows(), all_even, next);
 }
 
-/// What crosses all faces along an axis, counted in the direction of the axis.
+/// Density that crossed all faces along an axis, positive in the direction of the axis.
 template <TransportTerms terms>
 double crossed(const SubstepContext& c, std::size_t axis, const Samples& part, const Samples& room) {
     std::array<LevelCrossing, cells_most> levels{};
@@ -336,7 +347,7 @@ vec3 substep(const Lattice& lattice, const FaceFlow& face_flow, SubstepScale sca
     Samples& second = scratch.second;
     take_stage<StageIndex::first, terms>(c, density, 1, first);
     take_stage<StageIndex::second, terms>(c, first, 0.25F, second);
-    Samples& left = first;  // the stages' fields have served
+    Samples& left = first;  // the fields of the stages are no longer needed
     Samples& part = scratch.part;
     Samples& room = scratch.room;
     const float ceiling = density_ceiling(
@@ -350,7 +361,7 @@ vec3 substep(const Lattice& lattice, const FaceFlow& face_flow, SubstepScale sca
                               part.data() + at, room.data() + at);
         });
     });
-    // Beyond walls they meet no difference.
+    // Values beyond walls are never used, because the difference there is 0.
     for (std::size_t axis = 0; axis < 3; ++axis) {
         if (lattice.edges[axis] != Edge::periodic) continue;
         fill_ghosts_across(c.rows(), axis, GhostRule::even, part);
@@ -377,14 +388,14 @@ Substep substep_of(TransportTerms terms) {
     return terms.diffuses ? substep<TransportTerms{false, true}> : substep<TransportTerms{false, false}>;
 }
 
-// ---- how many sub-steps ----------------------------------------------------------------------------------------------
+// ---- how many sub-steps ------------------------------------------------------------------------------------------
 
 struct Schedule {
     int substeps;
     double carried, spread;
 };
 
-/// outflow and diffusion, k dt / h^2, over the whole time.
+/// Divides a time into sub-steps. `outflow` and `diffusion` (k dt / h^2) are for the whole time.
 Schedule schedule(double outflow, double diffusion, int most) {
     const double spreading = 6 * diffusion;
     const double wanted = std::max(1.0, std::ceil((outflow + spreading) / courant_most));
@@ -404,7 +415,7 @@ bool is_empty(const Rows& rows, const Samples& density) {
     });
 }
 
-/// What can leave each cell of a row, kept where it is more than before.
+/// Outflow of each cell of a row, kept in `most` if it is larger than the value there.
 [[gnu::noinline]] void outflow_row(const Fluxes& courant, std::ptrdiff_t count, float* __restrict most) {
     const Floats x = courant.low[0], y = courant.low[1], z = courant.low[2];
     const std::ptrdiff_t sy = courant.step[1], sz = courant.step[2];
@@ -487,7 +498,7 @@ void set_face_flow(const Lattice& lattice, const std::array<Samples, 3>& before,
                 for (auto i = static_cast<std::size_t>(row.at); i < end; ++i)
                     to[i] = mean(i) * factor * aperture[i];
             });
-            // The last faces of a periodic lattice are the first ones.
+            // The last faces of a periodic lattice are copies of the first.
             if (lattice.edges[axis] == Edge::periodic)
                 fill_ghosts_across(face_apertures->rows, axis, GhostRule::even, face_flow.courant[axis]);
         } else {

@@ -5,7 +5,9 @@
 namespace thaum::fluid {
 namespace {
 
-/// Of two rows: what each keeps or takes where the index has no bit `distance`, and where it has.
+/// Combines two rows: low_of takes the elements of both whose index lacks bit `distance`, high_of those
+/// whose index has it.
+/// `b` whose index has it. The other places take the rest of the same half.
 template <int distance>
 inline Floats8 low_of(const Floats8& a, const Floats8& b) {
     if constexpr (distance == 4) return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
@@ -19,7 +21,7 @@ inline Floats8 high_of(const Floats8& a, const Floats8& b) {
     if constexpr (distance == 1) return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
 }
 
-/// Rows r and r + distance exchange half of what they hold.
+/// Exchanges halves between rows r and r + distance.
 template <int distance>
 inline void exchange(const Floats8* in, Floats8* out) {
 #pragma GCC unroll 8

@@ -9,22 +9,26 @@
 namespace thaum::fluid {
 namespace {
 
-/// The least way to a wall, in h. A place that is cut off along three axes loses its speed by the product of all three; were that
-/// thousands, the pressure there would take minutes to settle.
+/// Smallest distance to a wall that is used, in h. A place with walls along three axes loses its
+/// velocity by the product of three factors. If that product were thousands, the pressure would take
+/// minutes to settle.
 constexpr double least_way = 0.2;
-/// The speed in the middle of a face by that in the middle of its open part. Where it would be less, the face is dragged.
+/// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. Faces
+/// with less are dragged.
 constexpr double least_factor = 0.25;
-/// How firmly a dragged face is held, by dt nu / h^2 and the distance from its open middle to the wall in h.
+/// Strength of the drag, relative to dt nu / h^2 and to the distance from the centre of the open part
+/// to the wall in h.
 constexpr float drag_factor = 8;
-/// The most that the explicit half takes through a link between two open places, and to a wall. With both links of a place at their most
-/// no wave grows in that half, so that energy only falls; between open places no value leaves the range of those before it.
+/// Limits of the explicit half for a link between open places and for a link to a wall. Even if both
+/// links of a place are at their limit, no wave grows in that half, so energy only falls. Between open
+/// places all values stay within their previous range.
 constexpr float explicit_most = 0.25F;
 constexpr float explicit_most_to_wall = 0.5F;
 
-/// Slabs of lines side by side along x; lines along x stand side by side along y.
+/// Layout of slabs: lines that are parallel and adjacent along x. Lines along x are adjacent along y.
 struct Slabs {
-    std::size_t beside, outer;  ///< axes
-    std::ptrdiff_t pitch;       ///< lines of one, in whole eights
+    std::size_t beside, outer;  ///< axis along which lines are adjacent, and axis across the slabs
+    std::ptrdiff_t pitch;       ///< number of lines in a slab, rounded up to a multiple of eight
 };
 
 Slabs slabs_along(const Lattice& lattice, std::size_t across) {
@@ -32,65 +36,68 @@ Slabs slabs_along(const Lattice& lattice, std::size_t across) {
     return {beside, 3 - across - beside, round_up_to_8(lattice.cells[beside])};
 }
 
-/// Lines side by side, how they are laid out and how they end. Row r holds place r of each, `row` behind that of
-/// place r - 1.
+/// Parallel lines with their layout and their ends. Row r holds place r of each line, `row` values
+/// after place r - 1.
 struct Lines {
     float* value;
-    const float* coefficient;  ///< as nodal_
+    const float* coefficient;  ///< values of nodal_
     std::ptrdiff_t row;
     std::ptrdiff_t count;  ///< places along a line
-    std::ptrdiff_t pitch;  ///< lines side by side, in whole eights
+    std::ptrdiff_t pitch;  ///< number of parallel lines, rounded up to a multiple of eight
     Edge edge;
-    bool through;  ///< the component goes along the line: it is 0 on the walls at both ends
+    bool through;  ///< true: the component is parallel to the line, so it is 0 on the walls at both ends
     bool solid_holds;
-    float lid;  ///< m/s, what the wall at the high end moves by
+    float lid;  ///< speed of the wall at the high end (m/s)
     std::span<const CutLink> cuts;
-    std::ptrdiff_t skipped;  ///< places before the first of these lines, all closed
+    std::ptrdiff_t skipped;  ///< closed places left out before the first place
 };
 
 inline Floats8 larger(const Floats8& a, const Floats8& b) { return a > b ? a : b; }
 
-/// Coefficient of the link between two places; closed ones count below 0.
+/// Coefficient of the link between two places. A negative coefficient marks a closed place.
 inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
     const Floats8 both = 0.5F * (a + b);
     const Floats8 one = holds ? larger(larger(a, b), zero8) : zero8;
     return (a < zero8) | (b < zero8) ? one : both;
 }
 
-/// The part of a link that is taken by the velocity before the step: half of it, which makes the step of second order in time.
+/// Part of a link that uses the velocity before the step: half of it, for second order in time, up to a
+/// limit.
 inline Floats8 explicit_part(const Floats8& whole, const Floats8& most) {
     const Floats8 half = 0.5F * whole;
     return half < most ? half : most;
 }
 
-/// Of the link between two places.
+/// The same for the link between two places.
 inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Floats8& b) {
     const Floats8 most = (a < zero8) | (b < zero8) ? zero8 + explicit_most_to_wall : zero8 + explicit_most;
     return explicit_part(whole, most);
 }
 
-/// One value for each of the lines.
+/// Scratch rows with one value for each line.
 struct RowBuffers {
     float* closed;   ///< coefficients of closed places
     float* zeros;    ///< zeros
-    float* link;     ///< to the next place
-    float* below;    ///< the implicit part of the link from the place before
-    float* flux;     ///< from the place before to this one, by the explicit half
-    float* to_wall;  ///< the implicit part of the link to the wall at the low end
-    float* ring;     ///< flux through the link between the ends, by the explicit half
+    float* link;     ///< coefficient of the link to the next place
+    float* below;    ///< implicit part of the link from the previous place
+    float* flux;     ///< explicit flux from the previous place
+    float* to_wall;  ///< implicit part of the link to the wall at the low end
+    float* ring;     ///< explicit flux through the link between the ends of periodic lines
 };
 
-/// What elimination leaves of each place's link to the next one, and of the ends of periodic lines.
+/// Results of the elimination: the factor of each place's next neighbour, and the second solution for
+/// periodic lines.
 struct EliminationFactors {
-    float* upper;   ///< a row of zeros stands before the first one
-    float* corner;  ///< likewise
+    float* upper;   ///< preceded by a row of zeros
+    float* corner;  ///< preceded by a row of zeros
 };
 
-/// The links to the walls at the low and high end, as multiples of the coefficient beside them.
+/// Coefficients of the links to the walls at the low and high end, as multiples of the coefficient of
+/// the nearest place.
 std::array<float, 2> links_to_walls(const Lines& lines) {
     const float wall = lines.edge == Edge::no_slip ? 2.0F : 0.0F;
     if (lines.edge == Edge::periodic) return {};
-    // The first place is the wall.
+    // The first place lies on the wall.
     if (lines.through) return {0, 1};
     return {wall, wall};
 }
@@ -100,7 +107,7 @@ const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std:
     return wall ? buffers.closed : lines.coefficient + r * lines.row;
 }
 
-/// Of place r to the next one, with those that a wall cuts.
+/// Coefficients of the links from place r to place r + 1, including links that a wall cuts.
 void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r,
                 std::span<const CutLink>& cuts) {
     const bool holds = lines.solid_holds || (lines.through && lines.edge != Edge::periodic);
@@ -116,8 +123,8 @@ void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r,
     cuts = cuts.subspan(taken);
 }
 
-/// What the explicit and implicit half take through the walls at the low end, and through the link between the ends
-/// of a ring.
+/// Explicit and implicit parts of the links to the walls at the low end, and of the link between the
+/// ends of periodic lines.
 template <bool ring>
 void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left) {
     const auto last = (lines.count - 1) * lines.row;
@@ -134,7 +141,8 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
             const Floats8 ends = link(lines.solid_holds, load(lines.coefficient + last + i), load(own + i));
             const Floats8 half = explicit_part(ends, zero8 + explicit_most);
             store(buffers.ring + i, half * (value - load(lines.value + last + i)));
-            // The matrix is that of open ends plus ends * (e0 - en)(e0 - en)^T.
+            // The matrix of a periodic line is that of a line with open ends plus ends * (e0 - en)(e0 -
+            // en)^T.
             for (std::ptrdiff_t r = 1; r + 1 < lines.count; ++r)
                 store(left.corner + r * lines.pitch + i, zero8);
             store(left.corner + i, ends - half);
@@ -143,7 +151,7 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
     }
 }
 
-/// The explicit half of one place on each line, and its elimination from what the implicit half asks for.
+/// Explicit half of one place on each line, and its elimination from the system of the implicit half.
 template <bool ring, bool last>
 void eliminate_place(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left,
                      std::ptrdiff_t r) {
@@ -152,7 +160,7 @@ void eliminate_place(const Lines& lines, const RowBuffers& buffers, const Elimin
     const float* own = coefficients_at(lines, buffers, r);
     const float* next = last ? nullptr : lines.coefficient + (r + 1) * lines.row;
     float* value = lines.value + r * lines.row;
-    // Before the first place nothing stands.
+    // No place precedes the first one.
     const float* before = r == 0 ? buffers.zeros : value - lines.row;
     const float* low_end = r == 0 ? buffers.to_wall : buffers.zeros;
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
@@ -194,8 +202,8 @@ void eliminate_place(const Lines& lines, const RowBuffers& buffers, const Elimin
     }
 }
 
-/// Both halves of the step for every line at once: tridiagonal systems by elimination, from the low end to the high
-/// one and back.
+/// Both halves of the step for all lines at once. The tridiagonal systems are solved by elimination
+/// from the low end to the high one, then substitution back.
 template <bool ring>
 void solve(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left) {
     const auto n = lines.count;
@@ -217,7 +225,7 @@ void solve(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
         }
     }
     if constexpr (!ring) return;
-    // Sherman and Morrison's correction by the second solution.
+    // Correction of Sherman and Morrison with the second solution.
     const auto end = (n - 1) * w;
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
         const Floats8 by = (load(lines.value + i) - load(lines.value + (n - 1) * lines.row + i)) /
@@ -252,7 +260,7 @@ Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidSh
     }
 }
 
-/// The place of a face's middle (m).
+/// Centre of a face (m).
 vec3 Viscosity::place_of(std::size_t axis, std::size_t at) const {
     const auto from = static_cast<std::ptrdiff_t>(at) - lattice_.at(-ghosts, -ghosts, -ghosts);
     const auto [x, y, z] = lattice_.stride;
@@ -264,7 +272,7 @@ vec3 Viscosity::place_of(std::size_t axis, std::size_t at) const {
 void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
     const double h = lattice_.h;
     Samples& on_line = on_lines_[axis];
-    // Ghosts hold nothing that a step could depend on.
+    // The ghosts are 0, so no step can depend on them.
     on_line = make_samples(lattice_);
     each_cell(lattice_, [&](int, int, int, std::size_t at) { on_line[at] = solids_->open()[axis][at]; });
     for (const CutFace& face : solids_->cut_faces(axis)) {
@@ -280,7 +288,8 @@ void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
     dragged_speeds_.resize(std::max(dragged_speeds_.size(), dragged_[axis].size()));
 }
 
-/// By neighbours that grow in proportion to their distance from the wall: the least squares of what they are off by.
+/// Weights from a least-squares fit to neighbours whose velocity grows in proportion to their distance
+/// from the wall.
 DraggedFace Viscosity::dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const {
     const double h = lattice_.h;
     const double middle = distance_to_wall(solid, face.middle, h);
@@ -319,7 +328,8 @@ void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t
     }
 }
 
-/// The places along the lines of each slab between which all open ones are, with a closed one at either end where there is one.
+/// For each slab, the range of places along its lines that contains all open ones, with one closed
+/// place at either end.
 void Viscosity::find_open_ranges(std::size_t axis, std::size_t across) {
     const auto [beside, outer, pitch] = slabs_along(lattice_, across);
     const int n = lattice_.cells[across];
@@ -381,8 +391,8 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
     });
 }
 
-/// To eight places, of coefficients `nodal`: the part of what a force gave in this step that the explicit half would
-/// have seen, had it been there from the start.
+/// Adds a force's contribution to eight places with coefficients `nodal`. It is the part that the
+/// explicit half would have seen if the force had acted from the start.
 void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& nodal,
                           std::ptrdiff_t at, Samples& u) {
     const auto half = 0.5F * sign * static_cast<float>(step.dt);
@@ -391,7 +401,8 @@ void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign,
     store(u.data() + at, load(u.data() + at) + (nodal < zero8 ? zero8 : more));
 }
 
-/// From the speeds in the middles of the open parts to those in the middles of the faces; dragged ones are set aside.
+/// Scales velocities from the centre of the open part to the centre of the face. Dragged faces are set
+/// aside.
 void Viscosity::put_onto_lines(std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
     for (std::size_t i = 0; i < dragged.size(); ++i) {
@@ -401,7 +412,7 @@ void Viscosity::put_onto_lines(std::size_t axis, Samples& u) {
     for (const ScaledFace& face : scaled_[axis]) u[face.at] *= face.factor;
 }
 
-/// And back; dragged ones follow what the lines have become.
+/// Scales velocities back, and drags the remaining faces towards the result on the lines.
 void Viscosity::put_onto_faces(const ViscousStep& step, std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
     const auto across = static_cast<std::size_t>(lattice_.stride[axis]);
@@ -439,7 +450,7 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
     const RowBuffers buffers{closed_.data(), zeros.data(),   link.data(), below.data(),
                              flux.data(),    to_wall.data(), ends.data()};
     const EliminationFactors left{upper_.data() + w, corner_.data() + w};
-    // Slabs of other widths have left something there.
+    // Slabs of another width may have left values here.
     for (auto* rows : {&upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
     for (int o = 0; o < lattice_.cells[outer]; ++o) {
         if (solids_ != nullptr) {
