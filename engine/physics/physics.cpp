@@ -1,10 +1,12 @@
-// The bodies stand in one array, sorted by key, each with its desc and its state. The state here is the truth; Bullet's copy
-// is written from it when a body is made and read back after each step in which the body was awake. Reading a state,
-// rays and rebuilds use ours alone. So a rebuild never rounds a state on its way, and does the same here and in a restored run.
+// Bodies are in one array, sorted by key, each with its desc and its state. This state is
+// authoritative. It is copied to Bullet when a body is made, and read back after each step in which the
+// body was awake. Queries and rebuilds use only this state, so a rebuild never rounds a state and acts
+// in the same way in a restored run.
 //
-// Bullet moves a body by the velocity at the step's end: in free fall g dt^2/2 too far in every step, 9.8 mm after 2 s at
-// 1 kHz. We know the exact end of a free flight, so a body that Bullet only moved and did not push is put there
-// (Settings::exact_flight). Whether it was pushed is seen in its velocity and path alone, so no memory is needed for it.
+// Bullet moves a body by the velocity at the end of the step. In free fall this is g dt^2/2 too far in
+// every step: 9.8 mm after 2 s at 1 kHz. The exact end of a free flight is known, so a body on which
+// nothing pushed is moved there (Settings::exact_flight). Velocity and path show whether it was pushed,
+// so this needs no stored data.
 #include "physics/physics.h"
 
 #include <algorithm>
@@ -29,25 +31,28 @@ using detail::Box;
 using detail::from_bullet;
 using detail::to_bullet;
 
-/// m; a body this near to a removed or moved one may have rested on it.
+/// A body this close to a removed or moved one may have rested on it (m).
 constexpr double resting_gap = 0.02;
-/// m/s, relative beyond 1 m/s; and m: what differs by less is rounding, not a push.
+/// Largest difference that is rounding and not a push: of velocities (m/s, relative above 1 m/s) and
+/// positions (m).
 constexpr double pushed = 1e-9;
-/// m; after a rebuild, which forgets who touched whom, this near counts as having touched.
+/// Bodies this close after a rebuild, which discards the pairs in contact, count as touching before
+/// (m).
 constexpr double touching_gap = 0.002;
 
 struct Body {
     Key key{};
-    bool was_asleep{};  ///< before the step
+    bool was_asleep{};  ///< asleep before the step
     BodyDesc desc;
     BodyState state;
-    double reach{};          ///< m, of its farthest point from its position
-    double kept_velocity{};  ///< share that damping leaves after a step of damping_dt
+    double reach{};          ///< distance of its farthest point from its position (m)
+    double kept_velocity{};  ///< share of the velocity left by damping after a step of damping_dt
     double kept_spin{};
-    double
-        drive_s{};  ///< velocity that gravity gives in such a step, per gravity; path, per velocity before it
-    double fall_s2{};       ///< path that gravity gives in it, per gravity
-    vec3 start_velocity{};  ///< m/s, at the start of the step
+    /// Velocity that gravity gives in such a step, divided by gravity. It is also the path divided by the
+    /// initial velocity (s).
+    double drive_s{};
+    double fall_s2{};       ///< path that gravity gives in such a step, divided by gravity (s^2)
+    vec3 start_velocity{};  ///< velocity at the start of the step (m/s)
     detail::BulletBody bullet;
     detail::BoundTree::Leaf leaf{};
 
@@ -55,7 +60,7 @@ struct Body {
     bool dynamic() const { return desc.mass > 0; }
 };
 
-/// Two bodies whose surfaces touch; the smaller key first.
+/// Keys of two bodies that touch; the smaller key first.
 struct Pair {
     Key a, b;
     auto operator<=>(const Pair&) const = default;
@@ -78,7 +83,7 @@ bool collide(const BodyDesc& a, const BodyDesc& b) {
     return (a.layer & b.collides_with) != 0 && (b.layer & a.collides_with) != 0;
 }
 
-/// Whether a path may touch the body, judged by the ball around it.
+/// Whether a path may touch the body, judged by its bounding sphere.
 bool comes_near(const Body& body, const detail::Path& path) {
     const vec3 offset = body.state.position - path.from;
     const double along = std::clamp(glm::dot(offset, path.direction), 0.0, path.length);
@@ -87,7 +92,7 @@ bool comes_near(const Body& body, const detail::Path& path) {
     return glm::dot(apart, apart) <= meeting * meeting;
 }
 
-/// A sleeper has no motion, whatever it was given.
+/// The state with zero velocities if the body is asleep.
 BodyState settled(BodyState state) {
     if (state.asleep) state.velocity = state.spin = vec3{};
     return state;
@@ -98,7 +103,7 @@ Pair pair_of(const btPersistentManifold& manifold) {
     return a < b ? Pair{a, b} : Pair{b, a};
 }
 
-/// What a pair's points did in the last step. `began` is left to the caller.
+/// Sum over the contact points of a pair in the last step. The caller sets `began`.
 Contact sum_of(const btPersistentManifold& manifold) {
     const Pair pair = pair_of(manifold);
     Contact contact{pair.a, pair.b, {}, {}, 0, false};
@@ -131,7 +136,7 @@ bool active(const btPersistentManifold& manifold) {
 
 std::vector<detail::Mesh> built(const std::vector<TriangleMesh>& meshes) {
     require_our_maths();
-    detail::use_pool();  // before the first Bullet object
+    detail::use_pool();  // must precede the first Bullet object
     std::vector<detail::Mesh> out;
     out.reserve(meshes.size());
     for (const TriangleMesh& mesh : meshes) out.emplace_back(mesh);
@@ -144,17 +149,17 @@ struct Physics::Impl {
     Settings settings;
     std::vector<detail::Mesh> meshes;
     std::vector<Body> bodies;  ///< sorted by key
-    detail::BoundTree tree;    ///< of these, as they lie now
+    detail::BoundTree tree;    ///< bounding boxes of the bodies at their current positions
     std::unique_ptr<detail::BulletWorld> world;
     std::vector<Contact> contacts;
-    std::vector<Pair> touching;  ///< pairs that have pressed and are still near; sorted
+    std::vector<Pair> touching;  ///< pairs that pressed on each other and are still close; sorted
     std::vector<Pair> touching_next;
     Counters counters;
     double damping_dt{};
-    bool quiet{};  ///< the last step changed nothing, and nothing was touched since
+    bool quiet{};  ///< true: the last step changed nothing, and nothing was touched since
 
     Impl(const Settings& s, const std::vector<TriangleMesh>& m);
-    ~Impl() { world.reset(); }  // before the bodies in it
+    ~Impl() { world.reset(); }  // the world must go before the bodies in it
 
     Body* find(Key);
     Body& at(Key);
@@ -172,7 +177,8 @@ struct Physics::Impl {
     std::optional<detail::CastHit> cast_at(const Body&, const detail::Path&) const;
     /// Adds the body's surfaces within the radius of the point.
     void gather_from(const Body&, vec3 point, detail::NearestSurfaces&) const;
-    /// Calls back for each body whose box comes within the radius, and maybe for others, in the order of keys.
+    /// Calls `each` for each body whose box comes within the radius, and possibly for others, in the
+    /// order of keys.
     template <class Each>
     void each_near(vec3 point, double radius, const Each& each) const;
 };
@@ -221,13 +227,14 @@ void Physics::Impl::wake_near(const Box& box) {
     }
 }
 
-/// Damping by the rate c in 1/s: v' = g - c v, so after a step of dt v = v0 k + g (1 - k)/c with k = exp(-c dt), and the path is
-/// v0 (1 - k)/c + g (dt - (1 - k)/c)/c. Without damping that is v0 + g dt and v0 dt + g dt^2/2.
+/// Damping with rate c (1/s): v' = g - c v. With k = exp(-c dt), the velocity after a step is v0 k + g
+/// (1 - k)/c, and the path is v0 (1 - k)/c + g (dt - (1 - k)/c)/c. Without damping these are v0 + g dt
+/// and v0 dt + g dt^2/2.
 void Physics::Impl::prepare_damping(Body& body) const {
     body.kept_velocity = det::pow(1 - body.desc.linear_damping, damping_dt);
     body.kept_spin = det::pow(1 - body.desc.angular_damping, damping_dt);
     const double y = -det::log(1 - body.desc.linear_damping) * damping_dt;  // c dt
-    if (y < 0.02) {  // Taylor's series, since the differences below would lose their digits
+    if (y < 0.02) {  // Taylor series, because the differences below would lose precision
         body.drive_s = damping_dt * (1 - y / 2 * (1 - y / 3 * (1 - y / 4 * (1 - y / 5))));
         body.fall_s2 = damping_dt * damping_dt / 2 * (1 - y / 3 * (1 - y / 4 * (1 - y / 5 * (1 - y / 6))));
     } else {
@@ -247,26 +254,26 @@ void Physics::Impl::before_step(double dt) {
         if (!body.dynamic() || body.was_asleep) continue;
         body.start_velocity = limited(body.state.velocity, settings.max_speed);
         vec3 velocity = body.start_velocity * body.kept_velocity;
-        // Bullet adds gravity * dt to it.
+        // Bullet adds gravity * dt to the velocity.
         if (settings.exact_flight) velocity += settings.gravity * (body.drive_s - dt);
         body.bt().setLinearVelocity(to_bullet(velocity));
         body.bt().setAngularVelocity(to_bullet(limited(body.state.spin, settings.max_spin) * body.kept_spin));
     }
 }
 
-/// Puts a body that nothing pushed since `from` where its flight ends.
+/// Moves a body to the exact end of its flight if nothing pushed it since `from`.
 void Physics::Impl::fly_exactly(Body& body, vec3 from) const {
     const vec3 velocity = body.state.velocity;
     const vec3 free = body.start_velocity * body.kept_velocity + settings.gravity * body.drive_s;
     if (glm::length(velocity - free) > pushed * (1 + glm::length(free))) return;
-    // Penetration is taken out of the position alone.
+    // The solver removes penetration from the position alone.
     if (glm::length(body.state.position - (from + velocity * damping_dt)) > pushed) return;
     body.state.position = from + body.start_velocity * body.drive_s + settings.gravity * body.fall_s2;
     body.bt().getWorldTransform().setOrigin(to_bullet(body.state.position));
 }
 
-/// Share of a sphere's way from start to end before it meets a static body; 1: meets none. One that overlaps a body at the start
-/// does not meet it.
+/// Share of a sphere's way from start to end before it meets a static body; 1 if it meets none. A body
+/// that the sphere overlaps at the start is ignored.
 double Physics::Impl::free_share(const Body& moving, vec3 start, vec3 end, double radius) const {
     const double length = glm::length(end - start);
     if (length <= 0) return 1;
@@ -279,7 +286,8 @@ double Physics::Impl::free_share(const Body& moving, vec3 start, vec3 end, doubl
     return left.length / length;
 }
 
-/// Puts a body that would have come through a wall in this step where it meets that wall. The solver does the rest in the next one.
+/// Stops a body at the wall that it would otherwise pass in this step. The solver handles the contact
+/// in the next step.
 void Physics::Impl::stop_at_walls(Body& body, const BodyState& from) const {
     BodyState& to = body.state;
     const detail::InnerSpheres spheres = detail::inner_spheres(body.desc);
@@ -292,8 +300,8 @@ void Physics::Impl::stop_at_walls(Body& body, const BodyState& from) const {
             share = std::min(share, free_share(body, start, end, spheres.radius));
         }
     }
-    // A body that tumbles over its first contact may lie in the wall with any part, but its centre stays on this side; and to
-    // this side the solver then pushes it out.
+    // A body that tumbles over its first contact may have parts inside the wall, but its centre stays
+    // outside. The solver then pushes it out to the correct side.
     const double centre_share = free_share(body, from.position, to.position, 0);
     if (centre_share < 1) share = std::clamp(centre_share - spheres.centre_gap / path, 0.0, share);
     if (share >= 1) return;
@@ -303,7 +311,7 @@ void Physics::Impl::stop_at_walls(Body& body, const BodyState& from) const {
     detail::write_motion(body.bt(), to);
 }
 
-/// Whether nothing moved.
+/// Reads all states back from Bullet. Returns true if nothing moved.
 bool Physics::Impl::after_step() {
     counters.awake = 0;
     bool still = true;
@@ -345,7 +353,8 @@ void Physics::Impl::collect_contacts() {
     std::swap(touching, touching_next);
 }
 
-/// In a fresh world: finds who touches whom, sleepers too, which Bullet leaves out by itself.
+/// Finds the pairs in contact in a new world. Sleeping bodies are included, which Bullet would leave
+/// out.
 void Physics::Impl::remember_touching() {
     for (Body& body : bodies) {
         if (body.dynamic()) body.bt().forceActivationState(ACTIVE_TAG);
@@ -482,8 +491,8 @@ void Physics::step(double dt) {
     THAUM_ASSERT(std::isfinite(dt) && dt > 0, "a step must take a time > 0");
     ++in.counters.steps;
     if (in.quiet && in.settings.skip_asleep) {
-        ++in.counters
-              .skipped;  // contacts are empty already: in the step before, too, nobody was awake to press
+        // The contacts are empty already, because no body was awake in the last step either.
+        ++in.counters.skipped;
         return;
     }
     in.before_step(dt);
@@ -514,7 +523,7 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
         if (!here || (nearest && here->travelled >= touch.travelled)) continue;
         nearest = &body;
         touch = *here;
-        path.length = touch.travelled;  // from here on only what is nearer counts
+        path.length = touch.travelled;  // from here on, only nearer hits count
     }
     if (!nearest) return std::nullopt;
     const vec3 centre = from + touch.travelled * path.direction;

@@ -7,13 +7,14 @@
 namespace thaum::physics::detail {
 namespace {
 
-/// From a flat-sided shape, whose nearest point we know: closer than `touching` the direction to it is noise.
+/// Result for a flat-sided shape. Closer than `touching`, the direction to the nearest point is only
+/// noise.
 NearestPoint beyond(vec3 outward) {
     const double distance = glm::length(outward);
     return {distance, distance > touching ? outward / distance : vec3{}};
 }
 
-/// From all within `radius` of a core.
+/// Result for a shape that contains all points within `radius` of a core.
 NearestPoint round(vec3 from_core, double radius) {
     const double length = glm::length(from_core);
     return {length - radius, length > touching ? from_core / length : vec3{}};
@@ -31,7 +32,8 @@ NearestPoint to_cylinder(double radius, double half_length, vec3 p) {
     return beyond(p - vec3{p.x * scale, std::clamp(p.y, -half_length, half_length), p.z * scale});
 }
 
-/// Christer Ericson, Real-Time Collision Detection (2005), 5.1.5: the regions of Voronoi, in turn.
+/// Nearest point of a triangle by its Voronoi regions (Christer Ericson, Real-Time Collision Detection,
+/// 2005, 5.1.5).
 vec3 nearest_point(const vec3 (&corner)[3], vec3 p) {
     const vec3 a = corner[0], b = corner[1], c = corner[2];
     const vec3 ab = b - a, ac = c - a;
