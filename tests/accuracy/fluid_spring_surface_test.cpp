@@ -1,4 +1,5 @@
-// The surface against closed forms: the lattice's normal modes, Runge-Kutta's own recurrence, the static answer to a push.
+// The spring surface against closed forms: normal modes of the lattice, the recurrence of Runge-Kutta,
+// and the static response to a push.
 #include "fluid/spring_surface.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +41,7 @@ SpringSurface mode(const SpringSurfaceSettings& s, std::uint32_t p, std::uint32_
                         [&](std::size_t x, std::size_t z) { return 0.01 * shape_at(s, p, q, x, z); });
 }
 
-/// Of heights and velocities in a mode; and how much is not.
+/// Height and velocity of one mode, and the largest deviation of the surface from this mode.
 struct Part {
     double height{}, velocity{}, rest{};
 };
@@ -68,7 +69,7 @@ void expect_frequency(SpringSurfaceSettings s, std::uint32_t p, std::uint32_t q)
     SpringSurface surface = mode(s, p, q);
     SpringSurfaceScratch scratch;
     const int calls = static_cast<int>(std::ceil(60 * stiffest_frequency(s) / frequency));
-    const double t = 1.3 / frequency;  // rad of the mode: neither height nor velocity is zero there
+    const double t = 1.3 / frequency;  // 1.3 rad of the mode: neither height nor velocity is zero there
     for (int i = 0; i < calls; ++i) advance(surface, scratch, {}, t / calls);
     const Part part = part_of(surface, p, q);
     EXPECT_NEAR(std::atan2(-part.velocity / frequency, part.height), 1.3, 1.3e-8)
@@ -108,7 +109,7 @@ TEST(SpringSurfaceAccuracy, NoModeIsFasterThanTheStiffestFrequency) {
                 for (std::uint32_t q = 1; q <= 13; ++q) fastest = std::max(fastest, mode_frequency(s, p, q));
             }
             EXPECT_LE(fastest, stiffest_frequency(s));
-            EXPECT_GE(fastest, 0.97 * stiffest_frequency(s));  // and the bound is not a loose one
+            EXPECT_GE(fastest, 0.97 * stiffest_frequency(s));  // the bound is tight
         }
     }
 }
@@ -127,7 +128,8 @@ TEST(SpringSurfaceAccuracy, LongWavesComeNearTheMembranes) {
     EXPECT_LT(before, 2e-3);
 }
 
-/// Its modes' heights and velocities, by the recurrence that Runge-Kutta gives for one damped oscillator.
+/// Height and velocity of a mode, compared with the recurrence of Runge-Kutta for one damped
+/// oscillator.
 TEST(SpringSurfaceAccuracy, AStepIsRungeKuttasOwnRecurrence) {
     SpringSurfaceSettings s = lattice(33, Rim::pinned);
     s.damping = 3;
@@ -139,7 +141,7 @@ TEST(SpringSurfaceAccuracy, AStepIsRungeKuttasOwnRecurrence) {
     for (int i = 0; i < 50; ++i) {
         const SpringSurfaceStep step = advance(surface, scratch, {}, t);
         ASSERT_EQ(step.steps, 1U);
-        double dx = x, dv = v;  // Taylor's terms of e^(A t)
+        double dx = x, dv = v;  // Taylor terms of e^(A t)
         for (int k = 1; k <= 4; ++k) {
             const double next = dv * t / k;
             dv = (-w2 * dx - 2 * s.damping * dv) * t / k;
@@ -153,7 +155,7 @@ TEST(SpringSurfaceAccuracy, AStepIsRungeKuttasOwnRecurrence) {
     EXPECT_NEAR(part.velocity, v, 1e-12);
 }
 
-/// Largest difference of heights, m.
+/// Largest difference of heights (m).
 double distance(const SpringSurface& a, const SpringSurface& b) {
     double most = 0;
     each_node(a.settings, [&](std::size_t, std::size_t, std::size_t i) {
@@ -176,7 +178,7 @@ TEST(SpringSurfaceAccuracy, ConvergesInFourthOrderUnderAProbeToo) {
     const double t = 32 * 0.9 / std::sqrt(2 * stiffest_frequency(s) * stiffest_frequency(s));
     for (const std::size_t count : {0U, 1U}) {
         const auto with = std::span(probes).first(count);
-        // Pressed by 10 N from the start, and never let go: no kink.
+        // Pressed by 10 N from the start and never released, so the motion is smooth.
         const SpringSurface start = with_heights(make_spring_surface(s), [&](std::size_t x, std::size_t z) {
             return 0.05 * shape_at(s, 1, 1, x, z) + 0.02 * shape_at(s, 2, 3, x, z);
         });
@@ -189,7 +191,7 @@ TEST(SpringSurfaceAccuracy, ConvergesInFourthOrderUnderAProbeToo) {
     }
 }
 
-/// Weights as the header's words have them.
+/// Weights of the footprint as the header defines them.
 std::vector<double> weights_of(const SpringSurfaceSettings& s, const SurfaceProbe& p) {
     std::vector<double> weights(make_spring_surface(s).height.size());
     const double a = surface_node_spacing(s), radius = std::max(p.radius, 1.5 * a);
@@ -203,7 +205,7 @@ std::vector<double> weights_of(const SpringSurfaceSettings& s, const SurfaceProb
     return weights;
 }
 
-/// m/N: how far the sheet gives way, by the sum over its modes.
+/// Deflection per force at the probe, from the sum over all modes (m/N).
 double compliance(const SpringSurfaceSettings& s, const SurfaceProbe& p) {
     const std::vector<double> weights = weights_of(s, p);
     const double mass = s.areal_mass * surface_node_spacing(s) * surface_node_spacing(s);

@@ -1,4 +1,4 @@
-// A hand in a fluid that is really computed, each pushing the other: what fluid_touch.h asks of a game, done.
+// A hand and a computed fluid that push each other, coupled as fluid_touch.h asks of a game.
 #include <gtest/gtest.h>
 
 #include "fluid/fields.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double brew_density = 8;  // kg/m^3
 
-/// A periodic box of 1 m, so that nothing takes momentum but the hand.
+/// A periodic box of 1 m, in which only the hand can change the fluid's momentum.
 struct StirredBox {
     fluid::Fluid fluid =
         *fluid::make_fluid({.cells = {16, 16, 16},
@@ -18,7 +18,7 @@ struct StirredBox {
                             .edges = {fluid::Edge::periodic, fluid::Edge::periodic, fluid::Edge::periodic},
                             .viscosity = 0.02});
     StirringRig rig{};
-    vec3 given{};  ///< N s, to the fluid
+    vec3 given{};  ///< impulse given to the fluid (N s)
 
     StirredBox() {
         auto& touch = rig.fluid();
@@ -48,7 +48,7 @@ struct StirredBox {
         newest_step(rig.fluid(), flow());
     }
 
-    /// kg m/s, in the bowl, of the hand: as heavy there as s_f makes it.
+    /// Momentum of the hand in the bowl, with the mass that s_f gives it there (kg m/s).
     vec3 hand_momentum() const {
         const auto& frame = rig.model.fluid.frame;
         return frame.turn * (rig.spec.mass * rig.tip.velocity) / frame.newtons_per_newton;
@@ -71,10 +71,10 @@ TEST(FluidTouchAccuracy, HandAndFluidTogetherKeepTheirMomentum) {
 }
 
 TEST(FluidTouchAccuracy, AHandThatLetsGoIsCarriedOn) {
-    // A hand that stirs round and round sets the fluid going; let go, it goes on with the current.
+    // The hand stirs in circles. When released, it moves on with the flow that it made.
     StirredBox box;
     auto& rig = box.rig;
-    rig.servo.limits.cap = 1e-9;  // led, not felt
+    rig.servo.limits.cap = 1e-9;  // the hand is guided and feels no force
     const double radius = 0.2 / 16, turns_per_second = 1.5;
     int tick = 0;
     const auto led = [&](double t) {

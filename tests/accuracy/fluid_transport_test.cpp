@@ -1,4 +1,5 @@
-// Substances carried by a given flow: orders of convergence, a constant, the amount, positivity, symmetry to the bit, solids, diffusion.
+// Transport of substances by a given flow: order of convergence, a constant density, conservation,
+// positivity, exact symmetry, solids and diffusion.
 #include "fluid/ghosts.h"
 #include "fluid/transport.h"
 
@@ -23,7 +24,7 @@ constexpr Edges all_walls{Edge::free_slip, Edge::no_slip, Edge::free_slip};
 
 std::size_t place(const Lattice& l, int i, int j, int k) { return static_cast<std::size_t>(l.at(i, j, k)); }
 
-/// Of the middles of cells, m.
+/// Samples of a function of the place (m) at cell centres.
 Samples field(const Lattice& l, const std::function<double(vec3)>& value) {
     Samples samples = make_samples(l);
     each_cell(l, [&](int i, int j, int k, std::size_t at) {
@@ -45,7 +46,7 @@ Velocity uniform(const Lattice& l, vec3 v) {
     return velocity;
 }
 
-/// Once about z through the middle of a unit box in a second.
+/// One revolution per second about z, through the centre of a unit box.
 Velocity rigid_turn(const Lattice& l) {
     const double h = l.h;
     Velocity velocity{make_samples(l), make_samples(l), make_samples(l)};
@@ -57,13 +58,13 @@ Velocity rigid_turn(const Lattice& l) {
     return velocity;
 }
 
-/// The curl of random potentials on edges that are none of `closed`'s: no divergence but rounding. Potentials are multiples of 1/64, so
-/// that the sums are exact.
+/// The curl of random potentials on all edges that do not touch a closed cell; its divergence is zero
+/// up to rounding. Potentials are multiples of 1/64, so the sums are exact.
 Velocity solenoidal(const Lattice& l, std::uint64_t seed, const std::function<bool(int, int, int)>& closed) {
     const Cells n = l.cells;
     std::array<Samples, 3> potential{make_samples(l), make_samples(l), make_samples(l)};
     Random random = random_stream(seed, 3);
-    // The edge along `axis` at the low corner of a cell touches the four cells across it.
+    // The edge along `axis` at the low corner of a cell belongs to the four cells around it.
     const auto is_free = [&](std::size_t axis, Cells cell) {
         for (int corner = 0; corner < 4; ++corner) {
             Cells c = cell;
@@ -111,12 +112,12 @@ double amount(const Lattice& l, const Samples& density) {
 float least(const Lattice& l, const Samples& density) {
     float result = density[place(l, 0, 0, 0)];
     each_cell(l, [&](int, int, int, std::size_t at) {
-        if (!(density[at] >= result)) result = density[at];  // a NaN stays
+        if (!(density[at] >= result)) result = density[at];  // keeps a NaN
     });
     return result;
 }
 
-/// Relative L2.
+/// Relative L2 error.
 double error(const Lattice& l, const Samples& found, const Samples& exact) {
     double off = 0, all = 0;
     each_cell(l, [&](int, int, int, std::size_t at) {
@@ -126,7 +127,7 @@ double error(const Lattice& l, const Samples& found, const Samples& exact) {
     return std::sqrt(off / all);
 }
 
-/// `steps` of `seconds` together. What the last one says.
+/// Transports a density in `steps` steps of `seconds` in total. Returns the last report.
 TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& density, double seconds, int steps,
                       const TransportSettings& settings = {.most_substeps = 64},
                       const FaceApertures* face_apertures = nullptr) {
@@ -140,9 +141,9 @@ TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& densi
 
 const auto nothing_closed = [](int, int, int) { return false; };
 
-// ---- convergence -----------------------------------------------------------------------------------------------------
+// ---- convergence ------------------------------------------------------------------------------------------------
 
-/// After a quarter of the box along x and an eighth along y and z.
+/// Error after a translation by a quarter of the box along x and an eighth along y and z.
 double translation_error(int n, double courant) {
     const Lattice l = make_lattice({n, n, n}, 1.0 / n, all_round);
     const vec3 v(1, 0.5, -0.5);
@@ -195,9 +196,9 @@ TEST(TransportAccuracy, ABlobComesBackFromATurn) {
 }
 
 struct Deformed {
-    double error;        ///< relative L1
-    double least, most;  ///< over all steps
-    double change;       ///< of the amount, relative
+    double error;        ///< relative L1 error
+    double least, most;  ///< extremes over all steps
+    double change;       ///< relative change of the amount
 };
 
 Velocity deformation_at_start(const Lattice& l) {
@@ -220,7 +221,7 @@ Velocity times(double factor, Velocity velocity) {
     return velocity;
 }
 
-/// There and back again in LeVeque's flow.
+/// LeVeque's flow, forward and back again.
 Deformed deformed(double (*shape)(vec3), int n, double courant) {
     const Lattice l = make_lattice({n, n, n}, 1.0 / n, {Edge::free_slip, Edge::free_slip, Edge::free_slip});
     const Samples before = field(l, shape);
@@ -260,7 +261,8 @@ TEST(TransportAccuracy, WhatIsDrawnThinStaysWithinItsBoundsAndComesBack) {
     }
 }
 
-// ---- what holds for any flow -----------------------------------------------------------------------------------------
+// ---- properties for any flow
+// -----------------------------------------------------------------------------------------
 
 TEST(Transport, NothingRisesAboveTheHighestWhereTheFlowHasNoDivergence) {
     for (const Edges& edges : {all_round, all_walls}) {
@@ -355,12 +357,12 @@ TEST(Transport, WhatIsNotThereOrDoesNotMoveIsNotVisited) {
     EXPECT_GE(carry(l, still, some, 0.1, 1, {.diffusion = 0.01}).cells, 8 * 8 * 8);
 }
 
-// ---- symmetry --------------------------------------------------------------------------------------------------------
+// ---- symmetry ---------------------------------------------------------------------------------------------------
 
-/// Cells and faces of one lattice seen along exchanged axes and mirrored ones.
+/// A lattice seen with permuted and mirrored axes.
 struct View {
     std::array<std::size_t, 3> axes{0, 1, 2};  ///< the new axis a is the old axes[a]
-    std::array<bool, 3> mirrored{};            ///< of the new ones
+    std::array<bool, 3> mirrored{};            ///< mirrored new axes
 };
 
 Cells seen(const View& view, Cells n, Cells cell, std::array<int, 3> faces) {
@@ -396,7 +398,7 @@ Velocity seen(const View& view, const Lattice& from, const Lattice& to, const Ve
     return result;
 }
 
-/// Largest difference between what becomes of the seen and what is seen of what has become.
+/// Largest difference between a transported view and a view of the transported density.
 double asymmetry(const View& view, const Edges& edges) {
     const Lattice l = make_lattice({13, 10, 11}, 0.1, edges);
     Cells cells{};
@@ -429,11 +431,11 @@ TEST(Transport, MirrorsAndTheExchangeOfXAndYHoldToTheBit) {
         EXPECT_EQ(asymmetry({.axes = {1, 0, 2}}, edges), 0);
         EXPECT_LE(asymmetry({.axes = {2, 1, 0}}, edges), 2e-6);
         EXPECT_LE(asymmetry({.axes = {1, 2, 0}}, edges), 2e-6);
-        EXPECT_GT(asymmetry({.axes = {1, 2, 0}}, edges), 0);  // or the test would not see a bit
+        EXPECT_GT(asymmetry({.axes = {1, 2, 0}}, edges), 0);  // the test detects a single bit
     }
 }
 
-// ---- solids ----------------------------------------------------------------------------------------------------------
+// ---- solids -----------------------------------------------------------------------------------------------------
 
 Velocity apertures(const Lattice& l, const std::function<bool(int, int, int)>& closed) {
     Velocity result{make_samples(l), make_samples(l), make_samples(l)};
@@ -501,7 +503,7 @@ TEST(TransportSolids, HalfOpenFacesLetHalfThrough) {
     EXPECT_LE(error(l, through_half, slower), 1e-6);
 }
 
-// ---- diffusion -------------------------------------------------------------------------------------------------------
+// ---- diffusion --------------------------------------------------------------------------------------------------
 
 double diffusion_error(int n) {
     const Lattice l = make_lattice({n, n, 4}, 1.0 / n, {Edge::free_slip, Edge::no_slip, Edge::periodic});

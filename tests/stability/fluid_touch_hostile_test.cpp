@@ -1,4 +1,4 @@
-// A hand that stirs creates no energy and comes to no harm, whatever hand, fluid and delay do.
+// A stirring hand creates no energy and stays finite, for any hand, fluid and delay.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -20,11 +20,13 @@ vec3 vector_within(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-// ---- the way through the fluid -------------------------------------------------------------------------------------
+// ---- coupling through the fluid
+// ------------------------------------------------------------------------------------
 
-/// A fluid that is one mass: it is pushed in the step after the one in which the hand moved it, and is read when that has ended.
+/// A fluid reduced to one mass. It is pushed in the step after the hand moved it, and is read at the
+/// end of that step.
 struct LateFluid {
-    double mass{};  ///< kg
+    double mass{};  ///< mass of the fluid (kg)
     vec3 velocity{}, pushed{}, coming{};
 
     void step(FluidTouch& touch) {
@@ -35,7 +37,8 @@ struct LateFluid {
     }
 };
 
-/// m/s, of the flow after so many steps, begun at 1; the hand is held fast where hand_mass is 0. told: the mass that the model names.
+/// Speed of the flow after some steps, starting at 1 (m/s). The hand is fixed if hand_mass is 0. `told`
+/// is the mass in the model.
 double flow_after(int steps, double told, double mass, double hand_mass) {
     StirringRig rig;
     rig.servo.most_damping = hand_mass > 0 ? 4 : 1e9;
@@ -63,15 +66,15 @@ TEST(FluidTouchHostile, TheWayThroughTheFluidDoesNotRing) {
     for (const double mass : {0.1, 3.0, 200.0}) {
         EXPECT_LE(flow_after(60, mass, mass, 0), 1e-4) << mass;
         for (const double hand : {0.02, 0.1, 1.0}) EXPECT_LE(flow_after(300, mass, mass, hand), 1e-3);
-        // What the limit is for: up to a gain of 0.83 it fades, beyond it grows.
+        // The purpose of the limit: up to a gain of 0.83 oscillations decay, beyond it they grow.
         EXPECT_LE(flow_after(400, mass * 0.80 / loop_gain, mass, 0), 0.2);
         EXPECT_GE(flow_after(400, mass * 0.86 / loop_gain, mass, 0), 5);
     }
 }
 
-// ---- energy --------------------------------------------------------------------------------------------------------
+// ---- energy -----------------------------------------------------------------------------------------------------
 
-/// So that no cap takes anything from the hand that the world gave.
+/// A device without limits, so that no cap removes force that the world gave.
 DeviceSpec without_limits(DeviceSpec spec) {
     spec.peak_force = spec.continuous_force = 1000;
     return spec;
@@ -91,7 +94,8 @@ TEST(FluidTouchHostile, PassiveModesCreateNothing) {
     }
 }
 
-// ---- what is no number ---------------------------------------------------------------------------------------------
+// ---- values that are not numbers
+// -----------------------------------------------------------------------------------
 
 double nasty_number(Random& random) {
     switch (random.below(9)) {
@@ -182,7 +186,7 @@ TEST(FluidTouchHostile, NothingGetsThroughAndWhatIsSaneAgainIsFeltAgain) {
                         std::isfinite(state.fluid.flow_work));
             ASSERT_TRUE(std::isfinite(state.energy.created));
         }
-        // Sane again. What was asked for repeatedly has shut it off, perhaps: armed anew.
+        // The input is valid again. Repeated faults may have shut the device down, so it is armed anew.
         model = {};
         model.fluid = some_fluid();
         model.fluid.number = 77;
@@ -192,7 +196,7 @@ TEST(FluidTouchHostile, NothingGetsThroughAndWhatIsSaneAgainIsFeltAgain) {
             model.rearm = tick == 1000;
             servo_step(servo, state, model, {vec3(1e-5 * tick, 0, 0), 0});
         }
-        // 0.01 m/s: 1/16 (2 4 + 1/2 8) of it; the mass goes along by now.
+        // The force is for 0.01 m/s: 1/16 (2 4 + 1/2 8) of it. The mass moves along by now.
         EXPECT_NEAR(state.fluid.force.x, -0.01 * 0.75, 1e-6);
         EXPECT_NEAR(state.safety.output.x, -0.01 * 0.75, 1e-4) << run << " " << state.safety.cause;
     }

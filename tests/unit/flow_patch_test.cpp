@@ -1,4 +1,4 @@
-// The piece of a flow that a haptic model carries: what is taken of fields, and how it is read.
+// FlowPatch, the piece of a flow in a haptic model: how it is sampled from fields and how it is read.
 #include "haptics/flow_patch.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(FlowPatch, ItsNodesAreTheFluidsFieldsThere) {
     for (auto& grid : velocity.component) grid.kernel = field::Kernel::linear;
     Random random{1};
     for (int run = 0; run < 200; ++run) {
-        const vec3 middle = place_in(random, -0.5, 2.5);  // beyond the box too
+        const vec3 middle = place_in(random, -0.5, 2.5);  // beyond the box, too
         const FlowPatch patch = patch_of(source, middle);
         ASSERT_EQ(patch.spacing, 0.125);
         for (int n = 0; n < 64; ++n) {
@@ -64,7 +64,7 @@ TEST(FlowPatch, ItsNodesAreTheFluidsFieldsThere) {
 }
 
 TEST(FlowPatch, ReadsALinearFlowExactlyAndOneAtRestAlikeFromEachPatch) {
-    // What is linear over the place keeps being it through the fluid's samples and the patch's.
+    // A linear field stays linear through the fluid's samples and the patch's samples.
     auto fluid = wild_fluid();
     const auto flow = [](vec3 p) { return vec3(1 + p.y, 2 * p.x - p.z, 0.5 - 3 * p.y); };
     fluid::set_velocity(fluid, flow);
@@ -104,7 +104,7 @@ TEST(FlowPatch, GoesOnBeyondItsNodesAndIsEmptyOfNothing) {
     EXPECT_EQ(flow_at({}, {}).density, 0);
     EXPECT_EQ(patch_of({}, {}).spacing, 0);
     EXPECT_EQ(patch_of(source_of(fluid), vec3(1e300)).spacing, 0.125);
-    // A substance that makes lighter by more than there is.
+    // A substance with more negative weight than the whole fluid has weight.
     auto source = source_of(fluid);
     source.substances[2].density = -1e9;
     for (const FlowNode& node : patch_of(source, vec3(0.6)).nodes) EXPECT_GE(node.density, 0);

@@ -1,4 +1,5 @@
-// Saved fluids: what is restored goes on to the same bits; what is spoilt is refused and named.
+// Saved fluids: a restored fluid continues with the same bits; a damaged file is refused with a message
+// that names the fault.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -65,7 +66,7 @@ Brew brew_of(const Case& c) {
     return {std::move(*fluid), make_spring_surface(*surface)};
 }
 
-/// A ladle that goes round, something poured now and then, a probe that breaks through.
+/// A ladle goes in circles, a substance is poured at intervals, and a probe breaks through.
 void stir(Brew& brew, int from, int to) {
     for (int i = from; i < to; ++i) {
         const double turn = 0.3 * i;
@@ -93,14 +94,14 @@ TEST(FluidSaved, RestoredGoesOnToTheSameBits) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
         Brew through = brewed(c, 6);
-        // What was pushed for the next step is part of it.
+        // A push queued for the next step is part of the state.
         push(through.fluid, {vec3(0.4), 0.2, vec3(0.01, 0, 0)});
         auto saved = restore(save(through.fluid, through.surface, c.shape), solid_of);
         ASSERT_TRUE(saved.has_value()) << saved.error().message;
         EXPECT_EQ(saved->shape, c.shape);
         Brew again{std::move(saved->fluid), std::move(saved->surface)};
         if (c.settings.solver == Solver::thaum) {
-            EXPECT_EQ(again.fluid.now.velocity, through.fluid.now.velocity);  // ghosts as well
+            EXPECT_EQ(again.fluid.now.velocity, through.fluid.now.velocity);  // includes the ghosts
         }
         EXPECT_EQ(save(again.fluid, again.surface, c.shape), save(through.fluid, through.surface, c.shape));
         stir(through, 6, 16);
@@ -131,7 +132,7 @@ TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
         ASSERT_NE(refusal(std::span(file).first(length)).find("cut off"), std::string::npos) << length;
     Random random = random_stream(1, 0);
     for (std::size_t i = 0; i < 1100; ++i) {
-        // The head byte for byte, then anywhere.
+        // Damage each byte of the header, then bytes anywhere.
         Bytes spoilt = file;
         spoilt[i < 100 ? i : random.below(file.size())] ^= static_cast<std::byte>(1 + random.below(255));
         ASSERT_NE(refusal(spoilt), "") << i;
@@ -145,7 +146,7 @@ TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
         EXPECT_EQ(refusal(other), text("saved fluid: it has version ", version,
                                        "; this program reads version ", saved_version));
     }
-    // A byte too many, though all around it is right.
+    // One byte too many, with correct length and checksum.
     Bytes wider(file.begin(), file.end() - 8);
     wider.push_back(std::byte{});
     const auto length = static_cast<std::uint64_t>(wider.size() - 20);
@@ -155,7 +156,7 @@ TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
     EXPECT_EQ(refusal(std::as_bytes(std::span("a text file of some length"))), "saved fluid: this is none");
 }
 
-/// What is said of a file whose checksum is right and one thing in it is not.
+/// Error message for a file with a correct checksum and one invalid value.
 std::string refusal_of(const std::function<void(Brew&, NamedShape&)>& spoil) {
     Case c{"small", settings_of(6), ball};
     c.settings.solid = *solid_of(ball);

@@ -1,4 +1,4 @@
-// What a hand feels that stirs, against closed forms; what the fluid gets of it.
+// Forces on a stirring hand against closed forms, and the momentum that the fluid receives.
 #include "haptics/fluid_touch.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace thaum::haptics {
 namespace {
 
-/// s_f s_x: what 1 N s/m of the bowl is at the hand.
+/// Force at the hand per 1 N s/m in the bowl: s_f s_x.
 constexpr double felt_share = 16.0 / 256;
 
 vec3 in_device(const FluidTouch& touch, vec3 bowl) { return glm::transpose(touch.frame.turn) * bowl; }
@@ -19,7 +19,7 @@ vec3 any_vector(Random& random, double size) {
     return {random.uniform(-size, size), random.uniform(-size, size), random.uniform(-size, size)};
 }
 
-// ---- drag ----------------------------------------------------------------------------------------------------------
+// ---- drag -------------------------------------------------------------------------------------------------------
 
 TEST(FluidTouch, EachModeIsItsEquation) {
     Random random{3};
@@ -49,7 +49,8 @@ TEST(FluidTouch, EachModeIsItsEquation) {
 }
 
 TEST(FluidTouch, AMixtureIsFeltAsTheWeightedSumOfItsSubstances) {
-    // Two substances, each in an own grid: the force is the sum of theirs by amount (section 4.1 of the paper).
+    // Two substances on separate grids: the force is the sum of both, weighted by amount (section 4.1
+    // of the paper).
     std::array<float, 8> one{}, other{}, still{};
     one.fill(0.25F);
     other.fill(0.5F);
@@ -89,7 +90,8 @@ TEST(FluidTouch, AFreeHandComesToGoAsTheFlowDoes) {
     }
 }
 
-/// Of 1 - z = gain (1 + z) / 2 (1/8) sum z^-j: a velocity of 8 ticks back to now, held for a tick, brakes a mass.
+/// Decay per tick of a mass braked by the velocity of the last 8 ticks, held for a tick. It is the root
+/// of 1 - z = gain (1 + z) / 2 (1/8) sum z^-j.
 double decay_per_tick(double gain) {
     double low = 0.9, high = 1;
     for (int i = 0; i < 200; ++i) {
@@ -130,8 +132,8 @@ TEST(FluidTouch, NoBrewIsTooThickForTheDevice) {
 }
 
 TEST(FluidTouch, WhatTheHandGetsTheFluidLoses) {
-    // All drags, in a flow that grows and a brew that changes from step to step: the momentum of the device, of which the test
-    // knows by its motion alone, against the sum of what the fluid is to get.
+    // All kinds of drag act at once, in a growing flow and a brew that changes from step to step. The
+    // device's momentum, known from its motion alone, must equal the sum of what the fluid receives.
     StirringRig rig;
     rig.fluid().modes = {1, 1, 1, 0, 0, 0, 0};
     Random random{5};
@@ -171,7 +173,7 @@ TEST(FluidTouch, TheFluidGetsAllOfItFromAGentleHand) {
     }
 }
 
-// ---- time ----------------------------------------------------------------------------------------------------------
+// ---- time -------------------------------------------------------------------------------------------------------
 
 TEST(FluidTouch, AFluidStepMakesNoJump) {
     StirringRig rig;
@@ -219,9 +221,9 @@ TEST(FluidTouch, AnOldModelGoesOnAsANewOneWould) {
     EXPECT_GT(glm::length(fresh.state.fluid.force) + std::abs(fresh.state.fluid.surface_force), 0.1);
 }
 
-// ---- wall ----------------------------------------------------------------------------------------------------------
+// ---- wall -------------------------------------------------------------------------------------------------------
 
-/// m: how far a place is outside each piece of the profile, at most; below 0 within all.
+/// Largest distance of a place outside the pieces of the profile; negative inside all of them (m).
 double outside_by(const BowlWall& wall, vec3 place) {
     const vec3 off = place - wall.centre;
     const vec2 at{std::sqrt(off.x * off.x + off.z * off.z), off.y};
@@ -235,7 +237,7 @@ double outside_by(const BowlWall& wall, vec3 place) {
 
 TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
     Random random{4};
-    // The bowl of the court, whose inside is widest below its level; and half an ellipsoid.
+    // The arena's bowl, which is widest inside below its rim, and half an ellipsoid.
     BowlWall court{.points = 5};
     court.profile = {vec2{1.265, 0}, {1.35, -0.31}, {1.2, -0.56}, {0.75, -0.73}, {0, -0.76}};
     for (int run = 0; run < 3000; ++run) {
@@ -248,7 +250,8 @@ TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
             continue;
         }
         EXPECT_LE(std::abs(outside_by(wall, held)), 1e-12);
-        // Of a convex set the nearest place is the one from which none within lies nearer: (place - held) . (other - held) <= 0.
+        // For a convex set, (place - held) . (other - held) <= 0 holds for all other points exactly if
+        // `held` is the nearest.
         for (int other = 0; other < 30; ++other) {
             const vec3 within = wall.centre + any_vector(random, 1.4);
             if (outside_by(wall, within) > 0) continue;
@@ -268,8 +271,8 @@ TEST(FluidTouch, AHandThatLeansOnTheBowlGoesInByForceOverStiffness) {
     rig.fluid().modes.wall = 1;
     rig.fluid().frame.origin = {};
     rig.fluid().wall = bench::round_bowl(1.5, 1);
-    rig.fluid().wall.stiffness = 5000;  // 312.5, 2.5 at the hand
-    rig.fluid().wall.damping = 40;
+    rig.fluid().wall.stiffness = 5000;  // 312.5 N/m at the hand
+    rig.fluid().wall.damping = 40;      // 2.5 N s/m at the hand
     const vec3 out = in_device(rig.fluid(), glm::normalize(vec3(0.3, -1, 0.2)));
     rig.model.lean = {2.0 * out, 1};
     for (int tick = 0; tick < 6000; ++tick) rig.tick();
@@ -278,7 +281,7 @@ TEST(FluidTouch, AHandThatLeansOnTheBowlGoesInByForceOverStiffness) {
     EXPECT_NEAR(glm::length(place - state.place) / 16, 2.0 / 312.5, 2e-6);
     EXPECT_NEAR(glm::length(state.wall), 2, 1e-3);
     EXPECT_LE(glm::length(state.wall + rig.model.lean.force), 1e-2);
-    // However deep it is, and wherever it came from, it is drawn back in.
+    // From any depth and direction the place is moved back inside.
     const vec3 far = rig.feel_at(out * 3.0);
     EXPECT_LT(glm::dot(far, out), 0);
 }
@@ -296,7 +299,7 @@ TEST(FluidTouch, TheWallNeverPulls) {
     EXPECT_NEAR(rig.feel_moving({2, 0.5, 0}, {}).x, -100, 1e-9) << "above the rim it goes on upright";
 }
 
-// ---- surface -------------------------------------------------------------------------------------------------------
+// ---- surface ----------------------------------------------------------------------------------------------------
 
 BrewSurface surface_of(const fluid::SpringSurfaceSettings& s, const fluid::ProbeReaction& r) {
     return {.height = r.height,
@@ -343,7 +346,8 @@ TEST(FluidTouch, TheSurfaceIsTheSheetsOwnSpring) {
 }
 
 TEST(FluidTouch, ASurfaceThatLiftsAHandPaysForIt) {
-    // Lifted with it, a hand gets the energy that the surface loses; held against it as it sinks, the surface gets the hand's.
+    // A hand lifted by the surface receives the energy that the surface loses, and the reverse when the
+    // surface sinks.
     StirringRig rig;
     rig.fluid().modes.surface = 1;
     rig.fluid().frame = {.metres_per_metre = 20, .newtons_per_newton = 0.005};
@@ -387,7 +391,7 @@ TEST(FluidTouch, TheLadleIsFeltAsItDipsIn) {
     EXPECT_EQ(rig.state.fluid.immersed, 0);
 }
 
-// ---- inertia and recoil --------------------------------------------------------------------------------------------
+// ---- inertia and recoil -----------------------------------------------------------------------------------------
 
 TEST(FluidTouch, TheLadleIsAsHeavyAsItIs) {
     for (const double strength : {1.0, 0.5}) {
@@ -401,7 +405,7 @@ TEST(FluidTouch, TheLadleIsAsHeavyAsItIs) {
         for (int tick = 0; tick < 1000; ++tick) {
             rig.tick();
             if (tick == 499) halfway = rig.tip.velocity;
-            // What hand and ladle have is what was given, in each tick.
+            // In each tick, hand and ladle together have the momentum that was given.
             const vec3 momentum = 0.1 * rig.tip.velocity + mass * rig.state.fluid.mass_velocity;
             ASSERT_LE(glm::length(momentum - rig.model.lean.force * ((tick + 1) * tick_seconds)), 1e-9)
                 << tick;
@@ -440,7 +444,7 @@ TEST(FluidTouch, WhatIsThrownInRecoilsByItsImpulse) {
     EXPECT_EQ(recoil_peak(rig.fluid(), impulse, 30), vec3(0));
 }
 
-// ---- off, and switches ---------------------------------------------------------------------------------------------
+// ---- off, and switches ------------------------------------------------------------------------------------------
 
 TEST(FluidTouch, WithoutStrengthItIsFeltAsIfThereWereNone) {
     StirringRig none, off;
@@ -457,11 +461,11 @@ TEST(FluidTouch, WithoutStrengthItIsFeltAsIfThereWereNone) {
             rig->model.tether = {.stiffness = 100, .damping = 1};
             rig->model.pulse = {{1, 0, 0}, 10, static_cast<std::uint32_t>(1 + tick / 50)};
             rig->model.lean.number =
-                1 + static_cast<std::uint64_t>(tick) / 7;  // another one is a switch, too
+                1 + static_cast<std::uint64_t>(tick) / 7;  // a change of it is a switch, too
         }
         off.fluid().number = none.model.lean.number;
         ASSERT_EQ(none.feel_at(at), off.feel_at(at));
-        // Where the ladle is, is told all the same.
+        // The place of the ladle is still reported.
         const vec3 place = held_in(off.fluid().wall, to_bowl(off.fluid().frame, at));
         ASSERT_EQ(off.state.fluid.place, place);
         ASSERT_EQ(off.state.fluid.immersed, 0) << "above the surface";
