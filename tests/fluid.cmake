@@ -1,7 +1,7 @@
 thaum_test(test_fluid
     SOURCES
-        accuracy/fluid_accuracy_test.cpp accuracy/fluid_classic_test.cpp accuracy/fluid_sheet_test.cpp accuracy/fluid_solids_test.cpp
+        accuracy/fluid_accuracy_test.cpp accuracy/fluid_classic_test.cpp accuracy/fluid_spring_surface_test.cpp accuracy/fluid_solids_test.cpp
         accuracy/fluid_buoyancy_test.cpp accuracy/fluid_transport_test.cpp
-        stability/fluid_hostile_test.cpp stability/fluid_sheet_hostile_test.cpp
+        stability/fluid_hostile_test.cpp stability/fluid_spring_surface_hostile_test.cpp
         unit/fluid_resample_test.cpp unit/fluid_saved_test.cpp
     LINK thaum_fluid)

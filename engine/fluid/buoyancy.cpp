@@ -3,17 +3,17 @@
 namespace thaum::fluid {
 namespace {
 
-/// Change of a row of values by the flow across one axis, times -2 h (m/s).
-struct Across {
+/// Advection of one row of values across one axis; the change is multiplied by -2 h (m/s).
+struct AxisAdvection {
     const float* velocity;
-    const float* open;  ///< null: all open
+    const float* open;  ///< null: all faces are open
     std::ptrdiff_t step;
 
-    Eight flow(std::ptrdiff_t i) const {
+    Floats8 flow(std::ptrdiff_t i) const {
         return open != nullptr ? load(velocity + i) * load(open + i) : load(velocity + i);
     }
-    Eight change(const float* value, std::ptrdiff_t i) const {
-        const Eight here = load(value + i);
+    Floats8 change(const float* value, std::ptrdiff_t i) const {
+        const Floats8 here = load(value + i);
         return flow(i + step) * (load(value + i + step) - here) + flow(i) * (here - load(value + i - step));
     }
 };
@@ -25,14 +25,14 @@ void predict_weight(const Rows& rows, const std::array<Samples, 3>& velocity,
     const auto part = static_cast<float>(time / (2 * rows.lattice.h));
     each_row(rows, [&](Row row) {
         const auto across = [&](std::size_t axis) {
-            return Across{velocity[axis].data() + row.at,
-                          open != nullptr ? (*open)[axis].data() + row.at : nullptr,
-                          rows.lattice.stride[axis]};
+            return AxisAdvection{velocity[axis].data() + row.at,
+                                 open != nullptr ? (*open)[axis].data() + row.at : nullptr,
+                                 rows.lattice.stride[axis]};
         };
-        const Across x = across(0), y = across(1), z = across(2);
+        const AxisAdvection x = across(0), y = across(1), z = across(2);
         const float* value = weight.data() + row.at;
         for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
-            const Eight change = (x.change(value, i) + y.change(value, i)) + z.change(value, i);
+            const Floats8 change = (x.change(value, i) + y.change(value, i)) + z.change(value, i);
             store(moved.data() + row.at + i, load(value + i) - part * change);
         }
     });

@@ -1,7 +1,9 @@
-// fluid/buoyancy.h: the weight of substances: its course within a step, and what diffusion lifts.
+// fluid/buoyancy.h: the weight of substances: its motion within a step, and the energy that diffusion
+// adds by lifting it.
 //
-// A force taken from the densities at the start of a step feeds waves: every step of an oscillation of frequency w adds
-// (w dt)^2 / 2 of its kinetic energy. Taken from the densities half a step later, the same step neither feeds nor damps it.
+// If the buoyancy force used the densities at the start of a step, waves would grow: an oscillation of
+// frequency w would gain (w dt)^2 / 2 of its kinetic energy in each step. With the densities half a
+// step later, the step neither amplifies nor damps it.
 #pragma once
 #include <array>
 
@@ -10,13 +12,15 @@
 
 namespace thaum::fluid {
 
-/// Moves `weight`, with its ghosts, by the velocity for `time` (s) in one step of first order with central differences.
-/// Only for a prediction: it conserves nothing, but a constant stays a constant. `open`: shares of open faces; null: all open.
+/// Moves `weight` by the velocity for `time` (s), in one step of first order with central differences.
+/// The ghosts of `weight` must be filled. The result is only a prediction: the amount is not conserved,
+/// but a constant stays constant. `open` holds the open shares of faces; null means all are open.
 void predict_weight(const Rows& rows, const std::array<Samples, 3>& velocity,
                     const std::array<Samples, 3>* open, double time, const Samples& weight, Samples& moved);
 
-/// Potential energy that diffusion with k = 1 m^2/s adds in a second, summed over cells (1/s^2 for a weight without unit): what is
-/// heavy below spreads upwards. The weight's ghosts are filled; `open` as above.
+/// Potential energy that diffusion with k = 1 m^2/s adds per second, summed over cells (1/s^2 for a
+/// weight without unit). Diffusion adds energy because it spreads a heavy substance upwards from below.
+/// The ghosts of `weight` must be filled; `open` is as above.
 double lifted_by_diffusion(const Rows& rows, const std::array<Samples, 3>* open, const vec3& gravity,
                            const Samples& weight);
 

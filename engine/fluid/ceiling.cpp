@@ -7,8 +7,8 @@
 namespace thaum::fluid {
 namespace {
 
-/// Highest of a row of densities >= 0. A negative zero may be among them. They compare like the integers of their bits, which
-/// GCC 12 makes vectors of.
+/// Highest density of a row. Densities are >= 0 or negative zero, so their bits compare like integers.
+/// GCC 12 vectorises the integer comparison.
 [[gnu::noinline]] float highest_of_row(const float* __restrict value, std::ptrdiff_t count) {
     std::uint32_t most = 0;
     for (std::ptrdiff_t i = 0; i < count; ++i)
@@ -16,19 +16,20 @@ namespace {
     return std::bit_cast<float>(most);
 }
 
-/// Densities along one axis: a cell in the middle and three on each side, mirrored at walls and solids.
-struct Stretch {
+/// Densities along one axis: a cell and three cells on each side, mirrored at walls and solids.
+struct DensityStencil {
     std::array<float, 7> value{};
-    bool narrow{};  ///< true where there are walls on both sides
+    bool narrow{};  ///< true: there are walls on both sides
 };
 
-/// `aperture` points to the open share of the face below the cell; null where all faces are open.
-Stretch densities_along(const float* density, const float* aperture, std::ptrdiff_t s) {
-    Stretch result;
+/// Reads the densities around a cell. `aperture` points to the open share of the face below the cell;
+/// null means all faces are open.
+DensityStencil densities_along(const float* density, const float* aperture, std::ptrdiff_t s) {
+    DensityStencil result;
     auto& v = result.value;
     for (std::ptrdiff_t i = 0; i < 7; ++i) v[static_cast<std::size_t>(i)] = density[(i - 3) * s];
     if (aperture == nullptr) return result;
-    // Open cells up to the wall, or 3.
+    // Number of open cells before the wall, at most 3.
     std::ptrdiff_t above = 0, below = 0;
     while (above < 3 && aperture[(above + 1) * s] > 0) ++above;
     while (below < 3 && aperture[-below * s] > 0) ++below;
@@ -40,11 +41,14 @@ Stretch densities_along(const float* density, const float* aperture, std::ptrdif
     return result;
 }
 
-// A hill or slope is smooth where it bends or rises from cell to cell by no more than this share of its height, and so evenly.
+// A hill or slope counts as smooth if it bends or rises from cell to cell by at most `change_most` of
+// its height. The smallest such change must be at least `evenness` of the largest.
 constexpr float change_most = 0.125F, evenness = 0.7F;
-constexpr float slope_most = 0.6F;  ///< of a hill's bend: its middle is in this cell
+/// share of a hill's bend; below it, the top of the hill lies in this cell
+constexpr float slope_most = 0.6F;
 
-/// How much higher a smooth slope is at a wall than in the cell before it; 0 where there is no wall or no such slope.
+/// Height that a smooth slope gains between the cell at a wall and the wall; 0 if there is no wall or
+/// no such slope.
 float rise_to_wall(const std::array<float, 7>& v) {
     const auto rise = [&](std::size_t first, std::size_t second, bool mirrored) {
         const float near = v[3] - v[first], far = v[first] - v[second];
@@ -57,8 +61,9 @@ float rise_to_wall(const std::array<float, 7>& v) {
     return std::max(below, above);
 }
 
-/// How much higher than its highest cell a smooth hill is, by a parabola along each axis; 0 where it is not smooth, as sharp edges are.
-float crest_above(const std::array<Stretch, 3>& along) {
+/// Height by which the top of a smooth hill exceeds its highest cell, from a parabola along each axis;
+/// 0 if the hill is not smooth.
+float crest_above(const std::array<DensityStencil, 3>& along) {
     float sum = 0;
     for (const auto& [v, narrow] : along) {
         const auto bend = [&v = v](std::size_t i) { return (v[i] - v[i + 1]) + (v[i] - v[i - 1]); };
@@ -78,8 +83,8 @@ float crest_above(const std::array<Stretch, 3>& along) {
     return sum;
 }
 
-/// True where so many cells are above `level` that they are a body's inside and not a hill's top. Layers and waves, which reach
-/// from side to side of the lattice, may be as high in any number of cells.
+/// True if so many cells exceed `level` that they are the inside of a body and not the top of a hill.
+/// Layers and waves that cross the whole lattice do not count, however many cells they have.
 bool is_plateau(const Rows& rows, const Samples& density, float level) {
     constexpr int cells_of_a_top = 64;
     const auto [nx, ny, nz] = rows.lattice.cells;
@@ -107,7 +112,7 @@ float density_ceiling(const Rows& rows, const std::array<Samples, 3>* aperture, 
     each_row(rows,
              [&](Row row) { most = std::max(most, highest_of_row(density.data() + row.at, row.count)); });
     const auto crest = [&](std::ptrdiff_t at) {
-        std::array<Stretch, 3> along;
+        std::array<DensityStencil, 3> along;
         for (std::size_t axis = 0; axis < 3; ++axis)
             along[axis] = densities_along(density.data() + at,
                                           aperture != nullptr ? (*aperture)[axis].data() + at : nullptr,

@@ -1,8 +1,9 @@
-// fluid/ceiling.h: the highest density that transport may make of the densities there are.
+// fluid/ceiling.h: the limit that keeps transport from creating densities above those that exist.
 //
-// Nothing may rise above the highest cell, or sharp bodies would overshoot. A smooth hill is the exception: its top may stand between
-// cells, and a limit at the highest cell would cut it off again in each sub-step. So where the cells round the highest ones bend evenly,
-// the limit is the top of the parabola through them.
+// No cell may rise above the highest cell; otherwise sharp edges overshoot. A smooth hill is the
+// exception. Its top may lie between cells, and a limit at the highest cell would cut it off in each
+// sub-step. Where the cells around the highest one bend evenly, the limit is therefore the top of a
+// parabola through them.
 #pragma once
 #include <array>
 
@@ -10,8 +11,8 @@
 
 namespace thaum::fluid {
 
-/// Highest value that any cell may come to while `density` is carried. Densities are finite and >= 0, with their ghosts.
-/// `aperture` holds the open shares of faces; null where all are open.
+/// Highest value that any cell may reach while `density` is transported. Densities must be finite and
+/// >= 0, with filled ghosts. `aperture` holds the open shares of faces; null means all are open.
 float density_ceiling(const Rows& rows, const std::array<Samples, 3>* aperture, const Samples& density);
 
 }  // namespace thaum::fluid

@@ -8,10 +8,10 @@
 namespace thaum::fluid {
 namespace {
 
-/// How a field goes on in the one layer of ghosts that this solver looks at.
+/// Values of a field in the one layer of ghosts that this solver uses.
 struct Border {
-    std::array<float, 3> factor{1, 1, 1};  ///< of the cell inside, at walls across each axis
-    float lid{};                           ///< added at the top of y
+    std::array<float, 3> factor{1, 1, 1};  ///< multiple of the nearest inner cell, for walls across each axis
+    float lid{};                           ///< added in the ghosts above the top of y
 };
 
 Border border_of_scalar() { return {}; }
@@ -22,16 +22,17 @@ Border border_of_velocity(const Settings& settings, std::size_t component) {
         const bool through = axis == component;
         if (through || settings.edges[axis] == Edge::no_slip) result.factor[axis] = -1;
     }
-    // The wall lies half-way between the two cells: their mean is its speed.
+    // The wall lies half-way between the inner cell and the ghost, so their mean must be the speed of
+    // the wall.
     if (component == 0 && settings.edges[1] == Edge::no_slip)
         result.lid = static_cast<float>(2 * settings.lid);
     return result;
 }
 
-/// The ghosts of both sides of one row of cells along an axis.
-struct Sides {
-    std::ptrdiff_t last;    ///< from the first cell of the row to the last
-    std::ptrdiff_t stride;  ///< from a cell to the next
+/// Both ghosts of one row of cells along an axis.
+struct RowEnds {
+    std::ptrdiff_t last;    ///< index distance from the first cell of the row to the last
+    std::ptrdiff_t stride;  ///< index distance from a cell to the next
     bool periodic;
     float factor, lid;
 
@@ -42,16 +43,17 @@ struct Sides {
     }
 };
 
-/// Axis after axis, each with the ghosts of those before, so that edges and corners follow.
+/// The axes are filled one after another, each including the ghosts of earlier axes, so that edges and
+/// corners are right.
 void fill_border(const Lattice& lattice, const Border& border, Samples& samples) {
     const auto [nx, ny, nz] = lattice.cells;
     const auto sides = [&](std::size_t axis) {
         const auto stride = lattice.stride[axis];
-        return Sides{(lattice.cells[axis] - 1) * stride, stride, lattice.edges[axis] == Edge::periodic,
-                     border.factor[axis], axis == 1 ? border.lid : 0.0F};
+        return RowEnds{(lattice.cells[axis] - 1) * stride, stride, lattice.edges[axis] == Edge::periodic,
+                       border.factor[axis], axis == 1 ? border.lid : 0.0F};
     };
     float* const field = samples.data();
-    const Sides x = sides(0), y = sides(1), z = sides(2);
+    const RowEnds x = sides(0), y = sides(1), z = sides(2);
     for (int k = 0; k < nz; ++k) {
         for (int j = 0; j < ny; ++j) x.fill(field + lattice.at(0, j, k));
     }
@@ -63,8 +65,8 @@ void fill_border(const Lattice& lattice, const Border& border, Samples& samples)
     }
 }
 
-/// x = (source + share * sum of the six neighbours) / (1 or 0 + 6 share), by Gauss-Seidel: each cell in turn from what stands there.
-/// `own` is 1 for diffusion, 0 for pressure.
+/// Solves x = (source + share * sum of the six neighbours) / (own + 6 share) by Gauss-Seidel sweeps.
+/// `own` is 1 for diffusion and 0 for pressure.
 void relax(const Lattice& lattice, const Border& border, int sweeps, float own, float share,
            const Samples& source, Samples& x) {
     const auto ny = lattice.stride[1], nz = lattice.stride[2];
@@ -76,7 +78,8 @@ void relax(const Lattice& lattice, const Border& border, int sweeps, float own, 
             float* const c = x.data() + first;
             float west = c[-1];
             for (int i = 0; i < n; ++i) {
-                // The one that was just written comes last: the next cell waits for it alone.
+                // The cell written last is added last, because only this term must wait for the
+                // previous cell.
                 const float others = c[i + 1] + c[i - ny] + c[i + ny] + c[i - nz] + c[i + nz];
                 west = (b[i] + share * (others + west)) * inverse;
                 c[i] = west;
@@ -86,7 +89,7 @@ void relax(const Lattice& lattice, const Border& border, int sweeps, float own, 
     }
 }
 
-/// Implicit: the field whose diffusion backwards is the one given.
+/// Implicit diffusion: finds the field that reverse diffusion turns into the given one.
 void diffuse(const Fluid& fluid, const Border& border, double coefficient, double dt, ClassicScratch& scratch,
              Samples& samples) {
     if (!(coefficient > 0)) return;
@@ -96,7 +99,7 @@ void diffuse(const Fluid& fluid, const Border& border, double coefficient, doubl
           samples);
 }
 
-/// h^2 by the divergence, negative: what the sum of the neighbours' pressures less 6 times the own one must make up for.
+/// Writes -h^2 times the divergence: the right-hand side of the pressure solve.
 void write_divergence(const Fluid& fluid, Samples& result) {
     const auto [sx, sy, sz] = fluid.lattice.stride;
     const int n = fluid.lattice.cells[0];
@@ -124,7 +127,8 @@ void subtract_gradient(Fluid& fluid, const Samples& pressure) {
     }
 }
 
-/// What is left of the divergence is what the sweeps leave and what half a difference across two cells cannot see.
+/// Divergence remains for two reasons: the sweeps are not exact, and a difference across two cells
+/// misses the shortest waves.
 void project(Fluid& fluid, ClassicScratch& scratch) {
     write_divergence(fluid, scratch.source);
     std::ranges::fill(fluid.now.pressure, 0.0F);
@@ -134,22 +138,24 @@ void project(Fluid& fluid, ClassicScratch& scratch) {
 }
 
 /// A place between eight cells.
-struct Traced {
-    std::ptrdiff_t corner;      ///< the lowest of the eight
-    std::array<float, 3> part;  ///< of the way to the highest
+struct TracedPlace {
+    std::ptrdiff_t corner;      ///< index of the cell with the lowest coordinates
+    std::array<float, 3> part;  ///< position between the lowest and the highest cell, 0 to 1
 };
 
-/// Where the fluid in a cell came from along one axis: between which cell and the next, and how far.
-struct Along {
+/// The origin of a cell's fluid along one axis: the lower cell, and the position between it and the
+/// next, 0 to 1.
+struct AxisPlace {
     std::ptrdiff_t cell;
     float part;
 };
 
-/// `place` in cells, 0 at the centre of the first. Walls hold it within half a cell of their centres; round a periodic box it goes.
-Along along(float place, int n, bool periodic) {
+/// Splits `place` (cells, 0 at the centre of the first cell) into cell and fraction. Walls limit it to
+/// half a cell beyond the outer centres; a periodic box wraps it.
+AxisPlace along(float place, int n, bool periodic) {
     const auto cells = static_cast<float>(n);
     if (periodic) place -= cells * std::floor(place / cells);
-    // What is not a number becomes the first bound.
+    // NaN becomes the lower bound.
     place = std::min(std::max(-0.5F, place), cells - (periodic ? 0.0F : 0.5F));
     const float low = std::min(std::floor(place), cells - 1);
     return {static_cast<std::ptrdiff_t>(low), place - low};
@@ -161,13 +167,13 @@ struct Tracer {
     float cells_per_speed;  ///< dt / h
     std::array<bool, 3> periodic;
 
-    Traced back(int i, int j, int k) const {
+    TracedPlace back(int i, int j, int k) const {
         const std::array<int, 3> from{i, j, k};
         const auto at = static_cast<std::size_t>(lattice.at(i, j, k));
-        Traced result{lattice.first, {}};
+        TracedPlace result{lattice.first, {}};
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const float place = static_cast<float>(from[axis]) - cells_per_speed * velocity[axis][at];
-            const Along found = along(place, lattice.cells[axis], periodic[axis]);
+            const AxisPlace found = along(place, lattice.cells[axis], periodic[axis]);
             result.corner += found.cell * lattice.stride[axis];
             result.part[axis] = found.part;
         }
@@ -184,8 +190,8 @@ Tracer tracer_of(const Fluid& fluid, const std::array<Samples, 3>& velocity, dou
 
 float mix(float a, float b, float part) { return a + part * (b - a); }
 
-/// Linear in each axis.
-float sample(const Lattice& lattice, const Traced& place, const Samples& samples) {
+/// Linear interpolation along each axis.
+float sample(const Lattice& lattice, const TracedPlace& place, const Samples& samples) {
     const auto [sx, sy, sz] = lattice.stride;
     const float* const c = samples.data() + place.corner;
     const auto [px, py, pz] = place.part;
@@ -194,7 +200,7 @@ float sample(const Lattice& lattice, const Traced& place, const Samples& samples
     return mix(low, high, pz);
 }
 
-/// Calls with each cell and where the fluid in it was dt ago.
+/// Calls `f` with each cell and the place where its fluid was dt earlier.
 template <class F>
 void trace_back(const Tracer& tracer, F&& f) {
     const auto [nx, ny, nz] = tracer.lattice.cells;
@@ -209,7 +215,7 @@ void trace_back(const Tracer& tracer, F&& f) {
 void carry_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
     std::swap(fluid.now.velocity, scratch.before);
     auto& to = fluid.now.velocity;
-    trace_back(tracer_of(fluid, scratch.before, dt), [&](std::size_t cell, const Traced& from) {
+    trace_back(tracer_of(fluid, scratch.before, dt), [&](std::size_t cell, const TracedPlace& from) {
         for (std::size_t axis = 0; axis < 3; ++axis)
             to[axis][cell] = sample(fluid.lattice, from, scratch.before[axis]);
     });
@@ -219,7 +225,7 @@ void carry_velocity(Fluid& fluid, ClassicScratch& scratch, double dt) {
 void carry_substance(Fluid& fluid, Samples& substance, ClassicScratch& scratch, double dt) {
     Samples& before = scratch.before[0];
     std::swap(substance, before);
-    trace_back(tracer_of(fluid, fluid.now.velocity, dt), [&](std::size_t cell, const Traced& from) {
+    trace_back(tracer_of(fluid, fluid.now.velocity, dt), [&](std::size_t cell, const TracedPlace& from) {
         substance[cell] = sample(fluid.lattice, from, before);
     });
     fill_border(fluid.lattice, border_of_scalar(), substance);
@@ -279,7 +285,7 @@ StepReport report_of(const Fluid& fluid, Samples& divergence) {
     for (const Samples& component : fluid.now.velocity)
         result.speed = std::max(result.speed, largest(fluid.lattice, component));
     write_divergence(fluid, divergence);
-    // What was written has a factor of h^2, the measure one of h.
+    // The written values contain a factor of h^2; the reported measure has one of h.
     if (result.speed > 0)
         result.divergence = largest(fluid.lattice, divergence) / (fluid.lattice.h * result.speed);
     result.energy = energy(fluid);

@@ -1,33 +1,37 @@
-// fluid/classic.h: the paper's own solver, the baseline that ours is measured against: Stam's stable fluids ("Real-Time Fluid
-// Dynamics for Games", 2003) in three dimensions, as Mora and Lee 2008, section 4, took it.
+// fluid/classic.h: the paper's own solver, the baseline for measurements. It is Stam's stable fluids
+// ("Real-Time Fluid Dynamics for Games", 2003) in three dimensions, as used by Mora and Lee 2008,
+// section 4.
 //
-//     add forces -> diffuse -> project -> carry by itself -> project;      substances: diffuse -> carry
+//     add forces -> diffuse -> project -> advect -> project;      substances: diffuse -> advect
 //
-// All components stand at the centres of cells. Diffusion and pressure are solved by a fixed number of Gauss-Seidel sweeps, the
-// first from the field as it stands and the second from zero; what flows is traced back by one straight line and read there
-// linearly. So it is stable at any step and as exact as its sweeps: it smears, loses mass and leaves some divergence.
+// All components are sampled at cell centres. Diffusion and pressure are solved by a fixed number of
+// Gauss-Seidel sweeps. Diffusion starts from the current field, pressure from zero. Advection traces
+// each cell back along one straight line and interpolates linearly there. The solver is stable for any
+// time step, but it smears, loses mass and leaves some divergence.
 //
-// Nothing is added to the method. Two slips of ports that are passed round are repaired: the divergence takes half the
-// difference across two cells, and the viscosity is not multiplied by the number of cells. Solids other than the box are unknown
-// to it, as to the paper, and viscosity is one number for the whole box: that of the base fluid and of each substance by its mean.
+// The method has no additions. Two mistakes of common ports are corrected: the divergence uses half the
+// difference across two cells, and the viscosity is not multiplied by the number of cells. As in the
+// paper, there are no solids inside the box. One viscosity holds for the whole box: that of the base
+// fluid plus the mean of each substance's.
 #pragma once
 #include "fluid/fluid.h"
 
 namespace thaum::fluid {
 
-/// Kept between steps so that none allocates; no state.
+/// Memory kept between steps so that no step allocates; holds no state.
 struct ClassicScratch {
-    std::array<Samples, 3> before{};  ///< velocities, or a substance, that a pass reads while it writes
-    Samples source{};                 ///< the right-hand side of a solve
+    /// velocities or a substance that a pass reads while writing its result
+    std::array<Samples, 3> before{};
+    Samples source{};  ///< right-hand side of a solve
 };
 
-/// By dt seconds, > 0, in one step. Of the ghosts it reads and writes those next to the box.
+/// Advances the fluid by dt (s), > 0, in one step. Uses only the ghosts next to the box.
 StepReport classic_step(Fluid& fluid, ClassicScratch& scratch, double dt);
 
 /// Writes the velocity's ghosts next to the box.
 void classic_fill(Fluid& fluid);
 
-/// The substances' part alone, by the velocity that stands there.
+/// Advances only the substances by dt (s), carried by the current velocity.
 void classic_carry_substances(Fluid& fluid, ClassicScratch& scratch, double dt);
 
 }  // namespace thaum::fluid

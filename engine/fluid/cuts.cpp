@@ -6,12 +6,12 @@
 namespace thaum::fluid {
 namespace {
 
-constexpr int strips = 8;           ///< lines across a cut face along which its open length is found
-constexpr int pieces = 4;           ///< parts of such a line, in each of which a wall is looked for
-constexpr int halvings = 20;        ///< bisections of a crossing
-constexpr int cells_looked_at = 3;  ///< along each axis, for the distance to a wall
+constexpr int strips = 8;           ///< lines on a cut face along which the open length is measured
+constexpr int pieces = 4;           ///< parts of a line, each searched for a wall
+constexpr int halvings = 20;        ///< bisections to locate a crossing
+constexpr int cells_looked_at = 3;  ///< search range along each axis for the distance to a wall (cells)
 
-/// The open end of a crossing between an open place and a solid one, as a part of the way.
+/// Position of the wall between an open place and a solid one, as a fraction of the distance.
 double crossing(const SolidShare& solid, vec3 open_end, vec3 to_solid) {
     double open = 0, closed = 1;
     for (int i = 0; i < halvings; ++i) {
@@ -21,7 +21,7 @@ double crossing(const SolidShare& solid, vec3 open_end, vec3 to_solid) {
     return 0.5 * (open + closed);
 }
 
-/// The open length of a line, and its first moment about the beginning; both as parts of the line.
+/// Open length of a line and its first moment about the start, both relative to the length of the line.
 struct OpenLength {
     double length{}, moment{};
 };

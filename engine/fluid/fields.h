@@ -1,6 +1,7 @@
-// fluid/fields.h: a fluid's samples as fields that the hand and pictures can read.
+// fluid/fields.h: samples of a fluid as fields (field/field.h) for haptics and pictures.
 //
-// The ghosts are part of them, so near a wall a kernel reads what is mirrored there; they must be filled.
+// The ghosts belong to the field, so they must be filled. Near a wall a kernel then reads the mirror
+// image.
 #pragma once
 #include <span>
 
@@ -10,7 +11,8 @@
 
 namespace thaum::fluid {
 
-/// `first`: where the value of cell (0, 0, 0) stands, in cells: the middle of the cell, or of its low face across an axis.
+/// A field of samples. `first` is the position of the sample of cell (0, 0, 0) (cells): the centre of
+/// the cell, or of its low face across an axis.
 inline field::Grid grid_of(const Lattice& lattice, std::span<const float> samples, vec3 first,
                            field::Kernel kernel = field::Kernel::catmull_rom) {
     field::Grid grid{.first = samples.data() + lattice.at(-ghosts, -ghosts, -ghosts),
@@ -22,13 +24,13 @@ inline field::Grid grid_of(const Lattice& lattice, std::span<const float> sample
     return grid;
 }
 
-/// Of a density, or anything else in the middles of cells.
+/// A field of a density or another quantity sampled at cell centres.
 inline field::Grid cell_grid(const Lattice& lattice, std::span<const float> samples,
                              field::Kernel kernel = field::Kernel::catmull_rom) {
     return grid_of(lattice, samples, vec3(0.5), kernel);
 }
 
-/// Of a velocity on the faces.
+/// A field of a velocity sampled on faces.
 inline field::StaggeredGrid face_grid(const Lattice& lattice, const std::array<Samples, 3>& velocity,
                                       field::Kernel kernel = field::Kernel::catmull_rom) {
     return {{grid_of(lattice, velocity[0], face_place(0), kernel),

@@ -15,7 +15,7 @@
 namespace thaum::fluid {
 
 struct Workspace {
-    std::unique_ptr<Staggered> staggered;  ///< null: classic
+    std::unique_ptr<StaggeredSolver> staggered;  ///< null for `classic`
     ClassicScratch classic{};
 };
 
@@ -63,7 +63,7 @@ std::optional<std::string> fault_of(const Settings& settings) {
     return {};
 }
 
-/// Whether a component can be anything but 0 there.
+/// Whether a velocity sample can differ from 0. It cannot on a wall or on a closed face.
 bool free_at(const Fluid& fluid, std::size_t axis, vec3 cell, std::size_t at) {
     if (fluid.settings.solver != Solver::thaum) return true;
     if (fluid.lattice.edges[axis] != Edge::periodic && cell[static_cast<int>(axis)] <= 0) return false;
@@ -76,7 +76,7 @@ bool holds_fluid(const Fluid& fluid, std::size_t at) {
     return solids == nullptr || solids->holds_fluid(at);
 }
 
-/// Smooth to its rim, and 0 beyond.
+/// Kernel of pushes: smooth up to `radius`, 0 beyond.
 double kernel(const Fluid& fluid, vec3 place, vec3 at, double radius) {
     vec3 apart = at - place;
     for (int axis = 0; axis < 3; ++axis) {
@@ -88,13 +88,14 @@ double kernel(const Fluid& fluid, vec3 place, vec3 at, double radius) {
     return part > 0 ? part * part : 0;
 }
 
-/// Cells along one axis that a kernel may reach, [low, high); they go round where the edge is periodic.
+/// Cells along one axis that a kernel may reach, [low, high). They wrap where the edge is periodic.
 std::array<int, 2> reach(const Fluid& fluid, std::size_t axis, vec3 place, double radius) {
     const int n = fluid.lattice.cells[axis];
     const double wide = radius / fluid.lattice.h + 1;
     if (fluid.lattice.edges[axis] == Edge::periodic) {
         const double at = into_box(fluid.lattice, place / fluid.lattice.h)[static_cast<int>(axis)];
-        // So far away that it is anywhere, or as wide as all.
+        // Covers all cells if the place is too large to be wrapped, or the kernel is as wide as the
+        // box.
         if (!(at >= 0 && at < n) || 2 * wide + 2 >= n) return {0, n};
         return {static_cast<int>(n + at - wide), static_cast<int>(n + at + wide + 1)};
     }
@@ -105,8 +106,8 @@ std::array<int, 2> reach(const Fluid& fluid, std::size_t axis, vec3 place, doubl
     return {inside(at - wide), inside(at + wide + 1)};
 }
 
-/// Adds `total` to the samples whose places, `first` in cells for cell (0, 0, 0), are within `radius` and for which `counts` holds.
-/// False where there is none.
+/// Distributes `total` over the samples within `radius` for which `counts` is true. `first` is the
+/// position of the sample of cell (0, 0, 0) (cells). False if there is no such sample.
 template <class Counts>
 bool add_smoothly(const Fluid& fluid, vec3 place, double radius, double total, vec3 first, Samples& samples,
                   Counts&& counts) {
@@ -155,7 +156,7 @@ Expected<Fluid> make_fluid(const Settings& settings) {
     fluid.now.substances.assign(settings.substances.size(), make_samples(fluid.lattice));
     fluid.now.asleep = settings.lid == 0;
     if (settings.solver == Solver::thaum) {
-        fluid.work->staggered = std::make_unique<Staggered>(settings, fluid.lattice);
+        fluid.work->staggered = std::make_unique<StaggeredSolver>(settings, fluid.lattice);
         fluid.work->staggered->fill(settings, fluid.now.velocity);
     }
     return fluid;
@@ -192,7 +193,7 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
                                      fluid.now.substances[substance],
                                      [&](vec3, std::size_t at) { return holds_fluid(fluid, at); });
     if (!poured) return false;
-    fill_ghosts(fluid.lattice, evenly, fluid.now.substances[substance]);
+    fill_ghosts(fluid.lattice, all_even, fluid.now.substances[substance]);
     fluid.now.asleep = false;
     return true;
 }
@@ -206,7 +207,7 @@ StepReport advance(Fluid& fluid, double dt) {
 
 void carry_substances(Fluid& fluid, double dt) {
     if (fluid.work->staggered)
-        fluid.work->staggered->carry(fluid.settings, fluid.now, dt);
+        fluid.work->staggered->carry_substances(fluid.settings, fluid.now, dt);
     else
         classic_carry_substances(fluid, fluid.work->classic, dt);
 }
@@ -234,7 +235,7 @@ void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity) {
         for (const CutFace& face : solids->cut_faces(axis))
             fluid.now.velocity[axis][face.at] =
                 static_cast<float>(velocity(face.middle)[static_cast<int>(axis)]);
-    altered(fluid);
+    refresh_after_edit(fluid);
 }
 
 void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density) {
@@ -244,17 +245,17 @@ void set_substance(Fluid& fluid, std::size_t substance, const std::function<doub
         fluid.now.substances[substance][at] =
             static_cast<float>(holds_fluid(fluid, at) ? std::max(value, 0.0) : 0.0);
     });
-    altered(fluid);
+    refresh_after_edit(fluid);
 }
 
-void altered(Fluid& fluid) {
+void refresh_after_edit(Fluid& fluid) {
     if (fluid.work->staggered)
         fluid.work->staggered->fill(fluid.settings, fluid.now.velocity);
     else
         classic_fill(fluid);
-    fill_ghosts(fluid.lattice, evenly, fluid.now.pressure);
-    fill_ghosts(fluid.lattice, evenly, fluid.now.projected);
-    for (Samples& substance : fluid.now.substances) fill_ghosts(fluid.lattice, evenly, substance);
+    fill_ghosts(fluid.lattice, all_even, fluid.now.pressure);
+    fill_ghosts(fluid.lattice, all_even, fluid.now.projected);
+    for (Samples& substance : fluid.now.substances) fill_ghosts(fluid.lattice, all_even, substance);
     fluid.now.asleep = false;
 }
 

@@ -6,7 +6,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// A layer across an axis, and what it holds: another one, times a factor.
+/// One ghost layer across an axis: a copy of another layer, times a factor.
 struct Mirror {
     int to, from;
     float factor;
@@ -24,7 +24,7 @@ struct Mirrors {
 Mirrors round_about(int n, int depth) {
     Mirrors result;
     for (int layer = 1; layer <= depth; ++layer) {
-        // Of few cells the same one stands in several layers.
+        // If the lattice is thinner than its ghosts, one cell fills several layers.
         result.add({-layer, (n - layer % n) % n, 1});
         result.add({n - 1 + layer, (layer - 1) % n, 1});
     }
@@ -41,7 +41,7 @@ Mirrors about_walls(int n, float factor, int depth) {
     return result;
 }
 
-/// The walls themselves are layers 0 and n.
+/// Layers 0 and n are the walls themselves.
 Mirrors through_walls(int n, int depth) {
     Mirrors result;
     result.add({0, 0, 0});
@@ -54,10 +54,10 @@ Mirrors through_walls(int n, int depth) {
     return result;
 }
 
-Mirrors mirrors(int n, Edge edge, Beyond beyond, int depth) {
+Mirrors mirrors(int n, Edge edge, GhostRule rule, int depth) {
     if (edge == Edge::periodic) return round_about(n, depth);
-    if (beyond == Beyond::through_wall) return through_walls(n, depth);
-    return about_walls(n, beyond == Beyond::even ? 1.0F : -1.0F, depth);
+    if (rule == GhostRule::through_wall) return through_walls(n, depth);
+    return about_walls(n, rule == GhostRule::even ? 1.0F : -1.0F, depth);
 }
 
 void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float factor) {
@@ -71,9 +71,9 @@ void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float facto
 }
 
 void fill_row(const Lattice& lattice, const Mirrors& all, float* row) {
-    // Rows are written in whole eights: what that left beyond the cells may be anything.
+    // Rows are written in multiples of eight, so the values after the last cell are arbitrary.
     for (const Mirror& m : all) row[m.to] = m.factor == 0 ? 0 : m.factor * row[m.from];
-    for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < whole_eights(lattice.cells[0]); ++i) row[i] = 0;
+    for (std::ptrdiff_t i = lattice.cells[0] + ghosts; i < round_up_to_8(lattice.cells[0]); ++i) row[i] = 0;
 }
 
 void fill_x(const Lattice& lattice, const Mirrors& all, float* cells) {
@@ -98,7 +98,7 @@ void fill_z(const Lattice& lattice, const Mirrors& all, float* cells) {
     for (const Mirror& m : all) copy_scaled(first + m.from * plane, first + m.to * plane, plane, m.factor);
 }
 
-/// Row j of layer k, ghosts included, from another one.
+/// Copies row j of layer k, including its ghosts, from another row.
 void copy_row(const Lattice& lattice, int from_j, int from_k, int j, int k, float factor, float* cells) {
     copy_scaled(cells + lattice.at(-ghosts, from_j, from_k), cells + lattice.at(-ghosts, j, k),
                 lattice.stride[1], factor);
@@ -119,7 +119,7 @@ void fill_z(const Rows& rows, const Mirrors& all, float* cells) {
     for (const Mirror& m : all) {
         if (m.from >= nz) continue;
         const auto copy = [&](int j) { copy_row(rows.lattice, j, m.from, j, m.to, m.factor, cells); };
-        // What stands beyond the sides across y mirrors rows beside them.
+        // The ghosts across y mirror the rows next to the sides, so they are copied with those rows.
         bool low = false, high = false;
         for (int j = 0; j < ny; ++j) {
             if (!holds_fluid(rows, j, m.from)) continue;
@@ -137,32 +137,32 @@ void fill_z(const Rows& rows, const Mirrors& all, float* cells) {
 
 }  // namespace
 
-void fill_ghosts_across(const Lattice& lattice, std::size_t axis, Beyond beyond, Samples& samples) {
+void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule, Samples& samples) {
     constexpr std::array<void (*)(const Lattice&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
-    fill[axis](lattice, mirrors(lattice.cells[axis], lattice.edges[axis], beyond, ghosts), samples.data());
+    fill[axis](lattice, mirrors(lattice.cells[axis], lattice.edges[axis], rule, ghosts), samples.data());
 }
 
-void fill_ghosts_across(const Rows& rows, std::size_t axis, Beyond beyond, Samples& samples, int depth) {
+void fill_ghosts_across(const Rows& rows, std::size_t axis, GhostRule rule, Samples& samples, int depth) {
     const Lattice& lattice = rows.lattice;
-    if (rows.all) return fill_ghosts_across(lattice, axis, beyond, samples);
+    if (rows.all) return fill_ghosts_across(lattice, axis, rule, samples);
     constexpr std::array<void (*)(const Rows&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
-    fill[axis](rows, mirrors(lattice.cells[axis], lattice.edges[axis], beyond, depth), samples.data());
+    fill[axis](rows, mirrors(lattice.cells[axis], lattice.edges[axis], rule, depth), samples.data());
 }
 
-// One axis after another, so that edges and corners follow from what was filled before.
-void fill_ghosts(const Lattice& lattice, const std::array<Beyond, 3>& beyond, Samples& samples) {
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(lattice, axis, beyond[axis], samples);
+// The axes are filled one after another, so edges and corners copy ghosts that are already filled.
+void fill_ghosts(const Lattice& lattice, const std::array<GhostRule, 3>& rule, Samples& samples) {
+    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(lattice, axis, rule[axis], samples);
 }
 
-void fill_ghosts(const Rows& rows, const std::array<Beyond, 3>& beyond, Samples& samples, int depth) {
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(rows, axis, beyond[axis], samples, depth);
+void fill_ghosts(const Rows& rows, const std::array<GhostRule, 3>& rule, Samples& samples, int depth) {
+    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts_across(rows, axis, rule[axis], samples, depth);
 }
 
-std::array<Beyond, 3> beyond_of_velocity(const Lattice& lattice, std::size_t axis) {
-    std::array<Beyond, 3> result{};
+std::array<GhostRule, 3> ghost_rules_of_velocity(const Lattice& lattice, std::size_t axis) {
+    std::array<GhostRule, 3> result{};
     for (std::size_t across = 0; across < 3; ++across)
-        result[across] = lattice.edges[across] == Edge::no_slip ? Beyond::odd : Beyond::even;
-    result[axis] = Beyond::through_wall;
+        result[across] = lattice.edges[across] == Edge::no_slip ? GhostRule::odd : GhostRule::even;
+    result[axis] = GhostRule::through_wall;
     return result;
 }
 

@@ -1,27 +1,30 @@
-// fluid/ghosts.h: what stands beyond the sides of a lattice, three cells deep (lattice.h).
+// fluid/ghosts.h: values of the three layers of ghosts beyond the sides of a lattice (lattice.h).
 #pragma once
 #include "fluid/rows.h"
 
 namespace thaum::fluid {
 
-/// How a quantity goes on beyond a wall across one axis.
-enum class Beyond : std::uint8_t {
-    even,          ///< cell-centred across this axis, mirrored
-    odd,           ///< cell-centred across this axis, mirrored with the other sign: zero on the wall
-    through_wall,  ///< stands on the faces across this axis: zero on both walls, which it sets, odd beyond
+/// Continuation of a quantity beyond a wall across one axis.
+enum class GhostRule : std::uint8_t {
+    even,          ///< cell-centred across this axis; mirrored
+    odd,           ///< cell-centred across this axis; mirrored with the opposite sign, so zero on the wall
+    through_wall,  ///< sampled on the faces across this axis; set to zero on both walls, odd beyond them
 };
 
-inline constexpr std::array evenly{Beyond::even, Beyond::even, Beyond::even};
+inline constexpr std::array all_even{GhostRule::even, GhostRule::even, GhostRule::even};
 
-/// Writes the ghosts; `beyond` counts at walls only. `across`: those beyond the sides across one axis, rows without corners.
-void fill_ghosts_across(const Lattice& lattice, std::size_t axis, Beyond beyond, Samples& samples);
-void fill_ghosts(const Lattice& lattice, const std::array<Beyond, 3>& beyond, Samples& samples);
-/// The same, `depth` cells deep, of samples that outside the rows are 0, and were from the first on, or not read.
-void fill_ghosts_across(const Rows& rows, std::size_t axis, Beyond beyond, Samples& samples,
+/// Writes the ghosts; `rule` is used only at walls. The `_across` version fills only the ghosts beyond
+/// the two sides across one axis, without the corners.
+void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule, Samples& samples);
+void fill_ghosts(const Lattice& lattice, const std::array<GhostRule, 3>& rule, Samples& samples);
+/// The same, `depth` layers deep, for samples that exist only in `rows`. Outside the rows they must
+/// always have been 0, or are never read.
+void fill_ghosts_across(const Rows& rows, std::size_t axis, GhostRule rule, Samples& samples,
                         int depth = ghosts);
-void fill_ghosts(const Rows& rows, const std::array<Beyond, 3>& beyond, Samples& samples, int depth = ghosts);
+void fill_ghosts(const Rows& rows, const std::array<GhostRule, 3>& rule, Samples& samples,
+                 int depth = ghosts);
 
-/// Of component `axis` of the velocity.
-std::array<Beyond, 3> beyond_of_velocity(const Lattice& lattice, std::size_t axis);
+/// The rules for component `axis` of a velocity.
+std::array<GhostRule, 3> ghost_rules_of_velocity(const Lattice& lattice, std::size_t axis);
 
 }  // namespace thaum::fluid

@@ -1,19 +1,22 @@
-// fluid/lattice.h: the grid that every quantity of a fluid stands on.
+// fluid/lattice.h: the grid on which all quantities of a fluid are sampled.
 //
-// Cubic cells of edge h fill a box from (0, 0, 0) m. Values of one quantity stand in one array of float, x contiguous, with three
-// cells more on every side, so that no stencil asks where it is; what these hold follows from the edges of the box:
+// Cubic cells of edge length h fill a box from (0, 0, 0) m. The samples of one quantity are one array
+// of float, x contiguous, with three ghost cells on every side, so that no stencil needs a special
+// case. The edges of the box define the values of the ghosts:
 //
-//     periodic    the other side
-//     wall        the mirror image: odd for the velocity through the wall, for that along it even (free slip) or odd (no slip)
+//     periodic    the value from the opposite side
+//     wall        the mirror image. The velocity through the wall is odd. The velocity along the wall is even
+//                 (free slip) or odd (no slip).
 //
-// Velocities stand on the faces of cells (Harlow and Welch 1965): component a of cell (i, j, k) on its low face across a. With
-// walls the high face of the last cell is the low face of the cell beyond it.
+// Velocities are sampled on the faces of cells (Harlow and Welch 1965). Component a of cell (i, j, k)
+// lies on its low face across a. Beyond a wall, the low face of the first ghost cell is the high face
+// of the last cell.
 #pragma once
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "fluid/eight.h"
+#include "fluid/floats8.h"
 #include "fluid/samples.h"
 
 namespace thaum::fluid {
@@ -23,24 +26,26 @@ using Cells = std::array<int, 3>;
 enum class Edge : std::uint8_t { periodic, free_slip, no_slip };
 using Edges = std::array<Edge, 3>;
 
-inline constexpr int cells_most = 256;  ///< along one axis
+inline constexpr int cells_most = 256;  ///< largest number of cells along one axis
 
 struct Lattice {
-    Cells cells{};                           ///< along x, y, z
-    Edges edges{};                           ///< of the two sides across x, y, z
-    double h{};                              ///< m, the edge of a cell
-    std::array<std::ptrdiff_t, 3> stride{};  ///< from a cell to the next one along x (always 1), y, z
-    std::ptrdiff_t first{};                  ///< where cell (0, 0, 0) stands
-    std::size_t size{};                      ///< of an array, ghosts included
+    Cells cells{};  ///< number of cells along x, y, z
+    Edges edges{};  ///< kind of the two sides across x, y, z
+    double h{};     ///< edge length of a cell (m)
+    /// index distance from a cell to the next along x (always 1), y, z
+    std::array<std::ptrdiff_t, 3> stride{};
+    std::ptrdiff_t first{};  ///< index of cell (0, 0, 0)
+    std::size_t size{};      ///< length of an array, including ghosts
 
     std::ptrdiff_t at(int i, int j, int k) const { return first + i + j * stride[1] + k * stride[2]; }
 };
 
-/// cells >= 1 each.
+/// Makes a lattice; all `cells` must be >= 1.
 inline Lattice make_lattice(Cells cells, double h, Edges edges) {
     Lattice result{.cells = cells, .edges = edges, .h = h};
-    // Rows of whole vectors; more at the end, so that the last one may be read past.
-    const std::ptrdiff_t row = whole_eights(cells[0] + 2 * ghosts);
+    // Rows are padded to whole vectors. The array has one vector more, so that the last row may be read
+    // past its end.
+    const std::ptrdiff_t row = round_up_to_8(cells[0] + 2 * ghosts);
     result.stride = {1, row, row * (cells[1] + 2 * ghosts)};
     result.first = ghosts * (result.stride[0] + result.stride[1] + result.stride[2]);
     result.size = static_cast<std::size_t>(result.stride[2] * (cells[2] + 2 * ghosts) + 8);
@@ -49,7 +54,7 @@ inline Lattice make_lattice(Cells cells, double h, Edges edges) {
 
 inline Samples make_samples(const Lattice& lattice) { return Samples(lattice.size, 0.0F); }
 
-/// Calls with where the first cell of each row along x stands, of one layer or of all.
+/// Calls `visit` with the index of the first cell of each row along x, in one layer or in all layers.
 template <class Visit>
 void each_row(const Lattice& lattice, int k, Visit&& visit) {
     for (int j = 0; j < lattice.cells[1]; ++j) visit(lattice.at(0, j, k));
@@ -59,7 +64,7 @@ void each_row(const Lattice& lattice, Visit&& visit) {
     for (int k = 0; k < lattice.cells[2]; ++k) each_row(lattice, k, visit);
 }
 
-/// Calls with i, j, k of each cell and where it stands.
+/// Calls `visit` with i, j, k and the index of each cell.
 template <class Visit>
 void each_cell(const Lattice& lattice, Visit&& visit) {
     for (int k = 0; k < lattice.cells[2]; ++k)

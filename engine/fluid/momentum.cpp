@@ -2,55 +2,58 @@
 
 #include <algorithm>
 
-#include "fluid/eight.h"
+#include "fluid/floats8.h"
 
 namespace thaum::fluid {
 namespace {
 
-/// The carrying velocity between a place and the one before it, `step` away; order 4: times 16 / 9, order 2: times 2.
+/// Interpolates the advecting velocity between a sample and the previous one, `step` away. The result
+/// is multiplied by 16 / 9 at order 4 and by 2 at order 2.
 template <bool fourth>
 void interpolate_row(const float* u, std::ptrdiff_t step, std::ptrdiff_t count, float* out) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) {
-        Eight sum = load(u + i - step) + load(u + i);
+        Floats8 sum = load(u + i - step) + load(u + i);
         if constexpr (fourth) sum -= (1.0F / 9) * (load(u + i - 2 * step) + load(u + i + step));
         store(out + i, sum);
     }
 }
 
-/// Rows of the carrying velocity round a row of what is carried: one before it, its own low side, its high side, one after that.
-struct Carrier {
+/// Rows of the advecting velocity around a row of advected values: the previous row, the low side, the
+/// high side, the next row.
+struct CarryingRows {
     const float* before;
     const float* low;
     const float* high;
     const float* after;
-    std::ptrdiff_t step;  ///< to the next place along it, in what is carried
+    std::ptrdiff_t step;  ///< index distance between advected neighbours along this axis
 };
 
-/// What flows out to the next places and in from those before them.
-inline Eight near_flux(const Carrier& by, const float* q, std::ptrdiff_t i) {
+/// Flux to the next samples minus flux from the previous ones.
+inline Floats8 near_flux(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
     return load(by.high + i) * load(q + by.step) - load(by.low + i) * load(q - by.step);
 }
-inline Eight far_flux(const Carrier& by, const float* q, std::ptrdiff_t i) {
+inline Floats8 far_flux(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
     return load(by.after + i) * load(q + 3 * by.step) - load(by.before + i) * load(q - 3 * by.step);
 }
-inline Eight round_about(const float* q, std::ptrdiff_t step) { return load(q - step) + load(q + step); }
+inline Floats8 round_about(const float* q, std::ptrdiff_t step) { return load(q - step) + load(q + step); }
 
 struct Factors {
     float near, far, spread;
 };
 
-/// One axis apart from the other two, whose sum comes first: so that exchanging these changes no bit.
+/// The first axis is added to the sum of the other two, so exchanging those two changes no bit.
 template <bool fourth, bool viscous>
-inline Eight rate_at(const Carrier& a, const Carrier& b, const Carrier& c, const float* q, std::ptrdiff_t i,
-                     const Factors& factors) {
-    Eight sum = factors.near * (near_flux(a, q, i) + (near_flux(b, q, i) + near_flux(c, q, i)));
+inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const CarryingRows& c, const float* q,
+                       std::ptrdiff_t i, const Factors& factors) {
+    Floats8 sum = factors.near * (near_flux(a, q, i) + (near_flux(b, q, i) + near_flux(c, q, i)));
     if constexpr (fourth) sum += factors.far * (far_flux(a, q, i) + (far_flux(b, q, i) + far_flux(c, q, i)));
     if constexpr (viscous) {
-        const Eight ones = round_about(q, a.step) + (round_about(q, b.step) + round_about(q, c.step));
+        const Floats8 ones = round_about(q, a.step) + (round_about(q, b.step) + round_about(q, c.step));
         if constexpr (fourth) {
-            const Eight twos =
+            const Floats8 twos =
                 round_about(q, 2 * a.step) + (round_about(q, 2 * b.step) + round_about(q, 2 * c.step));
-            // Twelfths of whole numbers, which float has: what leaves one place enters the others.
+            // The factors are integers (twelfths), which float holds exactly, so what leaves one sample
+            // enters the others.
             sum += factors.spread * ((16.0F * ones - twos) - 90.0F * load(q));
         } else {
             sum += factors.spread * (ones - 6.0F * load(q));
@@ -59,25 +62,26 @@ inline Eight rate_at(const Carrier& a, const Carrier& b, const Carrier& c, const
     return sum;
 }
 
-/// Of a row: where they go, and from what.
-struct Results {
+/// Input and output arrays of one row.
+struct RowTargets {
     const float* start;
-    const float* before;  ///< what the sum was
-    const float* force;   ///< null: none
-    const float* open;    ///< 0 where closed; null: nowhere
+    const float* before;  ///< sum of the earlier stages
+    const float* force;   ///< null: no force
+    const float* open;    ///< open shares of faces; null: all are open
     float* sum;
-    float* next;  ///< null: none
+    float* next;  ///< null in the last stage
 };
 
 template <bool fourth, bool viscous>
-[[gnu::always_inline]] inline void take_row(const Carrier& a, const Carrier& b, const Carrier& c,
-                                            const float* q, std::ptrdiff_t count, const Factors& factors,
-                                            const Results& row, float sum_part, float next_part) {
+[[gnu::always_inline]] inline void take_row(const CarryingRows& a, const CarryingRows& b,
+                                            const CarryingRows& c, const float* q, std::ptrdiff_t count,
+                                            const Factors& factors, const RowTargets& row, float sum_part,
+                                            float next_part) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) {
-        Eight rate = rate_at<fourth, viscous>(a, b, c, q + i, i, factors);
+        Floats8 rate = rate_at<fourth, viscous>(a, b, c, q + i, i, factors);
         if (row.force != nullptr) rate += load(row.force + i);
-        const auto keep = [&](const Eight& value) {
-            return row.open == nullptr ? value : load(row.open + i) > none ? value : none;
+        const auto keep = [&](const Floats8& value) {
+            return row.open == nullptr ? value : load(row.open + i) > zero8 ? value : zero8;
         };
         store(row.sum + i, keep(load(row.before + i) + sum_part * rate));
         if (row.next != nullptr) store(row.next + i, keep(load(row.start + i) + next_part * rate));
@@ -92,27 +96,27 @@ Momentum::Momentum(const Lattice& lattice, int order, const Solids* solids)
       solids_(solids),
       rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)) {
     for (auto& plane : planes_) plane.resize(static_cast<std::size_t>(lattice.stride[2]) + 8);
-    for (int k = 0; k < lattice.cells[2]; ++k) hulls_.push_back(hull_of(k));
+    for (int k = 0; k < lattice.cells[2]; ++k) layer_bounds_.push_back(bounds_of_layer(k));
 }
 
-Momentum::Hull Momentum::hull_of(int k) const {
-    Hull hull{.first = lattice_.cells[1], .end = 0, .start = lattice_.cells[0], .count = 0};
+Momentum::LayerBounds Momentum::bounds_of_layer(int k) const {
+    LayerBounds bounds{.first = lattice_.cells[1], .end = 0, .start = lattice_.cells[0], .count = 0};
     std::ptrdiff_t end = 0;
     for (int j = 0; j < lattice_.cells[1]; ++j) {
         const Row row = rows_.at(j, k);
         if (row.count == 0) continue;
         const auto start = row.at - lattice_.at(0, j, k);
-        hull.first = std::min(hull.first, j);
-        hull.end = j + 1;
-        hull.start = std::min(hull.start, start);
+        bounds.first = std::min(bounds.first, j);
+        bounds.end = j + 1;
+        bounds.start = std::min(bounds.start, start);
         end = std::max(end, start + row.count);
     }
-    hull.count = std::max(std::ptrdiff_t{0}, end - hull.start);
-    return hull;
+    bounds.count = std::max(std::ptrdiff_t{0}, end - bounds.start);
+    return bounds;
 }
 
 template <bool fourth, bool viscous, std::size_t axis>
-void Momentum::component(const Stage& stage, float viscosity) {
+void Momentum::component(const RungeKuttaStage& stage, float viscosity) {
     const int nx = lattice_.cells[0];
     const int ny = lattice_.cells[1];
     const int nz = lattice_.cells[2];
@@ -131,31 +135,32 @@ void Momentum::component(const Stage& stage, float viscosity) {
     for (int k = -1; k < 2; ++k) lift(k);
     for (int k = 0; k < nz; ++k) {
         lift(k + 2);
-        const Hull& hull = hulls_[static_cast<std::size_t>(k)];
-        if (hull.count == 0) continue;
-        const auto start = static_cast<int>(hull.start);
-        for (int j = hull.first; j < hull.end; ++j)
+        const LayerBounds& bounds = layer_bounds_[static_cast<std::size_t>(k)];
+        if (bounds.count == 0) continue;
+        const auto start = static_cast<int>(bounds.start);
+        for (int j = bounds.first; j < bounds.end; ++j)
             interpolate_row<fourth>(stage.from[0].data() + lattice_.at(start - 1, j, k), along,
-                                    whole_eights(hull.count + 3), planes_[0].data() + in_plane(start - 1, j));
-        for (int j = hull.first - 1; j < hull.end + 2; ++j)
-            interpolate_row<fourth>(stage.from[1].data() + lattice_.at(start, j, k), along, hull.count,
+                                    round_up_to_8(bounds.count + 3),
+                                    planes_[0].data() + in_plane(start - 1, j));
+        for (int j = bounds.first - 1; j < bounds.end + 2; ++j)
+            interpolate_row<fourth>(stage.from[1].data() + lattice_.at(start, j, k), along, bounds.count,
                                     planes_[1].data() + in_plane(start, j));
-        for (int j = hull.first; j < hull.end; ++j) {
+        for (int j = bounds.first; j < bounds.end; ++j) {
             const std::ptrdiff_t at = rows_.at(j, k).at, count = rows_.at(j, k).count;
             const auto here = in_plane(static_cast<int>(at - lattice_.at(0, j, k)), j);
             const float* x = planes_[0].data() + here;
             const float* y = planes_[1].data() + here;
-            const std::array<Carrier, 3> by{
-                Carrier{x - 1, x, x + 1, x + 2, 1},
-                Carrier{y - stride[1], y, y + stride[1], y + 2 * stride[1], stride[1]},
-                Carrier{ring(k - 1) + here, ring(k) + here, ring(k + 1) + here, ring(k + 2) + here,
-                        stride[2]}};
-            const Results row{.start = stage.start[axis].data() + at,
-                              .before = (stage.first ? stage.start : stage.sum)[axis].data() + at,
-                              .force = stage.force != nullptr ? (*stage.force)[axis].data() + at : nullptr,
-                              .open = solids_ != nullptr ? solids_->open()[axis].data() + at : nullptr,
-                              .sum = stage.sum[axis].data() + at,
-                              .next = stage.next != nullptr ? (*stage.next)[axis].data() + at : nullptr};
+            const std::array<CarryingRows, 3> by{
+                CarryingRows{x - 1, x, x + 1, x + 2, 1},
+                CarryingRows{y - stride[1], y, y + stride[1], y + 2 * stride[1], stride[1]},
+                CarryingRows{ring(k - 1) + here, ring(k) + here, ring(k + 1) + here, ring(k + 2) + here,
+                             stride[2]}};
+            const RowTargets row{.start = stage.start[axis].data() + at,
+                                 .before = (stage.first ? stage.start : stage.sum)[axis].data() + at,
+                                 .force = stage.force != nullptr ? (*stage.force)[axis].data() + at : nullptr,
+                                 .open = solids_ != nullptr ? solids_->open()[axis].data() + at : nullptr,
+                                 .sum = stage.sum[axis].data() + at,
+                                 .next = stage.next != nullptr ? (*stage.next)[axis].data() + at : nullptr};
             take_row<fourth, viscous>(by[axis], by[(axis + 1) % 3], by[(axis + 2) % 3],
                                       stage.from[axis].data() + at, count, factors, row, stage.sum_part,
                                       stage.next_part);
@@ -164,13 +169,13 @@ void Momentum::component(const Stage& stage, float viscosity) {
 }
 
 template <bool fourth, bool viscous>
-void Momentum::components(const Stage& stage, float viscosity) {
+void Momentum::components(const RungeKuttaStage& stage, float viscosity) {
     component<fourth, viscous, 0>(stage, viscosity);
     component<fourth, viscous, 1>(stage, viscosity);
     component<fourth, viscous, 2>(stage, viscosity);
 }
 
-void Momentum::take(const Stage& stage, double viscosity) {
+void Momentum::run_stage(const RungeKuttaStage& stage, double viscosity) {
     const auto nu = static_cast<float>(viscosity);
     if (order_ == 4)
         nu > 0 ? components<true, true>(stage, nu) : components<true, false>(stage, nu);

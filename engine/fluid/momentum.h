@@ -1,13 +1,16 @@
-// fluid/momentum.h: how fast a flow carries its own momentum, and how viscosity spreads it, on the staggered grid.
+// fluid/momentum.h: rate of change of the velocity by advection, and by viscosity, on the staggered
+// grid.
 //
-// Component a, carried along b: the carrying velocity T is interpolated along a, the carried one is the plain mean of two
-// neighbours h apart and of two 3 h apart (Morinishi, Lund, Vasilyev and Moin 1998),
+// Component a is advected along b. The advecting velocity T is interpolated along a. The advected
+// component q is the mean of two neighbours h apart, and of two neighbours 3 h apart (Morinishi, Lund,
+// Vasilyev and Moin 1998):
 //
 //     d(T q)/db  ~  9/8 d1( T mean1 q ) - 1/8 d3( T mean3 q )
 //
-// Of the sum over b, what multiplies q itself is half of the divergence (pressure.h), which is zero: it is left out. What remains
-// is skew-symmetric, so it conserves energy whatever the divergence is (Verstappen and Veldman 2003), and momentum where that is
-// zero. Order 2 has the first term alone, and is the scheme of Harlow and Welch 1965.
+// In the sum over b, the terms that multiply q itself add up to half of the divergence (pressure.h).
+// The divergence is zero, so these terms are left out. The rest is skew-symmetric. It conserves energy
+// whatever the divergence is (Verstappen and Veldman 2003), and momentum where the divergence is zero.
+// Order 2 uses the first term alone, which is the scheme of Harlow and Welch 1965.
 #pragma once
 #include <array>
 
@@ -15,45 +18,50 @@
 
 namespace thaum::fluid {
 
-/// One stage of a Runge-Kutta step:  next = start + next_part * rate(from),  sum = (first ? start : sum) + sum_part * rate(from).
-struct Stage {
-    const std::array<Samples, 3>& from;  ///< ghosts filled
+/// One stage of a Runge-Kutta step:
+///
+///     next = start + next_part * rate(from)
+///     sum  = (first ? start : sum) + sum_part * rate(from)
+struct RungeKuttaStage {
+    const std::array<Samples, 3>& from;  ///< ghosts must be filled
     const std::array<Samples, 3>& start;
-    const std::array<Samples, 3>* force{};  ///< m/s^2; null: none
-    std::array<Samples, 3>* next{};         ///< null: the last stage needs none
+    const std::array<Samples, 3>* force{};  ///< acceleration by forces; null: none (m/s^2)
+    std::array<Samples, 3>* next{};         ///< null in the last stage
     std::array<Samples, 3>& sum;
-    float next_part{}, sum_part{};  ///< s
+    float next_part{}, sum_part{};  ///< time by which the rate is multiplied (s)
     bool first{};
 };
 
-/// What a stage is computed by, made once.
+/// Computes the stages of Runge-Kutta steps. Made once for a lattice.
 class Momentum {
 public:
-    /// solids: null: none; must outlive this.
+    /// `solids` may be null and must outlive this object.
     Momentum(const Lattice& lattice, int order, const Solids* solids);
-    /// Of all cells that hold fluid, 0 on closed faces; what stands on the lattice's walls, and in the ghosts of sum and next, is left
-    /// to fill_ghosts. viscosity in m^2/s.
-    void take(const Stage& stage, double viscosity);
+    /// Computes one stage for all cells that hold fluid; closed faces get 0. Samples on the lattice's
+    /// walls and the ghosts of `sum` and `next` are left to fill_ghosts. `viscosity` is in m^2/s.
+    void run_stage(const RungeKuttaStage& stage, double viscosity);
 
 private:
     template <bool fourth, bool viscous>
-    void components(const Stage& stage, float viscosity);
+    void components(const RungeKuttaStage& stage, float viscosity);
     template <bool fourth, bool viscous, std::size_t axis>
-    void component(const Stage& stage, float viscosity);
+    void component(const RungeKuttaStage& stage, float viscosity);
 
-    /// What holds all rows of a layer that hold fluid: rows first to end - 1, `count` cells from `start` on.
-    struct Hull {
+    /// Bounding rectangle of the rows of a layer that hold fluid: rows first to end - 1, `count` cells
+    /// from `start`.
+    struct LayerBounds {
         int first, end;
         std::ptrdiff_t start, count;
     };
-    Hull hull_of(int k) const;
+    LayerBounds bounds_of_layer(int k) const;
 
     Lattice lattice_;
     int order_;
     const Solids* solids_;
     Rows rows_;
-    std::vector<Hull> hulls_;        ///< of each layer
-    std::array<Samples, 6> planes_;  ///< of the carrying velocity: along x, y, and a ring of four along z
+    std::vector<LayerBounds> layer_bounds_;  ///< one for each layer
+    /// Interpolated advecting velocity: a plane along x, one along y, and a ring of four along z.
+    std::array<Samples, 6> planes_;
 };
 
 }  // namespace thaum::fluid

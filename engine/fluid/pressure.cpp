@@ -3,7 +3,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// The difference from `u` to the next place `s` away, times h.
+/// Difference across one cell along the stride `s`; it approximates h times the derivative.
 template <bool fourth>
 inline float difference(const float* u, std::ptrdiff_t i, std::ptrdiff_t s) {
     if constexpr (fourth)

@@ -1,8 +1,8 @@
-// fluid/pressure.h: divergence and its adjoint on the staggered grid, of order 2 or 4:
+// fluid/pressure.h: divergence and gradient on the staggered grid, of order 2 or 4. At order 4:
 //
-//     4th:  ( 27 (u[1] - u[0]) - (u[2] - u[-1]) ) / 24 h
+//     ( 27 (u[1] - u[0]) - (u[2] - u[-1]) ) / 24 h
 //
-// The gradient is minus the transpose of the divergence, so a projection takes energy only.
+// The gradient is minus the transpose of the divergence, so a projection can only remove energy.
 #pragma once
 #include <array>
 #include <span>
@@ -11,12 +11,13 @@
 
 namespace thaum::fluid {
 
-/// Of a velocity whose ghosts are filled; out without ghosts, x contiguous, one value for each cell. 1/s.
+/// Divergence (1/s) of a velocity with filled ghosts. `out` has one value for each cell, x contiguous,
+/// without ghosts.
 void divergence(const Lattice& lattice, int order, const std::array<Samples, 3>& velocity,
                 std::span<float> out);
 
-/// In the rows, velocity -= grad potential, whose ghosts are filled evenly. Ghosts of the velocity are left as they
-/// are.
+/// Subtracts the gradient of `potential` from the velocity in `rows`. The ghosts of `potential` must be
+/// filled with GhostRule::even. The ghosts of the velocity are not changed.
 void subtract_gradient(const Rows& rows, int order, const Samples& potential,
                        std::array<Samples, 3>& velocity);
 

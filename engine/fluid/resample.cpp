@@ -8,7 +8,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// Mean over `per_edge` places along each edge of the cell round a place.
+/// Mean of a field over a cell, sampled at `per_edge` places along each edge.
 double mean_round(const field::Grid& grid, vec3 middle, double h, int per_edge) {
     if (per_edge == 1) return grid(middle).value;
     double sum = 0;
@@ -41,7 +41,7 @@ void take_substance(Fluid& to, const Fluid& from, std::size_t s, int per_edge) {
 
 }  // namespace
 
-void take_over(Fluid& to, const Fluid& from) {
+void resample_into(Fluid& to, const Fluid& from) {
     const int per_edge = std::max(1, static_cast<int>(std::ceil(to.lattice.h / from.lattice.h - 1e-9)));
     for (std::size_t axis = 0; axis < 3; ++axis)
         sample_into(to.lattice, to.place(axis),
@@ -49,7 +49,7 @@ void take_over(Fluid& to, const Fluid& from) {
                     to.now.velocity[axis]);
     for (std::size_t s = 0; s < std::min(to.now.substances.size(), from.now.substances.size()); ++s)
         take_substance(to, from, s, per_edge);
-    altered(to);
+    refresh_after_edit(to);
 }
 
 }  // namespace thaum::fluid

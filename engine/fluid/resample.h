@@ -1,13 +1,17 @@
-// fluid/resample.h: a flow taken over to another grid: more or fewer cells, the other solver, other solids.
+// fluid/resample.h: transfers a flow to another grid, with other cells, solver or solids.
 #pragma once
 #include "fluid/fluid.h"
 
 namespace thaum::fluid {
 
-/// `to` takes velocity and substances from `from`, whose box is the same, in m; sheets and pushes are none of its business. Velocity is
-/// read by the Catmull-Rom kernel and is free of divergence after the next step; densities linearly, so that none falls below
-/// zero, and scaled so that the amount of each substance stays. What has nowhere to be, since all its places are solid now, is
-/// spread evenly. Where cells are larger, a value is the mean over places in the cell. Substances beyond those of `to` are lost.
-void take_over(Fluid& to, const Fluid& from);
+/// Copies velocity and substances of `from` to `to`, whose box must have the same size. Spring surfaces
+/// and queued pushes are not transferred.
+///
+/// Velocity is interpolated by the Catmull-Rom kernel; it is free of divergence after the next step.
+/// Densities are interpolated linearly, so none falls below zero, then scaled to conserve the amount of
+/// each substance. If a substance lies only where `to` is solid, its amount is spread evenly. Where the
+/// cells of `to` are larger, each value is the mean over several places in the cell. Substances that
+/// `to` does not have are lost.
+void resample_into(Fluid& to, const Fluid& from);
 
 }  // namespace thaum::fluid

@@ -33,7 +33,7 @@ Rows rows_above_zero(const Lattice& lattice, const Samples& values) {
         while (first < end && !(value[first] > 0)) ++first;
         if (end > 0 && (first <= ghosts || end >= row.count - ghosts)) result.at_sides.push_back(row.at);
         const std::ptrdiff_t start = first / 8 * 8;
-        row = {row.at + start, std::min(whole_eights(end), row.count) - start};
+        row = {row.at + start, std::min(round_up_to_8(end), row.count) - start};
     }
     return result;
 }

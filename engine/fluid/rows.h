@@ -1,22 +1,24 @@
-// fluid/rows.h: where on a lattice there is fluid, row by row along x. What is solid is not visited, and stays what it was made:
-// zero, in every array that only these rows are written of.
+// fluid/rows.h: the parts of a lattice that hold fluid, row by row along x. Solid cells are not
+// visited. They keep their initial zeros in every array that is written only through these rows.
 #pragma once
 #include "fluid/lattice.h"
 
 namespace thaum::fluid {
 
-/// The part of a row from the first to the last eight cells with any fluid.
+/// Part of a lattice row between its first and its last group of eight cells with fluid.
 struct Row {
-    std::ptrdiff_t at{};  ///< where its first cell stands: whole eights from where the lattice's row begins
-    std::ptrdiff_t count{};  ///< cells: whole eights, or as far as the lattice goes; 0: all is solid
+    /// Index of its first cell, a multiple of eight cells after the start of the lattice row.
+    std::ptrdiff_t at{};
+    /// number of cells: a multiple of eight, or up to the end of the lattice; 0 if all cells are solid.
+    std::ptrdiff_t count{};
 };
 
 struct Rows {
     Lattice lattice{};
     std::vector<Row> rows{};  ///< row j of layer k at k * lattice.cells[1] + j
-    /// Where the lattice's rows begin that have fluid so near to one of their ends that ghosts mirror it.
+    /// Starts of the lattice rows whose fluid is so close to an end that ghosts mirror it.
     std::vector<std::ptrdiff_t> at_sides{};
-    bool all{};  ///< every row is whole
+    bool all{};  ///< true: every row is complete
 
     Row at(int j, int k) const {
         const auto across = static_cast<std::size_t>(lattice.cells[1]);
@@ -24,16 +26,17 @@ struct Rows {
     }
 };
 
-/// All cells.
+/// Rows that contain all cells.
 Rows whole_rows(const Lattice& lattice);
-/// The sum of the open shares of the six faces round each cell; of each component, ghosts included.
+/// Sum of the open shares of the six faces of each cell. `open` has one array for each component,
+/// including ghosts.
 Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open);
-/// Of the cells whose value is above 0.
+/// Rows that contain the cells with a value above 0.
 Rows rows_above_zero(const Lattice& lattice, const Samples& values);
 /// Sets the samples in the rows to 0.
 void clear(const Rows& rows, Samples& samples);
 
-/// Calls with each Row that has any fluid, of one layer or of all.
+/// Calls `visit` with each Row that holds fluid, in one layer or in all layers.
 template <class Visit>
 void each_row(const Rows& rows, int k, Visit&& visit) {
     for (int j = 0; j < rows.lattice.cells[1]; ++j)

@@ -7,7 +7,7 @@ namespace thaum::fluid {
 
 namespace {
 
-/// Along one axis.
+/// The same along one axis.
 template <class T>
 T into_box(const Lattice& lattice, std::size_t axis, T place) {
     const auto n = static_cast<T>(lattice.cells[axis]);
@@ -15,13 +15,14 @@ T into_box(const Lattice& lattice, std::size_t axis, T place) {
     return std::clamp(place, T{0}, n);
 }
 
-/// Linear along each axis; `at` counts from where the value of cell (0, 0, 0) stands, not before the ghosts.
+/// Linear interpolation along each axis. `at` is relative to the sample of cell (0, 0, 0) and not
+/// before the ghosts (cells).
 inline float between(const float* first, const std::array<std::ptrdiff_t, 3>& stride,
                      const std::array<float, 3>& at) {
     const float* p = first;
     std::array<float, 3> part{};
     for (std::size_t a = 0; a < 3; ++a) {
-        // Truncation is the floor of what is not negative.
+        // Truncation equals the floor because the number is not negative.
         const auto low = static_cast<int>(at[a] + ghosts) - ghosts;
         part[a] = at[a] - static_cast<float>(low);
         p += low * stride[a];
@@ -35,7 +36,7 @@ inline float between(const float* first, const std::array<std::ptrdiff_t, 3>& st
     return low + part[2] * (along_y(p + stride[2]) - low);
 }
 
-/// What another component is where one stands: the mean of the four round that place.
+/// Another component at the position of this one: the mean of the four nearest samples.
 inline float mean_of_four(const float* u, std::ptrdiff_t own, std::ptrdiff_t other) {
     return 0.25F * ((u[0] + u[other]) + (u[-own] + u[other - own]));
 }

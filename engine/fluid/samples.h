@@ -1,9 +1,9 @@
-// fluid/samples.h: memory for the values of one quantity on a lattice.
+// fluid/samples.h: memory for the samples of one quantity on a lattice.
 //
-// Cells begin at the boundary of a vector and of a line of the cache, so that no vector of a row's own values crosses
-// a line. Memory for large arrays begins at a page; were all at the same offset within it, those of one step could
-// drive each other out of the nearest cache. So each array begins elsewhere within its page, by the number of that
-// page.
+// The first cell of each row is aligned to a vector and to a cache line, so no vector of the row's
+// cells crosses a line. The heap returns large arrays at the start of a page. If all arrays had the
+// same offset in their pages, those of one step could evict each other from the first-level cache. Each
+// array therefore starts at another offset, computed from its page number.
 #pragma once
 #include <bit>
 #include <cstddef>
@@ -21,8 +21,8 @@ struct SamplesAllocator {
     using value_type = T;
 
     static constexpr std::size_t line = 64, page = 4096;  ///< bytes
-    /// From the beginning of a line to the first value, so that the first cell, `ghosts` behind it, stands at the
-    /// beginning of the next line.
+    /// Bytes from the start of a cache line to the first value. The first cell, `ghosts` values later,
+    /// is then at the start of the next line.
     static constexpr std::size_t before = line - ghosts * sizeof(T);
 
     SamplesAllocator() = default;
@@ -31,10 +31,10 @@ struct SamplesAllocator {
 
     T* allocate(std::size_t count) {
         void* const block = ::operator new (count * sizeof(T) + page + line, std::align_val_t{line});
-        // An odd factor takes pages that follow one another in any steps to different lines.
+        // The odd factor 29 spreads pages with any regular spacing over different lines.
         const std::size_t lines = std::bit_cast<std::uintptr_t>(block) / page * 29 % (page / line);
         std::byte* const first = static_cast<std::byte*>(block) + lines * line + before;
-        // There is room for it: `before` is larger than a pointer.
+        // There is room for the pointer because `before` is larger than a pointer.
         std::memcpy(first - sizeof block, &block, sizeof block);
         return static_cast<T*>(static_cast<void*>(first));
     }
@@ -46,7 +46,7 @@ struct SamplesAllocator {
     friend bool operator==(const SamplesAllocator&, const SamplesAllocator&) { return true; }
 };
 
-/// One value for each cell, ghosts included, as Lattice::at counts.
+/// One value for each cell, including ghosts; Lattice::at gives the index.
 using Samples = std::vector<float, SamplesAllocator<float>>;
 
 }  // namespace thaum::fluid

@@ -9,18 +9,19 @@
 namespace thaum::fluid {
 namespace {
 
-constexpr std::uint64_t magic = 0x756c666d75616874;  // "thaumflu" as it lies in the file
+constexpr std::uint64_t magic = 0x756c666d75616874;  // the bytes "thaumflu" in the file
 constexpr std::size_t head_size = 20;                // magic, version, length
 constexpr std::size_t hash_size = 8;
 constexpr std::size_t shape_numbers_most = 16;
 constexpr std::size_t shape_name_most = 32;
 
-// What no fluid comes to by any push, and what still has a square in float.
+// Bound that no push can exceed; its square is still finite in float.
 constexpr double sample_most = 1e18;
 constexpr double height_most = 1e6;      // m
 constexpr double node_speed_most = 1e9;  // m/s
 
-// ---- what is in the body, listed once for both ways ----------------------------------------------------------------
+// ---- contents of the body, listed once for saving and restoring
+// ------------------------------------------------------
 
 template <class S, class F>
 void each_setting(S& s, F&& f) {
@@ -37,12 +38,12 @@ void each_number(S& s, F&& f) {
 }
 
 template <class S, class F>
-void each_sheet_setting(S& s, F&& f) {
+void each_surface_setting(S& s, F&& f) {
     f(s.nodes), f(s.rim), f(s.side), f(s.tension), f(s.shear), f(s.areal_mass), f(s.level), f(s.damping);
     f(s.contact), f(s.pop_through), f(s.cling), f(s.reach), f(s.still), f(s.most_steps);
 }
 
-/// Calls with each of a state's samples and its name.
+/// Calls `f` with each array of samples of a state and its name.
 template <class S, class F>
 void each_samples(S& now, F&& f) {
     constexpr std::array along{"x", "y", "z"};
@@ -53,13 +54,14 @@ void each_samples(S& now, F&& f) {
     for (std::size_t i = 0; i < now.substances.size(); ++i) f(now.substances[i], text("substance ", i + 1));
 }
 
-/// Calls with the first node of each row.
+/// Calls `f` with the index of the first node of each row.
 template <class F>
-void each_node_row(const SheetSettings& s, F&& f) {
-    for (std::size_t z = 0; z < s.nodes; ++z) f(sheet_index(s, 0, z));
+void each_node_row(const SpringSurfaceSettings& s, F&& f) {
+    for (std::size_t z = 0; z < s.nodes; ++z) f(surface_node_index(s, 0, z));
 }
 
-// ---- out -----------------------------------------------------------------------------------------------------------
+// ---- saving
+// --------------------------------------------------------------------------------------------------------
 
 template <class T>
 std::span<const std::byte> row_bytes(const T* first, std::size_t count) {
@@ -81,21 +83,23 @@ void put_fluid(const Fluid& fluid, ByteWriter& out) {
     });
 }
 
-void put_sheet(const Sheet& sheet, ByteWriter& out) {
-    each_sheet_setting(sheet.settings, [&](const auto& value) { out.put(value); });
-    for (const std::uint32_t inside : sheet.inside) out.put(inside);
-    out.put(sheet.asleep);
-    for (const auto* nodes : {&sheet.height, &sheet.velocity})
-        each_node_row(sheet.settings,
-                      [&](std::size_t at) { out.put_bytes(row_bytes(&(*nodes)[at], sheet.settings.nodes)); });
+void put_surface(const SpringSurface& surface, ByteWriter& out) {
+    each_surface_setting(surface.settings, [&](const auto& value) { out.put(value); });
+    for (const std::uint32_t inside : surface.inside) out.put(inside);
+    out.put(surface.asleep);
+    for (const auto* nodes : {&surface.height, &surface.velocity})
+        each_node_row(surface.settings, [&](std::size_t at) {
+            out.put_bytes(row_bytes(&(*nodes)[at], surface.settings.nodes));
+        });
 }
 
-// ---- in ------------------------------------------------------------------------------------------------------------
+// ---- restoring
+// -----------------------------------------------------------------------------------------------------
 
 tl::unexpected<Error> wrong(std::string_view what) { return fail(text("saved fluid: ", what)); }
 tl::unexpected<Error> ends_within(std::string_view what) { return wrong(text("it ends within ", what)); }
 
-/// The body, where all that is around it is right.
+/// Checks everything around the body and returns the body.
 Expected<std::span<const std::byte>> opened(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     const auto begins = in.get<std::uint64_t>();
@@ -115,8 +119,8 @@ Expected<std::span<const std::byte>> opened(std::span<const std::byte> bytes) {
     return body;
 }
 
-Expected<Shape> get_shape(ByteReader& in) {
-    Shape shape{.name = in.get_string()};
+Expected<NamedShape> get_shape(ByteReader& in) {
+    NamedShape shape{.name = in.get_string()};
     const auto is_of_name = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
     if (shape.name.size() > shape_name_most || !std::ranges::all_of(shape.name, is_of_name))
         return wrong("its shape has no name that could be one");
@@ -144,17 +148,18 @@ Expected<Settings> get_settings(ByteReader& in) {
     return settings;
 }
 
-/// Are there as many samples as the settings say? Asked before there is room for them.
+/// Whether enough bytes are left for the samples that the settings ask for. Checked before memory is
+/// allocated.
 bool fits(const Settings& settings, std::size_t left) {
     std::size_t values = 7 + settings.substances.size();
     for (const int cells : settings.cells) {
-        if (cells < 1 || cells > cells_most) return true;  // make_fluid tells
+        if (cells < 1 || cells > cells_most) return true;  // make_fluid reports the error
         values *= static_cast<std::size_t>(cells);
     }
     return values * sizeof(float) <= left;
 }
 
-/// The first fault of one field of samples.
+/// Describes the first invalid value of one array of samples; empty if there is none.
 std::string fault_of(const Lattice& lattice, const Samples& samples, bool of_substance) {
     bool finite = true, sound = true;
     each_row(lattice, [&](std::ptrdiff_t at) {
@@ -168,7 +173,7 @@ std::string fault_of(const Lattice& lattice, const Samples& samples, bool of_sub
     return sound ? "" : "a value that no fluid can have";
 }
 
-Expected<Fluid> get_fluid(ByteReader& in, const Shape& shape, const SolidOf& solid_of) {
+Expected<Fluid> get_fluid(ByteReader& in, const NamedShape& shape, const SolidFactory& solid_of) {
     auto settings = get_settings(in);
     if (!settings) return tl::unexpected(settings.error());
     if (!fits(*settings, in.left())) return wrong("fewer samples than its grid has");
@@ -192,59 +197,60 @@ Expected<Fluid> get_fluid(ByteReader& in, const Shape& shape, const SolidOf& sol
     });
     if (!in.ok()) return ends_within("the samples");
     if (!fault.empty()) return wrong(fault);
-    altered(*fluid);
+    refresh_after_edit(*fluid);
     fluid->now.pushed = pushed;
     fluid->now.asleep = asleep && !pushed;
     return fluid;
 }
 
-std::string fault_of(const Sheet& sheet) {
+std::string fault_of(const SpringSurface& surface) {
     bool sound = true;
-    each_node_row(sheet.settings, [&](std::size_t at) {
-        for (std::size_t i = at; i < at + sheet.settings.nodes; ++i)
-            sound = sound && std::abs(sheet.height[i]) <= height_most &&
-                    std::abs(sheet.velocity[i]) <= node_speed_most;
+    each_node_row(surface.settings, [&](std::size_t at) {
+        for (std::size_t i = at; i < at + surface.settings.nodes; ++i)
+            sound = sound && std::abs(surface.height[i]) <= height_most &&
+                    std::abs(surface.velocity[i]) <= node_speed_most;
     });
     return sound ? "" : "surface: a node that is not finite, or too far or fast";
 }
 
-Expected<Sheet> get_sheet(ByteReader& in) {
-    SheetSettings asked;
-    each_sheet_setting(asked, [&](auto& value) { value = in.get<std::remove_cvref_t<decltype(value)>>(); });
+Expected<SpringSurface> get_surface(ByteReader& in) {
+    SpringSurfaceSettings asked;
+    each_surface_setting(asked, [&](auto& value) { value = in.get<std::remove_cvref_t<decltype(value)>>(); });
     if (!in.ok()) return ends_within("the settings of the surface");
     if (asked.rim > Rim::free) return wrong("surface: no rim has that number");
     const auto settings = checked(asked);
     if (!settings) return wrong(settings.error().message);
-    Sheet sheet = sheet_of(*settings);
-    for (std::uint32_t& inside : sheet.inside) inside = in.get<std::uint32_t>();
+    SpringSurface surface = make_spring_surface(*settings);
+    for (std::uint32_t& inside : surface.inside) inside = in.get<std::uint32_t>();
     const auto asleep = in.get<std::uint32_t>();
     const std::size_t wide = settings->nodes * sizeof(double);
-    for (auto* nodes : {&sheet.height, &sheet.velocity})
+    for (auto* nodes : {&surface.height, &surface.velocity})
         each_node_row(*settings, [&](std::size_t at) {
             const auto row = in.get_bytes(wide);
             if (in.ok()) std::memcpy(&(*nodes)[at], row.data(), wide);
         });
     if (!in.ok()) return ends_within("the surface");
-    if (std::ranges::any_of(sheet.inside, [](std::uint32_t inside) { return inside > 1; }) || asleep > 1)
+    if (std::ranges::any_of(surface.inside, [](std::uint32_t inside) { return inside > 1; }) || asleep > 1)
         return wrong("surface: a flag that is neither 0 nor 1");
-    if (const auto fault = fault_of(sheet); !fault.empty()) return wrong(fault);
-    altered(sheet);
-    sheet.asleep = asleep != 0 && energy(sheet) == 0 ? 1 : 0;
-    return sheet;
+    if (const auto fault = fault_of(surface); !fault.empty()) return wrong(fault);
+    refresh_after_edit(surface);
+    surface.asleep = asleep != 0 && energy(surface) == 0 ? 1 : 0;
+    return surface;
 }
 
 }  // namespace
 
-Bytes save(const Fluid& fluid, const Sheet& sheet, const Shape& shape, std::span<const std::byte> kept) {
+Bytes save(const Fluid& fluid, const SpringSurface& surface, const NamedShape& shape,
+           std::span<const std::byte> caller_data) {
     Bytes body;
     ByteWriter out(body);
     out.put_string(shape.name);
     out.put(static_cast<std::uint32_t>(shape.numbers.size()));
     for (const double number : shape.numbers) out.put(number);
-    out.put(static_cast<std::uint32_t>(kept.size()));
-    out.put_bytes(kept);
+    out.put(static_cast<std::uint32_t>(caller_data.size()));
+    out.put_bytes(caller_data);
     put_fluid(fluid, out);
-    put_sheet(sheet, out);
+    put_surface(surface, out);
     Bytes bytes;
     ByteWriter file(bytes);
     file.put(magic);
@@ -255,20 +261,21 @@ Bytes save(const Fluid& fluid, const Sheet& sheet, const Shape& shape, std::span
     return bytes;
 }
 
-Expected<Saved> restore(std::span<const std::byte> bytes, const SolidOf& solid_of) {
+Expected<SavedFluid> restore(std::span<const std::byte> bytes, const SolidFactory& solid_of) {
     const auto body = opened(bytes);
     if (!body) return tl::unexpected(body.error());
     ByteReader in(*body);
     auto shape = get_shape(in);
     if (!shape) return tl::unexpected(shape.error());
-    const auto kept = in.get_bytes(in.get<std::uint32_t>());
+    const auto caller_data = in.get_bytes(in.get<std::uint32_t>());
     if (!in.ok()) return ends_within("what is kept beside the fluid");
     auto fluid = get_fluid(in, *shape, solid_of);
     if (!fluid) return tl::unexpected(fluid.error());
-    auto sheet = get_sheet(in);
-    if (!sheet) return tl::unexpected(sheet.error());
+    auto surface = get_surface(in);
+    if (!surface) return tl::unexpected(surface.error());
     if (in.left() != 0) return wrong("something follows the surface");
-    return Saved{std::move(*fluid), std::move(*sheet), std::move(*shape), Bytes(kept.begin(), kept.end())};
+    return SavedFluid{std::move(*fluid), std::move(*surface), std::move(*shape),
+                      Bytes(caller_data.begin(), caller_data.end())};
 }
 
 }  // namespace thaum::fluid

@@ -1,10 +1,12 @@
-// fluid/saved.h: a fluid and the sheet on it as bytes and back. What is restored goes on to the same bits as if it had never
-// been stopped.
+// fluid/saved.h: saves a fluid and its spring surface as bytes, and restores them. A restored fluid
+// continues with the same bits as if it had never been interrupted.
 //
-//     magic, version, length of the body | body | XXH3 of all before
-//     body: shape of the solids, what the caller keeps, fluid (settings, flags, samples), sheet (settings, flags, nodes)
+//     magic, version, length of the body | body | XXH3 hash of everything before
+//     body: shape of the solids, data of the caller, fluid (settings, flags, samples),
+//           spring surface (settings, flags, nodes)
 //
-// All little-endian. Of samples and nodes those in the box and on the sheet are kept: what lies outside follows from them.
+// All numbers are little-endian. Only samples in the box and nodes of the surface are saved; the others
+// follow from them.
 #pragma once
 #include <functional>
 #include <span>
@@ -14,34 +16,38 @@
 #include "core/bytes.h"
 #include "core/error.h"
 #include "fluid/fluid.h"
-#include "fluid/sheet.h"
+#include "fluid/spring_surface.h"
 
 namespace thaum::fluid {
 
-/// Of the solids, as the caller calls it: bytes cannot hold a function. The name: up to 32 of a to z and _; up to 16 numbers.
-struct Shape {
-    std::string name{};             ///< empty: no solids but the edges
-    std::vector<double> numbers{};  ///< m, or whatever the name asks for
-    bool operator==(const Shape&) const = default;
+/// Description of the solids by name, because bytes cannot hold a function. The name has up to 32
+/// characters from a to z and _. There are up to 16 numbers.
+struct NamedShape {
+    std::string name{};             ///< empty: no solids inside the box
+    std::vector<double> numbers{};  ///< parameters; the caller defines their meaning and units
+    bool operator==(const NamedShape&) const = default;
 };
 
-/// Settings::solid of a shape; the error says what is wrong with its name or numbers. Not asked for the empty name.
-using SolidOf = std::function<Expected<std::function<double(vec3)>>(const Shape& shape)>;
+/// Returns Settings::solid for a shape. The error says what is wrong with the name or the numbers. Not
+/// called if the name is empty.
+using SolidFactory = std::function<Expected<std::function<double(vec3)>>(const NamedShape& shape)>;
 
-/// What stands in the file.
-struct Saved {
+/// Contents of a saved file.
+struct SavedFluid {
     Fluid fluid;
-    Sheet sheet;
-    Shape shape;
-    Bytes kept;  ///< by the caller, as it was given
+    SpringSurface surface;
+    NamedShape shape;
+    Bytes caller_data;  ///< bytes that the caller gave to `save`
 };
 
 inline constexpr std::uint32_t saved_version = 2;
 
-Bytes save(const Fluid& fluid, const Sheet& sheet, const Shape& shape, std::span<const std::byte> kept = {});
+Bytes save(const Fluid& fluid, const SpringSurface& surface, const NamedShape& shape,
+           std::span<const std::byte> caller_data = {});
 
-/// The error names what is wrong: no saved fluid, cut off, another version, damaged, a setting out of its range, samples that
-/// are not of the grid it says or that no fluid can have. No more memory is asked for than the bytes are worth.
-Expected<Saved> restore(std::span<const std::byte> bytes, const SolidOf& solid_of);
+/// Restores a fluid. The error says what is wrong: not a saved fluid, cut off, another version,
+/// damaged, a setting out of range, or samples that do not fit the grid or are impossible. Memory is
+/// allocated only if the bytes can fill it.
+Expected<SavedFluid> restore(std::span<const std::byte> bytes, const SolidFactory& solid_of);
 
 }  // namespace thaum::fluid

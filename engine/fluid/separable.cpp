@@ -5,29 +5,29 @@
 #include <cstring>
 
 #include "core/maths.h"
-#include "fluid/eight.h"
+#include "fluid/floats8.h"
 #include "fluid/transpose.h"
 
 namespace thaum::fluid {
 namespace {
 
-// ---- waves ----------------------------------------------------------------------------------------------------------
+// ---- waves ------------------------------------------------------------------------------------------------------
 
 struct Wave {
-    double angle;  ///< rad per cell
+    double angle;  ///< phase per cell (rad)
     bool cosine;
 };
 
-/// Of the places at i + 1/2 (cells) or i + 1 (faces between walls), i from 0.
-std::vector<Wave> waves_of(int n, Edge edge, Beyond beyond) {
+/// All waves for places at i + 1/2 (cells) or i + 1 (faces between walls), i from 0.
+std::vector<Wave> waves_of(int n, Edge edge, GhostRule rule) {
     std::vector<Wave> result;
     if (edge == Edge::periodic) {
         for (int k = 0; 2 * k < n; ++k) result.push_back({2 * pi * k / n, true});
         for (int k = 1; 2 * k <= n; ++k) result.push_back({2 * pi * k / n, false});
-    } else if (beyond == Beyond::even) {
+    } else if (rule == GhostRule::even) {
         for (int k = 0; k < n; ++k) result.push_back({pi * k / n, true});
     } else {
-        const int most = beyond == Beyond::odd ? n : n - 1;
+        const int most = rule == GhostRule::odd ? n : n - 1;
         for (int k = 1; k <= most; ++k) result.push_back({pi * k / n, false});
     }
     return result;
@@ -45,18 +45,18 @@ std::vector<double> column(const Wave& wave, int count, double offset) {
     return result;
 }
 
-/// Fewer places are not folded but at first: it would take longer than what it saves.
+/// Shorter ranges are not folded again, because folding would take longer than the work it saves.
 constexpr int fold_least = 8;
 constexpr double symmetry_error = 1e-9;
 
-/// A wave, and its value at each place.
-struct Column {
+/// The values of a wave at each place.
+struct SampledWave {
     double angle;
     std::vector<double> values;
 };
 
-/// Whether it is its own mirror image about the middle of some places, times `sign`.
-bool mirrored(const Column& column, const Places& places, double sign) {
+/// Whether a wave equals `sign` times its own mirror image about the middle of a range.
+bool mirrored(const SampledWave& column, const CellRange& places, double sign) {
     const double* here = column.values.data() + places.first;
     for (int i = 0; i < places.count; ++i) {
         const double low = here[i], high = here[places.count - 1 - i];
@@ -65,7 +65,7 @@ bool mirrored(const Column& column, const Places& places, double sign) {
     return true;
 }
 
-void add_dense(const std::vector<Column>& columns, const Places& places, Waves& waves) {
+void add_dense(const std::vector<SampledWave>& columns, const CellRange& places, Waves& waves) {
     const auto n = columns.size();
     std::vector<double> exact(n * n);
     std::vector<float> forth(n * n);
@@ -83,12 +83,13 @@ void add_dense(const std::vector<Column>& columns, const Places& places, Waves& 
     waves.back.push_back(std::move(back));
 }
 
-/// As many waves as places, folded as long as each is symmetric or antisymmetric about the middle.
-void arrange(const std::vector<Column>& columns, const Places& places, Waves& waves) {
+/// Folds a range as long as each of its waves is symmetric or antisymmetric about the middle. There are
+/// as many waves as places.
+void fold_waves(const std::vector<SampledWave>& columns, const CellRange& places, Waves& waves) {
     if (places.count == 0) return;
-    std::vector<Column> symmetric;
-    std::vector<Column> antisymmetric;
-    for (const Column& column : columns) {
+    std::vector<SampledWave> symmetric;
+    std::vector<SampledWave> antisymmetric;
+    for (const SampledWave& column : columns) {
         if (mirrored(column, places, 1)) symmetric.push_back(column);
         if (mirrored(column, places, -1)) antisymmetric.push_back(column);
     }
@@ -99,21 +100,23 @@ void arrange(const std::vector<Column>& columns, const Places& places, Waves& wa
     }
     waves.folds.push_back(places);
     const int half = (places.count + 1) / 2;
-    arrange(symmetric, {places.first, half}, waves);
-    arrange(antisymmetric, {places.first + half, places.count - half}, waves);
+    fold_waves(symmetric, {places.first, half}, waves);
+    fold_waves(antisymmetric, {places.first + half, places.count - half}, waves);
 }
 
-// ---- the change to waves and back -----------------------------------------------------------------------------------
+// ---- transform to waves and back
+// --------------------------------------------------------------------------------------
 
-/// Columns that are changed together.
+/// Number of columns that are transformed together.
 constexpr std::ptrdiff_t wide = 16;
 
-/// out[r] = sum over d of matrix[d][r] in[d], for `rows` at once; every row is `wide` long.
+/// out[r] = sum over d of matrix[d][r] in[d], for `rows` values of r at once; every row has `wide`
+/// values.
 template <int rows>
-inline void multiply_block(const float* matrix, std::ptrdiff_t pitch, int depth, const Eight* in,
-                           Eight* out) {
-    Eight low[rows];
-    Eight high[rows];
+inline void multiply_block(const float* matrix, std::ptrdiff_t pitch, int depth, const Floats8* in,
+                           Floats8* out) {
+    Floats8 low[rows];
+    Floats8 high[rows];
     // Unrolled, so that the sums stay in registers.
 #pragma GCC unroll 8
     for (int r = 0; r < rows; ++r) {
@@ -135,8 +138,8 @@ inline void multiply_block(const float* matrix, std::ptrdiff_t pitch, int depth,
     }
 }
 
-/// matrix[in][out]
-void multiply(const float* matrix, int n, const Eight* in, Eight* out) {
+/// Multiplies by matrix[in][out].
+void multiply(const float* matrix, int n, const Floats8* in, Floats8* out) {
     int r = 0;
     for (; n - r >= 6 && n - r != 8; r += 6) multiply_block<6>(matrix + r, n, n, in, out + 2 * r);
     for (; r + 4 <= n; r += 4) multiply_block<4>(matrix + r, n, n, in, out + 2 * r);
@@ -144,131 +147,134 @@ void multiply(const float* matrix, int n, const Eight* in, Eight* out) {
     for (; r < n; ++r) multiply_block<1>(matrix + r, n, n, in, out + 2 * r);
 }
 
-/// Rows of `width` values, at most `wide`, each `pitch` from the next one in memory.
-struct Block {
+/// Rows of `width` values, at most `wide`. Consecutive rows are `pitch` apart in memory.
+struct RowBlock {
     float* first;
     std::ptrdiff_t pitch;
     std::size_t width;
 };
 
-/// `whole`: of `wide` values, which is faster where the compiler knows it.
+/// `whole` means that width is `wide`; a compile-time width is faster.
 template <bool whole>
-inline void load_row(const Block& rows, int row, Eight* to) {
-    if constexpr (!whole) to[0] = to[1] = Eight{};
+inline void load_row(const RowBlock& rows, int row, Floats8* to) {
+    if constexpr (!whole) to[0] = to[1] = Floats8{};
     std::memcpy(to, rows.first + row * rows.pitch, sizeof(float) * (whole ? std::size_t{wide} : rows.width));
 }
 
 template <bool whole>
-inline void store_row(const Block& rows, int row, const Eight* from) {
+inline void store_row(const RowBlock& rows, int row, const Floats8* from) {
     std::memcpy(rows.first + row * rows.pitch, from,
                 sizeof(float) * (whole ? std::size_t{wide} : rows.width));
 }
 
-/// A place and its mirror image become their sum and their difference.
-inline void fold(const Places& places, Eight* values) {
+/// Replaces each place and its mirror image by their sum and their difference.
+inline void fold(const CellRange& places, Floats8* values) {
     for (int low = places.first, high = low + places.count - 1; low < high; ++low, --high) {
         for (int v = 0; v < 2; ++v) {
-            const Eight a = values[2 * low + v];
-            const Eight b = values[2 * high + v];
+            const Floats8 a = values[2 * low + v];
+            const Floats8 b = values[2 * high + v];
             values[2 * low + v] = a + b;
             values[2 * high + v] = b - a;
         }
     }
 }
 
-inline void unfold(const Places& places, Eight* values) {
+inline void unfold(const CellRange& places, Floats8* values) {
     for (int low = places.first, high = low + places.count - 1; low < high; ++low, --high) {
         for (int v = 0; v < 2; ++v) {
-            const Eight a = values[2 * low + v];
-            const Eight b = values[2 * high + v];
+            const Floats8 a = values[2 * low + v];
+            const Floats8 b = values[2 * high + v];
             values[2 * low + v] = a - b;
             values[2 * high + v] = a + b;
         }
     }
 }
 
-/// From cells to waves, back, or both in one.
-enum class Way : std::uint8_t { to_waves, from_waves, through };
+/// `through` multiplies by a matrix from places to places, with folds on both sides.
+enum class TransformDirection : std::uint8_t { to_waves, from_waves, through };
 
-/// A matrix, [in][out], for each of the waves' dense places.
-struct Tables {
+/// One matrix, [in][out], for each dense range of the waves.
+struct DenseTransform {
     const Waves& waves;
     const std::vector<std::vector<float>>& matrices;
 };
 
-template <Way way, bool whole>
-void change_columns(const Tables& by, const Block& from, const Block& to) {
+template <TransformDirection direction, bool whole>
+void change_columns(const DenseTransform& by, const RowBlock& from, const RowBlock& to) {
     const Waves& waves = by.waves;
-    Eight given[2 * cells_most];
-    Eight found[2 * cells_most];
+    Floats8 given[2 * cells_most];
+    Floats8 found[2 * cells_most];
     for (int i = 0; i < waves.count; ++i) load_row<whole>(from, i, given + 2 * i);
-    if constexpr (way != Way::from_waves)
-        for (const Places& places : waves.folds) fold(places, given);
+    if constexpr (direction != TransformDirection::from_waves)
+        for (const CellRange& places : waves.folds) fold(places, given);
     for (std::size_t d = 0; d < waves.dense.size(); ++d) {
-        const Places& places = waves.dense[d];
+        const CellRange& places = waves.dense[d];
         multiply(by.matrices[d].data(), places.count, given + 2 * places.first, found + 2 * places.first);
     }
-    if constexpr (way != Way::to_waves)
+    if constexpr (direction != TransformDirection::to_waves)
         for (auto places = waves.folds.rbegin(); places != waves.folds.rend(); ++places)
             unfold(*places, found);
     for (int i = 0; i < waves.count; ++i) store_row<whole>(to, i, found + 2 * i);
 }
 
-/// Along the outer index of from[count][width]; `to` may be the same.
-template <Way way>
-void change(const Tables& by, float* from, float* to, std::ptrdiff_t width) {
+/// Transforms along the outer index of from[count][width]; `to` may be the same array.
+template <TransformDirection direction>
+void change(const DenseTransform& by, float* from, float* to, std::ptrdiff_t width) {
     std::ptrdiff_t c = 0;
     for (; c + wide <= width; c += wide)
-        change_columns<way, true>(by, {from + c, width, wide}, {to + c, width, wide});
+        change_columns<direction, true>(by, {from + c, width, wide}, {to + c, width, wide});
     if (c == width) return;
     const auto left = static_cast<std::size_t>(width - c);
-    change_columns<way, false>(by, {from + c, width, left}, {to + c, width, left});
+    change_columns<direction, false>(by, {from + c, width, left}, {to + c, width, left});
 }
 
-/// How an equation in the Laplacian is solved for one product of three waves: times scale / ((along + outer) + inner).
-struct Division {
+/// Factor of a Poisson equation for each product of three waves: scale / ((along + outer) + inner).
+struct SpectralDivision {
     float scale;
     const float* along;          ///< by the wave along the columns
     const float *outer, *inner;  ///< by the column
 };
 
 template <bool whole>
-void divide_columns(const Waves& waves, const Division& by, const Block& block, std::ptrdiff_t column) {
-    Eight given[2 * cells_most];
-    Eight found[2 * cells_most];
+void divide_columns(const Waves& waves, const SpectralDivision& by, const RowBlock& block,
+                    std::ptrdiff_t column) {
+    Floats8 given[2 * cells_most];
+    Floats8 found[2 * cells_most];
     for (int i = 0; i < waves.count; ++i) load_row<whole>(block, i, given + 2 * i);
-    for (const Places& places : waves.folds) fold(places, given);
+    for (const CellRange& places : waves.folds) fold(places, given);
     for (std::size_t d = 0; d < waves.dense.size(); ++d) {
-        const Places& places = waves.dense[d];
+        const CellRange& places = waves.dense[d];
         multiply(waves.forth[d].data(), places.count, given + 2 * places.first, found + 2 * places.first);
     }
     for (std::ptrdiff_t v = 0; v < 2; ++v) {
-        const Eight outer = load(by.outer + column + 8 * v), inner = load(by.inner + column + 8 * v);
+        const Floats8 outer = load(by.outer + column + 8 * v), inner = load(by.inner + column + 8 * v);
         for (int i = 0; i < waves.count; ++i) found[2 * i + v] *= by.scale / ((by.along[i] + outer) + inner);
     }
-    // The mean comes first of all.
+    // The first value belongs to the constant wave, which is the mean.
     if (column == 0) found[0][0] = 0;
     for (std::size_t d = 0; d < waves.dense.size(); ++d) {
-        const Places& places = waves.dense[d];
+        const CellRange& places = waves.dense[d];
         multiply(waves.back[d].data(), places.count, found + 2 * places.first, given + 2 * places.first);
     }
     for (auto places = waves.folds.rbegin(); places != waves.folds.rend(); ++places) unfold(*places, given);
     for (int i = 0; i < waves.count; ++i) store_row<whole>(block, i, given + 2 * i);
 }
 
-/// To waves along the outer index of values[count][width], the division, and back.
-void divide(const Waves& waves, const Division& by, float* values, std::ptrdiff_t width) {
+/// Transforms along the outer index of values[count][width], multiplies by the factors, and transforms
+/// back.
+void divide(const Waves& waves, const SpectralDivision& by, float* values, std::ptrdiff_t width) {
     std::ptrdiff_t c = 0;
     for (; c + wide <= width; c += wide) divide_columns<true>(waves, by, {values + c, width, wide}, c);
     if (c < width)
         divide_columns<false>(waves, by, {values + c, width, static_cast<std::size_t>(width - c)}, c);
 }
 
-Tables forth(const Waves& waves) { return {waves, waves.forth}; }
-Tables back(const Waves& waves) { return {waves, waves.back}; }
+DenseTransform forth(const Waves& waves) { return {waves, waves.forth}; }
+DenseTransform back(const Waves& waves) { return {waves, waves.back}; }
 
-/// sum over waves of wave[i] factor[wave] wave[j]. Momentum is the sum over all places: what rounding takes of a row's sum its smallest
-/// element gives back, since that has the finest digits.
+/// Matrix with elements sum over k of wave_k[i] factor[k] wave_k[j]. Momentum is the sum over all
+/// places, so each row must keep its sum. The rounding error of a row is added to its smallest element,
+/// which has the finest resolution.
 std::vector<float> damped(const std::vector<double>& waves, std::span<const double> factor) {
     const std::size_t n = factor.size();
     std::vector<float> result(n * n);
@@ -288,14 +294,14 @@ std::vector<float> damped(const std::vector<double>& waves, std::span<const doub
 
 }  // namespace
 
-Waves make_waves(int cells, Edge edge, Beyond beyond) {
-    const auto all = waves_of(cells, edge, beyond);
-    const bool faces = edge != Edge::periodic && beyond == Beyond::through_wall;
+Waves make_waves(int cells, Edge edge, GhostRule rule) {
+    const auto all = waves_of(cells, edge, rule);
+    const bool faces = edge != Edge::periodic && rule == GhostRule::through_wall;
     Waves result{.start = faces ? 1 : 0, .count = static_cast<int>(all.size())};
-    std::vector<Column> columns;
+    std::vector<SampledWave> columns;
     for (const Wave& wave : all)
         columns.push_back({wave.angle, column(wave, result.count, faces ? 1.0 : 0.5)});
-    arrange(columns, {0, result.count}, result);
+    fold_waves(columns, {0, result.count}, result);
     return result;
 }
 
@@ -315,7 +321,7 @@ PressureSolver::PressureSolver(const Lattice& lattice, int order)
       scratch_(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1])) {
     std::array<std::vector<float>, 3> symbols;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        waves_[axis] = make_waves(lattice.cells[axis], lattice.edges[axis], Beyond::even);
+        waves_[axis] = make_waves(lattice.cells[axis], lattice.edges[axis], GhostRule::even);
         for (const double angle : waves_[axis].angle)
             symbols[axis].push_back(static_cast<float>(pressure_symbol(angle, order)));
     }
@@ -323,7 +329,7 @@ PressureSolver::PressureSolver(const Lattice& lattice, int order)
         by_x_.insert(by_x_.end(), symbols[1].size(), x);
         by_y_.insert(by_y_.end(), symbols[1].begin(), symbols[1].end());
     }
-    // The last columns may be read past.
+    // The arrays are padded because the last columns may be read past their end.
     for (auto* by : {&by_x_, &by_y_}) by->resize(by->size() + wide, 1.0F);
     along_z_ = symbols[2];
 }
@@ -337,31 +343,31 @@ void PressureSolver::solve(std::span<float> field) {
     float* turned = scratch_.data();
     for (std::ptrdiff_t k = 0; k < nz; ++k) {
         float* here = values + k * plane;
-        change<Way::to_waves>(forth(waves_[1]), here, here, nx);
+        change<TransformDirection::to_waves>(forth(waves_[1]), here, here, nx);
         transpose({here, nx}, {turned, ny}, ny, nx);
-        change<Way::to_waves>(forth(waves_[0]), turned, here, ny);
+        change<TransformDirection::to_waves>(forth(waves_[0]), turned, here, ny);
     }
     divide(waves_[2], {scale_, along_z_.data(), by_x_.data(), by_y_.data()}, values, plane);
     for (std::ptrdiff_t k = 0; k < nz; ++k) {
         float* here = values + k * plane;
-        change<Way::from_waves>(back(waves_[0]), here, turned, ny);
+        change<TransformDirection::from_waves>(back(waves_[0]), here, turned, ny);
         transpose({turned, ny}, {here, nx}, nx, ny);
-        change<Way::from_waves>(back(waves_[1]), here, here, nx);
+        change<TransformDirection::from_waves>(back(waves_[1]), here, here, nx);
     }
 }
 
 Diffusion::Diffusion(const Lattice& lattice, int order) : lattice_(lattice), order_(order) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto beyond = beyond_of_velocity(lattice, axis);
+        const auto rule = ghost_rules_of_velocity(lattice, axis);
         for (std::size_t across = 0; across < 3; ++across)
-            waves_[axis][across] = make_waves(lattice.cells[across], lattice.edges[across], beyond[across]);
+            waves_[axis][across] = make_waves(lattice.cells[across], lattice.edges[across], rule[across]);
     }
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
                    static_cast<std::size_t>(lattice.cells[2]));
     turned_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]));
 }
 
-void Diffusion::take(double part, double lid, std::array<Samples, 3>& velocity) {
+void Diffusion::diffuse(double part, double lid, std::array<Samples, 3>& velocity) {
     const auto carried = [&](int j) { return static_cast<float>(lid * (j + 0.5) / lattice_.cells[1]); };
     const auto add_carried = [&](float sign) {
         each_row(lattice_, [&](std::ptrdiff_t at) {
@@ -370,7 +376,8 @@ void Diffusion::take(double part, double lid, std::array<Samples, 3>& velocity) 
             for (int i = 0; i < lattice_.cells[0]; ++i) row[i] += sign * carried(static_cast<int>(j));
         });
     };
-    // What the moving wall draws along at last is left out: it does not spread any more.
+    // The linear profile of a moving wall's steady flow is subtracted, because diffusion does not
+    // change it.
     if (lid != 0) add_carried(-1);
     for (std::size_t axis = 0; axis < 3; ++axis) component(part, waves_[axis], velocity[axis]);
     if (lid != 0) add_carried(1);
@@ -378,13 +385,13 @@ void Diffusion::take(double part, double lid, std::array<Samples, 3>& velocity) 
 
 void Diffusion::component(double part, const std::array<Waves, 3>& waves, Samples& u) {
     std::array<std::vector<std::vector<float>>, 3> matrices;
-    std::vector<Tables> tables;
+    std::vector<DenseTransform> tables;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         std::vector<double> factor;
         for (const double angle : waves[axis].angle)
             factor.push_back(det::exp(-part * laplace_symbol(angle, order_)));
         for (std::size_t d = 0; d < waves[axis].dense.size(); ++d) {
-            const Places& places = waves[axis].dense[d];
+            const CellRange& places = waves[axis].dense[d];
             matrices[axis].push_back(damped(
                 waves[axis].exact[d], std::span(factor).subspan(static_cast<std::size_t>(places.first),
                                                                 static_cast<std::size_t>(places.count))));
@@ -404,12 +411,12 @@ void Diffusion::component(double part, const std::array<Waves, 3>& waves, Sample
     for (std::ptrdiff_t k = 0; k < nz; ++k) {
         float* here = values + k * plane;
         for (std::ptrdiff_t j = 0; j < ny; ++j) std::copy_n(row_of(j, k), nx, here + j * nx);
-        change<Way::through>(tables[1], here, here, nx);
+        change<TransformDirection::through>(tables[1], here, here, nx);
         transpose({here, nx}, {turned, ny}, ny, nx);
-        change<Way::through>(tables[0], turned, turned, ny);
+        change<TransformDirection::through>(tables[0], turned, turned, ny);
         transpose({turned, ny}, {here, nx}, nx, ny);
     }
-    change<Way::through>(tables[2], values, values, plane);
+    change<TransformDirection::through>(tables[2], values, values, plane);
     for (std::ptrdiff_t k = 0; k < nz; ++k)
         for (std::ptrdiff_t j = 0; j < ny; ++j) std::copy_n(values + k * plane + j * nx, nx, row_of(j, k));
 }

@@ -1,11 +1,14 @@
-// fluid/separable.h: direct solves on a box.
+// fluid/separable.h: direct solvers on a box, by separation of variables.
 //
-// The Laplacian of a box is a sum of one operator for each axis, and their eigenvectors are waves: cosines where a quantity goes
-// on evenly beyond the walls, sines where oddly, both where periodic. So an equation in the Laplacian falls apart into one number
-// for each product of three waves. The change to waves and back is one small dense matrix for each axis; up to 64 cells that is
-// as fast as fast transforms or faster, for it runs at the speed of multiplication, and any wave costs alike. Every wave is
-// either symmetric or antisymmetric about the middle, so the halves are folded and half of the work is left; and where all those of
-// a half are so about its own middle, as cosines are again and again, that half is folded in turn.
+// The Laplacian of a box is a sum of one operator for each axis. The eigenvectors of these operators
+// are waves: cosines where a quantity is even beyond the walls, sines where it is odd, both where it is
+// periodic. An equation in the Laplacian therefore reduces to one number for each product of three
+// waves.
+//
+// The transform to waves and back is one small dense matrix for each axis. Up to 64 cells this is at
+// least as fast as fast Fourier transforms, and the time does not depend on the kind of wave. Every
+// wave is symmetric or antisymmetric about the middle, so folding the two halves saves half of the
+// work. A half whose waves are again symmetric about its own middle, as with cosines, is folded again.
 //
 // Sums are taken in one fixed order. A mirrored input gives the mirrored output to the bit.
 #pragma once
@@ -16,34 +19,37 @@
 
 namespace thaum::fluid {
 
-/// Some places of an axis that follow one another.
-struct Places {
+/// A range of consecutive cells or faces along an axis.
+struct CellRange {
     int first{}, count{};
 };
 
-/// The waves along one axis, orthonormal. Folding some places makes a place and its mirror image into their sum, which stays in the
-/// lower half with the middle, and their difference in the upper one; what has been folded belongs to one matrix for each of the
-/// dense places, of as many waves.
+/// The orthonormal waves along one axis, and how to transform to them. Folding a range replaces each
+/// place and its mirror image by their sum and difference. Sums are stored in the lower half, together
+/// with the middle, and differences in the upper half. After all folds each dense range has a matrix of
+/// its own, with as many waves as places.
 struct Waves {
-    int start{};                  ///< the first cell or face that is not given by the edge
-    int count{};                  ///< of cells, and of waves
-    std::vector<double> angle{};  ///< rad per cell, wave by wave
-    std::vector<Places> folds{};  ///< one after another; first of all the whole
-    std::vector<Places> dense{};
-    std::vector<std::vector<float>> forth{};   ///< of each dense places: [place][wave]
-    std::vector<std::vector<float>> back{};    ///< [wave][place]
-    std::vector<std::vector<double>> exact{};  ///< back, before it was rounded
+    int start{};                     ///< first cell or face that is not fixed by the edge
+    int count{};                     ///< number of places, and of waves
+    std::vector<double> angle{};     ///< phase per cell of each wave (rad)
+    std::vector<CellRange> folds{};  ///< ranges to fold, in this order; the first is the whole axis
+    std::vector<CellRange> dense{};
+    std::vector<std::vector<float>> forth{};   ///< to waves, one matrix for each dense range: [place][wave]
+    std::vector<std::vector<float>> back{};    ///< from waves: [wave][place]
+    std::vector<std::vector<double>> exact{};  ///< `back` before it was rounded
 };
 
-Waves make_waves(int cells, Edge edge, Beyond beyond);
+Waves make_waves(int cells, Edge edge, GhostRule rule);
 
-/// Symbols of differences: minus the eigenvalue of a wave times h^2.
-/// Of the gradient's divergence on the staggered grid, order 2 or 4.
+/// Symbols: minus the eigenvalue of a wave, times h^2.
+///
+/// Symbol of the divergence of the gradient on the staggered grid, of order 2 or 4.
 double pressure_symbol(double angle, int order);
-/// Of the second difference that viscosity takes.
+/// Symbol of the second difference used for viscosity.
 double laplace_symbol(double angle, int order);
 
-/// -> the field whose Laplacian (of the pressure) is given; both without ghosts, x contiguous. The mean is left out.
+/// Solves the Poisson equation of pressure: replaces a field by the one whose Laplacian it is. The
+/// field has no ghosts, x contiguous. The mean is set to zero.
 class PressureSolver {
 public:
     PressureSolver(const Lattice& lattice, int order);
@@ -51,26 +57,27 @@ public:
 
 private:
     std::array<Waves, 3> waves_;
-    std::vector<float> along_z_;      ///< symbols by the wave along z
-    std::vector<float> by_x_, by_y_;  ///< symbols of the waves across z, in the order of a plane: [x][y]
+    std::vector<float> along_z_;      ///< symbols of the waves along z
+    std::vector<float> by_x_, by_y_;  ///< symbols of the waves along x and y, in the order of a plane: [x][y]
     float scale_;
     std::vector<float> scratch_;
 };
 
-/// du/dt = nu lap u over a time, exactly: each wave decays at its own rate. Viscosity is the same everywhere.
+/// Solves du/dt = nu lap u over a time exactly: each wave decays at its own rate. The viscosity nu must
+/// be uniform.
 class Diffusion {
 public:
     Diffusion(const Lattice& lattice, int order);
-    /// part: nu dt / h^2, >= 0. lid: as Settings say; where it is not 0 the edges across x and z do not hold. Ghosts of the velocity
-    /// are left as they are.
-    void take(double part, double lid, std::array<Samples, 3>& velocity);
+    /// Diffuses a velocity. `part` is nu dt / h^2, >= 0. `lid` is Settings::lid; if it is not 0, the
+    /// edges across x and z must not be no-slip. The ghosts of the velocity are not changed.
+    void diffuse(double part, double lid, std::array<Samples, 3>& velocity);
 
 private:
     void component(double part, const std::array<Waves, 3>& waves, Samples& u);
 
     Lattice lattice_;
     int order_;
-    std::array<std::array<Waves, 3>, 3> waves_;  ///< of each component
+    std::array<std::array<Waves, 3>, 3> waves_;  ///< waves of each component along each axis
     std::vector<float> packed_, turned_;
 };
 

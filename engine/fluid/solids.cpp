@@ -2,26 +2,26 @@
 
 #include <algorithm>
 
-#include "fluid/eight.h"
+#include "fluid/floats8.h"
 #include "fluid/ghosts.h"
 #include "fluid/sums.h"
 
 namespace thaum::fluid {
 namespace {
 
-// Less of a face is taken for closed. What would have flowed through is missing: with 0.125 that was 8 to 10 % of the
-// squared error of a bowl's flow, and more the finer the grid. Smaller openings cost the pressure solve no more
-// iterations.
+// Faces with a smaller open share count as closed, and the flow through them is lost. With 0.125 this
+// loss was 8 to 10 % of the squared error of a flow in a bowl, and more on finer grids. Smaller
+// openings do not add iterations to the pressure solve.
 constexpr double open_least = 0.02;
-// What the preconditioner adds for a cell that is mostly closed, by the sum d of its open shares: own_part h^2 (1 / d - 1 / own_below).
-// With these the cauldron takes 4.2 iterations; with h^2 / d, as it was, 6.2.
+// Extra term of the preconditioner for a mostly closed cell with sum d of open shares: own_part h^2 (1
+// / d - 1 / own_below). With these values the cauldron takes 4.2 iterations; with h^2 / d it took 6.2.
 constexpr double own_part = 0.8, own_below = 5;
-// In float, conjugate gradients lose their way some thousandths below where they began. Then they begin anew with what the velocity
-// itself says is left.
+// In float, conjugate gradients stop converging at a few thousandths of the initial residual. They are
+// then restarted from the divergence of the corrected velocity.
 constexpr double gain_of_round = 2e-3;
 constexpr int rounds_most = 4;
 
-double total(const Eight& values) {
+double total(const Floats8& values) {
     double sum = 0;
     for (std::ptrdiff_t lane = 0; lane < 8; ++lane) sum += static_cast<double>(values[lane]);
     return sum;
@@ -38,11 +38,12 @@ void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     });
 }
 
-/// Walls are closed faces, and what is beyond a closed face counts for nothing.
+/// Fills ghosts at periodic sides only. Walls are closed faces, and values beyond closed faces have no
+/// effect.
 void fill_round(const Rows& rows, Samples& potential) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (rows.lattice.edges[axis] == Edge::periodic)
-            fill_ghosts_across(rows, axis, Beyond::even, potential);
+            fill_ghosts_across(rows, axis, GhostRule::even, potential);
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ void fill_round(const Rows& rows, Samples& potential) {
 Solids::Solids(const Lattice& lattice, const SolidShare& solid) : lattice_(lattice), box_(lattice, 2) {
     for (auto* samples : {&residual_, &smoothed_, &direction_, &image_, &correction_})
         *samples = make_samples(lattice);
-    // And eight more, so that the last row may be read past, as those of the lattice.
+    // Eight more values, so that the last row may be read past its end.
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
                        static_cast<std::size_t>(lattice.cells[2]) +
                    8);
@@ -62,9 +63,9 @@ Solids::Solids(const Lattice& lattice, const SolidShare& solid) : lattice_(latti
             open_[axis][at] = static_cast<float>(part.share);
             if (part.share < 1) cut_faces_[axis].push_back({at, part.middle});
         });
-        std::array<Beyond, 3> beyond = evenly;
-        beyond[axis] = Beyond::through_wall;
-        fill_ghosts(lattice, beyond, open_[axis]);
+        std::array<GhostRule, 3> rule = all_even;
+        rule[axis] = GhostRule::through_wall;
+        fill_ghosts(lattice, rule, open_[axis]);
     }
     diagonal_ = openness(lattice, open_);
     own_ = make_samples(lattice);
@@ -75,7 +76,7 @@ Solids::Solids(const Lattice& lattice, const SolidShare& solid) : lattice_(latti
     rows_ = rows_above_zero(lattice, diagonal_);
 }
 
-void Solids::close(std::array<Samples, 3>& velocity) const {
+void Solids::clear_closed_faces(std::array<Samples, 3>& velocity) const {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float* open = open_[axis].data();
         float* u = velocity[axis].data();
@@ -87,35 +88,36 @@ void Solids::close(std::array<Samples, 3>& velocity) const {
     }
 }
 
-/// residual = minus the divergence -> the largest, and the largest velocity.
-Solids::Largest Solids::divergence(const std::array<Samples, 3>& velocity) {
+/// Sets residual_ to minus the divergence. Returns the largest divergence and velocity.
+Solids::Maxima Solids::divergence(const std::array<Samples, 3>& velocity) {
     const auto [x, y, z] = lattice_.stride;
     const auto per_h = static_cast<float>(1 / lattice_.h);
     const float *u = velocity[0].data(), *v = velocity[1].data(), *w = velocity[2].data();
     const float *a = open_[0].data(), *b = open_[1].data(), *c = open_[2].data();
     float* out = residual_.data();
-    EightSizes largest{}, fastest{};
+    Magnitudes8 largest{}, fastest{};
     each_row(rows_, [&, x = x, y = y, z = z](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
-            // Also beyond the end of a row that is no whole eights.
-            const auto holds = load(diagonal_.data() + i) > none;
-            const Eight ux = load(u + i), vy = load(v + i), wz = load(w + i);
-            const Eight along_x = load(a + i + x) * load(u + i + x) - load(a + i) * ux;
-            const Eight along_y = load(b + i + y) * load(v + i + y) - load(b + i) * vy;
-            const Eight along_z = load(c + i + z) * load(w + i + z) - load(c + i) * wz;
-            const Eight found = -per_h * (along_x + (along_y + along_z));
-            const Eight left = holds ? found : none;
+            // Also correct beyond the end of a row that is not a multiple of eight.
+            const auto holds = load(diagonal_.data() + i) > zero8;
+            const Floats8 ux = load(u + i), vy = load(v + i), wz = load(w + i);
+            const Floats8 along_x = load(a + i + x) * load(u + i + x) - load(a + i) * ux;
+            const Floats8 along_y = load(b + i + y) * load(v + i + y) - load(b + i) * vy;
+            const Floats8 along_z = load(c + i + z) * load(w + i + z) - load(c + i) * wz;
+            const Floats8 found = -per_h * (along_x + (along_y + along_z));
+            const Floats8 left = holds ? found : zero8;
             store(out + i, left);
-            largest = larger_sizes(largest, sizes_of(left));
-            const EightSizes across = larger_sizes(sizes_of(vy), sizes_of(wz));
-            fastest = larger_sizes(fastest, holds ? larger_sizes(sizes_of(ux), across) : EightSizes{});
+            largest = larger_magnitudes(largest, magnitudes_of(left));
+            const Magnitudes8 across = larger_magnitudes(magnitudes_of(vy), magnitudes_of(wz));
+            fastest = larger_magnitudes(fastest,
+                                        holds ? larger_magnitudes(magnitudes_of(ux), across) : Magnitudes8{});
         }
     });
     return {largest_of(largest), largest_of(fastest)};
 }
 
-/// image = minus the divergence, through open faces, of the direction's gradient; what is beyond periodic sides is filled -> the product
-/// of the direction and its image.
+/// Sets image_ to minus the divergence, through open faces, of the direction's gradient. Ghosts at
+/// periodic sides must be filled. Returns the product of direction and image.
 double Solids::apply_to_direction() {
     const auto [x, y, z] = lattice_.stride;
     const auto per_h2 = static_cast<float>(1 / (lattice_.h * lattice_.h));
@@ -124,15 +126,15 @@ double Solids::apply_to_direction() {
     const float* d = diagonal_.data();
     double sum = 0;
     each_row(rows_, [&, x = x, y = y, z = z](Row row) {
-        Eight products{};
+        Floats8 products{};
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
-            const Eight own = load(p + i);
-            const Eight beside = load(a + i + x) * load(p + i + x) + load(a + i) * load(p + i - x);
-            const Eight above = load(b + i + y) * load(p + i + y) + load(b + i) * load(p + i - y);
-            const Eight behind = load(c + i + z) * load(p + i + z) + load(c + i) * load(p + i - z);
-            const Eight diagonal = load(d + i);
-            const Eight image = per_h2 * (diagonal * own - (beside + (above + behind)));
-            const Eight kept = diagonal > none ? image : none;
+            const Floats8 own = load(p + i);
+            const Floats8 beside = load(a + i + x) * load(p + i + x) + load(a + i) * load(p + i - x);
+            const Floats8 above = load(b + i + y) * load(p + i + y) + load(b + i) * load(p + i - y);
+            const Floats8 behind = load(c + i + z) * load(p + i + z) + load(c + i) * load(p + i - z);
+            const Floats8 diagonal = load(d + i);
+            const Floats8 image = per_h2 * (diagonal * own - (beside + (above + behind)));
+            const Floats8 kept = diagonal > zero8 ? image : zero8;
             store(image_.data() + i, kept);
             products += own * kept;
         }
@@ -141,13 +143,13 @@ double Solids::apply_to_direction() {
     return sum;
 }
 
-/// smoothed = preconditioner * residual -> their product.
+/// Sets smoothed_ to the preconditioned residual. Returns the product of both.
 double Solids::precondition() {
     const std::ptrdiff_t nx = lattice_.cells[0];
     float* packed = packed_.data();
     each_row(lattice_, [&](std::ptrdiff_t at) {
-        // What is written too far, the next row writes over.
-        copy_eights(residual_.data() + at, packed, nx);
+        // Values written past the end of a row are overwritten by the next row.
+        copy_by_8(residual_.data() + at, packed, nx);
         packed += nx;
     });
     box_.solve(packed_);
@@ -157,15 +159,15 @@ double Solids::precondition() {
             const Row row = rows_.at(j, k);
             const float* found =
                 packed_.data() + (k * lattice_.cells[1] + j) * nx + (row.at - lattice_.at(0, j, k));
-            Eight products{};
+            Floats8 products{};
             for (std::ptrdiff_t i = 0; i < row.count; i += 8) {
-                // -lap in the operator, lap in the box's solve.
-                const Eight d = load(diagonal_.data() + row.at + i);
-                const Eight residual = load(residual_.data() + row.at + i);
-                const Eight both = load(own_.data() + row.at + i) * residual - load(found + i);
-                const Eight smoothed = d > none ? both : none;
+                // The operator has the sign of -lap, the solve of the box that of lap.
+                const Floats8 d = load(diagonal_.data() + row.at + i);
+                const Floats8 residual = load(residual_.data() + row.at + i);
+                const Floats8 both = load(own_.data() + row.at + i) * residual - load(found + i);
+                const Floats8 smoothed = d > zero8 ? both : zero8;
                 store(smoothed_.data() + row.at + i, smoothed);
-                products += d > none ? smoothed * residual : none;
+                products += d > zero8 ? smoothed * residual : zero8;
             }
             sum += total(products);
         }
@@ -173,20 +175,21 @@ double Solids::precondition() {
     return sum;
 }
 
-/// The step along direction_, of which what is beyond periodic sides is filled, that leaves the least energy -> the largest residual
-/// that is left, or none where no step does. `slope`: of the residual along it.
+/// Moves along direction_ as far as reduces the energy most. Ghosts of the direction at periodic sides
+/// must be filled. `slope` is the product of residual and direction. Returns the largest remaining
+/// residual, or nothing if no step reduces the energy.
 std::optional<double> Solids::step_along_direction(double slope) {
     const double curvature = apply_to_direction();
     if (!(curvature > 0)) return std::nullopt;
     const auto step = static_cast<float>(slope / curvature);
-    Eight most{};
+    Floats8 most{};
     each_row(rows_, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
             store(correction_.data() + i, load(correction_.data() + i) + step * load(direction_.data() + i));
-            const Eight left = load(residual_.data() + i) - step * load(image_.data() + i);
+            const Floats8 left = load(residual_.data() + i) - step * load(image_.data() + i);
             store(residual_.data() + i, left);
-            const Eight size = left < none ? -left : left;
-            // A comparison with what is no number is false: so that is kept.
+            const Floats8 size = left < zero8 ? -left : left;
+            // A comparison with NaN is false, so a NaN is kept.
             most = size <= most ? most : size;
         }
     });
@@ -198,8 +201,9 @@ std::optional<double> Solids::step_along_direction(double slope) {
     return result;
 }
 
-/// Adds to the correction what the residual, `left` at most, is minus the divergence of the gradient of, down to `tolerance` in each
-/// cell.
+/// Adds to correction_ the potential whose gradient has minus the residual as divergence. Stops when
+/// the residual, initially at most `left`, is at most `tolerance` in each cell. Returns the number of
+/// iterations.
 int Solids::solve(double left, double tolerance, int iterations_most) {
     double before = 0;
     int iterations = 0;
@@ -231,22 +235,22 @@ void Solids::subtract_correction(std::array<Samples, 3>& velocity) const {
         float* u = velocity[axis].data();
         each_row(rows_, [&](Row row) {
             for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
-                const Eight left = load(u + i) - per_h * (load(p + i) - load(p + i - s));
-                store(u + i, load(open + i) > none ? left : none);
+                const Floats8 left = load(u + i) - per_h * (load(p + i) - load(p + i - s));
+                store(u + i, load(open + i) > zero8 ? left : zero8);
             }
         });
     }
 }
 
-Solids::Found Solids::project(std::array<Samples, 3>& velocity, Samples& potential, double share,
-                              int iterations_most) {
-    Found found;
+Solids::ProjectionResult Solids::project(std::array<Samples, 3>& velocity, Samples& potential, double share,
+                                         int iterations_most) {
+    ProjectionResult found;
     std::swap(direction_, potential);
     clear(rows_, potential);
     for (int round = 0;; ++round) {
         for (std::size_t axis = 0; axis < 3; ++axis)
-            fill_ghosts_across(rows_, axis, Beyond::through_wall, velocity[axis]);
-        const Largest is = divergence(velocity);
+            fill_ghosts_across(rows_, axis, GhostRule::through_wall, velocity[axis]);
+        const Maxima is = divergence(velocity);
         found.divergence = is.divergence;
         const double tolerance = share * is.velocity / lattice_.h;
         if (!(found.divergence > tolerance) || round == rounds_most) break;
@@ -258,7 +262,7 @@ Solids::Found Solids::project(std::array<Samples, 3>& velocity, Samples& potenti
         subtract_correction(velocity);
         add(rows_, potential, 1, correction_);
     }
-    fill_ghosts(rows_, evenly, potential);
+    fill_ghosts(rows_, all_even, potential);
     return found;
 }
 

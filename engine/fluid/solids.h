@@ -1,10 +1,13 @@
 // fluid/solids.h: walls of any shape on the staggered grid.
 //
-// Each face is open by a share of its area; a cell with open faces is fluid. The pressure makes what flows through the open parts
-// of a cell's faces cancel (Batty, Bertails and Bridson 2007), which is solved by conjugate gradients. Their preconditioner is the
-// direct solve of the whole box, as if nothing were solid: it is the energy of the smoothest continuation into the solid, which is
-// at most a small multiple of that in the fluid, however fine the grid is; so the number of iterations does not grow with it.
-// Cells that are mostly closed add a term of their own.
+// Each face has an open share of its area; a cell with an open face holds fluid. The pressure must
+// cancel the net flow through the open parts of each cell's faces (Batty, Bertails and Bridson 2007).
+// Conjugate gradients solve for it. The preconditioner is the direct solve of the whole box without
+// solids, plus a term for cells that are mostly closed.
+//
+// The box solve measures the energy of the smoothest continuation into the solid. This is at most a
+// small multiple of the energy in the fluid, however fine the grid is. The number of iterations
+// therefore does not grow with the grid.
 #pragma once
 #include <functional>
 #include <memory>
@@ -16,43 +19,48 @@
 
 namespace thaum::fluid {
 
-/// A face of which a part is open.
+/// A face that is partly open.
 struct CutFace {
-    std::size_t at{};  ///< place in the samples
-    vec3 middle{};     ///< middle of the open part (m)
+    std::size_t at{};  ///< index in the samples
+    vec3 middle{};     ///< centre of the open part (m)
 };
 
 class Solids {
 public:
     Solids(const Lattice& lattice, const SolidShare& solid);
 
-    /// Shares of the faces of each component that are open, 0 to 1, ghosts included: 0 at walls.
+    /// Open shares of the faces of each component, 0 to 1, including ghosts; 0 on walls.
     const std::array<Samples, 3>& open() const { return open_; }
-    /// Faces of a component that are open in part, by their places in the samples.
+    /// Faces of a component that are partly open, sorted by index.
     const std::vector<CutFace>& cut_faces(std::size_t axis) const { return cut_faces_[axis]; }
-    /// Of a cell, counted as Lattice::at does.
+    /// Whether a cell holds fluid; `cell` is its index from Lattice::at.
     bool holds_fluid(std::size_t cell) const { return diagonal_[cell] > 0; }
 
-    /// Of the cells that hold fluid, and so of all open faces.
+    /// Rows of the cells that hold fluid. They contain all open faces.
     const Rows& rows() const { return rows_; }
 
-    /// Velocities on closed faces become 0.
-    void close(std::array<Samples, 3>& velocity) const;
+    /// Sets velocities on closed faces to 0.
+    void clear_closed_faces(std::array<Samples, 3>& velocity) const;
 
-    struct Found {
+    struct ProjectionResult {
         int iterations{};
-        double divergence{};  ///< 1/s, the largest that is left
+        double divergence{};  ///< largest remaining divergence (1/s)
     };
-    /// Takes the divergence away, down to `share` of the largest component that is left by h; `potential`, ghosts included, becomes
-    /// what was subtracted the gradient of. What it was, that of the last projection, is where the search begins: as far along it as
-    /// leaves the least (Fischer 1998, with one direction), so that a bad guess does no harm. The velocity is 0 on closed faces.
-    Found project(std::array<Samples, 3>& velocity, Samples& potential, double share, int iterations_most);
+    /// Removes the divergence, until it is at most `share` times the largest velocity component divided
+    /// by h. The velocity must be 0 on closed faces.
+    ///
+    /// `potential` is input and output. On return its gradient is what was subtracted, ghosts included.
+    /// On entry it holds the potential of the last projection, along which the search begins. The first
+    /// step goes as far along it as reduces the energy most (Fischer 1998, with one direction), so a
+    /// bad guess does no harm.
+    ProjectionResult project(std::array<Samples, 3>& velocity, Samples& potential, double share,
+                             int iterations_most);
 
 private:
-    struct Largest {
-        double divergence, velocity;  ///< 1/s; m/s, of all components
+    struct Maxima {
+        double divergence, velocity;  ///< largest divergence (1/s); largest velocity component (m/s)
     };
-    Largest divergence(const std::array<Samples, 3>& velocity);
+    Maxima divergence(const std::array<Samples, 3>& velocity);
     double apply_to_direction();
     double precondition();
     std::optional<double> step_along_direction(double slope);
@@ -62,11 +70,12 @@ private:
     Lattice lattice_;
     std::array<Samples, 3> open_;
     std::array<std::vector<CutFace>, 3> cut_faces_;
-    Samples diagonal_;  ///< sum of the open shares round a cell
-    Samples own_;       ///< what the preconditioner takes of a cell's own residual besides (m^2)
+    Samples diagonal_;  ///< sum of the open shares around a cell
+    Samples own_;       ///< additional factor of the preconditioner on a cell's own residual (m^2)
     Rows rows_;
     PressureSolver box_;
-    // Of the conjugate gradients: residual, its preconditioned, the direction, the operator on that, and their sum.
+    // Conjugate gradients: residual, preconditioned residual, search direction, operator times
+    // direction, solution.
     Samples residual_, smoothed_, direction_, image_, correction_;
     std::vector<float> packed_;
 };

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "fluid/buoyancy.h"
-#include "fluid/eight.h"
+#include "fluid/floats8.h"
 #include "fluid/ghosts.h"
 #include "fluid/pressure.h"
 #include "fluid/sample.h"
@@ -14,38 +14,43 @@
 namespace thaum::fluid {
 namespace {
 
-// Runge-Kutta of third order, each stage from the one before it. Of the schemes with stages at 0.4, 1/2 and 1 it is the only one;
-// the first place, 1/2 in the classic scheme of fourth order, is chosen so that a wave that is carried along keeps its phase: the
-// classic scheme lags by t^5 / 120 for a wave that turns by t in a step, this one by two thirds of that. Stable up to t = 2.79.
+// Runge-Kutta of third order in which each stage uses only the previous one. With stages at 0.4, 1/2
+// and 1 this scheme is unique. The classic scheme of fourth order has its first stage at 1/2. The value
+// 0.4 is chosen to keep the phase of an advected wave: for a wave that turns by t in a step, the
+// classic scheme lags by t^5 / 120, this one by two thirds of that. It is stable up to t = 2.79.
 constexpr double place_1 = 0.4;
 constexpr double weight_3 = place_1 / 6 / (1.5 * place_1 - place_1 * place_1 - 0.25);
 constexpr double weight_4 = 1.0 / 3 - weight_3 * place_1;
 constexpr double weight_2 = (1.0 / 6 - weight_3 * (0.5 - place_1)) / place_1;
 constexpr double weight_1 = 1 - weight_2 - weight_3 - weight_4;
 
-/// Cells by which a sub-step may carry, summed over the axes. The steepest wave turns by 7/6 of that at order 4.
+/// Largest distance that the flow may move in a sub-step, summed over the axes (cells). The steepest
+/// wave turns by 7/6 of that at order 4.
 constexpr double carried_most = 2.0;
-/// nu dt / h^2 up to which viscosity is taken by the stages: 16 times that is at most 2.4 for the steepest wave.
+/// Largest nu dt / h^2 for which the stages include viscosity. The steepest wave has 16 times that,
+/// 2.4.
 constexpr double explicit_most = 0.15;
-/// nu dt / h^2 of the base fluid up to which implicit viscosity takes one pass. At 0.66 one pass errs twice as much beside a curved wall.
+/// Largest nu dt / h^2 of the base fluid for which implicit viscosity takes one pass. At 0.66 one pass
+/// doubles the error beside a curved wall.
 constexpr double one_pass_most = 0.25;
-/// nu dt / h^2 of what moves as one within a step on any grid, where viscosity varies or there are solids. At 9e6 a thick lump beside
-/// thin fluid in a bowl gained energy without end.
+/// Limit of nu dt / h^2 where viscosity varies or there are solids. At this value fluid already moves
+/// as a rigid body within a step. At 9e6 a thick lump beside thin fluid in a bowl gained energy without
+/// end.
 constexpr double rigid = 1e5;
-/// Where there are solids: times h, by the largest component.
+/// Largest divergence with solids, times h and divided by the largest velocity component.
 constexpr double divergence_most = 9.5e-7;
 constexpr int iterations_most = 40;
-/// In a box. More than that is rounding, of a velocity that viscosity took nearly all of or that a lid's corners tear: of that the solve
-/// is told again, twice at most.
+/// Largest divergence without solids. A larger one is rounding error, from a velocity that viscosity
+/// almost removed or from the corners of a lid. The pressure is then solved again, twice at most.
 constexpr double divergence_of_box = 1e-6;
 constexpr int solves_more = 2;
-/// Sub-steps of the substances. A step that goes semi-Lagrangian has no time for as many as usual, and is mostly one in which no number of
-/// them would be enough.
+/// Largest number of sub-steps of the substances after a semi-Lagrangian step. It is lower than usual
+/// to bound the time; in most such steps no number would be enough.
 constexpr int transports_of_fall_back = 7;
-/// m/s. What is slower comes to rest, where nothing makes it faster.
+/// Flow slower than this comes to rest unless a force accelerates it (m/s).
 constexpr double rest_speed = 1e-6;
 
-/// Whether one of the samples of a row is not 0. Eight are looked at together, the last ones beyond the row's end.
+/// Whether one of the samples of a row is not 0. Floats8 are looked at together, the last ones beyond the row's end.
 bool any_in(const Row& row, const float* samples) {
     auto any = load(samples + row.at) != none;
     for (std::ptrdiff_t i = 8; i < row.count; i += 8) any |= load(samples + row.at + i) != none;
@@ -62,7 +67,7 @@ double sum_of_largest(const Rows& rows, const std::array<Samples, 3>& velocity) 
 
 }  // namespace
 
-Staggered::Staggered(const Settings& settings, const Lattice& lattice)
+StaggeredSolver::StaggeredSolver(const Settings& settings, const Lattice& lattice)
     : lattice_(lattice),
       order_(settings.solid ? 2 : settings.order),
       solids_(settings.solid ? std::make_unique<Solids>(lattice, settings.solid) : nullptr),
@@ -71,27 +76,27 @@ Staggered::Staggered(const Settings& settings, const Lattice& lattice)
       momentum_(lattice, order_, solids_.get()),
       viscosity_(lattice, solids_.get(), settings.solid),
       diffusion_(lattice, order_),
-      currents_(make_currents(lattice)),
+      face_flow_(make_face_flow(lattice)),
       transport_(make_transport_scratch(lattice)),
       potential_(make_samples(lattice)),
       mixed_(make_samples(lattice)) {
-    if (solids_) openings_ = make_openings(lattice, solids_->open());
+    if (solids_) face_apertures_ = make_face_apertures(lattice, solids_->open());
     pushed_.fill(rows_);
     for (auto* velocity : {&force_, &stage_, &other_, &sum_}) velocity->fill(make_samples(lattice));
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
                    static_cast<std::size_t>(lattice.cells[2]));
 }
 
-void Staggered::fill(const Settings& settings, Velocity& velocity) const {
-    if (solids_) solids_->close(velocity);
+void StaggeredSolver::fill(const Settings& settings, Velocity& velocity) const {
+    if (solids_) solids_->clear_closed_faces(velocity);
     fill_sides(settings, velocity);
 }
 
-void Staggered::fill_sides(const Settings& settings, Velocity& velocity, int depth) const {
+void StaggeredSolver::fill_sides(const Settings& settings, Velocity& velocity, int depth) const {
     for (std::size_t axis = 0; axis < 3; ++axis)
-        fill_ghosts(rows_, beyond_of_velocity(lattice_, axis), velocity[axis], depth);
+        fill_ghosts(rows_, ghost_rules_of_velocity(lattice_, axis), velocity[axis], depth);
     if (settings.lid == 0 || lattice_.edges[1] != Edge::no_slip) return;
-    // Odd about the wall's own speed.
+    // The velocity is odd relative to the speed of the wall.
     const auto twice = static_cast<float>(2 * settings.lid);
     for (int k = -ghosts; k < lattice_.cells[2] + ghosts; ++k) {
         for (int j = lattice_.cells[1]; j < lattice_.cells[1] + ghosts; ++j) {
@@ -101,25 +106,25 @@ void Staggered::fill_sides(const Settings& settings, Velocity& velocity, int dep
     }
 }
 
-bool Staggered::viscosity_varies(const Settings& settings) const {
+bool StaggeredSolver::viscosity_varies(const Settings& settings) const {
     return std::any_of(settings.substances.begin(), settings.substances.end(),
                        [](const Substance& s) { return s.viscosity > 0; });
 }
 
-bool Staggered::weighs(const Settings& settings) {
+bool StaggeredSolver::has_weight(const Settings& settings) {
     return settings.gravity != vec3(0) && std::any_of(settings.substances.begin(), settings.substances.end(),
                                                       [](const Substance& s) { return s.weight != 0; });
 }
 
-/// Of equal length, so that none carries too far.
-double Staggered::steps_wanted(const Settings& settings, double dt) const {
+/// Number of sub-steps of equal length that keeps the distance per sub-step within carried_most.
+double StaggeredSolver::steps_wanted(const Settings& settings, double dt) const {
     double carried = before_.sum_of_largest + std::abs(settings.lid);
     if (forced_) carried += dt * sum_of_largest(rows_, force_);
     return std::ceil(carried * dt / (lattice_.h * carried_most));
 }
 
-/// share: 1/s, of what was pushed.
-void Staggered::gather_forces(const Settings& settings, const State& now, double share) {
+/// Sums all forces. `share` turns the queued velocity changes into an acceleration (1/s).
+void StaggeredSolver::gather_forces(const Settings& settings, const State& now, double share) {
     forced_ = now.pushed || solids_ != nullptr;
     const auto factor = static_cast<float>(share);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -135,8 +140,9 @@ void Staggered::gather_forces(const Settings& settings, const State& now, double
     if (solids_) subtract_gradient(rows_, 2, now.pressure, force_);
 }
 
-/// mixed_ = base + sum over substances of what they have by density, in the rows and beyond the sides.
-void Staggered::mix(const Settings& settings, const State& now, double base, double Substance::*part) {
+/// Sets mixed_ to base plus, for each substance, density times its property `part`. Fills the rows and
+/// their ghosts.
+void StaggeredSolver::mix(const Settings& settings, const State& now, double base, double Substance::*part) {
     each_row(rows_, [&](Row row) {
         float* to = mixed_.data() + row.at;
         std::fill_n(to, row.count, static_cast<float>(base));
@@ -147,32 +153,33 @@ void Staggered::mix(const Settings& settings, const State& now, double base, dou
             for (std::ptrdiff_t i = 0; i < row.count; ++i) to[i] += factor * density[i];
         }
     });
-    fill_ghosts(rows_, evenly, mixed_);
+    fill_ghosts(rows_, all_even, mixed_);
 }
 
-/// What is heavier sinks. The mean of every level is a pressure's and left out, so that what is layered stays at rest exactly.
-void Staggered::add_buoyancy(const Settings& settings, const State& now) {
-    if (!weighs(settings)) return;
+/// Adds the weight of the substances to the forces. The mean of every level is left out, because
+/// pressure balances it. Layered fluid therefore stays at rest exactly.
+void StaggeredSolver::add_buoyancy(const Settings& settings, const State& now) {
+    if (!has_weight(settings)) return;
     mix(settings, now, 0, &Substance::weight);
     forced_ = true;
     pull_mixed(settings);
 }
 
-/// Replaces the buoyancy of the densities at the start of a sub-step, which gather_forces left in mixed_, by that
-/// half the sub-step later.
-void Staggered::predict_buoyancy(const Settings& settings, const State& now, double dt) {
-    if (!weighs(settings)) return;
+/// Replaces the buoyancy at the start of a sub-step by that half a sub-step later. gather_forces left
+/// the initial weight in mixed_.
+void StaggeredSolver::predict_buoyancy(const Settings& settings, const State& now, double dt) {
+    if (!has_weight(settings)) return;
     predict_weight(rows_, now.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt, mixed_, potential_);
     each_row(rows_, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
             store(mixed_.data() + i, load(potential_.data() + i) - load(mixed_.data() + i));
     });
-    fill_ghosts(rows_, evenly, mixed_);
+    fill_ghosts(rows_, all_even, mixed_);
     pull_mixed(settings);
 }
 
-/// Adds the pull of gravity on mixed_ to the forces.
-void Staggered::pull_mixed(const Settings& settings) {
+/// Adds gravity on the weight in mixed_ to the forces.
+void StaggeredSolver::pull_mixed(const Settings& settings) {
     const vec3& pull = settings.gravity;
     const std::size_t down = pull.y != 0 ? 1 : pull.z != 0 ? 2 : 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -181,9 +188,10 @@ void Staggered::pull_mixed(const Settings& settings) {
     }
 }
 
-/// The open faces across an axis, by the mean of mixed_ on their two sides.
-void Staggered::pull_along(std::size_t axis, float pull, bool without_mean) {
-    // Across x every row meets all levels at once.
+/// Adds the force along one axis to the open faces across it, from the mean of mixed_ on their two
+/// sides.
+void StaggeredSolver::pull_along(std::size_t axis, float pull, bool without_mean) {
+    // Rows across x contain all levels, so they form one group.
     const int groups = axis == 0 ? 1 : lattice_.cells[axis];
     for (int group = 0; group < groups; ++group) {
         Cells first{}, end = lattice_.cells;
@@ -195,15 +203,15 @@ void Staggered::pull_along(std::size_t axis, float pull, bool without_mean) {
     }
 }
 
-/// Of one level, or across x of all.
-void Staggered::pull_rows(std::size_t axis, const Cells& first, const Cells& end, float pull,
-                          bool without_mean) {
+/// The same for one level, or for all levels across x.
+void StaggeredSolver::pull_rows(std::size_t axis, const Cells& first, const Cells& end, float pull,
+                                bool without_mean) {
     const auto s = lattice_.stride[axis];
     const float* mixed = mixed_.data();
     const float* open = solids_ ? solids_->open()[axis].data() : nullptr;
     float* force = force_[axis].data();
-    // Calls with where eight faces stand, and where along x.
-    const auto each_eight = [&](auto&& visit) {
+    // Calls `visit` with the index of each group of eight faces, and its position along x.
+    const auto each_8_faces = [&](auto&& visit) {
         for (int k = first[2]; k < end[2]; ++k) {
             for (int j = first[1]; j < end[1]; ++j) {
                 const Row row = rows_.at(j, k);
@@ -212,25 +220,26 @@ void Staggered::pull_rows(std::size_t axis, const Cells& first, const Cells& end
             }
         }
     };
-    const auto open_at = [&](std::ptrdiff_t at) { return open != nullptr ? load(open + at) : none + 1.0F; };
-    // At order 4 the flow through a face is (26 u[0] - u[-1] - u[1]) / 24; the same of the density beside it makes force times velocity
-    // what the flow carries down.
+    const auto open_at = [&](std::ptrdiff_t at) { return open != nullptr ? load(open + at) : zero8 + 1.0F; };
+    // At order 4 the flow through a face is (26 u[0] - u[-1] - u[1]) / 24. The densities beside the
+    // face get the same weights. Force times velocity then equals the potential energy that the flow
+    // carries down.
     const auto both_sides = [&](std::ptrdiff_t at) {
-        const Eight near = load(mixed + at) + load(mixed + at - s);
+        const Floats8 near = load(mixed + at) + load(mixed + at - s);
         if (order_ == 2) return near;
         return (25.0F / 24) * near - (1.0F / 24) * (load(mixed + at + s) + load(mixed + at - 2 * s));
     };
-    // By the place along x: of the open faces' both sides, how many these are, and the mean.
+    // For each position along x: sum of both sides of the open faces, number of open faces, mean.
     std::array<double, cells_most> sums{};
     std::array<float, cells_most> counts{}, means{};
     if (without_mean) {
-        each_eight([&](std::ptrdiff_t at, std::ptrdiff_t x) {
-            const Eight share = open_at(at);
-            const Eight both = share > none ? both_sides(at) : none;
+        each_8_faces([&](std::ptrdiff_t at, std::ptrdiff_t x) {
+            const Floats8 share = open_at(at);
+            const Floats8 both = share > zero8 ? both_sides(at) : zero8;
             for (std::ptrdiff_t lane = 0; lane < 8; ++lane)
                 sums[static_cast<std::size_t>(x + lane)] += static_cast<double>(both[lane]);
             float* count = counts.data() + x;
-            store(count, load(count) + (share > none ? none + 1.0F : none));
+            store(count, load(count) + (share > zero8 ? zero8 + 1.0F : zero8));
         });
         const auto nx = lattice_.cells[0];
         if (axis != 0) {
@@ -242,17 +251,17 @@ void Staggered::pull_rows(std::size_t axis, const Cells& first, const Cells& end
                            return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : 0.0F;
                        });
     }
-    each_eight([&](std::ptrdiff_t at, std::ptrdiff_t x) {
-        const Eight more = 0.5F * pull * (both_sides(at) - load(means.data() + x));
-        store(force + at, load(force + at) + (open_at(at) > none ? more : none));
+    each_8_faces([&](std::ptrdiff_t at, std::ptrdiff_t x) {
+        const Floats8 more = 0.5F * pull * (both_sides(at) - load(means.data() + x));
+        store(force + at, load(force + at) + (open_at(at) > zero8 ? more : zero8));
     });
 }
 
-/// Free of divergence where that is had directly; ghosts filled.
-void Staggered::end_stage(const Settings& settings, Velocity& velocity) {
+/// Removes the divergence if there are no solids, and fills the ghosts.
+void StaggeredSolver::end_stage(const Settings& settings, Velocity& velocity) {
     if (!solids_) {
         for (std::size_t axis = 0; axis < 3; ++axis)
-            fill_ghosts_across(rows_, axis, Beyond::through_wall, velocity[axis]);
+            fill_ghosts_across(rows_, axis, GhostRule::through_wall, velocity[axis]);
         divergence(lattice_, order_, velocity, packed_);
         pressure_.solve(packed_);
         const float* packed = packed_.data();
@@ -260,15 +269,15 @@ void Staggered::end_stage(const Settings& settings, Velocity& velocity) {
             std::copy_n(packed, lattice_.cells[0], potential_.data() + at);
             packed += lattice_.cells[0];
         });
-        fill_ghosts(rows_, evenly, potential_);
+        fill_ghosts(rows_, all_even, potential_);
         subtract_gradient(rows_, order_, potential_, velocity);
     }
-    // At order 2, as it is where there are solids, a stage reads no farther.
+    // With solids the order is 2, and a stage reads only one layer of ghosts.
     fill_sides(settings, velocity, solids_ ? 1 : ghosts);
 }
 
-/// sum_ becomes the velocity.
-void Staggered::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
+/// Makes sum_ the new velocity.
+void StaggeredSolver::end_step(const Settings& settings, State& now, double dt, StepReport& report) {
     if (solids_) {
         const auto found = solids_->project(sum_, now.projected, divergence_most, iterations_most);
         report.pressure_iterations += found.iterations;
@@ -283,8 +292,8 @@ void Staggered::end_step(const Settings& settings, State& now, double dt, StepRe
     std::swap(now.velocity, sum_);
 }
 
-/// Finds the rows of the fluid in which a push is not 0.
-void Staggered::find_pushes(const State& now) {
+/// Finds the rows of fluid in which a push is not 0.
+void StaggeredSolver::find_pushes(const State& now) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float* push = now.push[axis].data();
         for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
@@ -296,29 +305,32 @@ void Staggered::find_pushes(const State& now) {
 }
 
 /// Pushes count once. They stand in the rows that find_pushes found, since `push` adds none to a solid.
-void Staggered::clear_pushes(State& now) const {
+void StaggeredSolver::clear_pushes(State& now) const {
     if (!now.pushed) return;
     for (std::size_t axis = 0; axis < 3; ++axis) clear(pushed_[axis], now.push[axis]);
     now.pushed = false;
 }
 
-/// Work of the pushes at the velocity given: their force times that (m^2/s^2, summed over cells, for the whole step).
-double Staggered::work_of_pushes(const State& now, const Velocity& velocity) const {
+/// Work of the pushes over a whole step at the given velocity (m^2/s^2, summed over cells).
+double StaggeredSolver::work_of_pushes(const State& now, const Velocity& velocity) const {
     if (!now.pushed) return 0;
     double work = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) work += dot(pushed_[axis], now.push[axis], velocity[axis]);
     return work;
 }
 
-/// Slows the flow where it has more kinetic energy than it had, which stands in sum_, than the substances gave by sinking, and than
-/// pushes did work at the mean of the velocities before and after. Two things make more: the pressure kept from the step before,
-/// where there are solids, and differences between the force on a substance and its flux. `share`: of the pushes, in this sub-step;
-/// `sunk`: potential energy given (m^2/s^2, summed over cells).
-void Staggered::keep_energy(const Settings& settings, State& now, double share, double sunk,
-                            StepReport& report) {
+/// Slows the flow if it gained more kinetic energy than was available. Available are: the energy before
+/// the sub-step, whose velocity is in sum_; the energy that substances released by sinking; the work of
+/// the pushes at the mean of old and new velocity. Excess energy has two sources: with solids, the
+/// pressure of the previous step; and differences between the force on a substance and its flux.
+///
+/// `share` is this sub-step's share of the pushes. `sunk` is the released potential energy (m^2/s^2,
+/// summed over cells).
+void StaggeredSolver::limit_energy(const Settings& settings, State& now, double share, double sunk,
+                                   StepReport& report) {
     moving_.reset();
-    if (settings.lid != 0 || (!solids_ && !weighs(settings))) return;
-    const Motion found = motion(rows_, now.velocity);
+    if (settings.lid != 0 || (!solids_ && !has_weight(settings))) return;
+    const VelocityNorms found = velocity_norms(rows_, now.velocity);
     const double is = found.half_square;
     const double most = std::max(0.0, before_.half_square + sunk + 0.5 * share * work_of_pushes(now, sum_));
     const double by_pushes = 0.5 * share * work_of_pushes(now, now.velocity);
@@ -326,7 +338,7 @@ void Staggered::keep_energy(const Settings& settings, State& now, double share, 
         moving_ = found;
         return;
     }
-    // Slower by a factor f, the pushes do less work too: f^2 is = most + f by_pushes.
+    // If the flow is slowed by a factor f, the pushes also do less work: f^2 is = most + f by_pushes.
     const double root = std::sqrt(std::max(0.0, by_pushes * by_pushes + 4 * is * most));
     const double factor = std::clamp((by_pushes + root) / (2 * is), 0.0, 1.0);
     for (Samples& u : now.velocity)
@@ -335,54 +347,57 @@ void Staggered::keep_energy(const Settings& settings, State& now, double share, 
     report.rescaled += (1 - factor * factor) * is * lattice_.h * lattice_.h * lattice_.h;
 }
 
-void Staggered::substep(const Settings& settings, State& now, double dt, double whole, StepReport& report) {
+void StaggeredSolver::substep(const Settings& settings, State& now, double dt, double whole,
+                              StepReport& report) {
     predict_buoyancy(settings, now, dt);
     const double nu = explicit_ ? settings.viscosity : 0;
     const auto* force = forced_ ? &force_ : nullptr;
     const auto& start = now.velocity;
     const auto part = [dt](double share) { return static_cast<float>(share * dt); };
-    momentum_.take({start, start, force, &stage_, sum_, part(place_1), part(weight_1), true}, nu);
+    momentum_.run_stage({start, start, force, &stage_, sum_, part(place_1), part(weight_1), true}, nu);
     end_stage(settings, stage_);
-    momentum_.take({stage_, start, force, &other_, sum_, part(0.5), part(weight_2), false}, nu);
+    momentum_.run_stage({stage_, start, force, &other_, sum_, part(0.5), part(weight_2), false}, nu);
     end_stage(settings, other_);
-    momentum_.take({other_, start, force, &stage_, sum_, part(1), part(weight_3), false}, nu);
+    momentum_.run_stage({other_, start, force, &stage_, sum_, part(1), part(weight_3), false}, nu);
     end_stage(settings, stage_);
-    momentum_.take({stage_, start, force, nullptr, sum_, 0, part(weight_4), false}, nu);
-    if (!explicit_) spread(settings, now, dt);
+    momentum_.run_stage({stage_, start, force, nullptr, sum_, 0, part(weight_4), false}, nu);
+    if (!explicit_) diffuse_velocity(settings, now, dt);
     end_step(settings, now, dt, report);
     const double sunk = carry_along(settings, now, dt);
-    keep_energy(settings, now, dt / whole, sunk, report);
+    limit_energy(settings, now, dt / whole, sunk, report);
     ++report.substeps;
 }
 
-/// Of sum_.
-void Staggered::spread(const Settings& settings, const State& now, double dt) {
+/// Applies implicit viscosity to sum_.
+void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& now, double dt) {
     if (settings.viscosity <= 0 && !viscosity_varies(settings)) return;
     const bool lid_alone = lattice_.edges[0] != Edge::no_slip && lattice_.edges[2] != Edge::no_slip;
     if (!solids_ && !viscosity_varies(settings) && (settings.lid == 0 || lid_alone)) {
-        diffusion_.take(settings.viscosity * dt / (lattice_.h * lattice_.h), settings.lid, sum_);
+        diffusion_.diffuse(settings.viscosity * dt / (lattice_.h * lattice_.h), settings.lid, sum_);
         return;
     }
     mix(settings, now, settings.viscosity, &Substance::viscosity);
-    // What is thicker than that is as rigid within a step; but float would lose what couples it to the rest.
+    // Fluid with a larger viscosity already moves as a rigid body within a step, and in float its
+    // coupling to the rest would be lost.
     const auto thickest = static_cast<float>(rigid * lattice_.h * lattice_.h / dt);
     for (float& viscosity : mixed_) viscosity = std::min(viscosity, thickest);
     const double ratio = settings.viscosity * dt / (lattice_.h * lattice_.h);
-    viscosity_.take({.viscosity = &mixed_,
-                     .force = forced_ ? &force_ : nullptr,
-                     .solid_holds = settings.solid_holds,
-                     .lid = settings.lid,
-                     .dt = dt,
-                     .passes = ratio > one_pass_most ? 2 : 1},
-                    sum_);
+    viscosity_.diffuse({.viscosity = &mixed_,
+                        .force = forced_ ? &force_ : nullptr,
+                        .solid_holds = settings.solid_holds,
+                        .lid = settings.lid,
+                        .dt = dt,
+                        .passes = ratio > one_pass_most ? 2 : 1},
+                       sum_);
 }
 
-/// Carries the substances -> potential energy that they gave by sinking, but for what diffusion lifted (m^2/s^2, summed over cells).
-double Staggered::carry_by(const Velocity& before, const Velocity& after, const Settings& settings,
-                           State& now, double dt, int most_substeps) {
+/// Transports the substances. Returns the potential energy that they released by sinking, without the
+/// energy that diffusion added (m^2/s^2, summed over cells).
+double StaggeredSolver::carry_by(const Velocity& before, const Velocity& after, const Settings& settings,
+                                 State& now, double dt, int most_substeps) {
     if (now.substances.empty()) return 0;
     const auto* open = solids_ ? &solids_->open() : nullptr;
-    set_currents(lattice_, before, after, solids_ ? &openings_ : nullptr, dt, currents_, order_);
+    set_face_flow(lattice_, before, after, solids_ ? &face_apertures_ : nullptr, dt, face_flow_, order_);
     double sunk = 0;
     for (std::size_t s = 0; s < now.substances.size(); ++s) {
         const Substance& substance = settings.substances[s];
@@ -390,7 +405,7 @@ double Staggered::carry_by(const Velocity& before, const Velocity& after, const 
         const vec3 pull = substance.weight * settings.gravity;
         const double lifted = substance.diffusion > 0 ? lifted_by_diffusion(rows_, open, pull, density) : 0;
         const TransportReport did =
-            transport(lattice_, currents_,
+            transport(lattice_, face_flow_,
                       {.diffusion = substance.diffusion, .most_substeps = most_substeps, .moved_along = pull},
                       density, transport_);
         sunk += lattice_.h * glm::dot(pull, did.moved) + dt * did.spread * substance.diffusion * lifted;
@@ -398,22 +413,24 @@ double Staggered::carry_by(const Velocity& before, const Velocity& after, const 
     return sunk;
 }
 
-void Staggered::carry(const Settings& settings, State& now, double dt) {
+void StaggeredSolver::carry_substances(const Settings& settings, State& now, double dt) {
     carry_by(now.velocity, now.velocity, settings, now, dt);
 }
 
-/// Substances, by the velocities before and after a sub-step; the former stand in sum_. Returns what carry_by does.
-double Staggered::carry_along(const Settings& settings, State& now, double dt, int most_substeps) {
+/// Transports the substances by the velocities before a sub-step (in sum_) and after it. Returns the
+/// result of carry_by.
+double StaggeredSolver::carry_along(const Settings& settings, State& now, double dt, int most_substeps) {
     return carry_by(sum_, now.velocity, settings, now, dt, most_substeps);
 }
 
-/// Whatever dt is: each place takes what came from where its flow was. Energy that the interpolation made is taken away again.
-void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt, double whole,
-                                StepReport& report) {
+/// A step of any length: each sample takes the value from where its fluid came from. Energy that the
+/// interpolation adds is removed.
+void StaggeredSolver::semi_lagrangian(const Settings& settings, State& now, double dt, double whole,
+                                      StepReport& report) {
     const double before = before_.half_square;
     for (std::size_t axis = 0; axis < 3; ++axis) carry_back(lattice_, now.velocity, axis, dt, sum_[axis]);
-    if (solids_) solids_->close(sum_);
-    const double after = motion(rows_, sum_).half_square;
+    if (solids_) solids_->clear_closed_faces(sum_);
+    const double after = velocity_norms(rows_, sum_).half_square;
     const auto factor = static_cast<float>(after > before ? std::sqrt(before / after) : 1);
     const auto step = static_cast<float>(dt);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -424,22 +441,24 @@ void Staggered::semi_lagrangian(const Settings& settings, State& now, double dt,
                 u[i] = factor * u[i] + (forced_ ? step * f[i] : 0);
         });
     }
-    if (solids_) solids_->close(sum_);
-    spread(settings, now, dt);
+    if (solids_) solids_->clear_closed_faces(sum_);
+    diffuse_velocity(settings, now, dt);
     end_step(settings, now, dt, report);
     const double sunk = carry_along(settings, now, dt, transports_of_fall_back);
-    keep_energy(settings, now, dt / whole, sunk, report);
+    limit_energy(settings, now, dt / whole, sunk, report);
     report.fell_back = true;
 }
 
-/// Of what is slower than rest_speed: where nothing drives it, it stands still; and sleeps, unless something spreads.
-void Staggered::come_to_rest(const Settings& settings, State& now, double dt, double speed) const {
+/// Stops a flow slower than rest_speed if no force drives it. It falls asleep unless a substance still
+/// diffuses.
+void StaggeredSolver::come_to_rest(const Settings& settings, State& now, double dt, double speed) const {
     if (settings.lid != 0) return;
     bool spreads = false;
     for (std::size_t s = 0; s < now.substances.size(); ++s)
         spreads = spreads || (settings.substances[s].diffusion > 0 && largest(rows_, now.substances[s]) > 0);
     if (forced_ && dt * sum_of_largest(rows_, force_) >= rest_speed) {
-        // What drives it may not make it faster, as where viscosity leaves nothing of it. Before the last sub-step the velocity was sum_.
+        // A force counts only if it makes the flow faster; strong viscosity may leave nothing of it.
+        // sum_ holds the velocity before the last sub-step.
         const double before = largest(rows_, sum_);
         if (spreads || before >= rest_speed || speed > before) return;
     }
@@ -450,8 +469,8 @@ void Staggered::come_to_rest(const Settings& settings, State& now, double dt, do
     now.asleep = true;
 }
 
-/// What is left of it in a box, 1/s.
-void Staggered::clear_divergence(const Settings& settings, State& now, StepReport& report) {
+/// Reduces the remaining divergence in a box without solids (1/s).
+void StaggeredSolver::clear_divergence(const Settings& settings, State& now, StepReport& report) {
     const double most = divergence_of_box * report.speed / lattice_.h;
     for (int more = 0;; ++more) {
         divergence(lattice_, order_, now.velocity, packed_);
@@ -464,27 +483,28 @@ void Staggered::clear_divergence(const Settings& settings, State& now, StepRepor
     }
 }
 
-StepReport Staggered::step(const Settings& settings, State& now, double dt) {
+StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt) {
     StepReport report;
     double left = dt;
     moving_.reset();
     find_pushes(now);
     while (left > 0) {
-        before_ = moving_ ? *moving_ : motion(rows_, now.velocity);
+        before_ = moving_ ? *moving_ : velocity_norms(rows_, now.velocity);
         gather_forces(settings, now, 1 / dt);
         double wanted = std::max(1.0, steps_wanted(settings, left));
         const int allowed = substeps_most - report.substeps;
         if (solids_ && wanted > allowed) {
-            // What struck in a shorter step left its pressure; over a longer one it would strike much harder. Without it a step is of first
-            // order, and stable.
+            // A collision within a shorter step left a pressure that would push much too hard over a
+            // longer step. Without it the step is of first order, and stable.
             std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
             gather_forces(settings, now, 1 / dt);
             wanted = std::max(1.0, steps_wanted(settings, left));
         }
         if (wanted > allowed) {
-            // At once, for the sub-steps that are allowed would hardly come forward. Twenty steps after a push for which four would be
-            // wanted, what moves is 0.021 from what fine steps come to (with these four: 0.015); for five 0.053, and with four of them first
-            // 0.059; for ten it is the same either way.
+            // The semi-Lagrangian step covers all remaining time at once, because sub-steps before it
+            // gain little. Relative error after twenty steps that follow a push, against fine steps: if
+            // four sub-steps are wanted, 0.021 (0.015 with the four). If five are wanted, 0.053, and
+            // 0.059 with four sub-steps first. If ten are wanted, there is no difference.
             explicit_ = false;
             semi_lagrangian(settings, now, left, dt, report);
             break;
@@ -497,7 +517,7 @@ StepReport Staggered::step(const Settings& settings, State& now, double dt) {
     }
     clear_pushes(now);
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
-    const Motion is = moving_ ? *moving_ : motion(rows_, now.velocity);
+    const VelocityNorms is = moving_ ? *moving_ : velocity_norms(rows_, now.velocity);
     report.energy = is.half_square * lattice_.h * lattice_.h * lattice_.h;
     report.speed = is.largest;
     if (!solids_) clear_divergence(settings, now, report);

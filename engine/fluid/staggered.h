@@ -1,9 +1,12 @@
-// fluid/staggered.h: the solver `thaum`. One sub-step:
+// fluid/staggered.h: the solver `thaum`. One sub-step is:
 //
-//     four Runge-Kutta stages of momentum, forces and pressure  ->  viscosity, where it is not in the stages  ->  substances
+//     four Runge-Kutta stages of momentum, forces and pressure
+//       -> implicit viscosity, unless the stages include viscosity
+//       -> substances
 //
-// In a box without solids each stage ends with a direct pressure solve, so that it is free of divergence. With solids the stages
-// take the pressure of the step before and the last one is projected (Le and Moin 1991): one solve for each sub-step.
+// Without solids, each stage ends with a direct pressure solve and is free of divergence. With solids,
+// the stages use the pressure of the previous step, and only the last stage is projected (Le and Moin
+// 1991). This is one iterative solve for each sub-step.
 #pragma once
 #include <memory>
 #include <optional>
@@ -18,15 +21,15 @@
 
 namespace thaum::fluid {
 
-/// Tables and scratch, made once for a Fluid; no state.
-class Staggered {
+/// Tables and scratch memory, made once for a Fluid; holds no state.
+class StaggeredSolver {
 public:
-    Staggered(const Settings& settings, const Lattice& lattice);
+    StaggeredSolver(const Settings& settings, const Lattice& lattice);
 
     StepReport step(const Settings& settings, State& now, double dt);
-    /// Substances alone, by the velocity that stands there.
-    void carry(const Settings& settings, State& now, double dt);
-    /// Null: none but the edges.
+    /// Advances only the substances by dt (s), carried by the current velocity.
+    void carry_substances(const Settings& settings, State& now, double dt);
+    /// Null if there are no solids inside the box.
     const Solids* solids() const { return solids_.get(); }
     /// Writes the ghosts, and 0 on walls and in solids.
     void fill(const Settings& settings, std::array<Samples, 3>& velocity) const;
@@ -36,7 +39,7 @@ private:
 
     void fill_sides(const Settings& settings, Velocity& velocity, int depth = ghosts) const;
     bool viscosity_varies(const Settings& settings) const;
-    static bool weighs(const Settings& settings);
+    static bool has_weight(const Settings& settings);
     double steps_wanted(const Settings& settings, double dt) const;
     void come_to_rest(const Settings& settings, State& now, double dt, double speed) const;
     void gather_forces(const Settings& settings, const State& now, double share);
@@ -53,8 +56,8 @@ private:
     void find_pushes(const State& now);
     void clear_pushes(State& now) const;
     double work_of_pushes(const State& now, const Velocity& velocity) const;
-    void keep_energy(const Settings& settings, State& now, double share, double sunk, StepReport& report);
-    void spread(const Settings& settings, const State& now, double dt);
+    void limit_energy(const Settings& settings, State& now, double share, double sunk, StepReport& report);
+    void diffuse_velocity(const Settings& settings, const State& now, double dt);
     double carry_along(const Settings& settings, State& now, double dt,
                        int most_substeps = TransportSettings{}.most_substeps);
     double carry_by(const Velocity& before, const Velocity& after, const Settings& settings, State& now,
@@ -64,20 +67,20 @@ private:
     Lattice lattice_;
     int order_;
     std::unique_ptr<Solids> solids_;
-    Rows rows_;  ///< of what holds fluid
+    Rows rows_;  ///< cells that hold fluid
     PressureSolver pressure_;
     Momentum momentum_;
     Viscosity viscosity_;
     Diffusion diffusion_;
-    Openings openings_;  ///< of the solids
-    Currents currents_;
+    FaceApertures face_apertures_;  ///< open shares at the solids
+    FaceFlow face_flow_;
     TransportScratch transport_;
-    std::array<Rows, 3> pushed_;    ///< where this step's pushes are not 0
-    Motion before_{};               ///< of the velocity before a sub-step
-    std::optional<Motion> moving_;  ///< of the velocity that stands, where it is known
+    std::array<Rows, 3> pushed_;           ///< rows in which this step's pushes are not 0
+    VelocityNorms before_{};               ///< norms of the velocity before a sub-step
+    std::optional<VelocityNorms> moving_;  ///< norms of the current velocity, if known
     Velocity force_, stage_, other_, sum_;
-    bool forced_ = false;    ///< force_ is not all zero
-    bool explicit_ = false;  ///< viscosity is in the stages of this step
+    bool forced_ = false;    ///< true: force_ is not all zero
+    bool explicit_ = false;  ///< true: the stages of this step include viscosity
     Samples potential_, mixed_;
     std::vector<float> packed_;
 };

@@ -6,7 +6,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// Side by side, so that they are added at the speed of vectors.
+/// Number of partial sums, so that additions can be vectorised.
 constexpr std::ptrdiff_t lanes = 8;
 
 void each_whole_row(const Lattice& lattice, auto&& visit) {
@@ -14,7 +14,7 @@ void each_whole_row(const Lattice& lattice, auto&& visit) {
 }
 void each_whole_row(const Rows& rows, auto&& visit) { each_row(rows, visit); }
 
-/// What is left out, being zero, changes no bit.
+/// Cells left out by Rows are zero, so they change no bit of the sum.
 double sum_over(const auto& where, auto&& term) {
     std::array<double, lanes> sums{};
     each_whole_row(where, [&](Row row) {
@@ -35,7 +35,8 @@ double product(const auto& where, const Samples& a, const Samples& b) {
     });
 }
 
-/// An integer that compares like the size of a float and, unlike this, side by side.
+/// Magnitude of a float as an integer that compares in the same order. Unlike a float comparison, this
+/// can be vectorised.
 std::uint32_t size_of(float value) { return std::bit_cast<std::uint32_t>(value) & 0x7fffffffU; }
 double of_size(std::uint32_t size) { return static_cast<double>(std::bit_cast<float>(size)); }
 
@@ -66,8 +67,8 @@ double largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     return most;
 }
 
-Motion motion(const Rows& rows, const std::array<Samples, 3>& velocity) {
-    Motion result;
+VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity) {
+    VelocityNorms result;
     double sum = 0;
     for (const Samples& component : velocity) {
         std::uint32_t most = 0;

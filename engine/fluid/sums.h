@@ -1,4 +1,5 @@
-// fluid/sums.h: what is summed over all cells, or those with fluid, in double and one fixed order, and the largest of them.
+// fluid/sums.h: sums and maxima over all cells or over those with fluid. Sums are in double and in one
+// fixed order.
 #pragma once
 #include "fluid/rows.h"
 
@@ -7,19 +8,19 @@ namespace thaum::fluid {
 double total(const Lattice& lattice, const Samples& samples);
 double dot(const Lattice& lattice, const Samples& a, const Samples& b);
 double dot(const Rows& rows, const Samples& a, const Samples& b);
-/// The largest size of a value; of NaNs, one.
+/// Largest absolute value. If there is a NaN, the result is NaN.
 double largest(const Lattice& lattice, const Samples& samples);
 double largest(const Rows& rows, const Samples& samples);
-/// Of all components.
+/// Largest absolute value of all components.
 double largest(const Rows& rows, const std::array<Samples, 3>& velocity);
 
-/// What a velocity comes to.
-struct Motion {
-    double half_square{};     ///< summed over cells (m^2/s^2)
-    double largest{};         ///< component (m/s)
-    double sum_of_largest{};  ///< over the components (m/s)
+/// Norms of a velocity.
+struct VelocityNorms {
+    double half_square{};     ///< half the sum of squares over all cells (m^2/s^2)
+    double largest{};         ///< largest component (m/s)
+    double sum_of_largest{};  ///< sum over the axes of the largest component along each (m/s)
 };
 
-Motion motion(const Rows& rows, const std::array<Samples, 3>& velocity);
+VelocityNorms velocity_norms(const Rows& rows, const std::array<Samples, 3>& velocity);
 
 }  // namespace thaum::fluid

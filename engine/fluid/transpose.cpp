@@ -1,27 +1,29 @@
 #include "fluid/transpose.h"
 
-#include "fluid/eight.h"
+#include "fluid/floats8.h"
 
 namespace thaum::fluid {
 namespace {
 
-/// Of two rows: what each keeps or takes where the index has no bit `distance`, and where it has.
+/// Combines two rows: low_of takes the elements of both whose index lacks bit `distance`, high_of those
+/// whose index has it.
+/// `b` whose index has it. The other places take the rest of the same half.
 template <int distance>
-inline Eight low_of(const Eight& a, const Eight& b) {
+inline Floats8 low_of(const Floats8& a, const Floats8& b) {
     if constexpr (distance == 4) return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
     if constexpr (distance == 2) return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
     if constexpr (distance == 1) return __builtin_shufflevector(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
 }
 template <int distance>
-inline Eight high_of(const Eight& a, const Eight& b) {
+inline Floats8 high_of(const Floats8& a, const Floats8& b) {
     if constexpr (distance == 4) return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
     if constexpr (distance == 2) return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
     if constexpr (distance == 1) return __builtin_shufflevector(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
 }
 
-/// Rows r and r + distance exchange half of what they hold.
+/// Exchanges halves between rows r and r + distance.
 template <int distance>
-inline void exchange(const Eight* in, Eight* out) {
+inline void exchange(const Floats8* in, Floats8* out) {
 #pragma GCC unroll 8
     for (int r = 0; r < 8; ++r) {
         if ((r & distance) != 0) continue;
@@ -31,8 +33,8 @@ inline void exchange(const Eight* in, Eight* out) {
 }
 
 void transpose_tile(const float* from, std::ptrdiff_t from_pitch, float* to, std::ptrdiff_t to_pitch) {
-    Eight row[8];
-    Eight turned[8];
+    Floats8 row[8];
+    Floats8 turned[8];
 #pragma GCC unroll 8
     for (int r = 0; r < 8; ++r) row[r] = load(from + r * from_pitch);
     exchange<4>(row, turned);

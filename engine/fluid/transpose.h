@@ -1,4 +1,4 @@
-// fluid/transpose.h: rows for columns, eight by eight at once.
+// fluid/transpose.h: transposes a matrix in tiles of eight by eight.
 #pragma once
 #include <cstddef>
 
@@ -7,10 +7,10 @@ namespace thaum::fluid {
 template <class T>
 struct Matrix {
     T* first;
-    std::ptrdiff_t pitch;  ///< from a row to the next one
+    std::ptrdiff_t pitch;  ///< index distance from a row to the next
 };
 
-/// from[rows][columns] -> to[columns][rows]
+/// Writes from[rows][columns] to to[columns][rows].
 void transpose(const Matrix<const float>& from, const Matrix<float>& to, std::ptrdiff_t rows,
                std::ptrdiff_t columns);
 

@@ -2,95 +2,102 @@
 
 #include <algorithm>
 
-#include "fluid/eight.h"
+#include "fluid/floats8.h"
 #include "fluid/sample.h"
 #include "fluid/transpose.h"
 
 namespace thaum::fluid {
 namespace {
 
-/// The least way to a wall, in h. A place that is cut off along three axes loses its speed by the product of all three; were that
-/// thousands, the pressure there would take minutes to settle.
+/// Smallest distance to a wall that is used, in h. A place with walls along three axes loses its
+/// velocity by the product of three factors. If that product were thousands, the pressure would take
+/// minutes to settle.
 constexpr double least_way = 0.2;
-/// The speed in the middle of a face by that in the middle of its open part. Where it would be less, the face is dragged.
+/// Smallest ratio of the velocity at the centre of a face to that at the centre of its open part. Faces
+/// with less are dragged.
 constexpr double least_factor = 0.25;
-/// How firmly a dragged face is held, by dt nu / h^2 and the distance from its open middle to the wall in h.
+/// Strength of the drag, relative to dt nu / h^2 and to the distance from the centre of the open part
+/// to the wall in h.
 constexpr float drag_factor = 8;
-/// The most that the explicit half takes through a link between two open places, and to a wall. With both links of a place at their most
-/// no wave grows in that half, so that energy only falls; between open places no value leaves the range of those before it.
+/// Limits of the explicit half for a link between open places and for a link to a wall. Even if both
+/// links of a place are at their limit, no wave grows in that half, so energy only falls. Between open
+/// places all values stay within their previous range.
 constexpr float explicit_most = 0.25F;
 constexpr float explicit_most_to_wall = 0.5F;
 
-/// Slabs of lines side by side along x; lines along x stand side by side along y.
+/// Layout of slabs: lines that are parallel and adjacent along x. Lines along x are adjacent along y.
 struct Slabs {
-    std::size_t beside, outer;  ///< axes
-    std::ptrdiff_t pitch;       ///< lines of one, in whole eights
+    std::size_t beside, outer;  ///< axis along which lines are adjacent, and axis across the slabs
+    std::ptrdiff_t pitch;       ///< number of lines in a slab, rounded up to a multiple of eight
 };
 
 Slabs slabs_along(const Lattice& lattice, std::size_t across) {
     const std::size_t beside = across == 0 ? 1 : 0;
-    return {beside, 3 - across - beside, whole_eights(lattice.cells[beside])};
+    return {beside, 3 - across - beside, round_up_to_8(lattice.cells[beside])};
 }
 
-/// Lines side by side, how they are laid out and how they end. Row r holds place r of each, `row` behind that of
-/// place r - 1.
+/// Parallel lines with their layout and their ends. Row r holds place r of each line, `row` values
+/// after place r - 1.
 struct Lines {
     float* value;
-    const float* coefficient;  ///< as nodal_
+    const float* coefficient;  ///< values of nodal_
     std::ptrdiff_t row;
     std::ptrdiff_t count;  ///< places along a line
-    std::ptrdiff_t pitch;  ///< lines side by side, in whole eights
+    std::ptrdiff_t pitch;  ///< number of parallel lines, rounded up to a multiple of eight
     Edge edge;
-    bool through;  ///< the component goes along the line: it is 0 on the walls at both ends
+    bool through;  ///< true: the component is parallel to the line, so it is 0 on the walls at both ends
     bool solid_holds;
-    float lid;  ///< m/s, what the wall at the high end moves by
+    float lid;  ///< speed of the wall at the high end (m/s)
     std::span<const CutLink> cuts;
-    std::ptrdiff_t skipped;  ///< places before the first of these lines, all closed
+    std::ptrdiff_t skipped;  ///< closed places left out before the first place
 };
 
-inline Eight larger(const Eight& a, const Eight& b) { return a > b ? a : b; }
+inline Floats8 larger(const Floats8& a, const Floats8& b) { return a > b ? a : b; }
 
-/// Coefficient of the link between two places; closed ones count below 0.
-inline Eight link(bool holds, const Eight& a, const Eight& b) {
-    const Eight both = 0.5F * (a + b);
-    const Eight one = holds ? larger(larger(a, b), none) : none;
-    return (a < none) | (b < none) ? one : both;
+/// Coefficient of the link between two places. A negative coefficient marks a closed place.
+inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
+    const Floats8 both = 0.5F * (a + b);
+    const Floats8 one = holds ? larger(larger(a, b), zero8) : zero8;
+    return (a < zero8) | (b < zero8) ? one : both;
 }
 
-/// The part of a link that is taken by the velocity before the step: half of it, which makes the step of second order in time.
-inline Eight explicit_part(const Eight& whole, const Eight& most) {
-    const Eight half = 0.5F * whole;
+/// Part of a link that uses the velocity before the step: half of it, for second order in time, up to a
+/// limit.
+inline Floats8 explicit_part(const Floats8& whole, const Floats8& most) {
+    const Floats8 half = 0.5F * whole;
     return half < most ? half : most;
 }
 
-/// Of the link between two places.
-inline Eight explicit_part(const Eight& whole, const Eight& a, const Eight& b) {
-    const Eight most = (a < none) | (b < none) ? none + explicit_most_to_wall : none + explicit_most;
+/// The same for the link between two places.
+inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Floats8& b) {
+    const Floats8 most = (a < zero8) | (b < zero8) ? zero8 + explicit_most_to_wall : zero8 + explicit_most;
     return explicit_part(whole, most);
 }
 
-/// One value for each of the lines.
+/// Scratch rows with one value for each line.
 struct RowBuffers {
     float* closed;   ///< coefficients of closed places
-    float* none;     ///< zeros
-    float* link;     ///< to the next place
-    float* below;    ///< the implicit part of the link from the place before
-    float* flux;     ///< from the place before to this one, by the explicit half
-    float* to_wall;  ///< the implicit part of the link to the wall at the low end
-    float* ring;     ///< flux through the link between the ends, by the explicit half
+    float* zeros;    ///< zeros
+    float* link;     ///< coefficient of the link to the next place
+    float* below;    ///< implicit part of the link from the previous place
+    float* flux;     ///< explicit flux from the previous place
+    float* to_wall;  ///< implicit part of the link to the wall at the low end
+    float* ring;     ///< explicit flux through the link between the ends of periodic lines
 };
 
-/// What elimination leaves of each place's link to the next one, and of the ends of periodic lines.
-struct Eliminated {
-    float* upper;   ///< a row of zeros stands before the first one
-    float* corner;  ///< likewise
+/// Results of the elimination: the factor of each place's next neighbour, and the second solution for
+/// periodic lines.
+struct EliminationFactors {
+    float* upper;   ///< preceded by a row of zeros
+    float* corner;  ///< preceded by a row of zeros
 };
 
-/// The links to the walls at the low and high end, as multiples of the coefficient beside them.
+/// Coefficients of the links to the walls at the low and high end, as multiples of the coefficient of
+/// the nearest place.
 std::array<float, 2> links_to_walls(const Lines& lines) {
     const float wall = lines.edge == Edge::no_slip ? 2.0F : 0.0F;
     if (lines.edge == Edge::periodic) return {};
-    // The first place is the wall.
+    // The first place lies on the wall.
     if (lines.through) return {0, 1};
     return {wall, wall};
 }
@@ -100,7 +107,7 @@ const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std:
     return wall ? buffers.closed : lines.coefficient + r * lines.row;
 }
 
-/// Of place r to the next one, with those that a wall cuts.
+/// Coefficients of the links from place r to place r + 1, including links that a wall cuts.
 void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r,
                 std::span<const CutLink>& cuts) {
     const bool holds = lines.solid_holds || (lines.through && lines.edge != Edge::periodic);
@@ -116,111 +123,113 @@ void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r,
     cuts = cuts.subspan(taken);
 }
 
-/// What the explicit and implicit half take through the walls at the low end, and through the link between the ends
-/// of a ring.
+/// Explicit and implicit parts of the links to the walls at the low end, and of the link between the
+/// ends of periodic lines.
 template <bool ring>
-void begin(const Lines& lines, const RowBuffers& buffers, const Eliminated& left) {
+void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left) {
     const auto last = (lines.count - 1) * lines.row;
     const float multiple = links_to_walls(lines)[0];
     const float* own = coefficients_at(lines, buffers, 0);
     for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8) {
-        const Eight whole = multiple * larger(load(own + i), none);
-        const Eight part = explicit_part(whole, none + explicit_most_to_wall);
-        const Eight value = load(lines.value + i);
-        store(buffers.below + i, none);
+        const Floats8 whole = multiple * larger(load(own + i), zero8);
+        const Floats8 part = explicit_part(whole, zero8 + explicit_most_to_wall);
+        const Floats8 value = load(lines.value + i);
+        store(buffers.below + i, zero8);
         store(buffers.flux + i, -part * value);
         store(buffers.to_wall + i, whole - part);
         if constexpr (ring) {
-            const Eight ends = link(lines.solid_holds, load(lines.coefficient + last + i), load(own + i));
-            const Eight half = explicit_part(ends, none + explicit_most);
+            const Floats8 ends = link(lines.solid_holds, load(lines.coefficient + last + i), load(own + i));
+            const Floats8 half = explicit_part(ends, zero8 + explicit_most);
             store(buffers.ring + i, half * (value - load(lines.value + last + i)));
-            // The matrix is that of open ends plus ends * (e0 - en)(e0 - en)^T.
+            // The matrix of a periodic line is that of a line with open ends plus ends * (e0 - en)(e0 -
+            // en)^T.
             for (std::ptrdiff_t r = 1; r + 1 < lines.count; ++r)
-                store(left.corner + r * lines.pitch + i, none);
+                store(left.corner + r * lines.pitch + i, zero8);
             store(left.corner + i, ends - half);
             store(left.corner + (lines.count - 1) * lines.pitch + i, half - ends);
         }
     }
 }
 
-/// The explicit half of one place on each line, and its elimination from what the implicit half asks for.
+/// Explicit half of one place on each line, and its elimination from the system of the implicit half.
 template <bool ring, bool last>
-void take_place(const Lines& lines, const RowBuffers& buffers, const Eliminated& left, std::ptrdiff_t r) {
+void eliminate_place(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left,
+                     std::ptrdiff_t r) {
     const auto w = lines.pitch;
     const float multiple = last ? links_to_walls(lines)[1] : 0;
     const float* own = coefficients_at(lines, buffers, r);
     const float* next = last ? nullptr : lines.coefficient + (r + 1) * lines.row;
     float* value = lines.value + r * lines.row;
-    // Before the first place nothing stands.
-    const float* before = r == 0 ? buffers.none : value - lines.row;
-    const float* low_end = r == 0 ? buffers.to_wall : buffers.none;
+    // No place precedes the first one.
+    const float* before = r == 0 ? buffers.zeros : value - lines.row;
+    const float* low_end = r == 0 ? buffers.to_wall : buffers.zeros;
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
-        const Eight here = load(value + i), coefficient = load(own + i);
-        Eight whole, part, to_next, more = load(low_end + i);
+        const Floats8 here = load(value + i), coefficient = load(own + i);
+        Floats8 whole, part, to_next, more = load(low_end + i);
         if constexpr (last) {
-            whole = multiple * larger(coefficient, none);
-            part = explicit_part(whole, none + explicit_most_to_wall);
+            whole = multiple * larger(coefficient, zero8);
+            part = explicit_part(whole, zero8 + explicit_most_to_wall);
             to_next = part * here;
         } else {
             whole = load(buffers.link + i);
             part = explicit_part(whole, coefficient, load(next + i));
             to_next = part * (here - load(value + lines.row + i));
         }
-        Eight given = here + (load(buffers.flux + i) - to_next);
+        Floats8 given = here + (load(buffers.flux + i) - to_next);
         if constexpr (last)
             if (lines.lid != 0) given += lines.lid * whole;
         if constexpr (ring) {
             if (r == 0) given -= load(buffers.ring + i);
             if constexpr (last) given += load(buffers.ring + i);
         }
-        const Eight to_wall = whole - part;
-        const Eight above = last ? none : to_wall;
+        const Floats8 to_wall = whole - part;
+        const Floats8 above = last ? zero8 : to_wall;
         if constexpr (last) more = more + to_wall;
-        const Eight below = load(buffers.below + i);
-        const Eight kept = 1.0F - load(left.upper + (r - 1) * w + i);
-        const Eight per = 1.0F / (1.0F + below * kept + above + more);
-        const Eight open = coefficient < none ? none : per;
-        const Eight found = (given + below * load(before + i)) * open;
-        store(value + i, coefficient < none ? none : found);
+        const Floats8 below = load(buffers.below + i);
+        const Floats8 kept = 1.0F - load(left.upper + (r - 1) * w + i);
+        const Floats8 per = 1.0F / (1.0F + below * kept + above + more);
+        const Floats8 open = coefficient < zero8 ? zero8 : per;
+        const Floats8 found = (given + below * load(before + i)) * open;
+        store(value + i, coefficient < zero8 ? zero8 : found);
         store(left.upper + r * w + i, above * open);
         store(buffers.flux + i, to_next);
         store(buffers.below + i, above);
         if constexpr (ring) {
             float* corner = left.corner + r * w + i;
-            const Eight second = (load(corner) + below * load(corner - w)) * open;
-            store(corner, coefficient < none ? none : second);
+            const Floats8 second = (load(corner) + below * load(corner - w)) * open;
+            store(corner, coefficient < zero8 ? zero8 : second);
         }
     }
 }
 
-/// Both halves of the step for every line at once: tridiagonal systems by elimination, from the low end to the high
-/// one and back.
+/// Both halves of the step for all lines at once. The tridiagonal systems are solved by elimination
+/// from the low end to the high one, then substitution back.
 template <bool ring>
-void solve(const Lines& lines, const RowBuffers& buffers, const Eliminated& left) {
+void solve(const Lines& lines, const RowBuffers& buffers, const EliminationFactors& left) {
     const auto n = lines.count;
     const auto w = lines.pitch;
     std::span<const CutLink> cuts = lines.cuts;
     begin<ring>(lines, buffers, left);
     for (std::ptrdiff_t r = 0; r + 1 < n; ++r) {
         find_links(lines, buffers, r, cuts);
-        take_place<ring, false>(lines, buffers, left, r);
+        eliminate_place<ring, false>(lines, buffers, left, r);
     }
-    take_place<ring, true>(lines, buffers, left, n - 1);
+    eliminate_place<ring, true>(lines, buffers, left, n - 1);
     for (std::ptrdiff_t r = n - 2; r >= 0; --r) {
         float* value = lines.value + r * lines.row;
         float* corner = left.corner + r * w;
         for (std::ptrdiff_t i = 0; i < w; i += 8) {
-            const Eight upper = load(left.upper + r * w + i);
+            const Floats8 upper = load(left.upper + r * w + i);
             store(value + i, load(value + i) + upper * load(value + lines.row + i));
             if constexpr (ring) store(corner + i, load(corner + i) + upper * load(corner + w + i));
         }
     }
     if constexpr (!ring) return;
-    // Sherman and Morrison's correction by the second solution.
+    // Correction of Sherman and Morrison with the second solution.
     const auto end = (n - 1) * w;
     for (std::ptrdiff_t i = 0; i < w; i += 8) {
-        const Eight by = (load(lines.value + i) - load(lines.value + (n - 1) * lines.row + i)) /
-                         (1.0F + load(left.corner + i) - load(left.corner + end + i));
+        const Floats8 by = (load(lines.value + i) - load(lines.value + (n - 1) * lines.row + i)) /
+                           (1.0F + load(left.corner + i) - load(left.corner + end + i));
         for (std::ptrdiff_t r = 0; r < n; ++r) {
             float* value = lines.value + r * lines.row + i;
             store(value, load(value) - by * load(left.corner + r * w + i));
@@ -236,7 +245,7 @@ Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidSh
       rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)),
       nodal_(lattice.size, -1.0F) {
     const auto [nx, ny, nz] = lattice.cells;
-    const auto width = static_cast<std::size_t>(whole_eights(std::max(nx, ny)));
+    const auto width = static_cast<std::size_t>(round_up_to_8(std::max(nx, ny)));
     const auto most = width * static_cast<std::size_t>(1 + std::max({nx, ny, nz}));
     for (auto* slab : {&value_, &coefficient_, &upper_, &corner_}) slab->assign(most, 0.0F);
     for (auto& row : rows_of_lines_) row.assign(width, 0.0F);
@@ -246,12 +255,12 @@ Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidSh
         find_faces(solid, axis);
         for (std::size_t across = 0; across < 3; ++across) {
             find_cuts(solid, axis, across);
-            find_wet(axis, across);
+            find_open_ranges(axis, across);
         }
     }
 }
 
-/// The place of a face's middle (m).
+/// Centre of a face (m).
 vec3 Viscosity::place_of(std::size_t axis, std::size_t at) const {
     const auto from = static_cast<std::ptrdiff_t>(at) - lattice_.at(-ghosts, -ghosts, -ghosts);
     const auto [x, y, z] = lattice_.stride;
@@ -262,24 +271,25 @@ vec3 Viscosity::place_of(std::size_t axis, std::size_t at) const {
 
 void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
     const double h = lattice_.h;
-    Samples& stands = stands_[axis];
-    // Ghosts hold nothing that a step could depend on.
-    stands = make_samples(lattice_);
-    each_cell(lattice_, [&](int, int, int, std::size_t at) { stands[at] = solids_->open()[axis][at]; });
+    Samples& on_line = on_lines_[axis];
+    // The ghosts are 0, so no step can depend on them.
+    on_line = make_samples(lattice_);
+    each_cell(lattice_, [&](int, int, int, std::size_t at) { on_line[at] = solids_->open()[axis][at]; });
     for (const CutFace& face : solids_->cut_faces(axis)) {
         const double centre = distance_to_wall(solid, place_of(axis, face.at), h);
         const double middle = distance_to_wall(solid, face.middle, h);
         if (centre >= least_way * h && centre >= least_factor * middle)
             scaled_[axis].push_back({face.at, static_cast<float>(centre / std::max(middle, least_way * h))});
         else
-            stands[face.at] = 0;
+            on_line[face.at] = 0;
     }
     for (const CutFace& face : solids_->cut_faces(axis))
-        if (!(stands[face.at] > 0)) dragged_[axis].push_back(dragged_face(solid, axis, face));
-    kept_.resize(std::max(kept_.size(), dragged_[axis].size()));
+        if (!(on_line[face.at] > 0)) dragged_[axis].push_back(dragged_face(solid, axis, face));
+    dragged_speeds_.resize(std::max(dragged_speeds_.size(), dragged_[axis].size()));
 }
 
-/// By neighbours that grow in proportion to their distance from the wall: the least squares of what they are off by.
+/// Weights from a least-squares fit to neighbours whose velocity grows in proportion to their distance
+/// from the wall.
 DraggedFace Viscosity::dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const {
     const double h = lattice_.h;
     const double middle = distance_to_wall(solid, face.middle, h);
@@ -289,7 +299,7 @@ DraggedFace Viscosity::dragged_face(const SolidShare& solid, std::size_t axis, c
     for (std::size_t side = 0; side < 6; ++side) {
         const auto step = static_cast<std::size_t>(lattice_.stride[side / 2]);
         const auto at = result.from[side] = side % 2 == 0 ? face.at + step : face.at - step;
-        if (stands_[axis][at] > 0) away[side] = distance_to_wall(solid, place_of(axis, at), h);
+        if (on_lines_[axis][at] > 0) away[side] = distance_to_wall(solid, place_of(axis, at), h);
         squares += away[side] * away[side];
     }
     for (std::size_t side = 0; side < 6 && squares > 0; ++side)
@@ -300,17 +310,17 @@ DraggedFace Viscosity::dragged_face(const SolidShare& solid, std::size_t axis, c
 void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t across) {
     const auto [beside, outer, pitch] = slabs_along(lattice_, across);
     const auto at = [&](const Cells& c) { return static_cast<std::size_t>(lattice_.at(c[0], c[1], c[2])); };
-    const auto stands_at = [&](const Cells& c) { return stands_[axis][at(c)] > 0; };
+    const auto is_on_line = [&](const Cells& c) { return on_lines_[axis][at(c)] > 0; };
     Cells low{};
     for (low[outer] = 0; low[outer] < lattice_.cells[outer]; ++low[outer]) {
         for (low[across] = 0; low[across] + 1 < lattice_.cells[across]; ++low[across]) {
             for (low[beside] = 0; low[beside] < lattice_.cells[beside]; ++low[beside]) {
                 Cells high = low;
                 ++high[across];
-                if (stands_at(low) == stands_at(high)) continue;
+                if (is_on_line(low) == is_on_line(high)) continue;
                 const vec3 first = place_of(axis, at(low)), second = place_of(axis, at(high));
-                const double way = stands_at(low) ? way_to_wall(solid, first, second - first, 2)
-                                                  : way_to_wall(solid, second, first - second, 2);
+                const double way = is_on_line(low) ? way_to_wall(solid, first, second - first, 2)
+                                                   : way_to_wall(solid, second, first - second, 2);
                 cuts_[axis][across].push_back({low[outer], low[across] * pitch + low[beside],
                                                static_cast<float>(1 / std::max(way, least_way))});
             }
@@ -318,8 +328,9 @@ void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t
     }
 }
 
-/// The places along the lines of each slab between which all open ones are, with a closed one at either end where there is one.
-void Viscosity::find_wet(std::size_t axis, std::size_t across) {
+/// For each slab, the range of places along its lines that contains all open ones, with one closed
+/// place at either end.
+void Viscosity::find_open_ranges(std::size_t axis, std::size_t across) {
     const auto [beside, outer, pitch] = slabs_along(lattice_, across);
     const int n = lattice_.cells[across];
     Cells at{};
@@ -333,10 +344,10 @@ void Viscosity::find_wet(std::size_t axis, std::size_t across) {
                 end = at[across] + 1;
             }
         }
-        Places wet{std::max(first - 1, 0), 0};
-        if (end > 0) wet.count = std::min(end + 1, n) - wet.first;
-        if (end > 0 && lattice_.edges[across] == Edge::periodic) wet = {0, n};
-        wet_[axis][across].push_back(wet);
+        CellRange open_range{std::max(first - 1, 0), 0};
+        if (end > 0) open_range.count = std::min(end + 1, n) - open_range.first;
+        if (end > 0 && lattice_.edges[across] == Edge::periodic) open_range = {0, n};
+        open_ranges_[axis][across].push_back(open_range);
     }
 }
 
@@ -346,78 +357,79 @@ std::span<const CutLink> Viscosity::cuts_of(std::size_t axis, std::size_t across
             std::ranges::upper_bound(cuts, slab, {}, &CutLink::slab)};
 }
 
-void Viscosity::take(const Spread& spread, std::array<Samples, 3>& velocity) {
-    for (std::size_t axis = 0; axis < 3; ++axis) component(spread, axis, velocity[axis]);
+void Viscosity::diffuse(const ViscousStep& step, std::array<Samples, 3>& velocity) {
+    for (std::size_t axis = 0; axis < 3; ++axis) component(step, axis, velocity[axis]);
 }
 
-void Viscosity::component(const Spread& spread, std::size_t axis, Samples& u) {
+void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u) {
     const auto s = lattice_.stride[axis];
-    const auto half = static_cast<float>(0.5 * spread.dt / (spread.passes * lattice_.h * lattice_.h));
-    const float* nu = spread.viscosity->data();
-    const bool holds = solids_ != nullptr && spread.solid_holds;
-    const float* open = holds                ? stands_[axis].data()
+    const auto half = static_cast<float>(0.5 * step.dt / (step.passes * lattice_.h * lattice_.h));
+    const float* nu = step.viscosity->data();
+    const bool holds = solids_ != nullptr && step.solid_holds;
+    const float* open = holds                ? on_lines_[axis].data()
                         : solids_ != nullptr ? solids_->open()[axis].data()
                                              : nullptr;
     each_row(rows_, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8) {
-            const Eight both = half * (load(nu + i - s) + load(nu + i));
-            const Eight closed = none - 1.0F;
-            const Eight share = open == nullptr ? closed + 2.0F : load(open + i);
-            const Eight nodal = share > none ? both : closed;
+            const Floats8 both = half * (load(nu + i - s) + load(nu + i));
+            const Floats8 closed = zero8 - 1.0F;
+            const Floats8 share = open == nullptr ? closed + 2.0F : load(open + i);
+            const Floats8 nodal = share > zero8 ? both : closed;
             store(nodal_.data() + i, nodal);
-            if (spread.force != nullptr) add_force(spread, axis, -1, nodal, i, u);
+            if (step.force != nullptr) add_force(step, axis, -1, nodal, i, u);
         }
     });
     if (holds) put_onto_lines(axis, u);
-    for (int pass = 0; pass < spread.passes; ++pass)
+    for (int pass = 0; pass < step.passes; ++pass)
         for (std::size_t across = 0; across < 3; ++across)
-            along(spread, axis, pass % 2 == 0 ? across : 2 - across, u);
-    if (holds) put_onto_faces(spread, axis, u);
-    if (spread.force == nullptr) return;
+            along(step, axis, pass % 2 == 0 ? across : 2 - across, u);
+    if (holds) put_onto_faces(step, axis, u);
+    if (step.force == nullptr) return;
     each_row(rows_, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
-            add_force(spread, axis, 1, load(nodal_.data() + i), i, u);
+            add_force(step, axis, 1, load(nodal_.data() + i), i, u);
     });
 }
 
-/// To eight places, of coefficients `nodal`: the part of what a force gave in this step that the explicit half would
-/// have seen, had it been there from the start.
-void Viscosity::add_force(const Spread& spread, std::size_t axis, float sign, const Eight& nodal,
+/// Adds a force's contribution to eight places with coefficients `nodal`. It is the part that the
+/// explicit half would have seen if the force had acted from the start.
+void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& nodal,
                           std::ptrdiff_t at, Samples& u) {
-    const auto half = 0.5F * sign * static_cast<float>(spread.dt);
-    const Eight share = 2 * explicit_most < nodal ? 2 * explicit_most / nodal : none + 1.0F;
-    const Eight more = half * share * load((*spread.force)[axis].data() + at);
-    store(u.data() + at, load(u.data() + at) + (nodal < none ? none : more));
+    const auto half = 0.5F * sign * static_cast<float>(step.dt);
+    const Floats8 share = 2 * explicit_most < nodal ? 2 * explicit_most / nodal : zero8 + 1.0F;
+    const Floats8 more = half * share * load((*step.force)[axis].data() + at);
+    store(u.data() + at, load(u.data() + at) + (nodal < zero8 ? zero8 : more));
 }
 
-/// From the speeds in the middles of the open parts to those in the middles of the faces; dragged ones are set aside.
+/// Scales velocities from the centre of the open part to the centre of the face. Dragged faces are set
+/// aside.
 void Viscosity::put_onto_lines(std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
     for (std::size_t i = 0; i < dragged.size(); ++i) {
-        kept_[i] = u[dragged[i].at];
+        dragged_speeds_[i] = u[dragged[i].at];
         u[dragged[i].at] = 0;
     }
     for (const ScaledFace& face : scaled_[axis]) u[face.at] *= face.factor;
 }
 
-/// And back; dragged ones follow what the lines have become.
-void Viscosity::put_onto_faces(const Spread& spread, std::size_t axis, Samples& u) {
+/// Scales velocities back, and drags the remaining faces towards the result on the lines.
+void Viscosity::put_onto_faces(const ViscousStep& step, std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
-    const auto step = static_cast<std::size_t>(lattice_.stride[axis]);
-    const Samples& nu = *spread.viscosity;
-    const auto factor = static_cast<float>(0.5 * spread.dt / (lattice_.h * lattice_.h)) * drag_factor;
+    const auto across = static_cast<std::size_t>(lattice_.stride[axis]);
+    const Samples& nu = *step.viscosity;
+    const auto factor = static_cast<float>(0.5 * step.dt / (lattice_.h * lattice_.h)) * drag_factor;
     for (std::size_t i = 0; i < dragged.size(); ++i) {
         const DraggedFace& face = dragged[i];
         float drawn = 0;
         for (std::size_t side = 0; side < 6; ++side) drawn += face.share[side] * u[face.from[side]];
-        const float drag = factor * (nu[face.at - step] + nu[face.at]) * face.nearer;
-        kept_[i] = (kept_[i] + drag * drawn) / (1 + drag);
+        const float drag = factor * (nu[face.at - across] + nu[face.at]) * face.nearer;
+        dragged_speeds_[i] = (dragged_speeds_[i] + drag * drawn) / (1 + drag);
     }
-    for (std::size_t i = 0; i < dragged.size(); ++i) u[dragged[i].at] = kept_[i];
+    for (std::size_t i = 0; i < dragged.size(); ++i) u[dragged[i].at] = dragged_speeds_[i];
     for (const ScaledFace& face : scaled_[axis]) u[face.at] /= face.factor;
 }
 
-void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across, Samples& u) {
+void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t across, Samples& u) {
     const auto [beside, outer, w] = slabs_along(lattice_, across);
     const auto place = lattice_.stride[across], line = lattice_.stride[beside];
     const std::ptrdiff_t width = lattice_.cells[beside];
@@ -428,24 +440,24 @@ void Viscosity::along(const Spread& spread, std::size_t axis, std::size_t across
                 .pitch = w,
                 .edge = lattice_.edges[across],
                 .through = axis == across,
-                .solid_holds = spread.solid_holds,
-                .lid = axis == 0 && across == 1 ? static_cast<float>(spread.lid) : 0.0F,
+                .solid_holds = step.solid_holds,
+                .lid = axis == 0 && across == 1 ? static_cast<float>(step.lid) : 0.0F,
                 .cuts = {},
                 .skipped = 0};
     const bool ring = lines.edge == Edge::periodic;
     if (ring && lines.count == 1) return;
-    auto& [none, link, below, flux, to_wall, ends] = rows_of_lines_;
-    const RowBuffers buffers{closed_.data(), none.data(),    link.data(), below.data(),
+    auto& [zeros, link, below, flux, to_wall, ends] = rows_of_lines_;
+    const RowBuffers buffers{closed_.data(), zeros.data(),   link.data(), below.data(),
                              flux.data(),    to_wall.data(), ends.data()};
-    const Eliminated left{upper_.data() + w, corner_.data() + w};
-    // Slabs of other widths have left something there.
+    const EliminationFactors left{upper_.data() + w, corner_.data() + w};
+    // Slabs of another width may have left values here.
     for (auto* rows : {&upper_, &corner_}) std::fill_n(rows->data(), w, 0.0F);
     for (int o = 0; o < lattice_.cells[outer]; ++o) {
         if (solids_ != nullptr) {
-            const Places wet = wet_[axis][across][static_cast<std::size_t>(o)];
-            if (wet.count == 0) continue;
-            lines.skipped = wet.first;
-            lines.count = wet.count;
+            const CellRange open_range = open_ranges_[axis][across][static_cast<std::size_t>(o)];
+            if (open_range.count == 0) continue;
+            lines.skipped = open_range.first;
+            lines.count = open_range.count;
         }
         const auto first = lattice_.first + o * lattice_.stride[outer] + lines.skipped * place;
         float* values = u.data() + first;

@@ -88,7 +88,7 @@ void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
 // ---- surface ----------------------------------------------------------------------------------------------
 
 /// Upward force (N, bowl frame) and energy (J) of the sheet's spring, stretched by `gap` metres
-/// (fluid/sheet.h).
+/// (fluid/spring_surface.h).
 struct SurfacePull {
     double force{}, stored{};
 };

@@ -19,7 +19,7 @@
 //     flow        F = + w_f i viscous mu u              (2)  carries a relaxed hand: an active source
 //     resistance  F = - w_r i form rho (V - u)          (3)  against the current: passive, its other end is the flow
 //     surface     F = w_s clamp(k (h - P_y), 0, pop) y  (4)  from outside; from inside clamp(.., -cling, 0). The spring
-//                                                            of fluid/sheet.h: passive, the surface moves its end
+//                                                            of fluid/spring_surface.h: passive, the surface moves its end
 //     wall        F = w_b max(0, k |N - P| + b V_out)   (5)  inwards: passive. N: nearest place in the bowl, V_out:
 //                                                            outward speed along P - N
 //     inertia     F = w_m (k (M - P) + b (M' - V))      (6)  m M'' = -F: a mass of its own, felt as s_f s_x m; passive
@@ -48,7 +48,7 @@
 //      place in the bowl, moved on by its velocity for some 16 ms, because the patch is read for 32 ms. In
 //      every other tick: ++touch.step_age. `older`, `newer` and `step_age` decide future forces and do not
 //      follow from the fluid. They are state and belong in a component.
-//   2. surface = the sheet under the probe (SheetReaction, SheetSettings), with the velocity by difference.
+//   2. surface = the sheet under the probe (ProbeReaction, SpringSurfaceSettings), with the velocity by difference.
 //      Without a sheet, `present` = 0.
 //   3. Frame, drag, wall, ladle and modes from the game's data. The device must be able to render the felt
 //      stiffnesses s_f s_x k. `number` counts from 1 and changes when the probe appears, or when frame, modes

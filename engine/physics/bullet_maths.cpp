@@ -1,6 +1,7 @@
-// This file must be linked into every program that uses Bullet, so physics.cpp calls require_our_maths() before it makes a world.
-// A program's definitions win over a library's wherever either stands on the linker's command line, and the linker exports
-// them by itself because Bullet's libraries ask for them.
+// This file must be linked into every program that uses Bullet; Physics asserts it by calling
+// require_our_maths(). Definitions in a program take precedence over those in a library, whatever the
+// order on the linker's command line. The linker exports them automatically, because Bullet's libraries
+// import them.
 #include "physics/bullet_maths.h"
 
 #include <dlfcn.h>
@@ -40,7 +41,7 @@ constexpr std::array<std::string_view, 14> exact_functions{"sqrt",  "fmod",  "fl
                                                            "trunc", "rint",  "round",  "ldexp", "frexp",
                                                            "sqrtf", "fmodf", "floorf", "ceilf"};
 
-/// The parts of a loaded library that say which functions it imports.
+/// The parts of a loaded library that list the functions it imports.
 struct Imports {
     const ElfW(Sym) * symbols{};
     const char* names{};
@@ -66,15 +67,16 @@ Imports imports_of(const ElfW(Dyn) * entry) {
     return imports;
 }
 
-/// The machine's libraries; a search of the first goes on in the second.
+/// The system's libraries. A search of libm continues in libc.
 struct MachineLibraries {
     void* maths = dlopen("libm.so.6", RTLD_LAZY | RTLD_NOLOAD);
     void* c = dlopen("libc.so.6", RTLD_LAZY | RTLD_NOLOAD);
 };
 
-/// True where the process takes this function from the mathematical library and its bits depend on the processor.
+/// True if the process takes this function from the system's mathematical library and its results
+/// depend on the processor.
 bool is_foreign(const MachineLibraries& machine, const char* name) {
-    if (name[0] == '_') return false;  // C++ and what compilers call
+    if (name[0] == '_') return false;  // internals of C++ and compilers
     if (std::ranges::find(exact_functions, std::string_view(name)) != exact_functions.end()) return false;
     void* const its_own = machine.maths != nullptr ? dlsym(machine.maths, name) : nullptr;
     if (its_own == nullptr || dlsym(RTLD_DEFAULT, name) != its_own) return false;
@@ -97,7 +99,8 @@ bool is_bullets(std::string_view library) {
            library.find("libLinearMath") != std::string_view::npos;
 }
 
-// volatile: the compiler would otherwise compute the results itself, correctly rounded.
+// The value is volatile, because the compiler would otherwise compute results itself, correctly
+// rounded.
 double opaque(double x) {
     volatile double hidden = x;
     return hidden;

@@ -1,10 +1,11 @@
 // physics/bullet_maths.h: the elementary functions that Bullet computes with.
 //
-// Bullet's libraries call sin, cos, sincos, acos, asin, atan2 and pow of the mathematical library. glibc has several variants of
-// each and chooses by the processor; with and without fused multiplication they differ in the last bit, and then two matches
-// part. So the program defines these seven itself, under the same names, with the functions of core/maths.h. The dynamic
-// linker looks into the program first, and Bullet, like all else in the process, calls ours. sqrt and fmod stay: they have
-// one right result.
+// Bullet's libraries call sin, cos, sincos, acos, asin, atan2 and pow. glibc has several variants of
+// each and chooses one by the processor. Variants with and without fused multiplication differ in the
+// last bit, and then two replays of a match diverge. The program therefore defines these seven
+// functions itself, using core/maths.h. The dynamic linker searches the program first, so Bullet and
+// all other code in the process call them. sqrt and fmod are not replaced, because their results are
+// exactly defined.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -12,15 +13,17 @@
 
 namespace thaum::physics {
 
-/// Functions that Bullet's libraries take from the mathematical library although processors differ in them, as
-/// "library: function"; empty in a program that is linked as it should be. Another version of Bullet may call more than seven.
+/// Functions that Bullet's libraries import from the mathematical library although their results depend
+/// on the processor, as "library: function". Empty in a correctly linked program. Another version of
+/// Bullet may import more than the seven functions.
 std::vector<std::string> foreign_maths();
 
-/// Asserts that there are none, once per process.
+/// Asserts, once per process, that foreign_maths() is empty.
 void require_our_maths();
 
-/// Hash of the seven functions' results over a fixed list of arguments; a log's header carries it. The same in every build: where
-/// it is not, this compiler has made other bits of core/maths.cpp, and no match replays.
+/// Hash of the seven functions' results for a fixed list of arguments; the header of a log contains it.
+/// It is the same in every correct build. Otherwise this compiler has produced other results for
+/// core/maths.cpp, and no match can be replayed.
 std::uint64_t maths_probe();
 
 }  // namespace thaum::physics

@@ -1,18 +1,19 @@
-// physics/memory.h: where Bullet's memory comes from.
+// physics/memory.h: statistics of Bullet's memory pool.
 //
-// Bullet allocates and frees small blocks in every step. All of them come from one pool of free lists, which grows by
-// whole slabs and never gives one back: once a scene is warm, a step asks the heap for nothing. The pool belongs to the
-// process, since Bullet's hook does; any number of worlds on any number of threads may use it. Under AddressSanitizer
-// every block is taken from the heap instead, so that a wrong access is seen.
+// Bullet allocates and frees small blocks in every step. All of them come from one pool of free lists.
+// The pool grows by whole slabs and never returns one, so steps soon stop allocating from the heap.
+// Bullet's hook is global, so the pool belongs to the process; any number of worlds on any number of
+// threads may use it. Under AddressSanitizer every block comes from the heap instead, so that wrong
+// accesses are detected.
 #pragma once
 #include <cstdint>
 
 namespace thaum::physics {
 
 struct MemoryUse {
-    std::uint64_t calls{};  ///< blocks that Bullet asked for so far
-    std::uint64_t slabs{};  ///< times the pool asked the heap; constant once warm
-    std::uint64_t bytes{};  ///< in all slabs
+    std::uint64_t calls{};  ///< number of blocks that Bullet has requested
+    std::uint64_t slabs{};  ///< number of allocations from the heap; constant after the first steps
+    std::uint64_t bytes{};  ///< total size of all slabs (bytes)
 };
 
 MemoryUse memory_use();

@@ -10,18 +10,19 @@ namespace thaum::physics {
 namespace {
 
 constexpr vec3 up{0, 1, 0};
-constexpr double sole =
-    0.02;  // m; how much thinner than the capsule the sweep is, so that walls do not stop it
-constexpr double caught_speed = 1;  // m/s away from the ground, up to which one in the air is caught by it
-constexpr double held_speed =
-    4;  // m/s, up to which one on the ground is held: a crest of 50 degrees at a walk
-constexpr double noticed_force = 50;  // N; less does not count as resistance
-constexpr double still = 1e-6;        // m/s; less is not worth an impulse
+/// Difference in radius between capsule and sweep, so that walls do not stop the sweep (m).
+constexpr double sole = 0.02;
+/// Largest speed away from the ground at which a falling mover counts as landed (m/s).
+constexpr double caught_speed = 1;
+/// Largest speed away from the ground at which a walking mover is held on it (m/s): a crest of 50 degrees.
+constexpr double held_speed = 4;
+constexpr double noticed_force = 50;  // smaller deficits do not count as resistance (N)
+constexpr double still = 1e-6;        // smaller velocity changes are ignored (m/s)
 
 struct Ground {
     Key key;
     vec3 normal;
-    vec3 velocity;  ///< of the ground, where it is touched
+    vec3 velocity;  ///< velocity of the ground at the point of contact (m/s)
 };
 
 vec3 level(vec3 v) { return {v.x, 0, v.z}; }
@@ -31,7 +32,7 @@ vec3 along(vec3 v, vec3 normal) { return v - normal * glm::dot(v, normal); }
 std::optional<Ground> find_ground(const Physics& physics, Key key, const MoverSettings& settings) {
     const BodyDesc& desc = physics.desc(key);
     const vec3 foot = physics.state(key).position - desc.size.y * up;
-    // The thinner sphere must go further down to a slope than to a floor: by sole / cos.
+    // On a slope the thinner sphere must go farther down than on a floor, by a factor of 1 / cos.
     const double down = sole / settings.steepest_cos + settings.reach;
     const auto hit = physics.sweep_sphere(foot, foot - down * up, desc.size.x - sole, settings.ground, key);
     if (!hit || hit->normal.y < settings.steepest_cos) return std::nullopt;
@@ -39,21 +40,21 @@ std::optional<Ground> find_ground(const Physics& physics, Key key, const MoverSe
     return Ground{hit->key, hit->normal, velocity_at(physics.state(hit->key), hit->point)};
 }
 
-/// The wish in the ground's plane, as fast as it was on the level.
+/// The wish in the plane of the ground, with the speed it had on level ground.
 vec3 wish_along(vec3 wish, vec3 normal) {
     const double speed = glm::length(wish);
     if (speed == 0) return {};
-    // Straight ahead as seen from above: tilt the wish about the horizontal, do not project it.
+    // The wish is tilted, not projected, so that it goes straight ahead as seen from above.
     const vec3 tilted = wish - up * (glm::dot(wish, normal) / normal.y);
     return tilted * (speed / glm::length(tilted));
 }
 
-/// Whether the last drive in this direction met more than air.
+/// Whether something resisted the last drive in this direction.
 bool resisted(const MoverState& state, vec3 now, vec3 direction, double mass, double dt) {
     return state.driven && glm::dot(state.expected - now, direction) * mass > noticed_force * dt;
 }
 
-/// Velocity change in the ground's plane in this step.
+/// Velocity change in the plane of the ground in this step.
 vec3 drive(const MoverSettings& settings, const MoverState& state, vec3 target, vec3 now, double mass,
            double dt) {
     const vec3 missing = target - now;
@@ -64,30 +65,30 @@ vec3 drive(const MoverSettings& settings, const MoverState& state, vec3 target, 
     return limited(missing, resisted(state, now, missing / size, mass, dt) ? std::min(free, pushing) : free);
 }
 
-/// What is left of the grip on the ground, 0 to 1.
-double grip(const Physics& physics, Key key, double hung) {
+/// Share of the weight that rests on the ground, 0 to 1; traction is in proportion to it.
+double traction(const Physics& physics, Key key, double rope_lift) {
     const double weight = physics.desc(key).mass * glm::length(physics.settings().gravity);
-    return weight > 0 ? std::clamp(1 - hung / weight, 0.0, 1.0) : 1;
+    return weight > 0 ? std::clamp(1 - rope_lift / weight, 0.0, 1.0) : 1;
 }
 
-void walk(Physics& physics, Key key, const Ground& ground, vec3 wish, MoverSettings settings, double grip,
+void walk(Physics& physics, Key key, const Ground& ground, vec3 wish, MoverSettings settings, double traction,
           MoverState& state, double dt) {
     const double mass = physics.desc(key).mass;
-    settings.ground_acceleration *= grip;
-    settings.push_force *= grip;
-    settings.adhesion *= grip;
+    settings.ground_acceleration *= traction;
+    settings.push_force *= traction;
+    settings.adhesion *= traction;
     const vec3 relative = physics.velocity(key) - ground.velocity;
     const vec3 now = along(relative, ground.normal);
     const vec3 change = drive(settings, state, wish_along(wish, ground.normal), now, mass, dt);
     const double leaving = std::max(0.0, glm::dot(relative, ground.normal));
     const vec3 down = ground.normal * -std::min(leaving, settings.adhesion * dt);
-    const vec3 uphill = -along(physics.settings().gravity, ground.normal) * (grip * dt);
+    const vec3 uphill = -along(physics.settings().gravity, ground.normal) * (traction * dt);
     physics.nudge(key, mass * (change + down + uphill));
     state.expected = now + change;
     state.driven = 1;
 }
 
-/// Speeds up towards the wish, never beyond it, and brakes only against the wish.
+/// Accelerates towards the wish, never beyond it, and brakes only if the motion is against the wish.
 void fly(Physics& physics, Key key, vec3 wish, const MoverSettings& settings, double dt) {
     const double speed = glm::length(wish);
     if (speed == 0) return;
@@ -111,7 +112,8 @@ MoverResult asleep(const MoverState& state) {
     return {.grounded = state.grounded != 0, .ground_normal = state.ground_normal};
 }
 
-/// The ground is found a little before it is touched; after a hard landing in one step the speed is already gone.
+/// Speed of a landing. The last falling speed is used too, because a hard landing within one step may
+/// already have stopped the body when the ground is found.
 double landing_speed(vec3 velocity, const Ground& ground, const MoverState& state) {
     return std::max(0.0, std::max(state.falling, -velocity.y) + ground.velocity.y);
 }
@@ -134,8 +136,8 @@ MoverResult move(Physics& physics, Key key, const MoverInput& input, const Mover
     }
 
     const auto ground = find_ground(physics, key, settings);
-    const double gripping = grip(physics, key, input.hung);
-    if (!ground || gripping == 0 || leaves(physics, key, *ground, state)) {
+    const double traction_left = traction(physics, key, input.rope_lift);
+    if (!ground || traction_left == 0 || leaves(physics, key, *ground, state)) {
         take_off(state);
         state.falling = std::max(0.0, -physics.velocity(key).y);
         fly(physics, key, wish, settings, dt);
@@ -154,7 +156,7 @@ MoverResult move(Physics& physics, Key key, const MoverInput& input, const Mover
         result.jumped = true;
         return result;
     }
-    walk(physics, key, *ground, wish, settings, gripping, state, dt);
+    walk(physics, key, *ground, wish, settings, traction_left, state, dt);
     return result;
 }
 

@@ -1,11 +1,14 @@
-// physics/mover.h: how a wizard walks, jumps and stands, as impulses on an upright capsule without friction.
+// physics/mover.h: walking, jumping and standing of a wizard, by impulses on an upright capsule without
+// friction.
 //
-// Each step one short sweep of a sphere, a little thinner than the capsule, finds the ground. On ground that is not too steep the
-// capsule's velocity in the ground's plane is driven to the wished one, with gravity along the plane held off; in the air the
-// wish steers weakly. The drive is limited twice: in acceleration while the way is free, and in force once something
-// resists, so that a heavy prop is hard to push. "Resists" is what the last drive should have given and did not.
+// In each step a short sweep of a sphere, slightly thinner than the capsule, finds the ground. If the
+// ground is not too steep, the capsule's velocity in the plane of the ground is driven towards the
+// wished one. Gravity along that plane is cancelled. In the air the wish steers only weakly. Two limits
+// apply to the drive: an acceleration while nothing is in the way, and a force when something resists,
+// so that a heavy prop is hard to push. Resistance is detected if the last drive changed the velocity
+// by less than expected.
 //
-// Bullet stays the only one who moves the capsule: walls, props, blasts and couplings act on it as on any body.
+// Bullet alone moves the capsule, so walls, props, blasts and couplings act on it as on any body.
 #pragma once
 #include "physics/physics.h"
 
@@ -16,31 +19,32 @@ inline constexpr BodyDesc mover_body{
     .shape = Shape::capsule, .size = {0.35, 0.55, 0}, .mass = 75, .friction = 0, .upright = 1};
 
 struct MoverInput {
-    vec3 wish_velocity{};  ///< m/s; its y is ignored; cut to MoverSettings::walk_speed
-    bool jump{};           ///< jumps whenever it stands; the caller makes one press one jump
-    double
-        hung{};  ///< N, upward, by something else (a rope): so much less grip on the ground; its weight and more: none
+    vec3 wish_velocity{};  ///< wished velocity; y is ignored, speed is limited to walk_speed (m/s)
+    bool jump{};           ///< jumps whenever it stands on the ground; the caller sets it once for each press
+    /// Upward force by a rope or the like (N). It reduces the traction on the ground; from the weight on
+    /// there is none.
+    double rope_lift{};
 };
 
 struct MoverSettings {
-    double walk_speed{4.5};           ///< m/s, along the ground
-    double ground_acceleration{40};   ///< m/s^2
-    double air_acceleration{4};       ///< m/s^2
-    double push_force{700};           ///< N, against what resists
-    double adhesion{60};              ///< m/s^2; keeps the feet on the ground over a crest
-    double jump_speed{4.6454278597};  ///< m/s: sqrt(2 * 9.81 * 1.1), an apex of 1.1 m
-    double steepest_cos{0.64278761};  ///< cosine of the steepest slope it can stand on: 50 degrees
-    double reach{0.03};               ///< m below the capsule in which ground counts as ground
-    Layers ground{all_layers};        ///< what can be stood on
+    double walk_speed{4.5};          ///< speed along the ground (m/s)
+    double ground_acceleration{40};  ///< largest acceleration on the ground (m/s^2)
+    double air_acceleration{4};      ///< largest acceleration in the air (m/s^2)
+    double push_force{700};          ///< largest force against resistance (N)
+    double adhesion{60};  ///< acceleration towards the ground that keeps the feet on it over a crest (m/s^2)
+    double jump_speed{4.6454278597};  ///< sqrt(2 * 9.81 * 1.1), for an apex of 1.1 m (m/s)
+    double steepest_cos{0.64278761};  ///< cosine of the steepest slope on which it can stand: 50 degrees
+    double reach{0.03};               ///< distance below the capsule within which ground is found (m)
+    Layers ground{all_layers};        ///< layers of bodies that can be stood on
 };
 
-/// What a mover must remember from step to step; the caller stores it with the body's state.
+/// State of a mover between steps; the caller stores it with the body's state.
 struct MoverState {
-    vec3 expected{};  ///< m/s, along and against the ground, after the last drive if nothing resists
-    vec3 ground_normal{0, 1, 0};  ///< of the last ground
-    double falling{};             ///< m/s downward, while in the air
-    std::uint32_t grounded{};     ///< 1: stood on the ground
-    std::uint32_t driven{};       ///< 1: expected holds
+    vec3 expected{};  ///< velocity relative to the ground that the last drive gives if nothing resists (m/s)
+    vec3 ground_normal{0, 1, 0};  ///< normal of the last ground
+    double falling{};             ///< downward speed while in the air (m/s)
+    std::uint32_t grounded{};     ///< 1: stood on the ground in the last step
+    std::uint32_t driven{};       ///< 1: `expected` is valid
 };
 static_assert(std::is_trivially_copyable_v<MoverState>);
 static_assert(sizeof(MoverState) == 7 * sizeof(double) + 2 * sizeof(std::uint32_t));
@@ -48,13 +52,13 @@ static_assert(sizeof(MoverState) == 7 * sizeof(double) + 2 * sizeof(std::uint32_
 struct MoverResult {
     bool grounded{};
     bool jumped{};
-    vec3 ground_normal{0, 1, 0};  ///< unit; up while in the air
-    Key ground{no_key};           ///< the body it stands on
-    double landing_speed{};       ///< m/s, against the ground, in the step in which it lands; else 0
+    vec3 ground_normal{0, 1, 0};  ///< unit; (0, 1, 0) while in the air
+    Key ground{no_key};           ///< key of the body it stands on
+    double landing_speed{};       ///< speed against the ground in the step in which it lands, else 0 (m/s)
 };
 
-/// Once before each Physics::step(dt). An idle mover on resting ground falls asleep like any body and then costs nothing;
-/// a wish or a jump wakes it.
+/// Moves a wizard; call it once before each Physics::step(dt). A mover without a wish on resting ground
+/// falls asleep like any body and then costs nothing. A wish or a jump wakes it.
 MoverResult move(Physics&, Key, const MoverInput&, const MoverSettings&, MoverState&, double dt);
 
 }  // namespace thaum::physics

@@ -1,10 +1,12 @@
-// The bodies stand in one array, sorted by key, each with its desc and its state. The state here is the truth; Bullet's copy
-// is written from it when a body is made and read back after each step in which the body was awake. Reading a state,
-// rays and rebuilds use ours alone. So a rebuild never rounds a state on its way, and does the same here and in a restored run.
+// Bodies are in one array, sorted by key, each with its desc and its state. This state is
+// authoritative. It is copied to Bullet when a body is made, and read back after each step in which the
+// body was awake. Queries and rebuilds use only this state, so a rebuild never rounds a state and acts
+// in the same way in a restored run.
 //
-// Bullet moves a body by the velocity at the step's end: in free fall g dt^2/2 too far in every step, 9.8 mm after 2 s at
-// 1 kHz. We know the exact end of a free flight, so a body that Bullet only moved and did not push is put there
-// (Settings::exact_flight). Whether it was pushed is seen in its velocity and path alone, so no memory is needed for it.
+// Bullet moves a body by the velocity at the end of the step. In free fall this is g dt^2/2 too far in
+// every step: 9.8 mm after 2 s at 1 kHz. The exact end of a free flight is known, so a body on which
+// nothing pushed is moved there (Settings::exact_flight). Velocity and path show whether it was pushed,
+// so this needs no stored data.
 #include "physics/physics.h"
 
 #include <algorithm>
@@ -29,25 +31,28 @@ using detail::Box;
 using detail::from_bullet;
 using detail::to_bullet;
 
-/// m; a body this near to a removed or moved one may have rested on it.
+/// A body this close to a removed or moved one may have rested on it (m).
 constexpr double resting_gap = 0.02;
-/// m/s, relative beyond 1 m/s; and m: what differs by less is rounding, not a push.
+/// Largest difference that is rounding and not a push: of velocities (m/s, relative above 1 m/s) and
+/// positions (m).
 constexpr double pushed = 1e-9;
-/// m; after a rebuild, which forgets who touched whom, this near counts as having touched.
+/// Bodies this close after a rebuild, which discards the pairs in contact, count as touching before
+/// (m).
 constexpr double touching_gap = 0.002;
 
 struct Body {
     Key key{};
-    bool was_asleep{};  ///< before the step
+    bool was_asleep{};  ///< asleep before the step
     BodyDesc desc;
     BodyState state;
-    double reach{};          ///< m, of its farthest point from its position
-    double kept_velocity{};  ///< share that damping leaves after a step of damping_dt
+    double reach{};          ///< distance of its farthest point from its position (m)
+    double kept_velocity{};  ///< share of the velocity left by damping after a step of damping_dt
     double kept_spin{};
-    double
-        drive_s{};  ///< velocity that gravity gives in such a step, per gravity; path, per velocity before it
-    double fall_s2{};       ///< path that gravity gives in it, per gravity
-    vec3 start_velocity{};  ///< m/s, at the start of the step
+    /// Velocity that gravity gives in such a step, divided by gravity. It is also the path divided by the
+    /// initial velocity (s).
+    double drive_s{};
+    double fall_s2{};       ///< path that gravity gives in such a step, divided by gravity (s^2)
+    vec3 start_velocity{};  ///< velocity at the start of the step (m/s)
     detail::BulletBody bullet;
     detail::BoundTree::Leaf leaf{};
 
@@ -55,7 +60,7 @@ struct Body {
     bool dynamic() const { return desc.mass > 0; }
 };
 
-/// Two bodies whose surfaces touch; the smaller key first.
+/// Keys of two bodies that touch; the smaller key first.
 struct Pair {
     Key a, b;
     auto operator<=>(const Pair&) const = default;
@@ -78,7 +83,7 @@ bool collide(const BodyDesc& a, const BodyDesc& b) {
     return (a.layer & b.collides_with) != 0 && (b.layer & a.collides_with) != 0;
 }
 
-/// Whether a path may touch the body, judged by the ball around it.
+/// Whether a path may touch the body, judged by its bounding sphere.
 bool comes_near(const Body& body, const detail::Path& path) {
     const vec3 offset = body.state.position - path.from;
     const double along = std::clamp(glm::dot(offset, path.direction), 0.0, path.length);
@@ -87,7 +92,7 @@ bool comes_near(const Body& body, const detail::Path& path) {
     return glm::dot(apart, apart) <= meeting * meeting;
 }
 
-/// A sleeper has no motion, whatever it was given.
+/// The state with zero velocities if the body is asleep.
 BodyState settled(BodyState state) {
     if (state.asleep) state.velocity = state.spin = vec3{};
     return state;
@@ -98,7 +103,7 @@ Pair pair_of(const btPersistentManifold& manifold) {
     return a < b ? Pair{a, b} : Pair{b, a};
 }
 
-/// What a pair's points did in the last step. `began` is left to the caller.
+/// Sum over the contact points of a pair in the last step. The caller sets `began`.
 Contact sum_of(const btPersistentManifold& manifold) {
     const Pair pair = pair_of(manifold);
     Contact contact{pair.a, pair.b, {}, {}, 0, false};
@@ -131,7 +136,7 @@ bool active(const btPersistentManifold& manifold) {
 
 std::vector<detail::Mesh> built(const std::vector<TriangleMesh>& meshes) {
     require_our_maths();
-    detail::use_pool();  // before the first Bullet object
+    detail::use_pool();  // must precede the first Bullet object
     std::vector<detail::Mesh> out;
     out.reserve(meshes.size());
     for (const TriangleMesh& mesh : meshes) out.emplace_back(mesh);
@@ -140,21 +145,21 @@ std::vector<detail::Mesh> built(const std::vector<TriangleMesh>& meshes) {
 
 }  // namespace
 
-struct Physics::Inside {
+struct Physics::Impl {
     Settings settings;
     std::vector<detail::Mesh> meshes;
     std::vector<Body> bodies;  ///< sorted by key
-    detail::BoundTree tree;    ///< of these, as they lie now
+    detail::BoundTree tree;    ///< bounding boxes of the bodies at their current positions
     std::unique_ptr<detail::BulletWorld> world;
     std::vector<Contact> contacts;
-    std::vector<Pair> touching;  ///< pairs that have pressed and are still near; sorted
+    std::vector<Pair> touching;  ///< pairs that pressed on each other and are still close; sorted
     std::vector<Pair> touching_next;
     Counters counters;
     double damping_dt{};
-    bool quiet{};  ///< the last step changed nothing, and nothing was touched since
+    bool quiet{};  ///< true: the last step changed nothing, and nothing was touched since
 
-    Inside(const Settings& s, const std::vector<TriangleMesh>& m);
-    ~Inside() { world.reset(); }  // before the bodies in it
+    Impl(const Settings& s, const std::vector<TriangleMesh>& m);
+    ~Impl() { world.reset(); }  // the world must go before the bodies in it
 
     Body* find(Key);
     Body& at(Key);
@@ -169,16 +174,16 @@ struct Physics::Inside {
     bool after_step();
     void collect_contacts();
     void remember_touching();
-    std::optional<detail::Touch> cast_at(const Body&, const detail::Path&) const;
+    std::optional<detail::CastHit> cast_at(const Body&, const detail::Path&) const;
     /// Adds the body's surfaces within the radius of the point.
-    void gather_from(const Body&, vec3 point, detail::Gathering&) const;
-    /// Calls back for each body whose box comes within the radius, and maybe for others, in the order of keys.
+    void gather_from(const Body&, vec3 point, detail::NearestSurfaces&) const;
+    /// Calls `each` for each body whose box comes within the radius, and possibly for others, in the
+    /// order of keys.
     template <class Each>
     void each_near(vec3 point, double radius, const Each& each) const;
 };
 
-Physics::Inside::Inside(const Settings& s, const std::vector<TriangleMesh>& m)
-    : settings(s), meshes(built(m)) {
+Physics::Impl::Impl(const Settings& s, const std::vector<TriangleMesh>& m) : settings(s), meshes(built(m)) {
     THAUM_ASSERT(s.max_bodies > 0 && s.max_bodies <= 30000, "Settings.max_bodies is not in 1..30,000");
     THAUM_ASSERT(thaum::is_finite(s.gravity), "Settings.gravity is not finite");
     THAUM_ASSERT(s.max_speed > 0 && s.max_spin > 0 && s.world_half_extent > 0,
@@ -190,25 +195,25 @@ Physics::Inside::Inside(const Settings& s, const std::vector<TriangleMesh>& m)
     world = std::make_unique<detail::BulletWorld>(settings);
 }
 
-Body* Physics::Inside::find(Key key) {
+Body* Physics::Impl::find(Key key) {
     const auto found = std::ranges::lower_bound(bodies, key, {}, &Body::key);
     return found != bodies.end() && found->key == key ? &*found : nullptr;
 }
 
-Body& Physics::Inside::at(Key key) {
+Body& Physics::Impl::at(Key key) {
     Body* const body = find(key);
     THAUM_ASSERT(body, about(key, "unknown"));
     return *body;
 }
 
-void Physics::Inside::enter_world(Body& body) {
+void Physics::Impl::enter_world(Body& body) {
     body.bullet = detail::make_body(body.key, body.desc, body.state, meshes, settings);
     (*world)->addRigidBody(&body.bt(), std::bit_cast<int>(body.desc.layer),
                            std::bit_cast<int>(body.desc.collides_with));
     detail::write_sleep(body.bt(), body.state);
 }
 
-void Physics::Inside::wake(Body& body) {
+void Physics::Impl::wake(Body& body) {
     if (!body.dynamic()) return;
     body.bt().activate(true);
     body.state.asleep = body.state.drowsy = 0;
@@ -216,19 +221,20 @@ void Physics::Inside::wake(Body& body) {
     quiet = false;
 }
 
-void Physics::Inside::wake_near(const Box& box) {
+void Physics::Impl::wake_near(const Box& box) {
     for (Body& body : bodies) {
         if (body.state.asleep && overlap(box, box_around(body), resting_gap)) wake(body);
     }
 }
 
-/// Damping by the rate c in 1/s: v' = g - c v, so after a step of dt v = v0 k + g (1 - k)/c with k = exp(-c dt), and the path is
-/// v0 (1 - k)/c + g (dt - (1 - k)/c)/c. Without damping that is v0 + g dt and v0 dt + g dt^2/2.
-void Physics::Inside::prepare_damping(Body& body) const {
+/// Damping with rate c (1/s): v' = g - c v. With k = exp(-c dt), the velocity after a step is v0 k + g
+/// (1 - k)/c, and the path is v0 (1 - k)/c + g (dt - (1 - k)/c)/c. Without damping these are v0 + g dt
+/// and v0 dt + g dt^2/2.
+void Physics::Impl::prepare_damping(Body& body) const {
     body.kept_velocity = det::pow(1 - body.desc.linear_damping, damping_dt);
     body.kept_spin = det::pow(1 - body.desc.angular_damping, damping_dt);
     const double y = -det::log(1 - body.desc.linear_damping) * damping_dt;  // c dt
-    if (y < 0.02) {  // Taylor's series, since the differences below would lose their digits
+    if (y < 0.02) {  // Taylor series, because the differences below would lose precision
         body.drive_s = damping_dt * (1 - y / 2 * (1 - y / 3 * (1 - y / 4 * (1 - y / 5))));
         body.fall_s2 = damping_dt * damping_dt / 2 * (1 - y / 3 * (1 - y / 4 * (1 - y / 5 * (1 - y / 6))));
     } else {
@@ -238,7 +244,7 @@ void Physics::Inside::prepare_damping(Body& body) const {
     }
 }
 
-void Physics::Inside::before_step(double dt) {
+void Physics::Impl::before_step(double dt) {
     if (dt != damping_dt) {
         damping_dt = dt;
         for (Body& body : bodies) prepare_damping(body);
@@ -248,27 +254,27 @@ void Physics::Inside::before_step(double dt) {
         if (!body.dynamic() || body.was_asleep) continue;
         body.start_velocity = limited(body.state.velocity, settings.max_speed);
         vec3 velocity = body.start_velocity * body.kept_velocity;
-        // Bullet adds gravity * dt to it.
+        // Bullet adds gravity * dt to the velocity.
         if (settings.exact_flight) velocity += settings.gravity * (body.drive_s - dt);
         body.bt().setLinearVelocity(to_bullet(velocity));
         body.bt().setAngularVelocity(to_bullet(limited(body.state.spin, settings.max_spin) * body.kept_spin));
     }
 }
 
-/// Puts a body that nothing pushed since `from` where its flight ends.
-void Physics::Inside::fly_exactly(Body& body, vec3 from) const {
+/// Moves a body to the exact end of its flight if nothing pushed it since `from`.
+void Physics::Impl::fly_exactly(Body& body, vec3 from) const {
     const vec3 velocity = body.state.velocity;
     const vec3 free = body.start_velocity * body.kept_velocity + settings.gravity * body.drive_s;
     if (glm::length(velocity - free) > pushed * (1 + glm::length(free))) return;
-    // Penetration is taken out of the position alone.
+    // The solver removes penetration from the position alone.
     if (glm::length(body.state.position - (from + velocity * damping_dt)) > pushed) return;
     body.state.position = from + body.start_velocity * body.drive_s + settings.gravity * body.fall_s2;
     body.bt().getWorldTransform().setOrigin(to_bullet(body.state.position));
 }
 
-/// Share of a sphere's way from start to end before it meets a static body; 1: meets none. One that overlaps a body at the start
-/// does not meet it.
-double Physics::Inside::free_share(const Body& moving, vec3 start, vec3 end, double radius) const {
+/// Share of a sphere's way from start to end before it meets a static body; 1 if it meets none. A body
+/// that the sphere overlaps at the start is ignored.
+double Physics::Impl::free_share(const Body& moving, vec3 start, vec3 end, double radius) const {
     const double length = glm::length(end - start);
     if (length <= 0) return 1;
     detail::Path left{start, (end - start) / length, length, radius};
@@ -280,8 +286,9 @@ double Physics::Inside::free_share(const Body& moving, vec3 start, vec3 end, dou
     return left.length / length;
 }
 
-/// Puts a body that would have come through a wall in this step where it meets that wall. The solver does the rest in the next one.
-void Physics::Inside::stop_at_walls(Body& body, const BodyState& from) const {
+/// Stops a body at the wall that it would otherwise pass in this step. The solver handles the contact
+/// in the next step.
+void Physics::Impl::stop_at_walls(Body& body, const BodyState& from) const {
     BodyState& to = body.state;
     const detail::InnerSpheres spheres = detail::inner_spheres(body.desc);
     const double path = glm::length(to.position - from.position);
@@ -293,8 +300,8 @@ void Physics::Inside::stop_at_walls(Body& body, const BodyState& from) const {
             share = std::min(share, free_share(body, start, end, spheres.radius));
         }
     }
-    // A body that tumbles over its first contact may lie in the wall with any part, but its centre stays on this side; and to
-    // this side the solver then pushes it out.
+    // A body that tumbles over its first contact may have parts inside the wall, but its centre stays
+    // outside. The solver then pushes it out to the correct side.
     const double centre_share = free_share(body, from.position, to.position, 0);
     if (centre_share < 1) share = std::clamp(centre_share - spheres.centre_gap / path, 0.0, share);
     if (share >= 1) return;
@@ -304,8 +311,8 @@ void Physics::Inside::stop_at_walls(Body& body, const BodyState& from) const {
     detail::write_motion(body.bt(), to);
 }
 
-/// Whether nothing moved.
-bool Physics::Inside::after_step() {
+/// Reads all states back from Bullet. Returns true if nothing moved.
+bool Physics::Impl::after_step() {
     counters.awake = 0;
     bool still = true;
     for (Body& body : bodies) {
@@ -325,7 +332,7 @@ bool Physics::Inside::after_step() {
     return still;
 }
 
-void Physics::Inside::collect_contacts() {
+void Physics::Impl::collect_contacts() {
     contacts.clear();
     touching_next.clear();
     btDispatcher& dispatcher = *(*world)->getDispatcher();
@@ -346,8 +353,9 @@ void Physics::Inside::collect_contacts() {
     std::swap(touching, touching_next);
 }
 
-/// In a fresh world: finds who touches whom, sleepers too, which Bullet leaves out by itself.
-void Physics::Inside::remember_touching() {
+/// Finds the pairs in contact in a new world. Sleeping bodies are included, which Bullet would leave
+/// out.
+void Physics::Impl::remember_touching() {
     for (Body& body : bodies) {
         if (body.dynamic()) body.bt().forceActivationState(ACTIVE_TAG);
     }
@@ -365,7 +373,7 @@ void Physics::Inside::remember_touching() {
     std::ranges::sort(touching);
 }
 
-std::optional<detail::Touch> Physics::Inside::cast_at(const Body& body, const detail::Path& path) const {
+std::optional<detail::CastHit> Physics::Impl::cast_at(const Body& body, const detail::Path& path) const {
     const quat to_local = glm::conjugate(body.state.orientation);
     detail::Path local = path;
     local.from = to_local * (path.from - body.state.position);
@@ -378,14 +386,14 @@ std::optional<detail::Touch> Physics::Inside::cast_at(const Body& body, const de
 }
 
 Physics::Physics(const Settings& settings, const std::vector<TriangleMesh>& meshes)
-    : inside_(std::make_unique<Inside>(settings, meshes)) {}
+    : impl_(std::make_unique<Impl>(settings, meshes)) {}
 
 Physics::~Physics() = default;
 Physics::Physics(Physics&&) noexcept = default;
 Physics& Physics::operator=(Physics&&) noexcept = default;
 
 void Physics::add(Key key, const BodyDesc& desc, const BodyState& state) {
-    Inside& in = *inside_;
+    Impl& in = *impl_;
     THAUM_ASSERT(key != no_key, "no_key is not a key");
     THAUM_ASSERT(in.bodies.size() < in.settings.max_bodies,
                  about(key, "more bodies than Settings.max_bodies"));
@@ -405,7 +413,7 @@ void Physics::add(Key key, const BodyDesc& desc, const BodyState& state) {
 }
 
 void Physics::remove(Key key) {
-    Inside& in = *inside_;
+    Impl& in = *impl_;
     Body& body = in.at(key);
     const Box place = box_around(body);
     (*in.world)->removeRigidBody(&body.bt());
@@ -416,14 +424,14 @@ void Physics::remove(Key key) {
     in.wake_near(place);
 }
 
-bool Physics::has(Key key) const { return inside_->find(key) != nullptr; }
+bool Physics::has(Key key) const { return impl_->find(key) != nullptr; }
 
-const BodyDesc& Physics::desc(Key key) const { return inside_->at(key).desc; }
+const BodyDesc& Physics::desc(Key key) const { return impl_->at(key).desc; }
 
-const BodyState& Physics::state(Key key) const { return inside_->at(key).state; }
+const BodyState& Physics::state(Key key) const { return impl_->at(key).state; }
 
 void Physics::set_state(Key key, const BodyState& state) {
-    Inside& in = *inside_;
+    Impl& in = *impl_;
     Body& body = in.at(key);
     detail::check_state(key, state);
     in.wake_near(box_around(body));
@@ -436,26 +444,26 @@ void Physics::set_state(Key key, const BodyState& state) {
 }
 
 void Physics::set_velocity(Key key, vec3 velocity) {
-    Body& body = inside_->at(key);
+    Body& body = impl_->at(key);
     THAUM_ASSERT(is_finite(velocity), about(key, "velocity is not finite"));
     if (!body.dynamic()) return;
-    inside_->wake(body);
+    impl_->wake(body);
     body.state.velocity = velocity;
 }
 
 void Physics::set_spin(Key key, vec3 spin) {
-    Body& body = inside_->at(key);
+    Body& body = impl_->at(key);
     THAUM_ASSERT(is_finite(spin), about(key, "spin is not finite"));
     if (!body.dynamic() || body.desc.upright) return;
-    inside_->wake(body);
+    impl_->wake(body);
     body.state.spin = spin;
 }
 
 void Physics::apply_impulse(Key key, vec3 impulse, vec3 point) {
-    Body& body = inside_->at(key);
+    Body& body = impl_->at(key);
     THAUM_ASSERT(is_finite(impulse) && is_finite(point), about(key, "impulse is not finite"));
     if (!body.dynamic()) return;
-    inside_->wake(body);
+    impl_->wake(body);
     body.state.velocity += impulse / body.desc.mass;
     THAUM_ASSERT(is_finite(body.state.velocity), about(key, "impulse overflows"));
     if (body.desc.upright) return;
@@ -465,26 +473,26 @@ void Physics::apply_impulse(Key key, vec3 impulse, vec3 point) {
 }
 
 void Physics::apply_central_impulse(Key key, vec3 impulse) {
-    apply_impulse(key, impulse, inside_->at(key).state.position);
+    apply_impulse(key, impulse, impl_->at(key).state.position);
 }
 
 void Physics::nudge(Key key, vec3 impulse) {
-    Body& body = inside_->at(key);
+    Body& body = impl_->at(key);
     THAUM_ASSERT(is_finite(impulse), about(key, "impulse is not finite"));
     if (body.dynamic() && !body.state.asleep) body.state.velocity += impulse / body.desc.mass;
 }
 
-void Physics::wake_touching(Key key) { inside_->wake_near(box_around(inside_->at(key))); }
+void Physics::wake_touching(Key key) { impl_->wake_near(box_around(impl_->at(key))); }
 
-void Physics::wake(Key key) { inside_->wake(inside_->at(key)); }
+void Physics::wake(Key key) { impl_->wake(impl_->at(key)); }
 
 void Physics::step(double dt) {
-    Inside& in = *inside_;
+    Impl& in = *impl_;
     THAUM_ASSERT(std::isfinite(dt) && dt > 0, "a step must take a time > 0");
     ++in.counters.steps;
     if (in.quiet && in.settings.skip_asleep) {
-        ++in.counters
-              .skipped;  // contacts are empty already: in the step before, too, nobody was awake to press
+        // The contacts are empty already, because no body was awake in the last step either.
+        ++in.counters.skipped;
         return;
     }
     in.before_step(dt);
@@ -493,7 +501,7 @@ void Physics::step(double dt) {
     in.collect_contacts();
 }
 
-std::span<const Contact> Physics::contacts() const { return inside_->contacts; }
+std::span<const Contact> Physics::contacts() const { return impl_->contacts; }
 
 std::optional<RayHit> Physics::ray(vec3 from, vec3 to, Layers mask, Key ignore_key) const {
     return sweep_sphere(from, to, 0, mask, ignore_key);
@@ -504,10 +512,10 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
     THAUM_ASSERT(is_finite(from) && is_finite(to) && radius >= 0, "a ray or sweep that is not finite");
     const double length = glm::length(to - from);
     if (length == 0) return std::nullopt;
-    const Inside& in = *inside_;
+    const Impl& in = *impl_;
     detail::Path path{from, (to - from) / length, length, radius};
     const Body* nearest = nullptr;
-    detail::Touch touch{};
+    detail::CastHit touch{};
     for (const Body& body : in.bodies) {
         if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
         if (!comes_near(body, path)) continue;
@@ -515,14 +523,14 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
         if (!here || (nearest && here->travelled >= touch.travelled)) continue;
         nearest = &body;
         touch = *here;
-        path.length = touch.travelled;  // from here on only what is nearer counts
+        path.length = touch.travelled;  // from here on, only nearer hits count
     }
     if (!nearest) return std::nullopt;
     const vec3 centre = from + touch.travelled * path.direction;
     return RayHit{nearest->key, centre - radius * touch.normal, touch.normal, touch.travelled / length};
 }
 
-void Physics::Inside::gather_from(const Body& body, vec3 point, detail::Gathering& into) const {
+void Physics::Impl::gather_from(const Body& body, vec3 point, detail::NearestSurfaces& into) const {
     const BodyState& s = body.state;
     const vec3 local = glm::conjugate(s.orientation) * (point - s.position);
     Nearby surface{.key = body.key, .shape = body.desc.shape, .velocity = velocity_at(s, point)};
@@ -543,7 +551,7 @@ void Physics::Inside::gather_from(const Body& body, vec3 point, detail::Gatherin
 }
 
 template <class Each>
-void Physics::Inside::each_near(vec3 point, double radius, const Each& each) const {
+void Physics::Impl::each_near(vec3 point, double radius, const Each& each) const {
     const double size = radius + detail::touching;
     detail::NearKeys keys;
     const auto near = tree.near({point - size, point + size}, keys);
@@ -558,11 +566,11 @@ void Physics::Inside::each_near(vec3 point, double radius, const Each& each) con
     }
 }
 
-Surroundings Physics::nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask,
+NearbyResult Physics::nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask,
                              Key ignore_key) const {
     THAUM_ASSERT(is_finite(point) && radius >= 0, "surroundings of a point that is not finite");
-    const Inside& in = *inside_;
-    detail::Gathering gathering{into, {0, radius}};
+    const Impl& in = *impl_;
+    detail::NearestSurfaces gathering{into, {0, radius}};
     in.each_near(point, radius, [&](const Body& body) {
         if ((body.desc.layer & mask) == 0 || body.key == ignore_key) return;
         const vec3 apart = body.state.position - point;
@@ -573,7 +581,7 @@ Surroundings Physics::nearby(vec3 point, double radius, std::span<Nearby> into, 
 }
 
 void Physics::rebuild() {
-    Inside& in = *inside_;
+    Impl& in = *impl_;
     in.world.reset();
     for (Body& body : in.bodies) body.bullet = {};
     in.world = std::make_unique<detail::BulletWorld>(in.settings);
@@ -584,11 +592,11 @@ void Physics::rebuild() {
 }
 
 Counters Physics::counters() const {
-    Counters counters = inside_->counters;
-    counters.bodies = static_cast<std::uint32_t>(inside_->bodies.size());
+    Counters counters = impl_->counters;
+    counters.bodies = static_cast<std::uint32_t>(impl_->bodies.size());
     return counters;
 }
 
-const Settings& Physics::settings() const { return inside_->settings; }
+const Settings& Physics::settings() const { return impl_->settings; }
 
 }  // namespace thaum::physics

@@ -1,20 +1,24 @@
-// physics/physics.h: rigid bodies. Bullet computes; this face makes it repeatable to the bit.
+// physics/physics.h: rigid bodies that repeat to the bit. Bullet computes; this interface makes it
+// repeatable.
 //
-// A body is known by a key of the caller's choice (the game takes the entity's index). What it is stands in a BodyDesc,
-// all that decides its future in a BodyState; both are plain values without padding, fit for components and hashes.
+// A body is identified by a key that the caller chooses (the game uses the entity's index). Its
+// constant properties are a BodyDesc. Everything that decides its future is a BodyState. Both are plain
+// values without padding, suitable for components and hashes.
 //
 //     Physics physics({}, {});
 //     physics.add(1, {.shape = Shape::box, .size = {50, 1, 50}}, {.position = {0, -1, 0}});        // a floor
 //     physics.add(2, {.shape = Shape::sphere, .size = {0.1, 0, 0}, .mass = 1}, {.position = {0, 2, 0}});
 //     for (;;) physics.step(0.001);
 //
-// Bullet also remembers what no state can hold (contact caches, orders of lists). rebuild() throws that away and starts
-// again from the states alone, bodies in the order of their keys. A run that rebuilds at fixed ticks can therefore be
-// restored at any of those: make a Physics, add all bodies in any order, rebuild(), and it goes on to the same bits.
-// The price is that resting contacts start cold, once per keyframe.
+// Bullet also keeps data that no state contains, such as contact caches and orders of lists. rebuild()
+// discards these data and starts again from the states alone, bodies in the order of their keys. A run
+// that rebuilds at fixed ticks can be restored at any of these ticks: make a Physics, add all bodies in
+// any order, and call rebuild(). It then continues with the same bits. The cost is that resting
+// contacts start without cached impulses after each rebuild.
 //
-// Wrong use is an assertion that names the key: an unknown or doubled key, a state or impulse that is not finite, more
-// bodies or contacts than Settings allows. One Physics serves one thread at a time; several may run side by side.
+// Wrong use is an assertion that names the key. Examples are an unknown or duplicate key, a state or
+// impulse that is not finite, or more bodies or contacts than Settings allows. One Physics may be used
+// by one thread at a time; several may run in parallel.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -30,179 +34,190 @@ namespace thaum::physics {
 
 using Key = std::uint32_t;
 
-/// ignore_key of a ray that ignores nobody; not a key itself.
+/// Value of ignore_key if a ray ignores no body; never the key of a body.
 inline constexpr Key no_key = 0xffffffff;
 
-/// Bit set of layers.
+/// Set of layers, one bit each.
 using Layers = std::uint32_t;
 inline constexpr Layers all_layers = 0xffffffff;
 
-/// Capsule and cylinder stand along the body's y axis.
+/// Shape of a body. The axis of a capsule or cylinder is the body's y axis.
 enum class Shape : std::uint32_t { box, sphere, capsule, cylinder, mesh };
 
-/// What a body is.
+/// Constant properties of a body.
 struct BodyDesc {
     Shape shape{};
-    std::uint32_t mesh{};  ///< index in Physics' list of meshes; used by Shape::mesh
-    /// m. box: half extents; sphere: radius in x; capsule, cylinder: radius in x, half the length of the cylindrical
-    /// part in y; mesh: unused.
+    std::uint32_t mesh{};  ///< index in the list of meshes given to Physics; used only by Shape::mesh
+    /// Size (m). Box: half extents. Sphere: radius in x. Capsule and cylinder: radius in x, half the
+    /// length of the cylindrical part in y. Mesh: unused.
     vec3 size{0.5, 0.5, 0.5};
-    double mass{};  ///< kg; 0: static, as a mesh must be. A stack carries 200 times its lightest body.
-    /// The product of a pair counts. Restitution: rebound by approach speed, where that is 0.2 m/s and more (cylinders: 5 %).
+    /// Mass (kg); 0: static, required for a mesh. A stack can carry 200 times the mass of its lightest body.
+    double mass{};
+    /// The product of both bodies' values counts. Restitution is the ratio of speed after to speed
+    /// before the bounce. It applies from 0.2 m/s on (cylinders: within 5 %).
     double friction{0.7};
     double restitution{};
-    double rolling_friction{};  ///< m: torque per newton of normal force; stops a ball
+    double rolling_friction{};  ///< torque per newton of normal force; stops a rolling ball (m)
     double linear_damping{};    ///< share of the velocity lost per second, [0, 1)
     double angular_damping{};
-    Layers layer{1};                   ///< bits of the layers it is in
-    Layers collides_with{all_layers};  ///< two bodies collide when each is in a layer of the other's set
-    std::uint32_t upright{};           ///< 1: never rotates (a wizard's capsule)
-    std::uint32_t swept{};  ///< 1: its centre never passes a static body in a step, however thin or fast
+    Layers layer{1};  ///< layers that the body belongs to
+    /// Layers it collides with; two bodies collide if each belongs to a layer of the other's set.
+    Layers collides_with{all_layers};
+    std::uint32_t upright{};  ///< 1: never rotates (capsule of a wizard)
+    /// 1: its centre never passes through a static body in a step, however thin or fast.
+    std::uint32_t swept{};
     bool operator==(const BodyDesc&) const = default;
 };
 static_assert(std::is_trivially_copyable_v<BodyDesc> && std::has_unique_object_representations_v<Shape>);
 static_assert(sizeof(BodyDesc) == 6 * sizeof(std::uint32_t) + 3 * sizeof(double) + 6 * sizeof(double));
 
-/// All that decides a body's future; world frame.
+/// Everything that decides a body's future; world frame.
 struct BodyState {
-    vec3 position{};               ///< m, centre of mass
-    quat orientation{1, 0, 0, 0};  ///< unit
-    vec3 velocity{};               ///< m/s
-    vec3 spin{};                   ///< rad/s
-    double idle_s{};               ///< s it has been slow for; sleep comes after 2
-    std::uint32_t drowsy{};        ///< 1: slow for long enough, but touched by something that is not
-    std::uint32_t asleep{};        ///< 1: stands still, without cost, until touched
+    vec3 position{};               ///< centre of mass (m)
+    quat orientation{1, 0, 0, 0};  ///< unit quaternion
+    vec3 velocity{};               ///< velocity (m/s)
+    vec3 spin{};                   ///< angular velocity (rad/s)
+    double idle_s{};               ///< time it has been slow; sleep is possible after 2 s (s)
+    std::uint32_t drowsy{};  ///< 1: slow for long enough to sleep, but kept awake by a body that touches it
+    std::uint32_t asleep{};  ///< 1: at rest, without computation, until touched
 };
 static_assert(std::is_trivially_copyable_v<BodyState>);
 static_assert(sizeof(BodyState) == 14 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
-/// m/s, of the body where the point is, m, world.
+/// Velocity of the body at a point (m, world) (m/s, world).
 inline vec3 velocity_at(const BodyState& s, vec3 point) {
     return s.velocity + glm::cross(s.spin, point - s.position);
 }
 
-/// Static geometry. Triangles are one-sided: counter-clockwise seen from outside.
+/// Geometry of static bodies. Triangles are one-sided: counter-clockwise seen from outside.
 struct TriangleMesh {
-    std::vector<vec3> vertices;  ///< m, body frame
+    std::vector<vec3> vertices;  ///< vertices (m, body frame)
     std::vector<std::array<std::uint32_t, 3>> triangles;
     bool operator==(const TriangleMesh&) const = default;
 };
 
 /// Two bodies that pressed on each other in the last step.
 struct Contact {
-    Key a{}, b{};    ///< a < b
-    vec3 point;      ///< m, world; mean of the contact points, weighted by impulse
-    vec3 normal;     ///< unit, from b towards a
-    double impulse;  ///< N s, normal, sum over the pair's points; > 0
-    bool began;      ///< they did not touch before
+    Key a{}, b{};    ///< keys, a < b
+    vec3 point;      ///< mean of the contact points, weighted by impulse (m, world)
+    vec3 normal;     ///< unit vector from b towards a (world)
+    double impulse;  ///< sum of the normal impulses, > 0 (N s)
+    bool began;      ///< true: the bodies did not touch before
 };
 
 struct RayHit {
     Key key{};
-    vec3 point;       ///< m, on the body's surface; the start, if that lies inside
-    vec3 normal;      ///< unit, outward; against the ray, if it starts inside
-    double fraction;  ///< of the way from start to end, [0, 1]; of a sphere: where its centre is then
+    vec3 point;       ///< on the body's surface; the start, if the start lies inside (m, world)
+    vec3 normal;      ///< unit, outward; opposite to the ray if it starts inside
+    double fraction;  ///< share of the way from start to end, [0, 1]; for a sphere, of the way of its centre
 };
 
-/// One surface near a point, world frame: a whole solid where it is, or one triangle of a mesh.
+/// One surface near a point, world frame: a whole solid, or one triangle of a mesh.
 struct Nearby {
     Key key{};
-    Shape shape{};         ///< mesh: one triangle of it
-    std::uint32_t part{};  ///< index of the triangle in its mesh; 0
-    double distance{};     ///< m, from the point; 0 inside a solid
-    vec3 a{}, b{},
-        c{};  ///< m. mesh: the corners, counter-clockwise from outside; else a: centre, b: BodyDesc::size
-    vec3 velocity{};  ///< m/s, of the body where the point is
+    Shape shape{};         ///< Shape::mesh: one triangle of the mesh
+    std::uint32_t part{};  ///< index of the triangle in its mesh, else 0
+    double distance{};     ///< distance from the point; 0 inside a solid (m)
+    /// Mesh: corners of the triangle, counter-clockwise from outside (m). Else a is the centre (m) and b is
+    /// BodyDesc::size.
+    vec3 a{}, b{}, c{};
+    vec3 velocity{};  ///< velocity of the body at the point (m/s)
 };
 
-struct Surroundings {
-    std::size_t count{};  ///< in the caller's array
-    double
-        reach{};  ///< m: all surfaces nearer than this are among them; less than the radius asked for, if it was full
+struct NearbyResult {
+    std::size_t count{};  ///< number of surfaces written to the caller's array
+    /// All surfaces nearer than this were found (m). It is less than the requested radius if the array was
+    /// full.
+    double reach{};
 };
 
 struct Settings {
-    vec3 gravity{0, -9.81, 0};         ///< m/s^2
-    std::uint32_t max_bodies{1024};    ///< <= 30,000
-    std::uint32_t max_contacts{4096};  ///< touching pairs
-    double world_half_extent{1000};    ///< m; beyond it pairs are still found, but slower
-    double max_speed{200};             ///< m/s; a faster body is slowed to it
-    double max_spin{100};              ///< rad/s
+    vec3 gravity{0, -9.81, 0};         ///< gravity (m/s^2)
+    std::uint32_t max_bodies{1024};    ///< largest number of bodies, <= 30,000
+    std::uint32_t max_contacts{4096};  ///< largest number of touching pairs
+    /// Half the size of the region with fast pair search; beyond it the search is slower (m).
+    double world_half_extent{1000};
+    double max_speed{200};  ///< largest speed; faster bodies are slowed to it (m/s)
+    double max_spin{100};   ///< largest angular speed (rad/s)
     int solver_iterations{10};
-    double sleep_speed{0.15};  ///< m/s; slower than both for 2 s is asleep
-    double sleep_spin{0.3};    ///< rad/s
-    bool skip_asleep{true};    ///< a step in which nothing can change returns at once; off only to prove that
-    bool exact_flight{true};   ///< see step(); off only to measure what it is worth
+    double sleep_speed{0.15};  ///< speed below which a body may fall asleep after 2 s (m/s)
+    double sleep_spin{0.3};    ///< angular speed below which a body may fall asleep after 2 s (rad/s)
+    bool skip_asleep{true};    ///< skips steps in which nothing can change; false only in tests of that
+    bool exact_flight{true};   ///< exact end of free flights, see step(); false only to measure its effect
 };
 
 struct Counters {
-    std::uint64_t steps{};    ///< asked for
-    std::uint64_t skipped{};  ///< of these, the ones that had nothing to do
+    std::uint64_t steps{};    ///< steps requested
+    std::uint64_t skipped{};  ///< steps that were skipped because nothing could change
     std::uint32_t bodies{};
-    std::uint32_t awake{};  ///< dynamic bodies not asleep after the last step
+    std::uint32_t awake{};  ///< dynamic bodies that were awake after the last step
 };
 
 class Physics {
 public:
-    /// Throws std::bad_alloc at most; wrong settings or an empty mesh are assertions.
+    /// May throw std::bad_alloc. Wrong settings or an empty mesh are assertions.
     explicit Physics(const Settings& settings = {}, const std::vector<TriangleMesh>& meshes = {});
     ~Physics();
     Physics(Physics&&) noexcept;
     Physics& operator=(Physics&&) noexcept;
 
-    /// Wakes nobody, or a restored run would differ; a dynamic body that is awake wakes what it meets. After putting a static
-    /// one among sleepers call wake_touching().
+    /// Adds a body. Wakes no other body, because otherwise a restored run would differ. An awake
+    /// dynamic body wakes the bodies it meets. After adding a static body among sleeping ones, call
+    /// wake_touching().
     void add(Key, const BodyDesc&, const BodyState&);
-    /// Wakes what may have rested on it.
+    /// Removes a body. Wakes bodies that may have rested on it.
     void remove(Key);
     bool has(Key) const;
 
     const BodyDesc& desc(Key) const;
     const BodyState& state(Key) const;
-    /// Teleports. Wakes what may have touched it, before and after.
+    /// Teleports a body. Wakes bodies that may have touched it before or touch it afterwards.
     void set_state(Key, const BodyState&);
     vec3 velocity(Key key) const { return state(key).velocity; }
-    /// m/s; wakes.
+    /// Sets the velocity (m/s) and wakes the body.
     void set_velocity(Key, vec3);
-    /// rad/s; wakes.
+    /// Sets the angular velocity (rad/s) and wakes the body.
     void set_spin(Key, vec3);
 
-    /// impulse in N s at a point in the world, m. Wakes; a static body ignores it.
+    /// Applies an impulse (N s) at a point (m, world) and wakes the body; a static body ignores it.
     void apply_impulse(Key, vec3 impulse, vec3 point);
     void apply_central_impulse(Key, vec3 impulse);
-    /// A central impulse that leaves the body free to fall asleep, and does nothing to one that is.
+    /// Applies a central impulse without resetting the idle time; a sleeping body ignores it.
     void nudge(Key, vec3 impulse);
     void wake(Key);
-    /// The sleepers that may touch this body.
+    /// Wakes the sleeping bodies that may touch this body.
     void wake_touching(Key);
 
-    /// One step of dt seconds, > 0. Returns at once where all sleep and nothing was touched since. A body on which nothing
-    /// but gravity and damping acted is where the law of motion puts it, whatever dt; the others move by semi-implicit Euler.
+    /// Advances by dt (s), > 0. Returns at once if all bodies sleep and nothing was touched since the
+    /// last step. A body under gravity and damping alone follows the exact law of motion for any dt;
+    /// other bodies move by semi-implicit Euler.
     void step(double dt);
 
-    /// Of the last step, sorted by (a, b); empty after a skipped step or a rebuild. Valid until the next call that is not const.
+    /// Contacts of the last step, sorted by (a, b); empty after a skipped step or a rebuild. Valid
+    /// until the next call that is not const.
     std::span<const Contact> contacts() const;
 
-    /// The nearest body on the way whose layer is in mask; of two at the same distance the lower key. Exact (1 nm) for every
-    /// shape and length of ray; allocates nothing.
+    /// First body along the way whose layer is in `mask`; of two at the same distance, the one with the
+    /// lower key. Exact to 1 nm for every shape and length. Does not allocate.
     std::optional<RayHit> ray(vec3 from, vec3 to, Layers mask = all_layers, Key ignore_key = no_key) const;
-    /// The same for a sphere's centre; as exact, no thing too thin for it.
+    /// The same for a sphere, whose centre moves from `from` to `to`. No body is too thin to be found.
     std::optional<RayHit> sweep_sphere(vec3 from, vec3 to, double radius, Layers mask = all_layers,
                                        Key ignore_key = no_key) const;
-    /// What lies within `radius` of the point, m, as exact as a ray; the nearest where the array does not hold all. In the order
-    /// of keys, triangles in one that their mesh alone decides. Allocates nothing; for a patch that a hand can touch.
-    Surroundings nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask = all_layers,
+    /// Surfaces within `radius` (m) of a point, as exact as a ray. If the array is too small, the
+    /// nearest ones. Sorted by key; the order of triangles depends only on their mesh. Does not
+    /// allocate. Used for the patch of surfaces that a hand can touch.
+    NearbyResult nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask = all_layers,
                         Key ignore_key = no_key) const;
 
-    /// Forgets all that is not in a BodyState (see above). Contacts become empty.
+    /// Discards everything that is not in a BodyState (see above). Contacts become empty.
     void rebuild();
 
     Counters counters() const;
     const Settings& settings() const;
 
 private:
-    struct Inside;
-    std::unique_ptr<Inside> inside_;
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace thaum::physics

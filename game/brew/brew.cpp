@@ -14,8 +14,8 @@ constexpr Range viscosity{0, fluid::viscosity_most};
 const std::vector<std::string_view> solver_names{"thaum", "classic"};
 
 /// Reads the surface settings. brew_surface sets `side` later.
-fluid::SheetSettings read_surface(const ConfigTable& table) {
-    fluid::SheetSettings result;
+fluid::SpringSurfaceSettings read_surface(const ConfigTable& table) {
+    fluid::SpringSurfaceSettings result;
     result.nodes = static_cast<std::uint32_t>(table.integer("nodes", {3, 129}));
     result.tension = table.number("tension_n_per_m", {0, 1e6});
     result.areal_mass = table.number("areal_mass_kg_m2", {0.1, 1e6});
@@ -154,7 +154,7 @@ fluid::Settings brew_settings(const CauldronRules& rules, const Basin& basin) {
     return settings;
 }
 
-fluid::SheetSettings brew_surface(const CauldronRules& rules, const Basin& basin) {
+fluid::SpringSurfaceSettings brew_surface(const CauldronRules& rules, const Basin& basin) {
     auto surface = rules.surface;
     surface.side = 2 * basin.radius;
     return surface;
@@ -166,8 +166,10 @@ Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin) {
     const auto surface = fluid::checked(brew_surface(rules, basin));
     if (!surface) return tl::unexpected(surface.error());
     const vec3 corner = corner_of(fluid->settings);
-    return Brew{
-        .fluid = std::move(*fluid), .surface = fluid::sheet_of(*surface), .scratch = {}, .corner = corner};
+    return Brew{.fluid = std::move(*fluid),
+                .surface = fluid::make_spring_surface(*surface),
+                .scratch = {},
+                .corner = corner};
 }
 
 std::optional<std::size_t> substance_for(const Contents& contents, std::uint32_t ingredient) {

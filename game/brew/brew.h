@@ -13,7 +13,7 @@
 #include "core/config.h"
 #include "core/units.h"
 #include "fluid/fluid.h"
-#include "fluid/sheet.h"
+#include "fluid/spring_surface.h"
 #include "game/arena/solids.h"
 #include "game/components/ingredient.h"
 
@@ -59,11 +59,11 @@ struct AuraRules {
 struct CauldronRules {
     int cells_across{};
     fluid::Solver solver{};
-    double filled{};                 ///< level of the brew, as a share of the bowl's height
-    double density{};                ///< density of the pure brew, for momentum (kg/m^3)
-    double viscosity{};              ///< kinematic viscosity of the base fluid (m^2/s)
-    vec3 colour{};                   ///< colour of the base fluid, linear light, 0 to 1
-    fluid::SheetSettings surface{};  ///< spring surface; `side` is computed from the bowl
+    double filled{};                         ///< level of the brew, as a share of the bowl's height
+    double density{};                        ///< density of the pure brew, for momentum (kg/m^3)
+    double viscosity{};                      ///< kinematic viscosity of the base fluid (m^2/s)
+    vec3 colour{};                           ///< colour of the base fluid, linear light, 0 to 1
+    fluid::SpringSurfaceSettings surface{};  ///< spring surface; `side` is computed from the bowl
     LadleRules ladle{};
     AuraRules aura{};
     double drop_amount{}, drop_radius{};  ///< volume and radius of a dropped ingredient (m^3, m)
@@ -105,8 +105,8 @@ using Contents = std::array<std::uint32_t, fluid::substances_most>;
 
 struct Brew {
     fluid::Fluid fluid;
-    fluid::Sheet surface;
-    fluid::SheetScratch scratch;
+    fluid::SpringSurface surface;
+    fluid::SpringSurfaceScratch scratch;
     Contents contents{no_ingredient, no_ingredient, no_ingredient};
     /// Origin of the fluid's box (m, brew's frame). A point p of the brew is p - corner in the fluid's frame.
     vec3 corner{};
@@ -114,7 +114,7 @@ struct Brew {
 
 /// Settings for make_brew. The rules must have been checked.
 fluid::Settings brew_settings(const CauldronRules& rules, const Basin& basin);
-fluid::SheetSettings brew_surface(const CauldronRules& rules, const Basin& basin);
+fluid::SpringSurfaceSettings brew_surface(const CauldronRules& rules, const Basin& basin);
 
 /// Makes a brew at rest without ingredients. The error names the setting that the solver rejects.
 Expected<Brew> make_brew(const CauldronRules& rules, const Basin& basin);

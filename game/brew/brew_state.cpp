@@ -45,7 +45,7 @@ void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid)
     fluid.now.pushed = false;
 }
 
-void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& surface) {
+void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::SpringSurface& surface) {
     auto to = world.blob<SurfaceSamples>().begin();
     to = std::copy(surface.height.begin(), surface.height.end(), to);
     std::copy(surface.velocity.begin(), surface.velocity.end(), to);
@@ -53,7 +53,7 @@ void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& su
     cauldron.surface_asleep = surface.asleep;
 }
 
-void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Sheet& surface) {
+void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::SpringSurface& surface) {
     const auto from = world.blob<SurfaceSamples>().begin();
     std::copy_n(from, surface.height.size(), surface.height.begin());
     std::copy_n(from + static_cast<std::ptrdiff_t>(surface.height.size()), surface.velocity.size(),

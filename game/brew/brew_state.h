@@ -17,8 +17,8 @@ bool has_brew_state(const ecs::World& world);
 /// Copies state 0 or 1 of the fluid to or from the World.
 void write_fluid(ecs::World& world, std::size_t which, const fluid::Fluid& fluid);
 void read_fluid(const ecs::World& world, std::size_t which, fluid::Fluid& fluid);
-void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::Sheet& surface);
-void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::Sheet& surface);
+void write_surface(ecs::World& world, Cauldron& cauldron, const fluid::SpringSurface& surface);
+void read_surface(const ecs::World& world, const Cauldron& cauldron, fluid::SpringSurface& surface);
 
 /// One array of a state: 0 to 2 are the velocity components, the substances start at 3. The span stays valid
 /// until the World is cleared or restored.

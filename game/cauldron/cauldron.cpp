@@ -119,7 +119,7 @@ void step_fluid(MatchContext& context, Cauldron& cauldron, Tick tick) {
 /// ripples when they leave.
 void step_surface(MatchContext& context, Cauldron& cauldron) {
     auto& surface = context.brew->brew.surface;
-    std::array<fluid::SheetProbe, players> probes;
+    std::array<fluid::SurfaceProbe, players> probes;
     bool any = false;
     probes.fill({.place = vec2(std::numeric_limits<double>::quiet_NaN())});  // absent probes
     context.world.view<const Wizard, const Ladle>().each([&](const Wizard& wizard, const Ladle& ladle) {

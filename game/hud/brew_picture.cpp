@@ -51,7 +51,7 @@ void take_still(const MatchData& data, BrewPicture& out) {
     }
     for (auto& density : out.densities) density.clear();
     out.colours.base = fvec3(rules.colour);
-    out.surface = fluid::sheet_of(brew_surface(rules, basin));
+    out.surface = fluid::make_spring_surface(brew_surface(rules, basin));
 }
 
 void take_brew_of(const Simulation& match, const Cauldron& cauldron, BrewPicture& out) {

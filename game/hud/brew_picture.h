@@ -30,7 +30,7 @@ struct BrewPicture {
     /// Density of each substance; empty if the substance holds no ingredient.
     std::array<fluid::Samples, fluid::substances_most> densities{};
     BrewColours colours{};
-    fluid::Sheet surface{};
+    fluid::SpringSurface surface{};
 };
 /// Copies a brew. `state` must be above 0 and differ between different states of the brew.
 void take_brew(const Brew& brew, const CauldronRules& rules, std::uint64_t state, BrewPicture& out);

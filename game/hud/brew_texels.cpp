@@ -144,21 +144,23 @@ struct SkinPoint {
     float height{}, slope_x{}, slope_z{}, speed{};
 };
 
-SkinPoint node(const fluid::Sheet& surface, std::size_t x, std::size_t z) {
+SkinPoint node(const fluid::SpringSurface& surface, std::size_t x, std::size_t z) {
     const auto& s = surface.settings;
     const std::size_t last = s.nodes - 1;
     const std::size_t x0 = x == 0 ? 0 : x - 1, x1 = std::min(x + 1, last), z0 = z == 0 ? 0 : z - 1,
                       z1 = std::min(z + 1, last);
-    const auto at = [&](std::size_t i, std::size_t j) { return surface.height[fluid::sheet_index(s, i, j)]; };
-    const double spacing = fluid::sheet_spacing(s);
+    const auto at = [&](std::size_t i, std::size_t j) {
+        return surface.height[fluid::surface_node_index(s, i, j)];
+    };
+    const double spacing = fluid::surface_node_spacing(s);
     return {static_cast<float>(at(x, z)),
             static_cast<float>((at(x1, z) - at(x0, z)) / (static_cast<double>(x1 - x0) * spacing)),
             static_cast<float>((at(x, z1) - at(x, z0)) / (static_cast<double>(z1 - z0) * spacing)),
-            static_cast<float>(std::abs(surface.velocity[fluid::sheet_index(s, x, z)]))};
+            static_cast<float>(std::abs(surface.velocity[fluid::surface_node_index(s, x, z)]))};
 }
 
 /// All nodes, row by row along x. Empty for a surface at rest.
-std::vector<SkinPoint> nodes_of(const fluid::Sheet& surface) {
+std::vector<SkinPoint> nodes_of(const fluid::SpringSurface& surface) {
     std::vector<SkinPoint> out;
     if (surface.asleep != 0 || surface.height.empty()) return out;
     for (std::size_t z = 0; z < surface.settings.nodes; ++z) {
@@ -172,9 +174,10 @@ std::vector<SkinPoint> nodes_of(const fluid::Sheet& surface) {
 }
 
 /// Interpolates the nodes at `from`, measured from the middle (m). Points outside are clamped to the border.
-SkinPoint point(const fluid::SheetSettings& s, std::span<const SkinPoint> nodes, vec2 from) {
+SkinPoint point(const fluid::SpringSurfaceSettings& s, std::span<const SkinPoint> nodes, vec2 from) {
     if (nodes.empty()) return {};
-    const vec2 at = glm::clamp((from + s.side / 2) / fluid::sheet_spacing(s), vec2(0), vec2(s.nodes - 1));
+    const vec2 at =
+        glm::clamp((from + s.side / 2) / fluid::surface_node_spacing(s), vec2(0), vec2(s.nodes - 1));
     const auto x = std::min(static_cast<std::size_t>(at.x), std::size_t{s.nodes} - 2),
                z = std::min(static_cast<std::size_t>(at.y), std::size_t{s.nodes} - 2);
     const auto px = static_cast<float>(at.x - static_cast<double>(x)),
@@ -305,7 +308,8 @@ void make_skin_indices(std::vector<std::uint32_t>& out) {
     }
 }
 
-void make_skin(const fluid::Sheet& surface, const BrewPlace& place, std::vector<render::SkinVertex>& out) {
+void make_skin(const fluid::SpringSurface& surface, const BrewPlace& place,
+               std::vector<render::SkinVertex>& out) {
     // The skin reaches a little into the wall, so that no gap shows.
     const double drawn = 1.02 * surface_radius(place);
     const auto nodes = nodes_of(surface);

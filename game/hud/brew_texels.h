@@ -27,6 +27,7 @@ void make_texels(const BrewPicture& picture, const BrewPlace& place, std::vector
 /// Triangles of the skin, in rings around the middle. They do not depend on the surface's state.
 void make_skin_indices(std::vector<std::uint32_t>& out);
 /// Vertices of the skin (world frame).
-void make_skin(const fluid::Sheet& surface, const BrewPlace& place, std::vector<render::SkinVertex>& out);
+void make_skin(const fluid::SpringSurface& surface, const BrewPlace& place,
+               std::vector<render::SkinVertex>& out);
 
 }  // namespace thaum::game

@@ -92,8 +92,8 @@ void take_pours(LabState& lab, const std::vector<LabPour>& pours) {
     }
 }
 
-fluid::SheetStep step_surface(LabState& lab) {
-    std::array<fluid::SheetProbe, 1> probe{};
+fluid::SpringSurfaceStep step_surface(LabState& lab) {
+    std::array<fluid::SurfaceProbe, 1> probe{};
     if (lab.ladle) probe[0] = {{lab.ladle->x, lab.ladle->z}, lab.ladle->y, lab.rules.ladle.radius};
     const auto probes = std::span(probe).first(lab.ladle ? 1 : 0);
     return fluid::advance(lab.brew.surface, lab.brew.scratch, probes, lab_dt);
@@ -155,11 +155,11 @@ Expected<void> change_lab(LabState& lab, const LabSettings& settings) {
         put_numbers(settings, wanted);
         if (auto sound = fluid::check(wanted); !sound) return sound;
         fluid.settings = wanted;
-        fluid::altered(fluid);  // fluid that was at rest may have become lighter and must move
+        fluid::refresh_after_edit(fluid);  // fluid that was at rest may have become lighter and must move
     } else {
         auto brew = brew_of(lab.rules, settings);
         if (!brew) return tl::unexpected(brew.error());
-        fluid::take_over(brew->fluid, fluid);
+        fluid::resample_into(brew->fluid, fluid);
         fluid = std::move(brew->fluid);
         lab.brew.corner = brew->corner;
         lab.brew.contents = brew->contents;

@@ -82,7 +82,7 @@ struct LabState {
 /// Results of one step.
 struct LabFigures {
     fluid::StepReport fluid{};
-    fluid::SheetStep surface{};
+    fluid::SpringSurfaceStep surface{};
     double cfl{};     ///< CFL number: cells that the fastest velocity component crosses in the whole step
     vec3 momentum{};  ///< volume integral of the velocity (m^4/s)
     double mixing{};  ///< mixing of the substance that was poured last

@@ -22,9 +22,9 @@ void each_number(Room& room, F&& f) {
 bool has_solids(const LabSettings& s) { return s.bowl && s.solver == fluid::Solver::thaum; }
 
 /// Walls of the fluid's grid; the bowl and the grid determine them.
-fluid::Shape shape_of(const LabSettings& settings) {
+fluid::NamedShape shape_of(const LabSettings& settings) {
     if (!has_solids(settings)) return {};
-    fluid::Shape shape{.name = "bowl"};
+    fluid::NamedShape shape{.name = "bowl"};
     each_number(settings.room, [&](double number) { shape.numbers.push_back(number); });
     shape.numbers.push_back(settings.cells);
     return shape;
@@ -40,7 +40,7 @@ Expected<void> check(const LabBowl& room) {
     return {};
 }
 
-Expected<std::function<double(vec3)>> solid_of(const fluid::Shape& shape, CauldronRules rules) {
+Expected<std::function<double(vec3)>> solid_of(const fluid::NamedShape& shape, CauldronRules rules) {
     if (shape.name != "bowl" || shape.numbers.size() != 5) return fail("its solids do not form a bowl");
     LabBowl room;
     std::size_t next = 0;
@@ -124,7 +124,7 @@ Expected<LabState> get_kept(ByteReader& in, const fluid::Settings& fluid, const 
 }
 
 /// Tests whether the saved fluid and surface fit the brew that these settings make.
-bool belongs(const fluid::Saved& saved, const LabState& lab, const Brew& made) {
+bool belongs(const fluid::SavedFluid& saved, const LabState& lab, const Brew& made) {
     const auto &a = saved.fluid.settings, &b = made.fluid.settings;
     return saved.shape == shape_of(lab.settings) && a.cells == b.cells && a.h == b.h && a.edges == b.edges &&
            a.gravity == b.gravity && a.lid == b.lid && a.solid_holds == b.solid_holds &&
@@ -145,9 +145,10 @@ Bytes save_lab(const LabState& lab) {
 }
 
 Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronRules& rules) {
-    auto saved = fluid::restore(bytes, [&](const fluid::Shape& shape) { return solid_of(shape, rules); });
+    auto saved =
+        fluid::restore(bytes, [&](const fluid::NamedShape& shape) { return solid_of(shape, rules); });
     if (!saved) return tl::unexpected(saved.error());
-    ByteReader in(saved->kept);
+    ByteReader in(saved->caller_data);
     auto lab = get_kept(in, saved->fluid.settings, rules);
     if (!lab) return wrong(lab.error());
     if (auto sound = check(lab->settings.room); !sound) return wrong(sound.error());

@@ -256,7 +256,8 @@ Errors fluid_errors(int n) {
             }
         }
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts(l, beyond_of_velocity(l, axis), velocity[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        fill_ghosts(l, ghost_rules_of_velocity(l, axis), velocity[axis]);
     const StaggeredGrid grid = face_grid(l, velocity);
     Random random = random_stream(6, 6);
     Errors most;

@@ -1,4 +1,4 @@
-// The fluid's own solver against exact solutions: how fast its errors fall with the grid, and what it must keep to the last digits.
+// Solver `thaum` against exact solutions: order of convergence, and quantities conserved to rounding.
 #include <gtest/gtest.h>
 
 #include "fluid/fluid.h"
@@ -12,7 +12,8 @@ using flows::Scheme;
 
 constexpr Scheme fourth{Solver::thaum, 4}, second{Solver::thaum, 2}, stam{Solver::classic};
 
-/// The accuracy gate: relative error of the drifting vortex after 1 s in 16^3 (0.012 when rounded) and 32^3 cells.
+/// Bounds for the relative error of the drifting vortex after 1 s, in 16^3 (0.012 when rounded) and
+/// 32^3 cells.
 constexpr double gate_16 = 0.0125, gate_32 = 8e-4;
 
 Fluid begun(const Flow& flow, const Scheme& scheme, int n) {
@@ -27,10 +28,10 @@ double error_of(const Flow& flow, const Scheme& scheme, int n, double step = flo
     return flows::error_at(flow, fluid, flow.end);
 }
 
-/// Between a grid and one of half its cells' edge.
+/// Order of convergence between a grid and one of half the cell size.
 double order_between(double coarse, double fine) { return std::log2(coarse / fine); }
 
-// ---- convergence --------------------------------------------------------------------------------------------------
+// ---- convergence ------------------------------------------------------------------------------------------------
 
 TEST(FluidAccuracy, ADriftingVortexConvergesInFourthOrder) {
     for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
@@ -63,18 +64,18 @@ TEST(FluidAccuracy, TheBoxsVortexIsTheSameInAllOrientations) {
 TEST(FluidAccuracy, ALidDragsTheFluidAsTheSeriesSays) {
     const Flow flow = flows::couette_start();
     for (const Scheme& scheme : {fourth, second}) {
-        // In steps so short that only the grid errs.
+        // The time step is so short that only the error of the grid remains.
         const auto error = [&](int n) { return error_of(flow, scheme, n, 1e-3); };
         const double coarse = error(8), middle = error(16), fine = error(32);
         EXPECT_LE(fine, 1.5e-3);
         EXPECT_GE(order_between(coarse, middle), 1.9);
         EXPECT_GE(order_between(middle, fine), 1.9);
-        // A whole step may be too long to take viscosity explicitly.
+        // With the full time step, viscosity may be implicit.
         for (const int n : {8, 16, 32, 64}) EXPECT_LE(error_of(flow, scheme, n), 0.025) << n;
     }
 }
 
-/// The fluid after its spin-down; no step may leave more divergence than is promised.
+/// The fluid after its spin-down. Fails if a step leaves more divergence than allowed.
 Fluid spun_down(int n) {
     auto fluid = flows::turning_bowl(second, n);
     EXPECT_TRUE(fluid.has_value());
@@ -90,14 +91,14 @@ TEST(FluidAccuracy, ABowlBrakesTheFluidAsTheSeriesSays) {
         errors.push_back(flows::bowl_error(fluid, flows::bowl_end));
         between.push_back(flows::bowl_error_between(fluid, flows::bowl_end));
     }
-    // With walls of first order: 0.100 at 16, 0.041 at 32. With faces closed that are open by less than an eighth:
-    // 0.0118, 0.0032, and 0.00089 at 64.
+    // For comparison, with walls of first order: 0.100 at 16, 0.041 at 32. If faces open by less than
+    // an eighth count as closed: 0.0118, 0.0032, and 0.00089 at 64.
     EXPECT_LE(errors[0], 0.0116);
     EXPECT_LE(errors[2], 0.0030);
     EXPECT_LE(errors[3], 0.0022);
     EXPECT_LE(errors[4], 0.00083);
     EXPECT_GE(order_between(errors[0], errors[4]) / 2, 1.9);
-    // With the wall where the nearest closed places are the error is 0.22 at 32.
+    // If the wall is at the nearest closed places, the error at 32 is 0.22.
     EXPECT_LE(between[1], 0.042);
     EXPECT_LE(between[3], 0.022);
 }
@@ -115,7 +116,7 @@ double walled_error(const flows::WalledFlow& flow, int n) {
 
 TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersGoesRoundAsItOught) {
     const flows::WalledFlow flow = flows::taylor_couette();
-    // With walls of first order 0.177, 0.055 and 0.029.
+    // With walls of first order: 0.177, 0.055 and 0.029.
     EXPECT_LE(walled_error(flow, 16), 0.021);
     EXPECT_LE(walled_error(flow, 32), 0.0099);
     EXPECT_LE(walled_error(flow, 64), 0.0031);
@@ -124,7 +125,7 @@ TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersGoesRoundAsItOught) {
 TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysWhatItIs) {
     const flows::WalledFlow flow = flows::bowl_vortex();
     const double coarse = walled_error(flow, 16), fine = walled_error(flow, 32);
-    // With walls of first order 0.089 and 0.032.
+    // With walls of first order: 0.089 and 0.032.
     EXPECT_LE(coarse, 0.0215);
     EXPECT_LE(fine, 0.0053);
     EXPECT_GE(order_between(coarse, fine), 1.9);
@@ -135,9 +136,10 @@ TEST(FluidAccuracy, AnyViscosityDampsAsItOught) {
         EXPECT_LE(error_of(flows::high_viscosity(ratio, 16), fourth, 16), 0.01) << ratio;
 }
 
-// ---- the gate would notice ----------------------------------------------------------------------------------------
+// ---- the bounds detect broken solvers
+// --------------------------------------------------------------------------
 
-// Were nothing carried, the vortex would fade in its place.
+// Without advection the vortex would decay in place.
 TEST(FluidAccuracy, TheGateFailsAFluidThatIsNotCarried) {
     for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
         Fluid fluid = begun(flow, fourth, 16);
@@ -170,9 +172,10 @@ TEST(FluidAccuracy, TheExactFieldPassesItsOwnMeasure) {
     }
 }
 
-// ---- what is kept -------------------------------------------------------------------------------------------------
+// ---- conserved quantities
+// ---------------------------------------------------------------------------------------
 
-/// Pushed here and there, without viscosity.
+/// A fluid without viscosity, pushed at several places.
 Fluid stirred(Edge edge, int order) {
     Flow flow = flows::taylor_green_box(0);
     flow.settings.edges = {edge, edge, edge};
@@ -185,7 +188,7 @@ Fluid stirred(Edge edge, int order) {
         one.radius = 0.3;
         EXPECT_TRUE(push(fluid, one));
     }
-    advance(fluid, 1e-3);  // frees it of divergence
+    advance(fluid, 1e-3);  // removes the divergence
     return fluid;
 }
 
@@ -195,7 +198,7 @@ TEST(FluidAccuracy, MomentumGivenIsMomentumInTheFluid) {
     const vec3 impulse(0.02, -0.05, 0.03);
     for (const int order : {2, 4}) {
         for (const int n : {15, 16, 32}) {
-            for (const double viscosity : {0.0, 0.002, 0.02, 1.0}) {  // none, in the stages or after them
+            for (const double viscosity : {0.0, 0.002, 0.02, 1.0}) {  // none, explicit, or implicit
                 flow.settings.viscosity = viscosity;
                 Fluid fluid = begun(flow, {Solver::thaum, order}, n);
                 ASSERT_TRUE(push(fluid, {.place = {0.4, 0.5, 0.9}, .radius = 0.2, .impulse = impulse}));
@@ -232,13 +235,13 @@ vec3 swirl(vec3 p) {
     return one + 0.3 * p.x * other;
 }
 
-/// Of a velocity, across an axis.
+/// Mirror image of a velocity across an axis.
 vec3 mirrored(vec3 v, int axis) {
     v[axis] = -v[axis];
     return v;
 }
 
-/// The largest difference between a flow and another one seen in a mirror across an axis, m/s.
+/// Largest difference between a flow and the mirror image of another across an axis (m/s).
 double off_mirror(const Fluid& one, const Fluid& other, std::size_t across) {
     double worst = 0;
     const auto [nx, ny, nz] = one.lattice.cells;
@@ -249,7 +252,7 @@ double off_mirror(const Fluid& one, const Fluid& other, std::size_t across) {
                     Cells cell{i, j, k};
                     const double here =
                         double{one.now.velocity[axis][static_cast<std::size_t>(one.lattice.at(i, j, k))]};
-                    // Faces are mirrored on faces, of which there is one more.
+                    // Faces are mirrored onto faces, and there is one more face than cells.
                     cell[across] = one.lattice.cells[across] - cell[across] - (axis == across ? 0 : 1);
                     const auto there = static_cast<std::size_t>(one.lattice.at(cell[0], cell[1], cell[2]));
                     const double seen = double{other.now.velocity[axis][there]} * (axis == across ? -1 : 1);
@@ -276,7 +279,7 @@ TEST(FluidAccuracy, AMirrorImageStaysOneToTheBit) {
                 return mirrored(swirl(p), axis);
             });
             EXPECT_EQ(off_mirror(one, other, static_cast<std::size_t>(axis)), 0.0);
-            // Not because nothing moves, or since all is its own image.
+            // The fluid moves and is not its own mirror image, so the test can fail.
             EXPECT_GT(off_mirror(one, one, static_cast<std::size_t>(axis)), 0.01);
         }
     }
@@ -291,7 +294,7 @@ TEST(FluidAccuracy, RestIsNotVisited) {
     EXPECT_EQ(energy(*fluid), 0.0);
 }
 
-/// What `resting` is, turned so that gravity goes along another axis.
+/// The fluid of `resting`, turned so that gravity acts along another axis.
 Fluid resting_along(int axis) {
     auto fluid = flows::resting(fourth, 16);
     EXPECT_TRUE(fluid.has_value());
@@ -318,7 +321,8 @@ TEST(FluidAccuracy, LayersStay) {
     }
 }
 
-// Upside down they fall, so the test above can fail; along each axis alike, but for the order in which viscosity takes the axes.
+// Upside down the layers fall, so the test above can fail. All axes agree, up to the order in which
+// viscosity treats them.
 TEST(FluidAccuracy, LayersUpsideDownFall) {
     std::array<double, 3> speed{};
     for (const int axis : {0, 1, 2}) {

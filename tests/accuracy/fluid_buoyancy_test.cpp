@@ -1,4 +1,5 @@
-// Energy of heavy and light substances: what moves has no more than pushes and the fall gave it, and no less than it should.
+// Energy of heavy and light substances: the flow gains no more than pushes and falling release, and not
+// too little.
 #include <gtest/gtest.h>
 
 #include "core/text.h"
@@ -7,7 +8,7 @@
 namespace thaum::fluid {
 namespace {
 
-/// Kinetic and potential energy never exceed the start by more than this share of what was released.
+/// Largest excess of kinetic plus potential energy over the start, as a share of the released energy.
 constexpr double excess_most = 0.01;
 
 void fall(flows::Weighing weighing, bool in_bowl, double viscosity) {
@@ -39,8 +40,8 @@ TEST(FluidBuoyancy, WhatFallsKeepsMostOfWhatItsFallReleases) {
     }
 }
 
-/// The report's account is complete: without forces, energy that is missing was either rescaled or spent by viscosity, of which
-/// there is none here.
+/// The report accounts for all energy. Without forces and without viscosity, all missing energy must be
+/// reported as rescaled.
 TEST(FluidBuoyancy, TheReportTellsWhatWasTakenAway) {
     auto fluid = flows::weighing_fluid(flows::Weighing::sloshing, true, 16, 0);
     ASSERT_TRUE(fluid.has_value());
@@ -54,18 +55,19 @@ TEST(FluidBuoyancy, TheReportTellsWhatWasTakenAway) {
         if (report.rescaled == 0) continue;
         ++told;
         const double after = flows::kinetic_energy(*fluid) + flows::potential_energy(*fluid);
-        // What is left is as much as the step before had: to the rounding of densities.
+        // The remaining energy equals that of the previous step, up to the rounding of densities.
         EXPECT_NEAR(after, before, 1e-8) << i;
     }
     EXPECT_GT(told, 0);
-    // What weighs nothing needs no such account.
+    // Substances without weight never cause rescaling.
     auto box = flows::start(flows::taylor_green_box(0), {Solver::thaum, 4}, 16);
     ASSERT_TRUE(box.has_value());
     for (int i = 0; i < 20; ++i) EXPECT_EQ(advance(*box, flows::step).rescaled, 0);
 }
 
-/// A standing wave in a layered box, frequency N / sqrt(2) (N^2 = -g dw/dy): every half period all its energy is kinetic again. A force of first order in time and a flow with divergence
-/// made it 23 times as strong in five periods.
+/// A standing wave in a layered box with frequency N / sqrt(2), N^2 = -g dw/dy. In every half period all its
+/// energy becomes kinetic again. A force of first order in time and a flow with divergence amplified it 23
+/// times in five periods.
 TEST(FluidBuoyancy, AWaveInLayersIsNeitherFedNorDamped) {
     const double weight = 0.5, height = 0.02;
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 16);
@@ -89,7 +91,7 @@ TEST(FluidBuoyancy, AWaveInLayersIsNeitherFedNorDamped) {
     EXPECT_NEAR(late / before, 1, 0.08);
 }
 
-/// Diffusion lifts what is heavy without asking the flow for energy.
+/// Diffusion lifts heavy substance without taking energy from the flow.
 TEST(FluidBuoyancy, DiffusionOfLayersDoesNotBrakeTheFlow) {
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 16);
     settings.edges[0] = Edge::periodic;
@@ -104,8 +106,8 @@ TEST(FluidBuoyancy, DiffusionOfLayersDoesNotBrakeTheFlow) {
     EXPECT_NEAR(flows::kinetic_energy(*fluid) / kinetic, 1, 1e-4);
 }
 
-/// The flow that carries substances is as free of divergence as the pressure solve makes it, at either order: what is everywhere stays
-/// the same everywhere.
+/// The flow that carries substances is free of divergence at either order, so a constant density stays
+/// constant.
 TEST(FluidBuoyancy, AConstantStaysOneInAStirredBox) {
     for (const int order : {2, 4}) {
         Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, order}, 16);
@@ -127,7 +129,7 @@ TEST(FluidBuoyancy, AConstantStaysOneInAStirredBox) {
     }
 }
 
-/// Work of the pushes waiting in a fluid, with the velocities before and after the step (m^5/s^2).
+/// Work of the queued pushes, from the velocities before and after the step (m^5/s^2).
 double work_of(const std::array<Samples, 3>& push, const std::array<Samples, 3>& before, const Fluid& after) {
     double work = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)

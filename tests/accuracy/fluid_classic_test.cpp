@@ -1,4 +1,5 @@
-// The baseline solver: it is the published method, no worse and no better, and it keeps what that method promises.
+// The baseline solver: its errors equal those of the published method, and it keeps the method's
+// guarantees.
 #include <gtest/gtest.h>
 
 #include "fluid/classic.h"
@@ -24,7 +25,8 @@ double error_at_end(const Flow& flow, int n) {
     return flows::error_at(flow, fluid, flow.end);
 }
 
-// A port of Stam's solver that is passed round was measured with its slips repaired, and with the same 20 sweeps.
+// The reference errors are of a common port of Stam's solver, with its mistakes corrected and the same
+// 20 sweeps.
 TEST(FluidClassic, ErrsAsMuchAsThePublishedSolver) {
     EXPECT_NEAR(error_at_end(flows::taylor_green_box(0), 16), 0.22, 0.005);
     EXPECT_NEAR(error_at_end(flows::taylor_green_box(0), 32), 0.20, 0.005);
@@ -43,7 +45,7 @@ TEST(FluidClassic, ALidDragsTheFluidAsTheSeriesSays) {
     EXPECT_LT(fine, coarse);
 }
 
-/// One substance in still fluid, a cosine along y.
+/// One substance in still fluid, distributed as a cosine along y.
 Fluid striped(Edge edge, double waves, double diffusion, int sweeps) {
     Settings settings = flows::settings_of(Flow{}, classic, 16);
     settings.edges = {edge, edge, edge};
@@ -55,7 +57,8 @@ Fluid striped(Edge edge, double waves, double diffusion, int sweeps) {
     return std::move(*fluid);
 }
 
-// Backward Euler on the grid: a wave whose second difference is -q times itself shrinks by 1 / (1 + k dt q / h^2).
+// Backward Euler on the grid: a wave with second difference -q times itself shrinks by 1 / (1 + k dt q
+// / h^2).
 TEST(FluidClassic, SolvesTheDiffusionOfAWaveByItsOwnRecurrence) {
     for (const auto& [edge, waves] : {std::pair{Edge::periodic, 2.0}, {Edge::free_slip, 1.5}}) {
         const double diffusion = 0.05;
@@ -74,7 +77,8 @@ TEST(FluidClassic, SolvesTheDiffusionOfAWaveByItsOwnRecurrence) {
 TEST(FluidClassic, CarriesAWaveByWholeCellsExactly) {
     Fluid fluid = striped(Edge::periodic, 2, 0, 20);
     const Samples before = fluid.now.substances[0];
-    // 3 cells of 1/16 m in a step; a uniform flow has nothing to diffuse or to project.
+    // The flow moves 3 cells of 1/16 m in a step. A uniform flow is not changed by diffusion or
+    // projection.
     set_velocity(fluid, [](vec3) { return vec3(0, 3.0 / 16 / flows::step, 0); });
     advance(fluid, flows::step);
     for (int j = 0; j < 16; ++j) {
@@ -99,7 +103,7 @@ TEST(FluidClassic, DensitiesStayBetweenTheirBoundsAtAnySpeedAndStep) {
     }
 }
 
-/// After a push into the vortex, one step.
+/// Divergence one step after a push into the vortex.
 double divergence_left(int sweeps) {
     Flow flow = flows::taylor_green_box(0);
     flow.settings.sweeps = sweeps;
@@ -108,7 +112,8 @@ double divergence_left(int sweeps) {
     return advance(fluid, flows::step).divergence;
 }
 
-// What is left then is what a difference across two cells cannot see, however many sweeps there are.
+// The floor is the divergence that a difference across two cells cannot detect, for any number of
+// sweeps.
 TEST(FluidClassic, MoreSweepsLeaveLessDivergenceDownToAFloor) {
     EXPECT_LT(divergence_left(20), 0.5 * divergence_left(1));
     EXPECT_LT(divergence_left(80), 0.5 * divergence_left(20));

@@ -1,5 +1,6 @@
-// Walls of any shape, and viscosity that is solved for: what a projection leaves, that it takes energy only, that its cost does not
-// grow with the grid; that what rests in a bowl goes on resting; that implicit viscosity is the exact one as its step shrinks.
+// Solids and implicit viscosity. A projection removes the divergence, takes energy only, and its cost
+// does not grow with the grid. Fluid at rest in a bowl stays at rest. Implicit viscosity converges to
+// the exact one with its step.
 #include <gtest/gtest.h>
 
 #include "core/random.h"
@@ -27,7 +28,7 @@ std::array<Samples, 3> random_flow(const Lattice& lattice, const Solids* solids)
                     velocity[axis][static_cast<std::size_t>(lattice.at(i, j, k))] =
                         static_cast<float>(random.uniform(-1, 1));
     }
-    if (solids != nullptr) solids->close(velocity);
+    if (solids != nullptr) solids->clear_closed_faces(velocity);
     return velocity;
 }
 
@@ -48,7 +49,7 @@ TEST(FluidSolids, AProjectionLeavesNoFlowAndItsCostDoesNotGrowWithTheGrid) {
         EXPECT_LE(found.divergence, share * n * largest(solids.rows(), velocity)) << n;
         EXPECT_LE(found.iterations, 16) << n;
         EXPECT_GE(found.iterations, 4) << n;
-        // Judged anew: what is left is there when it is asked for again.
+        // A second projection finds that nothing is left to do.
         EXPECT_EQ(solids.project(velocity, potential, 2 * share, 100).iterations, 0) << n;
     }
 }
@@ -72,7 +73,7 @@ TEST(FluidSolids, AProjectionTakesTheWholeOfAGradientAndNothingOfWhatIsFree) {
             for (int i = 0; i < n; ++i)
                 velocity[1][static_cast<std::size_t>(lattice.at(i, j, k))] =
                     static_cast<float>(j * j) / (n * n);
-    solids.close(velocity);
+    solids.clear_closed_faces(velocity);
     const double gradient = square(lattice, velocity);
     solids.project(velocity, potential, 1e-6, 100);
     EXPECT_LT(square(lattice, velocity), 1e-10 * gradient);
@@ -95,7 +96,7 @@ TEST(FluidSolids, AProjectionBeginsWhereTheLastOneEndedAndABadGuessDoesNoHarm) {
     solids.project(projected, known, share, 100);
     const int without = iterations(make_samples(lattice), flow);
     EXPECT_LE(iterations(known, flow), 1);
-    // Of another length, as that of a shorter sub-step is.
+    // A potential of another magnitude, as from a shorter sub-step.
     auto half = flow;
     for (Samples& u : half)
         for (float& value : u) value *= 0.5F;
@@ -149,7 +150,7 @@ void stir_a_bowl(int n) {
         ASSERT_LE(report.divergence, 1e-4) << i;
         ASSERT_FALSE(report.fell_back) << i;
     }
-    // Round the way of the ladle.
+    // The place is on the path of the ladle.
     EXPECT_GT(velocity_at(fluid, {0.75, 0.5, 0.5}).z, 0.01);
     EXPECT_LT(velocity_at(fluid, {0.25, 0.5, 0.5}).z, -0.01);
     EXPECT_NEAR(amount(fluid, 0), mass, 1e-6 * mass);
@@ -164,7 +165,7 @@ void stir_a_bowl(int n) {
 }
 
 TEST(FluidSolids, AStirredBowlKeepsItsSubstancesAndLosesItsEnergy) {
-    // Rows of whole vectors, and not.
+    // Sizes with and without rows of whole vectors.
     for (const int n : {16, 13}) {
         SCOPED_TRACE(n);
         stir_a_bowl(n);
@@ -206,12 +207,12 @@ TEST(FluidSolids, AThickBrewIsStiller) {
     EXPECT_GT(thin, 0);
 }
 
-// ---- implicit viscosity -----------------------------------------------------------------------------------------------
+// ---- implicit viscosity -----------------------------------------------------------------------------------------
 
 void spread(const Lattice& lattice, double nu, double dt, std::array<Samples, 3>& velocity) {
     Viscosity viscosity(lattice);
     const Samples everywhere(lattice.size, static_cast<float>(nu));
-    viscosity.take({.viscosity = &everywhere, .dt = dt}, velocity);
+    viscosity.diffuse({.viscosity = &everywhere, .dt = dt}, velocity);
 }
 
 TEST(FluidViscosity, ConvergesToTheExactOneInFirstOrder) {
@@ -220,9 +221,9 @@ TEST(FluidViscosity, ConvergesToTheExactOneInFirstOrder) {
         const auto start = random_flow(lattice, nullptr);
         auto exact = start;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            fill_ghosts(lattice, beyond_of_velocity(lattice, axis), exact[axis]);
+            fill_ghosts(lattice, ghost_rules_of_velocity(lattice, axis), exact[axis]);
         const auto begun = exact;
-        Diffusion(lattice, 2).take(2, 0, exact);
+        Diffusion(lattice, 2).diffuse(2, 0, exact);
         std::vector<double> errors;
         for (const int steps : {16, 32, 64}) {
             auto found = begun;

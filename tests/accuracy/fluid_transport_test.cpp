@@ -1,4 +1,5 @@
-// Substances carried by a given flow: orders of convergence, a constant, the amount, positivity, symmetry to the bit, solids, diffusion.
+// Transport of substances by a given flow: order of convergence, a constant density, conservation,
+// positivity, exact symmetry, solids and diffusion.
 #include "fluid/ghosts.h"
 #include "fluid/transport.h"
 
@@ -23,7 +24,7 @@ constexpr Edges all_walls{Edge::free_slip, Edge::no_slip, Edge::free_slip};
 
 std::size_t place(const Lattice& l, int i, int j, int k) { return static_cast<std::size_t>(l.at(i, j, k)); }
 
-/// Of the middles of cells, m.
+/// Samples of a function of the place (m) at cell centres.
 Samples field(const Lattice& l, const std::function<double(vec3)>& value) {
     Samples samples = make_samples(l);
     each_cell(l, [&](int i, int j, int k, std::size_t at) {
@@ -33,7 +34,8 @@ Samples field(const Lattice& l, const std::function<double(vec3)>& value) {
 }
 
 void fill_velocity_ghosts(const Lattice& l, Velocity& velocity) {
-    for (std::size_t axis = 0; axis < 3; ++axis) fill_ghosts(l, beyond_of_velocity(l, axis), velocity[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        fill_ghosts(l, ghost_rules_of_velocity(l, axis), velocity[axis]);
 }
 
 Velocity uniform(const Lattice& l, vec3 v) {
@@ -44,7 +46,7 @@ Velocity uniform(const Lattice& l, vec3 v) {
     return velocity;
 }
 
-/// Once about z through the middle of a unit box in a second.
+/// One revolution per second about z, through the centre of a unit box.
 Velocity rigid_turn(const Lattice& l) {
     const double h = l.h;
     Velocity velocity{make_samples(l), make_samples(l), make_samples(l)};
@@ -56,13 +58,13 @@ Velocity rigid_turn(const Lattice& l) {
     return velocity;
 }
 
-/// The curl of random potentials on edges that are none of `closed`'s: no divergence but rounding. Potentials are multiples of 1/64, so
-/// that the sums are exact.
+/// The curl of random potentials on all edges that do not touch a closed cell; its divergence is zero
+/// up to rounding. Potentials are multiples of 1/64, so the sums are exact.
 Velocity solenoidal(const Lattice& l, std::uint64_t seed, const std::function<bool(int, int, int)>& closed) {
     const Cells n = l.cells;
     std::array<Samples, 3> potential{make_samples(l), make_samples(l), make_samples(l)};
     Random random = random_stream(seed, 3);
-    // The edge along `axis` at the low corner of a cell touches the four cells across it.
+    // The edge along `axis` at the low corner of a cell belongs to the four cells around it.
     const auto is_free = [&](std::size_t axis, Cells cell) {
         for (int corner = 0; corner < 4; ++corner) {
             Cells c = cell;
@@ -110,12 +112,12 @@ double amount(const Lattice& l, const Samples& density) {
 float least(const Lattice& l, const Samples& density) {
     float result = density[place(l, 0, 0, 0)];
     each_cell(l, [&](int, int, int, std::size_t at) {
-        if (!(density[at] >= result)) result = density[at];  // a NaN stays
+        if (!(density[at] >= result)) result = density[at];  // keeps a NaN
     });
     return result;
 }
 
-/// Relative L2.
+/// Relative L2 error.
 double error(const Lattice& l, const Samples& found, const Samples& exact) {
     double off = 0, all = 0;
     each_cell(l, [&](int, int, int, std::size_t at) {
@@ -125,23 +127,23 @@ double error(const Lattice& l, const Samples& found, const Samples& exact) {
     return std::sqrt(off / all);
 }
 
-/// `steps` of `seconds` together. What the last one says.
+/// Transports a density in `steps` steps of `seconds` in total. Returns the last report.
 TransportReport carry(const Lattice& l, const Velocity& velocity, Samples& density, double seconds, int steps,
                       const TransportSettings& settings = {.most_substeps = 64},
-                      const Openings* openings = nullptr) {
-    Currents currents = make_currents(l);
+                      const FaceApertures* face_apertures = nullptr) {
+    FaceFlow face_flow = make_face_flow(l);
     TransportScratch scratch = make_transport_scratch(l);
-    set_currents(l, velocity, velocity, openings, seconds / steps, currents);
+    set_face_flow(l, velocity, velocity, face_apertures, seconds / steps, face_flow);
     TransportReport report;
-    for (int i = 0; i < steps; ++i) report = transport(l, currents, settings, density, scratch);
+    for (int i = 0; i < steps; ++i) report = transport(l, face_flow, settings, density, scratch);
     return report;
 }
 
 const auto nothing_closed = [](int, int, int) { return false; };
 
-// ---- convergence -----------------------------------------------------------------------------------------------------
+// ---- convergence ------------------------------------------------------------------------------------------------
 
-/// After a quarter of the box along x and an eighth along y and z.
+/// Error after a translation by a quarter of the box along x and an eighth along y and z.
 double translation_error(int n, double courant) {
     const Lattice l = make_lattice({n, n, n}, 1.0 / n, all_round);
     const vec3 v(1, 0.5, -0.5);
@@ -194,9 +196,9 @@ TEST(TransportAccuracy, ABlobComesBackFromATurn) {
 }
 
 struct Deformed {
-    double error;        ///< relative L1
-    double least, most;  ///< over all steps
-    double change;       ///< of the amount, relative
+    double error;        ///< relative L1 error
+    double least, most;  ///< extremes over all steps
+    double change;       ///< relative change of the amount
 };
 
 Velocity deformation_at_start(const Lattice& l) {
@@ -219,20 +221,20 @@ Velocity times(double factor, Velocity velocity) {
     return velocity;
 }
 
-/// There and back again in LeVeque's flow.
+/// LeVeque's flow, forward and back again.
 Deformed deformed(double (*shape)(vec3), int n, double courant) {
     const Lattice l = make_lattice({n, n, n}, 1.0 / n, {Edge::free_slip, Edge::free_slip, Edge::free_slip});
     const Samples before = field(l, shape);
     Samples density = before;
-    Currents currents = make_currents(l);
+    FaceFlow face_flow = make_face_flow(l);
     TransportScratch scratch = make_transport_scratch(l);
     const Velocity start = deformation_at_start(l);
     const int steps = flows::steps_of_deformation(n, courant);
     Deformed result{.error = 0, .least = 0, .most = 0, .change = 0};
     for (int i = 0; i < steps; ++i) {
         const Velocity velocity = times(det::cos(pi * (i + 0.5) / steps), start);
-        set_currents(l, velocity, velocity, nullptr, flows::deformation_end / steps, currents);
-        transport(l, currents, {}, density, scratch);
+        set_face_flow(l, velocity, velocity, nullptr, flows::deformation_end / steps, face_flow);
+        transport(l, face_flow, {}, density, scratch);
         result.least = std::min(result.least, double{least(l, density)});
         result.most = std::max(result.most, largest(l, density));
     }
@@ -259,7 +261,8 @@ TEST(TransportAccuracy, WhatIsDrawnThinStaysWithinItsBoundsAndComesBack) {
     }
 }
 
-// ---- what holds for any flow -----------------------------------------------------------------------------------------
+// ---- properties for any flow
+// -----------------------------------------------------------------------------------------
 
 TEST(Transport, NothingRisesAboveTheHighestWhereTheFlowHasNoDivergence) {
     for (const Edges& edges : {all_round, all_walls}) {
@@ -354,12 +357,12 @@ TEST(Transport, WhatIsNotThereOrDoesNotMoveIsNotVisited) {
     EXPECT_GE(carry(l, still, some, 0.1, 1, {.diffusion = 0.01}).cells, 8 * 8 * 8);
 }
 
-// ---- symmetry --------------------------------------------------------------------------------------------------------
+// ---- symmetry ---------------------------------------------------------------------------------------------------
 
-/// Cells and faces of one lattice seen along exchanged axes and mirrored ones.
+/// A lattice seen with permuted and mirrored axes.
 struct View {
     std::array<std::size_t, 3> axes{0, 1, 2};  ///< the new axis a is the old axes[a]
-    std::array<bool, 3> mirrored{};            ///< of the new ones
+    std::array<bool, 3> mirrored{};            ///< mirrored new axes
 };
 
 Cells seen(const View& view, Cells n, Cells cell, std::array<int, 3> faces) {
@@ -395,7 +398,7 @@ Velocity seen(const View& view, const Lattice& from, const Lattice& to, const Ve
     return result;
 }
 
-/// Largest difference between what becomes of the seen and what is seen of what has become.
+/// Largest difference between a transported view and a view of the transported density.
 double asymmetry(const View& view, const Edges& edges) {
     const Lattice l = make_lattice({13, 10, 11}, 0.1, edges);
     Cells cells{};
@@ -428,11 +431,11 @@ TEST(Transport, MirrorsAndTheExchangeOfXAndYHoldToTheBit) {
         EXPECT_EQ(asymmetry({.axes = {1, 0, 2}}, edges), 0);
         EXPECT_LE(asymmetry({.axes = {2, 1, 0}}, edges), 2e-6);
         EXPECT_LE(asymmetry({.axes = {1, 2, 0}}, edges), 2e-6);
-        EXPECT_GT(asymmetry({.axes = {1, 2, 0}}, edges), 0);  // or the test would not see a bit
+        EXPECT_GT(asymmetry({.axes = {1, 2, 0}}, edges), 0);  // the test detects a single bit
     }
 }
 
-// ---- solids ----------------------------------------------------------------------------------------------------------
+// ---- solids -----------------------------------------------------------------------------------------------------
 
 Velocity apertures(const Lattice& l, const std::function<bool(int, int, int)>& closed) {
     Velocity result{make_samples(l), make_samples(l), make_samples(l)};
@@ -454,12 +457,12 @@ TEST(TransportSolids, AConstantStaysOneRoundAStoneAndNothingEntersIt) {
     };
     for (const Edges& edges : {all_round, all_walls}) {
         const Lattice l = make_lattice({14, 12, 10}, 0.1, edges);
-        const Openings openings = make_openings(l, apertures(l, stone));
+        const FaceApertures face_apertures = make_face_apertures(l, apertures(l, stone));
         const Velocity velocity = solenoidal(l, 4, stone);
         Samples density = make_samples(l);
         each_cell(l,
                   [&](int i, int j, int k, std::size_t at) { density[at] = stone(i, j, k) ? 0.0F : 0.7F; });
-        carry(l, velocity, density, 2, 20, {.diffusion = 1e-3, .most_substeps = 64}, &openings);
+        carry(l, velocity, density, 2, 20, {.diffusion = 1e-3, .most_substeps = 64}, &face_apertures);
         each_cell(l, [&](int i, int j, int k, std::size_t at) {
             ASSERT_NEAR(density[at], stone(i, j, k) ? 0 : 0.7, stone(i, j, k) ? 0 : 2e-5);
         });
@@ -472,7 +475,7 @@ TEST(TransportSolids, AWallOfClosedFacesIsAsGoodAsTheBoxesOwn) {
     const Lattice wide =
         make_lattice({16, 16, 8}, 1.0 / 16, {Edge::periodic, Edge::free_slip, Edge::free_slip});
     const auto walls = [](int, int j, int) { return j < 4 || j >= 12; };
-    const Openings openings = make_openings(wide, apertures(wide, walls));
+    const FaceApertures face_apertures = make_face_apertures(wide, apertures(wide, walls));
     const auto wave = [](double x, double y) { return 1 + 0.5 * std::sin(2 * pi * x) + y; };
     Samples plain = field(box, [&](vec3 at) { return wave(at.x, at.y); });
     Samples duct = make_samples(wide);
@@ -481,7 +484,7 @@ TEST(TransportSolids, AWallOfClosedFacesIsAsGoodAsTheBoxesOwn) {
     });
     const TransportSettings settings{.diffusion = 1e-3, .most_substeps = 64};
     carry(box, uniform(box, {1, 0, 0}), plain, 0.5, 20, settings);
-    carry(wide, uniform(wide, {1, 0, 0}), duct, 0.5, 20, settings, &openings);
+    carry(wide, uniform(wide, {1, 0, 0}), duct, 0.5, 20, settings, &face_apertures);
     each_cell(box, [&](int i, int j, int k, std::size_t at) {
         ASSERT_NEAR(duct[place(wide, i, j + 4, k)], plain[at], 3e-6);
     });
@@ -491,16 +494,16 @@ TEST(TransportSolids, HalfOpenFacesLetHalfThrough) {
     const Lattice l = make_lattice({16, 8, 8}, 1.0 / 16, all_round);
     Velocity half{make_samples(l), make_samples(l), make_samples(l)};
     for (Samples& samples : half) samples.assign(l.size, 0.5F);
-    const Openings openings = make_openings(l, half);
+    const FaceApertures face_apertures = make_face_apertures(l, half);
     const auto wave = [](vec3 at) { return 2 + std::sin(2 * pi * at.x); };
     Samples through_half = field(l, wave), slower = field(l, wave);
     carry(l, uniform(l, {1, 0, 0}), through_half, 0.25, 16, {.diffusion = 2e-3, .most_substeps = 9},
-          &openings);
+          &face_apertures);
     carry(l, uniform(l, {0.5, 0, 0}), slower, 0.25, 16, {.diffusion = 1e-3, .most_substeps = 9});
     EXPECT_LE(error(l, through_half, slower), 1e-6);
 }
 
-// ---- diffusion -------------------------------------------------------------------------------------------------------
+// ---- diffusion --------------------------------------------------------------------------------------------------
 
 double diffusion_error(int n) {
     const Lattice l = make_lattice({n, n, 4}, 1.0 / n, {Edge::free_slip, Edge::no_slip, Edge::periodic});

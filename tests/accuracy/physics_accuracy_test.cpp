@@ -1,4 +1,5 @@
-// Against closed forms and, where the correction of free flight is off, Bullet's own recurrence: semi-implicit Euler.
+// Bodies against closed forms and, without the correction of free flight, against Bullet's own
+// recurrence: semi-implicit Euler.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -35,7 +36,7 @@ TEST(PhysicsAccuracy, AThrowKeepsItsEnergyAndItsHorizontalMomentum) {
     physics.add(2, box({0.1, 0.2, 0.3}, 3), {.velocity = {7, 9, -5}, .spin = {1, 2, 3}});
     const auto energy = [&] {
         const BodyState s = physics.state(2);
-        return glm::dot(s.velocity, s.velocity) / 2 + g * s.position.y;  // J/kg
+        return glm::dot(s.velocity, s.velocity) / 2 + g * s.position.y;  // energy per mass (J/kg)
     };
     const double before = energy();
     for (int i = 0; i < 3000; ++i) {
@@ -55,7 +56,7 @@ TEST(PhysicsAccuracy, DampedFallIsTheClosedFormFromFeeblestToStrongest) {
             physics.add(2, desc, at({0, 0, 0}, {3, 20, 0}));
             for (int i = 0; i < std::lround(2 / step); ++i) physics.step(step);
             const double c = -std::log1p(-damping);
-            const double share = -std::expm1(-2 * c) / c;  // s: integral of the velocity that is left
+            const double share = -std::expm1(-2 * c) / c;  // integral of the remaining velocity (s)
             const double fallen = c < 1e-5 ? 2.0 - 4 * c / 3 : (2 - share) / c;
             EXPECT_NEAR(physics.state(2).position.x, 3 * share, 1e-9) << damping << ' ' << step;
             EXPECT_NEAR(physics.state(2).position.y, 20 * share - g * fallen, 2e-9) << damping << ' ' << step;
@@ -66,7 +67,7 @@ TEST(PhysicsAccuracy, DampedFallIsTheClosedFormFromFeeblestToStrongest) {
 }
 
 TEST(PhysicsAccuracy, WhatIsPushedKeepsBulletsStep) {
-    // A contact acts in every step on a body at rest, so exact flight must not lift it.
+    // A contact acts on a body at rest in every step, so exact flight must not lift it.
     for (const bool exact : {true, false}) {
         Physics physics({.exact_flight = exact});
         add_floor(physics);
@@ -127,7 +128,7 @@ TEST(PhysicsAccuracy, ContactImpulsesAreTheMomentumTheyTake) {
     for (; steps < 1500; ++steps) {
         physics.step(dt);
         for (const Contact& c : physics.contacts()) impulse += c.impulse * c.normal.y * (c.b == 2 ? -1 : 1);
-        // At every moment: what gravity gave less what the floor took is what the box has.
+        // At all times the momentum of the box is that given by gravity minus that taken by the floor.
         ASSERT_NEAR(mass * physics.velocity(2).y, impulse - mass * g * steps * dt - mass * g * dt, 1e-9)
             << steps;
     }
@@ -150,7 +151,7 @@ TEST(PhysicsAccuracy, AtRestTheFloorCarriesTheWeight) {
 
 TEST(PhysicsAccuracy, ASpinningTopKeepsItsMomentum) {
     Physics physics({.gravity = {}});
-    physics.add(2, box({0.1, 0.3, 0.5}, 6), {.spin = {0.2, 5, 0.1}});  // about the middle axis: it tumbles
+    physics.add(2, box({0.1, 0.3, 0.5}, 6), {.spin = {0.2, 5, 0.1}});  // about the middle axis, so it tumbles
     const auto momentum = [&] {
         const BodyState s = physics.state(2);
         const vec3 inertia = 6.0 / 3 * vec3{0.09 + 0.25, 0.01 + 0.25, 0.01 + 0.09};

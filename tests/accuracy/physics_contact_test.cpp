@@ -11,7 +11,7 @@ namespace {
 
 using namespace scenes;
 
-/// 100 m by 100 m in the plane y = 0.
+/// Square of 100 m by 100 m in the plane y = 0.
 TriangleMesh level_ground() {
     return {{{-50, 0, -50}, {50, 0, -50}, {50, 0, 50}, {-50, 0, 50}}, {{0, 2, 1}, {0, 3, 2}}};
 }
@@ -25,7 +25,7 @@ double half_height(const BodyDesc& d) {
 struct Drop {
     Physics physics{{}, {level_ground()}};
     double step;
-    double rest_height{};  ///< height of the body's middle when it lies on the ground (m)
+    double rest_height{};  ///< height of the centre of the body when it lies on the ground (m)
 
     Drop(Shape shape, Shape ground, double restitution, double height, double step_s) : step(step_s) {
         BodyDesc floor{.shape = ground, .size = {50, 1, 50}, .restitution = 1};
@@ -38,13 +38,13 @@ struct Drop {
 
     double above() const { return physics.state(2).position.y - rest_height; }
 
-    /// Speed that the body has at the ground, by its energy at a height above it (m/s).
+    /// Speed of the body at the ground, computed from its energy at a height above it (m/s).
     double speed_at_ground(double height) const {
         const double speed = physics.velocity(2).y;
         return std::sqrt(std::max(0.0, speed * speed + 2 * 9.81 * height));
     }
 
-    /// Rebound speed by approach speed at the next bounce, both at the ground.
+    /// Rebound speed divided by approach speed at the next bounce, both at the ground.
     double next_bounce() {
         double before = 0, approach = 0, now = 0;
         for (double s = 0; now <= before + 0.01 && s < 3; s += step) {
@@ -53,7 +53,7 @@ struct Drop {
             physics.step(step);
             now = physics.velocity(2).y;
         }
-        // What is left of its depth is taken out of it without any speed. A corner may touch a step later.
+        // Remaining penetration is removed without any speed. A corner may touch a step later.
         double fastest = speed_at_ground(std::max(0.0, above()));
         for (int i = 0; i < 3; ++i) {
             physics.step(step);
@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values(Shape::box, Shape::sphere, Shape::capsule, Shape::cylinder),
                        ::testing::Values(Shape::box, Shape::mesh), ::testing::Values(0.001, 0.002, 0.004)));
 
-/// Each bounce reaches e^2 of the height before it: no step may add to that, and little is lost.
+/// Each bounce reaches e^2 of the previous height. No step adds energy, and little is lost.
 TEST(PhysicsBounce, BallComesToTheSameHeightAgain) {
     for (const double e : {1.0, 0.8}) {
         Drop drop(Shape::sphere, Shape::box, e, 1, dt);
@@ -100,7 +100,7 @@ TEST(PhysicsBounce, BallComesToTheSameHeightAgain) {
     }
 }
 
-/// Each bounce leaves e^2 of the energy, whatever the step: over bounces from many heights.
+/// Each bounce leaves e^2 of the energy for any step, over bounces from many heights.
 TEST(PhysicsBounce, EachBounceKeepsItsShareOfTheEnergyAtEveryStep) {
     for (const double e : {1.0, 0.8}) {
         for (const double step : {0.001, 0.002, 0.004, 0.008}) {
@@ -129,13 +129,13 @@ TEST(PhysicsBounce, FastBallAgainstTheSeamOfTwoFloorsBouncesAsOnOne) {
         physics.add(3, shot, at({0, from, 0}, {0, -speed, 0}));
         for (int i = 0; i < 20; ++i) physics.step(dt);
         EXPECT_NEAR(physics.velocity(3).y, speed, 1e-3 * speed);
-        // 20 ms of flight less the way down is the way up.
+        // The way up is 20 ms of flight minus the way down.
         const double down = (from - 0.1) / speed;
         EXPECT_NEAR(physics.state(3).position.y, 0.1 + speed * (0.02 - down), 0.002 * speed * dt) << speed;
     }
 }
 
-/// Speeds below 0.2 m/s come to rest, as they do in Bullet: a ball does not tremble for ever.
+/// Below 0.2 m/s a ball comes to rest, as in Bullet, and does not tremble for ever.
 TEST(PhysicsBounce, BouncingBallComesToRestOnTheFloor) {
     Drop drop(Shape::sphere, Shape::box, 0.6, 0.5, dt);
     for (int i = 0; i < 8000; ++i) drop.physics.step(dt);
@@ -143,7 +143,8 @@ TEST(PhysicsBounce, BouncingBallComesToRestOnTheFloor) {
     EXPECT_NEAR(drop.physics.state(2).position.y, 0.1, 1e-3);
 }
 
-/// A wall of 2 cm, or one of triangles without any thickness, and something thrown at it from a random side.
+/// Throws a body from a random side at a wall of 2 cm, or a wall of triangles without thickness. True
+/// if it passes.
 bool comes_through(Shape shape, vec3 size, Shape wall, double step, std::uint64_t seed) {
     const TriangleMesh sheet{{{0, -3, -3}, {0, 3, -3}, {0, 3, 3}, {0, -3, 3}}, {{0, 2, 1}, {0, 3, 2}}};
     Random random{seed};
@@ -182,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Combine(::testing::Values(Shape::box, Shape::sphere, Shape::capsule, Shape::cylinder),
                        ::testing::Values(Shape::box, Shape::mesh), ::testing::Values(0.001, 0.004)));
 
-/// What passes beside a wall, or slides along it, is not held.
+/// A body that passes beside a wall or slides along it is not stopped.
 TEST(PhysicsSwept, FreeWayIsNotStopped) {
     Physics physics({.gravity = {}});
     physics.add(1, box({0.01, 3, 3}, 0), {});
@@ -195,7 +196,7 @@ TEST(PhysicsSwept, FreeWayIsNotStopped) {
     EXPECT_NEAR(physics.state(3).position.y, 5.5, 1e-6);
 }
 
-/// Four boxes of 2 kg and a heavy one on top stay where they are; sunk at the end by (m).
+/// Distance by which a heavy box on four boxes of 2 kg has sunk at the end (m).
 double sunk_stack(double half, double load) {
     Physics physics;
     add_floor(physics);

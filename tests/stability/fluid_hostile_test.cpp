@@ -1,4 +1,5 @@
-// The fluid under attack (tools/bench/fluid_attack.h), in short; `thaum bench fluid --stress` is the long form.
+// The fluid under attack (tools/bench/fluid_attack.h), short version; `thaum bench fluid --stress` is
+// the long one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,13 +42,13 @@ TEST(FluidHostile, SoItDoesInABowl) {
 }
 
 TEST(FluidHostile, TheBaselineStandsThemToo) {
-    // It promises neither to be free of divergence nor to keep amounts.
+    // The baseline guarantees neither zero divergence nor conserved amounts.
     const AttackBounds loose{.divergence = 10, .energy_growth = 10, .amount_drift = 1e9};
     for (const std::uint64_t seed : {1U, 2U, 3U})
         EXPECT_EQ(attacked({Solver::classic}, seed, 150, {}, loose).fault, "");
 }
 
-/// Share by which the velocities of one differ from those of the other.
+/// Relative difference of the velocities of two fluids.
 double difference(const Fluid& one, const Fluid& other) {
     double square = 0, apart = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -60,8 +61,8 @@ double difference(const Fluid& one, const Fluid& other) {
     return std::sqrt(apart / square);
 }
 
-/// A push for which a step wants four or five sub-steps, more than it may have: what moves twenty steps later is nearly what fine
-/// steps come to.
+/// A push for which a step wants four or five sub-steps, more than it may have. Twenty steps later the
+/// flow is close to that of fine steps.
 TEST(FluidHostile, AStepThatFallsBackIsNearFineSteps) {
     constexpr int fine = 16, steps = 20;
     flows::Flow flow = flows::taylor_green_box(0);
@@ -85,7 +86,8 @@ TEST(FluidHostile, AStepThatFallsBackIsNearFineSteps) {
     EXPECT_LE(sum / pushes, 0.04);
 }
 
-/// What viscosity stops stands still, to the bit, and does not fade into numbers that float has no digits for; what spreads goes on.
+/// Flow stopped by viscosity is exactly zero and does not fade into subnormal numbers. Diffusion
+/// continues.
 TEST(FluidHostile, WhatIsStoppedStandsStillWhileASubstanceSpreads) {
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 12);
     settings.substances = {Substance{.diffusion = 1e-4}};
@@ -127,7 +129,8 @@ Settings bowl_of(const Substance& substance, int n) {
     return settings;
 }
 
-/// A lump falls so hard in a bowl that a step carries it through many times; then it comes to rest and does not gain energy.
+/// A lump falls so fast in a bowl that each step needs many transport sub-steps. It then comes to rest
+/// without gaining energy.
 TEST(FluidHostile, AHeavyThickLumpComesToRest) {
     for (const double viscosity : {1.0, viscosity_most}) {
         Settings settings = bowl_of({.viscosity = viscosity, .weight = 10}, 16);
@@ -138,11 +141,13 @@ TEST(FluidHostile, AHeavyThickLumpComesToRest) {
         StepReport report;
         for (int i = 0; i < 25; ++i) report = advance(*fluid, flows::step);
         EXPECT_TRUE(all_finite(*fluid)) << viscosity;
-        EXPECT_LT(report.energy, 10 * 10 * 100 * 2 * flows::bowl_radius) << viscosity;  // what it had to give
+        // The energy that it can release.
+        EXPECT_LT(report.energy, 10 * 10 * 100 * 2 * flows::bowl_radius) << viscosity;
     }
 }
 
-/// What the pressure remembers of a violent step makes nothing faster: neither where nothing brakes it nor where it stands nearly still.
+/// The pressure of a violent step never accelerates the flow, without viscosity or when it is almost at
+/// rest.
 TEST(FluidHostile, ABowlLeftAloneGainsNoEnergy) {
     for (const double viscosity : {0.0, 1e-6, 1e-3, 0.1, 10.0}) {
         auto fluid = make_fluid(bowl_of({}, 16));
@@ -165,7 +170,7 @@ TEST(FluidHostile, ABowlLeftAloneGainsNoEnergy) {
     }
 }
 
-/// A lump of what is as thick as can be, many times as dense as it is meant to be, with a ladle going round in it.
+/// A lump with the largest viscosity, many times denser than intended, stirred by a ladle.
 TEST(FluidHostile, ABrewThickerThanAnythingStaysFinite) {
     auto fluid = make_fluid(bowl_of({.viscosity = viscosity_most}, 20));
     ASSERT_TRUE(fluid.has_value());

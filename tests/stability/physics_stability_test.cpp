@@ -1,4 +1,4 @@
-// Hostile scenes: all stays finite, within the limits of Settings, and above the floor.
+// Hostile scenes: all bodies stay finite, within the limits of Settings, and above the floor.
 #include <gtest/gtest.h>
 
 #include <algorithm>

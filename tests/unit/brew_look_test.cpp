@@ -174,8 +174,8 @@ TEST_F(BrewLookTest, TheSkinFollowsTheSheetAndFoamsWhereItIsSteep) {
     const auto& s = brew.surface.settings;
     for (std::size_t z = 0; z < s.nodes; ++z) {
         for (std::size_t x = 0; x < s.nodes; ++x)
-            brew.surface.height[fluid::sheet_index(s, x, z)] =
-                0.5 * (static_cast<double>(x) * fluid::sheet_spacing(s) - s.side / 2);
+            brew.surface.height[fluid::surface_node_index(s, x, z)] =
+                0.5 * (static_cast<double>(x) * fluid::surface_node_spacing(s) - s.side / 2);
     }
     brew.surface.asleep = 0;
     make_skin(taken().surface, place, skin);

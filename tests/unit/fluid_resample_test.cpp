@@ -1,4 +1,5 @@
-// A flow taken over to another grid: the flow is the same to the kernel's order, amounts are the same whatever changes.
+// A flow resampled to another grid: the error has the order of the kernel, and amounts are conserved in
+// all cases.
 #include <gtest/gtest.h>
 
 #include "fluid/resample.h"
@@ -26,7 +27,7 @@ Fluid filled(const Settings& settings) {
     Fluid fluid = *make_fluid(settings);
     const auto flow = flows::taylor_green_box(0);
     set_velocity(fluid, [&](vec3 p) { return flow.velocity(p, 0); });
-    // The second lies in a corner, where a bowl is solid.
+    // The second substance lies in a corner, which is solid in a bowl.
     set_substance(fluid, 0, [](vec3 p) { return blob(p, {0.4, 0.5, 0.6}); });
     set_substance(fluid, 1, [](vec3 p) { return p.x < 0.15 && p.y < 0.15 && p.z < 0.15 ? 2.0 : 0.0; });
     return fluid;
@@ -34,7 +35,7 @@ Fluid filled(const Settings& settings) {
 
 Fluid taken_over(const Fluid& from, const Settings& settings) {
     Fluid to = *make_fluid(settings);
-    take_over(to, from);
+    resample_into(to, from);
     return to;
 }
 
@@ -71,7 +72,7 @@ TEST(FluidResample, ThereAndBackThroughTheOtherSolver) {
     Fluid back = taken_over(taken_over(from, settings_of(32, Solver::classic, false)),
                             settings_of(32, Solver::thaum, false));
     EXPECT_NEAR(energy(back), energy(from), 0.01 * energy(from));
-    // What interpolation left of divergence is gone after a step, and nothing was wrong before it.
+    // Interpolation leaves divergence, which one step removes without harm.
     const StepReport report = advance(back, flows::step);
     EXPECT_LT(report.divergence, 1e-5);
     EXPECT_NEAR(report.energy, energy(from), 0.01 * energy(from));
@@ -97,7 +98,7 @@ TEST(FluidMixing, IsOneLessTheSpreadByTheMean) {
         set_substance(fluid, 0, [](vec3 p) { return p.x < 0.5 ? 1.0 : 3.0; });
         EXPECT_NEAR(mixing(fluid, 0), 0.5, 1e-6);
         set_substance(fluid, 0, [](vec3 p) { return p.x < 0.1 && p.z < 0.6 ? 1.0 : 0.0; });
-        EXPECT_EQ(mixing(fluid, 0), 0);  // worse than half and half
+        EXPECT_EQ(mixing(fluid, 0), 0);  // less even than half and half
     }
 }
 

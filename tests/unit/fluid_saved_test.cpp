@@ -1,4 +1,5 @@
-// Saved fluids: what is restored goes on to the same bits; what is spoilt is refused and named.
+// Saved fluids: a restored fluid continues with the same bits; a damaged file is refused with a message
+// that names the fault.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -12,9 +13,9 @@ namespace thaum::fluid {
 namespace {
 
 constexpr double dt = 0.016;
-const Shape ball{"ball", {0.5, 0.5, 0.5, 0.46}};
+const NamedShape ball{"ball", {0.5, 0.5, 0.5, 0.46}};
 
-Expected<std::function<double(vec3)>> solid_of(const Shape& shape) {
+Expected<std::function<double(vec3)>> solid_of(const NamedShape& shape) {
     if (shape.name != "ball" || shape.numbers.size() != 4) return fail("its shape is unknown");
     const vec3 centre(shape.numbers[0], shape.numbers[1], shape.numbers[2]);
     return
@@ -24,7 +25,7 @@ Expected<std::function<double(vec3)>> solid_of(const Shape& shape) {
 struct Case {
     const char* name;
     Settings settings;
-    Shape shape{};
+    NamedShape shape{};
 };
 
 Settings settings_of(int n) {
@@ -54,26 +55,26 @@ std::vector<Case> cases() {
 
 struct Brew {
     Fluid fluid;
-    Sheet sheet;
-    SheetScratch scratch{};
+    SpringSurface surface;
+    SpringSurfaceScratch scratch{};
 };
 
 Brew brew_of(const Case& c) {
     auto fluid = make_fluid(c.settings);
     EXPECT_TRUE(fluid.has_value());
-    const auto sheet = checked({.nodes = 9, .rim = Rim::free});
-    return {std::move(*fluid), sheet_of(*sheet)};
+    const auto surface = checked({.nodes = 9, .rim = Rim::free});
+    return {std::move(*fluid), make_spring_surface(*surface)};
 }
 
-/// A ladle that goes round, something poured now and then, a probe that breaks through.
+/// A ladle goes in circles, a substance is poured at intervals, and a probe breaks through.
 void stir(Brew& brew, int from, int to) {
     for (int i = from; i < to; ++i) {
         const double turn = 0.3 * i;
         const vec3 place(0.5 + 0.2 * det::cos(turn), 0.5, 0.5 + 0.2 * det::sin(turn));
         push(brew.fluid, {place, 0.15, 0.01 * vec3(-det::sin(turn), 0.1, det::cos(turn))});
         if (i % 3 == 0) pour(brew.fluid, static_cast<std::size_t>(i / 3) % 3, place, 0.1, 0.01);
-        const std::array probes{SheetProbe{{0.2, 0.1}, i % 7 < 4 ? -0.4 : 0.1, 0.1}};
-        advance(brew.sheet, brew.scratch, probes, dt);
+        const std::array probes{SurfaceProbe{{0.2, 0.1}, i % 7 < 4 ? -0.4 : 0.1, 0.1}};
+        advance(brew.surface, brew.scratch, probes, dt);
         advance(brew.fluid, dt);
     }
 }
@@ -93,45 +94,45 @@ TEST(FluidSaved, RestoredGoesOnToTheSameBits) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
         Brew through = brewed(c, 6);
-        // What was pushed for the next step is part of it.
+        // A push queued for the next step is part of the state.
         push(through.fluid, {vec3(0.4), 0.2, vec3(0.01, 0, 0)});
-        auto saved = restore(save(through.fluid, through.sheet, c.shape), solid_of);
+        auto saved = restore(save(through.fluid, through.surface, c.shape), solid_of);
         ASSERT_TRUE(saved.has_value()) << saved.error().message;
         EXPECT_EQ(saved->shape, c.shape);
-        Brew again{std::move(saved->fluid), std::move(saved->sheet)};
+        Brew again{std::move(saved->fluid), std::move(saved->surface)};
         if (c.settings.solver == Solver::thaum) {
-            EXPECT_EQ(again.fluid.now.velocity, through.fluid.now.velocity);  // ghosts as well
+            EXPECT_EQ(again.fluid.now.velocity, through.fluid.now.velocity);  // includes the ghosts
         }
-        EXPECT_EQ(save(again.fluid, again.sheet, c.shape), save(through.fluid, through.sheet, c.shape));
+        EXPECT_EQ(save(again.fluid, again.surface, c.shape), save(through.fluid, through.surface, c.shape));
         stir(through, 6, 16);
         stir(again, 6, 16);
         EXPECT_GT(energy(through.fluid), 0);
-        EXPECT_EQ(save(again.fluid, again.sheet, c.shape), save(through.fluid, through.sheet, c.shape));
+        EXPECT_EQ(save(again.fluid, again.surface, c.shape), save(through.fluid, through.surface, c.shape));
     }
 }
 
 TEST(FluidSaved, SleepersSleepOnAndWhatIsKeptComesBack) {
     const Case c = cases()[0];
     const Brew still = brew_of(c);
-    const Bytes kept{std::byte{3}, std::byte{1}};
-    const auto saved = restore(save(still.fluid, still.sheet, c.shape, kept), solid_of);
+    const Bytes caller_data{std::byte{3}, std::byte{1}};
+    const auto saved = restore(save(still.fluid, still.surface, c.shape, caller_data), solid_of);
     ASSERT_TRUE(saved.has_value());
     EXPECT_TRUE(saved->fluid.now.asleep);
-    EXPECT_EQ(saved->sheet.asleep, 1U);
-    EXPECT_EQ(saved->kept, kept);
+    EXPECT_EQ(saved->surface.asleep, 1U);
+    EXPECT_EQ(saved->caller_data, caller_data);
 }
 
 TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
     Case c{"small", settings_of(6), ball};
     c.settings.solid = *solid_of(ball);
     const Brew brew = brewed(c, 3);
-    const Bytes file = save(brew.fluid, brew.sheet, c.shape);
+    const Bytes file = save(brew.fluid, brew.surface, c.shape);
     ASSERT_EQ(refusal(file), "");
     for (std::size_t length = 0; length < file.size(); ++length)
         ASSERT_NE(refusal(std::span(file).first(length)).find("cut off"), std::string::npos) << length;
     Random random = random_stream(1, 0);
     for (std::size_t i = 0; i < 1100; ++i) {
-        // The head byte for byte, then anywhere.
+        // Damage each byte of the header, then bytes anywhere.
         Bytes spoilt = file;
         spoilt[i < 100 ? i : random.below(file.size())] ^= static_cast<std::byte>(1 + random.below(255));
         ASSERT_NE(refusal(spoilt), "") << i;
@@ -145,7 +146,7 @@ TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
         EXPECT_EQ(refusal(other), text("saved fluid: it has version ", version,
                                        "; this program reads version ", saved_version));
     }
-    // A byte too many, though all around it is right.
+    // One byte too many, with correct length and checksum.
     Bytes wider(file.begin(), file.end() - 8);
     wider.push_back(std::byte{});
     const auto length = static_cast<std::uint64_t>(wider.size() - 20);
@@ -155,45 +156,49 @@ TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
     EXPECT_EQ(refusal(std::as_bytes(std::span("a text file of some length"))), "saved fluid: this is none");
 }
 
-/// What is said of a file whose checksum is right and one thing in it is not.
-std::string refusal_of(const std::function<void(Brew&, Shape&)>& spoil) {
+/// Error message for a file with a correct checksum and one invalid value.
+std::string refusal_of(const std::function<void(Brew&, NamedShape&)>& spoil) {
     Case c{"small", settings_of(6), ball};
     c.settings.solid = *solid_of(ball);
     Brew brew = brewed(c, 3);
     spoil(brew, c.shape);
-    return refusal(save(brew.fluid, brew.sheet, c.shape));
+    return refusal(save(brew.fluid, brew.surface, c.shape));
 }
 
 TEST(FluidSaved, WhatCannotBeIsNamed) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-    const auto expect = [](const std::string& words, const std::function<void(Brew&, Shape&)>& spoil) {
+    const auto expect = [](const std::string& words, const std::function<void(Brew&, NamedShape&)>& spoil) {
         EXPECT_NE(refusal_of(spoil).find(words), std::string::npos) << refusal_of(spoil);
     };
     const auto middle = [](Brew& b) { return static_cast<std::size_t>(b.fluid.lattice.at(3, 3, 3)); };
     expect("velocity along y: a value is not finite",
-           [&](Brew& b, Shape&) { b.fluid.now.velocity[1][middle(b)] = nan; });
+           [&](Brew& b, NamedShape&) { b.fluid.now.velocity[1][middle(b)] = nan; });
     expect("push along z: a value is not finite",
-           [&](Brew& b, Shape&) { b.fluid.now.push[2][middle(b)] = nan; });
-    expect("pressure: a value", [&](Brew& b, Shape&) { b.fluid.now.pressure[middle(b)] = 1e30F; });
-    expect("last projection: a value", [&](Brew& b, Shape&) { b.fluid.now.projected[middle(b)] = 1e30F; });
-    expect("substance 2: a value", [&](Brew& b, Shape&) { b.fluid.now.substances[1][middle(b)] = -1; });
-    expect("cells must be 1 to 256", [](Brew& b, Shape&) { b.fluid.settings.cells = {6, 0, 6}; });
-    expect("cells must be 1 to 256", [](Brew& b, Shape&) { b.fluid.settings.cells[2] = 1'000'000; });
-    expect("fewer samples than its grid", [](Brew& b, Shape&) { b.fluid.settings.cells = {256, 256, 256}; });
-    expect("4 substances", [](Brew& b, Shape&) { b.fluid.settings.substances.resize(4); });
-    expect("viscosity must be", [](Brew& b, Shape&) { b.fluid.settings.viscosity = -1; });
-    expect("no solver", [](Brew& b, Shape&) { b.fluid.settings.solver = static_cast<Solver>(7); });
-    expect("no edge", [](Brew& b, Shape&) { b.fluid.settings.edges[1] = static_cast<Edge>(3); });
-    expect("no rim", [](Brew& b, Shape&) { b.sheet.settings.rim = static_cast<Rim>(2); });
-    expect("tension", [](Brew& b, Shape&) { b.sheet.settings.tension = -1; });
-    expect("a flag", [](Brew& b, Shape&) { b.sheet.inside[3] = 2; });
-    expect("a node",
-           [](Brew& b, Shape&) { b.sheet.height[sheet_index(b.sheet.settings, 4, 4)] = double(nan); });
-    expect("its shape is unknown", [](Brew&, Shape& shape) { shape.name = "vase"; });
-    expect("its shape is unknown", [](Brew&, Shape& shape) { shape.numbers.clear(); });
-    expect("no name that could be", [](Brew&, Shape& shape) { shape.name = "a\nb"; });
-    expect("a shape of 17 numbers", [](Brew&, Shape& shape) { shape.numbers.resize(17); });
-    EXPECT_EQ(refusal_of([](Brew&, Shape&) {}), "");
+           [&](Brew& b, NamedShape&) { b.fluid.now.push[2][middle(b)] = nan; });
+    expect("pressure: a value", [&](Brew& b, NamedShape&) { b.fluid.now.pressure[middle(b)] = 1e30F; });
+    expect("last projection: a value",
+           [&](Brew& b, NamedShape&) { b.fluid.now.projected[middle(b)] = 1e30F; });
+    expect("substance 2: a value", [&](Brew& b, NamedShape&) { b.fluid.now.substances[1][middle(b)] = -1; });
+    expect("cells must be 1 to 256", [](Brew& b, NamedShape&) { b.fluid.settings.cells = {6, 0, 6}; });
+    expect("cells must be 1 to 256", [](Brew& b, NamedShape&) { b.fluid.settings.cells[2] = 1'000'000; });
+    expect("fewer samples than its grid", [](Brew& b, NamedShape&) {
+        b.fluid.settings.cells = {256, 256, 256};
+    });
+    expect("4 substances", [](Brew& b, NamedShape&) { b.fluid.settings.substances.resize(4); });
+    expect("viscosity must be", [](Brew& b, NamedShape&) { b.fluid.settings.viscosity = -1; });
+    expect("no solver", [](Brew& b, NamedShape&) { b.fluid.settings.solver = static_cast<Solver>(7); });
+    expect("no edge", [](Brew& b, NamedShape&) { b.fluid.settings.edges[1] = static_cast<Edge>(3); });
+    expect("no rim", [](Brew& b, NamedShape&) { b.surface.settings.rim = static_cast<Rim>(2); });
+    expect("tension", [](Brew& b, NamedShape&) { b.surface.settings.tension = -1; });
+    expect("a flag", [](Brew& b, NamedShape&) { b.surface.inside[3] = 2; });
+    expect("a node", [](Brew& b, NamedShape&) {
+        b.surface.height[surface_node_index(b.surface.settings, 4, 4)] = double(nan);
+    });
+    expect("its shape is unknown", [](Brew&, NamedShape& shape) { shape.name = "vase"; });
+    expect("its shape is unknown", [](Brew&, NamedShape& shape) { shape.numbers.clear(); });
+    expect("no name that could be", [](Brew&, NamedShape& shape) { shape.name = "a\nb"; });
+    expect("a shape of 17 numbers", [](Brew&, NamedShape& shape) { shape.numbers.resize(17); });
+    EXPECT_EQ(refusal_of([](Brew&, NamedShape&) {}), "");
 }
 
 }  // namespace

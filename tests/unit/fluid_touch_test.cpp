@@ -5,7 +5,7 @@
 
 #include "core/hash.h"
 #include "core/random.h"
-#include "fluid/sheet.h"
+#include "fluid/spring_surface.h"
 #include "unit/stirring_rig.h"
 
 namespace thaum::haptics {
@@ -301,7 +301,7 @@ TEST(FluidTouch, TheWallNeverPulls) {
 
 // ---- surface ----------------------------------------------------------------------------------------------
 
-BrewSurface surface_of(const fluid::SheetSettings& s, const fluid::SheetReaction& r) {
+BrewSurface surface_of(const fluid::SpringSurfaceSettings& s, const fluid::ProbeReaction& r) {
     return {.height = r.height,
             .stiffness = s.contact,
             .pop_through = s.pop_through,
@@ -311,17 +311,17 @@ BrewSurface surface_of(const fluid::SheetSettings& s, const fluid::SheetReaction
 }
 
 TEST(FluidTouch, TheSurfaceIsTheSheetsOwnSpring) {
-    fluid::SheetSettings settings;
+    fluid::SpringSurfaceSettings settings;
     settings.damping = 4;
-    fluid::Sheet sheet = sheet_of(settings);
-    fluid::SheetScratch scratch;
+    fluid::SpringSurface surface = make_spring_surface(settings);
+    fluid::SpringSurfaceScratch scratch;
     StirringRig rig;
     rig.fluid().modes.surface = 1;
     const auto press = [&](double height, int calls) {
-        fluid::SheetReaction last;
+        fluid::ProbeReaction last;
         for (int i = 0; i < calls; ++i) {
-            const std::array probe{fluid::SheetProbe{.height = height, .radius = 0.1}};
-            last = advance(sheet, scratch, probe, 0.004).probes[0];
+            const std::array probe{fluid::SurfaceProbe{.height = height, .radius = 0.1}};
+            last = advance(surface, scratch, probe, 0.004).probes[0];
         }
         return last;
     };

@@ -255,7 +255,7 @@ protected:
             const vec3 along(-std::sin(angle), 0, std::cos(angle));
             fluid::push(brew.fluid, {at - brew.corner, 0.22, 0.02 * along});
             fluid::advance(brew.fluid, dt);
-            const fluid::SheetProbe probe{{at.x, at.z}, i % 20 < 10 ? -0.035 : 0.1, 0.12};
+            const fluid::SurfaceProbe probe{{at.x, at.z}, i % 20 < 10 ? -0.035 : 0.1, 0.12};
             fluid::advance(brew.surface, brew.scratch, {&probe, 1}, dt);
             ladle = LadlePicture{place.middle + at, place.middle + at + vec3(0.25, 0.95, 0.1), 0.8};
         }

@@ -1,4 +1,4 @@
-// Bullet computes with core/maths.h's functions, and those are right for the rest of the program, which gets them too.
+// Bullet computes with the functions of core/maths.h, and so does the rest of the program.
 #include <LinearMath/btTransformUtil.h>
 #include <btBulletDynamicsCommon.h>
 #include <dlfcn.h>
@@ -12,7 +12,7 @@
 namespace thaum::physics {
 namespace {
 
-/// The machine's own function, past ours.
+/// The system's own function, found behind ours.
 template <class Function>
 Function* of_libm(const char* name) {
     void* const library = dlopen("libm.so.6", RTLD_LAZY);
@@ -50,8 +50,8 @@ TEST(PhysicsMaths, DampingInsideBulletsLibraryIsOurs) {
     EXPECT_GT(format, 10) << "arguments at which the machine's function differs, so that this can fail";
 }
 
-/// btRigidBody::predictIntegratedTransform turns a body by sin and cos of half the angle. The same header compiled into this file
-/// calls our functions for certain, since the linker binds those calls.
+/// btRigidBody::predictIntegratedTransform turns a body by sin and cos of half the angle. The same
+/// header compiled into this file certainly calls our functions, because the linker binds those calls.
 TEST(PhysicsMaths, TurnInsideBulletsLibraryIsOurs) {
     auto* const machine_sin = of_libm<double(double)>("sin");
     ASSERT_NE(machine_sin, nullptr);
@@ -89,7 +89,8 @@ TEST(PhysicsMaths, RestOfTheProgramGetsThemToo) {
     EXPECT_EQ(cosine, det::cos(0.5));
 }
 
-/// The same in every build and on every processor; tests run it again without FMA. Another number means other rules.
+/// The value is the same in every build and on every processor; tests run it again without FMA. Another
+/// value means another version of the rules.
 TEST(PhysicsMaths, ProbeIsTheSameEverywhere) { EXPECT_EQ(maths_probe(), 11705066217827735670U); }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A warm step asks the heap for nothing, nor does a rebuild.
+// Steps and rebuilds do not allocate from the heap once the pool is large enough.
 #include "physics/memory.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Wizards on foot, against the closed forms.
+// Walking wizards against closed forms.
 #include "physics/mover.h"
 
 #include <gtest/gtest.h>
@@ -13,14 +13,14 @@ namespace {
 using namespace scenes;
 
 constexpr Key me = 40;
-constexpr double standing = 0.9;  // m, centre of the capsule over its soles
+constexpr double standing = 0.9;  // height of the capsule's centre above its soles (m)
 
 struct Walker {
     Physics physics;
     MoverState state;
     MoverSettings settings;
     MoverResult last;
-    double landing{};  ///< of the last landing
+    double landing{};  ///< speed of the last landing (m/s)
 
     explicit Walker(const std::vector<TriangleMesh>& meshes = {}) : physics({}, meshes) {}
     void enter(vec3 position) { physics.add(me, mover_body, at(position)); }
@@ -47,7 +47,7 @@ TEST(Mover, ReachesWalkingPace) {
     Walker w;
     add_floor(w.physics);
     w.enter({0, standing, 0});
-    w.run(300, {0, 0, -9});  // asks for more than it can
+    w.run(300, {0, 0, -9});  // more than walk_speed
     EXPECT_NEAR(w.velocity().z, -4.5, 1e-6);
     EXPECT_TRUE(w.last.grounded);
     EXPECT_EQ(w.last.ground, floor_key);
@@ -63,8 +63,8 @@ TEST(Mover, ARopeTakesAsMuchGripAsItTakesWeight) {
         w.enter({0, standing, 0});
         w.run(100, {});
         for (int i = 0; i < 50; ++i) {
-            w.last =
-                move(w.physics, me, {.wish_velocity = {4.5, 0, 0}, .hung = hung}, w.settings, w.state, dt);
+            w.last = move(w.physics, me, {.wish_velocity = {4.5, 0, 0}, .rope_lift = hung}, w.settings,
+                          w.state, dt);
             w.physics.apply_central_impulse(me, {0, std::min(hung, weight) * dt, 0});
             w.physics.step(dt);
         }
@@ -72,7 +72,7 @@ TEST(Mover, ARopeTakesAsMuchGripAsItTakesWeight) {
     };
     EXPECT_NEAR(speed_after(0), 40 * 0.05, 0.02);  // the acceleration on the ground
     EXPECT_NEAR(speed_after(weight / 2), 20 * 0.05, 0.02);
-    EXPECT_NEAR(speed_after(weight), 4 * 0.05, 0.02);  // that in the air
+    EXPECT_NEAR(speed_after(weight), 4 * 0.05, 0.02);  // the acceleration in the air
     EXPECT_NEAR(speed_after(3 * weight), 4 * 0.05, 0.02);
 }
 
@@ -114,7 +114,7 @@ TEST(Mover, FallsFromFiveMetres) {
         ++ticks;
     }
     EXPECT_NEAR(ticks * dt, std::sqrt(2 * 5 / 9.81), 0.01);
-    EXPECT_NEAR(w.landing, std::sqrt(2 * 9.81 * 5), 0.06);  // 9.90 m/s; the ground is noticed 3 cm early
+    EXPECT_NEAR(w.landing, std::sqrt(2 * 9.81 * 5), 0.06);  // 9.90 m/s; the ground is found 3 cm early
     w.run(500, {});
     EXPECT_NEAR(w.position().y, standing, 2e-3);
 }
@@ -164,7 +164,7 @@ TEST(Mover, SlidesOffASteepSlope) {
     Walker w;
     add_slope(w.physics, 60);
     w.enter({0, 1.5, 0});
-    w.run(1000, {4.5, 0, 0});  // uphill, in vain
+    w.run(1000, {4.5, 0, 0});  // uphill, without success
     EXPECT_LT(w.position().y, 1.0);
     EXPECT_FALSE(w.last.grounded);
 }
@@ -185,7 +185,7 @@ TEST(Mover, WalksUpAndDownASlopeAtItsPace) {
 TEST(Mover, WalksFromFloorToSlopeAndOverTheCrest) {
     Walker w;
     add_floor(w.physics);
-    add_slope(w.physics, 30);                                  // from x = 0 up
+    add_slope(w.physics, 30);                                  // rises from x = 0
     w.physics.add(8, box({4, 4, 5}, 0), at({4 + 4, 0.0, 0}));  // a plateau of 4 m height, from x = 4
     w.enter({-2, standing, 0});
     int in_air = 0;
@@ -239,7 +239,8 @@ double pushed_distance(double mass, double friction) {
 }
 
 TEST(Mover, PushesWithAPersonsForce) {
-    // 700 N against friction, 0.7 * 0.7 of the weight: 60 kg, 288 N: goes; 300 kg, 1,442 N: stays.
+    // 700 N against friction, 0.7 * 0.7 of the weight. 60 kg need 288 N and move; 300 kg need 1,442 N
+    // and stay.
     EXPECT_GT(pushed_distance(60, 0.7), 1.0);
     EXPECT_LT(pushed_distance(300, 0.7), 0.01);
 }

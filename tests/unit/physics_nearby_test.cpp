@@ -1,4 +1,5 @@
-// What lies near a point: exact distances of every shape, a mesh against a search of all its triangles, and what does not fit.
+// Surfaces near a point: exact distances for every shape, meshes against a search of all triangles, and
+// arrays that are too small.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ constexpr double exact = 1e-12;  // m
 
 std::vector<Nearby> near_point(const Physics& physics, vec3 point, double radius) {
     std::array<Nearby, 64> found{};
-    const Surroundings all = physics.nearby(point, radius, found);
+    const NearbyResult all = physics.nearby(point, radius, found);
     EXPECT_EQ(all.reach, radius);
     return {found.begin(), found.begin() + static_cast<std::ptrdiff_t>(all.count)};
 }
@@ -81,7 +82,8 @@ TEST(PhysicsNearby, AMeshGivesTheTrianglesThatASearchOfAllGives) {
         std::vector<std::uint32_t> parts, expected;
         for (const Nearby& t : found) parts.push_back(t.part);
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-            // Farther than every corner's ball is surely out, a corner within surely in; the rest by a fine grid of its points.
+            // Triangles whose bounding balls are too far are outside; those with a corner within the
+            // radius are inside. The others are sampled by a fine grid.
             const auto& [a, b, c] = mesh.triangles[i];
             double nearest = 1e9;
             for (int u = 0; u <= 40; ++u) {

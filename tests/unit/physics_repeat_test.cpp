@@ -1,4 +1,5 @@
-// The same bits, always: two worlds side by side, a world restored at a keyframe, steps skipped or not, builds -O0 and -O3.
+// Physics repeats to the bit: two worlds in parallel, a world restored at a keyframe, with and without
+// skipped steps, in builds with -O0 and -O3.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace {
 
 using namespace scenes;
 
-/// A busy scene: hills, shapes of all kinds, bodies that come and go in random order, kicks, one walking wizard.
-/// All its own memory is plain, so that a second one can go on from it.
+/// A busy scene: hills, shapes of all kinds, bodies that are added and removed in random order, kicks,
+/// and one walking wizard. Its own data are plain, so that a second scene can continue from them.
 struct Drama {
     Physics physics;
     Random random;
@@ -30,7 +31,7 @@ struct Drama {
         for (Key key = 100; key < 130; ++key) come(key);
     }
 
-    /// The one that `other` would be if it were restored from what a keyframe saves.
+    /// The scene that results from restoring `other` from a keyframe.
     Drama(const Drama& other, Settings settings)
         : physics(settings, {hills(16, 0.3)}), random(other.random), mover(other.mover), tick(other.tick) {
         Keys backwards = other.keys;
@@ -79,7 +80,7 @@ struct Drama {
     }
 
     void advance() {
-        // Three busy seconds, then three of peace in which some fall asleep.
+        // Three busy seconds are followed by three quiet ones, in which some bodies fall asleep.
         const bool busy = tick % 6000 < 3000;
         if (busy) act();
         if (physics.has(40)) {
@@ -119,7 +120,7 @@ TEST(PhysicsRepeat, RestoredAtAKeyframeItGoesOnToTheSameBits) {
 }
 
 TEST(PhysicsRepeat, WithoutTheRebuildItDoesNot) {
-    // Or the test above would prove nothing: Bullet's caches are state.
+    // This shows that the test above can fail: Bullet's caches are state.
     Drama a;
     while (a.tick < 700) a.advance();
     Drama b(a, {});
@@ -145,7 +146,8 @@ TEST(PhysicsRepeat, RebuildAgainAndAgainChangesNothing) {
     EXPECT_EQ(a.hash(), b.hash());
 }
 
-/// Kicked awake, asleep again, a support taken away: what skipping must not change.
+/// Bodies are kicked awake, fall asleep again, and lose their support. Skipping steps must not change
+/// the result.
 struct Nap {
     Physics physics;
     MoverState mover;
@@ -203,8 +205,8 @@ TEST(PhysicsRepeat, ASpoiltBitIsSeen) {
     EXPECT_NE(a.hash(), b.hash());
 }
 
-// The same at -O0, -O3, under sanitizers and on every processor. A change of rules may change it: then look why, and record the
-// new one.
+// The hash is the same at -O0 and -O3, under sanitizers and on every processor. Only a change of the
+// physics may change it: find the reason, then record the new value.
 constexpr std::uint64_t recorded_hash = 0x3132f8884f3be158ULL;
 
 TEST(PhysicsRepeat, EveryBuildGivesTheRecordedHash) {

@@ -1,4 +1,4 @@
-// Scenes of the physics tests, written once.
+// Scenes shared by the tests of physics.
 #pragma once
 #include <map>
 
@@ -23,14 +23,14 @@ inline BodyState at(vec3 position, vec3 velocity = {}) {
     return {.position = position, .velocity = velocity};
 }
 
-/// Its top is y = 0.
+/// Adds a floor whose top is y = 0.
 inline void add_floor(Physics& physics) { physics.add(floor_key, box({50, 1, 50}, 0), at({0, -1, 0})); }
 
 inline BodyDesc wizard() {
     return {.shape = Shape::capsule, .size = {0.35, 0.55, 0}, .mass = 75, .friction = 0, .upright = 1};
 }
 
-/// The duel of the reference table: a floor, 14 boxes stacked askew, 2 capsules.
+/// Adds the bodies of the reference table's duel: a floor, 14 boxes stacked askew, 2 capsules.
 inline void add_pile(Physics& physics) {
     add_floor(physics);
     for (Key i = 0; i < 14; ++i) {
@@ -43,7 +43,7 @@ inline void add_pile(Physics& physics) {
     physics.add(31, wizard(), at({3, 1.2, 0}));
 }
 
-/// A hilly one-sided grid of triangles, `cells` by `cells` of 1 m, centred on the origin.
+/// A hilly mesh of one-sided triangles, `cells` by `cells` squares of 1 m, centred on the origin.
 inline TriangleMesh hills(std::uint32_t cells, double height) {
     TriangleMesh mesh;
     const std::uint32_t row = cells + 1;

@@ -1,4 +1,4 @@
-// The face: keys, sleep and waking, contacts, rays.
+// The interface of Physics: keys, sleep and waking, contacts, rays.
 #include "physics/physics.h"
 
 #include <gtest/gtest.h>
@@ -84,7 +84,8 @@ TEST(Physics, LayersDecideWhoMeets) {
     ghost.collides_with = 8;
     physics.add(2, ghost, at({0, 1, 0}));
     BodyDesc one_sided = ball(0.2, 1);
-    one_sided.layer = 4;  // would meet the floor; meets not the ghost, who does not want it
+    // Would collide with the floor, but not with the ghost, which does not collide with it.
+    one_sided.layer = 4;
     physics.add(3, one_sided, at({0, 2, 0}));
     run(physics, 2000);
     EXPECT_LT(physics.state(2).position.y, -5);
@@ -124,7 +125,7 @@ TEST(PhysicsSleep, OneAddedAsleepStaysSo) {
     Physics physics;
     BodyState dreaming = at({0, 5, 0}, {1, 1, 1});
     dreaming.asleep = 1;
-    physics.add(2, ball(0.2, 1), dreaming);  // in mid-air, with a motion it cannot have
+    physics.add(2, ball(0.2, 1), dreaming);  // in mid-air, with a velocity that a sleeper cannot have
     run(physics, 100);
     EXPECT_EQ(physics.state(2).position, vec3(0, 5, 0));
     EXPECT_EQ(physics.velocity(2), vec3(0));
@@ -241,7 +242,7 @@ TEST(PhysicsContacts, AreSortedByKeys) {
     }
 }
 
-// Rays: one of each shape, hit from +x at x = 10.
+// A ray from +x hits one body of each shape at x = 10.
 struct RayShapes : testing::TestWithParam<Shape> {
     static BodyDesc desc(Shape shape) {
         if (shape == Shape::box) return box({0.5, 1, 1}, 0);
@@ -281,7 +282,8 @@ INSTANTIATE_TEST_SUITE_P(All, RayShapes,
                          testing::Values(Shape::box, Shape::sphere, Shape::capsule, Shape::cylinder));
 
 TEST(PhysicsRay, AgreesWithFineSampling) {
-    // Oracle: walk along the ray in steps of 0.1 mm and ask whether the point is inside the turned box.
+    // The oracle walks along the ray in steps of 0.1 mm and tests whether the point is inside the
+    // turned box.
     Physics physics;
     const quat turn = rotation(glm::normalize(vec3{1, 2, 3}), 0.7);
     physics.add(3, box({0.4, 0.05, 0.8}, 0), {.position = {0.1, 0.2, 0.3}, .orientation = turn});
@@ -306,7 +308,7 @@ TEST(PhysicsRay, AgreesWithFineSampling) {
             EXPECT_NEAR(hit->fraction * length, first * length, 2e-4) << i;
             ++hits;
         } else if (hit) {
-            // A corner that the samples step over: the hit must still be on the surface.
+            // The samples may miss a corner; the hit must then still be on the surface.
             const vec3 p = glm::abs(glm::conjugate(turn) * (hit->point - vec3{0.1, 0.2, 0.3}));
             EXPECT_NEAR(glm::length(glm::max(p - vec3{0.4, 0.05, 0.8}, vec3(0))), 0, 1e-8);
         }
@@ -319,7 +321,7 @@ TEST(PhysicsRay, NothingTunnelsThroughACentimetre) {
     physics.add(2, box({0.005, 2, 2}, 0), at({0, 0, 0}));
     Random random{4};
     const double step = 400 * dt;
-    for (int i = 0; i < 2000; ++i) {  // a bolt of 400 m/s, from anywhere, at any angle, in steps of a tick
+    for (int i = 0; i < 2000; ++i) {  // a bolt of 400 m/s in steps of a tick, from any place and angle
         vec3 from{-1 - random.uniform(), random.uniform() - 0.5, random.uniform() - 0.5};
         const vec3 way = glm::normalize(vec3{1, random.uniform() - 0.5, random.uniform() - 0.5}) * step;
         bool hit = false;
@@ -327,7 +329,7 @@ TEST(PhysicsRay, NothingTunnelsThroughACentimetre) {
             hit = physics.ray(from, from + way).has_value();
         ASSERT_TRUE(hit) << i;
     }
-    // Its edge, head on: 1 cm is hit, 1 nm beside it is not.
+    // A ray onto the edge hits; 1 nm beside it, it misses.
     EXPECT_TRUE(physics.ray({0, 500, 0}, {0, -500, 0}));
     EXPECT_TRUE(physics.ray({0.005, 500, 0}, {0.005, -500, 0}));
     EXPECT_FALSE(physics.ray({0.00500001, 500, 0}, {0.00500001, -500, 0}));
@@ -346,7 +348,7 @@ TEST(PhysicsRay, MeetsMeshes) {
     Physics physics({}, {hills(8, 0)});
     physics.add(2, {.shape = Shape::mesh}, {.position = {0, 1, 0}, .orientation = rotation({0, 1, 0}, 0.3)});
     Random random{5};
-    for (int i = 0; i < 200; ++i) {  // watertight along all seams, and exact
+    for (int i = 0; i < 200; ++i) {  // exact, and without gaps at all seams
         const double x = std::floor(random.uniform() * 5) - 2, z = random.uniform() * 4 - 2;
         const vec3 seam = rotation({0, 1, 0}, 0.3) * vec3{x, 0, z};
         const auto hit = physics.ray(seam + vec3{0, 300, 0}, seam - vec3{0, 300, 0});

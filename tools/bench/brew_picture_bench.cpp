@@ -62,7 +62,7 @@ Expected<void> stir(BrewScene& scene) {
         const vec3 at = 0.6 * vec3(std::cos(angle), -0.4, std::sin(angle));
         fluid::push(brew.fluid, {at - brew.corner, 0.25, 0.03 * vec3(-std::sin(angle), 0, std::cos(angle))});
         fluid::advance(brew.fluid, step);
-        const fluid::SheetProbe probe{{at.x, at.z}, i % 40 < 20 ? -0.03 : 0.1, 0.1};
+        const fluid::SurfaceProbe probe{{at.x, at.z}, i % 40 < 20 ? -0.03 : 0.1, 0.1};
         fluid::advance(brew.surface, brew.scratch, {&probe, 1}, step);
     }
     return {};

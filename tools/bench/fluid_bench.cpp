@@ -130,7 +130,7 @@ void add_flow(const Flow& flow, int n, const std::vector<std::pair<std::string, 
     }
 }
 
-// ---- flows known exactly ------------------------------------------------------------------------------------------
+// ---- flows known exactly ----------------------------------------------------------------------------------------
 
 void vortices(const Options& options, Report& report) {
     const std::vector<int> sizes = options.quick ? std::vector{16, 32} : std::vector{15, 16, 24, 32, 48, 64};
@@ -154,7 +154,7 @@ void viscous(const Options& options, Report& report) {
         add_flow(flows::high_viscosity(ratio, n), n, {{"nu_dt_per_h2", ratio}}, report);
 }
 
-// ---- the cavity ---------------------------------------------------------------------------------------------------
+// ---- the cavity -------------------------------------------------------------------------------------------------
 
 double change_since(const Fluid& fluid, fluid::Samples& before) {
     double most = 0;
@@ -196,7 +196,7 @@ void cavities(const Options& options, Report& report) {
     }
 }
 
-// ---- the bowl -----------------------------------------------------------------------------------------------------
+// ---- the bowl ---------------------------------------------------------------------------------------------------
 
 /// Our solver alone: the paper's knows no walls but the box. Where there are solids it is of second order.
 Row row_between_walls(const std::string& name, const FluidRun& run, double error, Report& report) {
@@ -241,7 +241,7 @@ void bowls(const Options& options, Report& report) {
     for (const int n : sizes) walled_flow(flows::bowl_vortex(), n, scheme, report);
 }
 
-// ---- substances ---------------------------------------------------------------------------------------------------
+// ---- substances -------------------------------------------------------------------------------------------------
 
 struct TurnedShape {
     const char* name;
@@ -329,7 +329,7 @@ void deformations(const Options& options, Report& report) {
         for (const int n : sizes) add_deformation(shape, n, report);
 }
 
-// ---- heavy and light ------------------------------------------------------------------------------------------------
+// ---- heavy and light --------------------------------------------------------------------------------------------
 
 /// Kinetic and potential energy above the start, by what was released, that still count as rounding and order.
 constexpr double excess_most = 0.01;
@@ -367,7 +367,7 @@ void weighings(const Options& options, Report& report) {
                     add_weighing(weighing, in_bowl, n, viscosity, report);
 }
 
-// ---- the cauldron ---------------------------------------------------------------------------------------------------
+// ---- the cauldron -----------------------------------------------------------------------------------------------
 
 /// What a match pays: two ladles, three substances, one of them thick, in a bowl; beside an empty box of as many cells.
 void cauldron(const Options& options, Report& report) {
@@ -399,7 +399,7 @@ void cauldron(const Options& options, Report& report) {
     }
 }
 
-// ---- rest and attack ----------------------------------------------------------------------------------------------
+// ---- rest and attack --------------------------------------------------------------------------------------------
 
 void rest(const Options& options, Report& report) {
     const int steps = options.quick ? 100 : 10'000;
@@ -455,7 +455,7 @@ void hostile(const Options& options, Report& report) {
     for (const int n : {24, 32}) hostile_of(n, options, report);
 }
 
-// ---- stress -------------------------------------------------------------------------------------------------------
+// ---- stress -----------------------------------------------------------------------------------------------------
 
 constexpr std::uint64_t usual_strikes = 100'000;
 

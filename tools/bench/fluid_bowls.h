@@ -100,7 +100,7 @@ inline void drive(Fluid& fluid, const std::array<Samples, 3>& force, double dt) 
     fluid.now.asleep = false;
 }
 
-// ---- between two cylinders --------------------------------------------------------------------------------------------
+// ---- between two cylinders --------------------------------------------------------------------------------------
 
 inline constexpr double couette_inner = 0.17, couette_outer = 0.43;  ///< m
 inline constexpr double couette_viscosity = 0.01, couette_swirl = 0.01;
@@ -136,7 +136,7 @@ inline WalledFlow taylor_couette() {
         .force = [=](vec3 place) { return couette_swirl / glm::length(off_axis(place)) * round(place); }};
 }
 
-// ---- a vortex beside the axis of a bowl ---------------------------------------------------------------------------------
+// ---- a vortex beside the axis of a bowl -------------------------------------------------------------------------
 
 /// m/s. In every level round a place that is not on the bowl's axis, and 0 on the wall: the curl, along y, of (1 - r^2 / R^2)^2 (1 + 1.5 x / R),
 /// scaled to a speed of about 0.2 m/s.
@@ -172,7 +172,7 @@ inline WalledFlow bowl_vortex() {
             .starts = true};
 }
 
-// ---- how far they are off ------------------------------------------------------------------------------------------------
+// ---- how far they are off ---------------------------------------------------------------------------------------
 
 inline double bowl_error(const Fluid& fluid, double time) {
     return faces_error(

@@ -97,7 +97,7 @@ inline std::vector<double> steps_until(double end, double dt = step) {
     return result;
 }
 
-// ---- vortices -----------------------------------------------------------------------------------------------------
+// ---- vortices ---------------------------------------------------------------------------------------------------
 
 inline constexpr double vortex_viscosity = 1e-3;
 
@@ -161,7 +161,7 @@ inline Flow taylor_green_box(int first) {
     return flow;
 }
 
-// ---- walls and viscosity ------------------------------------------------------------------------------------------
+// ---- walls and viscosity ----------------------------------------------------------------------------------------
 
 /// Between two plates 1 m apart, the upper one of which moves at 1 m/s from the start on. Uniform along x and z.
 inline Flow couette_start() {
@@ -197,7 +197,7 @@ inline Flow high_viscosity(double ratio, int n) {
     return flow;
 }
 
-// ---- the cavity ---------------------------------------------------------------------------------------------------
+// ---- the cavity -------------------------------------------------------------------------------------------------
 
 /// A square of 1 m with a lid that moves at 1 m/s; one cell deep. `which` of ghia.h's Reynolds numbers 100, 400, 1000.
 inline constexpr std::array<double, 3> cavity_reynolds{100, 400, 1000};
@@ -287,7 +287,7 @@ inline double cavity_error(const Fluid& fluid, std::size_t which) {
     return std::sqrt(squares / points);
 }
 
-// ---- substances ---------------------------------------------------------------------------------------------------
+// ---- substances -------------------------------------------------------------------------------------------------
 
 /// A rigid turn in 1 s about the axis (0.5, 0.5, z); periodic, so that every row carries as much out of the box as into it. Each component
 /// is constant along its own direction, so it has no divergence on any grid.
@@ -353,7 +353,7 @@ inline Densities densities_of(const Fluid& fluid, std::size_t substance,
     return result;
 }
 
-// ---- the bowl -----------------------------------------------------------------------------------------------------
+// ---- the bowl ---------------------------------------------------------------------------------------------------
 
 /// Half a ball, open at the top of y, in a box half as high as it is wide.
 inline constexpr double bowl_radius = 0.46;  ///< m
@@ -411,7 +411,7 @@ inline vec3 bowl_spin_down(vec3 place, double time) {
     return glm::cross(vec3(0, bowl_turn * speed, 0), off);
 }
 
-// ---- the cauldron ---------------------------------------------------------------------------------------------------
+// ---- the cauldron -----------------------------------------------------------------------------------------------
 
 /// 1 where it is solid: a hemisphere below a cylinder that is open above, in the unit box.
 inline double cauldron(vec3 place) {
@@ -446,7 +446,7 @@ inline void stir(Fluid& fluid, int steps_before) {
         push(fluid, {vec3(0.5) + 0.25 * side * out, 0.1, 1e-4 * side * along});
 }
 
-// ---- rest and attack ----------------------------------------------------------------------------------------------
+// ---- rest and attack --------------------------------------------------------------------------------------------
 
 /// Three substances in layers, heavier ones below, which ought to stay there for ever.
 inline Expected<Fluid> resting(const Scheme& scheme, int n) {

@@ -12,7 +12,7 @@
 
 namespace thaum::fluid::flows {
 
-// ---- heavy and light ------------------------------------------------------------------------------------------------
+// ---- heavy and light --------------------------------------------------------------------------------------------
 
 /// A light lump near the floor, a heavy one near the top, or a heavy layer whose surface is tilted.
 enum class Weighing : std::uint8_t { plume, settling, sloshing };
@@ -82,7 +82,7 @@ inline void enter(const Fluid& fluid, const StepReport& report, PassivityObserve
     book.rescaled += report.rescaled;
 }
 
-// ---- reversed deformation ---------------------------------------------------------------------------------------------
+// ---- reversed deformation ---------------------------------------------------------------------------------------
 
 /// LeVeque's flow (1996): it draws what it carries out into sheets thinner than a cell, and back again, within `deformation_end`.
 inline constexpr double deformation_end = 3;  ///< s

@@ -57,7 +57,7 @@ struct Outcome {
 
 BodyDesc ball() { return {.shape = Shape::sphere, .size = {0.1, 0, 0}, .mass = 1}; }
 
-// ---- free flight --------------------------------------------------------------------------------------------------
+// ---- free flight ------------------------------------------------------------------------------------------------
 
 /// How far from the closed form after 2 s.
 Outcome flight(Run& run, vec3 velocity) {
@@ -70,7 +70,7 @@ Outcome flight(Run& run, vec3 velocity) {
     return {.error = glm::length(state.position - exact), .hash = hash_value(state)};
 }
 
-// ---- pendulum -----------------------------------------------------------------------------------------------------
+// ---- pendulum ---------------------------------------------------------------------------------------------------
 
 constexpr double swing_seconds = 10;
 constexpr double rod = 1;  // m
@@ -135,7 +135,7 @@ Outcome pendulum(Run& run) {
             .hash = hash_value(state)};
 }
 
-// ---- stack --------------------------------------------------------------------------------------------------------
+// ---- stack ------------------------------------------------------------------------------------------------------
 
 constexpr std::size_t stack_count = 32;
 
@@ -196,7 +196,7 @@ Outcome stacks(Run& run) {
             .hash = hash};
 }
 
-// ---- rows ---------------------------------------------------------------------------------------------------------
+// ---- rows -------------------------------------------------------------------------------------------------------
 
 struct Case {
     std::string name;
@@ -260,7 +260,7 @@ void measure_case(const Case& one, const Options& options, Report& report) {
         report.rows.push_back(row_of(one, settings[i], outcomes[i], samples[i]));
 }
 
-// ---- contacts -----------------------------------------------------------------------------------------------------
+// ---- contacts ---------------------------------------------------------------------------------------------------
 
 /// One row under the shipped settings: an error that must not pass a bound.
 struct Stress {

@@ -7,7 +7,7 @@
 #include <deque>
 
 #include "core/random.h"
-#include "fluid/sheet.h"
+#include "fluid/spring_surface.h"
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
 
@@ -71,7 +71,7 @@ public:
         touch.wall.damping = spec.max_damping / 2 / felt;
         touch.ladle = {.mass = ladle_mass / felt, .stiffness = stiffness_ / 2 / felt, .damping = 2 / felt};
         settings_.contact = stiffness_ / felt;
-        sheet_ = sheet_of(settings_);
+        surface_ = make_spring_surface(settings_);
     }
 
     StirredEnergy run(int ticks) {
@@ -136,8 +136,8 @@ private:
         if (!world_.waves) return;
         const vec3 place = to_bowl(touch.frame, tip_.position);
         const std::array probe{
-            fluid::SheetProbe{.place = {place.x, place.z}, .height = place.y, .radius = 0.1}};
-        const auto reaction = fluid::advance(sheet_, scratch_, probe, tick_seconds).probes[0];
+            fluid::SurfaceProbe{.place = {place.x, place.z}, .height = place.y, .radius = 0.1}};
+        const auto reaction = fluid::advance(surface_, scratch_, probe, tick_seconds).probes[0];
         touch.surface = {.height = reaction.height,
                          .velocity = (reaction.height - touch.surface.height) / tick_seconds,
                          .stiffness = settings_.contact,
@@ -157,9 +157,9 @@ private:
     haptics::SimulatedState tip_ = haptics::resting_at({});
     vec3 goal_{};
     Random random_{12};
-    fluid::SheetSettings settings_{};
-    fluid::Sheet sheet_{};
-    fluid::SheetScratch scratch_{};
+    fluid::SpringSurfaceSettings settings_{};
+    fluid::SpringSurface surface_{};
+    fluid::SpringSurfaceScratch scratch_{};
     StirredEnergy energy_{};
     double last_{}, surface_force_{}, height_{};
 };

@@ -8,10 +8,10 @@
 namespace thaum::physics::detail {
 namespace {
 
-/// Speeds at which the two surfaces of a contact come together; negative: they part (m/s).
+/// Closing speed of two surfaces in contact; negative if they separate (m/s).
 struct Closing {
-    btScalar now;  ///< before the step's forces: what the solver's restitution goes by
-    btScalar end;  ///< with the step's forces: decides whether they meet
+    btScalar now;  ///< before the forces of this step; the solver applies restitution to it
+    btScalar end;  ///< after the forces of this step; decides whether the surfaces meet
 };
 
 btVector3 velocity_at(const btRigidBody* body, const btVector3& point) {
@@ -31,15 +31,15 @@ Closing closing_at(const btManifoldPoint& point, const btRigidBody* a, const btR
     return {now, now - point.m_normalWorldOnB.dot(gained)};
 }
 
-/// Speed at which two bodies part at the end of the step in which they bounce (m/s). They bounce with their speed at
-/// the time of contact: at the start of the step they are `gap` before that, or beyond it by -gap. On their way apart,
-/// which is as long as the step makes it, their acceleration takes its share, as in a free flight. Depth in each other
-/// earns nothing: it is taken out without any speed.
+/// Speed at which two bodies separate at the end of the step in which they bounce (m/s). They bounce
+/// with their speed at the time of contact. At the start of the step they are `gap` apart, or -gap
+/// inside each other. On the way apart their acceleration acts as in a free flight. Penetration adds no
+/// speed, because it is removed from the positions alone.
 btScalar rebound(const Closing& closing, btScalar gap, btScalar e, btScalar dt, btScalar taken_out) {
     const btScalar gained = closing.end - closing.now, acceleration = gained / dt;
     const btScalar at_contact = closing.now * closing.now + 2 * acceleration * gap;  // squared
     const btScalar speed = e * std::sqrt(std::max(btScalar(0), at_contact));
-    const btScalar start = gap > 0 ? -e * gap : (1 - taken_out) * gap;  // the way apart is this and v dt
+    const btScalar start = gap > 0 ? -e * gap : (1 - taken_out) * gap;  // the path apart is this plus v dt
     if (start + speed * dt <= 0) return speed;
     // v^2 = speed^2 - 2 acceleration (start + v dt)
     const btScalar root = gained * gained + speed * speed - 2 * acceleration * start;
@@ -59,7 +59,7 @@ void BouncingWorld::time_contact(btPersistentManifold& manifold, btScalar dt, bt
         const btScalar gap = point.getDistance();
         point.m_combinedRestitution = e;
         const Closing closing = closing_at(point, a, b, dt);
-        if (closing.now < least_speed) continue;  // the solver lets this one come to rest
+        if (closing.now < least_speed) continue;  // the solver lets this contact come to rest
         if (exact_flight && gap < closing.end * dt)
             point.m_combinedRestitution = rebound(closing, gap, e, dt, getSolverInfo().m_erp2) / closing.now;
         if (gap <= 0) continue;
@@ -76,23 +76,24 @@ void BouncingWorld::time_contact(btPersistentManifold& manifold, btScalar dt, bt
     put_back(*manifold.getBody1(), normal * (most * give_b / (give_a + give_b)));
 }
 
-/// Two floors side by side ask for the same way once each: it is gone once.
+/// Stores a path to move back. Two adjacent floors may request the same path once each, so it is stored
+/// only once.
 void BouncingWorld::put_back(const btCollisionObject& object, const btVector3& way) {
     const btScalar length = way.length();
     if (length <= 0) return;
     auto* const body = const_cast<btRigidBody*>(btRigidBody::upcast(&object));
     const btVector3 direction = way / length;
-    for (int i = 0; i < excess_.size(); ++i) {
-        Excess& known = excess_[i];
+    for (int i = 0; i < unused_paths_.size(); ++i) {
+        UnusedPath& known = unused_paths_[i];
         if (known.body != body) continue;
         known.way += direction * std::max(btScalar(0), length - known.way.dot(direction));
         return;
     }
-    excess_.push_back({body, way});
+    unused_paths_.push_back({body, way});
 }
 
 void BouncingWorld::solveConstraints(btContactSolverInfo& info) {
-    excess_.resizeNoInitialize(0);
+    unused_paths_.resizeNoInitialize(0);
     btDispatcher& dispatcher = *getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
@@ -106,9 +107,9 @@ void BouncingWorld::solveConstraints(btContactSolverInfo& info) {
 
 void BouncingWorld::integrateTransforms(btScalar dt) {
     btDiscreteDynamicsWorld::integrateTransforms(dt);
-    for (int i = 0; i < excess_.size(); ++i) {
-        btTransform& place = excess_[i].body->getWorldTransform();
-        place.setOrigin(place.getOrigin() + excess_[i].way);
+    for (int i = 0; i < unused_paths_.size(); ++i) {
+        btTransform& place = unused_paths_[i].body->getWorldTransform();
+        place.setOrigin(place.getOrigin() + unused_paths_[i].way);
     }
 }
 

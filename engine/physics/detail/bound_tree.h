@@ -1,6 +1,6 @@
-// physics/detail/bound_tree.h: which bodies may lie near a place, by a tree of boxes (Bullet's btDbvt). Each box is a little larger
-// than its body, so that one that moves is seldom moved in the tree. What the tree looks like depends on the past; what it
-// finds does not.
+// physics/detail/bound_tree.h: finds bodies near a place by a tree of bounding boxes (Bullet's btDbvt).
+// Each box is slightly larger than its body, so a moving body seldom changes the tree. The structure of
+// the tree depends on the past; the results of a search do not.
 #pragma once
 #include <BulletCollision/BroadphaseCollision/btDbvt.h>
 
@@ -14,10 +14,11 @@
 namespace thaum::physics::detail {
 
 struct Box {
-    vec3 low{}, high{};  ///< m
+    vec3 low{}, high{};  ///< corners (m)
 };
 
-/// As many as a place may have near it for the tree to be of use.
+/// Capacity of a search. With more bodies near a place, the tree is no faster than a search of all
+/// bodies.
 using NearKeys = std::array<Key, 128>;
 
 class BoundTree {
@@ -27,8 +28,9 @@ public:
     Leaf add(Key, const Box&);
     void move(Leaf, const Box&);
     void remove(Leaf);
-    /// The keys of all whose box meets this one, and of some that miss it by little, sorted, in the first places of `into`. Nothing
-    /// where they do not fit. Allocates nothing; several threads may ask.
+    /// Writes to `into` the sorted keys of all bodies whose box meets this one, and of some that
+    /// narrowly miss it. Returns nothing if they do not fit. Does not allocate. Several threads may
+    /// call it at once.
     std::optional<std::span<const Key>> near(const Box&, NearKeys& into) const;
 
 private:

@@ -1,13 +1,16 @@
-// Choices, and why:
-// - Sweep and prune, since its set of pairs is a function of where the bodies are now. The usual tree (Dbvt) tidies itself a
-//   little in each step, so a skipped step would change what comes after it.
-// - Deterministic pairs: the order of the solver's rows then does not hang on when a pair first met.
-// - Penetration is always taken out by split impulses: at 1 kHz Bullet's default turns 1 cm of it into 2 m/s of bounce.
-// - Damping is ours (physics.cpp), exact whatever the step.
-// - A step begins with the whole of the last step's impulses. Bullet keeps 85 %, so its ten rounds must find the rest again in each
-//   step: too much for 200 kg on four bodies of 2 kg, which sank into each other and fell within a second.
-// - Bullet rounds the edges of a box by its margin. Where two static boxes make one floor that is a groove: at 4 cm, its
-//   default, a rolling ball hops 5 mm there, at 1 mm 0.14 mm.
+// Options of Bullet, with the reasons:
+// - Sweep and prune, because its set of pairs depends only on the current positions. The usual tree
+//   (Dbvt) reorganises itself a little in each step, so a skipped step would change later ones.
+// - Deterministic pairs: the order of the solver's rows then does not depend on when a pair first met.
+// - Split impulses always remove penetration. At 1 kHz Bullet's default turns a penetration of 1 cm
+//   into a bounce of 2 m/s.
+// - Damping is computed in physics.cpp, exactly for any time step.
+// - A step starts from all of the last step's impulses. Bullet keeps 85 %, so its ten iterations must
+//   find the rest again in each step. That failed for 200 kg on four bodies of 2 kg: they sank into
+//   each other and fell within a second.
+// - Bullet rounds the edges of a box by its margin. Between two static boxes that form one floor this
+//   leaves a groove. At the default margin of 4 cm a rolling ball hops 5 mm there, at 1 mm only 0.14
+//   mm.
 #include "physics/detail/bullet_world.h"
 
 #include <BulletCollision/CollisionDispatch/btInternalEdgeUtility.h>
@@ -23,7 +26,8 @@ namespace {
 
 constexpr double static_box_margin = 0.001;  // m
 
-/// Bullet's own hook for contacts on meshes: bends normals at edges inside a flat surface back to the triangle's.
+/// Bullet's own correction for contacts on meshes: at edges inside a flat surface it replaces the
+/// normal by the triangle's.
 bool smooth_inner_edge(btManifoldPoint& point, const btCollisionObjectWrapper* a, int part_a, int index_a,
                        const btCollisionObjectWrapper* b, int part_b, int index_b) {
     btAdjustInternalEdgeContacts(point, b, a, part_b, index_b);
@@ -60,7 +64,7 @@ btTransform transform_of(const BodyState& state) {
     return btTransform(btQuaternion(q.x, q.y, q.z, q.w), to_bullet(state.position));
 }
 
-/// Two static bodies never meet; Bullet would keep them as a pair all the same.
+/// Excludes pairs of static bodies, which Bullet would otherwise keep.
 struct NoStaticPairs : btOverlapFilterCallback {
     bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override {
         const auto* body_a = static_cast<const btCollisionObject*>(a->m_clientObject);
@@ -78,7 +82,7 @@ NoStaticPairs& no_static_pairs() {
 
 btDefaultCollisionConstructionInfo pools_for(const Settings& settings) {
     btDefaultCollisionConstructionInfo info;
-    // First sizes only: beyond them Bullet asks our pool for single ones.
+    // These are initial sizes. Beyond them Bullet requests single blocks from our pool.
     const int pairs = static_cast<int>(std::min(settings.max_bodies, 256U)) * 4;
     info.m_defaultMaxPersistentManifoldPoolSize = pairs;
     info.m_defaultMaxCollisionAlgorithmPoolSize = pairs;
@@ -124,10 +128,10 @@ Mesh& Mesh::operator=(Mesh&&) noexcept = default;
 
 btCollisionShape* Mesh::shape() const { return parts_->shape.get(); }
 
-std::optional<Touch> Mesh::cast(const Path& path) const {
-    struct NearestTouch : btTriangleCallback {
+std::optional<CastHit> Mesh::cast(const Path& path) const {
+    struct NearestHit : btTriangleCallback {
         Path path;
-        std::optional<Touch> touch;
+        std::optional<CastHit> touch;
         void processTriangle(btVector3* corner, int, int) override {
             const vec3 corners[3] = {from_bullet(corner[0]), from_bullet(corner[1]), from_bullet(corner[2])};
             const auto here = detail::cast(path, [&](vec3 p) { return nearest_to_triangle(corners, p); });
@@ -135,7 +139,8 @@ std::optional<Touch> Mesh::cast(const Path& path) const {
         }
     } nearest;
     nearest.path = path;
-    // Bullet's tree only selects triangles here. A box a little larger than the sphere covers the tree's own rounding.
+    // Bullet's tree only selects triangles here. A box slightly larger than the sphere covers the
+    // tree's own rounding.
     const double reach = path.radius + 1e-3;
     const btVector3 from = to_bullet(path.from);
     const btVector3 to = to_bullet(path.from + path.length * path.direction);
@@ -144,11 +149,11 @@ std::optional<Touch> Mesh::cast(const Path& path) const {
     return nearest.touch;
 }
 
-void Mesh::gather(vec3 point, double radius, const Nearby& body, Gathering& into) const {
+void Mesh::gather(vec3 point, double radius, const Nearby& body, NearestSurfaces& into) const {
     struct Within : btTriangleCallback {
         vec3 point;
         Nearby triangle;
-        Gathering* into;
+        NearestSurfaces* into;
         void processTriangle(btVector3* corner, int, int index) override {
             const vec3 corners[3] = {from_bullet(corner[0]), from_bullet(corner[1]), from_bullet(corner[2])};
             triangle.distance = nearest_to_triangle(corners, point).distance;

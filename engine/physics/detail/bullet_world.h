@@ -1,4 +1,4 @@
-// physics/detail/bullet_world.h: Bullet as we set it up, so that physics.cpp reads without it.
+// physics/detail/bullet_world.h: Bullet's world, bodies and meshes with our choice of options.
 #pragma once
 #include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
 #include <btBulletDynamicsCommon.h>
@@ -18,7 +18,7 @@ namespace thaum::physics::detail {
 inline btVector3 to_bullet(vec3 v) { return {v.x, v.y, v.z}; }
 inline vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
 
-/// One mesh with its tree; shared by all bodies of that shape, never changed.
+/// A mesh with its search tree; shared by all bodies of that shape and constant.
 class Mesh {
 public:
     explicit Mesh(const TriangleMesh&);
@@ -27,34 +27,35 @@ public:
     Mesh& operator=(Mesh&&) noexcept;
 
     btCollisionShape* shape() const;
-    /// Path in the mesh's frame.
-    std::optional<Touch> cast(const Path&) const;
-    /// Its triangles within the radius of a point, all in the mesh's frame.
-    void gather(vec3 point, double radius, const Nearby& body, Gathering&) const;
+    /// Casts a path given in the frame of the mesh.
+    std::optional<CastHit> cast(const Path&) const;
+    /// Adds the triangles within the radius of a point, all in the frame of the mesh.
+    void gather(vec3 point, double radius, const Nearby& body, NearestSurfaces&) const;
 
 private:
     struct Parts;
     std::unique_ptr<Parts> parts_;
 };
 
-/// A body outside any world.
+/// A body that is not yet in a world.
 struct BulletBody {
-    std::unique_ptr<btCollisionShape> own_shape;  ///< empty for a mesh
+    std::unique_ptr<btCollisionShape> own_shape;  ///< null for a mesh
     std::unique_ptr<btRigidBody> body;
 };
 
 BulletBody make_body(Key, const BodyDesc&, const BodyState&, const std::vector<Mesh>&, const Settings&);
 
-/// Writes all of a state but its sleep.
+/// Writes everything in a state except its sleep.
 void write_motion(btRigidBody&, const BodyState&);
-/// Writes the sleep; must be the last thing done to a body, since most others wake it.
+/// Writes the sleep. This must be the last change of a body, because most other changes wake it.
 void write_sleep(btRigidBody&, const BodyState&);
 BodyState read_state(const btRigidBody&);
 
 inline Key key_of(const btCollisionObject& object) { return static_cast<Key>(object.getUserIndex()); }
 
-/// Bullet's choice of collision algorithms but for cylinders. Elsewhere it finds one point of a contact in a step, which suffices
-/// for what is round; a cylinder that lands flat would turn about that point and lose a fifth of its bounce.
+/// Bullet's default collision algorithms, except for cylinders. By default Bullet finds one contact
+/// point in a step, which is enough for round shapes. A cylinder that lands flat would turn about that
+/// point and lose a fifth of its bounce.
 class Algorithms : public btDefaultCollisionConfiguration {
 public:
     explicit Algorithms(const btDefaultCollisionConstructionInfo&);
@@ -64,10 +65,10 @@ private:
     btConvexConvexAlgorithm::CreateFunc several_points_;
 };
 
-/// Bullet's world and what it is made of. Bodies must outlive it.
+/// Bullet's world and its parts. Bodies must outlive it.
 class BulletWorld {
 public:
-    BT_DECLARE_ALIGNED_ALLOCATOR();  // from the pool, so that a rebuild asks the heap for nothing
+    BT_DECLARE_ALIGNED_ALLOCATOR();  // from the pool, so that a rebuild does not allocate from the heap
 
     explicit BulletWorld(const Settings&);
     ~BulletWorld();
@@ -76,7 +77,7 @@ public:
     btDiscreteDynamicsWorld* operator->() { return &world_; }
 
 private:
-    // The order is that of use: each stands on those above it.
+    // Each member uses those above it, so the order matters.
     Algorithms configuration_;
     btCollisionDispatcher dispatcher_;
     bt32BitAxisSweep3 broadphase_;

@@ -7,31 +7,33 @@
 namespace thaum::physics::detail {
 namespace {
 
-/// From a flat-sided shape, whose nearest point we know: closer than `touching` the direction to it is noise.
-Nearest beyond(vec3 outward) {
+/// Result for a flat-sided shape. Closer than `touching`, the direction to the nearest point is only
+/// noise.
+NearestPoint beyond(vec3 outward) {
     const double distance = glm::length(outward);
     return {distance, distance > touching ? outward / distance : vec3{}};
 }
 
-/// From all within `radius` of a core.
-Nearest round(vec3 from_core, double radius) {
+/// Result for a shape that contains all points within `radius` of a core.
+NearestPoint round(vec3 from_core, double radius) {
     const double length = glm::length(from_core);
     return {length - radius, length > touching ? from_core / length : vec3{}};
 }
 
-Nearest to_box(vec3 half, vec3 p) { return beyond(p - glm::clamp(p, -half, half)); }
+NearestPoint to_box(vec3 half, vec3 p) { return beyond(p - glm::clamp(p, -half, half)); }
 
-Nearest to_capsule(double radius, double half_length, vec3 p) {
+NearestPoint to_capsule(double radius, double half_length, vec3 p) {
     return round({p.x, p.y - std::clamp(p.y, -half_length, half_length), p.z}, radius);
 }
 
-Nearest to_cylinder(double radius, double half_length, vec3 p) {
+NearestPoint to_cylinder(double radius, double half_length, vec3 p) {
     const double across = std::sqrt(p.x * p.x + p.z * p.z);
     const double scale = across > radius ? radius / across : 1.0;
     return beyond(p - vec3{p.x * scale, std::clamp(p.y, -half_length, half_length), p.z * scale});
 }
 
-/// Christer Ericson, Real-Time Collision Detection (2005), 5.1.5: the regions of Voronoi, in turn.
+/// Nearest point of a triangle by its Voronoi regions (Christer Ericson, Real-Time Collision Detection,
+/// 2005, 5.1.5).
 vec3 nearest_point(const vec3 (&corner)[3], vec3 p) {
     const vec3 a = corner[0], b = corner[1], c = corner[2];
     const vec3 ab = b - a, ac = c - a;
@@ -53,7 +55,7 @@ vec3 nearest_point(const vec3 (&corner)[3], vec3 p) {
 
 }  // namespace
 
-Nearest nearest_to(const BodyDesc& desc, vec3 p) {
+NearestPoint nearest_to(const BodyDesc& desc, vec3 p) {
     switch (desc.shape) {
         case Shape::box: return to_box(desc.size, p);
         case Shape::sphere: return round(p, desc.size.x);
@@ -64,6 +66,8 @@ Nearest nearest_to(const BodyDesc& desc, vec3 p) {
     THAUM_ASSERT(false, "a mesh is not convex");
 }
 
-Nearest nearest_to_triangle(const vec3 (&corner)[3], vec3 p) { return beyond(p - nearest_point(corner, p)); }
+NearestPoint nearest_to_triangle(const vec3 (&corner)[3], vec3 p) {
+    return beyond(p - nearest_point(corner, p));
+}
 
 }  // namespace thaum::physics::detail

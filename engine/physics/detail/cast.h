@@ -1,9 +1,10 @@
-// physics/detail/cast.h: how far a point or sphere can move before it touches a convex shape.
+// physics/detail/cast.h: distance that a point or sphere can move before it touches a convex shape.
 //
-// Bullet's own casts stop at a relative tolerance and lose thin things at long range. Ours advances by support planes:
-// at the nearest point of the shape stands a plane that has the whole shape behind it, so the sphere may move up to that
-// plane at once, and if it does not approach the plane it can never hit. Against a flat face this ends after one advance,
-// against a curved one it is Newton's iteration from outside. No step can pass through anything, at any speed.
+// Bullet's own casts stop at a relative tolerance and miss thin bodies at long range. This cast
+// advances by support planes. The plane at the nearest point of the shape has the whole shape behind
+// it. The sphere may therefore move up to that plane at once, and if it does not approach the plane it
+// can never hit. A flat face needs one advance; a curved one is found by Newton's iteration from
+// outside. No advance can pass through anything, at any speed.
 #pragma once
 #include <optional>
 
@@ -12,40 +13,40 @@
 
 namespace thaum::physics::detail {
 
-/// Of a point to a convex shape.
-struct Nearest {
-    double distance;  ///< m; <= 0 inside
-    vec3 normal;      ///< unit, from the shape to the point; zero where that is not defined
+/// Nearest point of a convex shape, relative to a given point.
+struct NearestPoint {
+    double distance;  ///< distance to the surface; <= 0 inside (m)
+    vec3 normal;      ///< unit vector from the shape to the point; zero if undefined
 };
 
-/// m; nearer than this is a hit.
+/// A smaller distance counts as a hit (m).
 inline constexpr double touching = 1e-9;
 
-/// All in the shape's own frame.
-Nearest nearest_to(const BodyDesc&, vec3 point);
-Nearest nearest_to_triangle(const vec3 (&corner)[3], vec3 point);
+/// Nearest point in the shape's own frame.
+NearestPoint nearest_to(const BodyDesc&, vec3 point);
+NearestPoint nearest_to_triangle(const vec3 (&corner)[3], vec3 point);
 
-/// A moving point or sphere.
+/// Path of a moving point or sphere.
 struct Path {
     vec3 from;
-    vec3 direction;  ///< unit
-    double length;   ///< m
-    double radius;   ///< m; 0: a ray
+    vec3 direction;  ///< unit vector
+    double length;   ///< length (m)
+    double radius;   ///< radius of the sphere; 0: a ray (m)
 };
 
-struct Touch {
-    double travelled;  ///< m
-    vec3 normal;       ///< unit, outward of the shape
+struct CastHit {
+    double travelled;  ///< distance travelled before the hit (m)
+    vec3 normal;       ///< unit, outward from the shape
 };
 
-/// `nearest` tells a point's Nearest to one convex shape.
+/// Casts a path against one convex shape. `nearest` maps a point to its NearestPoint.
 template <class NearestTo>
-std::optional<Touch> cast(const Path& path, const NearestTo& nearest) {
-    constexpr int most_advances = 100;  // grazing a curved side halves the gap each time; 30 suffice
-    Touch touch{0, -path.direction};
+std::optional<CastHit> cast(const Path& path, const NearestTo& nearest) {
+    constexpr int most_advances = 100;  // grazing a curved side halves the gap each time, so 30 are enough
+    CastHit touch{0, -path.direction};
     for (int i = 0; i < most_advances; ++i) {
-        const Nearest here = nearest(path.from + touch.travelled * path.direction);
-        // Without a direction here the last one still holds; from inside, the surface has none to offer.
+        const NearestPoint here = nearest(path.from + touch.travelled * path.direction);
+        // If the direction is undefined here, the last one remains. Inside the shape there is none.
         if (here.normal != vec3{} && (i > 0 || here.distance > 0)) touch.normal = here.normal;
         const double gap = here.distance - path.radius;
         if (gap <= touching) return touch;

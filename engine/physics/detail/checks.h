@@ -1,4 +1,5 @@
-// physics/detail/checks.h: is a body's description or state possible? A wrong one is an assertion that names the body.
+// physics/detail/checks.h: checks of descriptions and states. An impossible one is an assertion that
+// names the body.
 #pragma once
 #include <string>
 
@@ -6,7 +7,7 @@
 
 namespace thaum::physics::detail {
 
-/// "body 7: unknown".
+/// Message about a body, such as "body 7: unknown".
 std::string about(Key key, const char* what);
 void check_state(Key, const BodyState&);
 void check_desc(Key, const BodyDesc&, std::size_t meshes);

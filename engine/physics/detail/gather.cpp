@@ -4,7 +4,7 @@
 
 namespace thaum::physics::detail {
 
-void add(Gathering& gathering, const Nearby& surface) {
+void add(NearestSurfaces& gathering, const Nearby& surface) {
     auto& [into, found] = gathering;
     if (found.count < into.size()) {
         into[found.count++] = surface;
@@ -16,7 +16,7 @@ void add(Gathering& gathering, const Nearby& surface) {
         return;
     }
     found.reach = std::min(found.reach, farthest->distance);
-    // The others stay in order.
+    // The order of the others is preserved.
     std::move(std::next(farthest), into.end(), farthest);
     into.back() = surface;
 }

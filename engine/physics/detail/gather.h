@@ -1,4 +1,4 @@
-// physics/detail/gather.h: the nearest surfaces in an array of fixed size.
+// physics/detail/gather.h: collects the nearest surfaces in an array of fixed size.
 #pragma once
 #include <span>
 
@@ -6,15 +6,17 @@
 
 namespace thaum::physics::detail {
 
-/// Grows up to the array's size; then what is farther makes room.
-struct Gathering {
+/// Surfaces found so far. When the array is full, the farthest surface is replaced.
+struct NearestSurfaces {
     std::span<Nearby> into;
-    Surroundings found;  ///< reach: begins as the radius asked for
+    NearbyResult found;  ///< `reach` starts as the requested radius
 };
 
-inline bool wanted(const Gathering& gathering, double distance) { return distance <= gathering.found.reach; }
+inline bool wanted(const NearestSurfaces& gathering, double distance) {
+    return distance <= gathering.found.reach;
+}
 
-/// What is wanted.
-void add(Gathering&, const Nearby&);
+/// Adds a surface for which wanted() is true.
+void add(NearestSurfaces&, const Nearby&);
 
 }  // namespace thaum::physics::detail

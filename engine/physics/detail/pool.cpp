@@ -1,7 +1,8 @@
-// A block of n bytes comes from the free list of the smallest size class that holds it. Four classes to an octave waste
-// at most a fifth. An empty list cuts its next block from the current slab; a block too large for a slab is a slab of
-// its own, and returns to its list like any other. The header before a block remembers its class, because Bullet frees
-// by address alone. One lock: a step makes some dozens of calls, and an uncontended lock costs less than a cache miss.
+// A block of n bytes comes from the free list of the smallest size class that holds it. There are four
+// classes to an octave, so at most a fifth is wasted. If the list is empty, a block is cut from the
+// current slab. A block too large for a slab gets a slab of its own, and returns to its list like any
+// other. The header before a block stores its class, because Bullet frees by address alone. One lock is
+// enough: a step makes some dozens of calls, and an uncontended lock costs less than a cache miss.
 #include "physics/detail/pool.h"
 
 #include <LinearMath/btAlignedAllocator.h>
@@ -28,14 +29,14 @@ namespace {
 
 constexpr std::size_t alignment = 16;
 constexpr std::size_t slab_bytes = std::size_t{1} << 20U;
-constexpr std::size_t smallest = 64;  // header included
+constexpr std::size_t smallest = 64;  // including the header
 constexpr std::size_t classes = 4 * 40;
 
 struct FreeBlock {
     FreeBlock* next;
 };
 
-/// Stands in the `alignment` bytes before every block.
+/// Header in the `alignment` bytes before every block.
 struct Header {
     std::size_t size_class;
 };
@@ -61,7 +62,7 @@ struct Pool {
     MemoryUse use;
 };
 
-/// Never destroyed: a world in a static object may outlive every other static.
+/// The pool is never destroyed, because a world in a static object may outlive every other static.
 Pool& pool() {
     static Pool& the_pool = *new Pool;
     return the_pool;

@@ -3,7 +3,8 @@
 
 namespace thaum::physics::detail {
 
-/// Points Bullet's allocator at the pool, once per process; must run before the first Bullet object is made.
+/// Makes Bullet's allocator use the pool, once per process. Must run before the first Bullet object is
+/// made.
 void use_pool();
 
 }  // namespace thaum::physics::detail

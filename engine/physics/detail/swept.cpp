@@ -6,13 +6,13 @@
 namespace thaum::physics::detail {
 namespace {
 
-constexpr double skin_share = 0.05;  // of the smallest half extent
+constexpr double skin_share = 0.05;  // share of the smallest half extent
 
 void add(InnerSpheres& spheres, vec3 centre) {
     if (spheres.count < spheres.centres.size()) spheres.centres[spheres.count++] = centre;
 }
 
-/// Fills the corners, the middles of the faces and the centre.
+/// Adds spheres at the corners, the centres of the faces and the centre.
 void fill_box(InnerSpheres& spheres, vec3 half, double radius) {
     const vec3 inner = half - radius;
     for (int corner = 0; corner < 8; ++corner) {
@@ -28,14 +28,14 @@ void fill_box(InnerSpheres& spheres, vec3 half, double radius) {
     add(spheres, {});
 }
 
-/// Spheres along the axis, at most a radius apart as long as the array lasts.
+/// Adds spheres along the axis, at most a radius apart if the array is large enough.
 void fill_capsule(InnerSpheres& spheres, double radius, double half_length) {
     const double most = static_cast<double>(spheres.centres.size() - 1);
     const double gaps = std::min(std::ceil(2 * half_length / radius), most);
     for (double i = 0; i <= gaps; ++i) add(spheres, {0, gaps > 0 ? (2 * i / gaps - 1) * half_length : 0, 0});
 }
 
-/// Fills both rims, the middles of the caps and the centre.
+/// Adds spheres at both rims, the centres of the caps and the centre.
 void fill_cylinder(InnerSpheres& spheres, double radius, double half_length, double ball) {
     const double y = half_length - ball, r = radius - ball;
     constexpr double diagonal = 0.70710678118654752;
@@ -54,7 +54,8 @@ void fill_cylinder(InnerSpheres& spheres, double radius, double half_length, dou
 }  // namespace
 
 InnerSpheres inner_spheres(const BodyDesc& desc) {
-    constexpr double corner_share = 0.25;  // of the smallest half extent: radius of the spheres in corners
+    // Share of the smallest half extent: radius of the spheres in corners.
+    constexpr double corner_share = 0.25;
     InnerSpheres spheres;
     const vec3 size = desc.size;
     double least = size.x;

@@ -1,8 +1,9 @@
-// physics/detail/swept.h: spheres inside a body that stand for it on a long way.
+// physics/detail/swept.h: spheres inside a body that represent it on a long path.
 //
-// A fast body must not pass through a wall between two steps. Exact casts of spheres exist (cast.h), of other shapes not; so a few
-// spheres that fill its corners and its middle are cast instead. They lie `skin` inside the surface: the body stops with so much
-// of it in the wall, and the next step finds a contact with the right normal.
+// A fast body must not pass through a wall between two steps. Exact casts exist for spheres only
+// (cast.h), so a few spheres that fill the corners and the middle of the body are cast instead. They
+// lie slightly inside its surface. The body therefore stops that far inside the wall, and the next step
+// finds a contact with the right normal.
 #pragma once
 #include <array>
 
@@ -13,15 +14,16 @@ namespace thaum::physics::detail {
 struct InnerSpheres {
     std::array<vec3, 24> centres{};  ///< (m, body frame)
     std::size_t count{};
-    double radius{};      ///< the same for all (m)
-    double least_path{};  ///< a shorter way in a step needs no cast: its contacts are found in time (m)
-    double centre_gap{};  ///< least distance that the body's centre keeps from a wall (m)
+    double radius{};  ///< radius of all spheres (m)
+    /// Shorter paths in a step need no cast, because Bullet finds their contacts in time (m).
+    double least_path{};
+    double centre_gap{};  ///< smallest distance of the body's centre from a wall (m)
 
     const vec3* begin() const { return centres.data(); }
     const vec3* end() const { return centres.data() + count; }
 };
 
-/// None for a mesh, which never moves.
+/// Spheres of a body. There are none for a mesh, which never moves.
 InnerSpheres inner_spheres(const BodyDesc&);
 
 }  // namespace thaum::physics::detail

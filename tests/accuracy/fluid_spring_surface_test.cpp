@@ -1,5 +1,6 @@
-// The surface against closed forms: the lattice's normal modes, Runge-Kutta's own recurrence, the static answer to a push.
-#include "fluid/sheet.h"
+// The spring surface against closed forms: normal modes of the lattice, the recurrence of Runge-Kutta,
+// and the static response to a push.
+#include "fluid/spring_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -9,77 +10,79 @@
 namespace thaum::fluid {
 namespace {
 
-SheetSettings lattice(std::uint32_t nodes, Rim rim) {
+SpringSurfaceSettings lattice(std::uint32_t nodes, Rim rim) {
     return {.nodes = nodes, .rim = rim, .damping = 0, .still = 0};
 }
 
-double shape_at(const SheetSettings& s, std::uint32_t p, std::uint32_t q, std::size_t x, std::size_t z) {
+double shape_at(const SpringSurfaceSettings& s, std::uint32_t p, std::uint32_t q, std::size_t x,
+                std::size_t z) {
     const auto X = static_cast<double>(x), Z = static_cast<double>(z), n = static_cast<double>(s.nodes);
     if (s.rim == Rim::pinned) return std::sin(p * pi * X / (n - 1)) * std::sin(q * pi * Z / (n - 1));
     return std::cos(p * pi * (X + 0.5) / n) * std::cos(q * pi * (Z + 0.5) / n);
 }
 
 template <class Visit>
-void each_node(const SheetSettings& s, Visit visit) {
+void each_node(const SpringSurfaceSettings& s, Visit visit) {
     for (std::size_t z = 0; z < s.nodes; ++z) {
-        for (std::size_t x = 0; x < s.nodes; ++x) visit(x, z, sheet_index(s, x, z));
+        for (std::size_t x = 0; x < s.nodes; ++x) visit(x, z, surface_node_index(s, x, z));
     }
 }
 
-Sheet with_heights(Sheet sheet, const std::function<double(std::size_t, std::size_t)>& height) {
-    const SheetSettings& s = sheet.settings;
-    each_node(s, [&](std::size_t x, std::size_t z, std::size_t i) { sheet.height[i] = height(x, z); });
-    altered(sheet);
-    return sheet;
+SpringSurface with_heights(SpringSurface surface,
+                           const std::function<double(std::size_t, std::size_t)>& height) {
+    const SpringSurfaceSettings& s = surface.settings;
+    each_node(s, [&](std::size_t x, std::size_t z, std::size_t i) { surface.height[i] = height(x, z); });
+    refresh_after_edit(surface);
+    return surface;
 }
 
-Sheet mode(const SheetSettings& s, std::uint32_t p, std::uint32_t q) {
-    return with_heights(sheet_of(s),
+SpringSurface mode(const SpringSurfaceSettings& s, std::uint32_t p, std::uint32_t q) {
+    return with_heights(make_spring_surface(s),
                         [&](std::size_t x, std::size_t z) { return 0.01 * shape_at(s, p, q, x, z); });
 }
 
-/// Of heights and velocities in a mode; and how much is not.
+/// Height and velocity of one mode, and the largest deviation of the surface from this mode.
 struct Part {
     double height{}, velocity{}, rest{};
 };
 
-Part part_of(const Sheet& sheet, std::uint32_t p, std::uint32_t q) {
-    const SheetSettings& s = sheet.settings;
+Part part_of(const SpringSurface& surface, std::uint32_t p, std::uint32_t q) {
+    const SpringSurfaceSettings& s = surface.settings;
     Part part;
     double norm = 0;
     each_node(s, [&](std::size_t x, std::size_t z, std::size_t i) {
         const double shape = shape_at(s, p, q, x, z);
-        part.height += shape * sheet.height[i];
-        part.velocity += shape * sheet.velocity[i];
+        part.height += shape * surface.height[i];
+        part.velocity += shape * surface.velocity[i];
         norm += shape * shape;
     });
     part.height /= norm;
     part.velocity /= norm;
     each_node(s, [&](std::size_t x, std::size_t z, std::size_t i) {
-        part.rest = std::max(part.rest, std::abs(sheet.height[i] - part.height * shape_at(s, p, q, x, z)));
+        part.rest = std::max(part.rest, std::abs(surface.height[i] - part.height * shape_at(s, p, q, x, z)));
     });
     return part;
 }
 
-void expect_frequency(SheetSettings s, std::uint32_t p, std::uint32_t q) {
+void expect_frequency(SpringSurfaceSettings s, std::uint32_t p, std::uint32_t q) {
     const double frequency = mode_frequency(s, p, q);
-    Sheet sheet = mode(s, p, q);
-    SheetScratch scratch;
+    SpringSurface surface = mode(s, p, q);
+    SpringSurfaceScratch scratch;
     const int calls = static_cast<int>(std::ceil(60 * stiffest_frequency(s) / frequency));
-    const double t = 1.3 / frequency;  // rad of the mode: neither height nor velocity is zero there
-    for (int i = 0; i < calls; ++i) advance(sheet, scratch, {}, t / calls);
-    const Part part = part_of(sheet, p, q);
+    const double t = 1.3 / frequency;  // 1.3 rad of the mode: neither height nor velocity is zero there
+    for (int i = 0; i < calls; ++i) advance(surface, scratch, {}, t / calls);
+    const Part part = part_of(surface, p, q);
     EXPECT_NEAR(std::atan2(-part.velocity / frequency, part.height), 1.3, 1.3e-8)
         << s.nodes << " nodes, rim " << static_cast<int>(s.rim) << ", shear " << s.shear << ", mode " << p
         << ' ' << q;
     EXPECT_LE(part.rest, 1e-12);
 }
 
-TEST(SheetAccuracy, NormalModesHaveTheLatticesFrequencies) {
+TEST(SpringSurfaceAccuracy, NormalModesHaveTheLatticesFrequencies) {
     for (const std::uint32_t nodes : {classic_nodes, 33U}) {
         for (const double shear : {0.0, 1.0 / 3, 1.0}) {
             for (const double level : {0.0, 5000.0}) {
-                SheetSettings s = lattice(nodes, Rim::pinned);
+                SpringSurfaceSettings s = lattice(nodes, Rim::pinned);
                 s.shear = shear;
                 s.level = level;
                 expect_frequency(s, 1, 1);
@@ -96,25 +99,25 @@ TEST(SheetAccuracy, NormalModesHaveTheLatticesFrequencies) {
     }
 }
 
-TEST(SheetAccuracy, NoModeIsFasterThanTheStiffestFrequency) {
+TEST(SpringSurfaceAccuracy, NoModeIsFasterThanTheStiffestFrequency) {
     for (const Rim rim : {Rim::pinned, Rim::free}) {
         for (const double shear : {0.0, 1.0 / 3, 0.5, 0.9, 1.0}) {
-            SheetSettings s = lattice(15, rim);
+            SpringSurfaceSettings s = lattice(15, rim);
             s.shear = shear;
             double fastest = 0;
             for (std::uint32_t p = 1; p <= 13; ++p) {
                 for (std::uint32_t q = 1; q <= 13; ++q) fastest = std::max(fastest, mode_frequency(s, p, q));
             }
             EXPECT_LE(fastest, stiffest_frequency(s));
-            EXPECT_GE(fastest, 0.97 * stiffest_frequency(s));  // and the bound is not a loose one
+            EXPECT_GE(fastest, 0.97 * stiffest_frequency(s));  // the bound is tight
         }
     }
 }
 
-TEST(SheetAccuracy, LongWavesComeNearTheMembranes) {
+TEST(SpringSurfaceAccuracy, LongWavesComeNearTheMembranes) {
     double before = 0;
     for (const std::uint32_t nodes : {17U, 33U, 65U}) {
-        const SheetSettings s = lattice(nodes, Rim::pinned);
+        const SpringSurfaceSettings s = lattice(nodes, Rim::pinned);
         const double membrane = pi / s.side * std::sqrt(s.tension / s.areal_mass * (2 * 2 + 3 * 3));
         const double error = std::abs(mode_frequency(s, 2, 3) / membrane - 1);
         if (before > 0) {
@@ -125,19 +128,20 @@ TEST(SheetAccuracy, LongWavesComeNearTheMembranes) {
     EXPECT_LT(before, 2e-3);
 }
 
-/// Its modes' heights and velocities, by the recurrence that Runge-Kutta gives for one damped oscillator.
-TEST(SheetAccuracy, AStepIsRungeKuttasOwnRecurrence) {
-    SheetSettings s = lattice(33, Rim::pinned);
+/// Height and velocity of a mode, compared with the recurrence of Runge-Kutta for one damped
+/// oscillator.
+TEST(SpringSurfaceAccuracy, AStepIsRungeKuttasOwnRecurrence) {
+    SpringSurfaceSettings s = lattice(33, Rim::pinned);
     s.damping = 3;
     const std::uint32_t p = 7, q = 12;
     const double t = 0.9 / stiffest_frequency(s), w2 = mode_frequency(s, p, q) * mode_frequency(s, p, q);
-    Sheet sheet = mode(s, p, q);
-    SheetScratch scratch;
+    SpringSurface surface = mode(s, p, q);
+    SpringSurfaceScratch scratch;
     double x = 0.01, v = 0;
     for (int i = 0; i < 50; ++i) {
-        const SheetStep step = advance(sheet, scratch, {}, t);
+        const SpringSurfaceStep step = advance(surface, scratch, {}, t);
         ASSERT_EQ(step.steps, 1U);
-        double dx = x, dv = v;  // Taylor's terms of e^(A t)
+        double dx = x, dv = v;  // Taylor terms of e^(A t)
         for (int k = 1; k <= 4; ++k) {
             const double next = dv * t / k;
             dv = (-w2 * dx - 2 * s.damping * dv) * t / k;
@@ -146,13 +150,13 @@ TEST(SheetAccuracy, AStepIsRungeKuttasOwnRecurrence) {
             v += dv;
         }
     }
-    const Part part = part_of(sheet, p, q);
+    const Part part = part_of(surface, p, q);
     EXPECT_NEAR(part.height, x, 1e-14);
     EXPECT_NEAR(part.velocity, v, 1e-12);
 }
 
-/// Largest difference of heights, m.
-double distance(const Sheet& a, const Sheet& b) {
+/// Largest difference of heights (m).
+double distance(const SpringSurface& a, const SpringSurface& b) {
     double most = 0;
     each_node(a.settings, [&](std::size_t, std::size_t, std::size_t i) {
         most = std::max(most, std::abs(a.height[i] - b.height[i]));
@@ -160,25 +164,25 @@ double distance(const Sheet& a, const Sheet& b) {
     return most;
 }
 
-Sheet run(Sheet sheet, std::span<const SheetProbe> probes, double t, int calls) {
-    SheetScratch scratch;
-    for (int i = 0; i < calls; ++i) EXPECT_EQ(advance(sheet, scratch, probes, t / calls).steps, 1U);
-    return sheet;
+SpringSurface run(SpringSurface surface, std::span<const SurfaceProbe> probes, double t, int calls) {
+    SpringSurfaceScratch scratch;
+    for (int i = 0; i < calls; ++i) EXPECT_EQ(advance(surface, scratch, probes, t / calls).steps, 1U);
+    return surface;
 }
 
-TEST(SheetAccuracy, ConvergesInFourthOrderUnderAProbeToo) {
-    SheetSettings s = lattice(15, Rim::pinned);
+TEST(SpringSurfaceAccuracy, ConvergesInFourthOrderUnderAProbeToo) {
+    SpringSurfaceSettings s = lattice(15, Rim::pinned);
     s.damping = 2;
     s.contact = 500;
-    const std::array probes{SheetProbe{.place = {0.21, -0.13}, .height = -0.1, .radius = 0.4}};
+    const std::array probes{SurfaceProbe{.place = {0.21, -0.13}, .height = -0.1, .radius = 0.4}};
     const double t = 32 * 0.9 / std::sqrt(2 * stiffest_frequency(s) * stiffest_frequency(s));
     for (const std::size_t count : {0U, 1U}) {
         const auto with = std::span(probes).first(count);
-        // Pressed by 10 N from the start, and never let go: no kink.
-        const Sheet start = with_heights(sheet_of(s), [&](std::size_t x, std::size_t z) {
+        // Pressed by 10 N from the start and never released, so the motion is smooth.
+        const SpringSurface start = with_heights(make_spring_surface(s), [&](std::size_t x, std::size_t z) {
             return 0.05 * shape_at(s, 1, 1, x, z) + 0.02 * shape_at(s, 2, 3, x, z);
         });
-        const Sheet exact = run(start, with, t, 2048);
+        const SpringSurface exact = run(start, with, t, 2048);
         const double coarse = distance(run(start, with, t, 32), exact);
         const double middle = distance(run(start, with, t, 64), exact);
         const double fine = distance(run(start, with, t, 128), exact);
@@ -187,10 +191,10 @@ TEST(SheetAccuracy, ConvergesInFourthOrderUnderAProbeToo) {
     }
 }
 
-/// Weights as the header's words have them.
-std::vector<double> weights_of(const SheetSettings& s, const SheetProbe& p) {
-    std::vector<double> weights(sheet_of(s).height.size());
-    const double a = sheet_spacing(s), radius = std::max(p.radius, 1.5 * a);
+/// Weights of the footprint as the header defines them.
+std::vector<double> weights_of(const SpringSurfaceSettings& s, const SurfaceProbe& p) {
+    std::vector<double> weights(make_spring_surface(s).height.size());
+    const double a = surface_node_spacing(s), radius = std::max(p.radius, 1.5 * a);
     double sum = 0;
     each_node(s, [&](std::size_t x, std::size_t z, std::size_t i) {
         const vec2 node(a * static_cast<double>(x) - s.side / 2, a * static_cast<double>(z) - s.side / 2);
@@ -201,10 +205,10 @@ std::vector<double> weights_of(const SheetSettings& s, const SheetProbe& p) {
     return weights;
 }
 
-/// m/N: how far the sheet gives way, by the sum over its modes.
-double compliance(const SheetSettings& s, const SheetProbe& p) {
+/// Deflection per force at the probe, from the sum over all modes (m/N).
+double compliance(const SpringSurfaceSettings& s, const SurfaceProbe& p) {
     const std::vector<double> weights = weights_of(s, p);
-    const double mass = s.areal_mass * sheet_spacing(s) * sheet_spacing(s);
+    const double mass = s.areal_mass * surface_node_spacing(s) * surface_node_spacing(s);
     const double norm = (s.nodes - 1) * (s.nodes - 1) / 4.0;
     double sum = 0;
     for (std::uint32_t m = 1; m + 1 < s.nodes; ++m) {
@@ -220,16 +224,16 @@ double compliance(const SheetSettings& s, const SheetProbe& p) {
     return sum;
 }
 
-TEST(SheetAccuracy, AHeldProbeFeelsTheStaticAnswer) {
+TEST(SpringSurfaceAccuracy, AHeldProbeFeelsTheStaticAnswer) {
     for (const std::uint32_t nodes : {15U, 33U}) {
-        SheetSettings s = lattice(nodes, Rim::pinned);
+        SpringSurfaceSettings s = lattice(nodes, Rim::pinned);
         s.damping = 3;
         s.pop_through = 1e4;
-        const SheetProbe probe{.place = {0.3, -0.2}, .height = -0.08, .radius = 0.15};
-        Sheet sheet = sheet_of(s);
-        SheetScratch scratch;
-        SheetStep step;
-        for (int i = 0; i < 8000; ++i) step = advance(sheet, scratch, {&probe, 1}, 0.001);
+        const SurfaceProbe probe{.place = {0.3, -0.2}, .height = -0.08, .radius = 0.15};
+        SpringSurface surface = make_spring_surface(s);
+        SpringSurfaceScratch scratch;
+        SpringSurfaceStep step;
+        for (int i = 0; i < 8000; ++i) step = advance(surface, scratch, {&probe, 1}, 0.001);
         const double force = 0.08 / (1 / s.contact + compliance(s, probe));
         EXPECT_GT(force, 20);
         EXPECT_NEAR(step.probes[0].force, force, 1e-9 * force) << nodes;
@@ -238,20 +242,20 @@ TEST(SheetAccuracy, AHeldProbeFeelsTheStaticAnswer) {
     }
 }
 
-TEST(SheetAccuracy, WhatTheProbeFeelsIsWhatTheSheetGets) {
-    SheetSettings s = lattice(33, Rim::free);
-    const double mass = s.areal_mass * sheet_spacing(s) * sheet_spacing(s);
-    Sheet sheet = sheet_of(s);
-    SheetScratch scratch;
+TEST(SpringSurfaceAccuracy, WhatTheProbeFeelsIsWhatTheSheetGets) {
+    SpringSurfaceSettings s = lattice(33, Rim::free);
+    const double mass = s.areal_mass * surface_node_spacing(s) * surface_node_spacing(s);
+    SpringSurface surface = make_spring_surface(s);
+    SpringSurfaceScratch scratch;
     double given = 0, momentum = 0;
     for (int i = 0; i < 400; ++i) {
-        const std::array probes{SheetProbe{{0.3, 0.1}, -0.0008 * i, 0.2},
-                                SheetProbe{{-0.9, 0.95}, 0.03 * std::sin(0.05 * i), 0.1}};
-        const SheetStep step = advance(sheet, scratch, probes, 0.002);
+        const std::array probes{SurfaceProbe{{0.3, 0.1}, -0.0008 * i, 0.2},
+                                SurfaceProbe{{-0.9, 0.95}, 0.03 * std::sin(0.05 * i), 0.1}};
+        const SpringSurfaceStep step = advance(surface, scratch, probes, 0.002);
         given += step.seconds * (step.probes[0].force + step.probes[1].force);
         momentum = 0;
         each_node(s,
-                  [&](std::size_t, std::size_t, std::size_t at) { momentum += mass * sheet.velocity[at]; });
+                  [&](std::size_t, std::size_t, std::size_t at) { momentum += mass * surface.velocity[at]; });
         ASSERT_NEAR(momentum, -given, 1e-11) << i;
     }
     EXPECT_LT(momentum, -1);

@@ -1,4 +1,4 @@
-// The brew's surface (engine/fluid/sheet.h): time of a second against how far a wave's frequency is off the
+// The brew's surface (engine/fluid/spring_surface.h): time of a second against how far a wave's frequency is off the
 // membrane's own, and how far a ripple is from round; the energy lost; what a push costs; that sleep is free.
 #include <array>
 #include <cmath>
@@ -6,19 +6,19 @@
 #include "core/hash.h"
 #include "core/text.h"
 #include "core/units.h"
-#include "fluid/sheet.h"
+#include "fluid/spring_surface.h"
 #include "tools/bench/areas.h"
 #include "tools/bench/measure.h"
 
 namespace thaum::bench {
 namespace {
 
-using fluid::Sheet;
-using fluid::SheetProbe;
-using fluid::SheetScratch;
-using fluid::SheetSettings;
+using fluid::SpringSurface;
+using fluid::SpringSurfaceScratch;
+using fluid::SpringSurfaceSettings;
+using fluid::SurfaceProbe;
 
-constexpr std::array<std::uint32_t, 3> sheet_sizes{fluid::classic_nodes, 33, 65};
+constexpr std::array<std::uint32_t, 3> surface_sizes{fluid::classic_nodes, 33, 65};
 
 struct Wave {
     std::uint32_t p, q;
@@ -29,7 +29,7 @@ constexpr std::array round_waves{Wave{7, 0}, Wave{5, 5}};
 constexpr std::array one_wave{Wave{3, 2}};
 
 /// As mode_frequency() counts them.
-double wave_shape(const SheetSettings& s, Wave wave, std::size_t x, std::size_t z) {
+double wave_shape(const SpringSurfaceSettings& s, Wave wave, std::size_t x, std::size_t z) {
     const auto X = static_cast<double>(x), Z = static_cast<double>(z);
     if (s.rim == fluid::Rim::pinned)
         return det::sin(wave.p * pi * X / (s.nodes - 1)) * det::sin(wave.q * pi * Z / (s.nodes - 1));
@@ -37,29 +37,30 @@ double wave_shape(const SheetSettings& s, Wave wave, std::size_t x, std::size_t 
 }
 
 template <class Visit>
-void each_node(const SheetSettings& s, Wave wave, Visit visit) {
+void each_node(const SpringSurfaceSettings& s, Wave wave, Visit visit) {
     for (std::size_t z = 0; z < s.nodes; ++z) {
-        for (std::size_t x = 0; x < s.nodes; ++x) visit(sheet_index(s, x, z), wave_shape(s, wave, x, z));
+        for (std::size_t x = 0; x < s.nodes; ++x)
+            visit(surface_node_index(s, x, z), wave_shape(s, wave, x, z));
     }
 }
 
-Sheet sheet_with_waves(const SheetSettings& s, std::span<const Wave> waves) {
-    Sheet sheet = sheet_of(s);
+SpringSurface surface_with_waves(const SpringSurfaceSettings& s, std::span<const Wave> waves) {
+    SpringSurface surface = make_spring_surface(s);
     for (const Wave wave : waves)
-        each_node(s, wave, [&](std::size_t i, double shape) { sheet.height[i] += 0.01 * shape; });
-    altered(sheet);
-    return sheet;
+        each_node(s, wave, [&](std::size_t i, double shape) { surface.height[i] += 0.01 * shape; });
+    refresh_after_edit(surface);
+    return surface;
 }
 
 /// rad/s
-double membrane_frequency(const SheetSettings& s, Wave wave) {
-    const double side = s.rim == fluid::Rim::pinned ? s.side : s.nodes * sheet_spacing(s);
+double membrane_frequency(const SpringSurfaceSettings& s, Wave wave) {
+    const double side = s.rim == fluid::Rim::pinned ? s.side : s.nodes * surface_node_spacing(s);
     return pi / side * std::sqrt(s.tension / s.areal_mass * (wave.p * wave.p + wave.q * wave.q));
 }
 
 /// What a second of waves comes to.
 struct WaveRun {
-    SheetSettings settings{};
+    SpringSurfaceSettings settings{};
     double dt{};  ///< s, of a call
     std::span<const Wave> waves{};
     double error{}, energy_lost{}, steps{};
@@ -67,41 +68,41 @@ struct WaveRun {
 };
 
 /// The frequency by which a wave went on, over the membrane's. Right while it is less than half a turn off.
-double relative_frequency(const Sheet& sheet, Wave wave, double seconds) {
+double relative_frequency(const SpringSurface& surface, Wave wave, double seconds) {
     double height = 0, velocity = 0;
-    each_node(sheet.settings, wave, [&](std::size_t i, double shape) {
-        height += shape * sheet.height[i];
-        velocity += shape * sheet.velocity[i];
+    each_node(surface.settings, wave, [&](std::size_t i, double shape) {
+        height += shape * surface.height[i];
+        velocity += shape * surface.velocity[i];
     });
-    const double frequency = membrane_frequency(sheet.settings, wave), turned = frequency * seconds;
+    const double frequency = membrane_frequency(surface.settings, wave), turned = frequency * seconds;
     const double off = det::atan2(-velocity / frequency, height) - turned;
     return 1 + (off - 2 * pi * std::round(off / (2 * pi))) / turned;
 }
 
 void run_waves(WaveRun& run) {
-    Sheet sheet = sheet_with_waves(run.settings, run.waves);
-    SheetScratch scratch;
-    const double before = energy(sheet);
+    SpringSurface surface = surface_with_waves(run.settings, run.waves);
+    SpringSurfaceScratch scratch;
+    const double before = energy(surface);
     double seconds = 0;
     run.steps = 0;
     while (seconds < 1) {
-        const auto step = advance(sheet, scratch, {}, run.dt);
+        const auto step = advance(surface, scratch, {}, run.dt);
         seconds += step.seconds;
         run.steps += step.steps;
     }
-    const double first = relative_frequency(sheet, run.waves[0], seconds);
+    const double first = relative_frequency(surface, run.waves[0], seconds);
     run.error =
-        std::abs(first / (run.waves.size() > 1 ? relative_frequency(sheet, run.waves[1], seconds) : 1) - 1);
-    run.energy_lost = 1 - energy(sheet) / before;
-    run.hash = hash_bytes(std::as_bytes(std::span(sheet.height)));
+        std::abs(first / (run.waves.size() > 1 ? relative_frequency(surface, run.waves[1], seconds) : 1) - 1);
+    run.energy_lost = 1 - energy(surface) / before;
+    run.hash = hash_bytes(std::as_bytes(std::span(surface.height)));
 }
 
 std::vector<WaveRun> wave_runs() {
     std::vector<WaveRun> runs;
     for (const double shear : {0.0, 1.0 / 3}) {
-        for (const std::uint32_t nodes : sheet_sizes) {
+        for (const std::uint32_t nodes : surface_sizes) {
             for (const double dt : {0.001, 0.004, 0.016}) {
-                SheetSettings s{.nodes = nodes, .shear = shear, .damping = 0, .still = 0};
+                SpringSurfaceSettings s{.nodes = nodes, .shear = shear, .damping = 0, .still = 0};
                 runs.push_back({s, dt, one_wave});
                 s.rim = fluid::Rim::free;
                 runs.push_back({s, dt, round_waves});
@@ -113,7 +114,7 @@ std::vector<WaveRun> wave_runs() {
 
 /// What the hand and the picture ask for.
 bool is_shipped(const WaveRun& run) {
-    const SheetSettings shipped;
+    const SpringSurfaceSettings shipped;
     return run.settings.nodes == shipped.nodes && run.settings.shear == shipped.shear && run.dt == 0.004;
 }
 
@@ -147,27 +148,27 @@ void waves(const Options& options, Report& report) {
 struct CallRun {
     std::string name;
     std::uint32_t nodes{};
-    Sheet sheet{};
-    SheetScratch scratch{};
-    std::vector<SheetProbe> probes{};
+    SpringSurface surface{};
+    SpringSurfaceScratch scratch{};
+    std::vector<SurfaceProbe> probes{};
     double stiffness{1};
     double dt{0.004};
-    fluid::SheetStep last{};
+    fluid::SpringSurfaceStep last{};
 };
 
 std::vector<CallRun> call_runs() {
     std::vector<CallRun> runs;
-    const SheetProbe press{.place = {0.2, -0.1}, .height = -0.02, .radius = 0.15};
-    for (const std::uint32_t nodes : sheet_sizes) {
+    const SurfaceProbe press{.place = {0.2, -0.1}, .height = -0.02, .radius = 0.15};
+    for (const std::uint32_t nodes : surface_sizes) {
         runs.push_back({.name = "ripples", .nodes = nodes});
         runs.push_back({.name = "push", .nodes = nodes, .probes = {press}});
         runs.push_back({.name = "asleep", .nodes = nodes});
         runs.push_back({.name = "million_times_as_stiff", .nodes = nodes, .stiffness = 1e6});
     }
     for (CallRun& run : runs) {
-        SheetSettings s{.nodes = run.nodes, .still = 0};
+        SpringSurfaceSettings s{.nodes = run.nodes, .still = 0};
         s.tension *= run.stiffness;
-        run.sheet = run.name == "asleep" ? sheet_of(s) : sheet_with_waves(s, one_wave);
+        run.surface = run.name == "asleep" ? make_spring_surface(s) : surface_with_waves(s, one_wave);
     }
     return runs;
 }
@@ -178,7 +179,7 @@ void calls(const Options& options, Report& report) {
     std::vector<Contestant> contestants;
     for (CallRun& run : runs)
         contestants.push_back(
-            {{}, [&run] { run.last = advance(run.sheet, run.scratch, run.probes, run.dt); }});
+            {{}, [&run] { run.last = advance(run.surface, run.scratch, run.probes, run.dt); }});
     const auto samples =
         measure(contestants, {.seconds = options.quick ? 1.0 : 4.0, .least = 11, .calls = in_a_sample});
     for (std::size_t i = 0; i < runs.size(); ++i) {
