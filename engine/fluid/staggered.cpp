@@ -52,8 +52,8 @@ constexpr double rest_speed = 1e-6;
 
 /// Whether one of the samples of a row is not 0. Floats8 are looked at together, the last ones beyond the row's end.
 bool any_in(const Row& row, const float* samples) {
-    auto any = load(samples + row.at) != none;
-    for (std::ptrdiff_t i = 8; i < row.count; i += 8) any |= load(samples + row.at + i) != none;
+    auto any = load(samples + row.at) != zero8;
+    for (std::ptrdiff_t i = 8; i < row.count; i += 8) any |= load(samples + row.at + i) != zero8;
     int lanes = 0;
     for (std::ptrdiff_t lane = 0; lane < 8; ++lane) lanes |= any[lane];
     return lanes != 0;
