@@ -77,16 +77,13 @@ protected:
 /// Counts how often a thread that asks for 1 ms of sleep wakes up: a clock that a busy machine slows like any other thread's.
 class WakeUps {
 public:
-    ~WakeUps() {
-        stop_ = true;
-        thread_.join();
-    }
+    ~WakeUps() { stop_ = true; }
     int count() const { return count_; }
 
 private:
     std::atomic<bool> stop_{false};
     std::atomic<int> count_{0};
-    std::thread thread_{[this] {
+    std::jthread thread_{[this] {
         for (; !stop_; ++count_) sleep_until_ns(monotonic_ns() + 1'000'000);
     }};
 };

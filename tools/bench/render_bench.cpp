@@ -76,7 +76,6 @@ public:
     ~Drawer() {
         may_ = false;
         over_ = true;
-        thread_.join();
     }
     /// Returns when it does so.
     void set_drawing(bool drawing) {
@@ -118,7 +117,7 @@ private:
     std::mutex mutex_;
     std::atomic<bool> may_ = false, draws_ = false, over_ = false;
     std::atomic<int> drawn_ = 0;
-    std::thread thread_;
+    std::jthread thread_;  ///< last, so that it ends while the other members still live
 };
 
 /// One tick a millisecond, and a picture of every 16th.
