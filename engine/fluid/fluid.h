@@ -66,12 +66,16 @@ struct State {
 };
 
 struct Workspace;  // what a step needs besides: tables, scratch; no state
+struct DeleteWorkspace {
+    void operator()(Workspace* workspace) const;
+};
 
+/// Moves, but cannot be copied: a copy would share the workspace. To repeat a step, keep `now` and put it back.
 struct Fluid {
     Settings settings;
     Lattice lattice;
     State now;
-    std::shared_ptr<Workspace> work;
+    std::unique_ptr<Workspace, DeleteWorkspace> work;
 
     /// Where component `axis` of cell (0, 0, 0) stands, in cells.
     vec3 place(std::size_t axis) const {
