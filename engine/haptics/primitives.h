@@ -11,7 +11,8 @@
 
 namespace thaum::haptics {
 
-enum class PrimitiveKind : std::uint8_t { directed, point, line, plane };
+/// As wide as a double, so that a Primitive has no padding.
+enum class PrimitiveKind : std::uint64_t { directed, point, line, plane };
 
 /// One force on the proxy x; world frame.
 ///
@@ -28,6 +29,7 @@ struct Primitive {
     double
         strength{};  ///< s, N, >= 0: a repelling force is no gradient of a convex function; below 1e-300 it counts as 0
 };
+static_assert(sizeof(Primitive) == sizeof(PrimitiveKind) + 2 * sizeof(vec3) + sizeof(double), "no padding");
 
 inline constexpr std::size_t primitive_capacity = 16;
 
@@ -53,6 +55,8 @@ private:
     std::array<Primitive, primitive_capacity> items_{};
     std::size_t count_{};
 };
+static_assert(sizeof(PrimitiveSet) == primitive_capacity * sizeof(Primitive) + sizeof(std::size_t),
+              "no padding");
 
 /// The whole list or none of it. The error names the index and the fault.
 Expected<PrimitiveSet> checked(std::span<const Primitive> primitives);

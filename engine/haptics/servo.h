@@ -69,6 +69,7 @@ struct HapticModel {
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< somebody's panic key is down
     bool rearm{};
+    std::uint8_t spare{};
     std::uint32_t
         set_number{};  ///< another one where the primitives jump, which is a switch; not where they glide
     PrimitiveSet primitives{};                 ///< device frame, m; empty, the usual case: they cost nothing
@@ -79,6 +80,14 @@ struct HapticModel {
     std::uint64_t patch_number{};              ///< another one where the patch jumps, which is a switch
     FluidTouch fluid{};                        ///< number 0, the usual case: it costs nothing
 };
+static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) && sizeof(Lean) == sizeof(vec3) + 8 &&
+                  sizeof(Detents) == sizeof(vec3) + (most_detents + 2) * sizeof(double) &&
+                  sizeof(Tether) == 2 * sizeof(vec3) + 3 * sizeof(double) + sizeof(Detents) &&
+                  sizeof(HapticModel) == sizeof(Pulse) + sizeof(Lean) + sizeof(Tether) + 8 +
+                                             sizeof(PrimitiveSet) + sizeof(ProxyCoupling) +
+                                             sizeof(SurfacePatch) + sizeof(Drift) + sizeof(vec3) + 8 +
+                                             sizeof(FluidTouch),
+              "no padding: the bytes of past models are hashed");
 
 /// What a device measured.
 struct ServoSample {

@@ -59,10 +59,13 @@ struct Surface {
     SurfaceKind kind{};
     std::uint32_t body{};  ///< index in SurfacePatch::bodies
     std::uint32_t part{};  ///< which of its body's surfaces; the same from tick to tick
-    vec3 a{}, b{}, c{};    ///< m, device frame
+    std::uint32_t spare{};
+    vec3 a{}, b{}, c{};  ///< m, device frame
 };
+static_assert(sizeof(Surface) == 4 * sizeof(std::uint32_t) + 3 * sizeof(vec3), "no padding");
 
-enum class TextureKind : std::uint32_t {
+/// As wide as a double, so that a Texture has no padding.
+enum class TextureKind : std::uint64_t {
     none,
     impact,     ///< a sinusoidal grating
     vibration,  ///< the same
@@ -80,6 +83,7 @@ struct Texture {
     vec3 origin{};                                           ///< m, body frame
     std::array<vec3, 2> axes{vec3{1, 0, 0}, vec3{0, 0, 1}};  ///< unit, body frame
 };
+static_assert(sizeof(Texture) == sizeof(TextureKind) + 2 * sizeof(double) + 3 * sizeof(vec3), "no padding");
 
 inline constexpr std::size_t bump_cells = 16;
 
@@ -95,6 +99,7 @@ struct SurfaceMaterial {
     double dynamic_friction{};  ///< >= 0
     Texture texture{};
 };
+static_assert(sizeof(SurfaceMaterial) == 4 * sizeof(double) + sizeof(Texture), "no padding");
 
 /// What surfaces belong to: it moves as one.
 struct SurfaceBody {
@@ -104,7 +109,11 @@ struct SurfaceBody {
     vec3 spin{};                   ///< rad/s, about position
     SurfaceMaterial material{};
     std::uint32_t key{};  ///< the same from tick to tick
+    std::uint32_t spare{};
 };
+static_assert(sizeof(SurfaceBody) ==
+                  3 * sizeof(vec3) + sizeof(quat) + sizeof(SurfaceMaterial) + 2 * sizeof(std::uint32_t),
+              "no padding");
 
 inline constexpr std::size_t surface_capacity = 32;
 inline constexpr std::size_t surface_body_capacity = 8;
@@ -121,6 +130,10 @@ struct SurfacePatch {
     vec3 centre{};           ///< m
     double reach{HUGE_VAL};  ///< m
 };
+static_assert(sizeof(SurfacePatch) ==
+                  surface_capacity * sizeof(Surface) + surface_body_capacity * sizeof(SurfaceBody) +
+                      2 * sizeof(std::uint32_t) + sizeof(BumpMap) + sizeof(vec3) + sizeof(double),
+              "no padding");
 
 /// A surface that was touched, known again by its body's key and part.
 struct SurfaceContact {
