@@ -39,8 +39,7 @@ Jobs::~Jobs() {
         const std::lock_guard lock(mutex_);
         stopping_ = true;
     }
-    wake_.notify_all();
-    for (auto& thread : threads_) thread.join();
+    wake_.notify_all();  // the threads then end, and their destructors wait for that
 }
 
 Jobs::Ticket Jobs::run(std::function<void()> body) {

@@ -48,7 +48,7 @@ private:
     std::condition_variable wake_;
     std::deque<std::shared_ptr<Ticket::Job>> queue_;
     bool stopping_ = false;
-    std::vector<std::thread> threads_;
+    std::vector<std::jthread> threads_;  ///< last, so that they end while the other members still live
 };
 
 }  // namespace thaum

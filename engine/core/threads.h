@@ -26,9 +26,10 @@ private:
     bool used_ = false;
 };
 
-/// Runs `body` in a new thread that has a stack for its faults. The error is one line with the system's reason.
+/// Runs `body` in a new thread that has a stack for its faults. The thread's destructor waits until `body` returns. The
+/// error is one line with the system's reason.
 template <class Body>
-Expected<std::thread> start_thread(Body&& body) {
+Expected<std::jthread> start_thread(Body&& body) {
     auto run = [stack = std::make_unique_for_overwrite<FaultStack>(),
                 body = std::forward<Body>(body)]() mutable {
         stack->begin_use();
@@ -36,7 +37,7 @@ Expected<std::thread> start_thread(Body&& body) {
         stack->end_use();
     };
     try {
-        return std::thread(std::move(run));
+        return std::jthread(std::move(run));
     } catch (const std::system_error& refused) {
         return fail(std::string("the system allows no further thread: ") + refused.code().message());
     }

@@ -19,6 +19,8 @@ struct Workspace {
     ClassicScratch classic{};
 };
 
+void DeleteWorkspace::operator()(Workspace* workspace) const { delete workspace; }
+
 namespace {
 
 constexpr double h_least = 1e-6;  // m
@@ -148,7 +150,7 @@ Expected<Fluid> make_fluid(const Settings& settings) {
     Fluid fluid{.settings = settings,
                 .lattice = make_lattice(settings.cells, settings.h, settings.edges),
                 .now = {},
-                .work = std::make_shared<Workspace>()};
+                .work = std::unique_ptr<Workspace, DeleteWorkspace>(new Workspace)};
     fluid.now.velocity.fill(make_samples(fluid.lattice));
     fluid.now.push.fill(make_samples(fluid.lattice));
     fluid.now.pressure = make_samples(fluid.lattice);

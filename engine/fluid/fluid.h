@@ -76,12 +76,16 @@ struct State {
 };
 
 struct Workspace;  // tables and scratch memory of a step; holds no state
+struct DeleteWorkspace {
+    void operator()(Workspace* workspace) const;
+};
 
+/// Moves, but cannot be copied: a copy would share the workspace. To repeat a step, keep `now` and put it back.
 struct Fluid {
     Settings settings;
     Lattice lattice;
     State now;
-    std::shared_ptr<Workspace> work;
+    std::unique_ptr<Workspace, DeleteWorkspace> work;
 
     /// Position of the sample of velocity component `axis` in cell (0, 0, 0) (cells).
     vec3 place(std::size_t axis) const {

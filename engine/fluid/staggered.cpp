@@ -50,7 +50,7 @@ constexpr int transports_of_fall_back = 7;
 /// Flow slower than this comes to rest unless a force accelerates it (m/s).
 constexpr double rest_speed = 1e-6;
 
-/// Whether one of the samples of a row is not 0. Floats8 are looked at together, the last ones beyond the row's end.
+/// Whether one of the samples of a row is not 0. Eight are read at once, the last ones possibly beyond the row's end.
 bool any_in(const Row& row, const float* samples) {
     auto any = load(samples + row.at) != zero8;
     for (std::ptrdiff_t i = 8; i < row.count; i += 8) any |= load(samples + row.at + i) != zero8;

@@ -58,7 +58,7 @@ inline Floats8 larger(const Floats8& a, const Floats8& b) { return a > b ? a : b
 inline Floats8 link(bool holds, const Floats8& a, const Floats8& b) {
     const Floats8 both = 0.5F * (a + b);
     const Floats8 one = holds ? larger(larger(a, b), zero8) : zero8;
-    return (a < zero8) | (b < zero8) ? one : both;
+    return ((a < zero8) | (b < zero8)) ? one : both;
 }
 
 /// Part of a link that uses the velocity before the step: half of it, for second order in time, up to a
@@ -70,7 +70,7 @@ inline Floats8 explicit_part(const Floats8& whole, const Floats8& most) {
 
 /// The same for the link between two places.
 inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Floats8& b) {
-    const Floats8 most = (a < zero8) | (b < zero8) ? zero8 + explicit_most_to_wall : zero8 + explicit_most;
+    const Floats8 most = ((a < zero8) | (b < zero8)) ? zero8 + explicit_most_to_wall : zero8 + explicit_most;
     return explicit_part(whole, most);
 }
 

@@ -12,7 +12,8 @@
 
 namespace thaum::haptics {
 
-enum class PrimitiveKind : std::uint8_t { directed, point, line, plane };
+/// As wide as a double, so that a Primitive has no padding.
+enum class PrimitiveKind : std::uint64_t { directed, point, line, plane };
 
 /// One force on the proxy x (world frame).
 ///
@@ -30,6 +31,7 @@ struct Primitive {
     /// S, >= 0 (N): a repelling force is not the gradient of a convex function. Below 1e-300 it counts as 0.
     double strength{};
 };
+static_assert(sizeof(Primitive) == sizeof(PrimitiveKind) + 2 * sizeof(vec3) + sizeof(double), "no padding");
 
 inline constexpr std::size_t primitive_capacity = 16;
 
@@ -56,6 +58,8 @@ private:
     std::array<Primitive, primitive_capacity> items_{};
     std::size_t count_{};
 };
+static_assert(sizeof(PrimitiveSet) == primitive_capacity * sizeof(Primitive) + sizeof(std::size_t),
+              "no padding");
 
 /// Checks a list and returns it as a set. The error names the index and the fault of the first bad primitive.
 Expected<PrimitiveSet> checked(std::span<const Primitive> primitives);

@@ -73,6 +73,7 @@ struct HapticModel {
     bool on{true};  ///< the player wants forces
     bool panic{};   ///< a panic key is down
     bool rearm{};
+    std::uint8_t spare{};
     /// Changes when the primitives jump, which is a switch; not when they move smoothly.
     std::uint32_t set_number{};
     PrimitiveSet primitives{};  ///< primitives (m, device frame); usually empty, at no cost
@@ -84,6 +85,15 @@ struct HapticModel {
     std::uint64_t patch_number{};  ///< changes when the patch jumps, which is a switch
     FluidTouch fluid{};            ///< fluid around the tip; usually number 0, at no cost
 };
+static_assert(sizeof(Pulse) == sizeof(vec3) + 2 * sizeof(std::uint32_t) &&
+                  sizeof(SteadyForce) == sizeof(vec3) + 8 &&
+                  sizeof(Detents) == sizeof(vec3) + (most_detents + 2) * sizeof(double) &&
+                  sizeof(Tether) == 2 * sizeof(vec3) + 3 * sizeof(double) + sizeof(Detents) &&
+                  sizeof(HapticModel) == sizeof(Pulse) + sizeof(SteadyForce) + sizeof(Tether) + 8 +
+                                             sizeof(PrimitiveSet) + sizeof(ProxyCoupling) +
+                                             sizeof(SurfacePatch) + sizeof(FrameMotion) + sizeof(vec3) + 8 +
+                                             sizeof(FluidTouch),
+              "no padding: the bytes of past models are hashed");
 
 /// Measurement of a device.
 struct ServoSample {

@@ -65,10 +65,13 @@ struct Surface {
     SurfaceKind kind{};
     std::uint32_t body{};  ///< index in SurfacePatch::bodies
     std::uint32_t part{};  ///< index among the surfaces of its body; the same from tick to tick
-    vec3 a{}, b{}, c{};    ///< meaning by kind (m, device frame)
+    std::uint32_t spare{};
+    vec3 a{}, b{}, c{};  ///< meaning by kind (m, device frame)
 };
+static_assert(sizeof(Surface) == 4 * sizeof(std::uint32_t) + 3 * sizeof(vec3), "no padding");
 
-enum class TextureKind : std::uint32_t {
+/// As wide as a double, so that a Texture has no padding.
+enum class TextureKind : std::uint64_t {
     none,
     impact,     ///< a sinusoidal grating
     vibration,  ///< the same grating, felt along its own normal
@@ -87,6 +90,7 @@ struct Texture {
     /// Directions of u and v (unit, body frame).
     std::array<vec3, 2> axes{vec3{1, 0, 0}, vec3{0, 0, 1}};
 };
+static_assert(sizeof(Texture) == sizeof(TextureKind) + 2 * sizeof(double) + 3 * sizeof(vec3), "no padding");
 
 inline constexpr std::size_t bump_cells = 16;
 
@@ -102,6 +106,7 @@ struct SurfaceMaterial {
     double dynamic_friction{};  ///< coefficient of dynamic friction, >= 0
     Texture texture{};
 };
+static_assert(sizeof(SurfaceMaterial) == 4 * sizeof(double) + sizeof(Texture), "no padding");
 
 /// A rigid body to which surfaces belong.
 struct SurfaceBody {
@@ -111,7 +116,11 @@ struct SurfaceBody {
     vec3 spin{};                   ///< angular velocity about `position` (rad/s)
     SurfaceMaterial material{};
     std::uint32_t key{};  ///< identity of the body, the same from tick to tick
+    std::uint32_t spare{};
 };
+static_assert(sizeof(SurfaceBody) ==
+                  3 * sizeof(vec3) + sizeof(quat) + sizeof(SurfaceMaterial) + 2 * sizeof(std::uint32_t),
+              "no padding");
 
 inline constexpr std::size_t surface_capacity = 32;
 inline constexpr std::size_t surface_body_capacity = 8;
@@ -129,6 +138,10 @@ struct SurfacePatch {
     vec3 centre{};           ///< centre of the sphere (m)
     double reach{HUGE_VAL};  ///< radius of the sphere (m)
 };
+static_assert(sizeof(SurfacePatch) ==
+                  surface_capacity * sizeof(Surface) + surface_body_capacity * sizeof(SurfaceBody) +
+                      2 * sizeof(std::uint32_t) + sizeof(BumpMap) + sizeof(vec3) + sizeof(double),
+              "no padding");
 
 /// A touched surface, identified by its body's key and its part.
 struct SurfaceContact {

@@ -150,7 +150,7 @@ struct LogWriter::State {
     std::size_t good_size;  // bytes of whole blocks
     bool write_failed = false;
     Clock::time_point synced{};
-    std::thread thread;
+    std::jthread thread;
 
     // Appending ------------------------------------------------------------------------------------
 

@@ -216,7 +216,6 @@ Expected<void> play_match(LiveSession& session, MatchStart start) {
     auto simulating = start_thread([&] { run_simulation(session.plan, shared, std::move(start)); });
     if (!simulating) return tl::unexpected(simulating.error());
     run_session(session);
-    simulating->join();
     return {};
 }
 

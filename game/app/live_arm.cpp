@@ -48,7 +48,6 @@ ArmKeeper::~ArmKeeper() {
         stop_ = true;
     }
     stopped_.notify_one();
-    if (thread_.joinable()) thread_.join();
 }
 
 input::ArmStatus ArmKeeper::status() const {

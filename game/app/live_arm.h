@@ -52,7 +52,7 @@ private:
     input::ArmStatus status_{};
     input::TickReport times_{};
     int losses_ = 0;
-    std::thread thread_;  ///< watches the arm; not joinable if the system refused it
+    std::jthread thread_;  ///< watches the arm; last, so that it ends while the other members still live
 };
 
 }  // namespace thaum::app

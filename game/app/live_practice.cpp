@@ -28,7 +28,6 @@ DataWatcher::~DataWatcher() {
         stop_ = true;
     }
     stopped_.notify_one();
-    if (thread_.joinable()) thread_.join();
 }
 
 void DataWatcher::watch() {

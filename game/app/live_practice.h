@@ -31,7 +31,7 @@ private:
     std::mutex mutex_;
     std::condition_variable stopped_;
     bool stop_ = false;
-    std::thread thread_;
+    std::jthread thread_;  ///< last, so that it ends while the other members still live
 };
 
 class Practice {

@@ -50,7 +50,7 @@ struct Arm {
 };
 
 /// One published haptics::HapticModel, kept because a sample computed with it may still be on its way. Only
-/// the servo reads the model, so its raw bytes are stored. Padding bytes are zero.
+/// the servo reads the model, so its raw bytes are stored. A model has no padding (haptics/servo.h).
 struct PastModel {
     static_assert(sizeof(haptics::HapticModel) % sizeof(std::uint64_t) == 0);
     static constexpr std::size_t words = sizeof(haptics::HapticModel) / sizeof(std::uint64_t);

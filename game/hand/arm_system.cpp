@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstring>
 
 #include "game/context/arms.h"
 #include "game/hand/hand_system.h"
@@ -20,13 +19,7 @@ constexpr std::uint32_t still_ticks = 300;
 constexpr std::int32_t still_within = 3000;
 
 PastModel past(const haptics::HapticModel& model, const input::ArmState& arm) {
-    haptics::HapticModel copy = model;
-#if !defined(__clang__)  // clang only parses this code
-    __builtin_clear_padding(&copy);
-#endif
-    PastModel kept{.offset = arm.offset, .number = arm.number, .samples = arm.samples};
-    std::memcpy(kept.bytes.data(), &copy, sizeof copy);
-    return kept;
+    return {std::bit_cast<decltype(PastModel::bytes)>(model), arm.offset, arm.number, arm.samples};
 }
 
 input::KeptModel recalled(const PastModel& kept) {

@@ -145,7 +145,7 @@ std::string check_seek(const Play& play, const std::vector<Tick>& ticks) {
 std::string check_late(const Play& play, std::uint64_t seed) {
     Channel channel;
     LateRun late;
-    std::thread simulation([&] { late = run_late(play, channel, seed); });
+    std::jthread simulation([&] { late = run_late(play, channel, seed); });
     send_frames(play, channel, seed);
     simulation.join();
     if (auto found = other_state(play, "late", late.hashes); !found.empty()) return found;

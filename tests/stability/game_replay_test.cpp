@@ -93,9 +93,9 @@ TEST(GameReplay, CachesThrownAwayAtRandomTicksChangeNothing) {
 
 TEST(GameReplay, WorldsSideBySideOnThreadsDoNotDisturbEachOther) {
     std::array<Tick, 4> results{};
-    std::vector<std::thread> threads;
+    std::vector<std::jthread> threads;
     for (auto& result : results) threads.emplace_back([&result] { result = first_difference(*fresh(), 0); });
-    for (auto& thread : threads) thread.join();
+    threads.clear();  // waits for them
     for (const auto result : results) EXPECT_EQ(result, length);
 }
 

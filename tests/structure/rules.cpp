@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 /// Floor of each part of the tree. A part may include itself and parts on lower floors.
 const std::map<std::string, int, std::less<>> floors = {
-    {"core", 0},  {"ecs", 1},     {"field", 1},   {"physics", 2}, {"fluid", 2},  {"haptics", 2},
-    {"audio", 2}, {"tactile", 2}, {"gesture", 2}, {"input", 2},   {"render", 2}, {"game", 3},
+    {"core", 0},    {"ecs", 1},     {"field", 1}, {"physics", 2}, {"fluid", 2}, {"haptics", 2},  {"audio", 2},
+    {"tactile", 2}, {"gesture", 2}, {"input", 2}, {"render", 2},  {"game", 3},  {"examples", 3},
 };
 
 /// Floor of each room game/ROOM. A room may include itself and rooms on lower floors.

@@ -337,7 +337,7 @@ TEST(ArmServo, TwoThreadsAgree) {
     Arm arm{servo};
     Mirror mirror{servo};
     std::atomic<bool> stop{false};
-    std::thread moving([&] {
+    std::jthread moving([&] {
         while (!stop && arm.ticks < 200'000) {
             arm.step();
             if (servo.waiting() > 20 || arm.ticks % 50 == 0) std::this_thread::yield();

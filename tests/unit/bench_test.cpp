@@ -191,7 +191,7 @@ TEST(BenchAllocations, EveryKindIsCountedInEveryThread) {
     std::free(memory);
     EXPECT_EQ(allocation_count(), before + 4);
 
-    std::thread([] { do_not_optimise(std::make_unique<int>(2).get()); }).join();
+    std::jthread([] { do_not_optimise(std::make_unique<int>(2).get()); }).join();
     EXPECT_GT(allocation_count(), before + 4);
 }
 

@@ -236,7 +236,7 @@ TEST_F(CoreFile, AReaderNeverSeesHalfAFile) {
     const std::string first(100'000, 'a');
     const std::string second(50'000, 'b');
     ASSERT_TRUE(write_text_file(path, first));
-    std::thread writer([&] {
+    std::jthread writer([&] {
         for (int i = 0; i < 200; ++i) {
             if (!write_text_file(path, i % 2 == 0 ? second : first)) std::abort();
         }
@@ -245,7 +245,6 @@ TEST_F(CoreFile, AReaderNeverSeesHalfAFile) {
         const auto seen = read_text_file(path, 200'000);
         EXPECT_TRUE(seen == first || seen == second);
     }
-    writer.join();
 }
 
 }  // namespace

@@ -84,7 +84,7 @@ TEST_P(JobsByThreads, ManyMayWaitForOne) {
     Jobs jobs(GetParam());
     const auto ticket = jobs.run([] { std::this_thread::sleep_for(5ms); });
     std::atomic<int> done = 0;
-    std::vector<std::thread> waiters;
+    std::vector<std::jthread> waiters;
     waiters.reserve(8);
     for (int i = 0; i < 8; ++i) {
         waiters.emplace_back([&] {
@@ -92,7 +92,7 @@ TEST_P(JobsByThreads, ManyMayWaitForOne) {
             if (ticket.ended()) ++done;
         });
     }
-    for (auto& w : waiters) w.join();
+    waiters.clear();  // waits for them
     EXPECT_EQ(done, 8);
 }
 

@@ -33,6 +33,25 @@ struct Burning {
     static constexpr std::string_view name = "Burning";
 };
 
+/// A type with seven bytes of padding, which no compiler may take for a component.
+struct Padded {
+    std::uint8_t kind{};
+    double value{};
+    static constexpr std::string_view name = "Padded";
+    static constexpr auto fields() {
+        return std::tuple(field("kind", &Padded::kind), field("value", &Padded::value));
+    }
+};
+static_assert(!Component<Padded>);
+
+/// The same padding one level deeper.
+struct HoldsPadded {
+    std::array<Padded, 2> both{};
+    static constexpr std::string_view name = "HoldsPadded";
+    static constexpr auto fields() { return std::tuple(field("both", &HoldsPadded::both)); }
+};
+static_assert(!Component<HoldsPadded>);
+
 inline void declare_all(World& world) {
     world.declare<Position>();
     world.declare<Velocity>();

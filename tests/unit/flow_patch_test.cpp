@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "core/random.h"
 #include "fluid/fields.h"
 #include "fluid/fluid.h"
@@ -21,7 +23,7 @@ fluid::Fluid wild_fluid() {
     };
     for (auto& component : made->now.velocity) fill(component, -1);
     for (auto& substance : made->now.substances) fill(substance, 0);
-    return *made;
+    return std::move(*made);
 }
 
 FlowSource source_of(const fluid::Fluid& fluid) {

@@ -537,7 +537,7 @@ TEST(Surface, TurnedAndMirroredItFeelsTheSame) {
         const auto move_other = [&] {
             for (std::uint32_t i = 0; i < one.patch.count; ++i) {
                 const Surface& s = one.patch.surfaces[one.patch.count - 1 - i];
-                other.patch.surfaces[i] = {s.kind, s.body, s.part, map * s.a, map * s.b, map * s.c};
+                other.patch.surfaces[i] = {s.kind, s.body, s.part, 0, map * s.a, map * s.b, map * s.c};
             }
             other.patch.bodies[0].velocity = map * one.patch.bodies[0].velocity;
             other.patch.bodies[0].position = map * one.patch.bodies[0].position;
@@ -637,6 +637,7 @@ TEST(Surface, HostileInputNeverLeavesANumberThatIsNone) {
             s = {static_cast<SurfaceKind>(random.below(8)),
                  static_cast<std::uint32_t>(random.below(10)),
                  static_cast<std::uint32_t>(random.below(4)),
+                 0,
                  place(),
                  place(),
                  place()};

@@ -177,7 +177,7 @@ TEST(InputCollector, TwoThreadsLoseNothingAndCountNothingTwice) {
     std::atomic<bool> done{false};
     std::atomic<int> presses_seen{0};
     int presses = 0;
-    std::thread events_thread([&] {
+    std::jthread events_thread([&] {
         for (int i = 0; i < events; ++i) {
             hands.mouse_move(i % 7, -(i % 3));
             hands.wheel(i % 5 == 0 ? 1 : 0);

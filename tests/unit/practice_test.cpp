@@ -79,16 +79,13 @@ protected:
 /// other threads do.
 class WakeUps {
 public:
-    ~WakeUps() {
-        stop_ = true;
-        thread_.join();
-    }
+    ~WakeUps() { stop_ = true; }
     int count() const { return count_; }
 
 private:
     std::atomic<bool> stop_{false};
     std::atomic<int> count_{0};
-    std::thread thread_{[this] {
+    std::jthread thread_{[this] {
         for (; !stop_; ++count_) sleep_until_ns(monotonic_ns() + 1'000'000);
     }};
 };

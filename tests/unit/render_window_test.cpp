@@ -26,7 +26,7 @@ TEST(WindowTest, DrawsFromAThreadOfItsOwn) {
     ASSERT_TRUE(window) << window.error().message;
     EXPECT_EQ(window->size(), (Size{320, 200}));
     Image image;
-    std::thread drawing([&] {
+    std::jthread drawing([&] {
         window->make_current();
         {
             auto renderer = Renderer::create(THAUM_SOURCE_DIR "/assets");

@@ -119,7 +119,7 @@ void arm_thread(const Options& options, Report& report) {
     input::ArmServo door;
     input::TickTimes kept;
     std::atomic<bool> stop = false;
-    std::thread arm([&] { run_arm(door, kept, stop); });
+    std::jthread arm([&] { run_arm(door, kept, stop); });
     ArmMatchHalf half{door};
     auto due = monotonic_ns();
     for (int tick = 0; tick < (options.quick ? 500 : 3000); ++tick) {

@@ -4,6 +4,7 @@
 // what slows the machine slows all of them.
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/hash.h"
 #include "core/text.h"
@@ -479,12 +480,14 @@ fluid::AttackBounds bounds_of(const StressCase& stressed) {
 
 /// Of a step that took `first` us: the least of a few runs of the same step, since in a long attack another program has the processor
 /// at some time within some step, and a step always does the same work.
-double least_us(const fluid::Fluid& before, double first) {
+double least_us(fluid::Fluid& fluid, const fluid::State& before, double first) {
     constexpr int runs = 5;
+    const fluid::State after = fluid.now;
     for (int i = 1; i < runs; ++i) {
-        fluid::Fluid again = before;
-        first = std::min(first, us_of([&] { advance(again, flows::step); }));
+        fluid.now = before;
+        first = std::min(first, us_of([&] { advance(fluid, flows::step); }));
     }
+    fluid.now = after;
     return first;
 }
 
@@ -503,23 +506,25 @@ double calm_step_us(fluid::Fluid calm) {
 void stress_one(const StressCase& stressed, std::uint64_t steps, Report& report) {
     const auto& [scheme, n, bowl] = stressed;
     auto made = fluid::make_attack(scheme, n, 1, {.bowl = bowl});
-    if (!made) return report.faults.push_back(text("fluid: ", made.error().message));
+    auto calm_one = fluid::make_attack(scheme, n, 1, {.bowl = bowl});
+    if (!made || !calm_one)
+        return report.faults.push_back(text("fluid: ", (made ? calm_one : made).error().message));
     fluid::Attack& attack = *made;
     FluidRun run{.scheme = scheme, .n = n, .fluid = {}};
-    const double calm = calm_step_us(attack.fluid);
+    const double calm = calm_step_us(std::move(calm_one->fluid));
     double worst = 0;
     for (std::uint64_t i = 0; i < steps && attack.fault.empty(); ++i) {
         strike(attack);
-        const fluid::Fluid before = attack.fluid;
+        const fluid::State before = attack.fluid.now;
         run.us.push_back(us_of([&] { run.last = advance(attack.fluid, flows::step); }));
-        if (run.us.back() > worst) worst = std::max(worst, least_us(before, run.us.back()));
+        if (run.us.back() > worst) worst = std::max(worst, least_us(attack.fluid, before, run.us.back()));
         judge(attack, run.last, bounds_of(stressed));
         if (!attack.fault.empty())
             report.faults.push_back(text("fluid: ", solver_name(scheme), " order ", scheme.order,
                                          bowl ? " in a bowl" : "", ", n = ", n, ", step ", i, ": ",
                                          attack.fault));
     }
-    run.fluid = attack.fluid;
+    run.fluid = std::move(attack.fluid);
     Row row = row_of("stress", run);
     row.setting.emplace_back("in", std::string(bowl ? "bowl" : "box"));
     row.metrics = {{"steps", static_cast<double>(run.us.size())},

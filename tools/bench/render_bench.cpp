@@ -79,7 +79,6 @@ public:
     ~Drawer() {
         may_ = false;
         over_ = true;
-        thread_.join();
     }
     /// Switches drawing on or off, and returns after the thread has followed.
     void set_drawing(bool drawing) {
@@ -121,7 +120,7 @@ private:
     std::mutex mutex_;
     std::atomic<bool> may_ = false, draws_ = false, over_ = false;
     std::atomic<int> drawn_ = 0;
-    std::thread thread_;
+    std::jthread thread_;  ///< last, so that it ends while the other members still live
 };
 
 /// Runs one tick per millisecond and hands over a picture every 16 ticks.

@@ -158,9 +158,8 @@ void soak(const Options& options, Report& report) {
                                 course.name = "one of two";
                                 auto silent = course;
                                 silent.name = nullptr;
-                                std::thread other([&] { beside[1] = soak_once(silent); });
+                                std::jthread other([&] { beside[1] = soak_once(silent); });
                                 beside[0] = soak_once(course);
-                                other.join();
                             });
     for (const auto& soaked : beside) {
         add_row(course, 2, soaked, beside_s, report);

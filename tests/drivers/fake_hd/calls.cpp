@@ -35,7 +35,7 @@ bool is_handle(const Library& l, unsigned int handle) { return handle == handle_
     if (l.script.is("sync", "never")) return true;
     if (l.script.is("sync", "twice")) return run(context), false;
     if (!l.script.is("sync", "late")) return false;
-    std::thread([=] {
+    std::jthread([=] {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         run(context);
     }).detach();

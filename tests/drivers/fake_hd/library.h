@@ -66,7 +66,7 @@ struct Library {
     std::uint64_t refused = 0;
     std::uint64_t felt_at = 0;  // tick of the first force; 0: none yet
 
-    std::thread thread{}, second_thread{};
+    std::jthread thread{}, second_thread{};
     std::atomic<bool> running{false};
     std::atomic<std::thread::id> own_thread{};
 };

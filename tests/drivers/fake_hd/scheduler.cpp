@@ -96,7 +96,7 @@ void call_ticks(Library& l) {
 }
 
 void call_after_end(Library& l) {
-    std::thread([&l] {
+    std::jthread([&l] {
         constexpr int calls = 200;
         for (int i = 0; i < calls; ++i) {
             call_ticks(l);
@@ -108,8 +108,9 @@ void call_after_end(Library& l) {
 }
 
 void start_threads(Library& l) {
-    l.thread = std::thread([&l] { run_thread(l); });
-    if (l.script.is("callback", "two_threads")) l.second_thread = std::thread([&l] { run_second_thread(l); });
+    l.thread = std::jthread([&l] { run_thread(l); });
+    if (l.script.is("callback", "two_threads"))
+        l.second_thread = std::jthread([&l] { run_second_thread(l); });
 }
 
 void stop_threads(Library& l) {
