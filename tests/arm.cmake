@@ -18,11 +18,11 @@ target_compile_definitions(fake_hd_old PRIVATE FAKE_HD_OLD)
 # Holds a force on a faulty arm, in a process that may hang or die.
 add_executable(arm_probe drivers/arm_probe.cpp)
 target_include_directories(arm_probe PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-target_link_libraries(arm_probe PRIVATE thaum_flags thaum_input ${CMAKE_DL_LIBS})
+target_link_libraries(arm_probe PRIVATE thaum_flags thaum_arms ${CMAKE_DL_LIBS})
 
 thaum_test(test_arm
     SOURCES unit/arm_modes_test.cpp unit/arm_test.cpp unit/openhaptics_test.cpp
-    LINK thaum_input ${CMAKE_DL_LIBS}
+    LINK thaum_arms ${CMAKE_DL_LIBS}
     NOT_SANITIZED ArmEnds.*)  # sanitizers end a faulty program in their own way
 target_compile_definitions(test_arm PRIVATE
     ARM_PROBE="$<TARGET_FILE:arm_probe>" FAKE_HD="$<TARGET_FILE:fake_hd>" FAKE_HD_OLD="$<TARGET_FILE:fake_hd_old>")

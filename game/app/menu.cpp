@@ -13,7 +13,7 @@ using Kind = MenuEvent::Kind;
 
 std::string name_of(const Device& device, const MenuContext& facts) {
     if (device.kind == DeviceKind::keyboard_mouse)
-        return facts.arm.empty() ? "Mouse and keyboard" : text("Mouse, keys and ", facts.arm);
+        return facts.arms[0].empty() ? "Mouse and keyboard" : text("Mouse, keys and ", facts.arms[0]);
     if (device.kind == DeviceKind::keyboard_half) return "Half of the keyboard";
     const auto& name = facts.pads.at(static_cast<std::size_t>(device.pad));
     return name.empty() ? text("Pad ", device.pad + 1) : text("Pad ", device.pad + 1, " (", name, ")");
@@ -441,13 +441,23 @@ std::string hint_of(const MenuState& s) {
     }
 }
 
+/// Name of a player's devices. A second real arm goes to the player without the mouse.
+std::string name_of_seat(const MenuState& s, const MenuContext& facts, const Device& device) {
+    const bool mouse = std::any_of(s.seats.begin(), s.seats.end(), [](const auto& seat) {
+        return seat && seat->kind == DeviceKind::keyboard_mouse;
+    });
+    const auto name = name_of(device, facts);
+    const bool second = mouse && device.kind != DeviceKind::keyboard_mouse && !facts.arms[1].empty();
+    return second ? text(name, " and ", facts.arms[1]) : name;
+}
+
 std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuContext& facts) {
     std::vector<game::MenuSeat> seats;
     for (std::size_t i = 0; i < s.seats.size(); ++i) {
         const auto& seat = s.seats[i];
         const bool bot = !seat && joined(s) == 1;
         seats.push_back({.head = text("Player ", i + 1, seat ? ": joined" : ""),
-                         .device = seat  ? name_of(*seat, facts)
+                         .device = seat  ? name_of_seat(s, facts, *seat)
                                    : bot ? text("press to join, or bot level ", facts.levels[s.level])
                                          : std::string("press to join"),
                          .taken = seat.has_value()});
