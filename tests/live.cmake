@@ -2,8 +2,8 @@ thaum_test(test_hud
     SOURCES unit/brew_look_test.cpp unit/hud_test.cpp unit/hud_pictures_test.cpp
     LINK thaum_hud)
 thaum_test(test_live
-    SOURCES unit/arm_pace_test.cpp unit/menu_test.cpp unit/practice_test.cpp unit/settings_test.cpp
-    LINK thaum_live)
+    SOURCES unit/arm_pace_test.cpp unit/live_arm_test.cpp unit/menu_test.cpp unit/practice_test.cpp unit/settings_test.cpp
+    LINK thaum_live fake_arm)
 
 add_executable(live_shot drivers/shot.cpp)
 target_link_libraries(live_shot PRIVATE thaum_flags thaum_hud)
