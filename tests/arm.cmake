@@ -18,11 +18,16 @@ target_compile_definitions(fake_hd_old PRIVATE FAKE_HD_OLD)
 # Holds a force on a faulty arm, in a process that may hang or die.
 add_executable(arm_probe drivers/arm_probe.cpp)
 target_include_directories(arm_probe PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
-target_link_libraries(arm_probe PRIVATE thaum_flags thaum_input ${CMAKE_DL_LIBS})
+target_link_libraries(arm_probe PRIVATE thaum_flags thaum_arms ${CMAKE_DL_LIBS})
+
+# A driver that only test programs have (drivers/fake_arm). An object library, so that the linker keeps its registration.
+add_library(fake_arm OBJECT drivers/fake_arm/fake_arm.cpp drivers/fake_hd/script.cpp)
+target_include_directories(fake_arm PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(fake_arm PRIVATE thaum_flags thaum_input)
 
 thaum_test(test_arm
-    SOURCES unit/arm_modes_test.cpp unit/arm_test.cpp unit/openhaptics_test.cpp
-    LINK thaum_input ${CMAKE_DL_LIBS}
+    SOURCES unit/arm_driver_test.cpp unit/arm_modes_test.cpp unit/arm_test.cpp unit/openhaptics_test.cpp
+    LINK thaum_arms fake_arm ${CMAKE_DL_LIBS}
     NOT_SANITIZED ArmEnds.*)  # sanitizers end a faulty program in their own way
 target_compile_definitions(test_arm PRIVATE
     ARM_PROBE="$<TARGET_FILE:arm_probe>" FAKE_HD="$<TARGET_FILE:fake_hd>" FAKE_HD_OLD="$<TARGET_FILE:fake_hd_old>")

@@ -2,8 +2,8 @@ thaum_test(test_hud
     SOURCES unit/brew_look_test.cpp unit/hud_test.cpp unit/hud_pictures_test.cpp
     LINK thaum_hud)
 thaum_test(test_live
-    SOURCES unit/arm_pace_test.cpp unit/menu_test.cpp unit/practice_test.cpp unit/settings_test.cpp
-    LINK thaum_live)
+    SOURCES unit/arm_pace_test.cpp unit/live_arm_test.cpp unit/menu_test.cpp unit/practice_test.cpp unit/settings_test.cpp
+    LINK thaum_live fake_arm)
 
 add_executable(live_shot drivers/shot.cpp)
 target_link_libraries(live_shot PRIVATE thaum_flags thaum_hud)
@@ -44,8 +44,12 @@ thaum_driver_test(fake_phantom_feels ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_ph
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd> $<TARGET_FILE:forge_log>)
 thaum_driver_test(fake_phantom_fails ${CMAKE_CURRENT_SOURCE_DIR}/drivers/fake_phantom_fails.sh
     $<TARGET_FILE:thaum> $<TARGET_FILE:fake_hd>)
+# The program with a driver that only this test has, and two arms in one match.
+add_executable(thaum_with_fake_arms ${PROJECT_SOURCE_DIR}/game/app/main.cpp)
+target_link_libraries(thaum_with_fake_arms PRIVATE thaum_flags thaum_commands fake_arm)
+thaum_driver_test(two_arms ${CMAKE_CURRENT_SOURCE_DIR}/drivers/two_arms.sh $<TARGET_FILE:thaum_with_fake_arms>)
 # slow: these take a minute of real time. Shorter tests show the sanitizers the same code.
-set_tests_properties(drivers.fake_phantom_plays drivers.fake_phantom_feels drivers.fake_phantom_fails
+set_tests_properties(drivers.fake_phantom_plays drivers.fake_phantom_feels drivers.fake_phantom_fails drivers.two_arms
     PROPERTIES LABELS slow)
 # A hundred runs by hand: kill_recording 100
 add_executable(kill_recording drivers/kill_recording.cpp)

@@ -9,7 +9,7 @@
 namespace thaum::input {
 namespace {
 
-/// Of the 26 letters; locales have no say in it.
+// Only the 26 letters, whatever the locale.
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
@@ -40,7 +40,7 @@ bool is_called(const ArmFacts& facts, std::string_view word) {
         return !name.empty() && std::equal(name.begin(), name.end(), word.begin(), word.end(),
                                            [](char a, char b) { return lower(a) == lower(b); });
     };
-    return is("phantom") || is(facts.spec.name) || is(facts.serial) || is(name_of(facts));
+    return is("arm") || is(facts.family) || is(facts.spec.name) || is(facts.serial) || is(name_of(facts));
 }
 
 std::string caption_of(const ArmStatus& status) {
@@ -55,7 +55,7 @@ vec3 rotation_vector(const mat3& rotation) {
     auto q = glm::quat_cast(rotation);
     if (q.w < 0) q = -q;
     const vec3 axis(q.x, q.y, q.z);
-    const double sine = glm::length(axis);  // of half the angle
+    const double sine = glm::length(axis);  // sine of half the angle
     return sine < no_turn ? 2.0 * axis : axis * (2 * det::atan2(sine, q.w) / sine);
 }
 

@@ -24,20 +24,22 @@ void hung(int) {
     ::kill(::getpid(), ends_by);
 }
 
-/// A fault of the arm's own thread: nobody else can say the last word. The library may hang or fail again; the alarm ends
-/// that.
+void wait_for_silence() noexcept {
+    constexpr int looks = 200;
+    const timespec between{.tv_sec = 0, .tv_nsec = 1'000'000};
+    for (int look = 0; look < looks && !ticks::are_silent(); ++look) ::nanosleep(&between, nullptr);
+}
+
+/// Ends all forces after a fault of an arm's own servo thread. No other thread can end the force of that arm; the other
+/// arms end theirs in their own threads. The driver may hang or fail again, which the alarm ends.
 void end_as_arms_thread(int signal) noexcept {
     ends_by = signal;
     std::signal(SIGALRM, hung);
     ::alarm(1);
-    hd::end_broken_tick();
+    silence_arms();
+    ticks::end_broken();
+    wait_for_silence();
     ::alarm(0);
-}
-
-void wait_for_silence() noexcept {
-    constexpr int looks = 200;
-    const timespec between{.tv_sec = 0, .tv_nsec = 1'000'000};
-    for (int look = 0; look < looks && !hd::ticks_are_silent(); ++look) ::nanosleep(&between, nullptr);
 }
 
 /// The thread cannot go on: after its handler the same instruction would fail again, or abort() would end the process.
@@ -68,16 +70,14 @@ void hand_on(int signal, void* context) {
 
 /// exit() may be called anywhere, too.
 void on_exit() {
-    if (hd::is_arms_thread())
-        hd::end_broken_tick();
-    else
-        silence_arms_and_wait();
+    if (ticks::is_arms_thread()) ticks::end_broken();
+    silence_arms_and_wait();
 }
 
 /// Other threads may be in here at the same time: each waits for the silence. Only a fault in here ends the process at
 /// once.
 void on_end(int signal, siginfo_t*, void* context) {
-    const bool arms = hd::is_arms_thread(), nested = ends_here != 0;
+    const bool arms = ticks::is_arms_thread(), nested = ends_here != 0;
     if (!is_fault(signal)) {
         if (arms) return hand_on(signal, context);
         if (nested) return;  // the outer handler ends the process
@@ -90,12 +90,12 @@ void on_end(int signal, siginfo_t*, void* context) {
 }
 
 void on_stop(int signal, siginfo_t*, void* context) {
-    if (hd::is_arms_thread()) return hand_on(signal, context);
+    if (ticks::is_arms_thread()) return hand_on(signal, context);
     const int error = errno;
-    hd::begin_stop();
+    ticks::begin_stop();
     wait_for_silence();
     ::raise(SIGSTOP);
-    hd::end_stop();
+    ticks::end_stop();
     errno = error;
 }
 
@@ -111,8 +111,8 @@ void handle(int signal, void (*handler)(int, siginfo_t*, void*), int flags) {
 
 }  // namespace
 
-void silence_arms() noexcept { hd::silence_ticks(true); }
-void end_silence() noexcept { hd::silence_ticks(false); }
+void silence_arms() noexcept { ticks::silence(true); }
+void end_silence() noexcept { ticks::silence(false); }
 
 void silence_arms_and_wait() noexcept {
     silence_arms();

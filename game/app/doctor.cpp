@@ -30,9 +30,10 @@ Checks this machine and reports what is missing: processor, data files, OpenGL,
 display, the hands' devices, pads and their permissions, the accuracy of a 1 kHz
 clock, and the folders of settings and logs. This version uses no sound. If there
 is a display, a match is shown for three seconds to measure the delay from a
-movement to its picture. A force feedback arm (OpenHaptics; THAUM_LIBHD is the
-path of libHD.so) is used for two seconds without force, to measure how evenly
-its ticks come and the delay from a pose to its force. Hold the arm still.
+movement to its picture. Force feedback arms are listed with the numbers by
+which --hands arm:0 names them. Each is used for two seconds without force, to
+measure how evenly its ticks come and the delay from a pose to its force. Hold
+the arms still.
 
   --json FILE   the findings as JSON, replacing an older file; - for stdout
 
@@ -96,29 +97,52 @@ Finding hands(const Expected<Data>& data) {
             ""};
 }
 
-/// Report on the real arm: measures the arm's servo without a match and without a force.
-Finding real_arm() {
-    const std::string what = "arm";
-    const auto arm = input::OpenHaptics::open();
-    if (!arm) return {what, State::note, "none that could be used", arm.error().message};
-    input::ArmServo servo;
-    if (const auto started = (*arm)->start(servo.tick()); !started)
-        return {what, State::missing, "does not start", started.error().message};
-    constexpr std::int64_t measured_ns = 2'000'000'000;
-    sleep_until_ns(monotonic_ns() + measured_ns);
-    const auto times = (*arm)->times();
-    const auto status = (*arm)->status();
-    const auto& facts = (*arm)->facts();
+/// An arm that is measured without a match and without a force.
+struct MeasuredArm {
+    std::size_t number{};
+    input::ArmServo servo{};
+    Expected<std::unique_ptr<input::OpenArm>> arm{};
+    Expected<void> started{};
+};
+
+Finding finding_of(const MeasuredArm& measured) {
+    const std::string what = "arm", which = text("arm:", measured.number);
+    if (!measured.arm)
+        return {what, State::note, text(which, " could not be used"), measured.arm.error().message};
+    if (!measured.started)
+        return {what, State::missing, text(which, " does not start"), measured.started.error().message};
+    const auto& arm = **measured.arm;
+    const auto times = arm.times();
+    const auto status = arm.status();
+    const auto& facts = arm.facts();
     const bool good = status.state == input::ArmPresence::present;
     return {what, good ? State::good : State::missing,
-            text(input::name_of(facts), " of ", fixed(facts.spec.peak_force, 1), " N, measures ",
-                 facts.spec.sensed, " degrees of freedom, pushes in ", facts.spec.actuated,
+            text(which, " is ", input::name_of(facts), " of ", fixed(facts.spec.peak_force, 1),
+                 " N, measures ", facts.spec.sensed, " degrees of freedom, pushes in ", facts.spec.actuated,
                  facts.spec.actuated <= 3 ? " (no torques)" : "", ", library ", facts.driver, ": ",
-                 told(times), (*arm)->preferred() ? "" : "; its thread has no priority"),
-            good && !(*arm)->preferred() ? "allow real-time priority: a line '@GROUP - rtprio 60' in "
-                                           "/etc/security/limits.d, then log in again"
-                                         : status.text,
+                 told(times), arm.preferred() ? "" : "; its thread has no priority"),
+            good && !arm.preferred() ? "allow real-time priority: a line '@GROUP - rtprio 60' in "
+                                       "/etc/security/limits.d, then log in again"
+                                     : status.text,
             metrics_of(times)};
+}
+
+/// Reports on the drivers of real arms, and on each arm: all tick at once, as two do in a match.
+void add_arms(std::vector<Finding>& findings) {
+    constexpr std::int64_t measured_ns = 2'000'000'000;
+    for (const auto& kind : input::arm_drivers())
+        findings.push_back({"arm driver", State::good, text(kind.name, ": ", kind.about), ""});
+    std::vector<std::unique_ptr<MeasuredArm>> arms;
+    const auto places = input::arm_places();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        auto& measured = *arms.emplace_back(std::make_unique<MeasuredArm>());
+        measured.number = i;
+        measured.arm = input::open_arm(places[i]);
+        if (measured.arm) measured.started = (*measured.arm)->start(measured.servo.tick());
+    }
+    if (std::any_of(arms.begin(), arms.end(), [](const auto& a) { return a->arm && a->started; }))
+        sleep_until_ns(monotonic_ns() + measured_ns);
+    for (const auto& measured : arms) findings.push_back(finding_of(*measured));
 }
 
 Finding opengl(const std::filesystem::path& assets, const Expected<Data>& data) {
@@ -246,7 +270,7 @@ std::vector<Finding> examine() {
     std::vector<Finding> findings{processor(), mathematics(),        data_files(assets, data),
                                   hands(data), opengl(assets, data), display()};
     add_pads(findings);
-    findings.push_back(real_arm());
+    add_arms(findings);
     findings.push_back(tick_clock());
     findings.push_back(input_to_picture(assets, data));
     findings.push_back(settings(assets));

@@ -13,7 +13,7 @@
 #include "game/app/live.h"
 #include "game/components/hand_state.h"
 #include "input/arm_playback.h"
-#include "input/drivers/openhaptics.h"
+#include "input/open_arm.h"
 
 namespace thaum::app {
 namespace {
@@ -107,15 +107,25 @@ private:
 
 // ---- the arm ----------------------------------------------------------------------------------------------
 
-using Arm = std::unique_ptr<input::OpenHaptics>;
+using Arm = std::unique_ptr<input::OpenArm>;
 
+/// Opens the first arm of that name, or the arm of that number. Other arms are closed again.
 Expected<Arm> open_named(const std::string& name) {
-    auto arm = input::OpenHaptics::open();
-    if (!arm) return fail(text("--feel ", name, ": ", arm.error().message));
-    const auto& facts = (*arm)->facts();
-    if (input::is_called(facts, name)) return std::move(*arm);
-    return fail(text("--feel '", name, "': this device was not found; found ", input::name_of(facts),
-                     " (or: phantom)"));
+    std::string found;
+    std::optional<Error> first;
+    const auto places = input::arm_places();
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        auto arm = input::open_arm(places[i]);
+        if (!arm && !first) first = arm.error();
+        if (!arm) continue;
+        const auto& facts = (*arm)->facts();
+        if (name == text("arm:", i) || input::is_called(facts, name)) return arm;
+        found += text(found.empty() ? "" : ", ", input::name_of(facts), " (or: arm:", i,
+                      facts.family.empty() ? "" : ", ", facts.family, ")");
+    }
+    if (found.empty() && first) return fail(text("--feel ", name, ": ", first->message));
+    return fail(
+        text("--feel '", name, "': this device was not found; found ", found.empty() ? "no device" : found));
 }
 
 /// Largest share of the arm's peak force in this machine's settings; 0: no forces.
@@ -135,7 +145,7 @@ std::string held_back(const input::PlaybackReport& report) {
     return out.empty() ? "nothing held back" : text("held back in ticks: ", out);
 }
 
-void tell(const input::ArmPlayback& hand, const input::OpenHaptics& arm) {
+void tell(const input::ArmPlayback& hand, const input::OpenArm& arm) {
     const auto report = hand.report();
     std::printf("%s s felt, at most %s N; %s; %llu ticks without a force\narm: %s\n",
                 fixed(seconds(report.played), 2).c_str(), fixed(report.strongest, 2).c_str(),
@@ -144,8 +154,7 @@ void tell(const input::ArmPlayback& hand, const input::OpenHaptics& arm) {
 }
 
 /// Plays until all forces were felt or playing must end early. Returns the reason for an early end.
-std::optional<std::string> play(RecordedForces& forces, input::ArmPlayback& hand,
-                                const input::OpenHaptics& arm) {
+std::optional<std::string> play(RecordedForces& forces, input::ArmPlayback& hand, const input::OpenArm& arm) {
     const StopWatch watch;
     std::int64_t until = 0;  // end of the fade after the last force (ns); 0: more forces will come
     bool more = true;

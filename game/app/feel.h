@@ -7,7 +7,7 @@
 namespace thaum::app {
 
 struct FeelPlan {
-    std::string device;        ///< name of the arm in the list of `thaum doctor`, or "phantom"
+    std::string device;        ///< name or number of the arm in the list of `thaum doctor`
     std::uint32_t player = 0;  ///< player whose recorded forces are played
 };
 

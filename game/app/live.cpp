@@ -8,6 +8,7 @@
 #include "core/random.h"
 #include "core/text.h"
 #include "core/threads.h"
+#include "game/app/arguments.h"
 #include "game/app/command.h"
 #include "game/app/end_watch.h"
 #include "game/app/live_session.h"
@@ -38,21 +39,54 @@ double Timings::at(double share) {
 // Seats -----------------------------------------------------------------------------------------------------
 
 Expected<Seat> hand_named(std::string_view word) {
+    constexpr std::string_view numbered_arm = "arm:";
+    constexpr std::uint64_t most_number = 1000;
     if (word == "mouse") return Seat{.kind = SeatKind::keyboard_mouse};
     if (word == "half") return Seat{.kind = SeatKind::keyboard_half};
     if (word == "pad") return Seat{.kind = SeatKind::pad};
-    if (word == "arm") return Seat{.kind = SeatKind::keyboard_mouse, .arm = true};
-    return fail(text("--hands '", word, "': must be mouse, half, pad or arm"));
+    if (word == "arm") return Seat{.kind = SeatKind::keyboard_mouse, .arm = ArmWish{}};
+    if (word.starts_with(numbered_arm)) {
+        const auto number = parse_whole(word.substr(numbered_arm.size()), "--hands arm:", 0, most_number);
+        if (!number) return tl::unexpected(number.error());
+        return Seat{.kind = SeatKind::keyboard_mouse, .arm = ArmWish{*number}};
+    }
+    return fail(text("--hands '", word, "': must be mouse, half, pad or arm, or arm:0, arm:1, ..."));
+}
+
+Expected<std::vector<Seat>> hands_named(std::string_view words) {
+    std::vector<Seat> hands;
+    for (;;) {
+        const auto comma = std::min(words.find(','), words.size());
+        const auto hand = hand_named(words.substr(0, comma));
+        if (!hand) return tl::unexpected(hand.error());
+        hands.push_back(*hand);
+        if (comma == words.size()) break;
+        words.remove_prefix(comma + 1);
+    }
+    if (hands.size() > game::players) return fail("--hands takes one or two devices, one a player");
+    if (hands.size() < 2 || hands[0].kind != hands[1].kind || hands[0].kind == SeatKind::pad) return hands;
+    // Only one player has the mouse: the first, unless the second asks for the mouse alone.
+    auto* gives_way = hands[1].arm ? &hands[1] : hands[0].arm ? hands.data() : nullptr;
+    const bool same_arm = hands[0].arm && hands[1].arm && hands[0].arm->number && hands[1].arm->number &&
+                          *hands[0].arm->number == *hands[1].arm->number;
+    if (gives_way == nullptr || same_arm)
+        return fail(
+            "--hands takes one or two devices, and both of one kind only if they are pads or two arms");
+    gives_way->kind = SeatKind::pad_or_half;
+    return hands;
 }
 
 std::vector<input::DeviceSpec> arms_of(const LiveShared& shared) {
-    if (!shared.arm || shared.arm_player >= game::players) return {};
-    input::DeviceSpec arm;
-    arm.player = shared.arm_player;
-    arm.kind = DeviceKind::arm;
-    arm.name = input::name_of(shared.arm->facts());
-    arm.box_um = input::box_um(shared.arm->facts());
-    return {std::move(arm)};
+    std::vector<input::DeviceSpec> arms;
+    each_held_arm(shared, [&](const LiveArm& held, std::size_t) {
+        input::DeviceSpec arm;
+        arm.player = held.player;
+        arm.kind = DeviceKind::arm;
+        arm.name = input::name_of(held.keeper->facts());
+        arm.box_um = input::box_um(held.keeper->facts());
+        arms.push_back(std::move(arm));
+    });
+    return arms;
 }
 
 std::vector<input::DeviceSpec> devices_of(const LiveShared& shared) {
@@ -115,7 +149,6 @@ std::array<Seat, game::players> joined_seats(const LiveSession& session) {
             device ? seat_of(*device)
                    : Seat{.kind = SeatKind::bot, .level = session.menu_context.levels[session.menu.level]};
     }
-    for (auto& seat : seats) seat.arm = session.shared.arm && seat.kind == SeatKind::keyboard_mouse;
     if (session.range) seats[game::dummys] = {.kind = SeatKind::dummy};
     return seats;
 }
@@ -196,14 +229,28 @@ Expected<Recording> recording_of(LiveSession& session, std::uint64_t seed, std::
     return Recording(std::move(**log));
 }
 
+/// Binds each real arm to its player for the next match. After the start screen the first arm goes to the
+/// player with the mouse, and the second one to the other person.
+void bind_arms(LiveSession& session) {
+    auto& shared = session.shared;
+    auto with_mouse = game::no_player, other = game::no_player;
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        const auto& seat = shared.seats[p];
+        if (seat.hands) (seat.seat.kind == SeatKind::keyboard_mouse ? with_mouse : other) = p;
+    }
+    if (with_mouse == game::no_player) other = game::no_player;
+    for (std::size_t i = 0; i < shared.arms.size(); ++i) {
+        auto& arm = *shared.arms[i];
+        arm.player = session.plan.start_screen ? (i == 0 ? with_mouse : other) : arm.seat;
+    }
+}
+
 void take_seats(LiveSession& session) {
     if (session.plan.replay != nullptr) return;  // a replay has no players at the devices
     const auto seats = session.plan.start_screen ? joined_seats(session) : planned_seats(session);
     for (std::uint32_t p = 0; p < game::players; ++p)
         session.shared.seats[p] = take_seat(session.menu.settings, seats[p], p);
-    const auto armed = std::find_if(seats.begin(), seats.end(), [](const Seat& seat) { return seat.arm; });
-    session.shared.arm_player =
-        armed == seats.end() ? game::no_player : static_cast<std::uint32_t>(armed - seats.begin());
+    bind_arms(session);
 }
 
 /// Plays one match. The error: the simulation thread could not be started.
@@ -250,33 +297,26 @@ Expected<void> play_matches(LiveSession& session) {
 
 // Arms ------------------------------------------------------------------------------------------------------
 
-/// Opens the arm of the seat that wants one. The arm gives forces from the first match on.
-Expected<void> open_arm(LiveShared& shared, const LivePlan& plan) {
-    const bool wanted =
-        std::any_of(plan.seats.begin(), plan.seats.end(), [](const Seat& s) { return s.arm; });
-    if (!wanted || plan.replay != nullptr) return {};
-    auto arm = ArmKeeper::open(shared.servo, plan.data->device);
-    if (!arm) return tl::unexpected(arm.error());
-    shared.arm = std::move(*arm);
+/// Opens the arms of the seats that want one. The arms give forces from the first match on.
+Expected<void> open_arms(LiveShared& shared, const LivePlan& plan) {
+    if (plan.replay != nullptr) return {};
+    auto arms = open_arms(plan.seats, plan.data->device);
+    if (!arms) return tl::unexpected(arms.error());
+    shared.arms = std::move(*arms);
     return {};
 }
 
-void tell_arm(const LiveShared& shared, LiveReport* report) {
-    if (!shared.arm) return;
-    const auto times = shared.arm->times();
-    const auto troubles = shared.servo.troubles();
-    const int losses = shared.arm->losses();
+/// Prints how an arm did, with its name if there are several.
+void tell_arm(const LiveArm& arm, bool name_it) {
+    const auto troubles = arm.servo.troubles();
     std::fprintf(stderr,
-                 "arm: %s; poses: %llu repeated, %llu back in time, %llu no numbers; lost %d times; %llu "
+                 "arm%s: %s; poses: %llu repeated, %llu back in time, %llu no numbers; lost %d times; %llu "
                  "forces differ from the match's\n",
-                 told(times).c_str(), static_cast<unsigned long long>(troubles.poses.repeated),
+                 name_it ? text(" ", input::name_of(arm.keeper->facts())).c_str() : "",
+                 told(arm.keeper->times()).c_str(), static_cast<unsigned long long>(troubles.poses.repeated),
                  static_cast<unsigned long long>(troubles.poses.backwards),
-                 static_cast<unsigned long long>(troubles.poses.unusable), losses,
+                 static_cast<unsigned long long>(troubles.poses.unusable), arm.keeper->losses(),
                  static_cast<unsigned long long>(troubles.differing));
-    if (report == nullptr) return;
-    report->arm = times;
-    report->arm_troubles = troubles;
-    report->arm_losses = losses;
 }
 
 void fill_report(LiveShared& shared, LiveReport& report) {
@@ -304,7 +344,7 @@ int run_live(const LivePlan& plan) {
     if (!window) return refuse(window.error());
     const EndWatch watch;
     LiveShared shared(*window);
-    if (const auto opened = open_arm(shared, plan); !opened) return refuse(opened.error());
+    if (const auto opened = open_arms(shared, plan); !opened) return refuse(opened.error());
     LiveSession session(shared, plan);
     auto drawing = start_thread([&] { run_render(plan, shared); });
     if (!drawing) return refuse(drawing.error());
@@ -312,7 +352,7 @@ int run_live(const LivePlan& plan) {
     shared.stop = true;
     drawing->join();
     if (plan.report != nullptr) fill_report(shared, *plan.report);
-    tell_arm(shared, plan.report);
+    for (const auto& arm : shared.arms) tell_arm(*arm, shared.arms.size() > 1);
     if (!played) return refuse(played.error());
     if (shared.render_error) return refuse(*shared.render_error);
     if (shared.simulation_error) return refuse(*shared.simulation_error);

@@ -13,11 +13,12 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "game/app/settings.h"
 #include "game/bots/dummy.h"
 #include "game/match/playback.h"
-#include "input/arm_servo.h"
 #include "input/tick_times.h"
 
 namespace thaum::app {
@@ -31,15 +32,24 @@ enum class SeatKind : std::uint8_t {
     dummy,  ///< practice dummy of the range
 };
 
-struct Seat {
-    SeatKind kind{};
-    int pad = 0;       ///< index of the pad in the window's list
-    int level = 1;     ///< level of the bot (1 to 3)
-    bool arm = false;  ///< true: the hand also holds a real force-feedback arm
+/// A seat's wish for a real force-feedback arm.
+struct ArmWish {
+    /// number of the arm in input::arm_places(); std::nullopt: the first one that is free and opens
+    std::optional<std::size_t> number{};
 };
 
-/// Seat for a word of --hands: mouse, half, pad or arm.
+struct Seat {
+    SeatKind kind{};
+    int pad = 0;                   ///< index of the pad in the window's list
+    int level = 1;                 ///< level of the bot (1 to 3)
+    std::optional<ArmWish> arm{};  ///< arm that the player's hand also holds
+};
+
+/// Seat for a word of --hands: mouse, half, pad, arm or arm:NUMBER.
 Expected<Seat> hand_named(std::string_view word);
+/// Seats for the words of --hands, with commas between them: at most one a player. One player has the mouse. An arm whose
+/// player does not comes with a pad or half a keyboard.
+Expected<std::vector<Seat>> hands_named(std::string_view words);
 
 /// Delays one thread on purpose, for tests: `ms` of sleep every `every_ms`.
 struct Stall {
@@ -63,19 +73,15 @@ struct LiveReport {
     double input_ms_median{}, input_ms_p99{};
     /// number of timed events; only the first of several events in one tick is timed
     std::uint64_t inputs{};
-    /// Timing of the real arm's thread; std::nullopt if no player holds a real arm.
-    std::optional<input::TickReport> arm{};
-    input::ArmTroubles arm_troubles{};
-    int arm_losses{};
 };
 
-/// One line on how well a real arm's thread kept time.
+/// One line on how well a real arm's servo thread kept time.
 std::string told(const input::TickReport& arm);
 
 struct LivePlan {
     std::shared_ptr<const game::MatchData> data;
     std::uint64_t seed = 1;
-    std::array<Seat, 2> seats{};  ///< at most one seat has an arm
+    std::array<Seat, 2> seats{};
     /// true: the start screen assigns the seats instead of `seats`, and returns after each match
     bool start_screen = false;
     /// Kind of the dummy if the session is the range instead of a match. The first seat practises, nothing is

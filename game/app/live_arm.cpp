@@ -1,5 +1,6 @@
 #include "game/app/live_arm.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/text.h"
@@ -11,10 +12,10 @@ namespace {
 
 constexpr int look_ms = 50, try_again_ms = 1000;
 
-Expected<std::unique_ptr<input::OpenHaptics>> opened(input::ArmServo& servo,
-                                                     const haptics::DeviceSpec& wanted,
-                                                     const std::atomic<bool>& enough) {
-    auto arm = input::OpenHaptics::open({}, {.enough = &enough});
+Expected<std::unique_ptr<input::OpenArm>> opened(const input::ArmPlace& place, input::ArmServo& servo,
+                                                 const haptics::DeviceSpec& wanted,
+                                                 const std::atomic<bool>& enough) {
+    auto arm = input::open_arm(place, {.enough = &enough});
     if (!arm) return arm;
     const auto& spec = (*arm)->facts().spec;
     if (spec.peak_force < wanted.peak_force) {
@@ -28,19 +29,20 @@ Expected<std::unique_ptr<input::OpenHaptics>> opened(input::ArmServo& servo,
 
 }  // namespace
 
-Expected<std::unique_ptr<ArmKeeper>> ArmKeeper::open(input::ArmServo& servo,
+Expected<std::unique_ptr<ArmKeeper>> ArmKeeper::open(const input::ArmPlace& place, input::ArmServo& servo,
                                                      const haptics::DeviceSpec& wanted) {
-    auto arm = opened(servo, wanted, EndWatch::asked());
+    auto arm = opened(place, servo, wanted, EndWatch::asked());
     if (!arm) return tl::unexpected(arm.error());
-    std::unique_ptr<ArmKeeper> keeper(new ArmKeeper(std::move(*arm), servo, wanted));
+    std::unique_ptr<ArmKeeper> keeper(new ArmKeeper(place, std::move(*arm), servo, wanted));
     auto watching = start_thread([&keeper = *keeper] { keeper.watch(); });
     if (!watching) return tl::unexpected(watching.error());
     keeper->thread_ = std::move(*watching);
     return keeper;
 }
 
-ArmKeeper::ArmKeeper(Arm arm, input::ArmServo& servo, const haptics::DeviceSpec& wanted)
-    : servo_(servo), wanted_(wanted), facts_(arm->facts()), arm_(std::move(arm)) {}
+ArmKeeper::ArmKeeper(const input::ArmPlace& place, Arm arm, input::ArmServo& servo,
+                     const haptics::DeviceSpec& wanted)
+    : place_(place), servo_(servo), wanted_(wanted), facts_(arm->facts()), arm_(std::move(arm)) {}
 
 ArmKeeper::~ArmKeeper() {
     {
@@ -85,7 +87,7 @@ void ArmKeeper::note(const input::ArmStatus& status, const input::TickReport& ti
 void ArmKeeper::watch() {
     while (wait_for(arm_ ? look_ms : try_again_ms)) {
         if (!arm_) {
-            auto again = opened(servo_, wanted_, stop_);
+            auto again = opened(place_, servo_, wanted_, stop_);
             if (!again) {
                 const std::lock_guard lock(mutex_);
                 status_.text = again.error().message;  // the reason why the arm cannot be opened now
@@ -103,6 +105,61 @@ void ArmKeeper::watch() {
     const auto times = arm_->times();
     const std::lock_guard lock(mutex_);
     times_ = times;
+}
+
+// The list of arms ------------------------------------------------------------------------------------------
+
+namespace {
+
+using Keeper = std::unique_ptr<ArmKeeper>;
+
+/// Numbers of arms that seats ask for by number, and of arms that are open.
+using TakenNumbers = std::vector<std::size_t>;
+
+Expected<Keeper> open_numbered(const std::vector<input::ArmPlace>& places, std::size_t number,
+                               input::ArmServo& servo, const haptics::DeviceSpec& wanted) {
+    if (number < places.size()) return ArmKeeper::open(places[number], servo, wanted);
+    return fail(text("--hands arm:", number, ": there are ", places.size(),
+                     " arms, numbered from 0; `thaum doctor` lists them"));
+}
+
+/// Opens the first arm that is free. The error is that of the first arm that did not open.
+Expected<Keeper> open_next(const std::vector<input::ArmPlace>& places, TakenNumbers& taken,
+                           input::ArmServo& servo, const haptics::DeviceSpec& wanted) {
+    std::optional<Error> first;
+    for (std::size_t n = 0; n < places.size(); ++n) {
+        if (std::find(taken.begin(), taken.end(), n) != taken.end()) continue;
+        auto keeper = ArmKeeper::open(places[n], servo, wanted);
+        if (!keeper && !first) first = keeper.error();
+        if (!keeper) continue;
+        taken.push_back(n);
+        return keeper;
+    }
+    if (first) return tl::unexpected(*first);
+    return fail("--hands arm: every arm is taken already; `thaum doctor` lists the arms");
+}
+
+}  // namespace
+
+Expected<LiveArms> open_arms(std::span<const Seat> seats, const haptics::DeviceSpec& wanted) {
+    LiveArms arms;
+    TakenNumbers taken;
+    for (const auto& seat : seats)
+        if (seat.arm && seat.arm->number) taken.push_back(*seat.arm->number);
+    const bool wanted_any = std::any_of(seats.begin(), seats.end(), [](const Seat& s) { return s.arm; });
+    const auto places = wanted_any ? input::arm_places() : std::vector<input::ArmPlace>();
+    for (std::uint32_t i = 0; i < seats.size(); ++i) {
+        if (!seats[i].arm) continue;
+        auto arm = std::make_unique<LiveArm>();
+        arm->seat = i;
+        const auto number = seats[i].arm->number;
+        auto keeper = number ? open_numbered(places, *number, arm->servo, wanted)
+                             : open_next(places, taken, arm->servo, wanted);
+        if (!keeper) return tl::unexpected(keeper.error());
+        arm->keeper = std::move(*keeper);
+        arms.push_back(std::move(arm));
+    }
+    return arms;
 }
 
 }  // namespace thaum::app

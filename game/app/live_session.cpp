@@ -99,8 +99,9 @@ void publish_screen(LiveSession& session) {
                   .can_play_again = session.plan.replay == nullptr,
                   .forces = session.forces,
                   .menu = menu_open(session)};
-    if (session.shared.arm_player < game::players)
-        screen.hud.device_messages[session.shared.arm_player] = session.arm_says;
+    each_held_arm(session.shared, [&](const LiveArm& arm, std::size_t) {
+        screen.hud.device_messages[arm.player] = arm.says;
+    });
     for (std::uint32_t player = 0; player < game::players; ++player)
         if (session.shared.pad_lost[player])
             screen.hud.device_messages[player] = text("pad lost: ", how_to_rejoin);
@@ -369,24 +370,32 @@ void follow_wish(LiveSession& session) {
     if (request == MenuRequest::leave || request == MenuRequest::quit) leave_match(session);
 }
 
-/// Shows the state of the arm. Without its arm the match goes on by mouse, and the ArmKeeper looks for the
-/// arm.
-void follow_arm(LiveSession& session) {
-    if (!session.shared.arm) return;
-    const auto status = session.shared.arm->status();
-    const bool lost = status.state != input::ArmPresence::present;
-    const auto shown = text(input::name_of(session.shared.arm->facts()), lost ? " (gone)" : "");
-    auto says = input::caption_of(status);
-    if (says != session.arm_says) {
-        session.arm_says = std::move(says);
+/// Shows the state of an arm. Returns whether what the screen shows has changed.
+bool follow_arm(LiveArm& arm, bool name_it) {
+    const auto status = arm.keeper->status();
+    const auto name = input::name_of(arm.keeper->facts());
+    const bool lost = status.state != input::ArmPresence::present, first = arm.shown.empty();
+    const auto shown = text(name, lost ? " (gone)" : "");
+    const auto says = input::caption_of(status);
+    const bool changes = shown != arm.shown;
+    if (changes && (lost || !first))
+        std::fprintf(stderr, "%s%s\n", name_it ? text(name, ": ").c_str() : "",
+                     lost ? status.text.c_str() : "the arm is back");
+    const bool stale = changes || says != arm.says;
+    arm.shown = shown;
+    arm.says = says;
+    return stale;
+}
+
+/// Shows the states of the arms. Without its arm a hand goes on by mouse or pad, and the ArmKeeper looks for
+/// the arm.
+void follow_arms(LiveSession& session) {
+    auto& arms = session.shared.arms;
+    for (std::size_t i = 0; i < arms.size(); ++i) {
+        if (!follow_arm(*arms[i], arms.size() > 1)) continue;
+        session.menu_context.arms.at(i) = arms[i]->shown;
         session.stale = true;
     }
-    if (shown == session.menu_context.arm) return;
-    const bool first = session.menu_context.arm.empty();
-    session.menu_context.arm = shown;
-    session.stale = true;
-    if (first && !lost) return;
-    std::fprintf(stderr, "%s\n", lost ? status.text.c_str() : "the arm is back");
 }
 
 /// Moves the mouse now and then, with a period that is no multiple of the pictures'.
@@ -436,7 +445,7 @@ void run_session(LiveSession& session) {
             pause_without_focus(session);
         if (shared.window.should_close() || EndWatch::asked()) shared.stop = true;
         if (pads || menu_open(session)) follow_pads(session);
-        follow_arm(session);
+        follow_arms(session);
         follow_going(session);
         repeat_menu(session);
         follow_wish(session);
@@ -518,7 +527,7 @@ bool run_start_screen(LiveSession& session) {
         shared.window.poll(events, menu_poll_s);
         follow_pads(session);
         follow_plugs(session);
-        follow_arm(session);
+        follow_arms(session);
         repeat_menu(session);
         const auto request = std::exchange(session.menu.request, MenuRequest::none);
         if (request == MenuRequest::start && note_fault(session, load_chosen(session))) return true;

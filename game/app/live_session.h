@@ -30,10 +30,9 @@ struct LiveSession {
     std::optional<game::RangeFiles> range;        ///< files of the range if the next match is practice
     MenuState menu;                               ///< menu state; its settings are the ones in force
     MenuContext menu_context;
-    Settings seated;       ///< settings that the seats' DeviceSpecs were made from
-    bool stale = true;     ///< true: shared.screen must be published again
-    bool forces = false;   ///< true: the views show the forces that hands feel
-    std::string arm_says;  ///< fault of the real arm in words; empty: none
+    Settings seated;      ///< settings that the seats' DeviceSpecs were made from
+    bool stale = true;    ///< true: shared.screen must be published again
+    bool forces = false;  ///< true: the views show the forces that hands feel
 
     std::array<render::PadState, 4> pads{};
     std::array<PadHold, game::players> pad_holds{};

@@ -22,9 +22,6 @@ enum class PlayState : std::uint8_t { playing, paused, over };
 /// Words that tell a player how to bring a lost pad back.
 inline constexpr std::string_view how_to_rejoin = "press a button on it to rejoin";
 
-/// Index of the real arm among the match's devices: after the hands of both players.
-inline constexpr std::size_t arm_device = game::players;
-
 /// One player's seat with its devices. The DeviceSpec goes into the log's header.
 struct TakenSeat {
     Seat seat;
@@ -72,9 +69,7 @@ struct LiveShared {
 
     render::Window& window;
     std::array<TakenSeat, game::players> seats;  ///< changed only while no simulation thread runs
-    input::ArmServo servo;           ///< servo between the thread of `arm` and the simulation thread
-    std::unique_ptr<ArmKeeper> arm;  ///< owned by the main thread; null: no arm was asked for
-    std::uint32_t arm_player = game::no_player;  ///< player who holds the arm in this match; no_player: none
+    LiveArms arms;  ///< real arms; the list and their players change only while no simulation thread runs
     /// filled by the simulation thread, and by the main thread while no simulation runs
     TripleBuffer<game::Picture> pictures;
     TripleBuffer<Screen> screen;  ///< filled by the main thread
@@ -114,8 +109,17 @@ struct Staller {
 };
 
 std::vector<input::DeviceSpec> devices_of(const LiveShared& shared);
-/// Devices beyond the hands of both players: the real arm, if a player holds one.
+/// Devices beyond the hands of both players: the real arms that players hold.
 std::vector<input::DeviceSpec> arms_of(const LiveShared& shared);
+/// Calls f(arm, device) for each real arm that a player holds. `device` is its index among the match's
+/// devices, which begin with the hands of both players.
+template <class F>
+void each_held_arm(const LiveShared& shared, F&& f) {
+    std::size_t device = game::players;
+    for (const auto& arm : shared.arms) {
+        if (arm->player < game::players) f(*arm, device++);
+    }
+}
 
 /// Record of the session's match: none, a log, or the data files of the range. The range's data may change
 /// during the match, so a range is never logged: a log's header must stay true.

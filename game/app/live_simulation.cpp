@@ -61,7 +61,6 @@ struct SimulationThread {
 input::LogWriter* log_of(Round& round) { return std::get_if<input::LogWriter>(&round.kept); }
 /// Tests whether the match is paused or over.
 bool is_idle(const SimulationThread& s) { return s.shared.going.load() != PlayState::playing; }
-bool holds_arm(const SimulationThread& s) { return s.shared.arm && s.shared.arm_player < game::players; }
 Practice* practice_of(Round& round) { return std::get_if<Practice>(&round.kept); }
 
 void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data) {
@@ -93,7 +92,7 @@ bool add_bots(SimulationThread& s, std::uint64_t seed) {
 
 bool start_round(SimulationThread& s, MatchStart start) {
     s.marks_seen = s.shared.marks;
-    s.shared.servo.begin_match();
+    for (auto& arm : s.shared.arms) arm->servo.begin_match();
     if (s.plan.replay != nullptr) {
         s.round.match = &s.plan.replay->match();
         s.start_ns = monotonic_ns() - static_cast<std::int64_t>(s.round.match->now()) * s.tick_ns;
@@ -173,7 +172,8 @@ input::InputFrame take_frame(SimulationThread& s) {
     for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
     }
-    if (holds_arm(s)) frame.devices[arm_device] = s.shared.servo.take();
+    each_held_arm(s.shared,
+                  [&](LiveArm& arm, std::size_t device) { frame.devices[device] = arm.servo.take(); });
     press_for_main(s.shared, play_state_of(s.round.match->match()), frame);
     if (const auto marks = s.shared.marks.load(); marks != s.marks_seen) {
         frame.devices[0].press(Button::mark);
@@ -189,10 +189,23 @@ input::InputFrame take_frame(SimulationThread& s) {
     return frame;
 }
 
-/// Adjusts the match's clock to the arm's. `behind` is the number of ticks that are due, this one included.
-void keep_pace_with_arm(SimulationThread& s, Tick behind) {
-    if (!holds_arm(s) || play_state_of(s.round.match->match()) != PlayState::playing) return;
-    s.start_ns += arm_pace_correction(static_cast<std::int64_t>(s.shared.servo.waiting()), behind);
+/// Adjusts the match's clock to the arms' clocks. `behind` is the number of ticks that are due, this one
+/// included. The fastest arm leads: the samples of a faster one would pile up, and a slower one repeats a sample.
+void keep_pace_with_arms(SimulationThread& s, Tick behind) {
+    if (play_state_of(s.round.match->match()) != PlayState::playing) return;
+    std::size_t waiting = 0;
+    each_held_arm(s.shared,
+                  [&](const LiveArm& arm, std::size_t) { waiting = std::max(waiting, arm.servo.waiting()); });
+    s.start_ns += arm_pace_correction(static_cast<std::int64_t>(waiting), behind);
+}
+
+/// Hands the newest haptic models to the arms.
+void give_orders(SimulationThread& s) {
+    const auto& match = *s.round.match;
+    each_held_arm(s.shared, [&](LiveArm& arm, std::size_t) {
+        if (game::fill_order(match.world(), match.haptic_setup(), arm.player, arm.servo.order()))
+            arm.servo.publish();
+    });
 }
 
 /// Handles buttons of any device that act on the session and not on the match.
@@ -267,9 +280,7 @@ void run_tick(SimulationThread& s) {
     follow_practice(s);
     const auto frame = take_frame(s);
     game::tick_and_record(*round.match, frame, log_of(round));
-    if (holds_arm(s) && game::fill_order(round.match->world(), round.match->haptic_setup(),
-                                         s.shared.arm_player, s.shared.servo.order()))
-        s.shared.servo.publish();
+    give_orders(s);
     const auto now = round.match->now();
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
@@ -323,7 +334,7 @@ void run_session(SimulationThread& s) {
         if (behind > s.patience) skip(s, behind);
         const auto before = monotonic_ns();
         if (s.plan.replay == nullptr) {
-            keep_pace_with_arm(s, behind);
+            keep_pace_with_arms(s, behind);
             run_tick(s);
         } else if (!replay_tick(s)) {
             publish(s);

@@ -13,7 +13,7 @@ using Kind = MenuEvent::Kind;
 
 std::string name_of(const Device& device, const MenuContext& context) {
     if (device.kind == DeviceKind::keyboard_mouse)
-        return context.arm.empty() ? "Mouse and keyboard" : text("Mouse, keys and ", context.arm);
+        return context.arms[0].empty() ? "Mouse and keyboard" : text("Mouse, keys and ", context.arms[0]);
     if (device.kind == DeviceKind::keyboard_half) return "Half of the keyboard";
     const auto& name = context.pads.at(static_cast<std::size_t>(device.pad));
     return name.empty() ? text("Pad ", device.pad + 1) : text("Pad ", device.pad + 1, " (", name, ")");
@@ -443,13 +443,23 @@ std::string hint_of(const MenuState& s) {
     }
 }
 
+/// Name of a player's devices. A second real arm goes to the player without the mouse.
+std::string name_of_seat(const MenuState& s, const MenuContext& context, const Device& device) {
+    const bool mouse = std::any_of(s.seats.begin(), s.seats.end(), [](const auto& seat) {
+        return seat && seat->kind == DeviceKind::keyboard_mouse;
+    });
+    const auto name = name_of(device, context);
+    const bool second = mouse && device.kind != DeviceKind::keyboard_mouse && !context.arms[1].empty();
+    return second ? text(name, " and ", context.arms[1]) : name;
+}
+
 std::vector<game::MenuSeat> seats_of(const MenuState& s, const MenuContext& context) {
     std::vector<game::MenuSeat> seats;
     for (std::size_t i = 0; i < s.seats.size(); ++i) {
         const auto& seat = s.seats[i];
         const bool bot = !seat && joined(s) == 1;
         seats.push_back({.head = text("Player ", i + 1, seat ? ": joined" : ""),
-                         .device = seat  ? name_of(*seat, context)
+                         .device = seat  ? name_of_seat(s, context, *seat)
                                    : bot ? text("press to join, or bot level ", context.levels[s.level])
                                          : std::string("press to join"),
                          .taken = seat.has_value()});

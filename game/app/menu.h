@@ -57,8 +57,9 @@ struct MenuContext {
     std::vector<int> levels{};
     std::vector<Rules> rules{};
     std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
-    std::string arm{};                  ///< name and state of the arm held by the mouse player; empty: no arm
-    bool practice = false;              ///< true: the pause belongs to the range
+    /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
+    std::array<std::string, game::players> arms{};
+    bool practice = false;    ///< true: the pause belongs to the range
     bool ends_match = false;  ///< true: leaving the pause opens the start screen; false: it ends the program
 };
 

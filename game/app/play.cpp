@@ -24,8 +24,8 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
   --solo LEVEL     against a bot of level 1, 2 or 3
   --demo           two bots
   --hands A[,B]    the players' devices: mouse, half (the keypad), pad, or arm: a force
-                   feedback arm (OpenHaptics) with mouse and keyboard. `--hands arm` also
-                   works with the start screen: the player with the mouse holds the arm
+                   feedback arm and the mouse (second arm: pad or keypad). arm:0,arm:1:
+                   arms by number in `thaum doctor`. Arms also go with the start screen
   --bots A,B       levels of the bots of --demo and --headless (1,1)
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
@@ -61,23 +61,6 @@ struct PlayOptions {
     bool mode() const { return demo || vs || solo.has_value(); }
 };
 
-Expected<std::vector<Seat>> hands_of(std::string_view words) {
-    std::vector<Seat> hands;
-    for (;;) {
-        const auto comma = std::min(words.find(','), words.size());
-        const auto word = words.substr(0, comma);
-        const auto hand = hand_named(word);
-        if (!hand) return tl::unexpected(hand.error());
-        hands.push_back(*hand);
-        if (comma == words.size()) break;
-        words.remove_prefix(comma + 1);
-    }
-    const bool twice = hands.size() == 2 && hands[0].kind == hands[1].kind && hands[0].kind != SeatKind::pad;
-    if (hands.size() > 2 || twice)
-        return fail("--hands takes one or two, and the same only if pads; arm needs the mouse");
-    return hands;
-}
-
 /// Levels of two bots: "2,3".
 Expected<std::array<int, game::players>> read_bots(std::string_view words) {
     const auto comma = words.find(',');
@@ -105,11 +88,12 @@ Expected<PlayOptions> read_play_options(const std::vector<std::string>& words) {
     if (options.headless && (options.vs || options.solo))
         return fail("--headless plays two bots: no --vs or --solo");
     if (const auto words = arguments->value("--hands")) {
-        const auto hands = hands_of(*words);
+        const auto hands = hands_named(*words);
         if (!hands) return tl::unexpected(hands.error());
         options.hands = *hands;
-        const bool start_screen =
-            !options.mode() && !options.headless && hands->size() == 1 && hands->front().arm;
+        const bool only_arms =
+            std::all_of(hands->begin(), hands->end(), [](const Seat& seat) { return seat.arm; });
+        const bool start_screen = !options.mode() && !options.headless && only_arms;
         if (!options.vs && !options.solo && !start_screen) return fail("--hands goes with --vs or --solo");
         if (options.solo && options.hands.size() > 1) return fail("--solo has one player: one hand");
     }

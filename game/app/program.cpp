@@ -16,7 +16,7 @@
 #include "game/app/command.h"
 #include "game/app/settings.h"
 #include "game/data/match_data.h"
-#include "input/drivers/openhaptics.h"
+#include "input/open_arm.h"
 
 namespace thaum::app {
 namespace {
@@ -51,7 +51,7 @@ int run_program(int argc, char** argv, Dispatch dispatch) {
     std::signal(SIGXFSZ, SIG_IGN);
     keep_freed_memory();
     const int code = with_output_checked(dispatch_guarded(dispatch, {argv + 1, argv + argc}));
-    if (!input::OpenHaptics::hangs()) return code;
+    if (!input::arms_hang()) return code;
     // Skips all clean-up at exit, because a library that hangs would hang there too.
     std::fflush(nullptr);
     std::_Exit(code);

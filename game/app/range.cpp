@@ -22,7 +22,7 @@ file is reported, and its old numbers stay. The pause (Esc) can change the dummy
 
   --dummy KIND     still (default), strafing: to and fro, shooting: at you
   --hands HAND     your device: mouse (default), half (the keypad), pad, or arm: a force
-                   feedback arm with mouse and keyboard
+                   feedback arm with mouse and keyboard (arm:N: the arm of that number)
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
   --set KEY=VALUE  changes one number of the data files, such as bolt.shot.damage=12

@@ -32,7 +32,7 @@ is computed again, without bots and devices.
   --every N             at every Nth tick (1)
   --forces FILE.csv   both hands' devices, one row a tick of play: position and force
   --feel DEVICE       plays the forces of --player N (1) on a force feedback arm, in real
-                      time. DEVICE: the arm's name in `thaum doctor`, or phantom
+                      time. DEVICE: the arm's name or number in `thaum doctor`
   --shots DIR         pictures (PNG), by default every 10 s
   --shot-every S        every S seconds
   --shot-at S           at second S; may be repeated

@@ -31,7 +31,7 @@
 #include "core/threads.h"
 #include "drivers/fake_hd/fake_hd.h"
 #include "input/arm_silence.h"
-#include "input/drivers/openhaptics.h"
+#include "input/open_arm.h"
 
 using namespace thaum;
 using namespace thaum::input;
@@ -94,7 +94,7 @@ struct Hand {
 };
 
 /// Waits until `enough` ticks were played or the arm is gone. Returns the arm's last status.
-ArmStatus play(const OpenHaptics& arm, const Hand& hand, std::uint64_t enough) {
+ArmStatus play(const OpenArm& arm, const Hand& hand, std::uint64_t enough) {
     for (;;) {
         auto status = arm.status();
         if (status.state != ArmPresence::present || hand.ticks >= enough) return status;
@@ -115,8 +115,12 @@ void outlive_calls_after_end(const char* library) {
 std::string run(const char* library, const std::string& end) {
     constexpr std::int64_t patience_ns = 500'000'000;
     const std::atomic<bool> impatient = end == "impatient";
-    auto arm = impatient ? OpenHaptics::open(library, {.enough = &impatient})
-                         : OpenHaptics::open(library, {.open_ns = patience_ns, .close_ns = patience_ns});
+    ::setenv("THAUM_LIBHD", library, 1);
+    const auto places = arm_places();
+    if (places.empty()) return "refused: no driver";
+    auto arm =
+        open_arm(places.front(), impatient ? ArmPatience{.enough = &impatient}
+                                           : ArmPatience{.open_ns = patience_ns, .close_ns = patience_ns});
     if (!arm) return "refused: " + arm.error().message;
     auto hand = std::make_unique<Hand>();
     hand->end = end;
@@ -137,7 +141,7 @@ std::string run(const char* library, const std::string& end) {
 int main(int argc, char** argv) {
     if (argc < 2) return 2;
     std::printf("%s\n", run(argv[1], argc > 2 ? argv[2] : "").c_str());
-    if (!OpenHaptics::hangs()) return 0;
+    if (!arms_hang()) return 0;
     std::fflush(nullptr);
     std::_Exit(0);
 }

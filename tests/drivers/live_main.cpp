@@ -17,7 +17,7 @@ namespace {
 
 Seat seat_of(std::string_view word) {
     if (word == "mouse" || word == "probe") return {.kind = SeatKind::keyboard_mouse};
-    if (word == "arm") return {.kind = SeatKind::keyboard_mouse, .arm = true};
+    if (word == "arm") return {.kind = SeatKind::keyboard_mouse, .arm = ArmWish{}};
     if (word == "half") return {.kind = SeatKind::keyboard_half};
     if (word == "pad") return {.kind = SeatKind::pad};
     return {.kind = SeatKind::bot};

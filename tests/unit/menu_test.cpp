@@ -131,6 +131,19 @@ TEST(StartScreen, ShowsSeatsLevelsAndRules) {
     EXPECT_EQ(s.request, MenuRequest::none);
 }
 
+/// The first arm goes to the player with the mouse, and the second one to the other player.
+TEST(StartScreen, NamesTheRealArmsOfBothPlayers) {
+    auto with_arms = facts();
+    with_arms.arms = {"Touch 1", "Touch 2 (gone)"};
+    const auto joined = with(with(start_page(), Kind::confirm, first_pad), Kind::confirm, second_pad);
+    EXPECT_EQ(picture_of(joined, with_arms).seats[0].device, "Pad 1 (Make-believe pad)");
+    auto s = with(start_page(), Kind::confirm, first_pad);
+    s.seats[1] = keyboard;
+    const auto seats = picture_of(s, with_arms).seats;
+    EXPECT_EQ(seats[0].device, "Pad 1 (Make-believe pad) and Touch 2 (gone)");
+    EXPECT_EQ(seats[1].device, "Mouse, keys and Touch 1");
+}
+
 TEST(StartScreen, OnePressOnTheRangeStartsItForThatPlayer) {
     const auto s = choose(start_page(), "Range: practise on a dummy");
     EXPECT_EQ(s.request, MenuRequest::range);

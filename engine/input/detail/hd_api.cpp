@@ -92,8 +92,7 @@ bool Function<R(Arguments...)>::find(void* library, const char* name) {
     return call_ != nullptr;
 }
 
-std::string library_name(const std::string& given) {
-    if (!given.empty()) return given;
+std::string library_name() {
     const char* set = std::getenv("THAUM_LIBHD");
     return set != nullptr && *set != '\0' ? set : "libHD.so";
 }
@@ -208,6 +207,7 @@ ArmFacts facts_of(const Api& api) {
     spec.max_damping = number_of(api, nominal_max_damping, most_damping_n_s_per_mm) * 1e3;
     spec.workspace = workspace_of(api);
     spec.update_rate = integer_of(api, update_rate, most_rate);
+    facts.family = "phantom";
     facts.serial = string_of(api, serial_number);
     facts.driver = string_of(api, version);
     return facts;

@@ -104,8 +104,8 @@ struct Api {
 
 /// The functions of the library with this file name or path. They live as long as the process: the library is never unloaded.
 Expected<const Api*> load(const std::string& name);
-/// $THAUM_LIBHD, else libHD.so, where `given` is empty.
-std::string library_name(const std::string& given);
+/// File name or path of the library: $THAUM_LIBHD, else libHD.so.
+std::string library_name();
 
 /// Takes all that went wrong since the last call from the library's stack; returns the oldest, since the others follow from it. 0: nothing.
 unsigned int take_error(const Api& api);

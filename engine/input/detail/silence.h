@@ -1,19 +1,18 @@
-// input/detail/silence.h: what arm_silence.h asks of the ticks. All of it may be called in a signal handler.
+// input/detail/silence.h: how arm_silence.h ends the forces of all arms. Every function may be called in a signal handler.
 #pragma once
 
-namespace thaum::input::hd {
+namespace thaum::input::ticks {
 
-/// Whether ticks from now on tell the arm to exert nothing.
-void silence_ticks(bool wanted) noexcept;
-/// The same from `begin_stop` to `end_stop`, whatever silence_ticks says. Several threads may be between the two.
+/// From now on every tick gives its arm no force, or force again.
+void silence(bool wanted) noexcept;
+/// No force from `begin_stop` to `end_stop`, whatever `silence` says. Several threads may be between the two.
 void begin_stop() noexcept;
 void end_stop() noexcept;
-/// Whether the arm was told so, or there is none.
-bool ticks_are_silent() noexcept;
-/// Whether this thread is the one that ticks: while it handles a signal no tick comes.
+/// Whether every open arm was told to exert nothing.
+bool are_silent() noexcept;
+/// Whether this thread is the servo thread of an arm. While it handles a signal, that arm gets no tick.
 bool is_arms_thread() noexcept;
-/// For the arm's thread where it will never tick again: tells the arm to exert nothing, in the frame that the fault has left
-/// open or in a new one.
-void end_broken_tick() noexcept;
+/// Tells each arm of this servo thread to exert nothing. For a thread that will never tick again.
+void end_broken() noexcept;
 
-}  // namespace thaum::input::hd
+}  // namespace thaum::input::ticks

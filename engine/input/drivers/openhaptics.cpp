@@ -1,43 +1,30 @@
-#include "input/drivers/openhaptics.h"
-
+// Driver for arms of the Phantom class (Touch, Omni, Premium), through the vendor's libHD.so. The library is loaded when an arm
+// is opened, and is never linked. Its declarations are our own, made from the documented constants and signatures of its C
+// functions. tests/drivers/fake_hd enforces the rules that we believe it has.
+//
+// The library has one servo thread, which calls us. It is never unloaded, because it cannot be loaded twice.
 #include <algorithm>
-#include <mutex>
-#include <vector>
+#include <array>
+#include <atomic>
 
-#include "core/clock.h"
 #include "core/text.h"
-#include "input/arm_silence.h"
-#include "input/detail/hd_ticks.h"
+#include "input/arm_driver.h"
+#include "input/detail/hd_api.h"
 
 namespace thaum::input {
 
 using namespace hd;
 
-/// What the threads that call the library share.
-struct OpenHaptics::State {
-    ArmPatience patience{};
-    const Api* api{};
-    Handle handle = invalid_handle;
-    ArmFacts facts{};
-    bool running = false;                ///< the library's scheduler
-    std::atomic<unsigned long> task{0};  ///< the scheduler's number of our ticks, once they are accepted
-    std::int64_t started_ns = 0;         ///< when ticks were asked for; 0: not yet
-    std::unique_ptr<Ticks> ticks = std::make_unique<Ticks>();
-};
-
 namespace {
-
-std::atomic<bool> in_use{false};
-std::atomic<int> hanging{0};  ///< threads that wait for the library and were left behind
 
 // ---- calibration -------------------------------------------------------------------------------------------------------
 
-/// A task in the library's thread. It lives for ever, since the library may run it late.
+/// A task in the library's thread. It is never destroyed, because the library may run it late.
 struct Calibration {
     const Api* api{};
     Handle handle{};
-    bool update = false;             ///< wanted: the arm calibrates itself, else: how it is
-    std::atomic<bool> asked{false};  ///< the task counts once
+    bool update = false;             ///< true: the arm shall calibrate itself; false: its state is asked for
+    std::atomic<bool> asked{false};  ///< the task runs once
     std::atomic<bool> done{false};
     std::atomic<unsigned int> status{0}, code{0};
 };
@@ -62,7 +49,7 @@ unsigned int do_calibration(void*) {
     return callback_done;
 }
 
-/// Runs the task, and returns the error: the task's, or that of a library that did not run it.
+/// Runs the task. Returns the error of the task, or that of a library that did not run it.
 unsigned int run_calibration(const Api& api, Handle handle, bool update) {
     auto& c = calibration();
     c.api = &api;
@@ -77,7 +64,7 @@ unsigned int run_calibration(const Api& api, Handle handle, bool update) {
     return c.done ? c.code.load() : refused;
 }
 
-/// An arm that calibrates itself is asked to; others need a hand.
+/// Calibrates an arm that can do so itself. Other arms need a hand.
 Expected<void> calibrate(const Api& api, Handle handle) {
     auto code = run_calibration(api, handle, false);
     if (code == 0 && calibration().status == calibration_needs_update) {
@@ -88,198 +75,144 @@ Expected<void> calibrate(const Api& api, Handle handle) {
     if (calibration().status == calibration_ok) return {};
     return fail(
         "the arm is not calibrated: put the stylus into its inkwell (or the arm into its rest position) "
-        "until "
-        "its light is steady, and start again");
+        "until its "
+        "light is steady, and start again");
 }
 
-// ---- opening and closing, on a thread that may hang ------------------------------------------------------------------
-
-/// On some systems only one of the names of the default arm works.
+/// Takes the default arm. On some systems only one of its names works.
 Expected<Handle> init_device(const Api& api) {
     unsigned int gravest = 0;
-    take_error(api);  // what went wrong before is not this arm's fault
+    take_error(api);  // an earlier error is not this arm's fault
     for (const char* name : {static_cast<const char*>(nullptr), "Default Device", "Default PHANToM"}) {
         const auto handle = api.hdInitDevice(name);
         const auto code = take_error(api);
         if (code == 0 && handle != invalid_handle) return handle;
-        gravest = std::max(gravest, code);  // a wrong name has a lower code than what is wrong with the arm
+        gravest = std::max(gravest, code);  // a wrong name has a lower code than a fault of the arm
     }
     return fail(advice(api, gravest));
 }
 
-template <class State>
-Expected<void> start_library(State& s, const std::string& library) {
-    const auto loaded = load(library);
+/// The library's servo thread calls this with the number of our ticks.
+unsigned int on_servo_tick(void* number) {
+    const auto ticks = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(number));
+    return run_arm_tick(ticks) ? callback_continue : callback_done;
+}
+
+// ---- the driver --------------------------------------------------------------------------------------------------------
+
+class OpenHaptics final : public ArmDriver {
+public:
+    Expected<void> open() override {
+        auto opened = start_library();
+        if (!opened) close();
+        return opened;
+    }
+    ArmFacts spec() const override { return facts_; }
+
+    Expected<bool> start(std::uint64_t ticks) override {
+        auto* argument = reinterpret_cast<void*>(static_cast<std::uintptr_t>(ticks));
+        ticks_asked_ = true;
+        const auto task = api_->hdScheduleAsynchronous(on_servo_tick, argument, first_priority);
+        if (const auto code = take_error(*api_); code != 0) return fail(advice(*api_, code));
+        task_ = task;
+        accepted_ = true;
+        return true;
+    }
+
+    void close() override {
+        if (running_) {
+            api_->hdStopScheduler();
+            if (ticks_asked_ && !left_without_force_) write_zero_frame(*api_, handle_);
+            if (accepted_ && !ended_) api_->hdUnschedule(task_);
+        }
+        if (handle_ != invalid_handle) api_->hdDisableDevice(handle_);
+        if (api_ != nullptr) take_error(*api_);
+    }
+
+    void give_up() override {
+        if (handle_ != invalid_handle) api_->hdDisableDevice(handle_);
+    }
+
+    ArmFault read(ArmReading& reading) noexcept override {
+        in_frame_ = true;
+        api_->hdBeginFrame(handle_);
+        reading = hd::read(*api_, reading.time_ns);
+        return take_error(*api_);
+    }
+
+    ArmFault write(vec3 force) noexcept override {
+        hd::write(*api_, force);
+        api_->hdEndFrame(handle_);
+        in_frame_ = false;
+        return take_error(*api_);
+    }
+
+    /// The frame may have failed, so another one is tried.
+    bool write_zero() noexcept override {
+        if (!in_frame_) api_->hdBeginFrame(handle_);
+        hd::write(*api_, vec3(0));
+        api_->hdEndFrame(handle_);
+        in_frame_ = false;
+        ended_ = true;
+        left_without_force_ = take_error(*api_) == 0 || write_zero_frame(*api_, handle_);
+        return left_without_force_;
+    }
+
+    void note(ArmFault fault) noexcept override {
+        copy_error_string(*api_, fault, words_.data(), words_.size());
+    }
+
+    ArmStatus status(ArmFault fault) const override {
+        const bool silent = fault == comm_error || fault == comm_config || fault == timer_error;
+        return {silent ? ArmPresence::lost : ArmPresence::fault, advice(fault, words_.data())};
+    }
+
+private:
+    Expected<void> start_library();
+
+    const Api* api_{};
+    Handle handle_ = invalid_handle;
+    ArmFacts facts_{};
+    bool running_ = false;                         ///< the library's scheduler runs
+    std::atomic<bool> ticks_asked_{false};         ///< the library may have called our ticks
+    std::atomic<unsigned long> task_{0};           ///< the scheduler's number of our ticks, once accepted
+    std::atomic<bool> accepted_{false};            ///< the scheduler has taken our ticks
+    std::atomic<bool> in_frame_{false};            ///< the servo thread has begun a frame
+    std::atomic<bool> ended_{false};               ///< the ticks have ended by themselves
+    std::atomic<bool> left_without_force_{false};  ///< the library took the last zero of the ticks
+    std::array<char, 96> words_{};                 ///< the library's words for the fault that ended the ticks
+};
+
+Expected<void> OpenHaptics::start_library() {
+    const auto loaded = load(library_name());
     if (!loaded) return tl::unexpected(loaded.error());
-    const auto& api = **loaded;
-    s.api = &api;
+    api_ = *loaded;
+    const auto& api = *api_;
     const auto handle = init_device(api);
     if (!handle) return tl::unexpected(handle.error());
-    s.handle = *handle;
-    api.hdMakeCurrentDevice(*handle);
+    handle_ = *handle;
+    api.hdMakeCurrentDevice(handle_);
     if (const auto code = take_error(api); code != 0) return fail(advice(api, code));
-    s.facts = facts_of(api);
+    facts_ = facts_of(api);
     for (const auto capability : {force_output, max_force_clamping, force_ramping}) api.hdEnable(capability);
     api.hdSetSchedulerRate(servo_hz);
     api.hdStartScheduler();
-    s.running = true;
+    running_ = true;
     if (const auto code = take_error(api); code != 0) return fail(advice(api, code));
-    if (auto calibrated = calibrate(api, *handle); !calibrated) return calibrated;
-    if (s.facts.spec.peak_force <= 0) return fail("the arm does not say how much force it can give");
-    return {};
+    return calibrate(api, handle_);
 }
 
-template <class State>
-void stop_library(State& s) {
-    if (s.running) {
-        s.api->hdStopScheduler();
-        if (s.started_ns != 0 && !s.ticks->without_force) write_zero_frame(*s.api, s.handle);
-        if (s.ticks->accepted && !s.ticks->ended) s.api->hdUnschedule(s.task);
-    }
-    if (s.handle != invalid_handle) s.api->hdDisableDevice(s.handle);
-    if (s.api != nullptr) take_error(*s.api);
-}
+// ---- registration ------------------------------------------------------------------------------------------------------
 
-// ---- watched -----------------------------------------------------------------------------------------------------------
+std::vector<std::string> find_arms() { return {"Default Device"}; }
 
-/// run_watched, which counts work that hangs until it returns after all.
-Watched run_counted(std::int64_t limit_ns, const std::atomic<bool>* enough, std::function<void()> work,
-                    const std::function<void()>& if_late) {
-    auto watched = run_watched(limit_ns, enough, std::move(work), [=] {
-        if_late();
-        --hanging;
-    });
-    if (watched.end == Watched::End::hangs) ++hanging;
-    return watched;
-}
+std::unique_ptr<ArmDriver> make_arm(const std::string&) { return std::make_unique<OpenHaptics>(); }
 
-template <class State>
-Expected<void> open_watched(const std::shared_ptr<State>& state, const std::string& library) {
-    const auto result = std::make_shared<Expected<void>>();
-    const auto watched = run_counted(
-        state->patience.open_ns, state->patience.enough,
-        [=] {
-            *result = start_library(*state, library);
-            if (!*result) stop_library(*state);
-        },
-        [=] {
-            if (*result) stop_library(*state);
-            in_use = false;
-        });
-    if (watched.end == Watched::End::in_time && *result) return {};
-    if (watched.end != Watched::End::hangs) in_use = false;
-    return watched.end == Watched::End::in_time ? *result : fail(watched.line);
-}
-
-/// Without force from the next tick on, for as long as ticks come; then nothing calls the step any more.
-void end_ticks(Ticks& ticks) {
-    constexpr std::int64_t patience_ns = 200'000'000, look_ns = 500'000;
-    ticks.ending = true;
-    const auto until = monotonic_ns() + patience_ns;
-    while (!ticks.ended && monotonic_ns() < until) sleep_until_ns(monotonic_ns() + look_ns);
-}
-
-template <class State>
-void close_watched(const std::shared_ptr<State>& state) {
-    const auto stop = [=] { stop_library(*state); };
-    const auto watched = run_counted(state->patience.close_ns, nullptr, stop, [] { in_use = false; });
-    if (watched.end == Watched::End::no_thread) stop();
-    if (watched.end != Watched::End::hangs) {
-        in_use = false;
-        return;
-    }
-    // The arm may still exert the last force. Its other door may be open, though the scheduler hangs.
-    const auto disable = [=] {
-        if (state->handle != invalid_handle) state->api->hdDisableDevice(state->handle);
-    };
-    run_watched(state->patience.close_ns, nullptr, disable, [] {});
-}
-
-/// Ticks in which the library hangs are never freed: it may come back to them.
-template <class State>
-void keep_for_ever(const std::shared_ptr<State>& state) {
-    static auto* mutex = new std::mutex();
-    static auto* kept = new std::vector<std::shared_ptr<State>>();
-    const std::lock_guard lock(*mutex);
-    kept->push_back(state);
-}
+const ArmDriverRegistration registration(
+    {.name = "openhaptics",
+     .about = "Touch, Omni or Premium, by OpenHaptics (THAUM_LIBHD is the path of libHD.so)",
+     .find = find_arms,
+     .make = make_arm});
 
 }  // namespace
-
-// ---- the arm -----------------------------------------------------------------------------------------------------------
-
-OpenHaptics::OpenHaptics(std::shared_ptr<State> state) : state_(std::move(state)) {}
-
-OpenHaptics::~OpenHaptics() {
-    auto& s = *state_;
-    if (s.started_ns != 0) {
-        end_ticks(*s.ticks);
-        if (!close_ticks(*s.ticks)) keep_for_ever(state_);
-    }
-    close_watched(state_);
-}
-
-bool OpenHaptics::hangs() { return hanging > 0; }
-
-Expected<std::unique_ptr<OpenHaptics>> OpenHaptics::open(const std::string& library,
-                                                         const ArmPatience& patience) {
-    guard_ends();
-    if (hangs())
-        return fail(
-            "the arm's library still hangs: end this program, switch the arm off and on, and start again");
-    if (in_use.exchange(true)) return fail("OpenHaptics holds one arm, and that is open already");
-    auto state = std::make_shared<State>();
-    state->patience = patience;
-    if (const auto opened = open_watched(state, library_name(library)); !opened)
-        return tl::unexpected(opened.error());
-    return std::unique_ptr<OpenHaptics>(new OpenHaptics(std::move(state)));
-}
-
-const ArmFacts& OpenHaptics::facts() const { return state_->facts; }
-
-Expected<void> OpenHaptics::start(ArmTick tick) {
-    auto& s = *state_;
-    if (s.started_ns != 0) return fail("the arm was started already");
-    s.started_ns = monotonic_ns();
-    auto& ticks = *s.ticks;
-    ticks.api = s.api;
-    ticks.handle = s.handle;
-    ticks.peak_force = s.facts.spec.peak_force;
-    ticks.tick = tick;
-    open_ticks(ticks);
-    const auto result = std::make_shared<Expected<void>>();
-    const auto schedule = [state = state_, result] {
-        const auto& api = *state->api;
-        state->task = api.hdScheduleAsynchronous(run_tick, argument_of(*state->ticks), first_priority);
-        if (const auto code = take_error(api); code != 0)
-            *result = fail(advice(api, code));
-        else
-            state->ticks->accepted = true;
-    };
-    const auto watched = run_counted(s.patience.open_ns, s.patience.enough, schedule, [] {});
-    if (watched.end != Watched::End::in_time) return fail(watched.line);
-    if (*result) s.started_ns = monotonic_ns();
-    return *result;
-}
-
-ArmStatus OpenHaptics::status() const {
-    constexpr std::int64_t silence_ns = 500'000'000;
-    const auto& s = *state_;
-    const auto newest = s.ticks->times.newest_ns();
-    if (const auto code = s.ticks->code.load(); code != 0) {
-        const bool silent = code == comm_error || code == comm_config || code == timer_error;
-        return {silent ? ArmPresence::lost : ArmPresence::fault, advice(code, s.ticks->error_said.data()),
-                newest};
-    }
-    if (s.started_ns == 0 || monotonic_ns() <= std::max(newest, s.started_ns) + silence_ns)
-        return {.newest_ns = newest};
-    return {ArmPresence::lost,
-            newest != 0 ? "the arm's ticks have stopped: plug it in again"
-                        : "the arm's ticks do not come: plug it in again; its driver may not be running",
-            newest};
-}
-
-TickReport OpenHaptics::times() const { return state_->ticks->times.report(); }
-bool OpenHaptics::preferred() const { return state_->ticks->preferred; }
-
 }  // namespace thaum::input

@@ -39,16 +39,20 @@ std::string Script::of(const char* word) const {
     return found == words.end() ? "" : found->second;
 }
 
-Script read_script() {
+Script script_of(const std::string& text) {
     Script script;
-    const char* told = std::getenv("FAKE_HD");
-    std::istringstream words(told != nullptr ? told : "");
+    std::istringstream words(text);
     for (std::string word; std::getline(words, word, ',');) {
         const auto is = word.find('=');
         script.words[word.substr(0, is)] = is == std::string::npos ? "" : word.substr(is + 1);
     }
     if (script.has("path")) script.path = read_path(script.words["path"]);
     return script;
+}
+
+Script read_script() {
+    const char* told = std::getenv("FAKE_HD");
+    return script_of(told != nullptr ? told : "");
 }
 
 Place place_at(const std::vector<Place>& path, double ms) {

@@ -65,6 +65,9 @@ struct Script {
     std::string of(const char* word) const;
 };
 
+/// Parses words with commas between them.
+Script script_of(const std::string& text);
+/// Script in $FAKE_HD.
 Script read_script();
 Place place_at(const std::vector<Place>& path, double ms);
 

@@ -1,0 +1,189 @@
+#include "input/detail/arm_ticks.h"
+
+#include <pthread.h>
+#include <sched.h>
+
+#include <array>
+#include <optional>
+
+#include "core/clock.h"
+#include "core/threads.h"
+#include "input/detail/silence.h"
+#include "input/open_arm.h"
+
+namespace thaum::input {
+namespace {
+
+/// Progress of the call that runs a tick. The step's context belongs to the arm's user, so a tick may use it only
+/// between `in_driver` and `in_driver`, while the user waits in close_ticks.
+enum Phase : std::uint64_t { nobody = 0, in_driver = 1, in_step = 2, left_behind = 3 };
+
+/// An open arm's place among the ticks of this process.
+struct Slot {
+    /// The ticks' number and a Phase in one word, so that one comparison admits or refuses a call; 0: free.
+    std::atomic<std::uint64_t> gate{0};
+    std::atomic<ArmTicks*> ticks{nullptr};
+    std::atomic<const char*> thread{nullptr};  ///< servo thread of the newest tick, by its thread_mark
+};
+
+std::array<Slot, most_open_arms> slots;
+std::atomic<bool> silence_wanted{false};
+std::atomic<int> stops{0};
+thread_local char thread_mark = 0;  ///< its address names the thread
+
+constexpr std::uint64_t word(std::uint64_t number, Phase phase) { return number << 2U | phase; }
+
+/// The number of the ticks also names their slot.
+Slot& slot_of(std::uint64_t number) { return slots[number % slots.size()]; }
+
+bool change(std::uint64_t number, Phase from, Phase to) {
+    auto expected = word(number, from);
+    return slot_of(number).gate.compare_exchange_strong(expected, word(number, to));
+}
+
+// ---- the servo thread ------------------------------------------------------------------------------------------------
+
+/// A stack for the faults of a vendor's thread, which start_thread has not given one. It ends with the thread.
+struct ThreadsFaultStack {
+    std::unique_ptr<FaultStack> stack = std::make_unique_for_overwrite<FaultStack>();
+    ThreadsFaultStack() { stack->begin_use(); }
+    ~ThreadsFaultStack() { stack->end_use(); }
+    ThreadsFaultStack(const ThreadsFaultStack&) = delete;
+    ThreadsFaultStack& operator=(const ThreadsFaultStack&) = delete;
+};
+
+/// Returns whether this thread now runs before ordinary ones. The vendor's library may have arranged that itself.
+bool prefer_this_thread() {
+    constexpr int above_all_ordinary = 50;
+    int policy = 0;
+    sched_param now{};
+    if (::pthread_getschedparam(::pthread_self(), &policy, &now) == 0 && policy != SCHED_OTHER) return true;
+    const sched_param wanted{.sched_priority = above_all_ordinary};
+    return ::pthread_setschedparam(::pthread_self(), SCHED_FIFO, &wanted) == 0;
+}
+
+/// Prepares the servo thread at the arm's first tick.
+void prepare_this_thread(ArmTicks& ticks) {
+    static thread_local const ThreadsFaultStack stack;
+    static_cast<void>(stack);
+    ticks.preferred = prefer_this_thread();
+}
+
+/// Ends the ticks, with zero as the last force. The driver may hang in `note`, so the zero comes first.
+bool end_ticks(ArmTicks& ticks, ArmFault fault) {
+    ticks.driver->write_zero();
+    if (fault != 0) ticks.driver->note(fault);
+    ticks.fault = fault;
+    ticks.ended = true;
+    return false;
+}
+
+/// Force that answers the measurement (N). std::nullopt if the ticks were closed while the driver kept this call waiting.
+std::optional<vec3> answer(ArmTicks& ticks, const ArmReading& reading) {
+    if (!change(ticks.number, in_driver, in_step)) return {};
+    const vec3 force = ticks.tick.step(ticks.tick.context, reading);
+    change(ticks.number, in_step, in_driver);
+    return is_finite(force) ? limited(force, ticks.peak_force) : vec3(0);
+}
+
+bool do_tick(ArmTicks& ticks) {
+    const auto now = monotonic_ns();
+    if (ticks.times.newest_ns() == 0) prepare_this_thread(ticks);
+    ticks.times.begins(now);
+    ArmReading reading{.time_ns = now};
+    if (const auto fault = ticks.driver->read(reading); fault != 0) return end_ticks(ticks, fault);
+    ticks.silent = false;  // before the look: a thread that asks for silence after it waits for the next tick
+    const bool silent = silence_wanted || stops != 0 || !ticks.accepted;
+    const auto force = ticks.ending ? std::nullopt : silent ? vec3(0) : answer(ticks, reading);
+    if (!force) return end_ticks(ticks, 0);
+    const auto fault = ticks.driver->write(*force);
+    ticks.times.ends(monotonic_ns());
+    ticks.silent = silent;
+    return fault == 0 || end_ticks(ticks, fault);
+}
+
+}  // namespace
+
+bool open_ticks(ArmTicks& ticks) {
+    static std::atomic<std::uint64_t> opened{0};
+    const auto generation = ++opened;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        auto& slot = slots[i];
+        const auto number = generation * slots.size() + i;
+        std::uint64_t free = 0;
+        if (!slot.gate.compare_exchange_strong(free, word(number, left_behind))) continue;
+        ticks.number = number;
+        slot.ticks = &ticks;
+        slot.thread = nullptr;
+        slot.gate = word(number, nobody);
+        return true;
+    }
+    return false;
+}
+
+bool run_tick(std::uint64_t number) noexcept {
+    auto& slot = slot_of(number);
+    if (!change(number, nobody, in_driver)) return slot.gate.load() >> 2U == number;
+    slot.thread = &thread_mark;
+    const bool more = do_tick(*slot.ticks);
+    change(number, in_driver, nobody);
+    return more;
+}
+
+bool close_ticks(ArmTicks& ticks) {
+    constexpr std::int64_t patience_ns = 1'000'000'000, look_ns = 200'000;
+    auto& gate = slot_of(ticks.number).gate;
+    const auto until = monotonic_ns() + patience_ns;
+    for (;;) {
+        auto idle = word(ticks.number, nobody), waits = word(ticks.number, in_driver);
+        if (gate.compare_exchange_strong(idle, 0)) return true;
+        const bool tired = monotonic_ns() > until;
+        if (tired && gate.compare_exchange_strong(waits, word(ticks.number, left_behind))) return false;
+        // The step is our own and short, so this thread waits until the step has ended.
+        sleep_until_ns(monotonic_ns() + look_ns);
+    }
+}
+
+// ---- silence -----------------------------------------------------------------------------------------------------------
+
+namespace ticks {
+namespace {
+
+bool is_of_this_thread(const Slot& slot) { return slot.gate != 0 && slot.thread == &thread_mark; }
+
+bool is_silent(const Slot& slot) {
+    const auto now = slot.gate.load();
+    if (now == 0 || (now & 3U) == left_behind) return true;
+    const ArmTicks& open = *slot.ticks;
+    return open.silent || open.ended;
+}
+
+}  // namespace
+
+void silence(bool wanted) noexcept { silence_wanted = wanted; }
+void begin_stop() noexcept { ++stops; }
+void end_stop() noexcept { --stops; }
+
+bool are_silent() noexcept {
+    for (const auto& slot : slots)
+        if (!is_silent(slot)) return false;
+    return true;
+}
+
+bool is_arms_thread() noexcept {
+    for (const auto& slot : slots)
+        if (is_of_this_thread(slot)) return true;
+    return false;
+}
+
+void end_broken() noexcept {
+    for (auto& slot : slots) {
+        if (!is_of_this_thread(slot)) continue;
+        ArmTicks& open = *slot.ticks;
+        if (!open.ended) open.driver->write_zero();
+        open.ended = true;  // nobody needs to wait for a tick of this thread
+    }
+}
+
+}  // namespace ticks
+}  // namespace thaum::input

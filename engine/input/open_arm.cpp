@@ -1,0 +1,315 @@
+#include "input/open_arm.h"
+
+#include <algorithm>
+#include <mutex>
+#include <set>
+
+#include "core/clock.h"
+#include "core/one_line.h"
+#include "core/text.h"
+#include "core/threads.h"
+#include "input/arm_silence.h"
+#include "input/detail/arm_ticks.h"
+#include "input/detail/watchdog.h"
+
+namespace thaum::input {
+namespace {
+
+/// The engine's servo thread of an arm whose driver brings none.
+enum class OwnThread : std::uint8_t { none, runs, ended, given_up };
+
+constexpr std::size_t most_name = 80;  ///< length of a name or number (bytes)
+constexpr std::size_t most_line = 600;
+
+}  // namespace
+
+/// Everything that the threads which call the driver share.
+struct OpenArm::State {
+    ArmPlace place{};
+    ArmPatience patience{};
+    ArmFacts facts{};
+    std::int64_t started_ns = 0;  ///< time at which ticks were asked for; 0: not yet
+    std::atomic<OwnThread> own_thread{OwnThread::none};
+    std::unique_ptr<ArmDriver> driver{};
+    std::unique_ptr<ArmTicks> ticks = std::make_unique<ArmTicks>();
+};
+
+namespace {
+
+// ---- arms in use ------------------------------------------------------------------------------------------------------
+
+/// Arms that are open, and calls of drivers that hang. Never destroyed, because a thread that hangs may use it late.
+struct Usage {
+    std::mutex mutex{};
+    std::set<std::pair<std::string_view, std::string>> open{};
+    std::multiset<std::string_view> hanging{};  ///< a driver's name for each thread that was left behind
+};
+
+Usage& usage() {
+    static auto* the = new Usage();
+    return *the;
+}
+
+/// Takes the place for one arm. The error: it is taken, or its driver hangs.
+Expected<void> occupy(const ArmPlace& place) {
+    auto& u = usage();
+    const std::lock_guard lock(u.mutex);
+    if (u.hanging.contains(place.kind->name))
+        return fail(
+            "the arm's library still hangs: end this program, switch the arm off and on, and start again");
+    if (!u.open.emplace(place.kind->name, place.arm).second)
+        return fail("the arm is open already: close it first");
+    return {};
+}
+
+void vacate(const ArmPlace& place) {
+    auto& u = usage();
+    const std::lock_guard lock(u.mutex);
+    u.open.erase({place.kind->name, place.arm});
+}
+
+void note_hanging(std::string_view driver, bool hangs) {
+    auto& u = usage();
+    const std::lock_guard lock(u.mutex);
+    if (hangs)
+        u.hanging.insert(driver);
+    else if (const auto one = u.hanging.find(driver); one != u.hanging.end())
+        u.hanging.erase(one);
+}
+
+/// run_watched, which counts work that hangs until it returns after all.
+Watched run_counted(std::string_view driver, std::int64_t limit_ns, const std::atomic<bool>* enough,
+                    std::function<void()> work, const std::function<void()>& if_late) {
+    auto watched = run_watched(limit_ns, enough, std::move(work), [=] {
+        if_late();
+        note_hanging(driver, false);
+    });
+    if (watched.end == Watched::End::hangs) note_hanging(driver, true);
+    return watched;
+}
+
+// ---- checks -----------------------------------------------------------------------------------------------------------
+
+/// A number from 0 to `most`; 0 if it is anything else.
+double believable(double value, double most) { return value >= 0 && value <= most ? value : 0; }
+
+/// Facts whose texts are short and printable and whose numbers are possible.
+ArmFacts checked(ArmFacts facts) {
+    // No arm is stronger, stiffer or wider. A larger number is in another unit, or is no number.
+    constexpr double most_force = 100, most_stiffness = 1e5, most_damping = 1e3, most_edge = 10,
+                     most_rate = 1e5;
+    constexpr int most_freedom = 16;
+    auto& spec = facts.spec;
+    for (auto* words : {&spec.name, &facts.serial, &facts.driver, &facts.family})
+        *words = printable(*words, most_name);
+    spec.sensed = std::clamp(spec.sensed, 0, most_freedom);
+    spec.actuated = std::clamp(spec.actuated, 0, most_freedom);
+    spec.peak_force = believable(spec.peak_force, most_force);
+    spec.continuous_force = believable(spec.continuous_force, most_force);
+    spec.max_stiffness = believable(spec.max_stiffness, most_stiffness);
+    spec.max_damping = believable(spec.max_damping, most_damping);
+    for (int axis = 0; axis < 3; ++axis) spec.workspace[axis] = believable(spec.workspace[axis], most_edge);
+    spec.update_rate = believable(spec.update_rate, most_rate);
+    return facts;
+}
+
+tl::unexpected<Error> cleaned(const Error& error) {
+    return tl::unexpected(Error{printable(error.message, most_line)});
+}
+
+// ---- opening and closing, on a thread that may hang -----------------------------------------------------------------------
+
+template <class State>
+Expected<void> take_arm(State& s) {
+    s.driver = s.place.kind->make(s.place.arm);
+    if (auto opened = s.driver->open(); !opened) return cleaned(opened.error());
+    s.facts = checked(s.driver->spec());
+    if (s.facts.spec.peak_force > 0) return {};
+    s.driver->close();
+    return fail("the arm does not say how much force it can give");
+}
+
+template <class State>
+Expected<void> open_watched(const std::shared_ptr<State>& state) {
+    const auto result = std::make_shared<Expected<void>>();
+    const auto watched = run_counted(
+        state->place.kind->name, state->patience.open_ns, state->patience.enough,
+        [=] { *result = take_arm(*state); },
+        [=] {
+            if (*result) state->driver->close();
+            vacate(state->place);
+        });
+    if (watched.end == Watched::End::in_time && *result) return {};
+    if (watched.end != Watched::End::hangs) vacate(state->place);
+    return watched.end == Watched::End::in_time ? *result : fail(watched.line);
+}
+
+/// No force from the next tick on, and that tick is the last.
+void end_ticks(ArmTicks& ticks) {
+    constexpr std::int64_t patience_ns = 200'000'000, look_ns = 500'000;
+    ticks.ending = true;
+    const auto until = monotonic_ns() + patience_ns;
+    while (!ticks.ended && monotonic_ns() < until) sleep_until_ns(monotonic_ns() + look_ns);
+}
+
+template <class State>
+void close_watched(const std::shared_ptr<State>& state) {
+    const auto& place = state->place;
+    const auto close = [=] { state->driver->close(); };
+    const auto watched = run_counted(place.kind->name, state->patience.close_ns, nullptr, close,
+                                     [=] { vacate(state->place); });
+    if (watched.end == Watched::End::no_thread) close();
+    if (watched.end != Watched::End::hangs) return vacate(place);
+    // The arm may still exert its last force. Another call of the driver may come through.
+    run_watched(
+        state->patience.close_ns, nullptr, [=] { state->driver->give_up(); }, [] {});
+}
+
+/// Keeps ticks in which a driver hangs for as long as the program runs: the driver may come back to them.
+template <class State>
+void keep_for_ever(const std::shared_ptr<State>& state) {
+    static auto* mutex = new std::mutex();
+    static auto* kept = new std::vector<std::shared_ptr<State>>();
+    const std::lock_guard lock(*mutex);
+    kept->push_back(state);
+}
+
+// ---- the engine's servo thread ----------------------------------------------------------------------------------------------
+
+/// Ticks at 1 kHz until the ticks end. A thread that was given up while the driver hung is no longer counted.
+template <class State>
+void run_servo(State& s) {
+    constexpr std::int64_t period_ns = 1'000'000, most_late_ns = 5 * period_ns;
+    auto due = monotonic_ns();
+    while (run_tick(s.ticks->number)) {
+        due += period_ns;
+        if (monotonic_ns() > due + most_late_ns) due = monotonic_ns();
+        sleep_until_ns(due);
+    }
+    if (s.own_thread.exchange(OwnThread::ended) == OwnThread::given_up)
+        note_hanging(s.place.kind->name, false);
+}
+
+template <class State>
+Expected<void> start_servo(const std::shared_ptr<State>& state) {
+    state->own_thread = OwnThread::runs;
+    auto thread = start_thread([state] { run_servo(*state); });
+    if (!thread) {
+        state->own_thread = OwnThread::none;
+        return tl::unexpected(thread.error());
+    }
+    thread->detach();  // it ends with the ticks; a thread that hangs in the driver cannot be joined
+    return {};
+}
+
+/// Waits until the engine's thread has left the driver, so that `close` finds it alone.
+template <class State>
+void leave_servo(State& s) {
+    constexpr std::int64_t patience_ns = 100'000'000, look_ns = 200'000;
+    const auto until = monotonic_ns() + patience_ns;
+    while (s.own_thread == OwnThread::runs && monotonic_ns() < until)
+        sleep_until_ns(monotonic_ns() + look_ns);
+    auto runs = OwnThread::runs;
+    if (s.own_thread.compare_exchange_strong(runs, OwnThread::given_up))
+        note_hanging(s.place.kind->name, true);
+}
+
+/// Asks the driver to start ticks, or starts the engine's thread.
+template <class State>
+Expected<void> start_ticks(const std::shared_ptr<State>& state) {
+    const auto by_vendor = state->driver->start(state->ticks->number);
+    if (!by_vendor) return cleaned(by_vendor.error());
+    state->ticks->accepted = true;
+    return *by_vendor ? Expected<void>() : start_servo(state);
+}
+
+}  // namespace
+
+// ---- the arm ----------------------------------------------------------------------------------------------------------------
+
+OpenArm::OpenArm(std::shared_ptr<State> state) : state_(std::move(state)) {}
+
+OpenArm::~OpenArm() {
+    auto& s = *state_;
+    if (s.started_ns != 0) {
+        end_ticks(*s.ticks);
+        if (!close_ticks(*s.ticks)) keep_for_ever(state_);
+        leave_servo(s);
+    }
+    close_watched(state_);
+}
+
+const ArmFacts& OpenArm::facts() const { return state_->facts; }
+
+Expected<void> OpenArm::start(ArmTick tick) {
+    auto& s = *state_;
+    if (s.started_ns != 0) return fail("the arm was started already");
+    auto& ticks = *s.ticks;
+    ticks.driver = s.driver.get();
+    ticks.peak_force = s.facts.spec.peak_force;
+    ticks.tick = tick;
+    if (!open_ticks(ticks))
+        return fail(text("at most ", most_open_arms, " arms can tick: close another one"));
+    s.started_ns = monotonic_ns();
+    const auto result = std::make_shared<Expected<void>>();
+    const auto watched = run_counted(
+        s.place.kind->name, s.patience.open_ns, s.patience.enough,
+        [state = state_, result] { *result = start_ticks(state); }, [] {});
+    if (watched.end != Watched::End::in_time) return fail(watched.line);
+    if (*result) s.started_ns = monotonic_ns();
+    return *result;
+}
+
+ArmStatus OpenArm::status() const {
+    constexpr std::int64_t silence_ns = 500'000'000;
+    const auto& s = *state_;
+    const auto newest = s.ticks->times.newest_ns();
+    if (const auto fault = s.ticks->fault.load(); fault != 0) {
+        auto status = s.driver->status(fault);
+        status.text = printable(status.text, most_line);
+        status.newest_ns = newest;
+        return status;
+    }
+    if (s.started_ns == 0 || monotonic_ns() <= std::max(newest, s.started_ns) + silence_ns)
+        return {.newest_ns = newest};
+    return {ArmPresence::lost,
+            newest != 0 ? "the arm's ticks have stopped: plug it in again"
+                        : "the arm's ticks do not come: plug it in again; its driver may not be running",
+            newest};
+}
+
+TickReport OpenArm::times() const { return state_->ticks->times.report(); }
+bool OpenArm::preferred() const { return state_->ticks->preferred; }
+
+// ---- the list of arms -------------------------------------------------------------------------------------------------------
+
+std::vector<ArmPlace> arm_places() {
+    constexpr std::int64_t patience_ns = 3'000'000'000;
+    std::vector<ArmPlace> places;
+    for (const auto& kind : arm_drivers()) {
+        const auto arms = std::make_shared<std::vector<std::string>>();
+        const auto watched = run_counted(
+            kind.name, patience_ns, nullptr, [find = kind.find, arms] { *arms = find(); }, [] {});
+        if (watched.end != Watched::End::in_time) continue;
+        for (auto& arm : *arms) places.push_back({&kind, std::move(arm)});
+    }
+    return places;
+}
+
+bool arms_hang() {
+    auto& u = usage();
+    const std::lock_guard lock(u.mutex);
+    return !u.hanging.empty();
+}
+
+Expected<std::unique_ptr<OpenArm>> open_arm(const ArmPlace& place, const ArmPatience& patience) {
+    guard_ends();
+    if (auto free = occupy(place); !free) return tl::unexpected(free.error());
+    auto state = std::make_shared<OpenArm::State>();
+    state->place = place;
+    state->patience = patience;
+    if (const auto opened = open_watched(state); !opened) return tl::unexpected(opened.error());
+    return std::unique_ptr<OpenArm>(new OpenArm(std::move(state)));
+}
+
+}  // namespace thaum::input

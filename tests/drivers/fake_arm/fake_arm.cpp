@@ -1,0 +1,193 @@
+// A driver of simulated arms, for tests. It stands outside the product: a test program that contains this file has the driver.
+//
+// $FAKE_ARMS holds a script for each arm, with semicolons between them. A script is a list of words with commas between them:
+//
+//     name=MODEL        model of the arm (Fake);  its serial number is A0, A1, ...
+//     peak=N            peak force of 3.3 N, or that many N
+//     path=FILE         positions of the hand: lines "ms x_mm y_mm z_mm buttons", with straight motion between them
+//     live=FILE         a FakeHdLive, kept up to date while the program lives
+//     felt              ticks of the following words are counted from the first force on
+//     vanish=N          from tick N on, reading fails: the arm is gone
+//     back=K            after a vanish, opening fails K times and then succeeds
+//     hang=N            from tick N on, reading never returns
+//     absent            opening fails
+//     control           texts of the arm hold control codes of a terminal
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "drivers/fake_hd/fake_hd.h"
+#include "drivers/fake_hd/script.h"
+#include "haptics/simulated.h"
+#include "input/arm_driver.h"
+
+namespace {
+
+using namespace thaum;
+using namespace thaum::input;
+using fake_hd::Script;
+
+constexpr ArmFault gone = 1;
+
+std::vector<std::string> scripts() {
+    std::vector<std::string> all;
+    const char* told = std::getenv("FAKE_ARMS");
+    std::istringstream in(told != nullptr ? told : "");
+    for (std::string script; std::getline(in, script, ';');) all.push_back(script);
+    return all;
+}
+
+/// What an arm remembers while no program has it.
+struct Plugged {
+    bool went_wrong = false, came_back = false;
+    std::uint64_t refused = 0;
+};
+
+Plugged& plugged(const std::string& arm) {
+    static std::mutex mutex;
+    static std::map<std::string, Plugged> all;
+    const std::lock_guard lock(mutex);
+    return all[arm];
+}
+
+FakeHdLive* map_live(const std::string& file) {
+    const int fd = ::open(file.c_str(), O_RDWR | O_CREAT, 0600);
+    if (fd < 0 || ::ftruncate(fd, sizeof(FakeHdLive)) != 0) return nullptr;
+    void* memory = ::mmap(nullptr, sizeof(FakeHdLive), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+    ::close(fd);
+    return memory == MAP_FAILED ? nullptr : static_cast<FakeHdLive*>(memory);
+}
+
+class FakeArm final : public ArmDriver {
+public:
+    explicit FakeArm(std::string arm) : arm_(std::move(arm)), plugged_(plugged(arm_)) {
+        const auto all = scripts();
+        const auto number = std::strtoull(arm_.c_str(), nullptr, 10);
+        script_ = fake_hd::script_of(number < all.size() ? all[number] : "absent");
+    }
+
+    Expected<void> open() override {
+        if (script_.has("absent") || is_missing())
+            return fail("the fake arm does not answer: plug it in again");
+        device_ = haptics::simulated_device(device_spec(), haptics::Hand{});
+        state_ = haptics::resting_at(place_at(script_.path, 0).target);
+        if (script_.has("live")) live_ = map_live(script_.of("live"));
+        update_live(1);
+        return {};
+    }
+
+    ArmFacts spec() const override {
+        ArmFacts facts{.spec = device_spec(), .serial = "A" + arm_, .driver = "test", .family = "fake"};
+        if (script_.has("control")) facts.serial = "A\x1b[2J\n" + arm_;
+        return facts;
+    }
+
+    /// Moves the arm by one tick under the force that it was told last.
+    ArmFault read(ArmReading& reading) noexcept override {
+        const auto place = place_at(script_.path, static_cast<double>(ticks_));
+        state_ = haptics::step(device_, state_, place.target, told_);
+        ++ticks_;
+        if (felt_at_ == 0 && told_ != vec3(0)) felt_at_ = ticks_;
+        update_live(1);
+        if (is_due("hang"))
+            for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
+        if (is_due("vanish") && !plugged_.came_back) {
+            plugged_.went_wrong = true;
+            return gone;
+        }
+        const vec3 at = haptics::measured_position(device_, state_);
+        for (int axis = 0; axis < 3; ++axis)
+            reading.position_um[static_cast<std::size_t>(axis)] = quantised(at[axis] * 1e6);
+        reading.buttons = static_cast<std::uint32_t>(place.buttons);
+        return 0;
+    }
+
+    ArmFault write(vec3 force) noexcept override {
+        told_ = force;
+        update_live(1);
+        return 0;
+    }
+
+    ArmStatus status(ArmFault) const override {
+        return {ArmPresence::lost, script_.has("control") ? "the arm\x1b[2J is gone\n: plug it in again"
+                                                          : "the fake arm is gone: plug it in again"};
+    }
+
+    void close() override {
+        if (live_ != nullptr) live_->left = numbers_of(told_);
+        told_ = vec3(0);
+        update_live(0);
+    }
+
+private:
+    haptics::DeviceSpec device_spec() const {
+        haptics::DeviceSpec spec{
+            .name = script_.has("name") ? script_.of("name") : "Fake", .sensed = 3, .actuated = 3};
+        spec.peak_force = script_.has("peak") ? std::strtod(script_.of("peak").c_str(), nullptr) : 3.3;
+        spec.continuous_force = 0.88;
+        spec.max_stiffness = 400;
+        spec.max_damping = 4;
+        spec.workspace = {0.16, 0.12, 0.07};
+        spec.mass = 0.045;
+        spec.damping = 0.2;
+        spec.update_rate = 1000;
+        return spec;
+    }
+
+    bool is_due(const char* word) const {
+        const auto at = script_.number(word);
+        const auto now = !script_.has("felt") ? ticks_ : felt_at_ == 0 ? 0 : ticks_ - felt_at_;
+        return at != 0 && now >= at;
+    }
+
+    /// Whether the arm vanished and has not come back.
+    bool is_missing() {
+        if (!plugged_.went_wrong || plugged_.came_back) return false;
+        if (plugged_.refused++ < script_.number("back")) return true;
+        plugged_.came_back = true;
+        return false;
+    }
+
+    static std::array<double, 3> numbers_of(vec3 v) { return {v.x, v.y, v.z}; }
+
+    void update_live(std::uint64_t taken) noexcept {
+        if (live_ == nullptr) return;
+        live_->force = numbers_of(told_);
+        live_->greatest_force = std::max(live_->greatest_force, glm::length(told_));
+        live_->ticks = ticks_;
+        live_->initiated = taken;
+    }
+
+    std::string arm_;
+    Plugged& plugged_;
+    Script script_{};
+    haptics::SimulatedDevice device_{};
+    haptics::SimulatedState state_{};
+    vec3 told_{};  ///< force of the last write (N)
+    std::uint64_t ticks_ = 0;
+    std::uint64_t felt_at_ = 0;   ///< tick of the first force; 0: none yet
+    FakeHdLive* live_ = nullptr;  ///< never unmapped: a tick that hung may return late
+};
+
+std::vector<std::string> find_fakes() {
+    std::vector<std::string> arms;
+    for (std::size_t i = 0; i < scripts().size(); ++i) arms.push_back(std::to_string(i));
+    return arms;
+}
+
+std::unique_ptr<ArmDriver> make_fake(const std::string& arm) { return std::make_unique<FakeArm>(arm); }
+
+const ArmDriverRegistration registration({.name = "fake",
+                                          .about = "simulated arms of the tests (FAKE_ARMS)",
+                                          .find = find_fakes,
+                                          .make = make_fake});
+
+}  // namespace

@@ -1,0 +1,132 @@
+// Words of --hands, and the list of real arms that a live session opens for them.
+#include "game/app/live_arm.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace thaum::app {
+namespace {
+
+void plug_in_arms(const char* scripts) { ::setenv("FAKE_ARMS", scripts, 1); }
+
+std::vector<Seat> hands(std::string_view words) {
+    const auto seats = hands_named(words);
+    EXPECT_TRUE(seats) << words << ": " << (seats ? "" : seats.error().message);
+    return seats ? *seats : std::vector<Seat>();
+}
+
+std::vector<SeatKind> kinds_of(std::string_view words) {
+    std::vector<SeatKind> kinds;
+    for (const auto& seat : hands(words)) kinds.push_back(seat.kind);
+    return kinds;
+}
+
+using Kinds = std::vector<SeatKind>;
+constexpr auto mouse = SeatKind::keyboard_mouse, numpad = SeatKind::keyboard_half, pad = SeatKind::pad,
+               pad_or_numpad = SeatKind::pad_or_half;
+
+TEST(Hands, OnePlayerHasTheMouse) {
+    EXPECT_EQ(kinds_of("mouse,pad"), (Kinds{mouse, pad}));
+    EXPECT_EQ(kinds_of("pad,pad"), (Kinds{pad, pad}));
+    EXPECT_EQ(kinds_of("arm"), (Kinds{mouse}));
+    EXPECT_EQ(kinds_of("pad,arm"), (Kinds{pad, mouse}));
+    EXPECT_EQ(kinds_of("half,arm"), (Kinds{numpad, mouse}));
+    EXPECT_EQ(kinds_of("arm,arm"), (Kinds{mouse, pad_or_numpad}));
+    EXPECT_EQ(kinds_of("arm:0,arm:1"), (Kinds{mouse, pad_or_numpad}));
+    EXPECT_EQ(kinds_of("mouse,arm"), (Kinds{mouse, pad_or_numpad}));
+    EXPECT_EQ(kinds_of("arm,mouse"), (Kinds{pad_or_numpad, mouse}));
+}
+
+TEST(Hands, AnArmMayHaveANumber) {
+    const auto seats = hands("arm:12,arm");
+    ASSERT_EQ(seats.size(), 2U);
+    EXPECT_EQ(seats[0].arm->number, 12U);
+    ASSERT_TRUE(seats[1].arm);
+    EXPECT_FALSE(seats[1].arm->number);
+    EXPECT_FALSE(hands("mouse,pad")[0].arm);
+}
+
+TEST(Hands, WordsThatAreWrongAreRefused) {
+    for (const char* words :
+         {"", "foot", "mouse,", ",mouse", "mouse,mouse", "half,half", "arm:0,arm:0", "arm:", "arm:-1",
+          "arm:1x", "arm:99999999999999999999", "Arm", "mouse,pad,pad", "arm,arm,arm"})
+        EXPECT_FALSE(hands_named(words)) << words;
+}
+
+// ---- opening -----------------------------------------------------------------------------------------------------------
+
+const haptics::DeviceSpec wanted{.name = "Touch", .peak_force = 3.3};
+
+Expected<std::vector<std::string>> opened(std::string_view words) {
+    const auto seats = hands(words);
+    const auto arms = open_arms(seats, wanted);
+    if (!arms) return tl::unexpected(arms.error());
+    std::vector<std::string> names;
+    for (const auto& arm : *arms)
+        names.push_back(input::name_of(arm->keeper->facts()) + " for " + std::to_string(arm->seat + 1));
+    return names;
+}
+
+std::string refusal_of_hands(std::string_view words) {
+    const auto arms = opened(words);
+    return arms ? "opened" : arms.error().message;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(LiveArms, EachSeatGetsItsArm) {
+    plug_in_arms("name=Left;name=Right");
+    EXPECT_EQ(*opened("arm"), (Names{"Left A0 for 1"}));
+    EXPECT_EQ(*opened("arm:1"), (Names{"Right A1 for 1"}));
+    EXPECT_EQ(*opened("pad,arm:1"), (Names{"Right A1 for 2"}));
+    EXPECT_EQ(*opened("arm,arm"), (Names{"Left A0 for 1", "Right A1 for 2"}));
+    EXPECT_EQ(*opened("arm:1,arm:0"), (Names{"Right A1 for 1", "Left A0 for 2"}));
+    EXPECT_EQ(*opened("mouse,pad"), Names{});
+}
+
+/// A numbered arm is kept for its seat, whichever seat comes first.
+TEST(LiveArms, TheWordWithoutANumberTakesAFreeArm) {
+    plug_in_arms("name=Left;name=Right");
+    EXPECT_EQ(*opened("arm,arm:0"), (Names{"Right A1 for 1", "Left A0 for 2"}));
+    EXPECT_EQ(*opened("arm:0,arm"), (Names{"Left A0 for 1", "Right A1 for 2"}));
+}
+
+TEST(LiveArms, ArmsThatCannotPlayArePassedOver) {
+    plug_in_arms("absent;peak=1,name=Weak;name=Strong");
+    EXPECT_EQ(*opened("arm"), (Names{"Strong A2 for 1"}));
+    EXPECT_NE(refusal_of_hands("arm:0").find("plug it in"), std::string::npos);
+    EXPECT_NE(refusal_of_hands("arm:1").find("1.0 N"), std::string::npos) << refusal_of_hands("arm:1");
+}
+
+TEST(LiveArms, AnArmThatIsNotThereIsRefused) {
+    plug_in_arms("name=Left");
+    ::setenv("THAUM_LIBHD", "/nowhere/libHD.so", 1);
+    EXPECT_NE(refusal_of_hands("arm,arm").find("/nowhere/libHD.so"), std::string::npos)
+        << refusal_of_hands("arm,arm");
+    EXPECT_NE(refusal_of_hands("arm:9").find("numbered from 0"), std::string::npos);
+    EXPECT_EQ(*opened("arm"), (Names{"Left A0 for 1"})) << "a refusal leaves the arms free";
+}
+
+/// Both arms tick beside each other until the session ends, and one that vanishes is opened again.
+TEST(LiveArms, AreWatchedEachForItself) {
+    plug_in_arms("vanish=100,back=1;name=Right");
+    const auto seats = hands("arm,arm");
+    const auto arms = open_arms(seats, wanted);
+    ASSERT_TRUE(arms);
+    const auto& left = *arms->at(0)->keeper;
+    const auto& right = *arms->at(1)->keeper;
+    const auto eventually = [](auto holds) {
+        for (int i = 0; i < 20'000 && !holds(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return holds();
+    };
+    EXPECT_TRUE(eventually([&] { return left.status().state == input::ArmPresence::lost; }));
+    EXPECT_TRUE(eventually([&] { return left.status().state == input::ArmPresence::present; }));
+    EXPECT_EQ(left.losses(), 1);
+    EXPECT_EQ(right.losses(), 0);
+    EXPECT_EQ(right.status().state, input::ArmPresence::present);
+}
+
+}  // namespace
+}  // namespace thaum::app
