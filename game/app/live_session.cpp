@@ -55,6 +55,12 @@ DeviceKind kind_in_hand(const LiveSession& session, std::uint32_t player) {
                                           : session.shared.seats[player].spec.kind;
 }
 
+/// Index of a name in a list of the menu; 0 if it is missing.
+std::size_t index_of(const std::vector<MenuContext::Named>& list, const std::string& name) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const auto& n) { return n.name == name; });
+    return found == list.end() ? 0 : static_cast<std::size_t>(found - list.begin());
+}
+
 }  // namespace
 
 LiveSession::LiveSession(LiveShared& s, const LivePlan& p)
@@ -63,9 +69,8 @@ LiveSession::LiveSession(LiveShared& s, const LivePlan& p)
     menu.dummy = static_cast<std::size_t>(p.practice.value_or(game::DummyKind::still));
     shared.dummy = p.practice.value_or(game::DummyKind::still);
     auto choice = p.data->choice;
-    const auto chosen = [&](const MenuContext::Rules& r) { return r.name == length_of(choice); };
-    const auto found = std::find_if(facts.rules.begin(), facts.rules.end(), chosen);
-    if (found != facts.rules.end()) menu.rules = static_cast<std::size_t>(found - facts.rules.begin());
+    menu.rules = index_of(facts.rules, length_of(choice));
+    menu.arena = index_of(facts.arenas, choice.arena);
     publish_screen(*this);
 }
 
@@ -447,8 +452,10 @@ void run_session(LiveSession& session) {
 
 namespace {
 
-/// Publishes a picture of the arena as it is before a match.
+/// Publishes the arena and a picture of it as it is before a match.
 void show_arena(LiveSession& session) {
+    session.shared.scene.to_fill() = session.data;
+    session.shared.scene.publish();
     input::DeviceSpec nobody;
     std::vector<input::DeviceSpec> devices(game::players, nobody);
     for (std::uint32_t p = 0; p < game::players; ++p) devices[p].player = p;
@@ -481,10 +488,19 @@ bool note_fault(LiveSession& session, const Expected<void>& result) {
 Expected<void> load_chosen(LiveSession& session) {
     auto choice = session.data->choice;
     length_of(choice) = session.facts.rules[session.menu.rules].name;
+    choice.arena = session.facts.arenas[session.menu.arena].name;
     auto data = game::load_match_data(session.plan.assets, choice);
     if (!data) return tl::unexpected(data.error());
     session.data = std::make_shared<const game::MatchData>(std::move(*data));
     return {};
+}
+
+/// Loads and shows the arena that the menu has chosen. If its file is faulty, the menu returns to the shown arena.
+void follow_arena(LiveSession& session) {
+    const auto& arenas = session.facts.arenas;
+    if (arenas[session.menu.arena].name == session.data->choice.arena) return;
+    if (note_fault(session, load_chosen(session))) return show_arena(session);
+    session.menu.arena = index_of(arenas, session.data->choice.arena);
 }
 
 bool out_of_time(const LiveSession& session) {
@@ -517,6 +533,7 @@ bool run_start_screen(LiveSession& session) {
         follow_plugs(session);
         follow_arm(session);
         repeat_menu(session);
+        follow_arena(session);
         const auto wish = std::exchange(session.menu.wish, MenuRequest::none);
         if (wish == MenuRequest::start && note_fault(session, load_chosen(session))) return true;
         if (wish == MenuRequest::range && note_fault(session, open_range(session))) return true;

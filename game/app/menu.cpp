@@ -32,6 +32,7 @@ enum class RowKind : std::uint8_t {
     duel,
     level,
     rules,
+    arena,
     range,
     dummy,
     controls,
@@ -83,6 +84,11 @@ void add_start_rows(const MenuState& s, const MenuContext& facts, std::vector<Ro
     if (facts.rules.size() > 1) {
         rows.push_back(
             {RowKind::rules, 0, {.label = "Match", .value = facts.rules[s.rules].label, .adjustable = true}});
+    }
+    if (facts.arenas.size() > 1) {
+        rows.push_back({RowKind::arena,
+                        0,
+                        {.label = "Arena", .value = facts.arenas[s.arena].label, .adjustable = true}});
     }
     rows.push_back({RowKind::range, 0, {.label = "Range: practise on a dummy"}});
     rows.push_back({RowKind::controls, 0, {.label = "Controls"}});
@@ -232,6 +238,7 @@ void adjust(MenuState& s, const Row& row, const MenuContext& facts, int way) {
     switch (row.kind) {
         case RowKind::level: turn(s.level, facts.levels, way); break;
         case RowKind::rules: turn(s.rules, facts.rules, way); break;
+        case RowKind::arena: turn(s.arena, facts.arenas, way); break;
         case RowKind::dummy: turn(s.dummy, game::dummy_names, way); break;
         case RowKind::setting: change(all_settings()[row.index], s.settings, way); break;
         case RowKind::whose: turn(s.whose, s.settings.cauldron, way); break;

@@ -49,13 +49,15 @@ struct MenuEvent {
     input::Control control{};
 };
 
-/// Choices that the menu offers. `levels` and `rules` are never empty.
+/// Choices that the menu offers. `levels`, `rules` and `arenas` are never empty.
 struct MenuContext {
-    struct Rules {
+    /// A data file: its name without folder and extension, and its label in the menu.
+    struct Named {
         std::string name, label;
     };
     std::vector<int> levels{};
-    std::vector<Rules> rules{};
+    std::vector<Named> rules{};
+    std::vector<Named> arenas{};
     std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
     std::string arm{};                  ///< name and state of the arm held by the mouse player; empty: no arm
     bool practice = false;              ///< true: the pause belongs to the range
@@ -71,7 +73,7 @@ struct MenuState {
     };
     std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
     std::array<std::optional<Device>, game::players> seats;
-    std::size_t level = 0, rules = 0;  ///< indices into MenuContext::levels and MenuContext::rules
+    std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
     std::size_t dummy = 0;             ///< game::DummyKind of the range's dummy
     std::size_t sheet = 0;             ///< sheet on the bindings page
     std::size_t whose = 0;             ///< player whose faders the cauldron's page shows

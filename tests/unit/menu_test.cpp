@@ -26,6 +26,7 @@ const MenuContext& facts() {
     static const MenuContext facts{
         .levels = {1, 2, 3},
         .rules = {{"quick", "quick: first to 3"}, {"standard", "standard: first to 5"}},
+        .arenas = {{"boiling_court", "Boiling Court"}},
         .pads = {"Make-believe pad", "Another pad", "", ""},
         .ends_match = true};
     return facts;
