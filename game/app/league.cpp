@@ -214,9 +214,9 @@ double time_out_share(const game::LeagueSummary& s) {
 }
 
 std::string table(const Plan& plan, const game::LeagueSummary& s) {
-    std::string lines = text("league   rules ", plan.choice.rules, ", match ", plan.choice.match, ", arena ",
-                             plan.choice.arena, ", ",
-                             plan.matches, " matches of each two, seeds from ", plan.seed, "\n");
+    std::string lines =
+        text("league   rules ", plan.choice.rules, ", match ", plan.choice.match, ", arena ",
+             plan.choice.arena, ", ", plan.matches, " matches of each two, seeds from ", plan.seed, "\n");
     for (const auto& p : s.pairs) {
         lines += text("level ", p.high, " against ", p.low, "   won ", p.high_wins, ", lost ", p.low_wins,
                       ", drew ", p.matches - p.high_wins - p.low_wins, ": ", percent(p.high_share()), "\n");

@@ -121,8 +121,8 @@ game::ArenaScene arena_scene_of(render::Renderer& renderer, const game::MatchDat
 
 /// Tests whether both data sets make the same arena scene.
 bool same_scenery(const game::MatchData& a, const game::MatchData& b) {
-    return a.arena.things == b.arena.things && a.arena.meshes == b.arena.meshes &&
-           a.look == b.look && a.wizard.height == b.wizard.height;
+    return a.arena.things == b.arena.things && a.arena.meshes == b.arena.meshes && a.look == b.look &&
+           a.wizard.height == b.wizard.height;
 }
 
 /// Makes the arena scene of the newest data. Meshes cannot be freed, so another arena needs another renderer.

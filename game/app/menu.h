@@ -74,10 +74,10 @@ struct MenuState {
     std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
     std::array<std::optional<Device>, game::players> seats;
     std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
-    std::size_t dummy = 0;             ///< game::DummyKind of the range's dummy
-    std::size_t sheet = 0;             ///< sheet on the bindings page
-    std::size_t whose = 0;             ///< player whose faders the cauldron's page shows
-    std::optional<Slot> waiting;       ///< slot that waits for a new control; std::nullopt: none
+    std::size_t dummy = 0;                        ///< game::DummyKind of the range's dummy
+    std::size_t sheet = 0;                        ///< sheet on the bindings page
+    std::size_t whose = 0;                        ///< player whose faders the cauldron's page shows
+    std::optional<Slot> waiting;                  ///< slot that waits for a new control; std::nullopt: none
     Settings settings;
     std::optional<Settings> undo;  ///< settings before the last change of bindings
     std::string head, line;        ///< title and reason of the pause: who paused, and why

@@ -461,6 +461,8 @@ void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::Tri
     work.seed = seed_of(thing.position, 6);
     lay(out, shade, thing.position, slope_of(ramp), work);
     work = ashlar();
+    work.colours =
+        slabs().colours;  // lighter than the slope, since the foot of a ramp stands in dark corners
     work.seed = seed_of(thing.position, 7);
     lay(out, shade, thing.position, upright_face(ramp.rise, ramp.half_width, ramp.half.y, ramp.half_length),
         work);
