@@ -1,5 +1,6 @@
 #include "core/config.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <set>
@@ -90,17 +91,24 @@ public:
         add_bits('d', 0);  // a date or time, which no reader accepts
     }
 
-    std::uint64_t hash() const { return hash_bytes(std::as_bytes(std::span(bytes_.data(), bytes_.size()))); }
-
-private:
-    void add_table(const toml::table& table) {
-        add_bits('t', table.size());
+    /// Adds a table as if it had none of the keys in `without`.
+    void add_table(const toml::table& table, std::span<const std::string_view> without = {}) {
+        const auto left_out = [&](std::string_view key) {
+            return std::find(without.begin(), without.end(), key) != without.end();
+        };
+        std::size_t size = 0;
+        for (const auto& [key, node] : table) size += left_out(key.str()) ? 0 : 1;
+        add_bits('t', size);
         for (const auto& [key, node] : table) {  // sorted by key in toml++
+            if (left_out(key.str())) continue;
             add_text('k', key.str());
             add(node);
         }
     }
 
+    std::uint64_t hash() const { return hash_bytes(std::as_bytes(std::span(bytes_.data(), bytes_.size()))); }
+
+private:
     void add_list(const toml::array& list) {
         add_bits('l', list.size());
         for (const auto& node : list) add(node);
@@ -294,9 +302,9 @@ Expected<void> Config::check() const {
     return {};
 }
 
-std::uint64_t Config::value_hash() const {
+std::uint64_t Config::value_hash(std::span<const std::string_view> without) const {
     CanonicalForm form;
-    form.add(state_->root);
+    form.add_table(state_->root, without);
     return form.hash();
 }
 

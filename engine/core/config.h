@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,8 +40,8 @@ public:
     /// asked for.
     Expected<void> check() const;
     /// Hash of all keys and values. It ignores comments, spaces, the order of keys and the spelling of a
-    /// number (1 or 1.0).
-    std::uint64_t value_hash() const;
+    /// number (1 or 1.0). It also ignores the top-level keys in `without`.
+    std::uint64_t value_hash(std::span<const std::string_view> without = {}) const;
 
     struct State;
 

@@ -35,11 +35,12 @@ Plays matches between every two levels; each seed twice, with the sides swapped.
                    lower one and the median round takes 100 to 240 s
 
 The same options give the same table with any number of processes. The JSON:
-{"league": {rules, match, seed}, "pairs": [{low, high, matches, low_wins,
+{"league": {rules, match, arena, seed}, "pairs": [{low, high, matches, low_wins,
 high_wins, draws, high_share}], "levels": [{level, shots, hits, kills, deaths,
-dry_share}], "rounds": {count, median_s, p10_s, p90_s, time_out_share},
-"kills": {bolt, blast, lob, blow, fall, own}}. Shares are 0 to 1; a draw is half a win for
-each. dry: alive without energy for a shot; own: a death that is nobody's kill.
+dry_share}], "seats": {player_1_wins, player_2_wins}, "rounds": {count, median_s,
+p10_s, p90_s, time_out_share}, "kills": {bolt, blast, lob, blow, fall, own}}. Shares
+are 0 to 1; a draw is half a win for each. dry: alive without energy for a shot; own:
+a death that is nobody's kill. In a fair arena both seats win equally often.
 )";
 
 constexpr Option league_options[] = {{"--levels", 1}, {"--matches", 1},   {"--rules", 1}, {"--match", 1},
@@ -213,8 +214,9 @@ double time_out_share(const game::LeagueSummary& s) {
 }
 
 std::string table(const Plan& plan, const game::LeagueSummary& s) {
-    std::string lines = text("league   rules ", plan.choice.rules, ", match ", plan.choice.match, ", ",
-                             plan.matches, " matches of each two, seeds from ", plan.seed, "\n");
+    std::string lines =
+        text("league   rules ", plan.choice.rules, ", match ", plan.choice.match, ", arena ",
+             plan.choice.arena, ", ", plan.matches, " matches of each two, seeds from ", plan.seed, "\n");
     for (const auto& p : s.pairs) {
         lines += text("level ", p.high, " against ", p.low, "   won ", p.high_wins, ", lost ", p.low_wins,
                       ", drew ", p.matches - p.high_wins - p.low_wins, ": ", percent(p.high_share()), "\n");
@@ -224,6 +226,7 @@ std::string table(const Plan& plan, const game::LeagueSummary& s) {
                       percent(ratio(l.hits, l.shots)), " of ", l.shots, " shots hit, dry for ",
                       percent(ratio(seconds(l.dry), seconds(l.alive))), " of its life\n");
     }
+    lines += text("seats    player 1 won ", s.seat_wins[0], ", player 2 won ", s.seat_wins[1], "\n");
     lines += text("rounds   ", s.round_s.size(), ", median ", fixed(s.median_round_s(), 0), " s, ",
                   percent(time_out_share(s)), " ended by time\nkills    ");
     double all = s.own_deaths;
@@ -235,7 +238,10 @@ std::string table(const Plan& plan, const game::LeagueSummary& s) {
 
 nlohmann::ordered_json json_of(const Plan& plan, const game::LeagueSummary& s) {
     nlohmann::ordered_json json;
-    json["league"] = {{"rules", plan.choice.rules}, {"match", plan.choice.match}, {"seed", plan.seed}};
+    json["league"] = {{"rules", plan.choice.rules},
+                      {"match", plan.choice.match},
+                      {"arena", plan.choice.arena},
+                      {"seed", plan.seed}};
     json["pairs"] = nlohmann::ordered_json::array();
     for (const auto& p : s.pairs) {
         json["pairs"].push_back({{"low", p.low},
@@ -255,6 +261,7 @@ nlohmann::ordered_json json_of(const Plan& plan, const game::LeagueSummary& s) {
                                   {"deaths", l.deaths},
                                   {"dry_share", ratio(seconds(l.dry), seconds(l.alive))}});
     }
+    json["seats"] = {{"player_1_wins", s.seat_wins[0]}, {"player_2_wins", s.seat_wins[1]}};
     json["rounds"] = {{"count", s.round_s.size()},
                       {"median_s", s.median_round_s()},
                       {"p10_s", at_share(s.round_s, 0.1)},

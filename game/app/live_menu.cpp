@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::int64_t repeat_after_ns = 400'000'000, repeat_every_ns = 110'000'000;
 constexpr double stick_press = 0.6;
-constexpr std::size_t max_rules_file = 1U << 20U;
+constexpr std::size_t max_data_file = 1U << 20U;
 constexpr int most_levels = 7;
 
 constexpr Device keyboard{DeviceKind::keyboard_mouse, 0}, half{DeviceKind::keyboard_half, 0};
@@ -290,13 +290,13 @@ std::string clock_of(Tick length) {
     return text(whole / 60, whole % 60 < 10 ? ":0" : ":", whole % 60);
 }
 
-MenuContext::Rules told(const std::string& name, const game::RoundRules& rules) {
+MenuContext::Named told(const std::string& name, const game::RoundRules& rules) {
     const auto rounds = rules.rounds > 1 ? text("best of ", rules.rounds, ", ") : std::string();
     return {name, text(name, ": ", rounds, "first to ", rules.kills, ", ", clock_of(rules.length))};
 }
 
-std::optional<MenuContext::Rules> rules_of(const std::filesystem::path& file) {
-    const auto source = read_text_file(file, max_rules_file);
+std::optional<MenuContext::Named> rules_of(const std::filesystem::path& file) {
+    const auto source = read_text_file(file, max_data_file);
     if (!source) return {};
     const auto config = Config::parse(*source, file.string(), 1);
     if (!config) return {};
@@ -305,15 +305,41 @@ std::optional<MenuContext::Rules> rules_of(const std::filesystem::path& file) {
     return told(file.stem().string(), rules);
 }
 
-std::vector<MenuContext::Rules> all_rules(const LivePlan& plan) {
-    std::vector<MenuContext::Rules> all;
+/// Name and label of an arena; std::nullopt if the file has none. A match reports all other faults.
+std::optional<MenuContext::Named> arena_of(const std::filesystem::path& file) {
+    const auto source = read_text_file(file, max_data_file);
+    if (!source) return {};
+    const auto config = Config::parse(*source, file.string(), 1);
+    if (!config) return {};
+    auto label = config->root().string("name", "");
+    if (label.empty()) return {};
+    return MenuContext::Named{file.stem().string(), std::move(label)};
+}
+
+/// All files of a data folder that `read` accepts, sorted by name.
+template <class Read>
+std::vector<MenuContext::Named> all_in(const std::filesystem::path& folder, Read read) {
+    std::vector<MenuContext::Named> all;
     std::error_code error;
-    for (std::filesystem::directory_iterator it(plan.assets / "rules", error), end; !error && it != end;
+    for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end;
          it.increment(error)) {
         if (it->path().extension() != ".toml") continue;
-        if (auto rules = rules_of(it->path())) all.push_back(std::move(*rules));
+        if (auto one = read(it->path())) all.push_back(std::move(*one));
     }
     std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    return all;
+}
+
+std::vector<MenuContext::Named> all_arenas(const LivePlan& plan) {
+    auto all = all_in(plan.assets / "arenas", arena_of);
+    const auto& chosen = plan.data->choice.arena;
+    const auto row = std::find_if(all.begin(), all.end(), [&](const auto& a) { return a.name == chosen; });
+    if (row == all.end()) all.push_back({chosen, plan.data->arena.name});
+    return all;
+}
+
+std::vector<MenuContext::Named> all_rules(const LivePlan& plan) {
+    auto all = all_in(plan.assets / "rules", rules_of);
     auto choice = plan.data->choice;
     const auto& chosen = length_of(choice);
     // Rules that were chosen on the command line, with the changes of --set.
@@ -325,7 +351,8 @@ std::vector<MenuContext::Rules> all_rules(const LivePlan& plan) {
 }  // namespace
 
 MenuContext find_menu_context(const LivePlan& plan) {
-    MenuContext context{.rules = all_rules(plan), .ends_match = plan.start_screen};
+    MenuContext context{
+        .rules = all_rules(plan), .arenas = all_arenas(plan), .ends_match = plan.start_screen};
     for (int level = 1; level <= most_levels; ++level) {
         if (game::load_bot_skill(plan.assets, level)) context.levels.push_back(level);
     }

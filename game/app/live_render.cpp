@@ -121,12 +121,12 @@ game::ArenaScene arena_scene_of(render::Renderer& renderer, const game::MatchDat
 
 /// Tests whether both data sets make the same arena scene.
 bool same_scenery(const game::MatchData& a, const game::MatchData& b) {
-    return a.arena.things == b.arena.things && a.arena.meshes == b.arena.meshes &&
+    return a.arena.things == b.arena.things && a.arena.meshes == b.arena.meshes && a.look == b.look &&
            a.wizard.height == b.wizard.height;
 }
 
 /// Makes the arena scene of the newest data. Meshes cannot be freed, so another arena needs another renderer.
-/// That takes a moment, but happens only when somebody edits an arena on the range.
+/// That takes a moment, but happens only when somebody chooses another arena or edits one on the range.
 void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& renderer, RenderState& state) {
     if (!shared.scene.take()) return;
     const auto scene = shared.scene.newest();

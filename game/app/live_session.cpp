@@ -55,6 +55,12 @@ DeviceKind kind_in_hand(const LiveSession& session, std::uint32_t player) {
                                           : session.shared.seats[player].spec.kind;
 }
 
+/// Index of a name in a list of the menu; 0 if it is missing.
+std::size_t index_of(const std::vector<MenuContext::Named>& list, const std::string& name) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const auto& n) { return n.name == name; });
+    return found == list.end() ? 0 : static_cast<std::size_t>(found - list.begin());
+}
+
 }  // namespace
 
 LiveSession::LiveSession(LiveShared& s, const LivePlan& p)
@@ -63,10 +69,8 @@ LiveSession::LiveSession(LiveShared& s, const LivePlan& p)
     menu.dummy = static_cast<std::size_t>(p.practice.value_or(game::DummyKind::still));
     shared.dummy = p.practice.value_or(game::DummyKind::still);
     auto choice = p.data->choice;
-    const auto chosen = [&](const MenuContext::Rules& r) { return r.name == length_of(choice); };
-    const auto found = std::find_if(menu_context.rules.begin(), menu_context.rules.end(), chosen);
-    if (found != menu_context.rules.end())
-        menu.rules = static_cast<std::size_t>(found - menu_context.rules.begin());
+    menu.rules = index_of(menu_context.rules, length_of(choice));
+    menu.arena = index_of(menu_context.arenas, choice.arena);
     publish_screen(*this);
 }
 
@@ -459,8 +463,10 @@ void run_session(LiveSession& session) {
 
 namespace {
 
-/// Publishes a picture of the arena as it is before a match.
+/// Publishes the arena and a picture of it as it is before a match.
 void show_arena(LiveSession& session) {
+    session.shared.scene.to_fill() = session.data;
+    session.shared.scene.publish();
     input::DeviceSpec nobody;
     std::vector<input::DeviceSpec> devices(game::players, nobody);
     for (std::uint32_t p = 0; p < game::players; ++p) devices[p].player = p;
@@ -493,10 +499,19 @@ bool note_fault(LiveSession& session, const Expected<void>& result) {
 Expected<void> load_chosen(LiveSession& session) {
     auto choice = session.data->choice;
     length_of(choice) = session.menu_context.rules[session.menu.rules].name;
+    choice.arena = session.menu_context.arenas[session.menu.arena].name;
     auto data = game::load_match_data(session.plan.assets, choice);
     if (!data) return tl::unexpected(data.error());
     session.data = std::make_shared<const game::MatchData>(std::move(*data));
     return {};
+}
+
+/// Loads and shows the arena that the menu has chosen. If its file is faulty, the menu returns to the shown arena.
+void follow_arena(LiveSession& session) {
+    const auto& arenas = session.facts.arenas;
+    if (arenas[session.menu.arena].name == session.data->choice.arena) return;
+    if (note_fault(session, load_chosen(session))) return show_arena(session);
+    session.menu.arena = index_of(arenas, session.data->choice.arena);
 }
 
 bool out_of_time(const LiveSession& session) {
@@ -529,6 +544,7 @@ bool run_start_screen(LiveSession& session) {
         follow_plugs(session);
         follow_arms(session);
         repeat_menu(session);
+        follow_arena(session);
         const auto request = std::exchange(session.menu.request, MenuRequest::none);
         if (request == MenuRequest::start && note_fault(session, load_chosen(session))) return true;
         if (request == MenuRequest::range && note_fault(session, open_range(session))) return true;

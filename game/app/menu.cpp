@@ -32,6 +32,7 @@ enum class RowKind : std::uint8_t {
     duel,
     level,
     rules,
+    arena,
     range,
     dummy,
     controls,
@@ -84,6 +85,11 @@ void add_start_rows(const MenuState& s, const MenuContext& context, std::vector<
         rows.push_back({RowKind::rules,
                         0,
                         {.label = "Match", .value = context.rules[s.rules].label, .adjustable = true}});
+    }
+    if (context.arenas.size() > 1) {
+        rows.push_back({RowKind::arena,
+                        0,
+                        {.label = "Arena", .value = context.arenas[s.arena].label, .adjustable = true}});
     }
     rows.push_back({RowKind::range, 0, {.label = "Range: practise on a dummy"}});
     rows.push_back({RowKind::controls, 0, {.label = "Controls"}});
@@ -234,6 +240,7 @@ void adjust(MenuState& s, const Row& row, const MenuContext& context, int way) {
     switch (row.kind) {
         case RowKind::level: turn(s.level, context.levels, way); break;
         case RowKind::rules: turn(s.rules, context.rules, way); break;
+        case RowKind::arena: turn(s.arena, context.arenas, way); break;
         case RowKind::dummy: turn(s.dummy, game::dummy_names, way); break;
         case RowKind::setting: change(all_settings()[row.index], s.settings, way); break;
         case RowKind::fader_player: turn(s.fader_player, s.settings.cauldron, way); break;

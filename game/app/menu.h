@@ -49,13 +49,15 @@ struct MenuEvent {
     input::Control control{};
 };
 
-/// Choices that the menu offers. `levels` and `rules` are never empty.
+/// Choices that the menu offers. `levels`, `rules` and `arenas` are never empty.
 struct MenuContext {
-    struct Rules {
+    /// A data file: its name without folder and extension, and its label in the menu.
+    struct Named {
         std::string name, label;
     };
     std::vector<int> levels{};
-    std::vector<Rules> rules{};
+    std::vector<Named> rules{};
+    std::vector<Named> arenas{};
     std::array<std::string, 4> pads{};  ///< names of the pads; empty: not plugged in
     /// Name and state of the real arm of the player with the mouse, then of the other player; empty: no arm.
     std::array<std::string, game::players> arms{};
@@ -72,11 +74,11 @@ struct MenuState {
     };
     std::vector<Open> pages;  ///< open pages, the shown page last; empty: no menu
     std::array<std::optional<Device>, game::players> seats;
-    std::size_t level = 0, rules = 0;  ///< indices into MenuContext::levels and MenuContext::rules
-    std::size_t dummy = 0;             ///< game::DummyKind of the range's dummy
-    std::size_t sheet = 0;             ///< sheet on the bindings page
-    std::size_t fader_player = 0;      ///< player whose faders the cauldron's page shows
-    std::optional<Slot> waiting;       ///< slot that waits for a new control; std::nullopt: none
+    std::size_t level = 0, rules = 0, arena = 0;  ///< indices into the lists of MenuContext
+    std::size_t dummy = 0;                        ///< game::DummyKind of the range's dummy
+    std::size_t sheet = 0;                        ///< sheet on the bindings page
+    std::size_t fader_player = 0;                 ///< player whose faders the cauldron's page shows
+    std::optional<Slot> waiting;                  ///< slot that waits for a new control; std::nullopt: none
     Settings settings;
     std::optional<Settings> undo;  ///< settings before the last change of bindings
     std::string head, line;        ///< title and reason of the pause: who paused, and why

@@ -32,7 +32,8 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
   --match NAME     quick (default): first to 3, 4 min; standard: best of 3 rounds,
                    each first to 5, 6 min; a tied round counts for nobody
   --set KEY=VALUE  changes one number of the data files, such as bolt.shot.damage=12
-  --arena NAME     boiling_court (default);  --seed N  seed of all random numbers
+  --arena NAME     boiling_court (default), the_well, or another file in assets/arenas
+  --seed N         seed of all random numbers
   --record FILE    file for the log; default: a new file in the data folder
   --headless       no window: two bots, faster than real time
   --seconds S      ends after S seconds of match time; headless: 60

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view range_help =
     R"(usage: thaum range [OPTIONS]
 
-Practice with every wand against a dummy in the court. No round ends, and a dead
+Practice with every wand against a dummy in an arena. No round ends, and a dead
 wizard comes back. Nothing is recorded. So data files (wands, wizard, rules,
 arena, range.toml) that change on disk are read again during practice. A faulty
 file is reported, and its old numbers stay. The pause (Esc) can change the dummy.
@@ -25,6 +25,7 @@ file is reported, and its old numbers stay. The pause (Esc) can change the dummy
                    feedback arm with mouse and keyboard (arm:N: the arm of that number)
 
   --rules NAME     thaum (default), or classic: wands regain nothing, no shield
+  --arena NAME     boiling_court (default), the_well, or another file in assets/arenas
   --set KEY=VALUE  changes one number of the data files, such as bolt.shot.damage=12
   --seed N         seed of all random numbers
   --headless       no window: a bot practises, faster than real time, and the
@@ -33,8 +34,9 @@ file is reported, and its old numbers stay. The pause (Esc) can change the dummy
   --seconds S      ends after S seconds of match time; headless: 60
 )";
 
-constexpr Option range_options[] = {{"--dummy", 1}, {"--hands", 1}, {"--rules", 1}, {"--set", 1, true},
-                                    {"--seed", 1},  {"--headless"}, {"--bot", 1},   {"--seconds", 1}};
+constexpr Option range_options[] = {{"--dummy", 1}, {"--hands", 1},     {"--rules", 1},
+                                    {"--arena", 1}, {"--set", 1, true}, {"--seed", 1},
+                                    {"--headless"}, {"--bot", 1},       {"--seconds", 1}};
 
 struct RangeOptions {
     game::DataChoice data;
@@ -78,6 +80,7 @@ Expected<RangeOptions> read_range_options(const std::vector<std::string>& words)
     if (!duration) return tl::unexpected(duration.error());
     options.seconds = *duration;
     options.data.rules = arguments->value("--rules").value_or(options.data.rules);
+    options.data.arena = arguments->value("--arena").value_or(options.data.arena);
     options.data.overrides = arguments->values("--set");
     return options;
 }

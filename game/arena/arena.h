@@ -1,5 +1,6 @@
 // game/arena/arena.h: an arena as described by its data file in assets/arenas.
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,11 +51,23 @@ struct Arena {
     std::vector<PowerUpPlace> power_ups;
     std::optional<BowlPlace> bowl;
     std::vector<NichePlace> niches;  ///< places to pick up ingredients for the cauldron
+    /// Places of the practising player and of the dummy on the range.
+    std::array<Pad, 2> practice{};
     bool operator==(const Arena&) const = default;
 };
 
-/// Reads the tables `[[solid]]`, `[[anchor]]`, `[[pad]]`, `[[prop]]`, `[[power_up]]` and `[[niche]]`. Errors
-/// are kept in the Config (core/config.h).
+/// Box round all ground (solids with the surface floor or pit) (m, world). `low.y` is the height of the lowest
+/// ground, `high.y` that of the highest.
+struct GroundBounds {
+    vec3 low{}, high{};
+};
+/// Bounds of the arena's ground. All zero for an arena without ground, which read_arena refuses.
+GroundBounds ground_bounds(const Arena& arena);
+
+/// Top-level tables of an arena's file that no recorded match reads. The log's header does not hash them.
+inline constexpr std::array<std::string_view, 2> tables_of_no_match{"look", "range"};
+
+/// Reads all tables of an arena's file but `[look]` (look.h). Errors are kept in the Config (core/config.h).
 Arena read_arena(const Config& file);
 
 }  // namespace thaum::game

@@ -10,9 +10,8 @@ void quad(physics::TriangleMesh& mesh, std::uint32_t a, std::uint32_t b, std::ui
     mesh.triangles.push_back({a, c, d});
 }
 
-}  // namespace
-
-physics::TriangleMesh ramp(vec3 size, bool rises_east) {
+/// A wedge that rises along x.
+physics::TriangleMesh ramp_along_x(vec3 size, bool rises_east) {
     const vec3 h = size * 0.5;
     const double high = rises_east ? h.x : -h.x;
     physics::TriangleMesh mesh;
@@ -28,6 +27,16 @@ physics::TriangleMesh ramp(vec3 size, bool rises_east) {
     if (!rises_east) {  // mirroring in x turned counter-clockwise triangles clockwise
         for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
     }
+    return mesh;
+}
+
+}  // namespace
+
+physics::TriangleMesh ramp(vec3 size, Rise rise) {
+    if (rise == Rise::east || rise == Rise::west) return ramp_along_x(size, rise == Rise::east);
+    // A quarter turn about y takes east to north and west to south.
+    auto mesh = ramp_along_x({size.z, size.y, size.x}, rise == Rise::north);
+    for (auto& v : mesh.vertices) v = {v.z, v.y, -v.x};
     return mesh;
 }
 

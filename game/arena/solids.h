@@ -1,11 +1,18 @@
 // game/arena/solids.h: closed triangle meshes of ramps and bowls, shapes for which Bullet has no primitives.
 #pragma once
+#include <array>
+#include <string_view>
+
 #include "physics/physics.h"
 
 namespace thaum::game {
 
-/// A wedge, half of a box of that size (m), centred on the box. It rises towards +x (east) or -x (west).
-physics::TriangleMesh ramp(vec3 size, bool rises_east);
+/// Direction in which a ramp rises: +x, -x, -z, +z.
+enum class Rise : std::uint8_t { east, west, north, south };
+inline constexpr std::array<std::string_view, 4> rise_names{"east", "west", "north", "south"};
+
+/// A wedge, half of a box of that size (m), centred on the box.
+physics::TriangleMesh ramp(vec3 size, Rise rise);
 
 struct BowlSize {
     double radius{};     ///< radius of the rim (m)

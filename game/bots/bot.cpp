@@ -26,15 +26,18 @@ namespace hand = input::hand;
 
 constexpr double reached = 1.2;      ///< distance at which a goal counts as reached (m)
 constexpr double stuck_speed = 0.4;  ///< speed below which a walking bot is stuck (m/s)
+constexpr Range distances{0, 100};   ///< distances in a level's file (m)
 constexpr Tick forget_after = ticks(4.0);
 
 /// A random walkable place in the arena.
 vec3 random_place(const WalkGrid& grid, Random& random) {
     for (int tries = 0; tries < 50; ++tries) {
-        const int cell = static_cast<int>(random.below(WalkGrid::side * WalkGrid::side));
-        if (grid.walkable(cell)) return WalkGrid::centre_of(cell);
+        const int cell = static_cast<int>(random.below(static_cast<std::uint64_t>(grid.cells())));
+        if (grid.walkable(cell)) return grid.centre_of(cell);
     }
-    return {0, 0, 15};
+    int first = 0;
+    while (first + 1 < grid.cells() && !grid.walkable(first)) ++first;
+    return grid.centre_of(first);
 }
 
 void set_move(const Self& self, vec3 direction, Mind& mind) {
@@ -81,11 +84,11 @@ vec3 unit_or_zero(vec3 v) {
 
 /// Displacement to the middle of the next cell on the way to `goal`. Zero at the goal, or if there is no way.
 vec3 next_step(const Self& self, const WalkGrid& grid, vec3 goal, WalkGrid::Ways& ways) {
-    const int to = WalkGrid::cell_at(goal);
+    const int to = grid.cell_at(goal);
     if (ways.goal != to) grid.find_ways(to, ways);
-    const int cell = WalkGrid::cell_at(self.centre);
+    const int cell = grid.cell_at(self.centre);
     const int next = grid.next(cell, ways);
-    return next == cell ? vec3(0) : WalkGrid::centre_of(next) - vec3(self.centre.x, 0, self.centre.z);
+    return next == cell ? vec3(0) : grid.centre_of(next) - vec3(self.centre.x, 0, self.centre.z);
 }
 
 /// Direction of the next step to mind.goal; zero at the goal, or if there is no way.
@@ -94,7 +97,7 @@ vec3 way_to_goal(const Self& self, const WalkGrid& grid, Mind& mind, WalkGrid::W
     if (glm::length(step) > 0) return step;
     mind.goal_until = tick;  // the goal is reached, or there is no way to it
     const vec3 last = vec3(mind.goal.x, 0, mind.goal.z) - vec3(self.centre.x, 0, self.centre.z);
-    const bool same_cell = WalkGrid::cell_at(mind.goal) == WalkGrid::cell_at(self.centre);
+    const bool same_cell = grid.cell_at(mind.goal) == grid.cell_at(self.centre);
     return same_cell && glm::length(last) > 0.3 ? last : vec3(0, 0, 0);
 }
 
@@ -249,7 +252,7 @@ BotSkill read_marksmanship(const ConfigTable& table) {
     skill.view_cos = det::cos(table.number("view_deg", {1, 360}) / 2 * radians_per_degree);
     skill.burst = ticks(table.number("burst_s", {0.01, 60}));
     skill.rest = ticks(table.number("rest_s", {0, 60}));
-    skill.range = table.number("range_m", {0, 100});
+    skill.range = table.number("range_m", distances);
     return skill;
 }
 
@@ -258,8 +261,8 @@ namespace {
 LiftSkill read_lifting(const ConfigTable& table) {
     LiftSkill lift;
     lift.share = table.number("share", {0, 1});
-    lift.seek = table.number("seek_m", {0, 40});
-    lift.largest = table.number("largest_m", {0, 40});
+    lift.seek = table.number("seek_m", distances);
+    lift.largest = table.number("largest_m", distances);
     lift.lead = table.number("lead", {0, 2});
     lift.within = table.number("within_deg", {0.1, 90}) * radians_per_degree;
     lift.hold = ticks(table.number("hold_s", {0, 60}));
@@ -270,7 +273,7 @@ LiftSkill read_lifting(const ConfigTable& table) {
 
 StirSkill read_stirring(const ConfigTable& table) {
     return {.share = table.number("share", {0, 1}),
-            .seek = table.number("seek_m", {0, 40}),
+            .seek = table.number("seek_m", distances),
             .hold = ticks(table.number("hold_s", {0.1, 60})),
             .rest = ticks(table.number("rest_s", {0, 600}))};
 }
@@ -286,10 +289,10 @@ Expected<BotSkill> load_bot_skill(const std::filesystem::path& assets, int level
     const auto file = Config::parse(*source, name, 1);
     if (!file) return tl::unexpected(file.error());
     const auto root = file->root();
-    const Range share{0, 1}, health{0, 1000}, distance{0, 40};
+    const Range share{0, 1}, health{0, 1000};
     BotSkill skill = read_marksmanship(root);
     skill.level = static_cast<std::uint32_t>(level);
-    skill.keep = root.number("keep_m", distance);
+    skill.keep = root.number("keep_m", distances);
     skill.lead = root.number("lead", {0, 2});
     skill.strafe = root.number("strafe", share);
     skill.strafe_step = ticks(root.number("strafe_step_s", {0.05, 10}));
@@ -344,7 +347,7 @@ void Bots::add(const Simulation& match, std::size_t device, std::uint32_t player
                std::uint64_t seed) {
     auto& in = *inside_;
     if (!in.grid) {
-        in.grid = std::make_unique<WalkGrid>(match.physics());
+        in.grid = std::make_unique<WalkGrid>(match.physics(), ground_bounds(match.data().arena));
         in.crossings = find_crossings(match, *in.grid);
     }
     const Seat seat{.device = device, .player = player, .skill = skill};

@@ -22,7 +22,7 @@ Dummy::Dummy(const Simulation& match, std::uint32_t player, DummyKind kind, cons
     : kind_(kind),
       rules_(rules),
       seat_{.device = player, .player = player, .skill = rules.skill},
-      grid_(match.physics()) {
+      grid_(match.physics(), ground_bounds(match.data().arena)) {
     mind_.random = random_stream(seed, 100 + player);
 }
 
@@ -35,7 +35,7 @@ void Dummy::become(DummyKind kind) {
 void Dummy::adopt(const Simulation& match, const DummyRules& rules) {
     rules_ = rules;
     seat_.skill = rules.skill;
-    grid_ = WalkGrid(match.physics());
+    grid_ = WalkGrid(match.physics(), ground_bounds(match.data().arena));
 }
 
 /// Walks sideways and turns back at the end of the stride, at an edge and at an obstacle.

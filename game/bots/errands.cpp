@@ -48,10 +48,9 @@ Choice best_to_fetch(const Simulation& match, const Self& self, const Seat& seat
     for (std::size_t i = 0; i < std::min(power_ups.size(), most_power_ups); ++i) {
         const double wanted = worth(match, self, seat, power_ups[i].kind) * (fights ? in_a_fight : 1.0);
         if (wanted / time_lost <= best.worth) continue;
-        if (!ways_known) grid.find_ways(WalkGrid::cell_at(self.centre), from_here);
+        if (!ways_known) grid.find_ways(grid.cell_at(self.centre), from_here);
         ways_known = true;
-        const auto steps =
-            from_here.steps[static_cast<std::size_t>(WalkGrid::cell_at(power_ups[i].position))];
+        const auto steps = from_here.steps[static_cast<std::size_t>(grid.cell_at(power_ups[i].position))];
         if (steps == WalkGrid::unreachable) continue;
         const double way = steps / walk_speed;
         const double wait = eyes.back_at[i] > tick ? seconds(eyes.back_at[i] - tick) : 0;
@@ -68,9 +67,9 @@ Choice hiding_place(const Simulation& match, const Self& self, const WalkGrid& g
     for (int i = 0; i < hiding_places_tried; ++i) {
         const vec3 off{mind.random.uniform(-hiding_within, hiding_within), 0,
                        mind.random.uniform(-hiding_within, hiding_within)};
-        const vec3 place = WalkGrid::centre_of(WalkGrid::cell_at(self.centre + off));
+        const vec3 place = grid.centre_of(grid.cell_at(self.centre + off));
         const double distance = glm::distance(vec2(place.x, place.z), vec2(self.centre.x, self.centre.z));
-        if (distance >= nearest || !grid.walkable(WalkGrid::cell_at(place))) continue;
+        if (distance >= nearest || !grid.walkable(grid.cell_at(place))) continue;
         const vec3 chest{place.x, self.centre.y + 0.2, place.z};
         if (!match.physics().ray(mind.foe, chest, layer::ground)) continue;
         nearest = distance;

@@ -86,6 +86,7 @@ LeagueSummary summarise(std::span<const LeagueMatch> matches) {
     LeagueSummary summary;
     for (const auto& match : matches) {
         add_to_pair(match, summary);
+        if (match.winner < players) ++summary.seat_wins[match.winner];
         for (std::uint32_t player = 0; player < players; ++player) add_to_level(match, player, summary);
         for (std::uint32_t round = 0; round < match.rounds; ++round) {
             summary.round_s.push_back(seconds(match.lengths[round]));

@@ -48,6 +48,9 @@ struct LeagueLevel {
 struct LeagueSummary {
     std::vector<LeaguePair> pairs;
     std::vector<LeagueLevel> levels;
+    /// Matches won by each seat (player number). A fair arena gives both equal shares, since every seed is played
+    /// with the levels in both seats.
+    std::array<std::uint32_t, players> seat_wins{};
     std::vector<double> round_s;                       ///< lengths of all rounds, sorted (s)
     std::uint32_t timed_out{};                         ///< number of rounds that ended on time
     std::array<std::uint32_t, causes.size()> kills{};  ///< kills by cause

@@ -9,16 +9,23 @@ namespace thaum::game {
 namespace {
 
 constexpr double body_radius = 0.4;  ///< radius of the swept sphere (m), a little more than a wizard's
-/// Height from which the ground is searched downwards (m); higher things block no wizard.
-constexpr double above = 2.5;
-constexpr double below = -20;
+/// Height above the highest ground from which the ground is searched downwards (m); higher things block no wizard.
+constexpr double headroom = 2.5;
+/// Depth below the lowest ground to which the ground is searched (m).
+constexpr double depth = 15;
 /// Largest height difference between neighbouring cells (m): ramps are walkable, ledges are not.
 constexpr double highest_step = 0.75;
 
 }  // namespace
 
-WalkGrid::WalkGrid(const physics::Physics& physics) : height_(side * side, blocked) {
-    for (int cell = 0; cell < side * side; ++cell) {
+WalkGrid::WalkGrid(const physics::Physics& physics, const GroundBounds& ground)
+    : west_(std::floor(ground.low.x)),
+      north_(std::floor(ground.low.z)),
+      columns_(std::max(1, static_cast<int>(std::ceil(ground.high.x - west_)))),
+      rows_(std::max(1, static_cast<int>(std::ceil(ground.high.z - north_)))),
+      height_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), blocked) {
+    const double above = ground.high.y + headroom, below = ground.low.y - depth;
+    for (int cell = 0; cell < cells(); ++cell) {
         const vec3 centre = centre_of(cell);
         const vec3 from{centre.x, above, centre.z};
         const vec3 to{centre.x, below, centre.z};
@@ -29,17 +36,22 @@ WalkGrid::WalkGrid(const physics::Physics& physics) : height_(side * side, block
     }
 }
 
-int WalkGrid::cell_at(vec3 place) {
-    const auto index = [](double v) {
-        return std::clamp(static_cast<int>(std::floor(v + half)), 0, side - 1);
+int WalkGrid::cell_at(vec3 place) const {
+    const auto index = [](double offset, int count) {
+        return static_cast<int>(std::clamp(std::floor(offset), 0.0, count - 1.0));
     };
-    return index(place.z) * side + index(place.x);
+    return index(place.z - north_, rows_) * columns_ + index(place.x - west_, columns_);
 }
 
-vec3 WalkGrid::centre_of(int cell) {
-    const int column = cell % side;
-    const int row = cell / side;
-    return {column - half + 0.5, 0, row - half + 0.5};
+vec3 WalkGrid::centre_of(int cell) const {
+    const int column = cell % columns_;
+    const int row = cell / columns_;
+    return {west_ + column + 0.5, 0, north_ + row + 0.5};
+}
+
+bool WalkGrid::covers(vec3 place) const {
+    const double x = place.x - west_, z = place.z - north_;
+    return x >= 0 && x < columns_ && z >= 0 && z < rows_;
 }
 
 bool WalkGrid::passable(int from, int to) const {
@@ -50,31 +62,31 @@ bool WalkGrid::passable(int from, int to) const {
 
 template <class Visit>
 void WalkGrid::neighbours(int cell, Visit&& visit) const {
-    const int x = cell % side;
-    const int z = cell / side;
+    const int x = cell % columns_;
+    const int z = cell / columns_;
     const auto open = [&](int dx, int dz) {
         const int nx = x + dx;
         const int nz = z + dz;
-        return nx >= 0 && nx < side && nz >= 0 && nz < side && passable(cell, nz * side + nx);
+        return nx >= 0 && nx < columns_ && nz >= 0 && nz < rows_ && passable(cell, nz * columns_ + nx);
     };
     for (const auto& [dx, dz] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-        if (open(dx, dz)) visit(cell + dz * side + dx);
+        if (open(dx, dz)) visit(cell + dz * columns_ + dx);
     }
     // A diagonal is open only if both ways round its corner are passable to the end, so that the way back is
     // open, too.
     for (const auto& [dx, dz] : {std::pair{1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
-        const int there = cell + dz * side + dx;
+        const int there = cell + dz * columns_ + dx;
         if (open(dx, dz) && open(dx, 0) && open(0, dz) && passable(cell + dx, there) &&
-            passable(cell + dz * side, there))
+            passable(cell + dz * columns_, there))
             visit(there);
     }
 }
 
 void WalkGrid::find_ways(int goal, Ways& ways) const {
     ways.goal = goal;
-    ways.steps.assign(side * side, unreachable);
+    ways.steps.assign(height_.size(), unreachable);
     ways.queue.clear();
-    ways.queue.reserve(side * side);
+    ways.queue.reserve(height_.size());
     ways.queue.push_back(goal);
     ways.steps[static_cast<std::size_t>(goal)] = 0;
     for (std::size_t i = 0; i < ways.queue.size(); ++i) {

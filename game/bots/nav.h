@@ -1,9 +1,10 @@
-// game/bots/nav.h: walkable ground of an arena: a grid of 1 m cells with the height of the ground, measured
-// by sweeps through the physics. The grid depends on the arena alone, so it is a cache.
+// game/bots/nav.h: walkable ground of an arena: a grid of 1 m cells with the height of the highest ground in
+// each, measured by sweeps through the physics. The grid depends on the arena alone, so it is a cache.
 #pragma once
 #include <cstdint>
 #include <vector>
 
+#include "game/arena/arena.h"
 #include "physics/physics.h"
 
 namespace thaum::game {
@@ -11,15 +12,17 @@ namespace thaum::game {
 /// Grid of walkable cells with a search for ways.
 class WalkGrid {
 public:
-    static constexpr int side = 40;             ///< number of cells along each side
-    static constexpr double half = side / 2.0;  ///< half the length of a side (m)
     static constexpr std::uint16_t unreachable = 0xffff;
 
-    explicit WalkGrid(const physics::Physics& physics);
+    /// Measures the ground within the bounds.
+    WalkGrid(const physics::Physics& physics, const GroundBounds& ground);
 
+    int cells() const { return static_cast<int>(height_.size()); }
     /// The cell under a position, clamped to the grid.
-    static int cell_at(vec3 place);
-    static vec3 centre_of(int cell);
+    int cell_at(vec3 place) const;
+    vec3 centre_of(int cell) const;
+    /// Whether a position lies over the grid.
+    bool covers(vec3 place) const;
     bool walkable(int cell) const { return height_[static_cast<std::size_t>(cell)] > blocked; }
 
     /// Height of the ground in a walkable cell (m, world).
@@ -45,6 +48,8 @@ private:
     template <class Visit>
     void neighbours(int cell, Visit&& visit) const;
 
+    double west_{}, north_{};  ///< the least x and z of the grid (m, world)
+    int columns_{}, rows_{};
     std::vector<double> height_;
 };
 

@@ -11,13 +11,6 @@ namespace {
 constexpr auto range_file = "range.toml";
 constexpr Tick never = std::numeric_limits<Tick>::max() / 2;  // halved, so that sums with it do not overflow
 
-Pad read_place(const ConfigTable& table, std::uint32_t player) {
-    return {.feet = table.vector("place", {-1000, 1000}),
-            .yaw = table.number("yaw_deg", {-360, 360}) * radians_per_degree,
-            .player = player,
-            .number = player};
-}
-
 Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& match) {
     const auto source = read_text_file(assets / range_file, 1U << 16U);
     if (!source) return tl::unexpected(source.error());
@@ -25,8 +18,7 @@ Expected<DummyRules> read_range(const std::filesystem::path& assets, MatchData& 
     if (!file) return tl::unexpected(file.error());
     match.files.push_back({range_file, file->value_hash()});
     const auto root = file->root();
-    match.arena.pads = {read_place(root.table("player"), practising),
-                        read_place(root.table("dummy"), dummys)};
+    match.arena.pads = {match.arena.practice[practising], match.arena.practice[dummys]};
     const DummyRules dummy{.stride = root.table("strafing").number("stride_m", {0.5, 40}),
                            .skill = read_marksmanship(root.table("shooting"))};
     if (const auto checked = file->check(); !checked) return tl::unexpected(checked.error());

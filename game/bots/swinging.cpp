@@ -43,9 +43,9 @@ const LoadedWand* roper_of(const Simulation& match) {
 }
 
 bool spans_a_gap(const Simulation& match, const WalkGrid& grid, const RopeKind& rope, const Crossing& c) {
-    const int from = WalkGrid::cell_at(c.from), to = WalkGrid::cell_at(c.to);
+    const int from = grid.cell_at(c.from), to = grid.cell_at(c.to);
     if (!grid.walkable(from) || !grid.walkable(to)) return false;
-    const int under = WalkGrid::cell_at(c.anchor);
+    const int under = grid.cell_at(c.anchor);
     const bool gap = !grid.walkable(under) || grid.height(under) < grid.height(from) - deep;
     if (!gap || std::abs(grid.height(from) - grid.height(to)) > level_ground) return false;
     const vec3 low = c.from + vec3(0, knee, 0);
@@ -96,8 +96,8 @@ std::vector<Crossing> find_crossings(const Simulation& match, const WalkGrid& gr
     for (const vec3 anchor : match.data().arena.anchors) {
         for (const vec3 way : {vec3(1, 0, 0), vec3(-1, 0, 0), vec3(0, 0, 1), vec3(0, 0, -1)}) {
             Crossing c{flat(anchor) - way * half_gap, anchor, flat(anchor) + way * half_gap};
-            const int cell = WalkGrid::cell_at(c.from);
-            if (!grid.walkable(cell)) continue;
+            const int cell = grid.cell_at(c.from);
+            if (!grid.covers(c.from) || !grid.covers(c.to) || !grid.walkable(cell)) continue;
             c.from.y = c.to.y = grid.height(cell);
             if (spans_a_gap(match, grid, rope, c)) crossings.push_back(c);
         }
@@ -116,9 +116,9 @@ void plan_to_swing(const Simulation& match, const Self& self, const Seat& seat, 
     if (roper == nullptr || self.health < least_health || (!hunts && !errand)) return;
     const auto& belt = match.world().get<WandBelt>(wizard_of(match.world(), seat.player));
     if (belt.energy[roper->stats.energy_slot] < energy_needed) return;
-    if (to_goal.goal != WalkGrid::cell_at(mind.goal)) return;
+    if (to_goal.goal != grid.cell_at(mind.goal)) return;
     const auto steps = [&](vec3 place) {
-        return static_cast<double>(to_goal.steps[static_cast<std::size_t>(WalkGrid::cell_at(place))]);
+        return static_cast<double>(to_goal.steps[static_cast<std::size_t>(grid.cell_at(place))]);
     };
     double most = seat.skill.swing_gain;
     for (const auto& c : crossings) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 
 #include "core/file.h"
 #include "core/text.h"
@@ -17,12 +18,14 @@ public:
     Loader(const std::filesystem::path& assets, MatchData& data)
         : assets_(assets), data_(data), used_(data.choice.overrides.size(), false) {}
 
-    /// Reads a file with read(Config) and returns its value. The first error is kept in `error`.
+    /// Reads a file with read(Config) and returns its value. The first error is kept in `error`. The file's hash
+    /// leaves out the top-level tables in `unhashed`.
     template <class Read>
-    auto load(const std::string& name, Read read) -> decltype(read(std::declval<const Config&>())) {
+    auto load(const std::string& name, Read read, std::span<const std::string_view> unhashed = {})
+        -> decltype(read(std::declval<const Config&>())) {
         using Value = decltype(read(std::declval<const Config&>()));
         if (error) return Value{};
-        auto config = open(name);
+        auto config = open(name, unhashed);
         if (!config) return keep(std::move(config.error())), Value{};
         auto value = read(*config);
         if (auto checked = config->check(); !checked) keep(std::move(checked.error()));
@@ -56,12 +59,12 @@ private:
         if (!error) error = std::move(e);
     }
 
-    Expected<Config> open(const std::string& name) {
+    Expected<Config> open(const std::string& name, std::span<const std::string_view> unhashed) {
         const auto source = read_text_file(assets_ / name, max_data_file);
         if (!source) return tl::unexpected(source.error());
         auto config = Config::parse(*source, name, 1);
         if (!config) return config;
-        data_.files.push_back({name, config->value_hash()});
+        data_.files.push_back({name, config->value_hash(unhashed)});
         const auto stem = std::filesystem::path(name).stem().string() + ".";
         for (std::size_t i = 0; i < data_.choice.overrides.size(); ++i) {
             const std::string_view entry = data_.choice.overrides[i];
@@ -180,7 +183,12 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
     data.choice = choice;
     Loader loader(assets, data);
     std::optional<Config> arena_file, haptics_file;
-    data.arena = loader.load("arenas/" + choice.arena + ".toml", noting(arena_file, read_arena));
+    const auto read_whole_arena = [&](const Config& file) {
+        data.look = read_arena_look(file);
+        return read_arena(file);
+    };
+    data.arena = loader.load("arenas/" + choice.arena + ".toml", noting(arena_file, read_whole_arena),
+                             tables_of_no_match);
     data.rules = loader.load("rules/" + choice.rules + ".toml", read_rule_set);
     data.round = loader.load("rules/" + choice.match + ".toml", read_round_rules);
     data.wizard = loader.load("wizards/wizard.toml", read_wizard_rules);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "game/arena/arena.h"
+#include "game/arena/look.h"
 #include "game/brew/brew.h"
 #include "game/data/rules.h"
 #include "game/data/wand.h"
@@ -25,6 +26,7 @@ struct DataChoice {
 struct MatchData {
     DataChoice choice;
     Arena arena;
+    ArenaLook look;    ///< picture of the arena beyond its solids
     RoundRules round;  ///< includes the changes that the rule set makes
     RuleSet rules;
     WizardRules wizard;

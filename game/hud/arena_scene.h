@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "game/hud/baked_light.h"
 #include "game/hud/brew_look.h"
-#include "game/hud/masonry.h"
 #include "game/hud/picture.h"
 #include "game/hud/powerups.h"
 #include "render/renderer.h"
@@ -67,6 +67,7 @@ struct ArenaScene {
     /// Brew of the drawing thread, refreshed as the brew moves; null: no simulated brew.
     std::shared_ptr<BrewLook> brew;
     render::Environment environment;
+    MenuCameraLook menu_camera;
     double wizard_height{1.8};  ///< height of a wizard (m)
 };
 

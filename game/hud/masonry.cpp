@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 
 #include "core/random.h"
 #include "render/colour.h"
@@ -14,95 +13,7 @@ namespace {
 using render::colour;
 using render::MeshData;
 
-constexpr double corner_reach = 2;       // stone farther away takes no light from a point (m)
-constexpr double corner_strength = 0.9;  // a dark corner still gets light reflected by other stone
-constexpr double pit_depth = 5;          // depth of the pit (m)
-constexpr float lamp_height = 3.4F;      // height of the lamps (m)
-constexpr double outside = 0.02;         // margin beyond the arena, where no player can be (m)
-const fvec3 lamp_glow = fvec3(5.2F, 2.5F, 0.85F);
-
-// Baked light -----------------------------------------------------------------------------------------------
-
-/// The part of a block within reach of a point.
-render::Block near_part(const render::Block& block, vec3 point) {
-    return {glm::max(block.low, point - corner_reach), glm::min(block.high, point + corner_reach)};
-}
-
-/// Share of the sky that nearby blocks leave open. The shares of two blocks are multiplied, which is exact
-/// for blocks at right angles.
-double open_sky(const Shade& shade, vec3 point, vec3 normal) {
-    // The point is moved off the surface, so that a block that touches it counts.
-    const vec3 start = point + 0.03 * normal;
-    double open = 1;
-    for (const auto& block : shade.blocks) {
-        const auto near = near_part(block, start);
-        if (glm::any(glm::greaterThanEqual(near.low, near.high))) continue;
-        open *= 1 - corner_strength * render::form_factor(near, start, normal);
-    }
-    return open;
-}
-
-/// Light of the wall lamps. It falls with the square of the distance.
-fvec3 lamp_light(const Shade& shade, vec3 point, fvec3 normal) {
-    fvec3 light(0);
-    for (const fvec3 lamp : shade.lamps) {
-        const fvec3 to = lamp - fvec3(point);
-        const float square = glm::dot(to, to);
-        if (square > 80) continue;
-        const float facing = std::max(0.0F, glm::dot(normal, to) / std::sqrt(square + 0.01F) + 0.15F);
-        light += lamp_glow * (facing / (0.7F + square));
-    }
-    return light;
-}
-
-}  // namespace
-
-Shade make_shade(const Arena& arena, fvec3 towards_sun) {
-    Shade shade{.blocks = {}, .lamps = {}, .sun = towards_sun, .half = 0, .wall_top = 0};
-    for (const auto& thing : arena.things) {
-        if (thing.prop || thing.body.shape != physics::Shape::box) continue;
-        shade.blocks.push_back({thing.position - thing.body.size, thing.position + thing.body.size});
-        if (thing.surface != Surface::floor) continue;
-        shade.half = std::max({shade.half, std::abs(shade.blocks.back().low.x), shade.blocks.back().high.x});
-    }
-    for (const auto& block : shade.blocks) shade.wall_top = std::max(shade.wall_top, block.high.y);
-    const auto half = static_cast<float>(shade.half);
-    for (const float share : {-0.75F, -0.25F, 0.25F, 0.75F}) {
-        for (const float side : {-1.0F, 1.0F}) {
-            const float in = side * (half - 0.35F);
-            shade.lamps.push_back({share * half, lamp_height, in});
-            shade.lamps.push_back({in, lamp_height, share * half});
-        }
-    }
-    return shade;
-}
-
-bool sees_sun(const Shade& shade, vec3 point) {
-    return std::none_of(shade.blocks.begin(), shade.blocks.end(), [&](const render::Block& block) {
-        return render::meets(block, point, vec3(shade.sun));
-    });
-}
-
-BakedLight baked_light(const Shade& shade, vec3 point, fvec3 normal) {
-    double open = open_sky(shade, point, vec3(normal));
-    if (point.y < 0) open *= 1 - 0.65 * std::min(1.0, -point.y / pit_depth);
-    const bool faces_sun = glm::dot(normal, shade.sun) > 0.02F;
-    return {static_cast<float>(open) * lamp_light(shade, point, normal), static_cast<float>(open),
-            faces_sun && sees_sun(shade, point + 0.06 * vec3(normal))};
-}
-
-void bake(const Shade& shade, vec3 position, MeshData& mesh) {
-    for (auto& v : mesh.vertices) {
-        const auto light = baked_light(shade, position + vec3(v.position), v.normal);
-        v.lamps = light.lamps;
-        v.open = light.open;
-        v.sun = light.sunny ? 1.0F : 0.0F;
-    }
-}
-
-namespace {
-
-// Blocks ----------------------------------------------------------------------------------------------------
+constexpr double outside = 0.02;  // margin beyond the arena, where no player can be (m)
 
 /// A face to cover with blocks: its corner, its two edges (u along the courses) and its normal.
 struct Face {
@@ -223,8 +134,8 @@ std::vector<float> course(float length, float block, bool shifted, Random& rando
 /// True for a point of a face inside another solid or outside the arena, where no player can see it.
 bool hidden(const Shade& shade, vec3 point, vec3 normal) {
     const vec3 at = point + 0.05 * normal;
-    if (std::abs(at.x) > shade.half + outside || std::abs(at.z) > shade.half + outside) return true;
-    if (at.y > shade.wall_top || at.y < -pit_depth - outside) return true;
+    if (!is_inside(shade, at, outside)) return true;
+    if (at.y > shade.wall_top || at.y < -shade.depth - outside) return true;
     return std::any_of(shade.blocks.begin(), shade.blocks.end(), [&](const render::Block& b) {
         return glm::all(glm::greaterThan(at, b.low)) && glm::all(glm::lessThan(at, b.high));
     });
@@ -298,8 +209,9 @@ void take_light(const MeshData& from, MeshData& to) {
     }
 }
 
-/// Bakes the light of a patch at its place and adds the patch.
-void set_up(const Shade& shade, vec3 position, render::Patch patch, render::Patchwork& out) {
+}  // namespace
+
+void add_lit_patch(const Shade& shade, vec3 position, render::Patch patch, render::Patchwork& out) {
     bake(shade, position, patch.full);
     take_light(patch.full, patch.plain);
     for (auto* mesh : {&patch.full, &patch.plain}) {
@@ -307,6 +219,8 @@ void set_up(const Shade& shade, vec3 position, render::Patch patch, render::Patc
     }
     out.push_back(std::move(patch));
 }
+
+namespace {
 
 /// Adds the core behind the bevelled blocks of a face. It shows as joints between blocks that are drawn
 /// without bevels. It is made in pieces, dark nearby and lighter far away. It also reaches a little behind
@@ -327,7 +241,7 @@ void add_core(const Shade& shade, vec3 position, Face face, const Stonework& wor
                        work.joint * core_shade * work.colours[0]);
         for (auto& v : piece.vertices) v.far_away = 1 / work.joint;
         bake(shade, position, piece);
-        set_up(shade, position, {.full = {}, .plain = std::move(piece), .detail = work.bevel}, out);
+        add_lit_patch(shade, position, {.full = {}, .plain = std::move(piece), .detail = work.bevel}, out);
     }
 }
 
@@ -363,7 +277,7 @@ void lay(render::Patchwork& out, const Shade& shade, vec3 position, const Face& 
                             static_cast<float>(row + 1) * height};
             if (hidden(shade, position, face, cell)) continue;
             const double up = position.y + at(face, {cell.u0, cell.v0}).y;
-            set_up(shade, position, block(up, face, work, cell, random), out);
+            add_lit_patch(shade, position, block(up, face, work, cell, random), out);
             out.back().sunless = is_sunless(shade, position, face, cell, out.back());
             if (is_bevelled(up, face, work)) bevelled = around(bevelled, cell);
         }
@@ -427,7 +341,6 @@ Stonework work_of(Surface surface, const Face& face) {
 void add_masonry_box(const Shade& shade, const Thing& thing, render::Patchwork& out) {
     for (int axis = 0; axis < 3; ++axis) {
         for (const float side : {-1.0F, 1.0F}) {
-            if (axis == 1 && side < 0) continue;
             const auto face = face_of(fvec3(thing.body.size), axis, side);
             auto work = work_of(thing.surface, face);
             work.seed = seed_of(thing.position, axis * 2 + (side > 0 ? 1 : 0));
@@ -436,172 +349,132 @@ void add_masonry_box(const Shade& shade, const Thing& thing, render::Patchwork& 
     }
 }
 
+namespace {
+
+/// A ramp: half its box (m), the level unit vector in which it rises, and the one across it.
+struct RampFrame {
+    fvec3 half{0}, rise{0}, across{0};
+    float half_length{}, half_width{};
+};
+
+RampFrame ramp_frame(const physics::TriangleMesh& solid) {
+    RampFrame frame;
+    for (const auto& v : solid.vertices) frame.half = glm::max(frame.half, glm::abs(fvec3(v)));
+    fvec3 top(0);  // sum of the vertices of the high edge
+    for (const auto& v : solid.vertices) {
+        if (static_cast<float>(v.y) > 0.9F * frame.half.y) top += fvec3(v);
+    }
+    const int axis = std::abs(top.x) > std::abs(top.z) ? 0 : 2;
+    frame.rise[axis] = top[axis] > 0 ? 1.0F : -1.0F;
+    frame.across = glm::cross(frame.rise, fvec3(0, 1, 0));
+    frame.half_length = frame.half[axis];
+    frame.half_width = frame.half[2 - axis];
+    return frame;
+}
+
+Face slope_of(const RampFrame& ramp) {
+    Face slope;
+    slope.v = glm::normalize(2 * ramp.half_length * ramp.rise + fvec3(0, 2 * ramp.half.y, 0));
+    slope.u = ramp.across;
+    slope.n = glm::cross(slope.u, slope.v);
+    slope.corner = -ramp.half_length * ramp.rise - fvec3(0, ramp.half.y, 0) - ramp.half_width * ramp.across;
+    slope.length_u = 2 * ramp.half_width;
+    slope.length_v = 2 * glm::length(fvec2(ramp.half_length, ramp.half.y));
+    return slope;
+}
+
+/// The upright face of a ramp's box with the outward normal `n`. `half_u` is half its width (m), `off` its distance
+/// from the middle (m).
+Face upright_face(fvec3 n, float half_u, float half_v, float off) {
+    Face face;
+    face.n = n;
+    face.v = fvec3(0, 1, 0);
+    face.u = glm::cross(face.v, n);
+    face.length_u = 2 * half_u;
+    face.length_v = 2 * half_v;
+    face.corner = off * n - half_u * face.u - half_v * face.v;
+    return face;
+}
+
+/// Line from (0, `left`) to (length_u, `right`) on a face. Stone lies below it.
+struct EdgeLine {
+    float left{}, right{}, length{};
+    float height_at(float u) const { return glm::mix(left, right, u / length); }
+};
+
+/// The part of a cell below the line, as a polygon.
+std::vector<fvec2> clipped(const Cell& cell, const EdgeLine& line) {
+    const std::array<fvec2, 4> corners{
+        fvec2(cell.u0, cell.v0), {cell.u1, cell.v0}, {cell.u1, cell.v1}, {cell.u0, cell.v1}};
+    std::vector<fvec2> polygon;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const fvec2 a = corners[i], b = corners[(i + 1) % 4];
+        const float below_a = line.height_at(a.x) - a.y, below_b = line.height_at(b.x) - b.y;
+        if (below_a >= 0) polygon.push_back(a);
+        if ((below_a > 0 && below_b < 0) || (below_a < 0 && below_b > 0))
+            polygon.push_back(glm::mix(a, b, below_a / (below_a - below_b)));
+    }
+    return polygon;
+}
+
+/// Adds a flat polygon `behind` metres behind the face.
+void add_polygon(const Shade& shade, vec3 position, const Face& face, const std::vector<fvec2>& polygon,
+                 float behind, fvec3 tone, render::Patchwork& out) {
+    if (polygon.size() < 3) return;
+    MeshData mesh;
+    for (const fvec2 p : polygon) add_vertex(mesh, face, {p, -behind}, face.n, tone);
+    for (std::uint32_t i = 1; i + 1 < polygon.size(); ++i)
+        mesh.indices.insert(mesh.indices.end(), {0, i, i + 1});
+    add_lit_patch(shade, position, {.full = std::move(mesh)}, out);
+}
+
+/// Covers the part of an upright face below the line with blocks. The joints show a darker face behind them.
+void lay_below(render::Patchwork& out, const Shade& shade, vec3 position, const Face& face,
+               const Stonework& work, const EdgeLine& line) {
+    constexpr float joint_depth = 0.01F;
+    Random random = random_stream(work.seed, 7);
+    const Cell whole{0, face.length_u, 0, face.length_v};
+    if (hidden(shade, position, face, whole)) return;
+    add_polygon(shade, position, face, clipped(whole, line), joint_depth, work.joint * work.colours[0], out);
+    const int courses = std::max(1, static_cast<int>(std::lround(face.length_v / work.block_v)));
+    const float height = face.length_v / static_cast<float>(courses), inset = work.bevel / 4;
+    for (int row = 0; row < courses; ++row) {
+        const auto edges = course(face.length_u, work.block_u, row % 2 == 1, random);
+        for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
+            const Cell cell{edges[i] + inset, edges[i + 1] - inset, static_cast<float>(row) * height + inset,
+                            static_cast<float>(row + 1) * height - inset};
+            const fvec3 tone = any_shade(work, random);
+            if (!hidden(shade, position, face, cell))
+                add_polygon(shade, position, face, clipped(cell, line), 0, tone, out);
+        }
+    }
+}
+
+}  // namespace
+
 void add_masonry_ramp(const Shade& shade, const Thing& thing, const physics::TriangleMesh& solid,
                       render::Patchwork& out) {
-    fvec3 half(0);
-    for (const auto& v : solid.vertices) half = glm::max(half, glm::abs(fvec3(v)));
-    // The high edge is the side with vertices at the top.
-    float high = 1;
-    for (const auto& v : solid.vertices) {
-        if (static_cast<float>(v.y) > 0.9F * half.y) high = v.x > 0 ? 1.0F : -1.0F;
-    }
-    Face slope;
-    slope.v = glm::normalize(fvec3(2 * half.x * high, 2 * half.y, 0));
-    slope.u = fvec3(0, 0, high);
-    slope.n = glm::cross(slope.u, slope.v);
-    slope.corner = fvec3(-high * half.x, -half.y, -high * half.z);
-    slope.length_u = 2 * half.z;
-    slope.length_v = 2 * glm::length(fvec2(half.x, half.y));
-    if (slope.n.y < 0) {
-        slope.corner += slope.length_u * slope.u;
-        slope.u = -slope.u;
-        slope.n = -slope.n;
-    }
+    const auto ramp = ramp_frame(solid);
     auto work = ashlar();
     work.block_u = 1.5F;
     work.block_v = 0.8F;
     work.seed = seed_of(thing.position, 6);
-    lay(out, shade, thing.position, slope, work);
-}
-
-// Decoration ------------------------------------------------------------------------------------------------
-
-namespace {
-
-/// One of the four walls: the middle of its foot, the direction along it, and the direction into the arena.
-struct Wall {
-    fvec3 middle, along, inwards;
-};
-
-std::array<Wall, 4> walls(const Shade& shade) {
-    const auto half = static_cast<float>(shade.half);
-    return {Wall{{0, 0, half}, {1, 0, 0}, {0, 0, -1}}, Wall{{0, 0, -half}, {1, 0, 0}, {0, 0, 1}},
-            Wall{{half, 0, 0}, {0, 0, 1}, {-1, 0, 0}}, Wall{{-half, 0, 0}, {0, 0, 1}, {1, 0, 0}}};
-}
-
-fvec3 half_along(const Wall& wall, float along, float up, float deep) {
-    return glm::abs(wall.along) * along + fvec3(0, up, 0) + glm::abs(wall.inwards) * deep;
-}
-
-/// Turns a mesh that faces +z towards the inside of the arena.
-fmat4 facing(const Wall& wall) {
-    return render::rotated({0, 1, 0}, std::atan2(wall.inwards.x, wall.inwards.z));
-}
-
-/// Merlons are plain boxes, since no player comes near enough to see a bevel.
-void add_merlons(const Shade& shade, const Wall& wall, float half, float top, render::Patchwork& out) {
-    for (float at = -half + 1; at < half; at += 2.5F) {
-        const fvec3 place = wall.middle + at * wall.along + fvec3(0, top + 0.5F, 0) - 0.5F * wall.inwards;
-        set_up(shade, vec3(place),
-               {.full = render::box(half_along(wall, 0.7F, 0.55F, 0.5F), colour(0x6E5662))}, out);
-    }
-}
-
-/// Adds a bevelled box.
-void add_ashlar(const Shade& shade, fvec3 place, fvec3 half, fvec3 paint, float bevel,
-                render::Patchwork& out) {
-    set_up(shade, vec3(place),
-           {.full = render::box(half, paint, bevel), .plain = render::box(half, paint), .detail = bevel},
-           out);
-}
-
-void add_pilasters(const Shade& shade, const Wall& wall, float half, float top, render::Patchwork& out) {
-    for (const float share : {-0.75F, -0.25F, 0.25F, 0.75F}) {
-        const fvec3 foot = wall.middle + share * half * wall.along + 0.06F * wall.inwards;
-        add_ashlar(shade, foot + fvec3(0, top / 2, 0), half_along(wall, 0.55F, top / 2, 0.12F),
-                   colour(0x5E566C), 0.05F, out);
-        add_ashlar(shade, foot + fvec3(0, 0.8F * top, 0), half_along(wall, 0.75F, 0.25F, 0.22F),
-                   colour(0x746A7C), 0.06F, out);
-    }
-}
-
-/// Adds a team's banner with its mark, so that the two ends of the arena look different.
-void add_banner(const Shade& shade, const Wall& wall, float at, std::uint32_t team, render::Patchwork& out) {
-    const fvec3 cloth = team == 0 ? colour(0xB8481A) : colour(0x1E5FA8);
-    const fvec3 light = team == 0 ? colour(0xFFC27A) : colour(0x9ED4FF);
-    const fvec3 place = wall.middle + at * wall.along + fvec3(0, 6.2F, 0) + 0.1F * wall.inwards;
-    MeshData banner = render::box({1.1F, 2.3F, 0.04F}, cloth);
-    render::append(banner, render::box({1.1F, 0.12F, 0.05F}, light), render::translated({0, -2.0F, 0}));
-    render::append(banner, render::box({1.25F, 0.08F, 0.08F}, colour(0x4A3A30)),
-                   render::translated({0, 2.35F, 0}));
-    const auto mark =
-        team == 0 ? render::frame(14, 0.75F, 0.51F, 0.1F, light) : render::triangle_mark(0.85F, light);
-    render::append(banner, mark, render::translated({0, 0.35F, 0.06F}));
-    set_up(shade, vec3(place), {.full = render::transformed(std::move(banner), facing(wall))}, out);
-}
-
-/// Adds a tower in pieces, one above the other, because the arena's walls hide most of each tower.
-void add_tower(fvec3 foot, float radius, float height, render::Patchwork& out) {
-    const fvec3 stone = colour(0x4E4466), roof = colour(0x3A2C58);
-    const auto add = [&](std::span<const fvec2> profile, fvec3 paint) {
-        MeshData mesh;
-        render::append(mesh, render::revolve(profile, 10, paint), render::translated(foot));
-        out.push_back({.full = std::move(mesh)});
-    };
-    constexpr int pieces = 4;
-    const auto shaft = [&](int i) {
-        const float up = static_cast<float>(i) / pieces;
-        return fvec2(glm::mix(1.0F, 0.9F, up) * radius, up * height);
-    };
-    for (int i = 0; i < pieces; ++i) add(std::array{shaft(i), shaft(i + 1)}, stone);
-    add(std::array{fvec2(0.9F * radius, height), fvec2(1.15F * radius, height),
-                   fvec2(1.15F * radius, height + 2)},
-        stone);
-    add(std::array{fvec2(0, height + 2), fvec2(1.35F * radius, height + 2), fvec2(0.5F * radius, height + 6),
-                   fvec2(0, height + 13)},
-        roof);
-}
-
-struct Tower {
-    fvec3 foot;
-    float radius, height;
-};
-constexpr std::array<Tower, 6> towers{Tower{{-34, 0, -46}, 5, 30}, {{14, 0, -58}, 6, 40},
-                                      {{48, 0, -30}, 4.5F, 27},    {{52, 0, 26}, 6, 36},
-                                      {{-12, 0, 52}, 5, 31},       {{-54, 0, 16}, 5.5F, 34}};
-
-}  // namespace
-
-void add_decoration(const Shade& shade, render::Patchwork& out) {
-    const auto half = static_cast<float>(shade.half), top = static_cast<float>(shade.wall_top);
-    const auto all = walls(shade);
-    for (const auto& wall : all) {
-        add_merlons(shade, wall, half, top, out);
-        add_pilasters(shade, wall, half, top, out);
-    }
-    for (const float at : {-10.0F, 0.0F, 10.0F}) {
-        add_banner(shade, all[0], at, 0, out);
-        add_banner(shade, all[1], at, 1, out);
-    }
-}
-
-render::Patchwork skyline() {
-    render::Patchwork out;
-    for (const auto& tower : towers) add_tower(tower.foot, tower.radius, tower.height, out);
-    return out;
-}
-
-render::Patchwork lamps(const Shade& shade) {
-    render::Patchwork out;
-    const fvec3 flame = colour(0xFFB45A), window = colour(0xFFC878);
-    for (const fvec3 place : shade.lamps) {
-        MeshData lamp;
-        render::append(lamp, render::cone(0.05F, 0.16F, 0.3F, 6, colour(0x803A14)),
-                       render::translated(place));
-        render::append(lamp, render::cone(0.13F, 0, 0.5F, 6, flame),
-                       render::translated(place + fvec3(0, 0.38F, 0)));
-        out.push_back({.full = std::move(lamp)});
-    }
-    for (const auto& tower : towers) {
-        const fvec3 in = glm::normalize(fvec3(-tower.foot.x, 0, -tower.foot.z));
-        const fmat4 turned = render::rotated({0, 1, 0}, std::atan2(in.x, in.z));
-        for (const float up : {-2.5F, -7.0F}) {
-            const fvec3 place = tower.foot + (tower.radius - 0.1F) * in + fvec3(0, tower.height + up, 0);
-            out.push_back({.full = render::transformed(render::box({0.35F, 0.7F, 0.3F}, window),
-                                                       render::translated(place) * turned)});
-        }
-    }
-    return out;
+    lay(out, shade, thing.position, slope_of(ramp), work);
+    work = ashlar();
+    work.colours =
+        slabs().colours;  // lighter than the slope, since the foot of a ramp stands in dark corners
+    work.seed = seed_of(thing.position, 7);
+    lay(out, shade, thing.position, upright_face(ramp.rise, ramp.half_width, ramp.half.y, ramp.half_length),
+        work);
+    const float length = 2 * ramp.half_length, top = 2 * ramp.half.y;
+    work.seed = seed_of(thing.position, 8);
+    lay_below(out, shade, thing.position,
+              upright_face(ramp.across, ramp.half_length, ramp.half.y, ramp.half_width), work,
+              {0, top, length});
+    work.seed = seed_of(thing.position, 9);
+    lay_below(out, shade, thing.position,
+              upright_face(-ramp.across, ramp.half_length, ramp.half.y, ramp.half_width), work,
+              {top, 0, length});
 }
 
 }  // namespace thaum::game

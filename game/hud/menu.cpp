@@ -201,8 +201,10 @@ void add_menu(Overlay& out, const MenuPicture& menu, render::Size size, double t
 
 const render::Frame& make_arena_frame(const ArenaScene& arena_scene, const Picture& picture, double angle,
                                       const HudSettings& settings, render::Size size, FrameMemory& memory) {
-    constexpr double radius = 15.5, height = 7.5;
-    const vec3 eye{radius * std::sin(angle), height, radius * std::cos(angle)};
+    const auto& look = arena_scene.menu_camera;
+    const vec2 middle = (arena_scene.shade.low + arena_scene.shade.high) / 2.0;
+    const vec3 eye{middle.x + look.distance * std::sin(angle), look.height,
+                   middle.y + look.distance * std::cos(angle)};
     begin_frame(arena_scene, picture, settings, size, memory);
     auto& frame = memory.frame;
     memory.instances[0].clear();
@@ -212,7 +214,7 @@ const render::Frame& make_arena_frame(const ArenaScene& arena_scene, const Pictu
     choose_lights(arena_scene, picture, eye, memory.lights[0]);
     render::Camera camera;
     camera.position = fvec3(eye);
-    camera.orientation = fquat(look_rotation(angle, -0.36));
+    camera.orientation = fquat(look_rotation(angle, -look.down));
     camera.fov_y =
         static_cast<float>(field_of_view(settings.fov, static_cast<double>(size.width) / size.height));
     camera.far_plane = 160;

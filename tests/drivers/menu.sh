@@ -124,9 +124,9 @@ cp "$settings" "$folder/kept"
 "$thaum" 2>"$folder/said" &
 game=$!
 eventually "no start screen with broken settings" drawn
-presses Down Down Down Down Return Right
+presses Down Down Down Down Down Down Return Right
 sleep 0.3
-presses Escape Up Up Up Up Return Return
+presses Escape Up Up Up Up Up Up Return Return
 eventually "no match with broken settings" has_logs 2
 presses Escape
 eventually "no pause" pause_menu

@@ -1,9 +1,9 @@
 // Draws one moment of a bot duel into a PNG file without a display, and prints the times of each step:
 //
-//     live_shot OUT.png [TICKS [SPLIT [WIDTH HEIGHT [X Z YAW PITCH [QUALITY]]]]]
+//     live_shot OUT.png [TICKS [SPLIT [WIDTH HEIGHT [X Z YAW PITCH [QUALITY [ARENA [Y]]]]]]]
 //
 // SPLIT: top_bottom, side_by_side, first, second. X Z (m) and YAW PITCH (degrees) move the first camera.
-// QUALITY: 0 low, 1 medium (default), 2 high.
+// Y is the height of its feet (m). QUALITY: 0 low, 1 medium (default), 2 high. ARENA: name of an arena's file.
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
@@ -60,7 +60,8 @@ int main(int argc, char** argv) {
     const auto number = [&](int i, int otherwise) { return argc > i ? std::atoi(argv[i]) : otherwise; };
     const std::string out = argc > 1 ? argv[1] : "shot.png";
     const render::Size size{number(4, 1280), number(5, 720)};
-    const auto data = std::make_shared<const MatchData>(must(load_match_data(find_assets(), {})));
+    const auto data = std::make_shared<const MatchData>(
+        must(load_match_data(find_assets(), {.arena = argc > 11 ? argv[11] : "boiling_court"})));
     Simulation match(data, {.seed = 3, .devices = {bot_device(0, 1), bot_device(1, 1)}});
     play(match, static_cast<Tick>(number(2, 0)));
 
@@ -78,7 +79,7 @@ int main(int argc, char** argv) {
     std::cout << "take_picture " << fixed(now_ms() - before, 2) << " us\n";
     if (argc > 9) {
         auto& p = picture.wizards[0];
-        p.centre = vec3(std::atof(argv[6]), 0.9, std::atof(argv[7]));
+        p.centre = vec3(std::atof(argv[6]), 0.9 + number(12, 0), std::atof(argv[7]));
         p.eye = p.centre + vec3(0, 0.75, 0);
         p.yaw = std::atof(argv[8]) * radians_per_degree;
         p.pitch = std::atof(argv[9]) * radians_per_degree;

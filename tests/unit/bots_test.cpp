@@ -193,12 +193,12 @@ std::uint32_t hits_on_a_target(std::uint32_t dodges) {
 
 TEST(Bot, EveryWayLeadsOn) {
     Scene scene(skill_of(3));
-    const WalkGrid grid(scene.match.physics());
+    const WalkGrid grid(scene.match.physics(), ground_bounds(scene.match.data().arena));
     WalkGrid::Ways ways;
     std::size_t cells = 0;
     for (const vec3 goal : {vec3(19.5, 0, -19.5), vec3(-19.5, 0, 19.5), vec3(6.5, 0, -5.5), vec3(0, 0, 15)}) {
-        grid.find_ways(WalkGrid::cell_at(goal), ways);
-        for (int cell = 0; cell < WalkGrid::side * WalkGrid::side; ++cell) {
+        grid.find_ways(grid.cell_at(goal), ways);
+        for (int cell = 0; cell < grid.cells(); ++cell) {
             const auto steps = ways.steps[static_cast<std::size_t>(cell)];
             if (steps == WalkGrid::unreachable || steps == 0) continue;
             const auto next = static_cast<std::size_t>(grid.next(cell, ways));
@@ -312,11 +312,11 @@ TEST(Bot, HoldsNothingWithoutTheSkillToLiftOrSwing) {
 
 TEST(Bot, KnowsTheGapsThatAnAnchorSpans) {
     const Simulation match(duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}});
-    const WalkGrid grid(match.physics());
+    const WalkGrid grid(match.physics(), ground_bounds(match.data().arena));
     const auto crossings = find_crossings(match, grid);
     ASSERT_EQ(crossings.size(), 8U) << "four anchors over the two pits, both ways";
     for (const auto& c : crossings) {
-        EXPECT_TRUE(grid.walkable(WalkGrid::cell_at(c.from)) && grid.walkable(WalkGrid::cell_at(c.to)));
+        EXPECT_TRUE(grid.walkable(grid.cell_at(c.from)) && grid.walkable(grid.cell_at(c.to)));
         EXPECT_FALSE(grid.straight(c.from, c.to));
         EXPECT_NEAR(glm::distance(c.from, c.anchor), glm::distance(c.to, c.anchor), 1e-9);
         const auto back = std::any_of(crossings.begin(), crossings.end(), [&](const Crossing& other) {
@@ -421,6 +421,7 @@ TEST(League, TheSummaryCountsBySidesAndLevels) {
     EXPECT_EQ(s.pairs[0].high_wins, 2U);
     EXPECT_EQ(s.pairs[0].low_wins, 1U);
     EXPECT_EQ(s.pairs[0].high_share(), 2.5 / 4) << "a draw is half a win";
+    EXPECT_EQ(s.seat_wins, (std::array<std::uint32_t, players>{2, 1}));
     EXPECT_EQ(s.median_round_s(), 100);
     EXPECT_EQ(s.timed_out, 1U);
     EXPECT_EQ(s.kills[0], 4U);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/random.h"
+#include "game/components/hand_state.h"
 #include "game/context/surfaces.h"
 #include "unit/game_duel.h"
 

@@ -451,7 +451,7 @@ double first_entry(std::span<const render::Block> blocks, vec3 eye, vec3 way) {
 
 TEST_F(Drawn, WhereABlockHidesThingsThereIsStoneBeforeThem) {
     Random random = random_stream(11, 4);
-    const double half = arena_scene.shade.half, top = arena_scene.shade.wall_top;
+    const double half = arena_scene.shade.high.x, top = arena_scene.shade.wall_top;
     int hidden = 0;
     for (int i = 0; i < 20000; ++i) {
         const vec3 eye(random.uniform(-half, half), random.uniform(-4, top), random.uniform(-half, half));

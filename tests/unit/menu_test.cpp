@@ -26,6 +26,7 @@ const MenuContext& context() {
     static const MenuContext context{
         .levels = {1, 2, 3},
         .rules = {{"quick", "quick: first to 3"}, {"standard", "standard: first to 5"}},
+        .arenas = {{"boiling_court", "Boiling Court"}},
         .pads = {"Make-believe pad", "Another pad", "", ""},
         .ends_match = true};
     return context;
@@ -162,7 +163,29 @@ TEST(StartScreen, OneSetOfRulesIsNoChoice) {
     for (const auto& row : picture_of(start_page(), few).rows) EXPECT_NE(row.label, "Match");
 }
 
-TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
+TEST(StartScreen, ChoosesTheArenaOfTheNextMatch) {
+    for (const auto& row : picture_of(start_page(), facts()).rows)
+        EXPECT_NE(row.label, "Arena") << "one: no choice";
+    auto two = facts();
+    two.arenas.push_back({"the_well", "The Well"});
+    const auto shown = [&](const MenuState& s) {
+        const auto rows = picture_of(s, two).rows;
+        const auto row =
+            std::find_if(rows.begin(), rows.end(), [](const auto& r) { return r.label == "Arena"; });
+        EXPECT_NE(row, rows.end());
+        return std::pair(static_cast<std::size_t>(row - rows.begin()), row->value);
+    };
+    auto s = start_page();
+    EXPECT_EQ(shown(s).second, "Boiling Court");
+    s = step(s, {.kind = Kind::right, .device = keyboard, .row = shown(s).first}, two);
+    EXPECT_EQ(s.arena, 1U);
+    EXPECT_EQ(shown(s).second, "The Well");
+    s = step(s, {.kind = Kind::confirm, .device = keyboard, .row = shown(s).first}, two);
+    EXPECT_EQ(s.arena, 0U) << "and round again";
+    EXPECT_EQ(s.wish, MenuRequest::none);
+}
+
+TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
     const std::filesystem::path source = THAUM_SOURCE_DIR "/assets";
     const auto folder = std::filesystem::path(testing::TempDir()) / "thaum_menu_assets";
     std::filesystem::remove_all(folder);
@@ -175,6 +198,12 @@ TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
     const auto before = find_menu_context(plan);
     ASSERT_FALSE(before.rules.empty());
     EXPECT_EQ(before.levels.front(), 1);
+    const auto arena_labels = [](const MenuContext& context) {
+        std::vector<std::string> labels;
+        for (const auto& arena : context.arenas) labels.push_back(arena.label);
+        return labels;
+    };
+    EXPECT_EQ(arena_labels(before), (std::vector<std::string>{"Boiling Court", "The Well"}));
 
     // Adds a longer match, a file that is no match, and a broken level.
     auto rules = read_text_file(source / "rules" / "quick.toml", 1U << 16U).value();
@@ -184,7 +213,10 @@ TEST(StartScreen, OffersTheLevelsAndMatchesThatTheDataFolderHas) {
         write_text_file(folder / "rules" / "a_long_one.toml", rules.replace(at, 13, "seconds = 665")));
     ASSERT_TRUE(write_text_file(folder / "rules" / "broken.toml", "version = 1\nkills = \"many\"\n"));
     ASSERT_TRUE(write_text_file(folder / "bots" / "level_6.toml", "version = 1\n"));
+    std::filesystem::copy_file(THAUM_SOURCE_DIR "/tests/arenas/yard.toml", folder / "arenas/yard.toml");
+    ASSERT_TRUE(write_text_file(folder / "arenas" / "broken.toml", "version = 1\nname = \n"));
     const auto after = find_menu_context(plan);
+    EXPECT_EQ(arena_labels(after), (std::vector<std::string>{"Boiling Court", "The Well", "Yard"}));
     EXPECT_EQ(after.levels, before.levels);
     ASSERT_EQ(after.rules.size(), before.rules.size() + 1);
     EXPECT_EQ(after.rules[0].name, "a_long_one");

@@ -1,0 +1,128 @@
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "game/hud/arena_parts.h"
+#include "game/hud/figures.h"
+
+namespace thaum::game {
+
+using render::Instance;
+
+namespace {
+
+constexpr double least_share = 0.02;    ///< share of the strongest force; smaller forces are not drawn
+constexpr double ribbon_length = 0.25;  ///< length of the ribbon at the strongest force (m)
+
+}  // namespace
+
+namespace {
+
+/// Rotation of the wand and the hand about the wand's tip, as the stylus turns them (eye frame). The angle is
+/// limited, because the hand would leave the arm at larger angles.
+fmat4 stylus_turned(const PlayerPicture& p) {
+    constexpr double most = 0.7;  // rad
+    const vec3 by = limited(p.wand_turn, most);
+    const double angle = glm::length(by);
+    if (!(angle > 1e-6)) return fmat4(1);
+    return render::translated(fvec3(wand_tip)) * glm::mat4_cast(fquat(rotation(by / angle, angle))) *
+           render::translated(-fvec3(wand_tip));
+}
+
+}  // namespace
+
+void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                std::vector<Instance>& out) {
+    const auto& team = arena_scene.teams[number];
+    const auto first = out.size();
+    const fvec3 feet(p.centre - vec3(0, arena_scene.wizard_height / 2, 0));
+    const auto standing = render::translated(feet) * looking(p.yaw, 0);
+    out.push_back({.mesh = p.dead ? team.fallen : team.figure, .model = standing});
+    if (!p.dead) {
+        const auto arm = render::translated(fvec3(p.eye)) * looking(p.yaw, 0) * render::translated(shoulder) *
+                         looking(0, p.pitch);
+        out.push_back({.mesh = team.arm, .model = arm});
+        if (!p.wand.empty() && !p.stirs)
+            out.push_back({.mesh = arena_scene.wands[static_cast<std::size_t>(p.silhouette)],
+                           .model = arm * render::translated(-shoulder) * stylus_turned(p) * wand_in_hand()});
+    }
+    set_sun(arena_scene, p.centre, std::span(out).subspan(first));
+}
+
+namespace {
+
+/// The glow at a wand's tip. It grows with the wand's charge.
+Instance spark_at(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                  const fmat4& tip) {
+    const auto size = static_cast<float>(1 + 3.5 * p.readiness);
+    return {.mesh = arena_scene.teams[number].spark, .model = glm::scale(tip, fvec3(size)), .glow = 1};
+}
+
+}  // namespace
+
+void add_glow(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p, double time,
+              std::vector<Instance>& out) {
+    if (p.dead) return;
+    const auto& team = arena_scene.teams[number];
+    const auto arm = render::translated(fvec3(p.eye)) * looking(p.yaw, 0) * render::translated(shoulder) *
+                     looking(0, p.pitch);
+    if (!p.wand.empty())
+        out.push_back(spark_at(arena_scene, number, p, arm * render::translated(fvec3(wand_tip) - shoulder)));
+    if (p.shielded) {
+        const auto slowly = looking(0.8 * time, 0);
+        out.push_back(
+            {.mesh = team.shield, .model = render::translated(fvec3(p.centre)) * slowly, .glow = 0.9F});
+    }
+}
+
+void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                 std::vector<Instance>& out) {
+    // Greatest shown reach (m); beyond it hand and wand would leave the picture.
+    constexpr double most_reach = 0.22;
+    const auto first = out.size();
+    const auto eye = render::translated(fvec3(p.eye)) * looking(p.yaw, p.pitch) *
+                     render::translated(fvec3(limited(p.wand_reach, most_reach))) * stylus_turned(p);
+    if (p.stirs) return;  // the view of a player who stirs shows only the ladle
+    out.push_back({.mesh = arena_scene.teams[number].own_arm, .model = eye});
+    if (!p.wand.empty()) {
+        out.push_back({.mesh = arena_scene.wands[static_cast<std::size_t>(p.silhouette)],
+                       .model = eye * wand_in_own_hand()});
+        out.push_back(spark_at(arena_scene, number, p, eye * render::translated(fvec3(wand_tip))));
+    }
+    set_sun(arena_scene, p.eye, std::span(out).subspan(first));
+}
+
+namespace {
+
+void add_beam(const ArenaScene& arena_scene, vec3 from, vec3 to, double thick, fvec3 tint,
+              std::vector<Instance>& out) {
+    const vec3 way = to - from;
+    const double length = glm::length(way);
+    if (length < 1e-6) return;
+    const auto yaw = std::atan2(-way.x, -way.z), pitch = std::atan2(way.y, std::hypot(way.x, way.z));
+    const fvec3 size(vec3(thick, thick, length));
+    out.push_back({.mesh = arena_scene.beam,
+                   .model = glm::scale(render::translated(fvec3(from)) * looking(yaw, pitch), size),
+                   .tint = tint,
+                   .glow = 0.7F});
+}
+
+}  // namespace
+
+void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own, std::vector<Instance>& out) {
+    if (p.dead) return;
+    const auto view = look_rotation(p.yaw, p.pitch);
+    const vec3 tip = p.eye + view * (wand_tip + (own ? p.wand_reach : vec3(0)));
+    const double share = p.force.cap > 0 ? glm::length(p.force.now) / p.force.cap : 0;
+    const fvec3 shown = force_colour(share),
+                tint = shown * shown;  // converts screen colours to linear light
+    if (p.held) add_beam(arena_scene, tip, *p.held, 0.012, tint, out);
+    if (!own || share < least_share) return;
+    add_beam(arena_scene, tip, tip + view * p.force.now / p.force.cap * ribbon_length, 0.006, tint, out);
+    out.push_back({.mesh = arena_scene.bead,
+                   .model = glm::scale(render::translated(fvec3(tip)), fvec3(0.02F)),
+                   .tint = tint,
+                   .glow = 0.7F});
+}
+
+}  // namespace thaum::game

@@ -1,0 +1,48 @@
+// game/hud/arena_parts.h: how the parts of an arena's picture become instances of its meshes. Only the sources of
+// ArenaScene include this file.
+#pragma once
+#include "game/hud/arena_scene.h"
+
+namespace thaum::game {
+
+/// Share of their own light that surfaces have which shine and are lit as well.
+inline constexpr float glow_share = 0.85F;
+
+/// Model matrix of a thing at a place.
+fmat4 placed(vec3 position, quat orientation);
+/// Rotation of somebody who looks in a direction (rad).
+fmat4 looking(double yaw, double pitch);
+
+/// Sets whether the sun reaches each instance, for pictures without a shadow map. Fixed things have baked light
+/// instead.
+void set_sun(const ArenaScene& arena_scene, vec3 at, std::span<render::Instance> of);
+
+// Wizards (arena_figures.cpp). `number` is the player's.
+
+/// Adds body, arm and wand, as the other player sees them and as they cast shadows.
+void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                std::vector<render::Instance>& out);
+/// Adds the glowing parts of a wizard: the wand's tip and the shield.
+void add_glow(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p, double time,
+              std::vector<render::Instance>& out);
+/// Adds arm and wand as the player sees its own.
+void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const PlayerPicture& p,
+                 std::vector<render::Instance>& out);
+/// Adds the spring from the wand to a held object. In a player's own view it also adds the force on the hand, at the
+/// wand's tip.
+void add_forces(const ArenaScene& arena_scene, const PlayerPicture& p, bool own,
+                std::vector<render::Instance>& out);
+
+// Everything that flies, boils or glows (arena_effects.cpp).
+
+void add_missile(const ArenaScene& arena_scene, const Picture& picture, const MissilePicture& missile,
+                 std::uint32_t viewer, std::vector<render::Instance>& out);
+void add_burst(const ArenaScene& arena_scene, const Picture& picture, const BurstPicture& burst,
+               std::uint32_t viewer, std::vector<render::Instance>& out);
+/// Adds the ingredients that wait at their niches.
+void add_niches(const ArenaScene& arena_scene, const Picture& picture, std::vector<render::Instance>& out);
+/// Adds the brew with ladles, embers and bubbles.
+void add_cauldron(const ArenaScene& arena_scene, const Picture& picture, std::uint32_t viewer,
+                  std::vector<render::Instance>& out);
+
+}  // namespace thaum::game
