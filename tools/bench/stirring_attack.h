@@ -1,6 +1,6 @@
-// tools/bench/stirring_attack.h: a hand that stirs as no hand would, in a fluid that turns in each of its steps, on a surface that is
-// real, in a narrow bowl, by models that come late; and the energy that it gets, counted by itself: of the servo's own books it
-// reads nothing. Used by benchmark and test.
+// tools/bench/stirring_attack.h: a hostile stirring hand, for benchmark and test. The flow turns in
+// each fluid step, the surface is simulated, the bowl is narrow, and models arrive late. The energy
+// that the hand gains is computed independently of the servo's own accounts.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,15 @@
 
 namespace thaum::bench {
 
-/// The same everywhere.
+/// The same flow everywhere.
 inline haptics::FlowPatch uniform_flow(vec3 velocity, double viscosity, double density) {
     haptics::FlowPatch patch{.origin = vec3(-1), .spacing = 0.5};
     patch.nodes.fill({fvec3(velocity), static_cast<float>(viscosity), static_cast<float>(density)});
     return patch;
 }
 
-/// Half an ellipsoid in as many pieces as there are, its rim at the origin's height.
+/// A bowl of half an ellipsoid, with as many pieces as a BowlWall has; its rim is at the height of the
+/// origin.
 inline haptics::BowlWall round_bowl(double radius, double depth) {
     haptics::BowlWall wall{.points = haptics::wall_points};
     for (std::size_t i = 0; i < haptics::wall_points; ++i) {
@@ -31,24 +32,26 @@ inline haptics::BowlWall round_bowl(double radius, double depth) {
 }
 
 struct StirredWorld {
-    haptics::FluidModes modes{};  ///< passive ones; viscosity only where the flow rests
-    double flow{};                ///< m/s, as much at most along each axis, another one in each step
-    bool waves{};                 ///< of a sheet that is pushed
-    std::uint32_t delay{};        ///< ticks by which each model comes late
+    haptics::FluidModes modes{};  ///< passive modes; viscosity only where the flow is at rest
+    double flow{};                ///< largest velocity along each axis, random in each step (m/s)
+    bool waves{};                 ///< true: the surface is pushed and makes waves
+    std::uint32_t delay{};        ///< delay of each model (ticks)
 };
 
 struct StirredEnergy {
-    double created{};  ///< J, by the sum of force times way less what the world gave and what springs hold
-    double most_created{};  ///< J, the most it was
-    double moved{};         ///< J, that went through the hand either way: nothing proves nothing
+    /// Energy created: work on the hand minus energy given by the world and stored in springs (J).
+    double created{};
+    double most_created{};  ///< largest value of `created` (J)
+    double moved{};         ///< energy that passed through the hand in both directions; 0 proves nothing (J)
 };
 
 class StirringAttack {
 public:
-    /// The device must have no limits that it meets: no cap takes from the hand what the world gave.
+    /// The device must have no limits that it reaches, because a cap would remove force that the world
+    /// gave.
     StirringAttack(const StirredWorld& world, const haptics::DeviceSpec& spec)
         : world_(world),
-          stiffness_(std::min(spec.max_stiffness, 1000.0)),  // as matches have it at most
+          stiffness_(std::min(spec.max_stiffness, 1000.0)),  // the largest value in matches
           device_(simulated_device(spec, haptics::Hand{})),
           servo_(servo_of(spec, 1)) {
         servo_.limits.fastest = 1e9;
@@ -76,7 +79,7 @@ public:
 
 private:
     static constexpr double metres_per_metre = 20, newtons_per_newton = 0.00375;
-    static constexpr double ladle_mass = 0.1;  // kg, as it is felt
+    static constexpr double ladle_mass = 0.1;  // mass as felt by the hand (kg)
 
     vec3 any(double size) {
         return {random_.uniform(-size, size), random_.uniform(-size, size), random_.uniform(-size, size)};
@@ -95,13 +98,14 @@ private:
         tip_ = haptics::step(device_, tip_, goal_, force);
         const double out = glm::dot(tip_.force, tip_.position - from);
         energy_.moved += std::abs(out);
-        // The ladle is carried by the newest flow: it gives by the resistance, which is all that there is in a flow.
+        // The newest flow carries the ladle, so it receives energy through the resistance, the only
+        // force in a flow.
         const vec3 flow = flow_at(touch.newer, state_.fluid.place).velocity;
         last_ =
             out - glm::dot(touch.frame.turn * state_.fluid.force, flow) * (tick_seconds / metres_per_metre);
     }
 
-    /// What the last tick did, now that the surface has moved its end of the spring.
+    /// Accounts for the last tick, after the surface has moved its end of the spring.
     void count(const haptics::FluidTouch& touch, double height) {
         energy_.created += last_ - surface_force_ * (height - height_) / metres_per_metre;
         energy_.created = std::max(energy_.created, -held(touch, height));
@@ -110,7 +114,8 @@ private:
         height_ = height;
     }
 
-    /// J, in the springs to wall and surface and in the ladle: what damping took is gone, only so much may come back.
+    /// Energy stored in the ladle and in the springs to wall and surface (J). Only this much may
+    /// return; damped energy is lost.
     double held(const haptics::FluidTouch& touch, double height) const {
         const auto& fluid = state_.fluid;
         const vec3 place = to_bowl(touch.frame, tip_.position);
@@ -158,7 +163,7 @@ private:
     double last_{}, surface_force_{}, height_{};
 };
 
-/// Each passive mode by itself, and all that go together.
+/// Each passive mode alone, and all modes that can be combined.
 struct StirredCase {
     const char* name{};
     StirredWorld world{};
