@@ -38,7 +38,7 @@ std::optional<std::string> fault_of(const Substance& substance) {
     if (!within(substance.viscosity, 0, viscosity_most))
         return text("viscosity must be 0 to ", viscosity_most, " m^2/s");
     if (!within(substance.weight, -weight_most, weight_most))
-        return text("weight must be within ", weight_most);
+        return text("weight must be from -", weight_most, " to ", weight_most);
     if (!within(substance.diffusion, 0, diffusion_most))
         return text("diffusion must be 0 to ", diffusion_most, " m^2/s");
     return {};
@@ -54,7 +54,8 @@ std::optional<std::string> fault_of(const Settings& settings) {
         return text("sweeps must be 1 to ", sweeps_most);
     if (!within(settings.viscosity, 0, viscosity_most))
         return text("viscosity must be 0 to ", viscosity_most, " m^2/s");
-    if (!within(settings.lid, -lid_most, lid_most)) return text("lid must be within ", lid_most, " m/s");
+    if (!within(settings.lid, -lid_most, lid_most))
+        return text("lid must be from -", lid_most, " to ", lid_most, " m/s");
     if (!(glm::length(settings.gravity) <= gravity_most))
         return text("gravity must be at most ", gravity_most, " m/s^2");
     if (settings.substances.size() > substances_most)

@@ -97,25 +97,29 @@ void put_surface(const SpringSurface& surface, ByteWriter& out) {
 // -----------------------------------------------------------------------------------------------------
 
 tl::unexpected<Error> wrong(std::string_view what) { return fail(text("saved fluid: ", what)); }
-tl::unexpected<Error> ends_within(std::string_view what) { return wrong(text("it ends within ", what)); }
+tl::unexpected<Error> ends_within(std::string_view what) {
+    return wrong(text("it ends in the middle of ", what));
+}
 
 /// Checks everything around the body and returns the body.
 Expected<std::span<const std::byte>> opened(std::span<const std::byte> bytes) {
     ByteReader in(bytes);
     const auto begins = in.get<std::uint64_t>();
-    if (in.ok() && begins != magic) return wrong("this is none");
+    if (in.ok() && begins != magic) return wrong("the file does not begin like one; choose another file");
     const auto version = in.get<std::uint32_t>();
     if (in.ok() && version != saved_version)
-        return wrong(text("it has version ", version, "; this program reads version ", saved_version));
+        return wrong(text("it has version ", version, ", but this program reads version ", saved_version,
+                          "; load it with the program that saved it"));
     const auto length = in.get<std::uint64_t>();
-    if (!in.ok()) return wrong(text("cut off after ", bytes.size(), " bytes"));
+    if (!in.ok()) return wrong(text("it is cut off after ", bytes.size(), " bytes; use a complete copy"));
     const std::size_t after = in.left();
     if (after < hash_size || length > after - hash_size)
-        return wrong(text("cut off: its body has ", length, " bytes, but ", after, " bytes follow"));
-    if (length < after - hash_size) return wrong("something follows its end");
+        return wrong(text("it is cut off: its body has ", length, " bytes and a checksum ", hash_size,
+                          ", but ", after, " bytes follow; use a complete copy"));
+    if (length < after - hash_size) return wrong("more bytes follow its end; use another copy");
     const auto body = in.get_bytes(length);
     if (in.get<std::uint64_t>() != hash_bytes(bytes.first(head_size + length)))
-        return wrong("damaged: its checksum is another one");
+        return wrong("it is damaged, as its checksum shows; use another copy");
     return body;
 }
 
@@ -123,10 +127,11 @@ Expected<NamedShape> get_shape(ByteReader& in) {
     NamedShape shape{.name = in.get_string()};
     const auto is_of_name = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
     if (shape.name.size() > shape_name_most || !std::ranges::all_of(shape.name, is_of_name))
-        return wrong("its shape has no name that could be one");
+        return wrong(
+            text("the name of its shape is not up to ", shape_name_most, " characters from a to z and _"));
     const auto count = in.get<std::uint32_t>();
     if (in.ok() && count > shape_numbers_most)
-        return wrong(text("a shape of ", count, " numbers; there are at most ", shape_numbers_most));
+        return wrong(text("its shape has ", count, " numbers; at most ", shape_numbers_most, " are allowed"));
     for (std::uint32_t i = 0; i < count && in.ok(); ++i) shape.numbers.push_back(in.get<double>());
     if (!in.ok()) return ends_within("the shape");
     return shape;
@@ -137,11 +142,11 @@ Expected<Settings> get_settings(ByteReader& in) {
     each_setting(settings, [&](auto& value) { value = in.get<std::remove_cvref_t<decltype(value)>>(); });
     const auto count = in.get<std::uint32_t>();
     if (!in.ok()) return ends_within("the settings");
-    if (settings.solver > Solver::classic) return wrong("no solver has that number");
+    if (settings.solver > Solver::classic) return wrong("the number of its solver is unknown");
     if (std::ranges::any_of(settings.edges, [](Edge edge) { return edge > Edge::no_slip; }))
-        return wrong("no edge has that number");
+        return wrong("the number of an edge is unknown");
     if (count > substances_most)
-        return wrong(text(count, " substances; there are at most ", substances_most));
+        return wrong(text("it has ", count, " substances; at most ", substances_most, " are allowed"));
     settings.substances.resize(count);
     for (Substance& s : settings.substances) each_number(s, [&](double& value) { value = in.get<double>(); });
     if (!in.ok()) return ends_within("the substances");
@@ -170,13 +175,13 @@ std::string fault_of(const Lattice& lattice, const Samples& samples, bool of_sub
         }
     });
     if (!finite) return "a value is not finite";
-    return sound ? "" : "a value that no fluid can have";
+    return sound ? "" : "a value is out of range";
 }
 
 Expected<Fluid> get_fluid(ByteReader& in, const NamedShape& shape, const SolidFactory& solid_of) {
     auto settings = get_settings(in);
     if (!settings) return tl::unexpected(settings.error());
-    if (!fits(*settings, in.left())) return wrong("fewer samples than its grid has");
+    if (!fits(*settings, in.left())) return wrong("it has fewer samples than its grid needs");
     if (!shape.name.empty()) {
         auto solid = solid_of(shape);
         if (!solid) return wrong(solid.error().message);
@@ -210,14 +215,14 @@ std::string fault_of(const SpringSurface& surface) {
             sound = sound && std::abs(surface.height[i]) <= height_most &&
                     std::abs(surface.velocity[i]) <= node_speed_most;
     });
-    return sound ? "" : "surface: a node that is not finite, or too far or fast";
+    return sound ? "" : "surface: a node is not finite, too far from level or too fast";
 }
 
 Expected<SpringSurface> get_surface(ByteReader& in) {
     SpringSurfaceSettings asked;
     each_surface_setting(asked, [&](auto& value) { value = in.get<std::remove_cvref_t<decltype(value)>>(); });
     if (!in.ok()) return ends_within("the settings of the surface");
-    if (asked.rim > Rim::free) return wrong("surface: no rim has that number");
+    if (asked.rim > Rim::free) return wrong("surface: the number of the rim is unknown");
     const auto settings = checked(asked);
     if (!settings) return wrong(settings.error().message);
     SpringSurface surface = make_spring_surface(*settings);
@@ -231,7 +236,7 @@ Expected<SpringSurface> get_surface(ByteReader& in) {
         });
     if (!in.ok()) return ends_within("the surface");
     if (std::ranges::any_of(surface.inside, [](std::uint32_t inside) { return inside > 1; }) || asleep > 1)
-        return wrong("surface: a flag that is neither 0 nor 1");
+        return wrong("surface: a flag is neither 0 nor 1");
     if (const auto fault = fault_of(surface); !fault.empty()) return wrong(fault);
     refresh_after_edit(surface);
     surface.asleep = asleep != 0 && energy(surface) == 0 ? 1 : 0;
@@ -268,12 +273,12 @@ Expected<SavedFluid> restore(std::span<const std::byte> bytes, const SolidFactor
     auto shape = get_shape(in);
     if (!shape) return tl::unexpected(shape.error());
     const auto caller_data = in.get_bytes(in.get<std::uint32_t>());
-    if (!in.ok()) return ends_within("what is kept beside the fluid");
+    if (!in.ok()) return ends_within("the data of the caller");
     auto fluid = get_fluid(in, *shape, solid_of);
     if (!fluid) return tl::unexpected(fluid.error());
     auto surface = get_surface(in);
     if (!surface) return tl::unexpected(surface.error());
-    if (in.left() != 0) return wrong("something follows the surface");
+    if (in.left() != 0) return wrong("unexpected bytes follow the surface");
     return SavedFluid{std::move(*fluid), std::move(*surface), std::move(*shape),
                       Bytes(caller_data.begin(), caller_data.end())};
 }

@@ -371,7 +371,7 @@ std::size_t array_size(const SpringSurfaceSettings& s) {
 }  // namespace
 
 SpringSurface make_spring_surface(const SpringSurfaceSettings& settings) {
-    THAUM_ASSERT(checked(settings), "settings of the surface are not checked");
+    THAUM_ASSERT(checked(settings), "settings of the surface are wrong: call checked() first");
     SpringSurface surface{.settings = settings};
     surface.height.assign(array_size(settings), 0);
     surface.velocity.assign(array_size(settings), 0);

@@ -140,8 +140,8 @@ void require_our_maths() {
         const auto foreign = foreign_maths();
         THAUM_ASSERT(
             foreign.empty(),
-            text("Bullet computes with the machine's own mathematics (", foreign.front(),
-                 ", ...), so this match would not replay on another processor: link the program with "
+            text("Bullet computes with the system's mathematical functions (", foreign.front(),
+                 ", ...), so this match could not be replayed on another processor: link the program with "
                  "all of thaum_physics"));
         return true;
     }();

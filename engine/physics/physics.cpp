@@ -187,7 +187,7 @@ Physics::Impl::Impl(const Settings& s, const std::vector<TriangleMesh>& m) : set
     THAUM_ASSERT(s.max_bodies > 0 && s.max_bodies <= 30000, "Settings.max_bodies is not in 1..30,000");
     THAUM_ASSERT(thaum::is_finite(s.gravity), "Settings.gravity is not finite");
     THAUM_ASSERT(s.max_speed > 0 && s.max_spin > 0 && s.world_half_extent > 0,
-                 "a limit in Settings is not positive");
+                 "Settings.max_speed, max_spin and world_half_extent must be positive");
     bodies.reserve(s.max_bodies);
     contacts.reserve(s.max_contacts);
     touching.reserve(s.max_contacts);
@@ -202,7 +202,7 @@ Body* Physics::Impl::find(Key key) {
 
 Body& Physics::Impl::at(Key key) {
     Body* const body = find(key);
-    THAUM_ASSERT(body, about(key, "unknown"));
+    THAUM_ASSERT(body, about(key, "unknown; add it first"));
     return *body;
 }
 
@@ -343,7 +343,7 @@ void Physics::Impl::collect_contacts() {
         Contact contact = sum_of(manifold);
         if (!before && contact.impulse <= 0) continue;
         THAUM_ASSERT(touching_next.size() < settings.max_contacts,
-                     "more touching pairs than Settings.max_contacts");
+                     "more touching pairs than Settings.max_contacts; raise it");
         touching_next.push_back({contact.a, contact.b});
         contact.began = !before;
         if (contact.impulse > 0 && active(manifold)) contacts.push_back(contact);
@@ -367,7 +367,7 @@ void Physics::Impl::remember_touching() {
         const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (deepest_gap(manifold) > touching_gap) continue;
         THAUM_ASSERT(touching.size() < settings.max_contacts,
-                     "more touching pairs than Settings.max_contacts");
+                     "more touching pairs than Settings.max_contacts; raise it");
         touching.push_back(pair_of(manifold));
     }
     std::ranges::sort(touching);
@@ -394,13 +394,13 @@ Physics& Physics::operator=(Physics&&) noexcept = default;
 
 void Physics::add(Key key, const BodyDesc& desc, const BodyState& state) {
     Impl& in = *impl_;
-    THAUM_ASSERT(key != no_key, "no_key is not a key");
+    THAUM_ASSERT(key != no_key, "no_key cannot be the key of a body");
     THAUM_ASSERT(in.bodies.size() < in.settings.max_bodies,
-                 about(key, "more bodies than Settings.max_bodies"));
+                 about(key, "more bodies than Settings.max_bodies; raise it"));
     detail::check_desc(key, desc, in.meshes.size());
     detail::check_state(key, state);
     const auto place = std::ranges::lower_bound(in.bodies, key, {}, &Body::key);
-    THAUM_ASSERT(place == in.bodies.end() || place->key != key, about(key, "added twice"));
+    THAUM_ASSERT(place == in.bodies.end() || place->key != key, about(key, "added twice; remove it first"));
     Body& body = *in.bodies.emplace(place);
     body.key = key;
     body.desc = desc;
@@ -465,11 +465,11 @@ void Physics::apply_impulse(Key key, vec3 impulse, vec3 point) {
     if (!body.dynamic()) return;
     impl_->wake(body);
     body.state.velocity += impulse / body.desc.mass;
-    THAUM_ASSERT(is_finite(body.state.velocity), about(key, "impulse overflows"));
+    THAUM_ASSERT(is_finite(body.state.velocity), about(key, "impulse makes the velocity infinite"));
     if (body.desc.upright) return;
     const vec3 twist = glm::cross(point - body.state.position, impulse);
     body.state.spin += from_bullet(body.bt().getInvInertiaTensorWorld() * to_bullet(twist));
-    THAUM_ASSERT(is_finite(body.state.spin), about(key, "impulse overflows"));
+    THAUM_ASSERT(is_finite(body.state.spin), about(key, "impulse makes the velocity infinite"));
 }
 
 void Physics::apply_central_impulse(Key key, vec3 impulse) {
@@ -488,7 +488,7 @@ void Physics::wake(Key key) { impl_->wake(impl_->at(key)); }
 
 void Physics::step(double dt) {
     Impl& in = *impl_;
-    THAUM_ASSERT(std::isfinite(dt) && dt > 0, "a step must take a time > 0");
+    THAUM_ASSERT(std::isfinite(dt) && dt > 0, "the time of a step must be > 0");
     ++in.counters.steps;
     if (in.quiet && in.settings.skip_asleep) {
         // The contacts are empty already, because no body was awake in the last step either.
@@ -509,7 +509,8 @@ std::optional<RayHit> Physics::ray(vec3 from, vec3 to, Layers mask, Key ignore_k
 
 std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, Layers mask,
                                             Key ignore_key) const {
-    THAUM_ASSERT(is_finite(from) && is_finite(to) && radius >= 0, "a ray or sweep that is not finite");
+    THAUM_ASSERT(is_finite(from) && is_finite(to) && radius >= 0,
+                 "ray or sweep: an end is not finite or the radius is negative");
     const double length = glm::length(to - from);
     if (length == 0) return std::nullopt;
     const Impl& in = *impl_;
@@ -568,7 +569,8 @@ void Physics::Impl::each_near(vec3 point, double radius, const Each& each) const
 
 NearbyResult Physics::nearby(vec3 point, double radius, std::span<Nearby> into, Layers mask,
                              Key ignore_key) const {
-    THAUM_ASSERT(is_finite(point) && radius >= 0, "surroundings of a point that is not finite");
+    THAUM_ASSERT(is_finite(point) && radius >= 0,
+                 "nearby: the point is not finite or the radius is negative");
     const Impl& in = *impl_;
     detail::NearestSurfaces gathering{into, {0, radius}};
     in.each_near(point, radius, [&](const Body& body) {

@@ -44,7 +44,7 @@ TEST(FluidAccuracy, ADriftingVortexConvergesInFourthOrder) {
     }
 }
 
-TEST(FluidAccuracy, AndInSecondOrder) {
+TEST(FluidAccuracy, ADriftingVortexConvergesInSecondOrder) {
     for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
         const double middle = error_of(flow, second, 16), fine = error_of(flow, second, 32);
         EXPECT_LE(fine, 0.05) << flow.name;
@@ -52,7 +52,7 @@ TEST(FluidAccuracy, AndInSecondOrder) {
     }
 }
 
-TEST(FluidAccuracy, TheBoxsVortexIsTheSameInAllOrientations) {
+TEST(FluidAccuracy, TheVortexInABoxIsTheSameInAllOrientations) {
     for (const Scheme& scheme : {fourth, second}) {
         const double error = error_of(flows::taylor_green_box(0), scheme, 16);
         EXPECT_LE(error, scheme.order == 4 ? 1e-6 : 1e-4);
@@ -114,7 +114,7 @@ double walled_error(const flows::WalledFlow& flow, int n) {
     return flows::faces_error(*fluid, flow.inside, flow.velocity);
 }
 
-TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersGoesRoundAsItOught) {
+TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersFollowsTaylorAndCouette) {
     const flows::WalledFlow flow = flows::taylor_couette();
     // With walls of first order: 0.177, 0.055 and 0.029.
     EXPECT_LE(walled_error(flow, 16), 0.021);
@@ -122,7 +122,7 @@ TEST(FluidAccuracy, FluidDrivenBetweenTwoCylindersGoesRoundAsItOught) {
     EXPECT_LE(walled_error(flow, 64), 0.0031);
 }
 
-TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysWhatItIs) {
+TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysSteady) {
     const flows::WalledFlow flow = flows::bowl_vortex();
     const double coarse = walled_error(flow, 16), fine = walled_error(flow, 32);
     // With walls of first order: 0.089 and 0.032.
@@ -131,7 +131,7 @@ TEST(FluidAccuracy, AVortexBesideTheAxisOfABowlStaysWhatItIs) {
     EXPECT_GE(order_between(coarse, fine), 1.9);
 }
 
-TEST(FluidAccuracy, AnyViscosityDampsAsItOught) {
+TEST(FluidAccuracy, AnyViscosityDampsAtTheExactRate) {
     for (const double ratio : {1e-3, 1e-1, 1.0, 10.0, 1e4})
         EXPECT_LE(error_of(flows::high_viscosity(ratio, 16), fourth, 16), 0.01) << ratio;
 }
@@ -140,7 +140,7 @@ TEST(FluidAccuracy, AnyViscosityDampsAsItOught) {
 // --------------------------------------------------------------------------
 
 // Without advection the vortex would decay in place.
-TEST(FluidAccuracy, TheGateFailsAFluidThatIsNotCarried) {
+TEST(FluidAccuracy, TheGateFailsAFluidWithoutAdvection) {
     for (const Flow& flow : {flows::taylor_green_moving(), flows::taylor_green_oblique()}) {
         Fluid fluid = begun(flow, fourth, 16);
         const double fade = det::exp(-8 * pi * pi * flows::vortex_viscosity * flow.end);
@@ -192,7 +192,7 @@ Fluid stirred(Edge edge, int order) {
     return fluid;
 }
 
-TEST(FluidAccuracy, MomentumGivenIsMomentumInTheFluid) {
+TEST(FluidAccuracy, PushesAddTheirMomentumToTheFluid) {
     Flow flow = flows::taylor_green_moving();
     flow.velocity = [](vec3, double) { return vec3(0); };
     const vec3 impulse(0.02, -0.05, 0.03);
@@ -210,7 +210,7 @@ TEST(FluidAccuracy, MomentumGivenIsMomentumInTheFluid) {
     }
 }
 
-TEST(FluidAccuracy, WithoutViscosityEnergyIsKeptButForTheStepper) {
+TEST(FluidAccuracy, WithoutViscosityOnlyTheTimeStepChangesEnergy) {
     for (const int order : {2, 4}) {
         for (const Edge edge : {Edge::periodic, Edge::free_slip, Edge::no_slip}) {
             Fluid fluid = stirred(edge, order);
@@ -264,7 +264,7 @@ double off_mirror(const Fluid& one, const Fluid& other, std::size_t across) {
     return worst;
 }
 
-TEST(FluidAccuracy, AMirrorImageStaysOneToTheBit) {
+TEST(FluidAccuracy, AMirrorImageStaysExact) {
     for (const Scheme& scheme : {fourth, second}) {
         for (const int axis : {0, 1, 2}) {
             const auto run = [&](const std::function<vec3(vec3)>& velocity) {
@@ -285,7 +285,7 @@ TEST(FluidAccuracy, AMirrorImageStaysOneToTheBit) {
     }
 }
 
-TEST(FluidAccuracy, RestIsNotVisited) {
+TEST(FluidAccuracy, AFluidAtRestVisitsNoCells) {
     auto fluid = make_fluid(flows::settings_of(Flow{}, fourth, 16));
     ASSERT_TRUE(fluid.has_value());
     const StepReport report = advance(*fluid, flows::step);
@@ -312,7 +312,7 @@ Fluid resting_along(int axis) {
     return std::move(*fluid);
 }
 
-TEST(FluidAccuracy, LayersStay) {
+TEST(FluidAccuracy, StableLayersStayAtRest) {
     for (const int axis : {0, 1, 2}) {
         Fluid fluid = resting_along(axis);
         StepReport report;

@@ -24,13 +24,13 @@ void fall(flows::Weighing weighing, bool in_bowl, double viscosity) {
     EXPECT_GT(book.released, 1e-5);
 }
 
-TEST(FluidBuoyancy, NothingGainsMoreThanItsFallReleases) {
+TEST(FluidBuoyancy, NoFlowGainsMoreEnergyThanFallingReleases) {
     for (const bool in_bowl : {false, true})
         for (const flows::Weighing weighing : flows::weighings)
             for (const double viscosity : {0.0, 1e-4, 1e-2, 1.0}) fall(weighing, in_bowl, viscosity);
 }
 
-TEST(FluidBuoyancy, WhatFallsKeepsMostOfWhatItsFallReleases) {
+TEST(FluidBuoyancy, FallingSubstancesKeepMostOfTheReleasedEnergy) {
     for (const bool in_bowl : {false, true}) {
         auto fluid = flows::weighing_fluid(flows::Weighing::settling, in_bowl, 16, 0);
         ASSERT_TRUE(fluid.has_value());
@@ -42,7 +42,7 @@ TEST(FluidBuoyancy, WhatFallsKeepsMostOfWhatItsFallReleases) {
 
 /// The report accounts for all energy. Without forces and without viscosity, all missing energy must be
 /// reported as rescaled.
-TEST(FluidBuoyancy, TheReportTellsWhatWasTakenAway) {
+TEST(FluidBuoyancy, TheReportAccountsForRemovedEnergy) {
     auto fluid = flows::weighing_fluid(flows::Weighing::sloshing, true, 16, 0);
     ASSERT_TRUE(fluid.has_value());
     flows::PassivityObserver book = flows::open_book(*fluid);
@@ -68,7 +68,7 @@ TEST(FluidBuoyancy, TheReportTellsWhatWasTakenAway) {
 /// A standing wave in a layered box with frequency N / sqrt(2), N^2 = -g dw/dy. In every half period all its
 /// energy becomes kinetic again. A force of first order in time and a flow with divergence amplified it 23
 /// times in five periods.
-TEST(FluidBuoyancy, AWaveInLayersIsNeitherFedNorDamped) {
+TEST(FluidBuoyancy, AWaveInLayersIsNeitherAmplifiedNorDamped) {
     const double weight = 0.5, height = 0.02;
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 16);
     settings.substances = {Substance{.weight = weight}};
@@ -108,7 +108,7 @@ TEST(FluidBuoyancy, DiffusionOfLayersDoesNotBrakeTheFlow) {
 
 /// The flow that carries substances is free of divergence at either order, so a constant density stays
 /// constant.
-TEST(FluidBuoyancy, AConstantStaysOneInAStirredBox) {
+TEST(FluidBuoyancy, AConstantDensityStaysConstantInAStirredBox) {
     for (const int order : {2, 4}) {
         Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, order}, 16);
         settings.substances = {Substance{}};

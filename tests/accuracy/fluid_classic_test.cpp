@@ -27,7 +27,7 @@ double error_at_end(const Flow& flow, int n) {
 
 // The reference errors are of a common port of Stam's solver, with its mistakes corrected and the same
 // 20 sweeps.
-TEST(FluidClassic, ErrsAsMuchAsThePublishedSolver) {
+TEST(FluidClassic, HasTheErrorsOfThePublishedSolver) {
     EXPECT_NEAR(error_at_end(flows::taylor_green_box(0), 16), 0.22, 0.005);
     EXPECT_NEAR(error_at_end(flows::taylor_green_box(0), 32), 0.20, 0.005);
 }
@@ -59,7 +59,7 @@ Fluid striped(Edge edge, double waves, double diffusion, int sweeps) {
 
 // Backward Euler on the grid: a wave with second difference -q times itself shrinks by 1 / (1 + k dt q
 // / h^2).
-TEST(FluidClassic, SolvesTheDiffusionOfAWaveByItsOwnRecurrence) {
+TEST(FluidClassic, DiffusionOfAWaveFollowsBackwardEuler) {
     for (const auto& [edge, waves] : {std::pair{Edge::periodic, 2.0}, {Edge::free_slip, 1.5}}) {
         const double diffusion = 0.05;
         Fluid fluid = striped(edge, waves, diffusion, 400);
@@ -120,7 +120,7 @@ TEST(FluidClassic, MoreSweepsLeaveLessDivergenceDownToAFloor) {
     EXPECT_GT(divergence_left(400), 1e-3);
 }
 
-TEST(FluidClassic, RestStaysRest) {
+TEST(FluidClassic, AFluidAtRestStaysAtRest) {
     Fluid fluid = striped(Edge::no_slip, 1, 0, 20);
     const Samples before = fluid.now.substances[0];
     for (int i = 0; i < 5; ++i) EXPECT_EQ(advance(fluid, flows::step).speed, 0.0);

@@ -38,7 +38,7 @@ double square(const Lattice& lattice, const std::array<Samples, 3>& velocity) {
     return sum;
 }
 
-TEST(FluidSolids, AProjectionLeavesNoFlowAndItsCostDoesNotGrowWithTheGrid) {
+TEST(FluidSolids, AProjectionRemovesDivergenceAtACostIndependentOfTheGrid) {
     for (const int n : {12, 24, 48}) {
         const Lattice lattice = make_lattice({n, n, n}, 1.0 / n, open_above);
         Solids solids(lattice, flows::cauldron);
@@ -54,7 +54,7 @@ TEST(FluidSolids, AProjectionLeavesNoFlowAndItsCostDoesNotGrowWithTheGrid) {
     }
 }
 
-TEST(FluidSolids, AProjectionTakesTheWholeOfAGradientAndNothingOfWhatIsFree) {
+TEST(FluidSolids, AProjectionRemovesGradientsAndKeepsSolenoidalFlow) {
     const int n = 24;
     const Lattice lattice = make_lattice({n, n, n}, 1.0 / n, open_above);
     Solids solids(lattice, flows::cauldron);
@@ -79,7 +79,7 @@ TEST(FluidSolids, AProjectionTakesTheWholeOfAGradientAndNothingOfWhatIsFree) {
     EXPECT_LT(square(lattice, velocity), 1e-10 * gradient);
 }
 
-TEST(FluidSolids, AProjectionBeginsWhereTheLastOneEndedAndABadGuessDoesNoHarm) {
+TEST(FluidSolids, AProjectionStartsFromTheLastOneAndABadGuessDoesNoHarm) {
     const int n = 24;
     const double share = 1e-4;
     const Lattice lattice = make_lattice({n, n, n}, 1.0 / n, open_above);
@@ -123,7 +123,7 @@ Fluid brew(int n) {
     return std::move(*fluid);
 }
 
-TEST(FluidSolids, LayersInABowlStay) {
+TEST(FluidSolids, LayersInABowlStayAtRest) {
     Fluid fluid = brew(16);
     set_substance(fluid, 0, [](vec3 place) { return place.y < 0.4 ? 1.0 : 0.0; });
     set_substance(fluid, 1, [](vec3 place) { return place.y > 0.6 ? 0.5 : 0.0; });
@@ -215,7 +215,7 @@ void spread(const Lattice& lattice, double nu, double dt, std::array<Samples, 3>
     viscosity.diffuse({.viscosity = &everywhere, .dt = dt}, velocity);
 }
 
-TEST(FluidViscosity, ConvergesToTheExactOneInFirstOrder) {
+TEST(FluidViscosity, ConvergesToTheExactSolutionInFirstOrder) {
     for (const Edge edge : {Edge::periodic, Edge::free_slip, Edge::no_slip}) {
         const Lattice lattice = make_lattice({12, 10, 9}, 1, {edge, edge, edge});
         const auto start = random_flow(lattice, nullptr);
@@ -242,7 +242,7 @@ TEST(FluidViscosity, ConvergesToTheExactOneInFirstOrder) {
     }
 }
 
-TEST(FluidViscosity, NothingLeavesTheRangeHoweverThickItIs) {
+TEST(FluidViscosity, ValuesStayInTheirRangeAtAnyViscosity) {
     const Lattice lattice = make_lattice({15, 8, 11}, 0.1, open_above);
     for (const double nu : {1e-9, 1.0, 1e6, 1e12}) {
         auto velocity = random_flow(lattice, nullptr);
@@ -252,7 +252,7 @@ TEST(FluidViscosity, NothingLeavesTheRangeHoweverThickItIs) {
     }
 }
 
-TEST(FluidViscosity, RoundAboutItKeepsMomentum) {
+TEST(FluidViscosity, APeriodicBoxConservesMomentum) {
     const Lattice lattice = make_lattice({15, 8, 11}, 0.1, round_about);
     for (const double nu : {1e-4, 0.1, 100.0}) {
         auto velocity = random_flow(lattice, nullptr);

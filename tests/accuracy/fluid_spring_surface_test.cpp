@@ -114,7 +114,7 @@ TEST(SpringSurfaceAccuracy, NoModeIsFasterThanTheStiffestFrequency) {
     }
 }
 
-TEST(SpringSurfaceAccuracy, LongWavesComeNearTheMembranes) {
+TEST(SpringSurfaceAccuracy, LongWavesApproachThoseOfAMembrane) {
     double before = 0;
     for (const std::uint32_t nodes : {17U, 33U, 65U}) {
         const SpringSurfaceSettings s = lattice(nodes, Rim::pinned);
@@ -130,7 +130,7 @@ TEST(SpringSurfaceAccuracy, LongWavesComeNearTheMembranes) {
 
 /// Height and velocity of a mode, compared with the recurrence of Runge-Kutta for one damped
 /// oscillator.
-TEST(SpringSurfaceAccuracy, AStepIsRungeKuttasOwnRecurrence) {
+TEST(SpringSurfaceAccuracy, AStepFollowsTheRecurrenceOfRungeKutta) {
     SpringSurfaceSettings s = lattice(33, Rim::pinned);
     s.damping = 3;
     const std::uint32_t p = 7, q = 12;
@@ -224,7 +224,7 @@ double compliance(const SpringSurfaceSettings& s, const SurfaceProbe& p) {
     return sum;
 }
 
-TEST(SpringSurfaceAccuracy, AHeldProbeFeelsTheStaticAnswer) {
+TEST(SpringSurfaceAccuracy, AHeldProbeFeelsTheStaticForce) {
     for (const std::uint32_t nodes : {15U, 33U}) {
         SpringSurfaceSettings s = lattice(nodes, Rim::pinned);
         s.damping = 3;
@@ -242,7 +242,7 @@ TEST(SpringSurfaceAccuracy, AHeldProbeFeelsTheStaticAnswer) {
     }
 }
 
-TEST(SpringSurfaceAccuracy, WhatTheProbeFeelsIsWhatTheSheetGets) {
+TEST(SpringSurfaceAccuracy, TheProbesImpulseIsTheSurfacesMomentum) {
     SpringSurfaceSettings s = lattice(33, Rim::free);
     const double mass = s.areal_mass * surface_node_spacing(s) * surface_node_spacing(s);
     SpringSurface surface = make_spring_surface(s);

@@ -55,7 +55,7 @@ struct StirredBox {
     }
 };
 
-TEST(FluidTouchAccuracy, HandAndFluidTogetherKeepTheirMomentum) {
+TEST(FluidTouchAccuracy, HandAndFluidTogetherConserveMomentum) {
     StirredBox box;
     box.rig.tip.velocity = {0.02, -0.01, 0.015};
     const vec3 start = box.hand_momentum();
@@ -70,8 +70,8 @@ TEST(FluidTouchAccuracy, HandAndFluidTogetherKeepTheirMomentum) {
     EXPECT_LE(box.rig.state.energy.most_created, 1e-4);
 }
 
-TEST(FluidTouchAccuracy, AHandThatLetsGoIsCarriedOn) {
-    // A hand that stirs in circles sets the fluid in motion. After its release it moves on with the current.
+TEST(FluidTouchAccuracy, AReleasedHandIsCarriedByTheFlow) {
+    // The hand stirs in circles. When released, it moves on with the flow that it made.
     StirredBox box;
     auto& rig = box.rig;
     rig.servo.limits.cap = 1e-9;  // led without feeling

@@ -181,7 +181,7 @@ Samples blob(const Lattice& l) {
     });
 }
 
-TEST(TransportAccuracy, ABlobComesBackFromATurn) {
+TEST(TransportAccuracy, ABlobReturnsFromOneRevolution) {
     const Lattice l =
         make_lattice({32, 32, 32}, 1.0 / 32, {Edge::free_slip, Edge::free_slip, Edge::free_slip});
     for (const double courant : {1.0, 4.0}) {
@@ -246,7 +246,7 @@ Deformed deformed(double (*shape)(vec3), int n, double courant) {
     return result;
 }
 
-TEST(TransportAccuracy, WhatIsDrawnThinStaysWithinItsBoundsAndComesBack) {
+TEST(TransportAccuracy, AStretchedShapeStaysWithinItsBoundsAndReturns) {
     for (const double courant : {1.0, 4.0}) {
         const Deformed sphere = deformed(flows::deformed_sphere, 32, courant);
         EXPECT_LE(sphere.most, 1 + 1e-5);
@@ -278,7 +278,7 @@ TEST(Transport, NothingRisesAboveTheHighestWhereTheFlowHasNoDivergence) {
     }
 }
 
-TEST(Transport, AConstantStaysOne) {
+TEST(Transport, AConstantDensityStaysConstant) {
     for (const Edges& edges : {all_round, all_walls, Edges{Edge::periodic, Edge::no_slip, Edge::free_slip}}) {
         const Lattice l = make_lattice({17, 10, 12}, 0.1, edges);
         const Velocity velocity = solenoidal(l, 11, nothing_closed);
@@ -288,7 +288,7 @@ TEST(Transport, AConstantStaysOne) {
     }
 }
 
-TEST(Transport, TheAmountStaysWhateverTheFlow) {
+TEST(Transport, TheAmountIsConservedInAnyFlow) {
     for (const Edges& edges : {all_round, all_walls}) {
         const Lattice l = make_lattice({12, 15, 9}, 0.1, edges);
         Random random = random_stream(7, 1);
@@ -327,7 +327,7 @@ TEST(Transport, NothingFallsBelowZeroInAHostileFlow) {
     }
 }
 
-TEST(Transport, ShortOfSubStepsItGoesALesserWay) {
+TEST(Transport, WithTooFewSubStepsItAdvancesLess) {
     const Lattice l = make_lattice({16, 8, 8}, 1.0 / 16, all_round);
     Samples density = field(l, [](vec3 at) { return 2 + std::sin(2 * pi * at.x); });
     Samples same = density;
@@ -342,7 +342,7 @@ TEST(Transport, ShortOfSubStepsItGoesALesserWay) {
     EXPECT_NEAR(amount(l, density), amount(l, same), 1e-2);
 }
 
-TEST(Transport, WhatIsNotThereOrDoesNotMoveIsNotVisited) {
+TEST(Transport, AnEmptyOrMotionlessDensityVisitsNoCells) {
     const Lattice l = make_lattice({8, 8, 8}, 0.1, all_walls);
     Samples none = make_samples(l);
     const Velocity moving = solenoidal(l, 2, nothing_closed), still = uniform(l, {});
@@ -451,7 +451,7 @@ Velocity apertures(const Lattice& l, const std::function<bool(int, int, int)>& c
     return result;
 }
 
-TEST(TransportSolids, AConstantStaysOneRoundAStoneAndNothingEntersIt) {
+TEST(TransportSolids, AConstantDensityStaysConstantAroundAStoneAndNothingEntersIt) {
     const auto stone = [](int i, int j, int k) {
         return i >= 5 && i < 9 && j >= 2 && j < 7 && k >= 4 && k < 6;
     };
@@ -469,7 +469,7 @@ TEST(TransportSolids, AConstantStaysOneRoundAStoneAndNothingEntersIt) {
     }
 }
 
-TEST(TransportSolids, AWallOfClosedFacesIsAsGoodAsTheBoxesOwn) {
+TEST(TransportSolids, AWallOfClosedFacesEqualsAnEdgeOfTheBox) {
     const Lattice box =
         make_lattice({16, 8, 8}, 1.0 / 16, {Edge::periodic, Edge::free_slip, Edge::free_slip});
     const Lattice wide =
@@ -526,7 +526,7 @@ TEST(TransportDiffusion, SecondOrderAndNothingThroughWalls) {
     EXPECT_LT(fine, 2e-3);
 }
 
-TEST(TransportDiffusion, TooMuchOfItIsBoundedAndLeavesTheFlowItsHalf) {
+TEST(TransportDiffusion, TooMuchDiffusionIsLimitedAndLeavesTheFlowItsHalf) {
     const Lattice l = make_lattice({16, 8, 8}, 1.0 / 16, all_round);
     Samples density = field(l, [](vec3 at) { return at.x < 0.3 ? 1 : 0; });
     const double before = amount(l, density);

@@ -26,7 +26,7 @@ TEST(PhysicsAccuracy, FreeFallIsExactAtEveryStep) {
         EXPECT_NEAR(fall_error(step, true), 0, 1e-11) << step;
 }
 
-TEST(PhysicsAccuracy, WithoutTheCorrectionFreeFallErrsByBulletsRecurrenceAndNothingElse) {
+TEST(PhysicsAccuracy, WithoutTheCorrectionFreeFallFollowsBulletsRecurrence) {
     for (const double step : {0.001, 0.002, 0.004, 0.008})
         EXPECT_NEAR(fall_error(step, false), g * 1 * step / 2, 1e-11) << step;  // g t dt / 2
 }
@@ -47,7 +47,7 @@ TEST(PhysicsAccuracy, AThrowKeepsItsEnergyAndItsHorizontalMomentum) {
     }
 }
 
-TEST(PhysicsAccuracy, DampedFallIsTheClosedFormFromFeeblestToStrongest) {
+TEST(PhysicsAccuracy, DampedFallFollowsTheClosedFormForAnyDamping) {
     for (const double damping : {1e-12, 1e-6, 0.01, 0.2, 0.9, 0.999999}) {
         for (const double step : {0.001, 0.008}) {
             Physics physics;
@@ -66,7 +66,7 @@ TEST(PhysicsAccuracy, DampedFallIsTheClosedFormFromFeeblestToStrongest) {
     }
 }
 
-TEST(PhysicsAccuracy, WhatIsPushedKeepsBulletsStep) {
+TEST(PhysicsAccuracy, PushedBodiesFollowBulletsStep) {
     // A contact acts on a body at rest in every step, so exact flight must not lift it.
     for (const bool exact : {true, false}) {
         Physics physics({.exact_flight = exact});
@@ -77,7 +77,7 @@ TEST(PhysicsAccuracy, WhatIsPushedKeepsBulletsStep) {
     }
 }
 
-TEST(PhysicsAccuracy, DampingIsItsShare) {
+TEST(PhysicsAccuracy, DampingRemovesItsShare) {
     Physics physics({.gravity = {}});
     BodyDesc desc = ball(0.1, 1);
     desc.linear_damping = 0.25;

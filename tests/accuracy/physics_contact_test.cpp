@@ -168,7 +168,7 @@ bool comes_through(Shape shape, vec3 size, Shape wall, double step, std::uint64_
 
 class Swept : public ::testing::TestWithParam<std::tuple<Shape, Shape, double>> {};
 
-TEST_P(Swept, NothingComesThroughAThinWall) {
+TEST_P(Swept, NothingPassesThroughAThinWall) {
     const auto [shape, wall, step] = GetParam();
     int through = 0;
     for (std::uint64_t i = 0; i < 100; ++i) {
@@ -184,7 +184,7 @@ INSTANTIATE_TEST_SUITE_P(
                        ::testing::Values(Shape::box, Shape::mesh), ::testing::Values(0.001, 0.004)));
 
 /// A body that passes beside a wall or slides along it is not stopped.
-TEST(PhysicsSwept, FreeWayIsNotStopped) {
+TEST(PhysicsSwept, AFreePathIsNotStopped) {
     Physics physics({.gravity = {}});
     physics.add(1, box({0.01, 3, 3}, 0), {});
     BodyDesc shot = box({0.05, 0.05, 0.05}, 0.5, 0);

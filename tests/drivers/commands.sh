@@ -161,7 +161,7 @@ expect 2 "must be a number from 1 to 2" "${brew[@]}" --threads 3
 expect 2 "must be like 1280x720" "${brew[@]}" --shots shots --size 3x3
 expect 2 "No such file" "${brew[@]}" --load "$folder/none"
 expect 2 "not an ordinary file" "${brew[@]}" --load "$folder/fifo"
-expect 2 "this is none" "${brew[@]}" --load "$folder/out/duel.png"
+expect 2 "does not begin like one" "${brew[@]}" --load "$folder/out/duel.png"
 expect 2 "cannot" "${brew[@]}" --seconds 0.1 --save /dev/null/state
 printf '0,0,-0.2,0\n0,1,0,0\n' >"$folder/path.csv"
 expect 2 "path.csv:2: times must rise" "${brew[@]}" --stir "$folder/path.csv"

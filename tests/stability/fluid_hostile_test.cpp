@@ -22,7 +22,7 @@ Attack attacked(const Scheme& scheme, std::uint64_t seed, int steps, const Attac
     return std::move(*attack);
 }
 
-TEST(FluidHostile, OurSolverStandsPushesJumpsAndNonsense) {
+TEST(FluidHostile, ThaumWithstandsPushesJumpsAndInvalidNumbers) {
     for (const int order : {2, 4}) {
         for (const std::uint64_t seed : {1U, 2U, 3U}) {
             const Attack attack = attacked({Solver::thaum, order}, seed, 150, {}, {});
@@ -32,7 +32,7 @@ TEST(FluidHostile, OurSolverStandsPushesJumpsAndNonsense) {
     }
 }
 
-TEST(FluidHostile, SoItDoesInABowl) {
+TEST(FluidHostile, ThaumWithstandsThemInABowl) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
         const Attack attack =
             attacked({Solver::thaum, 2}, seed, 300, {.bowl = true}, {.divergence = bowl_divergence});
@@ -41,7 +41,7 @@ TEST(FluidHostile, SoItDoesInABowl) {
     }
 }
 
-TEST(FluidHostile, TheBaselineStandsThemToo) {
+TEST(FluidHostile, TheBaselineWithstandsThemToo) {
     // The baseline guarantees neither zero divergence nor conserved amounts.
     const AttackBounds loose{.divergence = 10, .energy_growth = 10, .amount_drift = 1e9};
     for (const std::uint64_t seed : {1U, 2U, 3U})
@@ -63,7 +63,7 @@ double difference(const Fluid& one, const Fluid& other) {
 
 /// A push for which a step wants four or five sub-steps, more than it may have. Twenty steps later the
 /// flow is close to that of fine steps.
-TEST(FluidHostile, AStepThatFallsBackIsNearFineSteps) {
+TEST(FluidHostile, ASemiLagrangianStepIsCloseToFineSteps) {
     constexpr int fine = 16, steps = 20;
     flows::Flow flow = flows::taylor_green_box(0);
     flow.settings.viscosity = 1e-3;
@@ -89,7 +89,7 @@ TEST(FluidHostile, AStepThatFallsBackIsNearFineSteps) {
 
 /// Flow stopped by viscosity is exactly zero and does not fade into subnormal numbers. Diffusion
 /// continues.
-TEST(FluidHostile, WhatIsStoppedStandsStillWhileASubstanceSpreads) {
+TEST(FluidHostile, StoppedFlowIsExactlyZeroWhileASubstanceDiffuses) {
     Settings settings = flows::settings_of(flows::Flow{}, {Solver::thaum, 4}, 12);
     settings.substances = {Substance{.diffusion = 1e-4}};
     auto fluid = make_fluid(settings);
@@ -187,7 +187,7 @@ TEST(FluidHostile, ABrewThickerThanAnythingStaysFinite) {
     EXPECT_LT(fastest, 20);
 }
 
-TEST(FluidHostile, SettingsThatCannotBeAreRefused) {
+TEST(FluidHostile, ImpossibleSettingsAreRefused) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const auto refused = [](auto change) {
         Settings settings;

@@ -83,7 +83,7 @@ SurfaceProbe hostile_probe(Random& random) {
     return probe;
 }
 
-TEST(SpringSurfaceStability, ProbesThatLeapGiveNoMoreThanTheirSpringHolds) {
+TEST(SpringSurfaceStability, JumpingProbesAddNoMoreEnergyThanTheirSpringsHold) {
     for (const double stiffness : {1.0, 1e6}) {
         for (const Rim rim : {Rim::pinned, Rim::free}) {
             SpringSurfaceSettings s{.nodes = 21, .rim = rim, .damping = 0, .still = 0};
@@ -116,7 +116,7 @@ TEST(SpringSurfaceStability, ProbesThatLeapGiveNoMoreThanTheirSpringHolds) {
     }
 }
 
-TEST(SpringSurfaceStability, WhatIsNoNumberIsNotThere) {
+TEST(SpringSurfaceStability, ProbesThatAreNotFiniteAreAbsent) {
     SpringSurface surface = make_spring_surface({});
     SpringSurfaceScratch scratch;
     for (const double odd : {none, endless, -endless}) {
@@ -178,7 +178,7 @@ TEST(SpringSurfaceStability, APushInTheMiddleKeepsAllMirrorImagesToTheBit) {
     }
 }
 
-TEST(SpringSurfaceStability, ASleepingSheetIsExactlyLevelAndVisitsNothing) {
+TEST(SpringSurfaceStability, ASleepingSurfaceIsExactlyLevelAndVisitsNoNodes) {
     SpringSurface surface = make_spring_surface({.damping = 5});
     SpringSurfaceScratch scratch;
     EXPECT_EQ(advance(surface, scratch, {}, 0.01).visited, 0U);
@@ -199,7 +199,7 @@ TEST(SpringSurfaceStability, ASleepingSheetIsExactlyLevelAndVisitsNothing) {
     EXPECT_EQ(advance(surface, scratch, {}, 0.01).seconds, 0.01);
 }
 
-TEST(SpringSurface, WhoIsInsideStaysSoWhileItSleeps) {
+TEST(SpringSurface, AProbeInsideStaysInsideWhileTheSurfaceSleeps) {
     SpringSurface surface = make_spring_surface({.damping = 5});
     SpringSurfaceScratch scratch;
     const SurfaceProbe deep{.height = -0.5, .radius = 0.1};

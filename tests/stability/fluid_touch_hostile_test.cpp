@@ -62,7 +62,7 @@ double flow_after(int steps, double told, double mass, double hand_mass) {
     return glm::length(fluid.velocity - rig.fluid().frame.turn * rig.tip.velocity * 16.0);
 }
 
-TEST(FluidTouchHostile, TheWayThroughTheFluidDoesNotRing) {
+TEST(FluidTouchHostile, TheLoopThroughTheFluidDoesNotRing) {
     for (const double mass : {0.1, 3.0, 200.0}) {
         EXPECT_LE(flow_after(60, mass, mass, 0), 1e-4) << mass;
         for (const double hand : {0.02, 0.1, 1.0}) EXPECT_LE(flow_after(300, mass, mass, hand), 1e-3);
@@ -80,7 +80,7 @@ DeviceSpec without_limits(DeviceSpec spec) {
     return spec;
 }
 
-TEST(FluidTouchHostile, PassiveModesCreateNothing) {
+TEST(FluidTouchHostile, PassiveModesCreateNoEnergy) {
     for (const char* device : {"touch", "falcon", "omega3"}) {
         for (const std::uint32_t delay : {0U, 5U}) {
             for (auto [name, world] : bench::stirred_cases()) {
@@ -164,7 +164,7 @@ void spoil_fluid(FluidTouch& touch, Random& random) {
     touch.step_age = random.below(2) == 0 ? random.below(40) : ~std::uint64_t{0} - random.below(3);
 }
 
-TEST(FluidTouchHostile, NothingGetsThroughAndWhatIsSaneAgainIsFeltAgain) {
+TEST(FluidTouchHostile, InvalidInputIsBlockedAndValidInputIsFeltAgain) {
     const auto spec = spec_in_file("touch");
     Servo servo = servo_of(spec, 1);
     Random random{33};

@@ -95,7 +95,7 @@ TEST(PhysicsStability, AGramOnATonneAndATonneOnAGram) {
     EXPECT_GT(physics.state(12).position.y, -0.1);
 }
 
-TEST(PhysicsStability, ThousandsComeAndGo) {
+TEST(PhysicsStability, ThousandsOfBodiesAreAddedAndRemoved) {
     Physics physics({.max_bodies = 128});
     add_floor(physics);
     Random random{2};

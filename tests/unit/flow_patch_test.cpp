@@ -38,7 +38,7 @@ vec3 place_in(Random& random, double low, double high) {
     return {random.uniform(low, high), random.uniform(low, high), random.uniform(low, high)};
 }
 
-TEST(FlowPatch, NodesHoldTheFluidsFields) {
+TEST(FlowPatch, NodesEqualTheFieldsOfTheFluid) {
     const auto fluid = wild_fluid();
     const auto source = source_of(fluid);
     auto velocity = source.velocity;
@@ -65,8 +65,8 @@ TEST(FlowPatch, NodesHoldTheFluidsFields) {
     }
 }
 
-TEST(FlowPatch, ReadsALinearFlowExactlyAndOneAtRestAlikeFromEachPatch) {
-    // A function that is linear in space stays linear through the samples of the fluid and of the patch.
+TEST(FlowPatch, ALinearFlowIsExactAndAFlowAtRestIsTheSameFromEachPatch) {
+    // A linear field stays linear through the fluid's samples and the patch's samples.
     auto fluid = wild_fluid();
     const auto flow = [](vec3 p) { return vec3(1 + p.y, 2 * p.x - p.z, 0.5 - 3 * p.y); };
     fluid::set_velocity(fluid, flow);
@@ -90,7 +90,7 @@ TEST(FlowPatch, ReadsALinearFlowExactlyAndOneAtRestAlikeFromEachPatch) {
     }
 }
 
-TEST(FlowPatch, GoesOnBeyondItsNodesAndIsEmptyOfNothing) {
+TEST(FlowPatch, ContinuesBeyondItsNodesAndIsEmptyWithoutAFluid) {
     const auto fluid = wild_fluid();
     const FlowPatch patch = patch_of(source_of(fluid), {0.6, 0.6, 0.6});
     for (const double far : {0.0, 1.0, 1e9, 1e300}) {

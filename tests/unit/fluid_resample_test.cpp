@@ -39,7 +39,7 @@ Fluid taken_over(const Fluid& from, const Settings& settings) {
     return to;
 }
 
-TEST(FluidResample, AmountsStayWhateverChanges) {
+TEST(FluidResample, AmountsAreConservedInAllCases) {
     for (const Solver solver : {Solver::thaum, Solver::classic}) {
         for (const int n : {15, 32}) {
             for (const bool bowl : {false, true}) {
@@ -89,7 +89,7 @@ TEST(FluidResample, TheSameGridIsTheSameFlow) {
     }
 }
 
-TEST(FluidMixing, IsOneLessTheSpreadByTheMean) {
+TEST(FluidMixing, IsOneMinusDeviationDividedByMean) {
     for (const bool bowl : {false, true}) {
         Fluid fluid = *make_fluid(settings_of(16, Solver::thaum, bowl));
         EXPECT_EQ(mixing(fluid, 0), 0);  // none is there

@@ -90,7 +90,7 @@ std::string refusal(std::span<const std::byte> bytes) {
     return found ? "" : found.error().message;
 }
 
-TEST(FluidSaved, RestoredGoesOnToTheSameBits) {
+TEST(FluidSaved, ARestoredFluidContinuesWithTheSameBits) {
     for (const Case& c : cases()) {
         SCOPED_TRACE(c.name);
         Brew through = brewed(c, 6);
@@ -111,7 +111,7 @@ TEST(FluidSaved, RestoredGoesOnToTheSameBits) {
     }
 }
 
-TEST(FluidSaved, SleepersSleepOnAndWhatIsKeptComesBack) {
+TEST(FluidSaved, SleepAndDataOfTheCallerAreRestored) {
     const Case c = cases()[0];
     const Brew still = brew_of(c);
     const Bytes caller_data{std::byte{3}, std::byte{1}};
@@ -122,7 +122,7 @@ TEST(FluidSaved, SleepersSleepOnAndWhatIsKeptComesBack) {
     EXPECT_EQ(saved->caller_data, caller_data);
 }
 
-TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
+TEST(FluidSaved, CutOffOrDamagedFilesAreRefused) {
     Case c{"small", settings_of(6), ball};
     c.settings.solid = *solid_of(ball);
     const Brew brew = brewed(c, 3);
@@ -139,12 +139,13 @@ TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
     }
     Bytes longer = file;
     longer.push_back(std::byte{});
-    EXPECT_EQ(refusal(longer), "saved fluid: something follows its end");
+    EXPECT_EQ(refusal(longer), "saved fluid: more bytes follow its end; use another copy");
     for (const std::uint32_t version : {saved_version - 1, saved_version + 1}) {
         Bytes other = file;
         other[8] = static_cast<std::byte>(version);
-        EXPECT_EQ(refusal(other), text("saved fluid: it has version ", version,
-                                       "; this program reads version ", saved_version));
+        EXPECT_EQ(refusal(other),
+                  text("saved fluid: it has version ", version, ", but this program reads version ",
+                       saved_version, "; load it with the program that saved it"));
     }
     // One byte too many, with correct length and checksum.
     Bytes wider(file.begin(), file.end() - 8);
@@ -152,8 +153,9 @@ TEST(FluidSaved, CutOffAnywhereOrSpoiltIsRefused) {
     const auto length = static_cast<std::uint64_t>(wider.size() - 20);
     std::memcpy(wider.data() + 12, &length, sizeof length);
     ByteWriter(wider).put(hash_bytes(wider));
-    EXPECT_EQ(refusal(wider), "saved fluid: something follows the surface");
-    EXPECT_EQ(refusal(std::as_bytes(std::span("a text file of some length"))), "saved fluid: this is none");
+    EXPECT_EQ(refusal(wider), "saved fluid: unexpected bytes follow the surface");
+    EXPECT_EQ(refusal(std::as_bytes(std::span("a text file of some length"))),
+              "saved fluid: the file does not begin like one; choose another file");
 }
 
 /// Error message for a file with a correct checksum and one invalid value.
@@ -165,7 +167,7 @@ std::string refusal_of(const std::function<void(Brew&, NamedShape&)>& spoil) {
     return refusal(save(brew.fluid, brew.surface, c.shape));
 }
 
-TEST(FluidSaved, WhatCannotBeIsNamed) {
+TEST(FluidSaved, InvalidContentsAreNamed) {
     constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     const auto expect = [](const std::string& words, const std::function<void(Brew&, NamedShape&)>& spoil) {
         EXPECT_NE(refusal_of(spoil).find(words), std::string::npos) << refusal_of(spoil);
@@ -186,9 +188,11 @@ TEST(FluidSaved, WhatCannotBeIsNamed) {
     });
     expect("4 substances", [](Brew& b, NamedShape&) { b.fluid.settings.substances.resize(4); });
     expect("viscosity must be", [](Brew& b, NamedShape&) { b.fluid.settings.viscosity = -1; });
-    expect("no solver", [](Brew& b, NamedShape&) { b.fluid.settings.solver = static_cast<Solver>(7); });
-    expect("no edge", [](Brew& b, NamedShape&) { b.fluid.settings.edges[1] = static_cast<Edge>(3); });
-    expect("no rim", [](Brew& b, NamedShape&) { b.surface.settings.rim = static_cast<Rim>(2); });
+    expect("number of its solver",
+           [](Brew& b, NamedShape&) { b.fluid.settings.solver = static_cast<Solver>(7); });
+    expect("number of an edge",
+           [](Brew& b, NamedShape&) { b.fluid.settings.edges[1] = static_cast<Edge>(3); });
+    expect("number of the rim", [](Brew& b, NamedShape&) { b.surface.settings.rim = static_cast<Rim>(2); });
     expect("tension", [](Brew& b, NamedShape&) { b.surface.settings.tension = -1; });
     expect("a flag", [](Brew& b, NamedShape&) { b.surface.inside[3] = 2; });
     expect("a node", [](Brew& b, NamedShape&) {
@@ -196,8 +200,8 @@ TEST(FluidSaved, WhatCannotBeIsNamed) {
     });
     expect("its shape is unknown", [](Brew&, NamedShape& shape) { shape.name = "vase"; });
     expect("its shape is unknown", [](Brew&, NamedShape& shape) { shape.numbers.clear(); });
-    expect("no name that could be", [](Brew&, NamedShape& shape) { shape.name = "a\nb"; });
-    expect("a shape of 17 numbers", [](Brew&, NamedShape& shape) { shape.numbers.resize(17); });
+    expect("the name of its shape", [](Brew&, NamedShape& shape) { shape.name = "a\nb"; });
+    expect("its shape has 17 numbers", [](Brew&, NamedShape& shape) { shape.numbers.resize(17); });
     EXPECT_EQ(refusal_of([](Brew&, NamedShape&) {}), "");
 }
 

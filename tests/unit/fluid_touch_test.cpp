@@ -21,7 +21,7 @@ vec3 any_vector(Random& random, double size) {
 
 // ---- drag -------------------------------------------------------------------------------------------------
 
-TEST(FluidTouch, EachModeIsItsEquation) {
+TEST(FluidTouch, EachModeFollowsItsEquation) {
     Random random{3};
     for (int run = 0; run < 100; ++run) {
         StirringRig rig;
@@ -73,7 +73,7 @@ TEST(FluidTouch, AMixtureIsFeltAsTheWeightedSumOfItsSubstances) {
     EXPECT_NEAR(force_of(1, 1).x, -0.1 * felt_share * (2 * 2.0 + 0.5 * 1.5), 1e-12);
 }
 
-TEST(FluidTouch, AFreeHandComesToGoAsTheFlowDoes) {
+TEST(FluidTouch, AFreeHandReachesTheVelocityOfTheFlow) {
     for (const bool by_resistance : {true, false}) {
         StirringRig rig;
         auto& modes = rig.fluid().modes;
@@ -131,9 +131,9 @@ TEST(FluidTouch, NoBrewIsTooThickForTheDevice) {
     }
 }
 
-TEST(FluidTouch, WhatTheHandGetsTheFluidLoses) {
-    // All drags, in a growing flow and a brew that changes from step to step. The device's momentum, derived
-    // from its motion alone, must equal the sum of what the fluid gets.
+TEST(FluidTouch, TheFluidLosesTheMomentumThatTheHandGains) {
+    // All kinds of drag act at once, in a growing flow and a brew that changes from step to step. The
+    // device's momentum, known from its motion alone, must equal the sum of what the fluid receives.
     StirringRig rig;
     rig.fluid().modes = {1, 1, 1, 0, 0, 0, 0};
     Random random{5};
@@ -157,7 +157,7 @@ TEST(FluidTouch, WhatTheHandGetsTheFluidLoses) {
     EXPECT_GT(glm::length(size), 1);
 }
 
-TEST(FluidTouch, TheFluidGetsAllOfItFromAGentleHand) {
+TEST(FluidTouch, TheFluidGetsTheWholeForceWhenTheHandsForceIsCapped) {
     StirringRig rig;
     rig.fluid().modes.viscosity = 1;
     const vec3 all = rig.feel_moving({}, {0.3, 0, 0});
@@ -199,7 +199,7 @@ TEST(FluidTouch, AFluidStepMakesNoJump) {
     }
 }
 
-TEST(FluidTouch, AnOldModelGoesOnAsANewOneWould) {
+TEST(FluidTouch, AnOldModelContinuesLikeANewOne) {
     StirringRig fresh, old;
     for (StirringRig* rig : {&fresh, &old}) {
         rig->fluid().modes = {1, 1, 1, 1, 0, 0, 0};
@@ -264,7 +264,7 @@ TEST(FluidTouch, TheWallHoldsAtTheNearestPlaceInTheBowl) {
     EXPECT_EQ(nearest_in_bowl(court, {9, 9, 9}), vec3(9, 9, 9));
 }
 
-TEST(FluidTouch, AHandThatLeansOnTheBowlGoesInByForceOverStiffness) {
+TEST(FluidTouch, AHandThatPressesOnTheBowlEntersByForceOverStiffness) {
     StirringRig rig;
     rig.spec.damping = 2;
     rig.device = simulated_device(rig.spec, no_hand);
@@ -310,7 +310,7 @@ BrewSurface surface_of(const fluid::SpringSurfaceSettings& s, const fluid::Probe
             .present = 1};
 }
 
-TEST(FluidTouch, TheSurfaceIsTheSheetsOwnSpring) {
+TEST(FluidTouch, TheSurfaceForceIsThatOfTheSpringSurface) {
     fluid::SpringSurfaceSettings settings;
     settings.damping = 4;
     fluid::SpringSurface surface = make_spring_surface(settings);
@@ -393,7 +393,7 @@ TEST(FluidTouch, TheLadleIsFeltAsItDipsIn) {
 
 // ---- inertia and recoil -----------------------------------------------------------------------------------
 
-TEST(FluidTouch, TheLadleIsAsHeavyAsItIs) {
+TEST(FluidTouch, TheLadleHasItsMass) {
     for (const double strength : {1.0, 0.5}) {
         StirringRig rig;
         rig.fluid().modes.inertia = strength;
@@ -433,7 +433,7 @@ TEST(FluidTouch, ALadleOfAnyMassIsStable) {
     }
 }
 
-TEST(FluidTouch, WhatIsThrownInRecoilsByItsImpulse) {
+TEST(FluidTouch, AThrownSubstanceRecoilsByItsImpulse) {
     StirringRig rig;
     rig.fluid().modes.recoil = 0.5;
     rig.fluid().modes.wall = 1;
@@ -448,7 +448,7 @@ TEST(FluidTouch, WhatIsThrownInRecoilsByItsImpulse) {
 
 // ---- off, and switches ------------------------------------------------------------------------------------
 
-TEST(FluidTouch, WithoutStrengthItIsFeltAsIfThereWereNone) {
+TEST(FluidTouch, AtZeroStrengthThereIsNoForce) {
     StirringRig none, off;
     none.model.fluid = {};
     off.fluid().modes = no_modes();
@@ -478,7 +478,7 @@ TEST(FluidTouch, WithoutStrengthItIsFeltAsIfThereWereNone) {
     EXPECT_NE(off.state.fluid.place, to_bowl(off.fluid().frame, vec3(0))) << "the bowl is in the way";
 }
 
-TEST(FluidTouch, WhatComesGoesOrJumpsIsASwitch) {
+TEST(FluidTouch, AppearingVanishingAndJumpingAreSwitches) {
     StirringRig rig;
     rig.fluid().modes = {1, 1, 1, 0, 0, 0, 0};
     rig.servo.limits.slew = 40;

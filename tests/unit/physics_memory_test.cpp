@@ -36,7 +36,7 @@ void kick(Physics& physics, int tick) {
     if (tick % 300 == 0) physics.apply_central_impulse(10 + static_cast<Key>(tick / 300) % 14, {9, 12, 5});
 }
 
-TEST(PhysicsMemory, AWarmStepAsksTheHeapForNothing) {
+TEST(PhysicsMemory, AWarmStepDoesNotAllocate) {
     if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "under a sanitizer the heap is not ours to count";
     Physics physics;
     add_pile(physics);
@@ -55,7 +55,7 @@ TEST(PhysicsMemory, AWarmStepAsksTheHeapForNothing) {
     EXPECT_GT(memory_use().calls, calls) << "Bullet does not use the pool at all";
 }
 
-TEST(PhysicsMemory, ToLookAroundAsksTheHeapForNothing) {
+TEST(PhysicsMemory, NearbyDoesNotAllocate) {
     if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "under a sanitizer the heap is not ours to count";
     Physics physics({}, {hills(16, 1)});
     add_pile(physics);

@@ -55,7 +55,7 @@ TEST(Mover, ReachesWalkingPace) {
     EXPECT_NEAR(w.pace(), 0, 1e-6);
 }
 
-TEST(Mover, ARopeTakesAsMuchGripAsItTakesWeight) {
+TEST(Mover, ARopeTakesAsMuchTractionAsWeight) {
     const double weight = 75 * 9.81;
     const auto speed_after = [&](double hung) {
         Walker w;
@@ -119,7 +119,7 @@ TEST(Mover, FallsFromFiveMetres) {
     EXPECT_NEAR(w.position().y, standing, 2e-3);
 }
 
-TEST(Mover, CrossesASeamUnnoticed) {
+TEST(Mover, CrossesASeamWithoutAJolt) {
     for (const double seam : {0.0, 0.013, 0.0271}) {
         Walker w;
         w.physics.add(1, box({5, 1, 5}, 0), at({-5 + seam, -1, 0}));
@@ -136,7 +136,7 @@ TEST(Mover, CrossesASeamUnnoticed) {
     }
 }
 
-TEST(Mover, CrossesTheEdgesOfAMeshUnnoticed) {
+TEST(Mover, CrossesTheEdgesOfAMeshWithoutAJolt) {
     Walker w({hills(16, 0)});
     w.physics.add(1, {.shape = Shape::mesh}, at({}));
     w.enter({-6, standing, 0.3});
@@ -254,7 +254,7 @@ TEST(Mover, IsPushedByHeavyProps) {
     EXPECT_GT(w.position().x, 0.5);
 }
 
-TEST(Mover, IdleItFallsAsleepAndAWishWakesIt) {
+TEST(Mover, AnIdleMoverFallsAsleepAndAWishWakesIt) {
     Walker w;
     add_floor(w.physics);
     w.enter({0, standing, 0});

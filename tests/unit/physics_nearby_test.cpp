@@ -67,7 +67,7 @@ TEST(PhysicsNearby, TheDistanceOfEachSolidIsExact) {
     }
 }
 
-TEST(PhysicsNearby, AMeshGivesTheTrianglesThatASearchOfAllGives) {
+TEST(PhysicsNearby, AMeshGivesTheSameTrianglesAsASearchOfAll) {
     const TriangleMesh mesh = hills(16, 1.0);
     const quat turn = rotation({0, 0.6, 0.8}, 1.1);
     const vec3 place(2, 1, -3);
@@ -115,7 +115,7 @@ TEST(PhysicsNearby, AMeshGivesTheTrianglesThatASearchOfAllGives) {
     EXPECT_GT(most, 10U);
 }
 
-TEST(PhysicsNearby, WhatDoesNotFitIsTheFarthestAndTheReachSaysSo) {
+TEST(PhysicsNearby, AFullArrayKeepsTheNearestAndReducesTheReach) {
     Physics physics;
     Random random{2};
     for (Key key = 1; key <= 40; ++key) physics.add(key, ball(0.1, 1), at(some_place(random, 2)));

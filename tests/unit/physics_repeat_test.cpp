@@ -17,14 +17,14 @@ using namespace scenes;
 
 /// A busy scene: hills, shapes of all kinds, bodies that are added and removed in random order, kicks,
 /// and one walking wizard. Its own data are plain, so that a second scene can continue from them.
-struct Drama {
+struct BusyScene {
     Physics physics;
     Random random;
     Keys keys;
     MoverState mover;
     std::uint64_t tick{};
 
-    explicit Drama(Settings settings = {}) : physics(settings, {hills(16, 0.3)}), random{7} {
+    explicit BusyScene(Settings settings = {}) : physics(settings, {hills(16, 0.3)}), random{7} {
         put(2, {.shape = Shape::mesh}, at({}));
         put(3, box({0.5, 2, 8}, 0), at({7, 1, 0}));
         put(40, wizard(), at({0, 2, 3}));
@@ -32,7 +32,7 @@ struct Drama {
     }
 
     /// The scene that results from restoring `other` from a keyframe.
-    Drama(const Drama& other, Settings settings)
+    BusyScene(const BusyScene& other, Settings settings)
         : physics(settings, {hills(16, 0.3)}), random(other.random), mover(other.mover), tick(other.tick) {
         Keys backwards = other.keys;
         std::ranges::reverse(backwards);
@@ -95,7 +95,7 @@ struct Drama {
 };
 
 TEST(PhysicsRepeat, TwoWorldsInLockstep) {
-    Drama a, b;
+    BusyScene a, b;
     for (int i = 0; i < 3000; ++i) {
         a.advance();
         b.advance();
@@ -104,12 +104,12 @@ TEST(PhysicsRepeat, TwoWorldsInLockstep) {
     }
 }
 
-TEST(PhysicsRepeat, RestoredAtAKeyframeItGoesOnToTheSameBits) {
+TEST(PhysicsRepeat, AWorldRestoredAtAKeyframeContinuesWithTheSameBits) {
     for (const std::uint64_t keyframe : {1U, 700U, 2048U, 5500U}) {
-        Drama a;
+        BusyScene a;
         while (a.tick < keyframe) a.advance();
         a.physics.rebuild();
-        Drama b(a, {});
+        BusyScene b(a, {});
         for (int i = 0; i < 2500; ++i) {
             ASSERT_EQ(a.hash(), b.hash()) << "keyframe " << keyframe << ", " << i << " ticks after it";
             a.advance();
@@ -119,11 +119,11 @@ TEST(PhysicsRepeat, RestoredAtAKeyframeItGoesOnToTheSameBits) {
     }
 }
 
-TEST(PhysicsRepeat, WithoutTheRebuildItDoesNot) {
+TEST(PhysicsRepeat, WithoutTheRebuildTheBitsDiffer) {
     // This shows that the test above can fail: Bullet's caches are state.
-    Drama a;
+    BusyScene a;
     while (a.tick < 700) a.advance();
-    Drama b(a, {});
+    BusyScene b(a, {});
     for (int i = 0; i < 500; ++i) {
         a.advance();
         b.advance();
@@ -132,11 +132,11 @@ TEST(PhysicsRepeat, WithoutTheRebuildItDoesNot) {
 }
 
 TEST(PhysicsRepeat, RebuildAgainAndAgainChangesNothing) {
-    Drama a;
+    BusyScene a;
     while (a.tick < 500) a.advance();
     a.physics.rebuild();
     const std::uint64_t hash = a.hash();
-    Drama b(a, {});
+    BusyScene b(a, {});
     for (int i = 0; i < 5; ++i) a.physics.rebuild();
     EXPECT_EQ(a.hash(), hash);
     for (int i = 0; i < 500; ++i) {
@@ -148,12 +148,12 @@ TEST(PhysicsRepeat, RebuildAgainAndAgainChangesNothing) {
 
 /// Bodies are kicked awake, fall asleep again, and lose their support. Skipping steps must not change
 /// the result.
-struct Nap {
+struct SleepScene {
     Physics physics;
     MoverState mover;
     Keys keys{floor_key, 30, 31};
 
-    explicit Nap(bool skip) : physics({.skip_asleep = skip}) {
+    explicit SleepScene(bool skip) : physics({.skip_asleep = skip}) {
         add_pile(physics);
         for (Key key = 10; key < 24; ++key) keys.push_back(key);
     }
@@ -178,7 +178,7 @@ struct Nap {
 };
 
 TEST(PhysicsRepeat, SkippingSleepersChangesNothing) {
-    Nap skipping(true), stepping(false);
+    SleepScene skipping(true), stepping(false);
     for (int tick = 0; tick < 24000; ++tick) {
         skipping.advance(tick);
         stepping.advance(tick);
@@ -192,8 +192,8 @@ TEST(PhysicsRepeat, SkippingSleepersChangesNothing) {
     EXPECT_EQ(stepping.physics.counters().skipped, 0U);
 }
 
-TEST(PhysicsRepeat, ASpoiltBitIsSeen) {
-    Drama a, b;
+TEST(PhysicsRepeat, AChangedBitIsDetected) {
+    BusyScene a, b;
     BodyState spoilt = b.physics.state(110);
     spoilt.velocity.x = std::nextafter(spoilt.velocity.x, 9);
     b.physics.set_state(110, spoilt);
@@ -210,7 +210,7 @@ TEST(PhysicsRepeat, ASpoiltBitIsSeen) {
 constexpr std::uint64_t recorded_hash = 0x3132f8884f3be158ULL;
 
 TEST(PhysicsRepeat, EveryBuildGivesTheRecordedHash) {
-    Drama a;
+    BusyScene a;
     for (int i = 0; i < 2500; ++i) {
         if (i == 2048) a.physics.rebuild();
         a.advance();

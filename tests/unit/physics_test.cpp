@@ -24,7 +24,7 @@ const Contact* contact_of(const Physics& physics, Key a, Key b) {
     return nullptr;
 }
 
-TEST(Physics, KnowsItsKeys) {
+TEST(Physics, FindsBodiesByKey) {
     Physics physics;
     physics.add(5, ball(0.1, 1), at({1, 2, 3}));
     EXPECT_TRUE(physics.has(5));
@@ -51,7 +51,7 @@ TEST(PhysicsDeath, WrongUseNamesTheKey) {
     EXPECT_DEATH(physics.add(8, ball(0.1, 1), at({6, 0, 0})), "body 8: more bodies");
 }
 
-TEST(PhysicsDeath, FullIsAnErrorNotAnAllocation) {
+TEST(PhysicsDeath, AFullWorldIsAnErrorAndNotAnAllocation) {
     Physics physics({.max_contacts = 2});
     add_pile(physics);
     EXPECT_DEATH(run(physics, 1000), "more touching pairs than Settings.max_contacts");
@@ -76,7 +76,7 @@ TEST(Physics, UprightBodiesNeverTurn) {
     EXPECT_GT(physics.state(2).position.z, 0.1);  // it was hit
 }
 
-TEST(Physics, LayersDecideWhoMeets) {
+TEST(Physics, LayersDecideWhichBodiesCollide) {
     Physics physics;
     add_floor(physics);
     BodyDesc ghost = ball(0.2, 1);
@@ -121,11 +121,11 @@ TEST(Physics, BallsRollOverSeams) {
     }
 }
 
-TEST(PhysicsSleep, OneAddedAsleepStaysSo) {
+TEST(PhysicsSleep, ABodyAddedAsleepStaysAsleep) {
     Physics physics;
-    BodyState dreaming = at({0, 5, 0}, {1, 1, 1});
-    dreaming.asleep = 1;
-    physics.add(2, ball(0.2, 1), dreaming);  // in mid-air, with a velocity that a sleeper cannot have
+    BodyState moving_sleeper = at({0, 5, 0}, {1, 1, 1});
+    moving_sleeper.asleep = 1;
+    physics.add(2, ball(0.2, 1), moving_sleeper);  // in mid-air, with a velocity that a sleeper cannot have
     run(physics, 100);
     EXPECT_EQ(physics.state(2).position, vec3(0, 5, 0));
     EXPECT_EQ(physics.velocity(2), vec3(0));
@@ -165,7 +165,7 @@ TEST_F(Asleep, AnImpulseWakesWhatItTouches) {
     EXPECT_TRUE(physics.state(4).asleep);
 }
 
-TEST_F(Asleep, ANudgeDoesNot) {
+TEST_F(Asleep, ANudgeDoesNotWake) {
     physics.nudge(2, {3, 0, 0});
     run(physics, 3);
     EXPECT_TRUE(physics.state(2).asleep);
@@ -335,7 +335,7 @@ TEST(PhysicsRay, NothingTunnelsThroughACentimetre) {
     EXPECT_FALSE(physics.ray({0.00500001, 500, 0}, {0.00500001, -500, 0}));
 }
 
-TEST(PhysicsRay, OfEqualsTheLowerKeyWins) {
+TEST(PhysicsRay, AmongEqualsTheLowerKeyWins) {
     for (const bool swapped : {false, true}) {
         Physics physics;
         physics.add(swapped ? 8 : 2, ball(1, 0), at({}));
@@ -344,7 +344,7 @@ TEST(PhysicsRay, OfEqualsTheLowerKeyWins) {
     }
 }
 
-TEST(PhysicsRay, MeetsMeshes) {
+TEST(PhysicsRay, HitsMeshes) {
     Physics physics({}, {hills(8, 0)});
     physics.add(2, {.shape = Shape::mesh}, {.position = {0, 1, 0}, .orientation = rotation({0, 1, 0}, 0.3)});
     Random random{5};

@@ -1,7 +1,9 @@
-// What nobody sane does to a fluid, and what must hold all the same; for the tests and for `thaum bench fluid --stress`.
+// Hostile input to a fluid and the properties that must still hold; used by tests and by `thaum bench
+// fluid --stress`.
 //
-// A step is: strike (pushes of all sizes, some that must be refused, a ladle that is somewhere else each time, viscosity that jumps
-// between 0 and the most there is, substances poured in), advance, judge.
+// Each step consists of three parts. A strike makes pushes of all sizes, some of which must be refused;
+// moves a ladle to another place; changes the viscosity between 0 and its maximum; and pours in
+// substances. Then the fluid advances, and the result is checked.
 #pragma once
 #include <cmath>
 #include <limits>
@@ -12,37 +14,38 @@
 namespace thaum::fluid {
 
 struct AttackPlan {
-    double speed = 1e4;  ///< m/s, given to a cell at most by one push
-    bool jumps = true;   ///< of viscosity
-    bool bowl = false;   ///< and not a box
+    double speed = 1e4;  ///< largest speed that one push gives a cell (m/s)
+    bool jumps = true;   ///< changes the viscosity
+    bool bowl = false;   ///< in a bowl instead of a box
 };
 
-/// In a bowl, where the pressure is found in steps.
+/// Largest divergence in a bowl, where the pressure is solved iteratively.
 inline constexpr double bowl_divergence = 1e-6;
 
-/// What must hold after each step.
+/// Bounds that must hold after each step.
 struct AttackBounds {
-    double divergence = 1e-6;     ///< largest, times h by the speed after the step
-    double energy_growth = 1e-5;  ///< of a step without forces, relative
-    double amount_drift = 1e-5;   ///< of a substance in a step, relative
+    double divergence = 1e-6;     ///< largest divergence times h, divided by the speed after the step
+    double energy_growth = 1e-5;  ///< relative growth in a step without forces
+    double amount_drift = 1e-5;   ///< relative change of a substance's amount in a step
 };
 
 struct Attack {
     Fluid fluid;
     AttackPlan plan{};
     Random random{};
-    double energy{};                                ///< m^5/s^2, given by the strike
-    std::array<double, substances_most> amounts{};  ///< m^3, after the strike
+    double energy{};                                ///< energy given by the strike (m^5/s^2)
+    std::array<double, substances_most> amounts{};  ///< amounts after the strike (m^3)
     int refused{};
-    std::string fault{};  ///< the first; empty: none
+    std::string fault{};  ///< first violation; empty: none
     double worst_divergence{}, worst_growth{}, worst_drift{};
 
     bool once_in(std::uint64_t n) { return random.below(n) == 0; }
-    /// 10 to a power between those given.
+    /// Random number between 10^low and 10^high, with uniform logarithm.
     double magnitude(double low, double high) { return det::exp(random.uniform(low, high) * det::log(10)); }
 };
 
-/// In a closed box, or half a ball, with substances that weigh as much as the base fluid, so that no force but the strikes adds energy.
+/// Makes an attack in a closed box or half a ball. Substances have the weight of the base fluid, so
+/// only the strikes add energy.
 inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uint64_t seed,
                                     const AttackPlan& plan = {}) {
     Settings settings = flows::settings_of(flows::Flow{}, scheme, n);
@@ -53,7 +56,7 @@ inline Expected<Attack> make_attack(const flows::Scheme& scheme, int n, std::uin
     return Attack{.fluid = std::move(*fluid), .plan = plan, .random = random_stream(seed, 0)};
 }
 
-/// Not a number, or none that a hand could mean.
+/// A random value that is not a number, infinite or absurdly large.
 inline double absurd_number(Attack& attack) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     constexpr std::array numbers{std::numeric_limits<double>::quiet_NaN(), infinite, -infinite, 1e300,
@@ -61,7 +64,7 @@ inline double absurd_number(Attack& attack) {
     return numbers[attack.random.below(numbers.size())];
 }
 
-/// With one absurd number in its place, radius or impulse.
+/// A push with one absurd number in its place, radius or impulse.
 inline Push absurd_push(Attack& attack) {
     Push result = flows::random_push(attack.fluid.settings, 1, attack.random);
     const auto which = static_cast<int>(attack.random.below(7));
@@ -75,7 +78,7 @@ inline Push absurd_push(Attack& attack) {
     return result;
 }
 
-/// Anywhere in the box or beside it, of any size.
+/// A push of any size anywhere in the box or beside it.
 inline Push teleported_ladle(Attack& attack) {
     const double h = attack.fluid.lattice.h;
     Push result{.radius = attack.random.uniform(0, 0.5)};

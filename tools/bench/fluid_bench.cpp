@@ -1,7 +1,8 @@
-// The fluid: run time against error of both solvers, in flows that are known exactly (fluid_flows.h), and how they stand an attack.
+// Benchmark of the fluid: run time against error of both solvers in flows with known solutions
+// (fluid_flows.h), and resistance to attacks.
 //
-// Times are of one step of 16 ms with all its sub-steps, on one thread. Solvers that are compared step by turns, so that
-// what slows the machine slows all of them.
+// Times are for one step of 16 ms with all its sub-steps, on one thread. Compared solvers take turns
+// step by step, so that disturbances of the machine affect all of them.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -26,20 +27,20 @@ using fluid::StepReport;
 
 constexpr std::array solvers{Scheme{Solver::thaum, 4}, Scheme{Solver::thaum, 2}, Scheme{Solver::classic}};
 
-/// Steps of each fluid are timed and what they did is kept.
+/// A fluid whose steps are timed, and the results of its steps.
 struct FluidRun {
     Scheme scheme;
     int n;
     Fluid fluid;
-    std::vector<double> us{};  ///< of each whole step
-    double divergence{};       ///< the worst after a step
+    std::vector<double> us{};  ///< time of each whole step (us)
+    double divergence{};       ///< worst divergence after a step
     double steps{}, substeps{};
     StepReport last{};
 };
 
 void advance_timed(FluidRun& run, double dt) {
     const double us = us_of([&] { run.last = advance(run.fluid, dt); });
-    // Not the rest of a second, nor a fluid that has come to rest.
+    // Excludes the shorter last step of a second, and fluids that have come to rest.
     if (dt == flows::step && run.last.cells > 0) run.us.push_back(us);
     run.divergence = std::max(run.divergence, run.last.divergence);
     run.steps += 1;
@@ -64,7 +65,8 @@ std::vector<FluidRun> runs_of(const Flow& flow, int n, Report& report) {
                    report);
 }
 
-/// Until `end`, one step of each by turns. A first step that fills caches is not counted.
+/// Advances all fluids until `end`, one step of each in turn. The first step, which fills caches, is
+/// not timed.
 void run_by_turns(std::vector<FluidRun>& runs, double end) {
     for (const double dt : flows::steps_until(end)) {
         for (FluidRun& run : runs) advance_timed(run, dt);
@@ -79,14 +81,14 @@ std::string solver_name(const Scheme& scheme) { return scheme.solver == Solver::
 std::uint64_t velocity_hash(const Fluid& fluid) {
     std::uint64_t result = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // The ghosts follow from the rest.
+        // Ghosts are left out, because they follow from the other samples.
         flows::each_component(fluid, axis,
                               [&](double v, vec3) { result = hash_combine(result, hash_value(v)); });
     }
     return result;
 }
 
-/// What all rows have; the error, the metrics and what else is set come after.
+/// The part that all rows share. The caller adds error, metrics and parameters.
 Row row_of(const std::string& name, const FluidRun& run) {
     Row row{.area = "fluid",
             .name = name,
@@ -98,12 +100,12 @@ Row row_of(const std::string& name, const FluidRun& run) {
     return row;
 }
 
-/// Of classic the time of a sweep, of thaum's the share of classic's time.
+/// Adds the time of a sweep for `classic`, and the time relative to `classic` for `thaum`.
 void add_time_metrics(const FluidRun& run, const std::vector<FluidRun>& all, Row& row) {
     row.metrics.emplace_back("substeps_per_step", run.substeps / run.steps);
     if (run.us.empty()) return;
     if (run.scheme.solver == Solver::classic) {
-        // Three components are diffused and the pressure is solved for twice.
+        // Three components are diffused, and the pressure is solved twice.
         const double sweeps = 5.0 * run.fluid.settings.sweeps;
         const auto [nx, ny, nz] = run.fluid.lattice.cells;
         row.metrics.emplace_back("ns_per_cell_and_sweep",
@@ -131,7 +133,8 @@ void add_flow(const Flow& flow, int n, const std::vector<std::pair<std::string, 
     }
 }
 
-// ---- flows known exactly ----------------------------------------------------------------------------------------
+// ---- flows with known solutions
+// -----------------------------------------------------------------------------------
 
 void vortices(const Options& options, Report& report) {
     const std::vector<int> sizes = options.quick ? std::vector{16, 32} : std::vector{15, 16, 24, 32, 48, 64};
@@ -170,7 +173,8 @@ double change_since(const Fluid& fluid, fluid::Samples& before) {
     return most;
 }
 
-/// Until nothing changes by more than `still` m/s in a second, or `most_s` have passed. s.
+/// Runs until no velocity changes by more than `still` (m/s) in a second, or `most_s` (s) have passed.
+/// Returns the time (s).
 double run_until_steady(FluidRun& run, double still, double most_s) {
     fluid::Samples before;
     double time = 0;
@@ -199,7 +203,7 @@ void cavities(const Options& options, Report& report) {
 
 // ---- the bowl ---------------------------------------------------------------------------------------------------
 
-/// Our solver alone: the paper's knows no walls but the box. Where there are solids it is of second order.
+/// Row for `thaum` alone, because `classic` has no walls inside the box. With solids its order is 2.
 Row row_between_walls(const std::string& name, const FluidRun& run, double error, Report& report) {
     Row row = row_of(name, run);
     row.error = ErrorMeasure{"relative_l2_velocity", error};
@@ -249,13 +253,13 @@ struct TurnedShape {
     double (*density)(vec3 place);
 };
 
-/// One turn, by the substances' part of a step alone; no 16 ms here, but as many steps as `cfl` allows.
+/// One revolution by transport alone, in as many steps as `cfl` allows instead of steps of 16 ms.
 void add_turn(const TurnedShape& shape, int n, double cfl, Report& report) {
     auto runs = runs_of(
         [](const Scheme& scheme, int cells) { return make_fluid(flows::turning_settings(scheme, cells)); }, n,
         report);
     for (FluidRun& run : runs) {
-        // Substances are carried in one way only, whatever the order of the flow.
+        // Transport does not depend on the order of the flow.
         if (run.scheme.solver == Solver::thaum && run.scheme.order != 4) continue;
         set_velocity(run.fluid, flows::turning);
         set_substance(run.fluid, 0, shape.density);
@@ -288,7 +292,7 @@ void turns(const Options& options, Report& report) {
     }
 }
 
-/// The flow that goes back to where it began; an error of 2 has nothing where it ought to be.
+/// LeVeque's flow, which returns to its start. An error of 2 means that nothing is where it should be.
 void add_deformation(const TurnedShape& shape, int n, Report& report) {
     constexpr double cfl = 1;
     auto runs = runs_of([](const Scheme& scheme,
@@ -315,7 +319,7 @@ void add_deformation(const TurnedShape& shape, int n, Report& report) {
                        {"least_density", least},
                        {"most_density", most}};
         row.hash = hex(hash_bytes(std::as_bytes(std::span(run.fluid.now.substances[0]))));
-        // Both shapes are 1 high.
+        // The highest density of both shapes is 1.
         if (run.scheme.solver == Solver::thaum && !(least >= 0 && most <= 1 + 1e-5))
             report.faults.push_back(text("fluid leveque: ", shape.name, ", n = ", n, ": densities from ",
                                          least, " to ", most, ", not within 0 and 1"));
@@ -332,7 +336,7 @@ void deformations(const Options& options, Report& report) {
 
 // ---- heavy and light --------------------------------------------------------------------------------------------
 
-/// Kinetic and potential energy above the start, by what was released, that still count as rounding and order.
+/// Largest excess of kinetic plus potential energy over the start, as a share of the released energy.
 constexpr double excess_most = 0.01;
 
 void add_weighing(flows::Weighing weighing, bool in_bowl, int n, double viscosity, Report& report) {
@@ -370,7 +374,8 @@ void weighings(const Options& options, Report& report) {
 
 // ---- the cauldron -----------------------------------------------------------------------------------------------
 
-/// What a match pays: two ladles, three substances, one of them thick, in a bowl; beside an empty box of as many cells.
+/// The load of a match: two ladles and three substances in a bowl, one of them thick; compared with an
+/// empty box with the same number of cells.
 void cauldron(const Options& options, Report& report) {
     const int n = 32, steps = options.quick ? 60 : 600;
     std::vector<FluidRun> runs;
@@ -422,7 +427,7 @@ Expected<Fluid> attacked(const Scheme& scheme, int n) {
     return flows::start(flow, scheme, n);
 }
 
-/// Every step one push of up to 100 m/s.
+/// One push of up to 100 m/s in every step.
 void hostile_of(int n, const Options& options, Report& report) {
     const int steps = options.quick ? 50 : 2000;
     auto runs = runs_of(attacked, n, report);
@@ -470,7 +475,8 @@ constexpr std::array stress_cases{
     StressCase{{Solver::classic}, 24},  StressCase{{Solver::thaum, 4}, 32},
     StressCase{{Solver::thaum, 2}, 32}, StressCase{{Solver::thaum, 2}, 32, true}};
 
-/// The paper's method promises neither to be free of divergence nor to keep energy and amounts: it must only stay finite.
+/// Bounds of an attack. The paper's method guarantees neither zero divergence nor conserved energy and
+/// amounts, so it must only stay finite.
 fluid::AttackBounds bounds_of(const StressCase& stressed) {
     if (stressed.bowl) return {.divergence = fluid::bowl_divergence};
     if (stressed.scheme.solver == Solver::thaum) return {};
@@ -478,9 +484,9 @@ fluid::AttackBounds bounds_of(const StressCase& stressed) {
     return {.divergence = any, .energy_growth = any, .amount_drift = any};
 }
 
-/// Of a step that took `first` us: the least of a few runs of the same step, since in a long attack another program has the processor
-/// at some time within some step, and a step always does the same work.
-double least_us(fluid::Fluid& fluid, const fluid::State& before, double first) {
+/// Time of a step that took `first` (us): the minimum over a few repetitions. In a long attack other
+/// programs interrupt some steps, but a repeated step always does the same work.
+double least_us(const fluid::Fluid& before, double first) {
     constexpr int runs = 5;
     const fluid::State after = fluid.now;
     for (int i = 1; i < runs; ++i) {
@@ -491,7 +497,7 @@ double least_us(fluid::Fluid& fluid, const fluid::State& before, double first) {
     return first;
 }
 
-/// Of a few, before the first strike: all that is at work later is at work, but nothing moves fast.
+/// Minimum time of a few steps before the first strike. All terms are active, but nothing moves fast.
 double calm_step_us(fluid::Fluid calm) {
     for (std::size_t s = 0; s < calm.settings.substances.size(); ++s)
         pour(calm, s, vec3(0.5, 0.5, 0.5), 0.3, 1e-3);

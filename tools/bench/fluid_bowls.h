@@ -1,5 +1,5 @@
-// Flows between curved walls whose course is known, and how far the fluid is off. A face that a wall cuts carries the mean velocity over
-// its open part (fluid/cuts.h), so that is what it is compared with.
+// Flows between curved walls with known solutions, and their errors. The velocity on a cut face is the
+// mean over its open part (fluid/cuts.h), so it is compared with that mean.
 #pragma once
 #include "tools/bench/fluid_flows.h"
 
@@ -8,7 +8,7 @@ namespace thaum::fluid::flows {
 using Inside = std::function<bool(vec3)>;
 using Exact = std::function<vec3(vec3)>;
 
-/// The open share of a face across an axis, and the mean of a component over that part.
+/// The open share of a face across an axis, and the mean of a component over the open part.
 struct FaceMean {
     double share{}, mean{};
 };
@@ -40,7 +40,7 @@ inline FaceMean face_mean(const Inside& inside, const Exact& exact, vec3 middle,
     return result;
 }
 
-/// Relative L2 error of the velocities on all faces with an open part, by their open area.
+/// Relative L2 error of the velocities on all open faces, weighted by open area.
 inline double faces_error(const Fluid& fluid, const Inside& inside, const Exact& exact) {
     double off = 0, of = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -53,16 +53,16 @@ inline double faces_error(const Fluid& fluid, const Inside& inside, const Exact&
     return std::sqrt(off / of);
 }
 
-/// A steady flow between walls at rest, kept up by a force.
+/// A steady flow between walls at rest, driven by a force.
 struct WalledFlow {
     std::string name;
-    Cells divided{1, 1, 1};  ///< by what n is divided for the cells along each axis
-    double viscosity{};      ///< m^2/s
-    double end{};            ///< s, when it is compared
+    Cells divided{1, 1, 1};  ///< divisors of n for the number of cells along each axis
+    double viscosity{};      ///< kinematic viscosity (m^2/s)
+    double end{};            ///< time of the comparison (s)
     Inside inside;
-    Exact velocity;       ///< m/s
-    Exact force;          ///< m/s^2
-    bool starts = false;  ///< with that velocity; else at rest
+    Exact velocity;       ///< exact velocity (m/s)
+    Exact force;          ///< driving force per mass (m/s^2)
+    bool starts = false;  ///< true: starts with the exact velocity; false: at rest
 };
 
 inline Expected<Fluid> start(const WalledFlow& flow, const Scheme& scheme, int n) {
@@ -76,7 +76,7 @@ inline Expected<Fluid> start(const WalledFlow& flow, const Scheme& scheme, int n
     return fluid;
 }
 
-/// What the force adds in a second, on each face.
+/// Acceleration by the force on each face (m/s^2).
 inline std::array<Samples, 3> forces_of(const WalledFlow& flow, const Fluid& fluid) {
     std::array<Samples, 3> result;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -91,7 +91,7 @@ inline std::array<Samples, 3> forces_of(const WalledFlow& flow, const Fluid& flu
     return result;
 }
 
-/// Before a step of dt s.
+/// Applies the force for a step of dt (s).
 inline void drive(Fluid& fluid, const std::array<Samples, 3>& force, double dt) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         std::ranges::transform(force[axis], fluid.now.push[axis].begin(),
@@ -105,8 +105,8 @@ inline void drive(Fluid& fluid, const std::array<Samples, 3>& force, double dt) 
 inline constexpr double couette_inner = 0.17, couette_outer = 0.43;  ///< m
 inline constexpr double couette_viscosity = 0.01, couette_swirl = 0.01;
 
-/// Round an axis along y: the speed A r + B / r that any steady flow in circles has, and what a force of couette_swirl / r adds. The
-/// walls stand still, so A and B are such that it is 0 on both.
+/// Speed around an axis along y: A r + B / r is the general steady flow in circles, and a force of
+/// couette_swirl / r adds a third term. The walls are at rest, so A and B make it 0 on both.
 inline double couette_speed(double radius) {
     const auto driven = [](double r) { return -couette_swirl / (2 * couette_viscosity) * r * det::log(r); };
     const double a = couette_inner, b = couette_outer;
@@ -115,7 +115,7 @@ inline double couette_speed(double radius) {
     return rate * radius + constant / radius + driven(radius);
 }
 
-/// 4 cells high.
+/// Taylor-Couette flow in a layer of 4 cells.
 inline WalledFlow taylor_couette() {
     const auto off_axis = [](vec3 place) { return vec3(place.x - 0.5, 0, place.z - 0.5); };
     const auto round = [off_axis](vec3 place) {
@@ -138,8 +138,8 @@ inline WalledFlow taylor_couette() {
 
 // ---- a vortex beside the axis of a bowl -------------------------------------------------------------------------
 
-/// m/s. In every level round a place that is not on the bowl's axis, and 0 on the wall: the curl, along y, of (1 - r^2 / R^2)^2 (1 + 1.5 x / R),
-/// scaled to a speed of about 0.2 m/s.
+/// Velocity of a vortex beside the axis of a bowl, 0 on its wall (m/s). In every level it is the curl
+/// along y of (1 - r^2 / R^2)^2 (1 + 1.5 x / R), scaled to a speed of about 0.2 m/s.
 inline vec3 bowl_vortex_velocity(vec3 place) {
     const vec3 off = (place - bowl_centre) / bowl_radius;
     const double room = 1 - glm::dot(off, off), lean = 1 + 1.5 * off.x;
@@ -147,7 +147,7 @@ inline vec3 bowl_vortex_velocity(vec3 place) {
     return 0.15 * vec3(-by_z, 0, by_x);
 }
 
-/// m/s^2. What carries itself, less what viscosity takes, by differences.
+/// Force that keeps this vortex steady: its own advection minus viscosity, by differences (m/s^2).
 inline vec3 bowl_vortex_force(vec3 place) {
     constexpr double d = 1e-4;
     const vec3 here = bowl_vortex_velocity(place);
@@ -172,7 +172,8 @@ inline WalledFlow bowl_vortex() {
             .starts = true};
 }
 
-// ---- how far they are off ---------------------------------------------------------------------------------------
+// ---- errors
+// ---------------------------------------------------------------------------------------------------------
 
 inline double bowl_error(const Fluid& fluid, double time) {
     return faces_error(
@@ -180,7 +181,7 @@ inline double bowl_error(const Fluid& fluid, double time) {
         [time](vec3 place) { return bowl_spin_down(place, time); });
 }
 
-/// Places in the bowl, not nearer to its wall than 5 % of its radius.
+/// Places in the bowl, at least 5 % of its radius from the wall.
 inline std::vector<vec3> bowl_places() {
     std::vector<vec3> result;
     Random random = random_stream(1, 0);
@@ -191,7 +192,8 @@ inline std::vector<vec3> bowl_places() {
     return result;
 }
 
-/// Relative, L2, over bowl_places, linear between the faces; that alone errs by 0.036 / 0.0087 / 0.0020 at n = 16 / 32 / 64.
+/// Relative L2 error over bowl_places, with linear interpolation between faces. The interpolation alone
+/// has an error of 0.036 / 0.0087 / 0.0020 at n = 16 / 32 / 64.
 inline double bowl_error_between(const Fluid& fluid, double time) {
     double off = 0, of = 0;
     for (const vec3 place : bowl_places()) {

@@ -1,7 +1,6 @@
-// The flows by which the fluid is tested and measured, each with what is known of it exactly. Written once, for the benchmarks
-// (fluid_bench.cpp) and for the tests.
+// Flows with known solutions for tests and benchmarks (fluid_bench.cpp) of the fluid.
 //
-// Boxes are cubes of edge 1 m and n cells unless a flow says otherwise.
+// Boxes are cubes of edge length 1 m with n cells along each axis, unless a flow says otherwise.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -17,18 +16,18 @@
 
 namespace thaum::fluid::flows {
 
-/// A tick of the fluid, s.
+/// Time step of the fluid in a match (s).
 inline constexpr double step = 0.016;
 
-/// A flow whose course is known.
+/// A flow with a known solution.
 struct Flow {
     std::string name;
-    Settings settings{};  ///< but for solver, order, cells and h
-    Cells fixed{};        ///< cells along each axis; 0: n, which fill 1 m
-    double end{1};        ///< s, when it is compared
-    vec3 mean{};          ///< m/s, what errors are not measured against
-    bool fades = false;   ///< perhaps to nothing: errors are measured against its start
-    std::function<vec3(vec3, double)> velocity{};  ///< m/s, exact, by place and time
+    Settings settings{};  ///< all but solver, order, cells and h
+    Cells fixed{};        ///< cells along each axis; 0: n cells, which fill 1 m
+    double end{1};        ///< time of the comparison (s)
+    vec3 mean{};          ///< mean velocity, excluded from the norm of reference (m/s)
+    bool fades = false;   ///< true: the flow may decay to zero, so errors are relative to its start
+    std::function<vec3(vec3, double)> velocity{};  ///< exact velocity by place and time (m/s)
 };
 
 struct Scheme {
@@ -46,14 +45,14 @@ inline Settings settings_of(const Flow& flow, const Scheme& scheme, int n) {
     return result;
 }
 
-/// At its start.
+/// Makes the fluid at the start of the flow.
 inline Expected<Fluid> start(const Flow& flow, const Scheme& scheme, int n) {
     auto fluid = make_fluid(settings_of(flow, scheme, n));
     if (fluid) set_velocity(*fluid, [&](vec3 place) { return flow.velocity(place, 0); });
     return fluid;
 }
 
-/// Calls with each cell's velocity component `axis`, m/s, and where it stands, m.
+/// Calls `f` with component `axis` of each cell's velocity (m/s) and its position (m).
 template <class F>
 void each_component(const Fluid& fluid, std::size_t axis, F&& f) {
     const vec3 place = fluid.place(axis);
@@ -68,7 +67,7 @@ void each_component(const Fluid& fluid, std::size_t axis, F&& f) {
     }
 }
 
-/// What velocities are off by, against what `reference` is; both as the root of the sum of squares (L2).
+/// Error of the velocities relative to `reference`, both in the L2 norm.
 inline double relative_error(const Fluid& fluid, const std::function<vec3(vec3)>& exact,
                              const std::function<vec3(vec3)>& reference) {
     double off = 0, of = 0;
@@ -89,7 +88,7 @@ inline double error_at(const Flow& flow, const Fluid& fluid, double time) {
         [&](vec3 place) { return flow.velocity(place, flow.fades ? 0 : time) - flow.mean; });
 }
 
-/// Whole steps and the rest.
+/// Whole steps until `end`, and a shorter last one.
 inline std::vector<double> steps_until(double end, double dt = step) {
     std::vector<double> result(static_cast<std::size_t>(end / dt + 1e-9), dt);
     const double rest = end - dt * static_cast<double>(result.size());
@@ -101,12 +100,13 @@ inline std::vector<double> steps_until(double end, double dt = step) {
 
 inline constexpr double vortex_viscosity = 1e-3;
 
-/// The vortex sheet of Taylor and Green as the sum of two plane waves of equal length: sin(k1 . x) and sin(k2 . x) along d1 and d2.
-/// Any two such waves in one plane solve eq. 1 exactly, since their vorticity is a function of their stream function; they decay
-/// as exp(-k^2 nu t). On a mean flow they drift.
+/// The vortices of Taylor and Green as a sum of two plane waves of equal length: sin(k1 . x) along d1
+/// and sin(k2 . x) along d2. Any two such waves in one plane solve eq. 1 exactly, because their
+/// vorticity is a function of their stream function. They decay as exp(-k^2 nu t) and drift with a mean
+/// flow.
 struct Waves {
-    vec3 k1, k2;  ///< 1/m
-    vec3 d1, d2;  ///< m/s, across k1 and k2, in one plane
+    vec3 k1, k2;  ///< wave vectors (1/m)
+    vec3 d1, d2;  ///< amplitudes, perpendicular to k1 and k2 in one plane (m/s)
 };
 
 inline vec3 waves_at(const Waves& waves, vec3 place, double viscosity, double time) {
@@ -125,7 +125,7 @@ inline Flow drifting(std::string name, const Waves& waves) {
     return flow;
 }
 
-/// u = sin 2 pi x cos 2 pi y, v = -cos 2 pi x sin 2 pi y.
+/// Taylor-Green vortices on a mean flow: u = sin 2 pi x cos 2 pi y, v = -cos 2 pi x sin 2 pi y.
 inline Flow taylor_green_moving() {
     return drifting("taylor_green_moving", {.k1 = 2 * pi * vec3(1, 1, 0),
                                             .k2 = 2 * pi * vec3(1, -1, 0),
@@ -133,10 +133,11 @@ inline Flow taylor_green_moving() {
                                             .d2 = {0.5, 0.5, 0}});
 }
 
-/// The same lengths of waves and the same speeds in the plane across (-1, 1, 1), so that no component and no direction of the grid
-/// is spared. A turn that keeps the right angle between the waves has a period of 3 m, or waves half as long in the same box, and
-/// could not be compared: here they meet at 60 degrees. Of such pairs it is the one whose waves the mean flow crosses most
-/// nearly as fast as those of the straight vortex (root mean square of k . mean / 2 pi: 1.08 and 1.12 per s).
+/// Waves of the same length and speed in the plane across (-1, 1, 1), so that all components and
+/// directions of the grid take part. Waves at a right angle would need a period of 3 m, or half the
+/// wavelength in the same box, and could not be compared. These waves meet at 60 degrees. Among such
+/// pairs the mean flow crosses this one most nearly as fast as the straight vortices (root mean square
+/// of k . mean / 2 pi: 1.08 and 1.12 per s).
 inline Flow taylor_green_oblique() {
     const vec3 across = vec3(-1, 1, 1) / std::sqrt(3.0);
     const vec3 a(1, 1, 0), b(0, 1, -1);
@@ -146,7 +147,8 @@ inline Flow taylor_green_oblique() {
                                              .d2 = 0.5 * glm::cross(across, b)});
 }
 
-/// u = sin pi x cos pi y, v = -cos pi x sin pi y between free-slip walls; x and y being the axes `first` and the next.
+/// u = sin pi x cos pi y, v = -cos pi x sin pi y between free-slip walls, where x is the axis `first`
+/// and y the next one.
 inline Flow taylor_green_box(int first) {
     Flow flow{.name = "taylor_green_box"};
     flow.settings.viscosity = vortex_viscosity;
@@ -163,7 +165,8 @@ inline Flow taylor_green_box(int first) {
 
 // ---- walls and viscosity ----------------------------------------------------------------------------------------
 
-/// Between two plates 1 m apart, the upper one of which moves at 1 m/s from the start on. Uniform along x and z.
+/// Flow between two plates 1 m apart. The upper plate moves at 1 m/s from the start. Uniform along x
+/// and z.
 inline Flow couette_start() {
     Flow flow{.name = "couette_start", .fixed = {4, 0, 4}, .end = 0.32};
     flow.settings.edges = {Edge::periodic, Edge::no_slip, Edge::periodic};
@@ -182,7 +185,7 @@ inline Flow couette_start() {
     return flow;
 }
 
-/// The vortex in the box at nu dt / h^2 = `ratio`, which may take all of it in one step.
+/// The vortex in the box with nu dt / h^2 = `ratio`; one step may remove all of it.
 inline Flow high_viscosity(double ratio, int n) {
     Flow flow = taylor_green_box(0);
     flow.name = "high_viscosity";
@@ -199,7 +202,8 @@ inline Flow high_viscosity(double ratio, int n) {
 
 // ---- the cavity -------------------------------------------------------------------------------------------------
 
-/// A square of 1 m with a lid that moves at 1 m/s; one cell deep. `which` of ghia.h's Reynolds numbers 100, 400, 1000.
+/// Reynolds numbers of ghia.h for a square cavity of 1 m, one cell deep, with a lid that moves at 1
+/// m/s.
 inline constexpr std::array<double, 3> cavity_reynolds{100, 400, 1000};
 inline Flow cavity_2d(std::size_t which) {
     Flow flow{.name = "cavity_2d", .fixed = {0, 0, 1}};
@@ -210,7 +214,7 @@ inline Flow cavity_2d(std::size_t which) {
     return flow;
 }
 
-/// A value between others by the cubic through the four nearest. Places rise.
+/// Cubic interpolation through the four nearest values. `places` must be increasing.
 inline double cubic_between(const std::vector<double>& places, const std::vector<double>& values,
                             double place) {
     const auto above = std::ranges::upper_bound(places, place) - places.begin();
@@ -228,12 +232,13 @@ inline double cubic_between(const std::vector<double>& places, const std::vector
     return result;
 }
 
-/// Component `axis` of a cavity's velocity along axis `along`, 0 or 1 both, at `across` of the other; with the walls.
+/// Component `axis` of a cavity's velocity on a line along axis `along` (both 0 or 1), at `across` on
+/// the other axis, including the walls.
 struct Profile {
     std::vector<double> places, values;
 };
 
-/// Samples of one row with the two walls, of which a row on the faces has the lower one already.
+/// Adds the values at the two walls. A row on faces has the lower one already.
 inline Profile with_walls(const Profile& row, double low, double high) {
     Profile result = row;
     if (result.places.front() > 1e-9) {
@@ -269,7 +274,7 @@ inline Profile cavity_profile(const Fluid& fluid, std::size_t axis, std::size_t 
     return with_walls(result, 0, lid(along));
 }
 
-/// m/s, root of the mean square over Ghia's tables.
+/// Root mean square error over Ghia's tables (m/s).
 inline double cavity_error(const Fluid& fluid, std::size_t which) {
     const Profile u = cavity_profile(fluid, 0, 1, 0.5), v = cavity_profile(fluid, 1, 0, 0.5);
     double squares = 0;
@@ -289,13 +294,14 @@ inline double cavity_error(const Fluid& fluid, std::size_t which) {
 
 // ---- substances -------------------------------------------------------------------------------------------------
 
-/// A rigid turn in 1 s about the axis (0.5, 0.5, z); periodic, so that every row carries as much out of the box as into it. Each component
-/// is constant along its own direction, so it has no divergence on any grid.
+/// Velocity of one revolution in 1 s about the axis (0.5, 0.5, z). Periodic, so that every row carries
+/// as much out of the box as into it. Each component is constant along its own direction, so the
+/// divergence is zero on any grid.
 inline vec3 turning(vec3 place) { return 2 * pi * vec3(0.5 - place.y, place.x - 0.5, 0); }
-/// m, within which all stays in the box.
+/// Radius within which everything stays in the box (m).
 inline constexpr double turn_radius = 0.5;
-/// m, within which nothing was ever near the edge of the box: there the Gaussian's tail, 0.04 high, is cut, and whatever carries it
-/// spreads that over a few cells.
+/// Radius within which nothing was ever near the edge of the box (m). The tail of the Gaussian, 0.04
+/// high, is cut there, and any scheme spreads the cut over a few cells.
 inline constexpr double inner_radius = 0.4;
 
 inline Settings turning_settings(const Scheme& scheme, int n) {
@@ -309,7 +315,8 @@ inline Settings turning_settings(const Scheme& scheme, int n) {
     return result;
 }
 
-/// Steps of one turn in which the fastest component, at the edge of the box, crosses at most `cfl` cells.
+/// Number of steps of one revolution in which the fastest component, at the edge of the box, crosses at
+/// most `cfl` cells.
 inline int steps_of_turn(int n, double cfl) { return static_cast<int>(std::ceil(pi * n / cfl)); }
 
 inline double gaussian(vec3 place) {
@@ -317,7 +324,8 @@ inline double gaussian(vec3 place) {
     return det::exp(-glm::dot(off, off) / (2 * 0.1 * 0.1));
 }
 
-/// Of radius 0.15 m with a slot 0.05 m wide that is cut 0.25 m into it from the axis' side (Enright, Fedkiw, Ferziger and Mitchell 2002, to scale).
+/// Sphere of radius 0.15 m with a slot 0.05 m wide, cut 0.25 m deep from the side of the axis (Enright,
+/// Fedkiw, Ferziger and Mitchell 2002, scaled).
 inline double slotted_sphere(vec3 place) {
     const vec3 off = place - vec3(0.5, 0.75, 0.5);
     const bool slot = std::abs(off.x) < 0.025 && off.y < 0.1;
@@ -325,7 +333,7 @@ inline double slotted_sphere(vec3 place) {
 }
 
 struct Densities {
-    double error{};  ///< relative L2, within a radius of the axis
+    double error{};  ///< relative L2 error within a radius of the axis
     double least{}, most{};
 };
 
@@ -355,10 +363,11 @@ inline Densities densities_of(const Fluid& fluid, std::size_t substance,
 
 // ---- the bowl ---------------------------------------------------------------------------------------------------
 
-/// Half a ball, open at the top of y, in a box half as high as it is wide.
+/// Half a ball, open at the top of y, in a box half as high as wide.
 inline constexpr double bowl_radius = 0.46;  ///< m
 inline constexpr double bowl_viscosity = 0.01, bowl_end = 1;
-/// rad/s, so slow that the flow does not carry itself: the fluid keeps turning in circles while its wall brakes it.
+/// Initial angular speed (rad/s). It is so small that advection is negligible; the fluid turns in
+/// circles and its wall brakes it.
 inline constexpr double bowl_turn = 0.005;
 inline const vec3 bowl_centre(0.5);
 
@@ -368,13 +377,13 @@ inline bool in_bowl(vec3 place, double part = 1) {
 
 inline double solid_beyond_bowl(vec3 place) { return in_bowl(place) ? 0 : 1; }
 
-/// Of n x n x n cells, n even: half of it, and what is beyond the bowl is solid.
+/// Halves a box of n x n x n cells, n even, and makes everything outside the bowl solid.
 inline void put_into_bowl(Settings& settings) {
     settings.cells[1] /= 2;
     settings.solid = solid_beyond_bowl;
 }
 
-/// n even. Turning as a whole to begin with; the wall holds.
+/// A bowl that turns as a rigid body at the start, with a no-slip wall; n must be even.
 inline Expected<Fluid> turning_bowl(const Scheme& scheme, int n) {
     Settings settings = settings_of(Flow{}, scheme, n);
     put_into_bowl(settings);
@@ -385,7 +394,7 @@ inline Expected<Fluid> turning_bowl(const Scheme& scheme, int n) {
     return fluid;
 }
 
-/// The positive solutions of tan x = x.
+/// The first positive solutions of tan x = x.
 inline std::array<double, 40> roots_of_tan() {
     std::array<double, 40> result{};
     for (std::size_t m = 0; m < result.size(); ++m) {
@@ -396,12 +405,13 @@ inline std::array<double, 40> roots_of_tan() {
     return result;
 }
 
-/// m/s. In a ball, of which the bowl is half: the sum over the spherical Bessel functions j1 that are zero on the wall.
+/// Velocity of the spin-down (m/s). It is that in a ball, of which the bowl is half: a sum over
+/// spherical Bessel functions j1 that are zero on the wall.
 inline vec3 bowl_spin_down(vec3 place, double time) {
     const vec3 off = place - bowl_centre;
     const double part = glm::length(off) / bowl_radius;
     static const std::array<double, 40> roots = roots_of_tan();
-    double speed = 0;  // by the distance from the axis
+    double speed = 0;  // divided by the distance from the axis
     for (const double root : roots) {
         const double fade = det::exp(-root * root * bowl_viscosity * time / (bowl_radius * bowl_radius));
         const double x = std::max(root * part, 1e-3);
@@ -413,14 +423,16 @@ inline vec3 bowl_spin_down(vec3 place, double time) {
 
 // ---- the cauldron -----------------------------------------------------------------------------------------------
 
-/// 1 where it is solid: a hemisphere below a cylinder that is open above, in the unit box.
+/// Solid share of the cauldron, 0 or 1: a hemisphere below a cylinder that is open at the top, in the
+/// unit box.
 inline double cauldron(vec3 place) {
     vec3 apart = place - vec3(0.5);
     if (place.y > 0.5) apart.y = 0;
     return glm::length(apart) > 0.49 ? 1 : 0;
 }
 
-/// A cauldron with three substances in it, the first a hundred times as viscous as the base fluid; or, to compare, a box with none.
+/// A cauldron with three substances, the first a hundred times as viscous as the base fluid; or a box
+/// without substances for comparison.
 inline Expected<Fluid> brew(int n, bool in_cauldron = true) {
     Settings settings{.cells = {n, n, n},
                       .h = 1.0 / n,
@@ -438,7 +450,7 @@ inline Expected<Fluid> brew(int n, bool in_cauldron = true) {
     return fluid;
 }
 
-/// Two ladles, opposite each other, each a third of the way round in a second.
+/// Two ladles opposite each other, each making a third of a revolution in a second.
 inline void stir(Fluid& fluid, int steps_before) {
     const double angle = 2 * pi / 3 * step * steps_before;
     const vec3 out(det::cos(angle), 0, det::sin(angle)), along(-out.z, 0, out.x);
@@ -448,7 +460,7 @@ inline void stir(Fluid& fluid, int steps_before) {
 
 // ---- rest and attack --------------------------------------------------------------------------------------------
 
-/// Three substances in layers, heavier ones below, which ought to stay there for ever.
+/// Three substances in layers, heavier ones below, which must stay at rest.
 inline Expected<Fluid> resting(const Scheme& scheme, int n) {
     Settings settings = settings_of(Flow{}, scheme, n);
     settings.viscosity = 1e-3;
@@ -462,7 +474,8 @@ inline Expected<Fluid> resting(const Scheme& scheme, int n) {
     return fluid;
 }
 
-/// m^5/s^2, the most that a step can make of what moves and of what has been pushed since the last one: speeds add up.
+/// Upper bound of the energy after a step, from the current velocity and the queued pushes (m^5/s^2).
+/// Speeds add up.
 inline double energy_given(const Fluid& fluid) {
     double pushes = 0;
     for (const Samples& push : fluid.now.push) {
@@ -473,7 +486,7 @@ inline double energy_given(const Fluid& fluid) {
     return root * root;
 }
 
-/// A cell is given up to `speed` m/s in any direction.
+/// A push that gives a cell up to `speed` (m/s) in any direction.
 inline Push random_push(const Settings& settings, double speed, Random& random) {
     Push result{.radius = settings.h};
     for (int axis = 0; axis < 3; ++axis) {

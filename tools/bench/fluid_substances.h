@@ -1,5 +1,5 @@
-// Flows in which substances are what matters: heavy and light ones that fall, rise and slosh, with their energies. Written once, for the
-// benchmarks (fluid_bench.cpp) and for the tests.
+// Flows driven by heavy and light substances that fall, rise and slosh, with their energies. Used by
+// the benchmark (fluid_bench.cpp) and by tests.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -14,7 +14,7 @@ namespace thaum::fluid::flows {
 
 // ---- heavy and light --------------------------------------------------------------------------------------------
 
-/// A light lump near the floor, a heavy one near the top, or a heavy layer whose surface is tilted.
+/// A light lump near the floor, a heavy lump near the top, or a heavy layer with a tilted surface.
 enum class Weighing : std::uint8_t { plume, settling, sloshing };
 inline constexpr std::array weighings{Weighing::plume, Weighing::settling, Weighing::sloshing};
 inline constexpr std::string_view name_of(Weighing weighing) {
@@ -22,7 +22,7 @@ inline constexpr std::string_view name_of(Weighing weighing) {
     return names[static_cast<std::size_t>(weighing)];
 }
 
-inline constexpr double weighing_share = 0.3;  ///< weight of the substance against that of the base fluid
+inline constexpr double weighing_share = 0.3;  ///< weight of the substance relative to the base fluid
 
 inline double weighing_density(Weighing weighing, vec3 place, double top) {
     if (weighing == Weighing::sloshing) return place.y < top * (0.5 + 0.4 * (place.x - 0.5)) ? 1 : 0;
@@ -30,7 +30,7 @@ inline double weighing_density(Weighing weighing, vec3 place, double top) {
     return det::exp(-glm::dot(off, off) / (2 * 0.1 * 0.1));
 }
 
-/// At rest, in a box or the bowl of n cells across, n even.
+/// A fluid at rest, in a box or in the bowl, n cells across; n must be even.
 inline Expected<Fluid> weighing_fluid(Weighing weighing, bool in_bowl, int n, double viscosity) {
     Settings settings = settings_of(Flow{}, {Solver::thaum, in_bowl ? 2 : 4}, n);
     settings.viscosity = viscosity;
@@ -44,7 +44,7 @@ inline Expected<Fluid> weighing_fluid(Weighing weighing, bool in_bowl, int n, do
     return fluid;
 }
 
-/// Summed over the velocities (m^5/s^2), apart from the solver's own sum.
+/// Kinetic energy (m^5/s^2), summed independently of the solver.
 inline double kinetic_energy(const Fluid& fluid) {
     double sum = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -53,7 +53,7 @@ inline double kinetic_energy(const Fluid& fluid) {
     return 0.5 * sum * h * h * h;
 }
 
-/// Summed over the densities (m^5/s^2), zero at the origin.
+/// Potential energy relative to the origin (m^5/s^2), from the densities.
 inline double potential_energy(const Fluid& fluid) {
     double sum = 0;
     const double h = fluid.lattice.h;
@@ -65,12 +65,12 @@ inline double potential_energy(const Fluid& fluid) {
     return sum * h * h * h;
 }
 
-/// Follows the energies of a fluid at rest that is left to its weight.
+/// Energy balance of a fluid that starts at rest and moves by weight alone.
 struct PassivityObserver {
-    double start{};     ///< potential energy at first (m^5/s^2)
-    double released{};  ///< most of it that was given so far
-    double excess{};    ///< most by which kinetic and potential energy together were above the start
-    double rescaled{};  ///< kinetic energy that the solver took away, all in all
+    double start{};     ///< initial potential energy (m^5/s^2)
+    double released{};  ///< largest potential energy released so far (m^5/s^2)
+    double excess{};    ///< largest excess of kinetic plus potential energy over the start (m^5/s^2)
+    double rescaled{};  ///< kinetic energy removed by the solver in total (m^5/s^2)
 };
 
 inline PassivityObserver open_book(const Fluid& fluid) { return {.start = potential_energy(fluid)}; }
@@ -84,10 +84,11 @@ inline void enter(const Fluid& fluid, const StepReport& report, PassivityObserve
 
 // ---- reversed deformation ---------------------------------------------------------------------------------------
 
-/// LeVeque's flow (1996): it draws what it carries out into sheets thinner than a cell, and back again, within `deformation_end`.
+/// LeVeque's flow (1996): it stretches its content into layers thinner than a cell, and back again,
+/// within `deformation_end`.
 inline constexpr double deformation_end = 3;  ///< s
 
-/// Velocity (m/s); the components cross walls nowhere, and have no divergence on a staggered grid either.
+/// Velocity of LeVeque's flow (m/s). It crosses no wall and is free of divergence on a staggered grid.
 inline vec3 deformation(vec3 place, double time) {
     const vec3 once(det::sin(pi * place.x), det::sin(pi * place.y), det::sin(pi * place.z));
     const vec3 twice(det::sin(2 * pi * place.x), det::sin(2 * pi * place.y), det::sin(2 * pi * place.z));
@@ -114,18 +115,19 @@ inline Settings deformation_settings(const Scheme& scheme, int n) {
     return result;
 }
 
-/// Steps in which the fastest component crosses at most `cfl` cells.
+/// Number of steps in which the fastest component crosses at most `cfl` cells.
 inline int steps_of_deformation(int n, double cfl) {
     return static_cast<int>(std::ceil(2 * deformation_end * n / cfl));
 }
 
-/// Sets the velocity in the middle of step `i` of `steps`.
+/// Sets the velocity at the middle of step `i` of `steps`.
 inline void set_deformation(Fluid& fluid, int i, int steps) {
     const double time = (i + 0.5) * deformation_end / steps;
     set_velocity(fluid, [&](vec3 place) { return deformation(place, time); });
 }
 
-/// Sum of what densities are off by, by the sum of what they should be (relative L1).
+/// Sum of the absolute errors of the densities, divided by the sum of the exact densities (relative
+/// L1).
 inline double absolute_error(const Fluid& fluid, const std::function<double(vec3)>& exact) {
     double off = 0, of = 0;
     each_cell(fluid.lattice, [&](int i, int j, int k, std::size_t at) {
@@ -136,7 +138,7 @@ inline double absolute_error(const Fluid& fluid, const std::function<double(vec3
     return off / of;
 }
 
-/// The least and the highest density of the first substance.
+/// Lowest and highest density of the first substance.
 inline std::pair<double, double> range_of(const Fluid& fluid) {
     double least = 1e300, most = -1e300;
     each_cell(fluid.lattice, [&](int, int, int, std::size_t at) {

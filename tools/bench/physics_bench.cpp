@@ -1,8 +1,10 @@
-// Rigid bodies: run time against error, over the step and over what is done about Bullet's first-order step.
+// Benchmark of rigid bodies: run time against error, by time step and by treatment of Bullet's
+// first-order step.
 //
-// Scheme "bullet" is semi-implicit Euler as Bullet has it; "half_start" the same, the caller giving every body the velocity of
-// half a step earlier (which makes a free fall exact and is what one can do from outside); "exact_flight" is what ships. Solutions
-// to compare with: closed forms, and for the pendulum Runge and Kutta's method with a step at which it has converged.
+// Scheme "bullet" is semi-implicit Euler as in Bullet. "half_start" is the same, but the caller gives
+// every body the velocity of half a step earlier; free fall is then exact, and this is possible from
+// outside. "exact_flight" is the shipped scheme. Solutions for comparison are closed forms, and for the
+// pendulum a converged Runge-Kutta integration.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,16 +27,16 @@ using physics::Key;
 using physics::Physics;
 using physics::Shape;
 
-constexpr double g = 9.81;  // m/s^2, Physics' own
+constexpr double g = 9.81;  // gravity of Physics (m/s^2)
 constexpr std::array schemes{"bullet", "half_start", "exact_flight"};
 constexpr std::array<std::int64_t, 4> steps_ms{1, 2, 4, 8};
 constexpr std::int64_t shipped_step_ms = 1;
 constexpr int shipped_iterations = physics::Settings{}.solver_iterations;
 
-/// A world with its clock.
+/// A world and its time step.
 struct Run {
     std::string scheme;
-    double dt;  ///< s
+    double dt;  ///< time step (s)
     Physics physics;
 
     Run(const std::string& name, std::int64_t step_ms, int iterations = shipped_iterations)
@@ -42,7 +44,7 @@ struct Run {
           dt(static_cast<double>(step_ms) * 1e-3),
           physics({.solver_iterations = iterations, .exact_flight = name == "exact_flight"}) {}
 
-    /// Of a body that starts with it under gravity.
+    /// Velocity to give a body that starts with `velocity` under gravity.
     vec3 starting(vec3 velocity) const {
         return scheme == "half_start" ? velocity + vec3(0, g * dt / 2, 0) : velocity;
     }
@@ -50,7 +52,7 @@ struct Run {
 };
 
 struct Outcome {
-    double error{};  ///< m
+    double error{};  ///< error (m)
     std::vector<std::pair<std::string, double>> metrics{};
     std::uint64_t hash{};
 };
@@ -59,7 +61,7 @@ BodyDesc ball() { return {.shape = Shape::sphere, .size = {0.1, 0, 0}, .mass = 1
 
 // ---- free flight ------------------------------------------------------------------------------------------------
 
-/// How far from the closed form after 2 s.
+/// Distance from the closed form after 2 s.
 Outcome flight(Run& run, vec3 velocity) {
     constexpr double seconds = 2;
     const vec3 from{0, 100, 0};
@@ -73,9 +75,10 @@ Outcome flight(Run& run, vec3 velocity) {
 // ---- pendulum ---------------------------------------------------------------------------------------------------
 
 constexpr double swing_seconds = 10;
-constexpr double rod = 1;  // m
+constexpr double rod = 1;  // length of the rod (m)
 
-/// Angle from hanging and angular speed, released at rest at 90 degrees, after swing_seconds: theta'' = -(g / rod) sin theta.
+/// Angle from hanging and angular speed after swing_seconds, released at rest at 90 degrees: theta'' =
+/// -(g / rod) sin theta.
 std::array<double, 2> exact_swing() {
     constexpr int steps = 100'000;  // twice as many change the angle by less than 1e-12 rad
     constexpr double h = swing_seconds / steps;
@@ -92,28 +95,28 @@ std::array<double, 2> exact_swing() {
     return {angle, speed};
 }
 
-/// Where a step without the rod would end, for the scheme.
+/// Place where a step without the rod would end, for the scheme.
 vec3 free_end(const Run& run, const BodyState& s) {
     const double gravity_path = run.scheme == "exact_flight" ? g * run.dt * run.dt / 2 : g * run.dt * run.dt;
     return s.position + s.velocity * run.dt - vec3(0, gravity_path, 0);
 }
 
-/// One impulse per step, as a game's coupling gives it: along the rod, and such that the bob ends the step at the rod's length
-/// (SHAKE). The pivot is the origin.
+/// Applies one impulse per step along the rod, like a game's coupling, so that the bob ends the step at
+/// the length of the rod (SHAKE). The pivot is the origin.
 void hold_by_rod(Run& run) {
     const BodyState& s = run.physics.state(1);
     const vec3 along = s.position / rod;
     const vec3 end = free_end(run, s);
-    // |end + push along|^2 = rod^2, the root near zero.
+    // Solves |end + push along|^2 = rod^2 for the root near zero.
     const double half = glm::dot(end, along);
     const double push = -half + std::sqrt(half * half - glm::dot(end, end) + rod * rod);
     run.physics.set_velocity(1, s.velocity + along * (push / run.dt));
 }
 
-/// J of 1 kg. What the rod will take from the velocity at once is not counted.
+/// Energy of the bob of 1 kg (J), without the velocity that the rod removes at once.
 double energy(const Run& run) {
     const BodyState& s = run.physics.state(1);
-    // Without exact flight the velocity is that of half a step before.
+    // Without exact flight the velocity is that of half a step earlier.
     const vec3 velocity = run.scheme == "exact_flight" ? s.velocity : s.velocity - vec3(0, g * run.dt / 2, 0);
     const vec3 along = glm::normalize(s.position);
     const vec3 across = velocity - along * glm::dot(velocity, along);
@@ -130,7 +133,7 @@ Outcome pendulum(Run& run) {
     const BodyState& state = run.physics.state(1);
     const vec3 there = rod * vec3(std::sin(exact[0]), -std::cos(exact[0]), 0);
     return {.error = glm::length(state.position - there),
-            .metrics = {{"energy_drift_j", energy(run)},  // it began with none
+            .metrics = {{"energy_drift_j", energy(run)},  // it was 0 at the start
                         {"rod_error_m", std::abs(glm::length(state.position) - rod)}},
             .hash = hash_value(state)};
 }
@@ -139,8 +142,9 @@ Outcome pendulum(Run& run) {
 
 constexpr std::size_t stack_count = 32;
 
-/// Interval in which the median of what was drawn lies in 98 of 100 draws: between the 10th and the 23rd of 32 values,
-/// by the binomial distribution, whatever the values' own. Source: Conover, Practical Nonparametric Statistics, 3.2.
+/// Median and its confidence interval: the median of the distribution lies in it in 98 of 100 samples.
+/// The interval is from the 10th to the 23rd of 32 values, by the binomial distribution. Source:
+/// Conover, Practical Nonparametric Statistics, 3.2.
 struct MedianOf {
     double value{}, low{}, high{};
 };
@@ -150,9 +154,9 @@ MedianOf median_of(std::array<double, stack_count> values) {
     return {(values[15] + values[16]) / 2, values[9], values[22]};
 }
 
-/// Stacks of eight boxes of 0.4 m, turned and placed at random: how far the top of one has drifted from where rigid
-/// boxes would keep it, after 5 s. A drift is chance, and one stack's is up to five times another's: so the error is
-/// the median of many, and what is not outside of its interval is no difference.
+/// Stacks of eight boxes of 0.4 m, turned and placed at random. The error is how far the top has
+/// drifted after 5 s from its place on rigid boxes. One stack's drift may be five times another's by
+/// chance. The result is therefore the median of many, and values within its interval do not differ.
 Outcome stacks(Run& run) {
     constexpr Key boxes = 8;
     constexpr double half = 0.2;
@@ -201,7 +205,7 @@ Outcome stacks(Run& run) {
 struct Case {
     std::string name;
     std::string error_name;
-    double seconds;  ///< simulated
+    double seconds;  ///< simulated time (s)
     std::function<Outcome(Run&)> play;
     bool has_iterations = false;
 };
@@ -221,7 +225,7 @@ std::vector<Setting> settings_of(const Case& one) {
         one.has_iterations ? std::vector{4, shipped_iterations, 40} : std::vector{shipped_iterations};
     for (const auto* scheme : schemes) {
         if (one.has_iterations && scheme == std::string_view("half_start"))
-            continue;  // a start at rest has none
+            continue;  // the scene starts at rest, where half_start does not apply
         for (const auto step : steps_ms) {
             for (const int count : iterations) result.push_back({scheme, step, count});
         }
@@ -262,7 +266,7 @@ void measure_case(const Case& one, const Options& options, Report& report) {
 
 // ---- contacts ---------------------------------------------------------------------------------------------------
 
-/// One row under the shipped settings: an error that must not pass a bound.
+/// One row with the shipped settings and an error that must stay below a bound.
 struct Stress {
     std::string name;
     std::string shape;
@@ -273,7 +277,8 @@ struct Stress {
 
 constexpr std::array shape_names{"box", "sphere", "capsule", "cylinder"};
 
-/// Largest deviation of rebound speed by approach speed from a restitution of 1, over drops of 0.1 to 4 m on a static box.
+/// Largest deviation of the ratio of rebound to approach speed from 1, for restitution 1, in drops of
+/// 0.1 to 4 m onto a static box.
 double worst_rebound(Shape shape) {
     double worst = 0;
     for (double height = 0.1; height < 4; height *= 1.17) {
@@ -297,7 +302,7 @@ double worst_rebound(Shape shape) {
     return worst;
 }
 
-/// Share of 300 slender bodies that come through a wall of 2 cm at 50 to 200 m/s.
+/// Share of 300 slender bodies that pass through a wall of 2 cm at 50 to 200 m/s.
 double share_through(Shape shape) {
     int through = 0;
     for (std::uint64_t i = 0; i < 300; ++i) {
@@ -321,7 +326,7 @@ double share_through(Shape shape) {
     return through / 300.0;
 }
 
-/// How far a load on four boxes of 2 kg has sunk after 10 s (m).
+/// Depth by which a load on four boxes of 2 kg has sunk after 10 s (m).
 double sunk_under(double load) {
     Physics world;
     world.add(1, {.size = {50, 1, 50}}, {.position = {0, -1, 0}});

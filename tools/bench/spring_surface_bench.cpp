@@ -1,5 +1,6 @@
-// The brew's surface (engine/fluid/spring_surface.h): time of a second against how far a wave's frequency is off the
-// membrane's own, and how far a ripple is from round; the energy lost; what a push costs; that sleep is free.
+// Benchmark of the brew's surface (engine/fluid/spring_surface.h): run time for a second against the
+// error of a wave's frequency relative to the membrane. Also the roundness of ripples, lost energy, the
+// cost of a push, and that sleep is free.
 #include <array>
 #include <cmath>
 
@@ -24,11 +25,11 @@ struct Wave {
     std::uint32_t p, q;
 };
 
-/// Between waves along the sides and along the diagonals, of all but the same length.
+/// Waves along the sides and along the diagonals, of almost the same length.
 constexpr std::array round_waves{Wave{7, 0}, Wave{5, 5}};
 constexpr std::array one_wave{Wave{3, 2}};
 
-/// As mode_frequency() counts them.
+/// Shape of a mode, with the numbers of mode_frequency().
 double wave_shape(const SpringSurfaceSettings& s, Wave wave, std::size_t x, std::size_t z) {
     const auto X = static_cast<double>(x), Z = static_cast<double>(z);
     if (s.rim == fluid::Rim::pinned)
@@ -52,22 +53,23 @@ SpringSurface surface_with_waves(const SpringSurfaceSettings& s, std::span<const
     return surface;
 }
 
-/// rad/s
+/// Frequency of a wave on the ideal membrane (rad/s).
 double membrane_frequency(const SpringSurfaceSettings& s, Wave wave) {
     const double side = s.rim == fluid::Rim::pinned ? s.side : s.nodes * surface_node_spacing(s);
     return pi / side * std::sqrt(s.tension / s.areal_mass * (wave.p * wave.p + wave.q * wave.q));
 }
 
-/// What a second of waves comes to.
+/// Result of simulating waves for a second.
 struct WaveRun {
     SpringSurfaceSettings settings{};
-    double dt{};  ///< s, of a call
+    double dt{};  ///< time of a call (s)
     std::span<const Wave> waves{};
     double error{}, energy_lost{}, steps{};
     std::uint64_t hash{};
 };
 
-/// The frequency by which a wave went on, over the membrane's. Right while it is less than half a turn off.
+/// Measured frequency of a wave divided by that of the membrane. Valid if the phase error is below half
+/// a turn.
 double relative_frequency(const SpringSurface& surface, Wave wave, double seconds) {
     double height = 0, velocity = 0;
     each_node(surface.settings, wave, [&](std::size_t i, double shape) {
@@ -112,7 +114,7 @@ std::vector<WaveRun> wave_runs() {
     return runs;
 }
 
-/// What the hand and the picture ask for.
+/// Whether these are the settings used by hand and picture.
 bool is_shipped(const WaveRun& run) {
     const SpringSurfaceSettings shipped;
     return run.settings.nodes == shipped.nodes && run.settings.shear == shipped.shear && run.dt == 0.004;

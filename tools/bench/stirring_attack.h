@@ -1,6 +1,6 @@
-// tools/bench/stirring_attack.h: stress test of a stirring hand: the flow changes in every fluid step, the
-// surface is simulated, the bowl is narrow, and models arrive late. The energy that the hand gets is
-// computed independently, without the servo's own energy observer. Used by benchmark and test.
+// tools/bench/stirring_attack.h: a hostile stirring hand, for benchmark and test. The flow turns in
+// each fluid step, the surface is simulated, the bowl is narrow, and models arrive late. The energy
+// that the hand gains is computed independently of the servo's own accounts.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,15 +13,15 @@
 
 namespace thaum::bench {
 
-/// A patch of uniform flow.
+/// The same flow everywhere.
 inline haptics::FlowPatch uniform_flow(vec3 velocity, double viscosity, double density) {
     haptics::FlowPatch patch{.origin = vec3(-1), .spacing = 0.5};
     patch.nodes.fill({fvec3(velocity), static_cast<float>(viscosity), static_cast<float>(density)});
     return patch;
 }
 
-/// A bowl in the form of half an ellipsoid with as many wall points as allowed. Its rim is at the height of
-/// the origin.
+/// A bowl of half an ellipsoid, with as many pieces as a BowlWall has; its rim is at the height of the
+/// origin.
 inline haptics::BowlWall round_bowl(double radius, double depth) {
     haptics::BowlWall wall{.points = haptics::wall_points};
     for (std::size_t i = 0; i < haptics::wall_points; ++i) {
@@ -32,28 +32,26 @@ inline haptics::BowlWall round_bowl(double radius, double depth) {
 }
 
 struct StirredWorld {
-    haptics::FluidModes modes{};  ///< passive modes; viscosity may be among them only if the flow is at rest
-    double flow{};  ///< largest speed of the flow along each axis (m/s); the flow is new in each fluid step
-    bool waves{};   ///< true: the surface is simulated and pushed
-    std::uint32_t delay{};  ///< delay of each model (ticks)
+    haptics::FluidModes modes{};  ///< passive modes; viscosity only where the flow is at rest
+    double flow{};                ///< largest velocity along each axis, random in each step (m/s)
+    bool waves{};                 ///< true: the surface is pushed and makes waves
+    std::uint32_t delay{};        ///< delay of each model (ticks)
 };
 
 struct StirredEnergy {
-    /// Energy created (J): sum of force times displacement, less the energy that the world gave and springs
-    /// hold.
+    /// Energy created: work on the hand minus energy given by the world and stored in springs (J).
     double created{};
     double most_created{};  ///< largest value of `created` (J)
-    /// Energy that went through the hand in either direction (J); a small value would prove nothing.
-    double moved{};
+    double moved{};         ///< energy that passed through the hand in both directions; 0 proves nothing (J)
 };
 
 class StirringAttack {
 public:
-    /// The device must not meet its limits, because a capped force would hide part of the energy given by
-    /// the world.
+    /// The device must have no limits that it reaches, because a cap would remove force that the world
+    /// gave.
     StirringAttack(const StirredWorld& world, const haptics::DeviceSpec& spec)
         : world_(world),
-          stiffness_(std::min(spec.max_stiffness, 1000.0)),  // the largest stiffness in matches
+          stiffness_(std::min(spec.max_stiffness, 1000.0)),  // the largest value in matches
           device_(simulated_device(spec, haptics::Hand{})),
           servo_(servo_of(spec, 1)) {
         servo_.limits.max_speed = 1e9;
@@ -81,7 +79,7 @@ public:
 
 private:
     static constexpr double metres_per_metre = 20, newtons_per_newton = 0.00375;
-    static constexpr double ladle_mass = 0.1;  // mass of the ladle as felt at the hand (kg)
+    static constexpr double ladle_mass = 0.1;  // mass as felt by the hand (kg)
 
     vec3 any(double size) {
         return {random_.uniform(-size, size), random_.uniform(-size, size), random_.uniform(-size, size)};
@@ -100,13 +98,14 @@ private:
         tip_ = haptics::step(device_, tip_, goal_, force);
         const double out = glm::dot(tip_.force, tip_.position - from);
         energy_.moved += std::abs(out);
-        // The flow carries the ladle, so it gives energy through drag, the only force of the flow.
+        // The newest flow carries the ladle, so it receives energy through the resistance, the only
+        // force in a flow.
         const vec3 flow = flow_at(touch.newer, state_.fluid.place).velocity;
         last_ =
             out - glm::dot(touch.frame.turn * state_.fluid.force, flow) * (tick_seconds / metres_per_metre);
     }
 
-    /// Adds the energy of the last tick, after the surface has moved its end of the spring.
+    /// Accounts for the last tick, after the surface has moved its end of the spring.
     void count(const haptics::FluidTouch& touch, double height) {
         energy_.created += last_ - surface_force_ * (height - height_) / metres_per_metre;
         energy_.created = std::max(energy_.created, -held(touch, height));
@@ -115,8 +114,8 @@ private:
         height_ = height;
     }
 
-    /// Energy in the springs to wall and surface and in the ladle (J). Only this much can come back,
-    /// because damping has taken the rest.
+    /// Energy stored in the ladle and in the springs to wall and surface (J). Only this much may
+    /// return; damped energy is lost.
     double held(const haptics::FluidTouch& touch, double height) const {
         const auto& fluid = state_.fluid;
         const vec3 place = to_bowl(touch.frame, tip_.position);
@@ -164,7 +163,7 @@ private:
     double last_{}, surface_force_{}, height_{};
 };
 
-/// One case for each passive mode alone, and one for all that can act together.
+/// Each passive mode alone, and all modes that can be combined.
 struct StirredCase {
     const char* name{};
     StirredWorld world{};

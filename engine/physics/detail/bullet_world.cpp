@@ -100,16 +100,17 @@ struct Mesh::Parts {
 };
 
 Mesh::Mesh(const TriangleMesh& mesh) : parts_(std::make_unique<Parts>()) {
-    THAUM_ASSERT(!mesh.triangles.empty(), "a mesh without triangles");
+    THAUM_ASSERT(!mesh.triangles.empty(), "a mesh has no triangles");
     hook_contacts();
     Parts& p = *parts_;
     for (const vec3& v : mesh.vertices) {
-        THAUM_ASSERT(is_finite(v), "a mesh with a vertex that is not finite");
+        THAUM_ASSERT(is_finite(v), "a vertex of a mesh is not finite");
         p.vertices.push_back(to_bullet(v));
     }
     for (const auto& triangle : mesh.triangles) {
         for (const std::uint32_t index : triangle) {
-            THAUM_ASSERT(index < mesh.vertices.size(), "a mesh with a triangle beyond its vertices");
+            THAUM_ASSERT(index < mesh.vertices.size(),
+                         "a triangle of a mesh has an index beyond the vertices");
             p.indices.push_back(static_cast<int>(index));
         }
     }

@@ -30,7 +30,7 @@ void check_state(Key key, const BodyState& s) {
     THAUM_ASSERT(thaum::is_finite(s.position), about(key, "position is not finite"));
     THAUM_ASSERT(is_finite(s.orientation), about(key, "orientation is not finite"));
     THAUM_ASSERT(std::abs(glm::dot(s.orientation, s.orientation) - 1) < 1e-6,
-                 about(key, "orientation is not unit"));
+                 about(key, "orientation is not a unit quaternion"));
     THAUM_ASSERT(thaum::is_finite(s.velocity), about(key, "velocity is not finite"));
     THAUM_ASSERT(thaum::is_finite(s.spin), about(key, "spin is not finite"));
     THAUM_ASSERT(std::isfinite(s.idle_s), about(key, "idle time is not finite"));
@@ -40,13 +40,15 @@ void check_desc(Key key, const BodyDesc& d, std::size_t meshes) {
     THAUM_ASSERT(std::isfinite(d.mass) && d.mass >= 0, about(key, "mass is not a number >= 0"));
     check_material(key, d);
     if (d.shape == Shape::mesh) {
-        THAUM_ASSERT(d.mass == 0, about(key, "a mesh must be static"));
-        THAUM_ASSERT(d.mesh < meshes, about(key, "unknown mesh"));
+        THAUM_ASSERT(d.mass == 0, about(key, "a mesh must be static: set its mass to 0"));
+        THAUM_ASSERT(d.mesh < meshes, about(key, "unknown mesh; give it to the constructor of Physics"));
         return;
     }
     THAUM_ASSERT(thaum::is_finite(d.size) && d.size.x > 0, about(key, "size is not positive"));
-    if (d.shape == Shape::box || d.shape == Shape::cylinder) THAUM_ASSERT(d.size.y > 0, about(key, "flat"));
-    if (d.shape == Shape::box) THAUM_ASSERT(d.size.z > 0, about(key, "flat"));
+    if (d.shape == Shape::box || d.shape == Shape::cylinder)
+        THAUM_ASSERT(d.size.y > 0, about(key, "a half extent or half length is not positive"));
+    if (d.shape == Shape::box)
+        THAUM_ASSERT(d.size.z > 0, about(key, "a half extent or half length is not positive"));
     if (d.shape == Shape::capsule) THAUM_ASSERT(d.size.y >= 0, about(key, "half length is negative"));
 }
 
