@@ -264,18 +264,18 @@ Expected<void> open_arm(LiveShared& shared, const LivePlan& plan) {
 void tell_arm(const LiveShared& shared, LiveReport* report) {
     if (!shared.arm) return;
     const auto times = shared.arm->times();
-    const auto troubles = shared.servo.troubles();
+    const auto faults = shared.servo.faults();
     const int losses = shared.arm->losses();
     std::fprintf(stderr,
                  "arm: %s; poses: %llu repeated, %llu back in time, %llu no numbers; lost %d times; %llu "
                  "forces differ from the match's\n",
-                 told(times).c_str(), static_cast<unsigned long long>(troubles.poses.repeated),
-                 static_cast<unsigned long long>(troubles.poses.backwards),
-                 static_cast<unsigned long long>(troubles.poses.unusable), losses,
-                 static_cast<unsigned long long>(troubles.differing));
+                 told(times).c_str(), static_cast<unsigned long long>(faults.poses.repeated),
+                 static_cast<unsigned long long>(faults.poses.backwards),
+                 static_cast<unsigned long long>(faults.poses.unusable), losses,
+                 static_cast<unsigned long long>(faults.differing));
     if (report == nullptr) return;
     report->arm = times;
-    report->arm_troubles = troubles;
+    report->arm_faults = faults;
     report->arm_losses = losses;
 }
 

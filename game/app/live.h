@@ -65,7 +65,7 @@ struct LiveReport {
     std::uint64_t inputs{};
     /// Timing of the real arm's thread; std::nullopt if no player holds a real arm.
     std::optional<input::TickReport> arm{};
-    input::ArmTroubles arm_troubles{};
+    input::ArmFaults arm_faults{};
     int arm_losses{};
 };
 
