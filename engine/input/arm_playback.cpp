@@ -51,7 +51,7 @@ PlaybackReport ArmPlayback::report() const {
     PlaybackReport report{.played = played_.load(std::memory_order_relaxed),
                           .starved = starved_.load(std::memory_order_relaxed),
                           .strongest = strongest_.load(std::memory_order_relaxed),
-                          .poses = pose_.troubles()};
+                          .poses = pose_.faults()};
     std::transform(causes_.begin(), causes_.end(), report.causes.begin(),
                    [](const auto& ticks) { return ticks.load(std::memory_order_relaxed); });
     return report;

@@ -27,7 +27,7 @@ struct PlaybackReport {
     double strongest{};       ///< largest force that the arm was told (N)
     /// Ticks by haptics::SafetyCause.
     std::array<std::uint64_t, haptics::safety_cause_names.size()> causes{};
-    PoseTroubles poses{};
+    PoseFaults poses{};
 };
 
 class ArmPlayback {

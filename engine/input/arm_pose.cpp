@@ -30,7 +30,7 @@ void ArmPose::note(const ArmReading& reading) {
     known_ = true;
 }
 
-PoseTroubles ArmPose::troubles() const {
+PoseFaults ArmPose::faults() const {
     return {.repeated = repeated_.load(std::memory_order_relaxed),
             .backwards = backwards_.load(std::memory_order_relaxed),
             .unusable = unusable_.load(std::memory_order_relaxed)};

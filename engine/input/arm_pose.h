@@ -10,7 +10,7 @@
 namespace thaum::input {
 
 /// Invalid poses since the start.
-struct PoseTroubles {
+struct PoseFaults {
     std::uint64_t repeated{};   ///< poses that came again at once
     std::uint64_t backwards{};  ///< poses measured before the last one
     std::uint64_t unusable{};   ///< poses that are not finite numbers
@@ -27,7 +27,7 @@ public:
     std::uint32_t age() const { return age_; }
 
     /// For any thread.
-    PoseTroubles troubles() const;
+    PoseFaults faults() const;
 
 private:
     bool is_new(const ArmReading& reading);

@@ -94,7 +94,7 @@ DeviceSample ArmServo::take() {
     out.buttons = buttons_ = buttons_of(pose.buttons);
     const auto before = sample->sample - taken_ - 1;
     const auto age = number_ + 1 - sample->model;
-    const bool usable = before == 0 && age <= models_kept;
+    const bool usable = before == 0 && age <= remembered_models;
     if (usable) {
         out.model_age = static_cast<std::uint16_t>(age);
         taken_now_ = true;
@@ -106,8 +106,8 @@ DeviceSample ArmServo::take() {
     return out;
 }
 
-ArmTroubles ArmServo::troubles() const {
-    return {.poses = pose_.troubles(),
+ArmFaults ArmServo::faults() const {
+    return {.poses = pose_.faults(),
             .lost = lost_.load(std::memory_order_relaxed),
             .differing = differing_.load(std::memory_order_relaxed)};
 }
@@ -123,7 +123,7 @@ std::uint32_t model_of(const ArmState& arm, const DeviceSample& sample) {
 }
 
 void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample& sample,
-                 const KeptModel* used, bool skipped) {
+                 const RememberedModel* used, bool skipped) {
     const bool none = sample.model_age == 0 && sample.skips == 0;
     arm.without = none ? arm.without + 1 : 0;
     const bool gap = skipped || sample.skips != 0 || (none ? arm.without == patience : used == nullptr);

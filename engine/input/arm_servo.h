@@ -24,13 +24,13 @@
 namespace thaum::input {
 
 /// Ticks for which the simulation remembers its models. An older model gives no force.
-inline constexpr std::uint32_t models_kept = 80;
+inline constexpr std::uint32_t remembered_models = 80;
 
 /// Data from the simulation to the arm's thread, in each tick.
 struct ArmOrder {
     haptics::Servo servo{};
     haptics::HapticModel model{.on = false};
-    vec3 offset{};                ///< as in KeptModel (m)
+    vec3 offset{};                ///< as in RememberedModel (m)
     haptics::ServoState start{};  ///< servo state at the start of the epoch
     std::uint32_t epoch{};        ///< 0: before the first epoch
     std::uint32_t number{};       ///< number of the model, from 1 in each epoch
@@ -48,8 +48,8 @@ struct ArmSample {
 };
 
 /// Faults since the start.
-struct ArmTroubles {
-    PoseTroubles poses{};
+struct ArmFaults {
+    PoseFaults poses{};
     std::uint64_t lost{};  ///< samples lost because the queue was full
     /// Forces that the simulation computed differently, which is a bug of this program.
     std::uint64_t differing{};
@@ -75,7 +75,7 @@ public:
     std::size_t waiting() const { return samples_.size(); }
 
     /// For any thread.
-    ArmTroubles troubles() const;
+    ArmFaults faults() const;
 
 private:
     void follow_orders();
@@ -100,8 +100,8 @@ private:
     std::atomic<std::uint64_t> differing_{0};
 };
 
-/// A model that the simulation remembers for models_kept ticks.
-struct KeptModel {
+/// A model that the simulation remembers for remembered_models ticks.
+struct RememberedModel {
     haptics::HapticModel model{};
     vec3 offset{};            ///< displacement from the arm's tip to the hand that feels the model (m)
     std::uint32_t number{};   ///< number of the model, from 1 in each epoch
@@ -109,7 +109,7 @@ struct KeptModel {
 };
 
 /// State of an arm in the simulation; no padding. In each tick: take_sample; the rest of the tick; then a new
-/// KeptModel with the next `number` and the present `samples`. The KeptModel is also the order for the arm's
+/// RememberedModel with the next `number` and the present `samples`. The RememberedModel is also the order for the arm's
 /// thread.
 struct ArmState {
     haptics::ServoState servo{};
@@ -139,7 +139,7 @@ std::uint32_t model_of(const ArmState& arm, const DeviceSample& sample);
 /// Repeats the arm's step for a sample. `used` is the model of its number, null if it is forgotten.
 /// `skipped`: ticks were left out before this one.
 void take_sample(ArmState& arm, const haptics::Servo& servo, const DeviceSample& sample,
-                 const KeptModel* used, bool skipped);
+                 const RememberedModel* used, bool skipped);
 
 /// Applies the clutch, once a tick before the model. While the clutch is held, the hand rests at its
 /// position, or at the edge of its reach (m, either way), and the arm's tip moves freely. After the release,

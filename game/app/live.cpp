@@ -306,17 +306,22 @@ Expected<void> open_arms(LiveShared& shared, const LivePlan& plan) {
     return {};
 }
 
-/// Prints how an arm did, with its name if there are several.
-void tell_arm(const LiveArm& arm, bool name_it) {
-    const auto troubles = arm.servo.troubles();
+void tell_arm(const LiveShared& shared, LiveReport* report) {
+    if (!shared.arm) return;
+    const auto times = shared.arm->times();
+    const auto faults = shared.servo.faults();
+    const int losses = shared.arm->losses();
     std::fprintf(stderr,
                  "arm%s: %s; poses: %llu repeated, %llu back in time, %llu no numbers; lost %d times; %llu "
                  "forces differ from the match's\n",
-                 name_it ? text(" ", input::name_of(arm.keeper->facts())).c_str() : "",
-                 told(arm.keeper->times()).c_str(), static_cast<unsigned long long>(troubles.poses.repeated),
-                 static_cast<unsigned long long>(troubles.poses.backwards),
-                 static_cast<unsigned long long>(troubles.poses.unusable), arm.keeper->losses(),
-                 static_cast<unsigned long long>(troubles.differing));
+                 told(times).c_str(), static_cast<unsigned long long>(faults.poses.repeated),
+                 static_cast<unsigned long long>(faults.poses.backwards),
+                 static_cast<unsigned long long>(faults.poses.unusable), losses,
+                 static_cast<unsigned long long>(faults.differing));
+    if (report == nullptr) return;
+    report->arm = times;
+    report->arm_faults = faults;
+    report->arm_losses = losses;
 }
 
 void fill_report(LiveShared& shared, LiveReport& report) {

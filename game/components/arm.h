@@ -28,7 +28,7 @@ struct Arm {
     /// A real arm held by one player.
     input::ArmState state{};
     /// Ring of past models: model n is in place n modulo the size.
-    std::array<ecs::Entity, input::models_kept> models{};
+    std::array<ecs::Entity, input::remembered_models> models{};
     std::uint32_t player{};
     std::uint32_t device{};  ///< index of the arm among the match's devices
     /// Ticks left in which published models carry the panic press; the arm does not use every model.

@@ -22,7 +22,7 @@ PastModel past(const haptics::HapticModel& model, const input::ArmState& arm) {
     return {std::bit_cast<decltype(PastModel::bytes)>(model), arm.offset, arm.number, arm.samples};
 }
 
-input::KeptModel recalled(const PastModel& kept) {
+input::RememberedModel recalled(const PastModel& kept) {
     return {std::bit_cast<haptics::HapticModel>(kept.bytes), kept.offset, kept.number, kept.samples};
 }
 

@@ -46,7 +46,7 @@ void publish_orders(const Simulation& match, ScriptArms& arms) {
 std::uint64_t differing_forces(const ScriptArms& arms) {
     std::uint64_t count = 0;
     for (const auto& arm : arms)
-        if (arm) count += arm->servo.troubles().differing;
+        if (arm) count += arm->servo.faults().differing;
     return count;
 }
 

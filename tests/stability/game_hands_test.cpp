@@ -570,7 +570,7 @@ TEST_P(StressedHands, StayTameWhileTheMatchStalls) {
         rig.watch.expect_tame(0.2 * std::min(stalled, 80) / 30);
         EXPECT_EQ(audit.violations(haptics::SafetyRule::cap), 0U);
         EXPECT_EQ(audit.violations(haptics::SafetyRule::finite), 0U);
-        EXPECT_EQ(servo->troubles().differing, 0U);
+        EXPECT_EQ(servo->faults().differing, 0U);
     }
 }
 

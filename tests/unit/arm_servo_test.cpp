@@ -40,7 +40,7 @@ struct Arm {
 struct Mirror {
     ArmServo& servo;
     ArmState arm{};
-    std::vector<KeptModel> kept = std::vector<KeptModel>(models_kept);
+    std::vector<RememberedModel> kept = std::vector<RememberedModel>(remembered_models);
     Random random = random_stream(7, 1);
     std::map<std::int32_t, vec3> forces{};  // by position (um)
     std::uint32_t pulses = 0;
@@ -49,8 +49,8 @@ struct Mirror {
     DeviceSample newest{};
     std::uint32_t epoch = 1;  // epoch of the remembered models
 
-    const KeptModel* find(std::uint32_t number) const {
-        const auto& model = kept[number % models_kept];
+    const RememberedModel* find(std::uint32_t number) const {
+        const auto& model = kept[number % remembered_models];
         return number != 0 && model.number == number ? &model : nullptr;
     }
 
@@ -71,12 +71,13 @@ struct Mirror {
         const auto before = arm.samples;
         take_sample(arm, touch_servo, newest, find(model_of(arm, newest)), skipped);
         if (arm.samples > before) forces[arm.position_um[0]] = arm.servo.safety.output;
-        if (arm.epoch != epoch) kept.assign(models_kept, {});
+        if (arm.epoch != epoch) kept.assign(remembered_models, {});
         epoch = arm.epoch;
         const auto number = ++arm.number;
-        kept[number % models_kept] = {next_model(), {}, number, arm.samples};
-        servo.order() = {touch_servo, kept[number % models_kept].model, {}, arm.servo, arm.epoch, number,
-                         arm.samples};
+        kept[number % remembered_models] = {next_model(), {}, number, arm.samples};
+        servo.order() = {
+            touch_servo, kept[number % remembered_models].model, {}, arm.servo, arm.epoch, number,
+            arm.samples};
         servo.publish();
     }
 };
@@ -88,7 +89,7 @@ std::size_t expect_same_forces(const Arm& arm, const Mirror& mirror) {
         EXPECT_TRUE(force == told) << "tick " << place << ": " << force.x << " and " << told.x;
         if (!(force == told)) break;
     }
-    EXPECT_EQ(arm.servo.troubles().differing, 0U);
+    EXPECT_EQ(arm.servo.faults().differing, 0U);
     return mirror.forces.size();
 }
 
@@ -107,7 +108,7 @@ TEST(ArmServo, InStepTheForcesAgree) {
     EXPECT_EQ(mirror.arm.gaps, 0U);
     EXPECT_EQ(mirror.newest.model_age, 1);
     EXPECT_GT(strongest(arm.forces, 100), 0.3);
-    EXPECT_EQ(servo.troubles().lost, 0U);
+    EXPECT_EQ(servo.faults().lost, 0U);
 }
 
 /// Uneven timing: either side waits now and then, for up to 30 ticks.
@@ -154,13 +155,13 @@ TEST(ArmServo, AfterGapsTheForcesAgreeAgain) {
             default:  // a new simulation
                 gaps += mirror.arm.gaps;
                 mirror.arm = {};
-                mirror.kept.assign(models_kept, {});
+                mirror.kept.assign(remembered_models, {});
                 servo.begin_match();
         }
     }
     EXPECT_GT(expect_same_forces(arm, mirror), 10'000U);
     EXPECT_GT(gaps, 30U);
-    EXPECT_GT(servo.troubles().lost, 0U);
+    EXPECT_GT(servo.faults().lost, 0U);
 }
 
 TEST(ArmServo, WithoutNewModelsTheForceEnds) {
@@ -181,11 +182,11 @@ TEST(ArmServo, NoticesASimulationThatComputesOtherwise) {
     Arm arm{servo};
     Mirror mirror{servo};
     for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
-    EXPECT_EQ(servo.troubles().differing, 0U);
+    EXPECT_EQ(servo.faults().differing, 0U);
     mirror.arm.servo.safety.heat[0] += 1;
     mirror.arm.servo.positions[0].x += 1e-5;
     for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
-    EXPECT_GT(servo.troubles().differing, 0U);
+    EXPECT_GT(servo.faults().differing, 0U);
 }
 
 TEST(ArmServo, AllocatesNothing) {
@@ -244,7 +245,7 @@ struct BadPoses : ::testing::Test {
 TEST_F(BadPoses, ThatRepeat) {
     feed([&](int) { return reading(arm.now_ns); });
     expect_force_ended();
-    EXPECT_EQ(servo.troubles().poses.repeated, 200U);
+    EXPECT_EQ(servo.faults().poses.repeated, 200U);
     for (int i = 0; i < 300; ++i) arm.step(), mirror.tick();
     EXPECT_GT(glm::length(mirror.arm.servo.safety.output), 0.05) << "and begins again with good ones";
 }
@@ -256,13 +257,12 @@ TEST_F(BadPoses, ThatAreNoNumbers) {
         return r;
     });
     expect_force_ended();
-    EXPECT_EQ(servo.troubles().poses.unusable, 200U);
+    EXPECT_EQ(servo.faults().poses.unusable, 200U);
 }
 
 TEST_F(BadPoses, ThatJumpBackInTime) {
     feed([&](int i) { return reading(arm.now_ns - 100'000 * ms + i * ms); });
-    EXPECT_EQ(servo.troubles().poses.backwards, 21U)
-        << "a clock that was set back is believed after 20 ticks";
+    EXPECT_EQ(servo.faults().poses.backwards, 21U) << "a clock that was set back is believed after 20 ticks";
     EXPECT_EQ(mirror.arm.old_poses, 20U);
     EXPECT_GT(glm::length(forces.back()), 0.05);
 }

@@ -144,7 +144,7 @@ TEST(Arm, FeelsTheForcesThatTheMatchComputes) {
     ArmMatch m;
     play(m);
     m.expect_same_forces();
-    EXPECT_EQ(m.servo.troubles().differing, 0U);
+    EXPECT_EQ(m.servo.faults().differing, 0U);
     EXPECT_GT(m.computed.size(), 4000U);
     EXPECT_GT(m.strongest, 1.1) << "the recoil of a bolt";
     EXPECT_GE(m.match.match().round, 1U);

@@ -47,7 +47,7 @@ struct ArmMatchHalf {
     haptics::Servo servo = touch_servo();
     haptics::HapticModel model = pulling_model();
     input::ArmState state{};
-    std::array<input::KeptModel, input::models_kept> models{};
+    std::array<input::RememberedModel, input::remembered_models> models{};
 
     void tick() {
         const auto sample = door.take();
@@ -89,15 +89,15 @@ void arm_exchange(const Options& options, Report& report) {
     auto samples = measure(std::array{Contestant{{}, [&] { exchange.run(); }}},
                            {.seconds = options.quick ? 0.3 : 2.0, .least = 11});
     for (double& us : samples[0]) us /= exchange_ticks;
-    const auto troubles = exchange.door.troubles();
+    const auto faults = exchange.door.faults();
     report.rows.push_back({.area = "haptics",
                            .name = "arm_exchange",
                            .time_us = times(samples[0]),
                            .is_default = true,
                            .metrics = {{"allocations", exchange.allocations},
                                        {"strongest_n", exchange.strongest},
-                                       {"differing", static_cast<double>(troubles.differing)},
-                                       {"lost", static_cast<double>(troubles.lost)}}});
+                                       {"differing", static_cast<double>(faults.differing)},
+                                       {"lost", static_cast<double>(faults.lost)}}});
 }
 
 /// Thread of the arm: in each tick it sleeps, measures and computes the force, until `stop`.
@@ -129,7 +129,7 @@ void arm_thread(const Options& options, Report& report) {
     stop = true;
     arm.join();
     auto metrics = metrics_of(kept.report());
-    metrics.emplace_back("differing", static_cast<double>(door.troubles().differing));
+    metrics.emplace_back("differing", static_cast<double>(door.faults().differing));
     report.rows.push_back(
         {.area = "haptics", .name = "arm_thread", .is_default = true, .metrics = std::move(metrics)});
 }
