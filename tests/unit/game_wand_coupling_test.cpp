@@ -47,7 +47,7 @@ TEST(WandCoupling, AFreeBodyFollowsTheSpringsClosedForm) {
     EXPECT_NEAR(physics.state(body).position.y, 0, 1e-9) << "its weight is held up";
 }
 
-TEST(WandCoupling, TheOwedMomentumIsGivenAtTheEnd) {
+TEST(WandCoupling, TheOwedVelocityIsGivenAtTheEnd) {
     auto physics = world_with(2, {0.1, 0, 0});
     const auto step = haptics::coupling_step({4000, 0, 0}, 0.5, 0, dt);
     WandCoupling coupling;
