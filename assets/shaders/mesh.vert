@@ -1,5 +1,5 @@
 #version 330 core
-// Meshes of the court. Colours are linear. Variants:
+// Meshes of the arena. Colours are linear. Variants:
 //   PER_PIXEL  the fragment shader computes light, fog and tone curve. Without PER_PIXEL this shader computes
 //              them for each vertex, so that a pixel costs almost nothing.
 //   SHADOW     the sun's light is kept apart, so that the shadow map can remove it.

@@ -99,7 +99,7 @@ expect 2 "--every needs --state" replay "$log" --every 5
 expect 2 "--at does not go with" replay "$log" --verify --at 3
 expect 2 "must be a number from 0.25 to 16" replay "$log" --speed 40
 expect 2 "shots needs one log" shots "$log"
-expect 2 "ecs has no stress" bench ecs --stress
+expect 2 "ecs has no stress test" bench ecs --stress
 for run in 1 2; do
     "$thaum" replay "$log" --verify --shots "$folder/shots$run" --shot-every 2 --shot-at 0.5 --size 320x180 >/dev/null
 done

@@ -1,5 +1,6 @@
-// forge_log HOW LOG FORGED: a copy of a closed log with something changed and every checksum right, as somebody would make
-// it who wants a match verified that was not played. HOW: same, no_hashes, no_middle, no_last, early_input, late_input, result, codes.
+// forge_log HOW LOG FORGED: copies a closed log with one change and correct checksums, as a forger would do
+// it to get a false match verified. HOW: same, no_hashes, no_middle, no_last, early_input, late_input,
+// result, codes.
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>

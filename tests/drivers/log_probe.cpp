@@ -1,5 +1,6 @@
-// What came in, by a log's frames: one line a device with the sums, the buttons and what of a fluid is kept off its player's hand, then the pauses, and the result of
-// playing it again ("same" or the first tick whose hash differs).
+// Prints the input in a log: one line per device with sums, buttons and the reduced shares of the brew's
+// effects, then the pauses, and the result of a replay ("same" or the first tick with a different hash).
+//
 //     live_log_probe LOG
 #include <algorithm>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// The passive sources of every haptic scenario, by the tables of forces that the scenarios left: what they created, summed here by
-// itself. Arguments: the folder, and the most that may have been created, J.
+// Tests the passive sources of every haptic scenario: sums the energy that they created from the tables of
+// forces that the scenarios wrote. Arguments: the folder, and the largest energy allowed (J).
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -37,6 +37,6 @@ int main(int count, char** arguments) {
     }
     std::printf("%d tables, %d with something held, %.3f J moved\n", tables, tethered, moved);
     const bool proves_something = tables >= 15 && tethered >= 6 && moved > 0.5;
-    if (!proves_something) std::printf("too little to prove anything\n");
+    if (!proves_something) std::printf("too few tables or too little motion to prove anything\n");
     return good && proves_something ? 0 : 1;
 }

@@ -62,7 +62,7 @@ std::string input_of(const RunPlan& plan, const std::vector<std::string>& seeds,
 /// Fault of an outcome: its own, or a refusal that is not one line of printable text. Empty: none.
 std::string fault_of(const Outcome& outcome) {
     if (!outcome.fault.empty()) return outcome.fault;
-    if (!outcome.accepted && outcome.refusal.empty()) return "refused without a word";
+    if (!outcome.accepted && outcome.refusal.empty()) return "refused without a message";
     if (outcome.refusal.size() > 2000) return text("a message of ", outcome.refusal.size(), " bytes");
     const bool plain = std::none_of(outcome.refusal.begin(), outcome.refusal.end(),
                                     [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
@@ -117,7 +117,7 @@ std::string watch(pid_t child, const Progress& progress, long& peak_mib) {
         if (Clock::now() - since > most_time) {
             ::kill(child, SIGKILL);
             ::waitpid(child, &status, 0);
-            return "took too long";
+            return "took longer than 10 s";
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
@@ -144,7 +144,9 @@ int report(const RunPlan& plan, const std::vector<std::string>& seeds, const Pro
                 static_cast<double>(progress.slowest_us) / 1e3, peak_mib);
     const bool proves =
         plan.runs < proof || (progress.accepted > plan.runs / 100 && progress.refused > plan.runs / 100);
-    if (!proves) std::printf("%s: nearly all on one side: this proves little\n", name.c_str());
+    if (!proves)
+        std::printf("%s: nearly all inputs were accepted, or nearly all refused, which proves little\n",
+                    name.c_str());
     return proves ? 0 : 1;
 }
 
@@ -184,7 +186,7 @@ int run(const RunPlan& plan) {
     void* shared =
         ::mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (seeds.empty() || shared == MAP_FAILED)
-        return std::fprintf(stderr, "thaum_fuzz: nothing to start from\n"), 2;
+        return std::fprintf(stderr, "thaum_fuzz: no seeds, or no shared memory\n"), 2;
     auto& progress = *new (shared) Progress;
     const auto child = ::fork();
     if (child < 0) return std::perror("thaum_fuzz"), 2;

@@ -75,7 +75,7 @@ Outcome read_script(const std::string& input, const Places& places) {
     Outcome outcome{.accepted = result.ticks > 0, .refusal = result.message};
     if (result.ticks > options.most_ticks) outcome.fault = "played beyond the limit";
     if (result.message.find("different states") != std::string::npos) outcome.fault = result.message;
-    if (!result.passed && result.message.empty()) outcome.fault = "failed without a word";
+    if (!result.passed && result.message.empty()) outcome.fault = "failed without a message";
     return outcome;
 }
 

@@ -29,7 +29,7 @@ protected:
     /// Faults of one file in engine/ or game/ with one include in its second line.
     Faults arrow(const fs::path& from, const std::string& include) const {
         add(from, "// what it is for\n#include " + include + "\n");
-        auto faults = upward_arrows(root_);
+        auto faults = upward_includes(root_);
         fs::remove(root_ / from);
         return faults;
     }
@@ -59,9 +59,9 @@ TEST_F(Rules, ArrowsMayPointDown) {
 
 TEST_F(Rules, ArrowsMustNotPointUp) {
     EXPECT_EQ(arrow("engine/core/a.cpp", "\"ecs/world.h\""),
-              Faults{"engine/core/a.cpp:2: core -> engine/ecs/world.h: the arrow must point down"});
+              Faults{"engine/core/a.cpp:2: core -> engine/ecs/world.h: only lower floors may be included"});
     EXPECT_EQ(arrow("engine/ecs/a.h", "\"game/match/match.h\""),
-              Faults{"engine/ecs/a.h:2: ecs -> game/match/match.h: the arrow must point down"});
+              Faults{"engine/ecs/a.h:2: ecs -> game/match/match.h: only lower floors may be included"});
     EXPECT_EQ(arrow("engine/field/a.h", "\"fluid/solver.h\"").size(), 1);
     EXPECT_EQ(arrow("engine/physics/a.h", "\"render/mesh.h\"").size(), 1);
     EXPECT_EQ(arrow("engine/haptics/a.h", "\"input/log.h\"").size(), 1);
@@ -69,8 +69,9 @@ TEST_F(Rules, ArrowsMustNotPointUp) {
 }
 
 TEST_F(Rules, RoomsOfTheGameHaveFloors) {
-    EXPECT_EQ(arrow("game/context/a.h", "\"game/match/a.h\""),
-              Faults{"game/context/a.h:2: game/context -> game/match/a.h: the arrow must point down"});
+    EXPECT_EQ(
+        arrow("game/context/a.h", "\"game/match/a.h\""),
+        Faults{"game/context/a.h:2: game/context -> game/match/a.h: only lower floors may be included"});
     EXPECT_EQ(arrow("game/cauldron/a.cpp", "\"game/wands/a.h\"").size(), 1);
     EXPECT_EQ(arrow("game/wands/a.cpp", "\"game/player/a.h\"").size(), 1);
     EXPECT_EQ(arrow("game/match/a.cpp", "\"game/hud/a.h\"").size(), 1);
@@ -128,7 +129,7 @@ TEST_F(Rules, HeadersWithoutTheirIdeaAreFound) {
     add("engine/core/bare.h", "#pragma once\n");
     add("engine/core/moved.h", "// ecs/moved.h: an old place\n");
     add("engine/core/detail/inner.h", "#pragma once\n");
-    EXPECT_EQ(headers_without_idea(root()).size(), 2);
+    EXPECT_EQ(headers_without_title(root()).size(), 2);
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ const std::map<std::string, int, std::less<>> game_floors = {
 };
 
 /// Allowed includes between parts on the same floor: from, to.
-const std::set<std::pair<std::string, std::string>> level_arrows = {{"input", "haptics"},
-                                                                    {"input", "tactile"}};
+const std::set<std::pair<std::string, std::string>> level_includes = {{"input", "haptics"},
+                                                                      {"input", "tactile"}};
 
 /// Parts that take and return plain data. They must not include the ECS.
 const std::set<std::string, std::less<>> numerical = {"field", "fluid", "haptics", "tactile", "gesture"};
@@ -124,19 +124,21 @@ std::string room_of(const Place& place) {
 /// Fault of an include between two rooms of the game; empty: none.
 std::string room_fault(const std::string& from, const std::string& to) {
     if (from == to) return "";
-    if (!game_floors.contains(to) || !game_floors.contains(from)) return "is no room of the game";
-    return game_floors.at(to) < game_floors.at(from) ? "" : "the arrow must point down";
+    if (!game_floors.contains(to) || !game_floors.contains(from))
+        return "is not a room in game_floors (rules.cpp)";
+    return game_floors.at(to) < game_floors.at(from) ? "" : "only lower floors may be included";
 }
 
 /// Fault of an include; empty: none.
-std::string arrow_fault(const Place& from, const Place& to) {
-    if (to.in_detail && from.folder != to.folder) return "detail/ belongs to its folder alone";
+std::string include_fault(const Place& from, const Place& to) {
+    if (to.in_detail && from.folder != to.folder) return "only its own folder may include detail/";
     if (from.part == "game" && to.part == "game") return room_fault(room_of(from), room_of(to));
     if (from.part == to.part) return "";
-    if (!floors.contains(to.part) || !floors.contains(from.part)) return "is no part of the house";
-    if (to.part == "ecs" && numerical.contains(from.part)) return "numerical parts know nothing of entities";
-    if (level_arrows.contains({from.part, to.part})) return "";
-    return floors.at(to.part) < floors.at(from.part) ? "" : "the arrow must point down";
+    if (!floors.contains(to.part) || !floors.contains(from.part))
+        return "is not a part in floors (rules.cpp)";
+    if (to.part == "ecs" && numerical.contains(from.part)) return "this part must not include the ECS";
+    if (level_includes.contains({from.part, to.part})) return "";
+    return floors.at(to.part) < floors.at(from.part) ? "" : "only lower floors may be included";
 }
 
 void check_includes(const fs::path& root, const fs::path& file, Faults& faults) {
@@ -152,7 +154,7 @@ void check_includes(const fs::path& root, const fs::path& file, Faults& faults) 
         const auto target = included_file(root, file, match[2], match[1] == "\"");
         if (target.empty()) continue;
         const auto to = place_of(target);
-        const auto fault = arrow_fault(from, to);
+        const auto fault = include_fault(from, to);
         if (fault.empty()) continue;
         std::string arrow = from.folder;
         arrow.append(" -> ").append(target).append(": ").append(fault);
@@ -175,7 +177,7 @@ std::size_t find_path(const std::string& text, const std::string& path) {
 
 }  // namespace
 
-Faults upward_arrows(const fs::path& root) {
+Faults upward_includes(const fs::path& root) {
     Faults faults;
     for (const auto* top : {"engine", "game"}) {
         for (const auto& file : files_under(root / top)) {
@@ -199,7 +201,7 @@ Faults machine_paths(const fs::path& root) {
             if (at == std::string::npos) continue;
             const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
             faults.push_back(at_line(relative_to(root, file), static_cast<std::size_t>(line) + 1,
-                                     "names a folder of one machine: " + path));
+                                     "names a folder of one machine; write a relative path: " + path));
         }
     }
     return faults;
@@ -216,20 +218,20 @@ Faults unbuilt_tests(const fs::path& root) {
         if (file.extension() != ".cpp") continue;
         const auto name = relative_to(root / "tests", file);
         if (cmake.find(name) == std::string::npos) {
-            faults.push_back(at_line("tests/" + name, 1, "is in no CMake file of tests/, so it never runs"));
+            faults.push_back(at_line("tests/" + name, 1,
+                                     "is in no CMake file of tests/, so it never runs; add it to one"));
         }
     }
     return faults;
 }
 
-Faults headers_without_idea(const fs::path& root) {
+Faults headers_without_title(const fs::path& root) {
     Faults faults;
     for (const auto& file : files_under(root / "engine")) {
         const auto name = relative_to(root / "engine", file);
         if (file.extension() != ".h" || folders_of(name).size() != 2) continue;
         if (!read(file).starts_with("// " + name + ": ")) {
-            faults.push_back(
-                at_line("engine/" + name, 1, "must open with \"// " + name + ": what it is for\""));
+            faults.push_back(at_line("engine/" + name, 1, "must open with \"// " + name + ": purpose\""));
         }
     }
     return faults;

@@ -10,7 +10,7 @@ namespace thaum::structure {
 using Faults = std::vector<std::string>;
 
 /// Every #include in engine/ and game/ must point to a lower floor (see `floors` in rules.cpp).
-Faults upward_arrows(const std::filesystem::path& root);
+Faults upward_includes(const std::filesystem::path& root);
 
 /// No file may name a folder of one machine, such as a home folder or the place of this tree.
 Faults machine_paths(const std::filesystem::path& root);
@@ -19,6 +19,6 @@ Faults machine_paths(const std::filesystem::path& root);
 Faults unbuilt_tests(const std::filesystem::path& root);
 
 /// Every header directly in an engine folder must open with "// part/name.h: purpose".
-Faults headers_without_idea(const std::filesystem::path& root);
+Faults headers_without_title(const std::filesystem::path& root);
 
 }  // namespace thaum::structure

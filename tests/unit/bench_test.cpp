@@ -116,8 +116,8 @@ TEST(BenchReport, ARowThatBreaksItsInvariantIsMarkedAndIsAFault) {
     EXPECT_EQ(report.rows[2].fault, "");
     EXPECT_EQ(report.rows[3].fault, "allocations is 178, must be 0");
     EXPECT_EQ(report.rows[4].fault, "mismatches is missing");
-    EXPECT_EQ(report.rows[5].fault, "us is no finite number");
-    EXPECT_EQ(report.rows[6].fault, "rms is no finite number");
+    EXPECT_EQ(report.rows[5].fault, "us is not finite");
+    EXPECT_EQ(report.rows[6].fault, "rms is not finite");
     ASSERT_EQ(report.faults.size(), 6U);
     EXPECT_EQ(report.faults[0], "replay verify: mismatches is 78, must be 0");
     EXPECT_NE(to_table(report).find('!'), std::string::npos);

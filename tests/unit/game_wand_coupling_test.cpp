@@ -1,4 +1,4 @@
-// Bodies of the physics that a coupling moves by force alone.
+// Tests of bodies in the physics that a coupling moves by force alone.
 #include "game/wands/wand_coupling.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ physics::Physics world_with(double mass, vec3 place) {
     return physics;
 }
 
-/// One step of a spring to `to`, gravity held off.
+/// One step of a spring to `to`. The coupling also cancels gravity.
 void step_spring(physics::Physics& physics, const haptics::CouplingStep& step, vec3 to,
                  WandCoupling& coupling) {
     const auto result = haptics::couple(step, {.hand = to,
@@ -47,7 +47,7 @@ TEST(WandCoupling, AFreeBodyFollowsTheSpringsClosedForm) {
     EXPECT_NEAR(physics.state(body).position.y, 0, 1e-9) << "its weight is held up";
 }
 
-TEST(WandCoupling, WhatIsOwedIsPaidAtTheEnd) {
+TEST(WandCoupling, TheOwedVelocityIsGivenAtTheEnd) {
     auto physics = world_with(2, {0.1, 0, 0});
     const auto step = haptics::coupling_step({4000, 0, 0}, 0.5, 0, dt);
     WandCoupling coupling;
@@ -60,7 +60,7 @@ TEST(WandCoupling, WhatIsOwedIsPaidAtTheEnd) {
     EXPECT_EQ(coupling.owed, vec3(0));
 }
 
-TEST(WandCoupling, AWallHoldsWhatIsPulledThroughIt) {
+TEST(WandCoupling, AWallHoldsAThingThatIsPulledThroughIt) {
     auto physics = world_with(20, {0, 0, 0});
     physics.add(2, {.shape = physics::Shape::box, .size = {0.05, 5, 5}, .mass = 0},
                 {.position = {0.5, 0, 0}});
@@ -69,7 +69,8 @@ TEST(WandCoupling, AWallHoldsWhatIsPulledThroughIt) {
     for (int i = 0; i < 3000; ++i) {
         step_spring(physics, step, {2, 0, 0}, coupling);
         ASSERT_LT(physics.state(body).position.x, 0.26)
-            << i;  // 0.45 less the radius, and a little that Bullet gives way
+            // 0.45 m less the radius, and a little that Bullet yields.
+            << i;
     }
     EXPECT_LT(glm::length(physics.velocity(body)), 0.05);
 }

@@ -53,7 +53,7 @@ void run_area(const Area& area, RunArea& run, const Options& options, Report& re
     const auto rows = report.rows.size(), faults = report.faults.size();
     run(options, report);
     if (report.rows.size() == rows && report.faults.size() == faults)
-        report.faults.push_back(text(area.name, ": nothing was measured"));
+        report.faults.push_back(text(area.name, ": no row was measured; see the messages above"));
 }
 
 /// Tests whether the report can be written, before minutes of measuring.
@@ -72,7 +72,8 @@ int run(const Options& options) {
     }
     for (const auto& name : options.areas) {
         if (options.stress && area_named(name)->stress == nullptr) {
-            print(stderr, text("bench: ", name, " has no stress\n"));
+            print(stderr,
+                  text("bench: ", name, " has no stress test; leave out --stress or name another area\n"));
             return 2;
         }
     }

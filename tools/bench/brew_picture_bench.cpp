@@ -55,7 +55,7 @@ Expected<void> stir(BrewScene& scene) {
     for (const std::uint32_t ingredient : {0U, 1U}) {
         const vec3 at(ingredient == 0 ? -0.5 : 0.5, -0.25, 0.1);
         if (!game::drop(brew, scene.rules, ingredient, at, 0.4, 0.15))
-            return fail("nothing could be dropped in");
+            return fail("the brew took no ingredient; check assets/cauldron.toml");
     }
     for (int i = 0; i < 180; ++i) {
         const double angle = 2 * pi * step * i;

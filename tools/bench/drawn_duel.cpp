@@ -8,7 +8,7 @@ namespace thaum::bench {
 Expected<std::unique_ptr<DrawnDuel>> DrawnDuel::create() {
     const auto assets = game::find_assets();
     const auto data = duel_data();
-    if (!data) return fail("no data");
+    if (!data) return fail("the data files could not be loaded; see the message above");
     auto duel = game::make_bot_duel(assets, data, {1, 1}, 1);
     if (!duel) return tl::unexpected(duel.error());
     auto context = render::Offscreen::create(window.width, window.height);

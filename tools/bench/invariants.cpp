@@ -60,7 +60,7 @@ bool applies(const Invariant& invariant, const Row& row) {
 }
 
 std::string wrong_figure(const Row& row, std::string_view figure, double value) {
-    if (!std::isfinite(value)) return text(figure, " is no finite number");
+    if (!std::isfinite(value)) return text(figure, " is not finite");
     for (const auto& i : invariants) {
         if (!applies(i, row) || i.figure != figure || (value >= i.least && value <= i.most)) continue;
         const auto bound = i.least == i.most ? text(shown(i.most))
@@ -95,7 +95,7 @@ std::string broken_invariant(const Row& row) {
     for (const auto& [name, value] : row.metrics) {
         if (auto wrong = wrong_figure(row, name, value); !wrong.empty()) return wrong;
     }
-    if (row.time_us && !std::isfinite(row.time_us->median)) return "its time is no finite number";
+    if (row.time_us && !std::isfinite(row.time_us->median)) return "its time is not finite";
     return missing_figure(row);
 }
 

@@ -26,7 +26,7 @@ constexpr int heaviest = game::bot_levels;
 
 Expected<game::BotDuel> duel() {
     auto data = duel_data();
-    if (!data) return fail("no data");
+    if (!data) return fail("the data files could not be loaded; see the message above");
     return game::make_bot_duel(game::find_assets(), data, {heaviest, heaviest}, 1);
 }
 

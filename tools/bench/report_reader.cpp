@@ -80,7 +80,7 @@ Expected<void> read_error(const SortedJson& from, Row& row) {
     if (!error) return tl::unexpected(error.error());
     if ((*error)->is_null()) return {};
     const auto name = word(**error, "name");
-    if (!name) return tl::unexpected(Error{text("error.", name.error().message)});
+    if (!name) return tl::unexpected(Error{text("in 'error': ", name.error().message)});
     const auto value = number(member(**error, "value"), "error.value");
     if (!value) return tl::unexpected(value.error());
     row.error = ErrorMeasure{*name, *value};
@@ -167,7 +167,7 @@ Expected<SortedJson> parse(std::string_view json) {
     } catch (const SortedJson::parse_error& error) {
         return fail(text("is not JSON from byte ", error.byte, " on"));
     } catch (const SortedJson::out_of_range&) {
-        return fail("is not JSON: it has a number beyond all bounds");
+        return fail("is not JSON: a number is too large");
     }
 }
 
@@ -177,7 +177,7 @@ Expected<Report> from_json(std::string_view json) {
     const auto parsed = parse(json);
     if (!parsed) return tl::unexpected(parsed.error());
     if (!parsed->is_object() || !member(*parsed, "rows").is_array())
-        return fail("is no report of `thaum bench`: it has no list 'rows'");
+        return fail("is no report: it has no list 'rows'; `thaum bench --json FILE` writes one");
     const SortedJson& rows = member(*parsed, "rows");
     if (rows.size() > most_rows) return fail(text("has more than ", most_rows, " rows"));
     Report report{word(*parsed, "thaum").value_or("unknown"), read_machine(*parsed), {}};

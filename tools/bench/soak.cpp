@@ -164,7 +164,7 @@ void soak(const Options& options, Report& report) {
     for (const auto& soaked : beside) {
         add_row(course, 2, soaked, beside_s, report);
         if (soaked.hash != alone.hash)
-            report.faults.push_back("soak: two threads came to another state than one");
+            report.faults.push_back("soak: two threads reached another state than one thread");
     }
 }
 

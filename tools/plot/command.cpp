@@ -14,12 +14,12 @@ namespace {
 constexpr std::string_view plot_help =
     R"(usage: thaum plot REPORT.json [--out DIR]
 
-Draws what `thaum bench --json REPORT.json` wrote: run time against error with
-the Pareto front and the default marked, or bars of ratios where there is no
-error, as SVG files; and one page, index.html, with all tables and figures.
+Draws the report of `thaum bench --json REPORT.json` as SVG files: run time
+against error with the Pareto front and the default marked, or bars of ratios
+for cases without an error. The page index.html has all tables and figures.
 
-  --out DIR     the folder, made where it is missing (default: out/plot); files of
-                an earlier report are replaced
+  --out DIR     folder for the files, made if it is missing (default: out/plot);
+                files of an earlier report are replaced
 )";
 
 constexpr std::size_t longest_report = std::size_t{256} << 20U;
