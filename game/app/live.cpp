@@ -306,22 +306,17 @@ Expected<void> open_arms(LiveShared& shared, const LivePlan& plan) {
     return {};
 }
 
-void tell_arm(const LiveShared& shared, LiveReport* report) {
-    if (!shared.arm) return;
-    const auto times = shared.arm->times();
-    const auto faults = shared.servo.faults();
-    const int losses = shared.arm->losses();
+/// Prints how an arm did, with its name if there are several.
+void tell_arm(const LiveArm& arm, bool name_it) {
+    const auto faults = arm.servo.faults();
     std::fprintf(stderr,
                  "arm%s: %s; poses: %llu repeated, %llu back in time, %llu no numbers; lost %d times; %llu "
                  "forces differ from the match's\n",
-                 told(times).c_str(), static_cast<unsigned long long>(faults.poses.repeated),
+                 name_it ? text(" ", input::name_of(arm.keeper->facts())).c_str() : "",
+                 told(arm.keeper->times()).c_str(), static_cast<unsigned long long>(faults.poses.repeated),
                  static_cast<unsigned long long>(faults.poses.backwards),
-                 static_cast<unsigned long long>(faults.poses.unusable), losses,
+                 static_cast<unsigned long long>(faults.poses.unusable), arm.keeper->losses(),
                  static_cast<unsigned long long>(faults.differing));
-    if (report == nullptr) return;
-    report->arm = times;
-    report->arm_faults = faults;
-    report->arm_losses = losses;
 }
 
 void fill_report(LiveShared& shared, LiveReport& report) {

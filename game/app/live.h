@@ -73,10 +73,6 @@ struct LiveReport {
     double input_ms_median{}, input_ms_p99{};
     /// number of timed events; only the first of several events in one tick is timed
     std::uint64_t inputs{};
-    /// Timing of the real arm's thread; std::nullopt if no player holds a real arm.
-    std::optional<input::TickReport> arm{};
-    input::ArmFaults arm_faults{};
-    int arm_losses{};
 };
 
 /// One line on how well a real arm's servo thread kept time.

@@ -15,7 +15,7 @@ namespace {
 constexpr std::string_view range_help =
     R"(usage: thaum range [OPTIONS]
 
-Practice with every wand against a dummy in the arena. No round ends, and a dead
+Practice with every wand against a dummy in an arena. No round ends, and a dead
 wizard comes back. Nothing is recorded. So data files (wands, wizard, rules,
 arena, range.toml) that change on disk are read again during practice. A faulty
 file is reported, and its old numbers stay. The pause (Esc) can change the dummy.

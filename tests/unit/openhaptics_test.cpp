@@ -1,7 +1,4 @@
-// Tests the driver for arms of the Phantom class with our fake libHD.so, which checks the rules and
-// misbehaves on request.
-#include "input/drivers/openhaptics.h"
-
+// The OpenHaptics driver against our own libHD.so, which enforces the library's rules and goes wrong when told to.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
@@ -36,7 +33,7 @@ FakeHdReport report() { return function<FakeHdReport (*)()>("fakeHdReport")(); }
 
 void tell(const std::string& words) { ::setenv("FAKE_HD", words.c_str(), 1); }
 
-/// Waits until the condition holds, long enough for the slowest machine.
+/// Waits until it holds, for as long as the slowest machine may take.
 template <class F>
 bool soon(F holds) {
     for (int i = 0; i < 5000; ++i) {
@@ -71,13 +68,13 @@ std::string refusal(const std::string& words) {
 
 bool has(const std::string& line, std::string_view part) { return line.find(part) != std::string::npos; }
 
-/// The tick function of a test, with its settings and observations.
+/// What a test does at each tick.
 struct Hand {
     std::atomic<std::uint64_t> ticks{0}, unusable{0};
     std::atomic<std::int32_t> x_um{0}, y_urad{0};
     std::atomic<std::uint32_t> buttons{0};
-    std::atomic<double> stiffness{0};  // stiffness of a spring to x = 0 (N/m)
-    std::atomic<double> push{0};       // force along z (N)
+    std::atomic<double> stiffness{0};  // N/m, to x = 0
+    std::atomic<double> push{0};       // N, along z
 
     static vec3 step(void* context, const ArmReading& r) {
         auto& hand = *static_cast<Hand*>(context);
@@ -91,7 +88,7 @@ struct Hand {
     ArmTick tick() { return {step, this}; }
 };
 
-/// A temporary file with the path of the simulated hand.
+/// A file with the way of a hand.
 struct Way {
     std::string file;
     explicit Way(std::string_view lines) {
@@ -105,7 +102,7 @@ struct Way {
     Way& operator=(const Way&) = delete;
 };
 
-// ---- opening ----------------------------------------------------------------------------------------------
+// ---- opening -------------------------------------------------------------------------------------------------------------
 
 TEST(OpenHaptics, NoLibrary) {
     const auto arm = open_by("/nowhere/libHD.so");
@@ -156,7 +153,7 @@ TEST(OpenHaptics, OnlyOneIsOpen) {
     EXPECT_EQ((*arm)->status().state, ArmPresence::present);
 }
 
-TEST(OpenHaptics, DescribesTheArm) {
+TEST(OpenHaptics, TellsWhatTheArmIs) {
     const auto arm = open_fake();
     ASSERT_TRUE(arm) << arm.error().message;
     const auto& facts = (*arm)->facts();
@@ -173,7 +170,7 @@ TEST(OpenHaptics, DescribesTheArm) {
     EXPECT_EQ(facts.spec.update_rate, 1000);
 }
 
-// ---- ticks ------------------------------------------------------------------------------------------------
+// ---- ticks ---------------------------------------------------------------------------------------------------------------
 
 TEST(OpenHaptics, TicksByTheRules) {
     Hand hand;
@@ -190,8 +187,8 @@ TEST(OpenHaptics, TicksByTheRules) {
     expect_no_rule_broken();
 }
 
-/// The hand holds a point 10 mm to the right against a spring. If units and frames are right, both springs
-/// balance, apart from dry friction.
+/// The hand holds 10 mm to the right against a spring: where forces are in N, metres in metres and the frames agree, both
+/// springs balance, but for the dry friction.
 TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     const Way right("0 10 0 0 0\n");
     Hand hand;
@@ -201,12 +198,11 @@ TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     ASSERT_TRUE((*arm)->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 400; }));
     const auto now = report();
-    // The simulated hand has 400 N/m: 400 (0.01 - x) = 200 x. Dry friction of 0.26 N holds the tip up to
-    // 0.43 mm away.
+    // The simulated hand holds with 400 N/m: 400 (0.01 - x) = 200 x; 0.26 N of friction holds up to 0.43 mm away.
     EXPECT_NEAR(now.position[0], 0.00667, 0.0005);
     EXPECT_NEAR(now.force[0], -200 * now.position[0], 0.02);
     EXPECT_NEAR(hand.x_um, now.position[0] * 1e6, 56);
-    // The fake stylus rotates by 10 rad per metre.
+    // The make-believe stylus turns by 10 rad/m.
     EXPECT_NEAR(hand.y_urad, hand.x_um * 10, 560);
     arm->reset();
     expect_no_rule_broken();
@@ -248,7 +244,7 @@ TEST(OpenHaptics, LeavesTheArmWithoutForce) {
     ASSERT_TRUE((*arm)->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return report().force[2] == 2; }));
     arm->reset();
-    // The force of the last frame acts from the next tick on.
+    // The last frame's force acts from the tick after it.
     const auto left = report();
     EXPECT_EQ(left.greatest_force, 2);
     EXPECT_EQ(left.left[2], 0);
@@ -259,7 +255,7 @@ TEST(OpenHaptics, LeavesTheArmWithoutForce) {
     expect_no_rule_broken();
 }
 
-TEST(OpenHaptics, LeavesTheArmWithoutForceForAnyTaskNumber) {
+TEST(OpenHaptics, LeavesTheArmWithoutForceWhateverTheNumberOfItsTask) {
     Hand hand;
     hand.push = 2;
     auto arm = open_fake("task=zero");
@@ -271,7 +267,7 @@ TEST(OpenHaptics, LeavesTheArmWithoutForceForAnyTaskNumber) {
     expect_no_rule_broken();
 }
 
-// ---- things that go wrong ---------------------------------------------------------------------------------
+// ---- things that go wrong --------------------------------------------------------------------------------------------------
 
 TEST(OpenHaptics, AnArmThatVanishesIsLost) {
     Hand hand;
@@ -309,7 +305,7 @@ TEST(OpenHaptics, TicksThatStopAreALostArm) {
     auto arm = open_fake("stop=60");
     ASSERT_TRUE(arm);
     ASSERT_TRUE((*arm)->start(hand.tick()));
-    // If the library gets no processor for 0.5 s before its first tick, the arm is lost for another reason.
+    // Before its first tick, a library that gets no processor for 0.5 s counts as lost for another reason.
     ASSERT_TRUE(soon([&] { return has((*arm)->status().text, "ticks have stopped"); }));
     EXPECT_EQ((*arm)->status().state, ArmPresence::lost);
     EXPECT_EQ(caption_of((*arm)->status()), "The arm's ticks have stopped: plug it in again");
@@ -317,7 +313,7 @@ TEST(OpenHaptics, TicksThatStopAreALostArm) {
     expect_no_rule_broken();
 }
 
-TEST(OpenHaptics, PosesThatAreNotFiniteAreUnusable) {
+TEST(OpenHaptics, WhatIsNoNumberIsSaidToBeNone) {
     Hand hand;
     const auto arm = open_fake("nan=50");
     ASSERT_TRUE(arm);
@@ -335,14 +331,14 @@ TEST(OpenHaptics, LateTicksAreCounted) {
     ASSERT_TRUE((*arm)->start(hand.tick()));
     ASSERT_TRUE(soon([&] { return hand.ticks > 200; }));
     const auto times = (*arm)->times();
-    EXPECT_GE(times.missed, 4U * 9U);  // of ten late ticks, at least nine have another before and after them
+    EXPECT_GE(times.missed, 4U * 9U);  // of ten late ones at least nine have another before and after them
     EXPECT_GE(times.jitter_worst, 4000);
 }
 
-// ---- the judge --------------------------------------------------------------------------------------------
+// ---- the judge -------------------------------------------------------------------------------------------------------------
 
-/// The fake library must detect each broken rule.
-TEST(FakeHd, DetectsBrokenRules) {
+/// The make-believe library sees what it is there to see.
+TEST(FakeHd, SeesWhereRulesAreBroken) {
     tell("");
     using Handle = unsigned int;
     const auto init = function<Handle (*)(const char*)>("hdInitDevice");
