@@ -62,7 +62,10 @@ private:
     };
     Maxima divergence(const std::array<Samples, 3>& velocity);
     double apply_to_direction();
-    double precondition();
+    struct Products {
+        double residual{}, image{};
+    };
+    Products precondition();
     std::optional<double> step_along_direction(double slope);
     int solve(double left, double tolerance, int iterations_most);
     void subtract_correction(std::array<Samples, 3>& velocity) const;
@@ -77,6 +80,7 @@ private:
     // Conjugate gradients: residual, preconditioned residual, search direction, operator times
     // direction, solution.
     Samples residual_, smoothed_, direction_, image_, correction_;
+    double curvature_{};  ///< product of direction_ and image_; 0: no direction yet
     std::vector<float> packed_;
 };
 
