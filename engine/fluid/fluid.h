@@ -59,7 +59,7 @@ struct Settings {
     /// Share of the place that is solid, 0 to 1, for a place (m). The wall is the surface where it is
     /// 0.5. Null means no solids inside the box.
     std::function<double(vec3)> solid{};
-    bool solid_holds = true;  ///< true: no slip at solids; false: free slip
+    bool no_slip_at_solids = true;  ///< true: no slip at solids; false: free slip
 };
 
 /// Contents of the box: everything that the next step depends on.
