@@ -13,6 +13,7 @@ struct Row {
     std::ptrdiff_t count{};
 };
 
+/// The rows of a lattice that hold fluid.
 struct Rows {
     Lattice lattice{};
     std::vector<Row> rows{};  ///< row j of layer k at k * lattice.cells[1] + j

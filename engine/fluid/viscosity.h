@@ -25,6 +25,7 @@
 
 namespace thaum::fluid {
 
+/// Arguments of one implicit viscous step.
 struct ViscousStep {
     const Samples* viscosity{};  ///< kinematic viscosity at cell centres, with filled ghosts (m^2/s)
     /// Constant force of this step, already included in the velocity (m/s^2); null for none.
@@ -59,6 +60,7 @@ struct DraggedFace {
     std::array<float, 6> share{};       ///< weights of their velocities; 0 for an unused neighbour
 };
 
+/// Solver for implicit viscosity on one lattice.
 class Viscosity {
 public:
     /// `solids` and `solid` are null or empty without solids; `solids` must outlive this object.

@@ -18,6 +18,7 @@
 
 namespace thaum::physics::detail {
 
+/// Bullet's world with corrected bounces.
 class BouncingWorld : public btDiscreteDynamicsWorld {
 public:
     using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
