@@ -13,5 +13,5 @@ thaum_test(test_structure
 # The launcher with missing packages: a copy of it runs with stand-ins for apt-get and the other tools.
 if(NOT THAUM_SANITIZE)
     add_test(NAME structure.launcher COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/structure/launcher.sh ${PROJECT_SOURCE_DIR})
-    set_tests_properties(structure.launcher PROPERTIES TIMEOUT 900)
+    set_tests_properties(structure.launcher PROPERTIES TIMEOUT ${longest_test})
 endif()

@@ -7,5 +7,5 @@ target_compile_definitions(thaum_fuzz PRIVATE THAUM_SOURCE_DIR="${PROJECT_SOURCE
 target_link_libraries(thaum_fuzz PRIVATE thaum_flags thaum_live thaum_lab thaum_scenario thaum_haptics PkgConfig::zstd)
 foreach(reader log scenario settings arena rules wizard wand bot range device lab)
     add_test(NAME fuzz.${reader} COMMAND thaum_fuzz ${reader} --runs 300)
-    set_tests_properties(fuzz.${reader} PROPERTIES TIMEOUT 900)
+    set_tests_properties(fuzz.${reader} PROPERTIES TIMEOUT ${longest_test})
 endforeach()

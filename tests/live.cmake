@@ -23,7 +23,7 @@ endif()
 # limit ends only tests that hang: with other programs on every core a test takes ten times as long.
 function(thaum_driver_test name)
     add_test(NAME drivers.${name} COMMAND ${ARGN})
-    set_tests_properties(drivers.${name} PROPERTIES SKIP_RETURN_CODE 77 RUN_SERIAL TRUE TIMEOUT 900)
+    set_tests_properties(drivers.${name} PROPERTIES SKIP_RETURN_CODE 77 RUN_SERIAL TRUE TIMEOUT ${longest_test})
 endfunction()
 thaum_driver_test(window ${CMAKE_CURRENT_SOURCE_DIR}/drivers/with_screen.sh
     $<TARGET_FILE:test_render> --gtest_filter=WindowTest.*)
@@ -51,7 +51,7 @@ set_tests_properties(drivers.fake_phantom_plays drivers.fake_phantom_feels drive
 add_executable(kill_recording drivers/kill_recording.cpp)
 target_link_libraries(kill_recording PRIVATE thaum_flags thaum_duel)
 add_test(NAME drivers.kill_recording COMMAND kill_recording 8)
-set_tests_properties(drivers.kill_recording PROPERTIES RUN_SERIAL TRUE TIMEOUT 900)
+set_tests_properties(drivers.kill_recording PROPERTIES RUN_SERIAL TRUE TIMEOUT ${longest_test})
 add_test(NAME drivers.hostile_files COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/drivers/hostile_files.sh $<TARGET_FILE:thaum>)
 if(THAUM_SANITIZE)
     # The sanitizers' shadow memory takes terabytes of address space.

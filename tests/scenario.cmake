@@ -12,9 +12,9 @@ foreach(script ${scenarios})
     add_test(NAME scenario.${name}
         COMMAND thaum scenario ${script} --out ${CMAKE_CURRENT_BINARY_DIR}/scenarios ${scenario_runs})
     if(name IN_LIST long_scenarios)
-        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 900 LABELS "scenario;slow")
+        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} LABELS "scenario;slow")
     else()
-        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT 900 LABELS scenario FIXTURES_SETUP scenarios)
+        set_tests_properties(scenario.${name} PROPERTIES TIMEOUT ${longest_test} LABELS scenario FIXTURES_SETUP scenarios)
     endif()
 endforeach()
 
@@ -66,8 +66,8 @@ if(NOT THAUM_SANITIZE)
     add_test(NAME replay.long_duel.older_libm COMMAND thaum replay ${long_duel}.thaumlog --verify)
     set_tests_properties(replay.long_duel.clear PROPERTIES FIXTURES_SETUP no_long_duel LABELS slow)
     set_tests_properties(replay.long_duel.record PROPERTIES
-        FIXTURES_REQUIRED no_long_duel FIXTURES_SETUP long_duel LABELS slow TIMEOUT 900)
-    set_tests_properties(replay.long_duel.older_libm PROPERTIES FIXTURES_REQUIRED long_duel LABELS slow TIMEOUT 900
+        FIXTURES_REQUIRED no_long_duel FIXTURES_SETUP long_duel LABELS slow TIMEOUT ${longest_test})
+    set_tests_properties(replay.long_duel.older_libm PROPERTIES FIXTURES_REQUIRED long_duel LABELS slow TIMEOUT ${longest_test}
         ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4)
 
     # An ordinary build on older processors: prints one line, without an illegal instruction. Each processor

@@ -34,6 +34,8 @@ Rows whole_rows(const Lattice& lattice);
 Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open);
 /// Rows that contain the cells with a value above 0.
 Rows rows_above_zero(const Lattice& lattice, const Samples& values);
+/// Sets the samples in the rows to 0.
+void clear(const Rows& rows, Samples& samples);
 
 /// Calls `visit` with each Row that holds fluid, in one layer or in all layers.
 template <class Visit>

@@ -38,10 +38,6 @@ void add(const Rows& rows, Samples& to, double part, const Samples& from) {
     });
 }
 
-void clear(const Rows& rows, Samples& samples) {
-    each_row(rows, [&](Row row) { std::fill_n(samples.data() + row.at, row.count, 0.0F); });
-}
-
 /// Fills ghosts at periodic sides only. Walls are closed faces, and values beyond closed faces have no
 /// effect.
 void fill_round(const Rows& rows, Samples& potential) {

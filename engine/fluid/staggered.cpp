@@ -50,6 +50,16 @@ constexpr int transports_of_fall_back = 7;
 /// Flow slower than this comes to rest unless a force accelerates it (m/s).
 constexpr double rest_speed = 1e-6;
 
+/// Whether a sample of a row is not 0. Samples are tested in groups of eight, the last of which may extend
+/// beyond the end of the row.
+bool any_in(const Row& row, const float* samples) {
+    auto any = load(samples + row.at) != zero8;
+    for (std::ptrdiff_t i = 8; i < row.count; i += 8) any |= load(samples + row.at + i) != zero8;
+    int lanes = 0;
+    for (std::ptrdiff_t lane = 0; lane < 8; ++lane) lanes |= any[lane];
+    return lanes != 0;
+}
+
 double sum_of_largest(const Rows& rows, const std::array<Samples, 3>& velocity) {
     double sum = 0;
     for (const Samples& component : velocity) sum += largest(rows, component);
@@ -119,7 +129,7 @@ void StaggeredSolver::gather_forces(const Settings& settings, const State& now, 
     has_force_ = now.pushed || solids_ != nullptr;
     const auto factor = static_cast<float>(share);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        each_row(rows_, [&](Row row) { std::fill_n(force_[axis].data() + row.at, row.count, 0.0F); });
+        clear(rows_, force_[axis]);
         if (!now.pushed) continue;
         const float* push = now.push[axis].data();
         each_row(pushed_rows_[axis], [&](Row row) {
@@ -288,15 +298,21 @@ void StaggeredSolver::end_step(const Settings& settings, State& now, double dt, 
 /// Finds the rows of fluid in which a push is not 0.
 void StaggeredSolver::find_pushed_rows(const State& now) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float* push = now.push[axis].data();
         for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
             const Row row = rows_.rows[r];
-            const float* push = now.push[axis].data() + row.at;
-            bool any = false;
-            if (now.pushed)
-                for (std::ptrdiff_t i = 0; i < row.count; ++i) any |= push[i] != 0;
-            pushed_rows_[axis].rows[r] = {row.at, any ? row.count : 0};
+            const bool pushed = now.pushed && row.count > 0 && any_in(row, push);
+            pushed_rows_[axis].rows[r] = {row.at, pushed ? row.count : 0};
         }
     }
+}
+
+/// Clears the pushes after a step. They lie only in the rows found by find_pushed_rows, because `push` adds
+/// none to a solid.
+void StaggeredSolver::clear_pushes(State& now) const {
+    if (!now.pushed) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) clear(pushed_rows_[axis], now.push[axis]);
+    now.pushed = false;
 }
 
 /// Work of the pushes over a whole step at the given velocity (m^2/s^2, summed over cells).
@@ -507,9 +523,7 @@ StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt
         substep(settings, now, sub, dt, report);
         left = wanted > 1 ? left - sub : 0;
     }
-    if (now.pushed)
-        for (auto& push : now.push) std::fill(push.begin(), push.end(), 0.0F);
-    now.pushed = false;
+    clear_pushes(now);
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
     const VelocityNorms is = current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity);
     report.energy = is.half_square * lattice_.h * lattice_.h * lattice_.h;

@@ -55,6 +55,7 @@ private:
     void clear_divergence(const Settings& settings, State& now, StepReport& report);
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
     void find_pushed_rows(const State& now);
+    void clear_pushes(State& now) const;
     double work_of_pushes(const State& now, const Velocity& velocity) const;
     void limit_energy(const Settings& settings, State& now, double share, double sunk, StepReport& report);
     void diffuse_velocity(const Settings& settings, const State& now, double dt);
