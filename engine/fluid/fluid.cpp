@@ -67,7 +67,7 @@ std::optional<std::string> fault_of(const Settings& settings) {
 }
 
 /// Whether a velocity sample can differ from 0. It cannot on a wall or on a closed face.
-bool free_at(const Fluid& fluid, std::size_t axis, vec3 cell, std::size_t at) {
+bool is_free(const Fluid& fluid, std::size_t axis, vec3 cell, std::size_t at) {
     if (fluid.settings.solver != Solver::thaum) return true;
     if (fluid.lattice.edges[axis] != Edge::periodic && cell[static_cast<int>(axis)] <= 0) return false;
     const Solids* solids = fluid.work->staggered->solids();
@@ -92,7 +92,7 @@ double kernel(const Fluid& fluid, vec3 place, vec3 at, double radius) {
 }
 
 /// Cells along one axis that a kernel may reach, [low, high). They wrap where the edge is periodic.
-std::array<int, 2> reach(const Fluid& fluid, std::size_t axis, vec3 place, double radius) {
+std::array<int, 2> kernel_range(const Fluid& fluid, std::size_t axis, vec3 place, double radius) {
     const int n = fluid.lattice.cells[axis];
     const double wide = radius / fluid.lattice.h + 1;
     if (fluid.lattice.edges[axis] == Edge::periodic) {
@@ -112,11 +112,11 @@ std::array<int, 2> reach(const Fluid& fluid, std::size_t axis, vec3 place, doubl
 /// Distributes `total` over the samples within `radius` for which `counts` is true. `first` is the
 /// position of the sample of cell (0, 0, 0) (cells). False if there is no such sample.
 template <class Counts>
-bool add_smoothly(const Fluid& fluid, vec3 place, double radius, double total, vec3 first, Samples& samples,
-                  Counts&& counts) {
-    const auto [x0, x1] = reach(fluid, 0, place, radius);
-    const auto [y0, y1] = reach(fluid, 1, place, radius);
-    const auto [z0, z1] = reach(fluid, 2, place, radius);
+bool distribute(const Fluid& fluid, vec3 place, double radius, double total, vec3 first, Samples& samples,
+                Counts&& counts) {
+    const auto [x0, x1] = kernel_range(fluid, 0, place, radius);
+    const auto [y0, y1] = kernel_range(fluid, 1, place, radius);
+    const auto [z0, z1] = kernel_range(fluid, 2, place, radius);
     const auto [nx, ny, nz] = fluid.lattice.cells;
     const auto each = [&, x0 = x0, x1 = x1, y0 = y0, y1 = y1, z0 = z0, z1 = z1, nx = nx, ny = ny,
                        nz = nz](auto&& visit) {
@@ -176,8 +176,8 @@ bool push(Fluid& fluid, const Push& push) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double change = push.impulse[static_cast<int>(axis)] / volume;
         if (change == 0) continue;
-        taken |= add_smoothly(fluid, push.place, radius, change, fluid.place(axis), fluid.now.push[axis],
-                              [&](vec3 cell, std::size_t at) { return free_at(fluid, axis, cell, at); });
+        taken |= distribute(fluid, push.place, radius, change, fluid.place(axis), fluid.now.push[axis],
+                            [&](vec3 cell, std::size_t at) { return is_free(fluid, axis, cell, at); });
     }
     if (!taken) return false;
     fluid.now.pushed = true;
@@ -192,9 +192,9 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
     const double volume = volume_of_cell(fluid.lattice);
     if (!(amount > 0) || !(amount <= density_most * volume)) return false;
     const double total = amount / volume;
-    const bool poured = add_smoothly(fluid, place, std::max(radius, 1.5 * fluid.lattice.h), total, vec3(0.5),
-                                     fluid.now.substances[substance],
-                                     [&](vec3, std::size_t at) { return holds_fluid(fluid, at); });
+    const bool poured = distribute(fluid, place, std::max(radius, 1.5 * fluid.lattice.h), total, vec3(0.5),
+                                   fluid.now.substances[substance],
+                                   [&](vec3, std::size_t at) { return holds_fluid(fluid, at); });
     if (!poured) return false;
     fill_ghosts(fluid.lattice, all_even, fluid.now.substances[substance]);
     fluid.now.asleep = false;

@@ -29,26 +29,30 @@
 
 namespace thaum::fluid {
 
+/// Method of solution; see the top of this file.
 enum class Solver : std::uint8_t { thaum, classic };
 
-inline constexpr std::size_t substances_most = 3;
-inline constexpr double viscosity_most = 1e6;  ///< largest kinematic viscosity that is accepted (m^2/s)
+inline constexpr std::size_t substances_most = 3;  ///< largest number of substances
+inline constexpr double viscosity_most = 1e6;      ///< largest kinematic viscosity that is accepted (m^2/s)
 /// Largest speed that one push may give one cell; a stronger push is refused (m/s).
 inline constexpr double speed_most = 1e6;
 /// Largest number of sub-steps of one step. If more are needed, one semi-Lagrangian step covers the
 /// remaining time.
 inline constexpr int substeps_most = 3;
 
+/// One substance carried by the fluid; its properties are in proportion to its density.
 struct Substance {
     double viscosity{};  ///< kinematic viscosity added where its density is 1 (m^2/s)
     double weight{};     ///< weight added where its density is 1, relative to the weight of the base fluid
     double diffusion{};  ///< diffusion coefficient (m^2/s)
 };
 
+/// Settings of a fluid; the defaults are a valid box.
 struct Settings {
     Solver solver = Solver::thaum;
-    Cells cells{32, 32, 32};
-    double h = 1.0 / 32;  ///< edge length of a cell (m)
+    Cells cells{32, 32, 32};  ///< number of cells along x, y, z
+    double h = 1.0 / 32;      ///< edge length of a cell (m)
+    /// Kind of the two sides of the box across x, y, z.
     Edges edges{Edge::free_slip, Edge::free_slip, Edge::free_slip};
     int order = 4;              ///< spatial order of `thaum`, 2 or 4; always 2 if there are solids
     int sweeps = 20;            ///< Gauss-Seidel sweeps in each solve of `classic`
@@ -59,7 +63,7 @@ struct Settings {
     /// Share of the place that is solid, 0 to 1, for a place (m). The wall is the surface where it is
     /// 0.5. Null means no solids inside the box.
     std::function<double(vec3)> solid{};
-    bool solid_holds = true;  ///< true: no slip at solids; false: free slip
+    bool no_slip_at_solids = true;  ///< true: no slip at solids; false: free slip
 };
 
 /// Contents of the box: everything that the next step depends on.
@@ -71,8 +75,8 @@ struct State {
     /// Potential whose gradient the last projection subtracted; used only with solids (m^2/s).
     Samples projected;
     std::vector<Samples> substances;  ///< densities, >= 0
-    bool pushed = false;
-    bool asleep = true;  ///< true: nothing moves and nothing can start to move
+    bool pushed = false;              ///< true: `push` is not all zero
+    bool asleep = true;               ///< true: nothing moves and nothing can start to move
 };
 
 struct Workspace;  // tables and scratch memory of a step; holds no state
@@ -80,7 +84,9 @@ struct DeleteWorkspace {
     void operator()(Workspace* workspace) const;
 };
 
-/// Moves, but cannot be copied: a copy would share the workspace. To repeat a step, keep `now` and put it back.
+/// A fluid: settings, grid, state, and memory for computing steps.
+/// It moves, but cannot be copied: a copy would share the workspace. To repeat a step, keep `now` and put it
+/// back.
 struct Fluid {
     Settings settings;
     Lattice lattice;
@@ -126,7 +132,7 @@ bool pour(Fluid& fluid, std::size_t substance, vec3 place, double radius, double
 
 /// Result of one step.
 struct StepReport {
-    int substeps{};
+    int substeps{};    ///< number of Runge-Kutta sub-steps
     bool fell_back{};  ///< true: `substeps_most` was not enough, so a semi-Lagrangian step covered the rest
     int pressure_iterations{};  ///< over all sub-steps; a direct solve counts as one
     double divergence{};        ///< largest divergence times h, divided by the largest speed
@@ -149,6 +155,7 @@ vec3 velocity_at(const Fluid& fluid, vec3 place);
 /// Sets the velocity (m/s) from a function of the place (m). It is evaluated at each sample, which is
 /// the centre of the open part of its face.
 void set_velocity(Fluid& fluid, const std::function<vec3(vec3)>& velocity);
+/// Sets the density of a substance from a function of the place (m), evaluated at cell centres.
 void set_substance(Fluid& fluid, std::size_t substance, const std::function<double(vec3)>& density);
 
 /// Must be called after samples were changed from outside. Restores the conditions at edges and solids

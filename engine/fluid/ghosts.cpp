@@ -21,7 +21,7 @@ struct Mirrors {
     const Mirror* end() const { return all.data() + count; }
 };
 
-Mirrors round_about(int n, int depth) {
+Mirrors periodic_mirrors(int n, int depth) {
     Mirrors result;
     for (int layer = 1; layer <= depth; ++layer) {
         // If the lattice is thinner than its ghosts, one cell fills several layers.
@@ -31,7 +31,7 @@ Mirrors round_about(int n, int depth) {
     return result;
 }
 
-Mirrors about_walls(int n, float factor, int depth) {
+Mirrors wall_mirrors(int n, float factor, int depth) {
     Mirrors result;
     for (int layer = 1; layer <= depth; ++layer) {
         const int inward = std::min(layer, n) - 1;
@@ -42,7 +42,7 @@ Mirrors about_walls(int n, float factor, int depth) {
 }
 
 /// Layers 0 and n are the walls themselves.
-Mirrors through_walls(int n, int depth) {
+Mirrors face_mirrors(int n, int depth) {
     Mirrors result;
     result.add({0, 0, 0});
     result.add({n, n, 0});
@@ -55,9 +55,9 @@ Mirrors through_walls(int n, int depth) {
 }
 
 Mirrors mirrors(int n, Edge edge, GhostRule rule, int depth) {
-    if (edge == Edge::periodic) return round_about(n, depth);
-    if (rule == GhostRule::through_wall) return through_walls(n, depth);
-    return about_walls(n, rule == GhostRule::even ? 1.0F : -1.0F, depth);
+    if (edge == Edge::periodic) return periodic_mirrors(n, depth);
+    if (rule == GhostRule::through_wall) return face_mirrors(n, depth);
+    return wall_mirrors(n, rule == GhostRule::even ? 1.0F : -1.0F, depth);
 }
 
 void copy_scaled(const float* from, float* to, std::ptrdiff_t count, float factor) {
@@ -81,7 +81,7 @@ void fill_x(const Lattice& lattice, const Mirrors& all, float* cells) {
 }
 
 void fill_x(const Rows& rows, const Mirrors& all, float* cells) {
-    for (const std::ptrdiff_t at : rows.at_sides) fill_row(rows.lattice, all, cells + at);
+    for (const std::ptrdiff_t at : rows.rows_near_sides) fill_row(rows.lattice, all, cells + at);
 }
 
 void fill_y(const Lattice& lattice, const Mirrors& all, float* cells) {
@@ -144,7 +144,7 @@ void fill_ghosts_across(const Lattice& lattice, std::size_t axis, GhostRule rule
 
 void fill_ghosts_across(const Rows& rows, std::size_t axis, GhostRule rule, Samples& samples, int depth) {
     const Lattice& lattice = rows.lattice;
-    if (rows.all) return fill_ghosts_across(lattice, axis, rule, samples);
+    if (rows.complete) return fill_ghosts_across(lattice, axis, rule, samples);
     constexpr std::array<void (*)(const Rows&, const Mirrors&, float*), 3> fill{fill_x, fill_y, fill_z};
     fill[axis](rows, mirrors(lattice.cells[axis], lattice.edges[axis], rule, depth), samples.data());
 }

@@ -21,13 +21,16 @@
 
 namespace thaum::fluid {
 
+/// Numbers of cells along x, y, z.
 using Cells = std::array<int, 3>;
 
+/// Kind of two opposite sides of the box.
 enum class Edge : std::uint8_t { periodic, free_slip, no_slip };
 using Edges = std::array<Edge, 3>;
 
 inline constexpr int cells_most = 256;  ///< largest number of cells along one axis
 
+/// Layout of the samples of one quantity.
 struct Lattice {
     Cells cells{};  ///< number of cells along x, y, z
     Edges edges{};  ///< kind of the two sides across x, y, z

@@ -35,23 +35,26 @@ inline Floats8 near_flux(const CarryingRows& by, const float* q, std::ptrdiff_t 
 inline Floats8 far_flux(const CarryingRows& by, const float* q, std::ptrdiff_t i) {
     return load(by.after + i) * load(q + 3 * by.step) - load(by.before + i) * load(q - 3 * by.step);
 }
-inline Floats8 round_about(const float* q, std::ptrdiff_t step) { return load(q - step) + load(q + step); }
+inline Floats8 sum_of_both_sides(const float* q, std::ptrdiff_t step) {
+    return load(q - step) + load(q + step);
+}
 
-struct Factors {
+struct FluxFactors {
     float near, far, spread;
 };
 
 /// The first axis is added to the sum of the other two, so exchanging those two changes no bit.
 template <bool fourth, bool viscous>
 inline Floats8 rate_at(const CarryingRows& a, const CarryingRows& b, const CarryingRows& c, const float* q,
-                       std::ptrdiff_t i, const Factors& factors) {
+                       std::ptrdiff_t i, const FluxFactors& factors) {
     Floats8 sum = factors.near * (near_flux(a, q, i) + (near_flux(b, q, i) + near_flux(c, q, i)));
     if constexpr (fourth) sum += factors.far * (far_flux(a, q, i) + (far_flux(b, q, i) + far_flux(c, q, i)));
     if constexpr (viscous) {
-        const Floats8 ones = round_about(q, a.step) + (round_about(q, b.step) + round_about(q, c.step));
+        const Floats8 ones =
+            sum_of_both_sides(q, a.step) + (sum_of_both_sides(q, b.step) + sum_of_both_sides(q, c.step));
         if constexpr (fourth) {
-            const Floats8 twos =
-                round_about(q, 2 * a.step) + (round_about(q, 2 * b.step) + round_about(q, 2 * c.step));
+            const Floats8 twos = sum_of_both_sides(q, 2 * a.step) +
+                                 (sum_of_both_sides(q, 2 * b.step) + sum_of_both_sides(q, 2 * c.step));
             // The factors are integers (twelfths), which float holds exactly, so what leaves one sample
             // enters the others.
             sum += factors.spread * ((16.0F * ones - twos) - 90.0F * load(q));
@@ -75,7 +78,7 @@ struct RowTargets {
 template <bool fourth, bool viscous>
 [[gnu::always_inline]] inline void take_row(const CarryingRows& a, const CarryingRows& b,
                                             const CarryingRows& c, const float* q, std::ptrdiff_t count,
-                                            const Factors& factors, const RowTargets& row, float sum_part,
+                                            const FluxFactors& factors, const RowTargets& row, float sum_part,
                                             float next_part) {
     for (std::ptrdiff_t i = 0; i < count; i += 8) {
         Floats8 rate = rate_at<fourth, viscous>(a, b, c, q + i, i, factors);
@@ -123,8 +126,8 @@ void Momentum::component(const RungeKuttaStage& stage, float viscosity) {
     const auto& stride = lattice_.stride;
     const auto along = stride[axis];
     const auto h = static_cast<float>(lattice_.h);
-    const Factors factors{-(fourth ? 81.0F / 256 : 0.25F) / h, 9.0F / 768 / h,
-                          viscosity / (h * h) / (fourth ? 12 : 1)};
+    const FluxFactors factors{-(fourth ? 81.0F / 256 : 0.25F) / h, 9.0F / 768 / h,
+                              viscosity / (h * h) / (fourth ? 12 : 1)};
     const auto in_plane = [&](int i, int j) { return (j + ghosts) * stride[1] + i + ghosts; };
     const auto ring = [&](int k) { return planes_[2 + static_cast<std::size_t>(k + 1) % 4].data(); };
     const auto lift = [&](int k) {

@@ -5,10 +5,10 @@
 namespace thaum::fluid {
 
 Rows whole_rows(const Lattice& lattice) {
-    Rows result{.lattice = lattice, .all = true};
+    Rows result{.lattice = lattice, .complete = true};
     each_row(lattice, [&](std::ptrdiff_t at) {
         result.rows.push_back({at, lattice.cells[0]});
-        result.at_sides.push_back(at);
+        result.rows_near_sides.push_back(at);
     });
     return result;
 }
@@ -24,14 +24,15 @@ Samples openness(const Lattice& lattice, const std::array<Samples, 3>& open) {
 
 Rows rows_above_zero(const Lattice& lattice, const Samples& values) {
     Rows result = whole_rows(lattice);
-    result.at_sides.clear();
-    result.all = false;
+    result.rows_near_sides.clear();
+    result.complete = false;
     for (Row& row : result.rows) {
         const float* value = values.data() + row.at;
         std::ptrdiff_t first = 0, end = row.count;
         while (end > 0 && !(value[end - 1] > 0)) --end;
         while (first < end && !(value[first] > 0)) ++first;
-        if (end > 0 && (first <= ghosts || end >= row.count - ghosts)) result.at_sides.push_back(row.at);
+        if (end > 0 && (first <= ghosts || end >= row.count - ghosts))
+            result.rows_near_sides.push_back(row.at);
         const std::ptrdiff_t start = first / 8 * 8;
         row = {row.at + start, std::min(round_up_to_8(end), row.count) - start};
     }

@@ -13,12 +13,13 @@ struct Row {
     std::ptrdiff_t count{};
 };
 
+/// The rows of a lattice that hold fluid.
 struct Rows {
     Lattice lattice{};
     std::vector<Row> rows{};  ///< row j of layer k at k * lattice.cells[1] + j
     /// Starts of the lattice rows whose fluid is so close to an end that ghosts mirror it.
-    std::vector<std::ptrdiff_t> at_sides{};
-    bool all{};  ///< true: every row is complete
+    std::vector<std::ptrdiff_t> rows_near_sides{};
+    bool complete{};  ///< true: every row is complete
 
     Row at(int j, int k) const {
         const auto across = static_cast<std::size_t>(lattice.cells[1]);

@@ -26,7 +26,7 @@ constexpr double node_speed_most = 1e9;  // m/s
 template <class S, class F>
 void each_setting(S& s, F&& f) {
     f(s.solver), f(s.h), f(s.order), f(s.sweeps);
-    f(s.viscosity), f(s.lid), f(s.solid_holds);
+    f(s.viscosity), f(s.lid), f(s.no_slip_at_solids);
     for (auto& cells : s.cells) f(cells);
     for (auto& edge : s.edges) f(edge);
     for (int axis = 0; axis < 3; ++axis) f(s.gravity[axis]);

@@ -25,6 +25,7 @@ struct CutFace {
     vec3 middle{};     ///< centre of the open part (m)
 };
 
+/// Solids on one lattice: open shares of faces, and the projection that removes divergence.
 class Solids {
 public:
     Solids(const Lattice& lattice, const SolidShare& solid);

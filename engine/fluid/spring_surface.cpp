@@ -45,7 +45,7 @@ SpringNetwork spring_network(const SpringSurfaceSettings& s) {
 }
 
 /// Square of the highest frequency (1/s^2).
-double stiffest(const SpringNetwork& net) {
+double highest_squared_frequency(const SpringNetwork& net) {
     return std::max(8 * net.structural, 4 * net.structural + 8 * net.shear) + net.level;
 }
 
@@ -248,7 +248,7 @@ void place_stage(const SpringNetwork& net, Values h, Values v, double t, Values 
     close_array(net, stage);
 }
 
-void finish(const SurfaceStepContext& m, double t) {
+void combine_stages(const SurfaceStepContext& m, double t) {
     double* __restrict h = m.h;
     double* __restrict v = m.v;
     const Values a0 = m.a[0], a1 = m.a[1], a2 = m.a[2], a3 = m.a[3];
@@ -278,7 +278,7 @@ void runge_kutta(SurfaceStepContext& m, double t) {
     place_stage(m.net, m.h, m.v, t, a1, t * t / 2, m.stage);
     accelerate(m.net, m.stage, m.v, a2, t, a3);
     add_probes(m, m.stage, a3, t / 6);
-    finish(m, t);
+    combine_stages(m, t);
 }
 
 void update_all_inside(SurfaceStepContext& m) {
@@ -310,7 +310,8 @@ double sum_of_squares(std::span<const double> values) {
 /// Whether an upper bound of the energy is below the limit set by `still`.
 bool is_still(const SpringSurface& surface, const SpringNetwork& net) {
     const double most =
-        net.mass / 2 * (sum_of_squares(surface.velocity) + stiffest(net) * sum_of_squares(surface.height));
+        net.mass / 2 *
+        (sum_of_squares(surface.velocity) + highest_squared_frequency(net) * sum_of_squares(surface.height));
     return most <= surface.settings.tension * surface.settings.still * surface.settings.still;
 }
 
@@ -357,8 +358,8 @@ double stiffness_of_probes(const SpringSurfaceSettings& s, const SpringNetwork& 
 /// Number of sub-steps, and the length of each (s).
 std::pair<std::uint32_t, double> sub_steps(const SpringSurfaceSettings& s, const SpringNetwork& net,
                                            const ProbeFootprints& footprints, double dt) {
-    const double rate =
-        std::max(std::sqrt(stiffest(net) + stiffness_of_probes(s, net, footprints)), net.drag);
+    const double rate = std::max(
+        std::sqrt(highest_squared_frequency(net) + stiffness_of_probes(s, net, footprints)), net.drag);
     const double wanted = std::max(1.0, std::ceil(dt * rate / longest_step));
     if (wanted <= s.most_steps) return {static_cast<std::uint32_t>(wanted), dt / wanted};
     return {s.most_steps, longest_step / rate};
@@ -438,7 +439,7 @@ double energy(const SpringSurface& surface) {
 }
 
 double stiffest_frequency(const SpringSurfaceSettings& settings) {
-    return std::sqrt(stiffest(spring_network(settings)));
+    return std::sqrt(highest_squared_frequency(spring_network(settings)));
 }
 
 double mode_frequency(const SpringSurfaceSettings& settings, std::uint32_t p, std::uint32_t q) {

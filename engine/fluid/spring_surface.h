@@ -37,11 +37,13 @@
 
 namespace thaum::fluid {
 
+/// Behaviour of the outermost nodes.
 enum class Rim : std::uint32_t {
     pinned,  ///< the outermost nodes stay level
     free,    ///< waves are reflected without inversion; only `level` can bring the surface back to level
 };
 
+/// Settings of a spring surface; the defaults are valid.
 struct SpringSurfaceSettings {
     std::uint32_t nodes{33};       ///< number of nodes on a side, 3 to 129; the paper has `classic_nodes`
     Rim rim{};                     // rule for the outermost nodes
@@ -59,8 +61,8 @@ struct SpringSurfaceSettings {
     std::uint32_t most_steps{32};  ///< largest number of sub-steps of a call, 1 to 1000
 };
 
-inline constexpr std::uint32_t classic_nodes = 15;
-inline constexpr std::size_t surface_probe_capacity = 4;
+inline constexpr std::uint32_t classic_nodes = 15;        ///< number of nodes on a side in the paper
+inline constexpr std::size_t surface_probe_capacity = 4;  ///< largest number of probes
 /// Largest time of one call; longer times are cut to this (s).
 inline constexpr double longest_surface_call = 0.1;
 
@@ -107,14 +109,16 @@ struct SpringSurfaceScratch {
     std::vector<double> values{};
 };
 
+/// Effect of the surface on one probe during a call.
 struct ProbeReaction {
     /// Force up on the probe, at least -cling and at most pop_through (N). It is the mean over the
     /// call, so force times seconds is the impulse on the surface.
     double force{};
     double height{};  ///< height of the surface under the probe at the end (m)
-    bool inside{};
+    bool inside{};    ///< true: the probe has broken through the surface
 };
 
+/// Result of one call of advance().
 struct SpringSurfaceStep {
     std::array<ProbeReaction, surface_probe_capacity> probes{};
     /// Time by which the surface advanced; less than dt if the sub-steps were not enough (s).

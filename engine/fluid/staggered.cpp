@@ -50,7 +50,8 @@ constexpr int transports_of_fall_back = 7;
 /// Flow slower than this comes to rest unless a force accelerates it (m/s).
 constexpr double rest_speed = 1e-6;
 
-/// Whether one of the samples of a row is not 0. Eight are read at once, the last ones possibly beyond the row's end.
+/// Whether a sample of a row is not 0. Samples are tested in groups of eight, the last of which may extend
+/// beyond the end of the row.
 bool any_in(const Row& row, const float* samples) {
     auto any = load(samples + row.at) != zero8;
     for (std::ptrdiff_t i = 8; i < row.count; i += 8) any |= load(samples + row.at + i) != zero8;
@@ -79,10 +80,10 @@ StaggeredSolver::StaggeredSolver(const Settings& settings, const Lattice& lattic
       face_flow_(make_face_flow(lattice)),
       transport_(make_transport_scratch(lattice)),
       potential_(make_samples(lattice)),
-      mixed_(make_samples(lattice)) {
+      mixed_property_(make_samples(lattice)) {
     if (solids_) face_apertures_ = make_face_apertures(lattice, solids_->open());
-    pushed_.fill(rows_);
-    for (auto* velocity : {&force_, &stage_, &other_, &sum_}) velocity->fill(make_samples(lattice));
+    pushed_rows_.fill(rows_);
+    for (auto* velocity : {&force_, &stage_, &second_stage_, &sum_}) velocity->fill(make_samples(lattice));
     packed_.resize(static_cast<std::size_t>(lattice.cells[0]) * static_cast<std::size_t>(lattice.cells[1]) *
                    static_cast<std::size_t>(lattice.cells[2]));
 }
@@ -117,21 +118,21 @@ bool StaggeredSolver::has_weight(const Settings& settings) {
 }
 
 /// Number of sub-steps of equal length that keeps the distance per sub-step within carried_most.
-double StaggeredSolver::steps_wanted(const Settings& settings, double dt) const {
-    double carried = before_.sum_of_largest + std::abs(settings.lid);
-    if (forced_) carried += dt * sum_of_largest(rows_, force_);
+double StaggeredSolver::substeps_wanted(const Settings& settings, double dt) const {
+    double carried = start_norms_.sum_of_largest + std::abs(settings.lid);
+    if (has_force_) carried += dt * sum_of_largest(rows_, force_);
     return std::ceil(carried * dt / (lattice_.h * carried_most));
 }
 
 /// Sums all forces. `share` turns the queued velocity changes into an acceleration (1/s).
 void StaggeredSolver::gather_forces(const Settings& settings, const State& now, double share) {
-    forced_ = now.pushed || solids_ != nullptr;
+    has_force_ = now.pushed || solids_ != nullptr;
     const auto factor = static_cast<float>(share);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         clear(rows_, force_[axis]);
         if (!now.pushed) continue;
         const float* push = now.push[axis].data();
-        each_row(pushed_[axis], [&](Row row) {
+        each_row(pushed_rows_[axis], [&](Row row) {
             for (std::ptrdiff_t i = row.at; i < row.at + row.count; ++i)
                 force_[axis][static_cast<std::size_t>(i)] = factor * push[i];
         });
@@ -140,11 +141,12 @@ void StaggeredSolver::gather_forces(const Settings& settings, const State& now, 
     if (solids_) subtract_gradient(rows_, 2, now.pressure, force_);
 }
 
-/// Sets mixed_ to base plus, for each substance, density times its property `part`. Fills the rows and
+/// Sets mixed_property_ to base plus, for each substance, density times its property `part`. Fills the rows and
 /// their ghosts.
-void StaggeredSolver::mix(const Settings& settings, const State& now, double base, double Substance::*part) {
+void StaggeredSolver::mix_property(const Settings& settings, const State& now, double base,
+                                   double Substance::*part) {
     each_row(rows_, [&](Row row) {
-        float* to = mixed_.data() + row.at;
+        float* to = mixed_property_.data() + row.at;
         std::fill_n(to, row.count, static_cast<float>(base));
         for (std::size_t s = 0; s < now.substances.size(); ++s) {
             const auto factor = static_cast<float>(settings.substances[s].*part);
@@ -153,44 +155,45 @@ void StaggeredSolver::mix(const Settings& settings, const State& now, double bas
             for (std::ptrdiff_t i = 0; i < row.count; ++i) to[i] += factor * density[i];
         }
     });
-    fill_ghosts(rows_, all_even, mixed_);
+    fill_ghosts(rows_, all_even, mixed_property_);
 }
 
 /// Adds the weight of the substances to the forces. The mean of every level is left out, because
 /// pressure balances it. Layered fluid therefore stays at rest exactly.
 void StaggeredSolver::add_buoyancy(const Settings& settings, const State& now) {
     if (!has_weight(settings)) return;
-    mix(settings, now, 0, &Substance::weight);
-    forced_ = true;
-    pull_mixed(settings);
+    mix_property(settings, now, 0, &Substance::weight);
+    has_force_ = true;
+    add_gravity(settings);
 }
 
 /// Replaces the buoyancy at the start of a sub-step by that half a sub-step later. gather_forces left
-/// the initial weight in mixed_.
+/// the initial weight in mixed_property_.
 void StaggeredSolver::predict_buoyancy(const Settings& settings, const State& now, double dt) {
     if (!has_weight(settings)) return;
-    predict_weight(rows_, now.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt, mixed_, potential_);
+    predict_weight(rows_, now.velocity, solids_ ? &solids_->open() : nullptr, 0.5 * dt, mixed_property_,
+                   potential_);
     each_row(rows_, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
-            store(mixed_.data() + i, load(potential_.data() + i) - load(mixed_.data() + i));
+            store(mixed_property_.data() + i, load(potential_.data() + i) - load(mixed_property_.data() + i));
     });
-    fill_ghosts(rows_, all_even, mixed_);
-    pull_mixed(settings);
+    fill_ghosts(rows_, all_even, mixed_property_);
+    add_gravity(settings);
 }
 
-/// Adds gravity on the weight in mixed_ to the forces.
-void StaggeredSolver::pull_mixed(const Settings& settings) {
+/// Adds gravity on the weight in mixed_property_ to the forces.
+void StaggeredSolver::add_gravity(const Settings& settings) {
     const vec3& pull = settings.gravity;
     const std::size_t down = pull.y != 0 ? 1 : pull.z != 0 ? 2 : 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto of_axis = static_cast<float>(pull[static_cast<int>(axis)]);
-        if (of_axis != 0) pull_along(axis, of_axis, axis == down);
+        if (of_axis != 0) add_gravity_along(axis, of_axis, axis == down);
     }
 }
 
-/// Adds the force along one axis to the open faces across it, from the mean of mixed_ on their two
+/// Adds the force along one axis to the open faces across it, from the mean of mixed_property_ on their two
 /// sides.
-void StaggeredSolver::pull_along(std::size_t axis, float pull, bool without_mean) {
+void StaggeredSolver::add_gravity_along(std::size_t axis, float pull, bool without_mean) {
     // Rows across x contain all levels, so they form one group.
     const int groups = axis == 0 ? 1 : lattice_.cells[axis];
     for (int group = 0; group < groups; ++group) {
@@ -199,15 +202,15 @@ void StaggeredSolver::pull_along(std::size_t axis, float pull, bool without_mean
             first[axis] = group;
             end[axis] = group + 1;
         }
-        pull_rows(axis, first, end, pull, without_mean);
+        add_gravity_to_rows(axis, first, end, pull, without_mean);
     }
 }
 
 /// The same for one level, or for all levels across x.
-void StaggeredSolver::pull_rows(std::size_t axis, const Cells& first, const Cells& end, float pull,
-                                bool without_mean) {
+void StaggeredSolver::add_gravity_to_rows(std::size_t axis, const Cells& first, const Cells& end, float pull,
+                                          bool without_mean) {
     const auto s = lattice_.stride[axis];
-    const float* mixed = mixed_.data();
+    const float* mixed = mixed_property_.data();
     const float* open = solids_ ? solids_->open()[axis].data() : nullptr;
     float* force = force_[axis].data();
     // Calls `visit` with the index of each group of eight faces, and its position along x.
@@ -293,21 +296,22 @@ void StaggeredSolver::end_step(const Settings& settings, State& now, double dt, 
 }
 
 /// Finds the rows of fluid in which a push is not 0.
-void StaggeredSolver::find_pushes(const State& now) {
+void StaggeredSolver::find_pushed_rows(const State& now) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const float* push = now.push[axis].data();
         for (std::size_t r = 0; r < rows_.rows.size(); ++r) {
             const Row row = rows_.rows[r];
             const bool pushed = now.pushed && row.count > 0 && any_in(row, push);
-            pushed_[axis].rows[r] = {row.at, pushed ? row.count : 0};
+            pushed_rows_[axis].rows[r] = {row.at, pushed ? row.count : 0};
         }
     }
 }
 
-/// Pushes count once. They stand in the rows that find_pushes found, since `push` adds none to a solid.
+/// Clears the pushes after a step. They lie only in the rows found by find_pushed_rows, because `push` adds
+/// none to a solid.
 void StaggeredSolver::clear_pushes(State& now) const {
     if (!now.pushed) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) clear(pushed_[axis], now.push[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis) clear(pushed_rows_[axis], now.push[axis]);
     now.pushed = false;
 }
 
@@ -315,7 +319,8 @@ void StaggeredSolver::clear_pushes(State& now) const {
 double StaggeredSolver::work_of_pushes(const State& now, const Velocity& velocity) const {
     if (!now.pushed) return 0;
     double work = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis) work += dot(pushed_[axis], now.push[axis], velocity[axis]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        work += dot(pushed_rows_[axis], now.push[axis], velocity[axis]);
     return work;
 }
 
@@ -328,14 +333,15 @@ double StaggeredSolver::work_of_pushes(const State& now, const Velocity& velocit
 /// summed over cells).
 void StaggeredSolver::limit_energy(const Settings& settings, State& now, double share, double sunk,
                                    StepReport& report) {
-    moving_.reset();
+    current_norms_.reset();
     if (settings.lid != 0 || (!solids_ && !has_weight(settings))) return;
     const VelocityNorms found = velocity_norms(rows_, now.velocity);
     const double is = found.half_square;
-    const double most = std::max(0.0, before_.half_square + sunk + 0.5 * share * work_of_pushes(now, sum_));
+    const double most =
+        std::max(0.0, start_norms_.half_square + sunk + 0.5 * share * work_of_pushes(now, sum_));
     const double by_pushes = 0.5 * share * work_of_pushes(now, now.velocity);
     if (is <= most + by_pushes) {
-        moving_ = found;
+        current_norms_ = found;
         return;
     }
     // If the flow is slowed by a factor f, the pushes also do less work: f^2 is = most + f by_pushes.
@@ -350,20 +356,20 @@ void StaggeredSolver::limit_energy(const Settings& settings, State& now, double 
 void StaggeredSolver::substep(const Settings& settings, State& now, double dt, double whole,
                               StepReport& report) {
     predict_buoyancy(settings, now, dt);
-    const double nu = explicit_ ? settings.viscosity : 0;
-    const auto* force = forced_ ? &force_ : nullptr;
+    const double nu = viscosity_in_stages_ ? settings.viscosity : 0;
+    const auto* force = has_force_ ? &force_ : nullptr;
     const auto& start = now.velocity;
     const auto part = [dt](double share) { return static_cast<float>(share * dt); };
     momentum_.run_stage({start, start, force, &stage_, sum_, part(place_1), part(weight_1), true}, nu);
     end_stage(settings, stage_);
-    momentum_.run_stage({stage_, start, force, &other_, sum_, part(0.5), part(weight_2), false}, nu);
-    end_stage(settings, other_);
-    momentum_.run_stage({other_, start, force, &stage_, sum_, part(1), part(weight_3), false}, nu);
+    momentum_.run_stage({stage_, start, force, &second_stage_, sum_, part(0.5), part(weight_2), false}, nu);
+    end_stage(settings, second_stage_);
+    momentum_.run_stage({second_stage_, start, force, &stage_, sum_, part(1), part(weight_3), false}, nu);
     end_stage(settings, stage_);
     momentum_.run_stage({stage_, start, force, nullptr, sum_, 0, part(weight_4), false}, nu);
-    if (!explicit_) diffuse_velocity(settings, now, dt);
+    if (!viscosity_in_stages_) diffuse_velocity(settings, now, dt);
     end_step(settings, now, dt, report);
-    const double sunk = carry_along(settings, now, dt);
+    const double sunk = transport_after_substep(settings, now, dt);
     limit_energy(settings, now, dt / whole, sunk, report);
     ++report.substeps;
 }
@@ -376,15 +382,15 @@ void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& no
         diffusion_.diffuse(settings.viscosity * dt / (lattice_.h * lattice_.h), settings.lid, sum_);
         return;
     }
-    mix(settings, now, settings.viscosity, &Substance::viscosity);
+    mix_property(settings, now, settings.viscosity, &Substance::viscosity);
     // Fluid with a larger viscosity already moves as a rigid body within a step, and in float its
     // coupling to the rest would be lost.
     const auto thickest = static_cast<float>(rigid * lattice_.h * lattice_.h / dt);
-    for (float& viscosity : mixed_) viscosity = std::min(viscosity, thickest);
+    for (float& viscosity : mixed_property_) viscosity = std::min(viscosity, thickest);
     const double ratio = settings.viscosity * dt / (lattice_.h * lattice_.h);
-    viscosity_.diffuse({.viscosity = &mixed_,
-                        .force = forced_ ? &force_ : nullptr,
-                        .solid_holds = settings.solid_holds,
+    viscosity_.diffuse({.viscosity = &mixed_property_,
+                        .force = has_force_ ? &force_ : nullptr,
+                        .no_slip_at_solids = settings.no_slip_at_solids,
                         .lid = settings.lid,
                         .dt = dt,
                         .passes = ratio > one_pass_most ? 2 : 1},
@@ -393,8 +399,9 @@ void StaggeredSolver::diffuse_velocity(const Settings& settings, const State& no
 
 /// Transports the substances. Returns the potential energy that they released by sinking, without the
 /// energy that diffusion added (m^2/s^2, summed over cells).
-double StaggeredSolver::carry_by(const Velocity& before, const Velocity& after, const Settings& settings,
-                                 State& now, double dt, int most_substeps) {
+double StaggeredSolver::transport_substances(const Velocity& before, const Velocity& after,
+                                             const Settings& settings, State& now, double dt,
+                                             int most_substeps) {
     if (now.substances.empty()) return 0;
     const auto* open = solids_ ? &solids_->open() : nullptr;
     set_face_flow(lattice_, before, after, solids_ ? &face_apertures_ : nullptr, dt, face_flow_, order_);
@@ -414,20 +421,21 @@ double StaggeredSolver::carry_by(const Velocity& before, const Velocity& after, 
 }
 
 void StaggeredSolver::carry_substances(const Settings& settings, State& now, double dt) {
-    carry_by(now.velocity, now.velocity, settings, now, dt);
+    transport_substances(now.velocity, now.velocity, settings, now, dt);
 }
 
 /// Transports the substances by the velocities before a sub-step (in sum_) and after it. Returns the
-/// result of carry_by.
-double StaggeredSolver::carry_along(const Settings& settings, State& now, double dt, int most_substeps) {
-    return carry_by(sum_, now.velocity, settings, now, dt, most_substeps);
+/// result of transport_substances.
+double StaggeredSolver::transport_after_substep(const Settings& settings, State& now, double dt,
+                                                int most_substeps) {
+    return transport_substances(sum_, now.velocity, settings, now, dt, most_substeps);
 }
 
 /// A step of any length: each sample takes the value from where its fluid came from. Energy that the
 /// interpolation adds is removed.
 void StaggeredSolver::semi_lagrangian(const Settings& settings, State& now, double dt, double whole,
                                       StepReport& report) {
-    const double before = before_.half_square;
+    const double before = start_norms_.half_square;
     for (std::size_t axis = 0; axis < 3; ++axis) carry_back(lattice_, now.velocity, axis, dt, sum_[axis]);
     if (solids_) solids_->clear_closed_faces(sum_);
     const double after = velocity_norms(rows_, sum_).half_square;
@@ -438,13 +446,13 @@ void StaggeredSolver::semi_lagrangian(const Settings& settings, State& now, doub
         const float* f = force_[axis].data();
         each_row(lattice_, [&](std::ptrdiff_t at) {
             for (std::ptrdiff_t i = at; i < at + lattice_.cells[0]; ++i)
-                u[i] = factor * u[i] + (forced_ ? step * f[i] : 0);
+                u[i] = factor * u[i] + (has_force_ ? step * f[i] : 0);
         });
     }
     if (solids_) solids_->clear_closed_faces(sum_);
     diffuse_velocity(settings, now, dt);
     end_step(settings, now, dt, report);
-    const double sunk = carry_along(settings, now, dt, transports_of_fall_back);
+    const double sunk = transport_after_substep(settings, now, dt, transports_of_fall_back);
     limit_energy(settings, now, dt / whole, sunk, report);
     report.fell_back = true;
 }
@@ -456,7 +464,7 @@ void StaggeredSolver::come_to_rest(const Settings& settings, State& now, double 
     bool spreads = false;
     for (std::size_t s = 0; s < now.substances.size(); ++s)
         spreads = spreads || (settings.substances[s].diffusion > 0 && largest(rows_, now.substances[s]) > 0);
-    if (forced_ && dt * sum_of_largest(rows_, force_) >= rest_speed) {
+    if (has_force_ && dt * sum_of_largest(rows_, force_) >= rest_speed) {
         // A force counts only if it makes the flow faster; strong viscosity may leave nothing of it.
         // sum_ holds the velocity before the last sub-step.
         const double before = largest(rows_, sum_);
@@ -486,38 +494,38 @@ void StaggeredSolver::clear_divergence(const Settings& settings, State& now, Ste
 StepReport StaggeredSolver::step(const Settings& settings, State& now, double dt) {
     StepReport report;
     double left = dt;
-    moving_.reset();
-    find_pushes(now);
+    current_norms_.reset();
+    find_pushed_rows(now);
     while (left > 0) {
-        before_ = moving_ ? *moving_ : velocity_norms(rows_, now.velocity);
+        start_norms_ = current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity);
         gather_forces(settings, now, 1 / dt);
-        double wanted = std::max(1.0, steps_wanted(settings, left));
+        double wanted = std::max(1.0, substeps_wanted(settings, left));
         const int allowed = substeps_most - report.substeps;
         if (solids_ && wanted > allowed) {
             // A collision within a shorter step left a pressure that would push much too hard over a
             // longer step. Without it the step is of first order, and stable.
             std::fill(now.pressure.begin(), now.pressure.end(), 0.0F);
             gather_forces(settings, now, 1 / dt);
-            wanted = std::max(1.0, steps_wanted(settings, left));
+            wanted = std::max(1.0, substeps_wanted(settings, left));
         }
         if (wanted > allowed) {
             // The semi-Lagrangian step covers all remaining time at once, because sub-steps before it
             // gain little. Relative error after twenty steps that follow a push, against fine steps: if
             // four sub-steps are wanted, 0.021 (0.015 with the four). If five are wanted, 0.053, and
             // 0.059 with four sub-steps first. If ten are wanted, there is no difference.
-            explicit_ = false;
+            viscosity_in_stages_ = false;
             semi_lagrangian(settings, now, left, dt, report);
             break;
         }
         const double sub = left / wanted;
-        explicit_ = !solids_ && !viscosity_varies(settings) &&
-                    settings.viscosity * sub <= explicit_most * lattice_.h * lattice_.h;
+        viscosity_in_stages_ = !solids_ && !viscosity_varies(settings) &&
+                               settings.viscosity * sub <= explicit_most * lattice_.h * lattice_.h;
         substep(settings, now, sub, dt, report);
         left = wanted > 1 ? left - sub : 0;
     }
     clear_pushes(now);
     report.cells = static_cast<std::int64_t>(packed_.size()) * (report.substeps + (report.fell_back ? 1 : 0));
-    const VelocityNorms is = moving_ ? *moving_ : velocity_norms(rows_, now.velocity);
+    const VelocityNorms is = current_norms_ ? *current_norms_ : velocity_norms(rows_, now.velocity);
     report.energy = is.half_square * lattice_.h * lattice_.h * lattice_.h;
     report.speed = is.largest;
     if (!solids_) clear_divergence(settings, now, report);

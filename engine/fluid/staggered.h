@@ -40,28 +40,29 @@ private:
     void fill_sides(const Settings& settings, Velocity& velocity, int depth = ghosts) const;
     bool viscosity_varies(const Settings& settings) const;
     static bool has_weight(const Settings& settings);
-    double steps_wanted(const Settings& settings, double dt) const;
+    double substeps_wanted(const Settings& settings, double dt) const;
     void come_to_rest(const Settings& settings, State& now, double dt, double speed) const;
     void gather_forces(const Settings& settings, const State& now, double share);
-    void mix(const Settings& settings, const State& now, double base, double Substance::*part);
+    void mix_property(const Settings& settings, const State& now, double base, double Substance::*part);
     void add_buoyancy(const Settings& settings, const State& now);
     void predict_buoyancy(const Settings& settings, const State& now, double dt);
-    void pull_mixed(const Settings& settings);
-    void pull_along(std::size_t axis, float pull, bool without_mean);
-    void pull_rows(std::size_t axis, const Cells& first, const Cells& end, float pull, bool without_mean);
+    void add_gravity(const Settings& settings);
+    void add_gravity_along(std::size_t axis, float pull, bool without_mean);
+    void add_gravity_to_rows(std::size_t axis, const Cells& first, const Cells& end, float pull,
+                             bool without_mean);
     void substep(const Settings& settings, State& now, double dt, double whole, StepReport& report);
     void end_stage(const Settings& settings, Velocity& velocity);
     void clear_divergence(const Settings& settings, State& now, StepReport& report);
     void end_step(const Settings& settings, State& now, double dt, StepReport& report);
-    void find_pushes(const State& now);
+    void find_pushed_rows(const State& now);
     void clear_pushes(State& now) const;
     double work_of_pushes(const State& now, const Velocity& velocity) const;
     void limit_energy(const Settings& settings, State& now, double share, double sunk, StepReport& report);
     void diffuse_velocity(const Settings& settings, const State& now, double dt);
-    double carry_along(const Settings& settings, State& now, double dt,
-                       int most_substeps = TransportSettings{}.most_substeps);
-    double carry_by(const Velocity& before, const Velocity& after, const Settings& settings, State& now,
-                    double dt, int most_substeps = TransportSettings{}.most_substeps);
+    double transport_after_substep(const Settings& settings, State& now, double dt,
+                                   int most_substeps = TransportSettings{}.most_substeps);
+    double transport_substances(const Velocity& before, const Velocity& after, const Settings& settings,
+                                State& now, double dt, int most_substeps = TransportSettings{}.most_substeps);
     void semi_lagrangian(const Settings& settings, State& now, double dt, double whole, StepReport& report);
 
     Lattice lattice_;
@@ -75,13 +76,13 @@ private:
     FaceApertures face_apertures_;  ///< open shares at the solids
     FaceFlow face_flow_;
     TransportScratch transport_;
-    std::array<Rows, 3> pushed_;           ///< rows in which this step's pushes are not 0
-    VelocityNorms before_{};               ///< norms of the velocity before a sub-step
-    std::optional<VelocityNorms> moving_;  ///< norms of the current velocity, if known
-    Velocity force_, stage_, other_, sum_;
-    bool forced_ = false;    ///< true: force_ is not all zero
-    bool explicit_ = false;  ///< true: the stages of this step include viscosity
-    Samples potential_, mixed_;
+    std::array<Rows, 3> pushed_rows_;             ///< rows in which this step's pushes are not 0
+    VelocityNorms start_norms_{};                 ///< norms of the velocity before a sub-step
+    std::optional<VelocityNorms> current_norms_;  ///< norms of the current velocity, if known
+    Velocity force_, stage_, second_stage_, sum_;
+    bool has_force_ = false;            ///< true: force_ is not all zero
+    bool viscosity_in_stages_ = false;  ///< true: the stages of this step include viscosity
+    Samples potential_, mixed_property_;
     std::vector<float> packed_;
 };
 

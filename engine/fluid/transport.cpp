@@ -137,9 +137,9 @@ inline float donors(float part, float diffusion, Floats courant, Floats aperture
 /// each cell can take. `part` limits those that leave a cell, so that it stays above zero. `room`
 /// limits those that enter it, so that it stays below `ceiling`.
 template <TransportTerms terms>
-[[gnu::noinline]] void afford_row(SubstepScale scale, const std::array<FaceRow, 3>& faces,
-                                  const Fluxes& difference, Floats start, float ceiling, std::ptrdiff_t count,
-                                  float* __restrict value, float* __restrict part, float* __restrict room) {
+[[gnu::noinline]] void limit_row(SubstepScale scale, const std::array<FaceRow, 3>& faces,
+                                 const Fluxes& difference, Floats start, float ceiling, std::ptrdiff_t count,
+                                 float* __restrict value, float* __restrict part, float* __restrict room) {
     const Floats x = difference.low[0], y = difference.low[1], z = difference.low[2];
     const Floats cx = faces[0].courant, cy = faces[1].courant, cz = faces[2].courant;
     const Floats ax = faces[0].aperture, ay = faces[1].aperture, az = faces[2].aperture;
@@ -167,25 +167,28 @@ template <TransportTerms terms>
 }
 
 /// Minimum without a branch.
-inline float lesser(float a, float b) { return a < b ? a : b; }
+inline float minimum(float a, float b) { return a < b ? a : b; }
 
 /// The difference through a face, limited by the cells on both sides. `s` is the step from the cell
 /// below to the one above.
-inline float cut(Floats difference, Floats part, Floats room, std::ptrdiff_t i, std::ptrdiff_t s) {
-    return above_zero(difference[i]) * lesser(part[i - s], room[i]) +
-           below_zero(difference[i]) * lesser(part[i], room[i - s]);
+inline float limited_difference(Floats difference, Floats part, Floats room, std::ptrdiff_t i,
+                                std::ptrdiff_t s) {
+    return above_zero(difference[i]) * minimum(part[i - s], room[i]) +
+           below_zero(difference[i]) * minimum(part[i], room[i - s]);
 }
 
 /// Applies the limited differences to a row of cells.
-[[gnu::noinline]] void cut_row(const Fluxes& difference, Floats value, Floats part, Floats room,
-                               std::ptrdiff_t count, float* __restrict result) {
+[[gnu::noinline]] void apply_limited_row(const Fluxes& difference, Floats value, Floats part, Floats room,
+                                         std::ptrdiff_t count, float* __restrict result) {
     const Floats x = difference.low[0], y = difference.low[1], z = difference.low[2];
     const std::ptrdiff_t sy = difference.step[1], sz = difference.step[2];
 #pragma GCC ivdep
     for (std::ptrdiff_t i = 0; i < count; ++i) {
-        const float now = value[i] - (((cut(x, part, room, i + 1, 1) - cut(x, part, room, i, 1)) +
-                                       (cut(y, part, room, i + sy, sy) - cut(y, part, room, i, sy))) +
-                                      (cut(z, part, room, i + sz, sz) - cut(z, part, room, i, sz)));
+        const float now =
+            value[i] -
+            (((limited_difference(x, part, room, i + 1, 1) - limited_difference(x, part, room, i, 1)) +
+              (limited_difference(y, part, room, i + sy, sy) - limited_difference(y, part, room, i, sy))) +
+             (limited_difference(z, part, room, i + sz, sz) - limited_difference(z, part, room, i, sz)));
         result[i] = now < least_density ? 0 : now;
     }
 }
@@ -215,13 +218,13 @@ template <TransportTerms terms>
         float diffusion = scale.diffusion;
         if constexpr (terms.solids && terms.diffuses) diffusion *= face.aperture[i];
         const float flow = scale.courant * face.courant[i];
-        sums[0][lane] +=
-            donor<terms>(flow, diffusion, start[i - s], start[i]) + cut(difference, part, room, i, s);
+        sums[0][lane] += donor<terms>(flow, diffusion, start[i - s], start[i]) +
+                         limited_difference(difference, part, room, i, s);
         sums[1][lane] += flow;
         sums[2][lane] += std::abs(flow);
         sums[3][lane] += std::abs(flow) * (0.5F * (start[i - s] + start[i]));
     };
-    const auto hand_over = [&](std::size_t lane, LevelCrossing& level) {
+    const auto flush = [&](std::size_t lane, LevelCrossing& level) {
         level.density += static_cast<double>(sums[0][lane]);
         level.flow += static_cast<double>(sums[1][lane]);
         level.either += static_cast<double>(sums[2][lane]);
@@ -231,7 +234,7 @@ template <TransportTerms terms>
     if (across != 0) {
         for (std::ptrdiff_t i = 0; i < count; ++i) {
             add(i, 0);
-            hand_over(0, levels[i * across]);
+            flush(0, levels[i * across]);
         }
         return;
     }
@@ -239,7 +242,7 @@ template <TransportTerms terms>
     for (std::ptrdiff_t i = 0; i < whole; i += lanes)
         for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) add(i + lane, static_cast<std::size_t>(lane));
     for (std::ptrdiff_t i = whole; i < count; ++i) add(i, 0);
-    for (std::size_t lane = 0; lane < lanes; ++lane) hand_over(lane, *levels);
+    for (std::size_t lane = 0; lane < lanes; ++lane) flush(lane, *levels);
 }
 
 // ---- over the lattice --------------------------------------------------------------------------------------------
@@ -279,7 +282,7 @@ template <StageIndex stage, TransportTerms terms>
 
 /// Copies the first faces to the last ones at periodic sides. On walls and behind the last cells before
 /// a solid, the last faces are closed: their flux is never written and stays 0.
-void close_rings(const SubstepContext& c, int k) {
+void copy_last_faces(const SubstepContext& c, int k) {
     const auto [nx, ny, nz] = c.lattice.cells;
     auto& flux = c.scratch.flux;
     if (c.lattice.edges[0] == Edge::periodic)
@@ -303,7 +306,7 @@ void each_layer(const SubstepContext& c, const Samples& value, Layer layer) {
         if (k > 0) layer(k - 1);
         flux_rows<stage, terms>(c, value, 0, k);
         flux_rows<stage, terms>(c, value, 1, k);
-        close_rings(c, k);
+        copy_last_faces(c, k);
     }
     layer(nz - 1);
 }
@@ -322,7 +325,7 @@ void take_stage(const SubstepContext& c, const Samples& value, float part, Sampl
 
 /// Density that crossed all faces along an axis, positive in the direction of the axis.
 template <TransportTerms terms>
-double crossed(const SubstepContext& c, std::size_t axis, const Samples& part, const Samples& room) {
+double moved_across(const SubstepContext& c, std::size_t axis, const Samples& part, const Samples& room) {
     std::array<LevelCrossing, cells_most> levels{};
     for (int k = 0; k < c.lattice.cells[2]; ++k) {
         for (int j = 0; j < c.lattice.cells[1]; ++j) {
@@ -357,9 +360,9 @@ vec3 substep(const Lattice& lattice, const FaceFlow& face_flow, SubstepScale sca
     each_layer<StageIndex::third, terms>(c, second, [&](int k) {
         each_row(c.rows(), k, [&](Row row) {
             const std::ptrdiff_t at = row.at;
-            afford_row<terms>(scale, {c.face(0, at), c.face(1, at), c.face(2, at)}, c.fluxes(at),
-                              density.data() + at, ceiling, round_up_to_8(row.count), left.data() + at,
-                              part.data() + at, room.data() + at);
+            limit_row<terms>(scale, {c.face(0, at), c.face(1, at), c.face(2, at)}, c.fluxes(at),
+                             density.data() + at, ceiling, round_up_to_8(row.count), left.data() + at,
+                             part.data() + at, room.data() + at);
         });
     });
     // Values beyond walls are never used, because the difference there is 0.
@@ -370,11 +373,12 @@ vec3 substep(const Lattice& lattice, const FaceFlow& face_flow, SubstepScale sca
     }
     vec3 moved(0);
     for (int axis = 0; axis < 3; ++axis)
-        if (along[axis] != 0) moved[axis] = crossed<terms>(c, static_cast<std::size_t>(axis), part, room);
+        if (along[axis] != 0)
+            moved[axis] = moved_across<terms>(c, static_cast<std::size_t>(axis), part, room);
     each_row(c.rows(), [&](Row row) {
         const std::ptrdiff_t at = row.at;
-        cut_row(c.fluxes(at), left.data() + at, part.data() + at, room.data() + at, row.count,
-                density.data() + at);
+        apply_limited_row(c.fluxes(at), left.data() + at, part.data() + at, room.data() + at, row.count,
+                          density.data() + at);
     });
     fill_ghosts(c.rows(), all_even, density);
     return moved;

@@ -77,8 +77,10 @@ struct TransportScratch {
 
 TransportScratch make_transport_scratch(const Lattice& lattice);
 
+/// Largest share of a cell that first-order fluxes take in a sub-step.
 inline constexpr double courant_most = 0.9;
 
+/// Settings of one transport of a substance.
 struct TransportSettings {
     double diffusion{};  ///< diffusion coefficient, finite, >= 0 (m^2/s)
     /// Largest number of sub-steps, >= 1; 10 are enough for a flow of four cells along two axes at
@@ -87,6 +89,7 @@ struct TransportSettings {
     vec3 moved_along{};  ///< nonzero for the axes along which `moved` is wanted
 };
 
+/// Result of one transport of a substance.
 struct TransportReport {
     int substeps{};  ///< number of sub-steps; 0 if the density is zero or nothing moves it
     /// Part of dt over which the flow was followed; below 1 if the sub-steps were not enough.

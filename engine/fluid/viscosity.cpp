@@ -22,8 +22,8 @@ constexpr float drag_factor = 8;
 /// Limits of the explicit half for a link between open places and for a link to a wall. Even if both
 /// links of a place are at their limit, no wave grows in that half, so energy only falls. Between open
 /// places all values stay within their previous range.
-constexpr float explicit_most = 0.25F;
-constexpr float explicit_most_to_wall = 0.5F;
+constexpr float explicit_link_most = 0.25F;
+constexpr float explicit_wall_link_most = 0.5F;
 
 /// Layout of slabs: lines that are parallel and adjacent along x. Lines along x are adjacent along y.
 struct Slabs {
@@ -40,13 +40,13 @@ Slabs slabs_along(const Lattice& lattice, std::size_t across) {
 /// after place r - 1.
 struct Lines {
     float* value;
-    const float* coefficient;  ///< values of nodal_
+    const float* coefficient;  ///< values of face_coefficients_
     std::ptrdiff_t row;
     std::ptrdiff_t count;  ///< places along a line
     std::ptrdiff_t pitch;  ///< number of parallel lines, rounded up to a multiple of eight
     Edge edge;
     bool through;  ///< true: the component is parallel to the line, so it is 0 on the walls at both ends
-    bool solid_holds;
+    bool no_slip_at_solids;
     float lid;  ///< speed of the wall at the high end (m/s)
     std::span<const CutLink> cuts;
     std::ptrdiff_t skipped;  ///< closed places left out before the first place
@@ -70,7 +70,8 @@ inline Floats8 explicit_part(const Floats8& whole, const Floats8& most) {
 
 /// The same for the link between two places.
 inline Floats8 explicit_part(const Floats8& whole, const Floats8& a, const Floats8& b) {
-    const Floats8 most = ((a < zero8) | (b < zero8)) ? zero8 + explicit_most_to_wall : zero8 + explicit_most;
+    const Floats8 most =
+        ((a < zero8) | (b < zero8)) ? zero8 + explicit_wall_link_most : zero8 + explicit_link_most;
     return explicit_part(whole, most);
 }
 
@@ -110,7 +111,7 @@ const float* coefficients_at(const Lines& lines, const RowBuffers& buffers, std:
 /// Coefficients of the links from place r to place r + 1, including links that a wall cuts.
 void find_links(const Lines& lines, const RowBuffers& buffers, std::ptrdiff_t r,
                 std::span<const CutLink>& cuts) {
-    const bool holds = lines.solid_holds || (lines.through && lines.edge != Edge::periodic);
+    const bool holds = lines.no_slip_at_solids || (lines.through && lines.edge != Edge::periodic);
     const float* own = coefficients_at(lines, buffers, r);
     const float* next = lines.coefficient + (r + 1) * lines.row;
     for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8)
@@ -132,14 +133,15 @@ void begin(const Lines& lines, const RowBuffers& buffers, const EliminationFacto
     const float* own = coefficients_at(lines, buffers, 0);
     for (std::ptrdiff_t i = 0; i < lines.pitch; i += 8) {
         const Floats8 whole = multiple * larger(load(own + i), zero8);
-        const Floats8 part = explicit_part(whole, zero8 + explicit_most_to_wall);
+        const Floats8 part = explicit_part(whole, zero8 + explicit_wall_link_most);
         const Floats8 value = load(lines.value + i);
         store(buffers.below + i, zero8);
         store(buffers.flux + i, -part * value);
         store(buffers.to_wall + i, whole - part);
         if constexpr (ring) {
-            const Floats8 ends = link(lines.solid_holds, load(lines.coefficient + last + i), load(own + i));
-            const Floats8 half = explicit_part(ends, zero8 + explicit_most);
+            const Floats8 ends =
+                link(lines.no_slip_at_solids, load(lines.coefficient + last + i), load(own + i));
+            const Floats8 half = explicit_part(ends, zero8 + explicit_link_most);
             store(buffers.ring + i, half * (value - load(lines.value + last + i)));
             // The matrix of a periodic line is that of a line with open ends plus ends * (e0 - en)(e0 -
             // en)^T.
@@ -168,7 +170,7 @@ void eliminate_place(const Lines& lines, const RowBuffers& buffers, const Elimin
         Floats8 whole, part, to_next, more = load(low_end + i);
         if constexpr (last) {
             whole = multiple * larger(coefficient, zero8);
-            part = explicit_part(whole, zero8 + explicit_most_to_wall);
+            part = explicit_part(whole, zero8 + explicit_wall_link_most);
             to_next = part * here;
         } else {
             whole = load(buffers.link + i);
@@ -243,7 +245,7 @@ Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidSh
     : lattice_(lattice),
       solids_(solids),
       rows_(solids != nullptr ? solids->rows() : whole_rows(lattice)),
-      nodal_(lattice.size, -1.0F) {
+      face_coefficients_(lattice.size, -1.0F) {
     const auto [nx, ny, nz] = lattice.cells;
     const auto width = static_cast<std::size_t>(round_up_to_8(std::max(nx, ny)));
     const auto most = width * static_cast<std::size_t>(1 + std::max({nx, ny, nz}));
@@ -261,7 +263,7 @@ Viscosity::Viscosity(const Lattice& lattice, const Solids* solids, const SolidSh
 }
 
 /// Centre of a face (m).
-vec3 Viscosity::place_of(std::size_t axis, std::size_t at) const {
+vec3 Viscosity::position_of(std::size_t axis, std::size_t at) const {
     const auto from = static_cast<std::ptrdiff_t>(at) - lattice_.at(-ghosts, -ghosts, -ghosts);
     const auto [x, y, z] = lattice_.stride;
     const std::ptrdiff_t i = from % y / x, j = from % z / y, k = from / z;
@@ -276,7 +278,7 @@ void Viscosity::find_faces(const SolidShare& solid, std::size_t axis) {
     on_line = make_samples(lattice_);
     each_cell(lattice_, [&](int, int, int, std::size_t at) { on_line[at] = solids_->open()[axis][at]; });
     for (const CutFace& face : solids_->cut_faces(axis)) {
-        const double centre = distance_to_wall(solid, place_of(axis, face.at), h);
+        const double centre = distance_to_wall(solid, position_of(axis, face.at), h);
         const double middle = distance_to_wall(solid, face.middle, h);
         if (centre >= least_way * h && centre >= least_factor * middle)
             scaled_[axis].push_back({face.at, static_cast<float>(centre / std::max(middle, least_way * h))});
@@ -299,7 +301,7 @@ DraggedFace Viscosity::dragged_face(const SolidShare& solid, std::size_t axis, c
     for (std::size_t side = 0; side < 6; ++side) {
         const auto step = static_cast<std::size_t>(lattice_.stride[side / 2]);
         const auto at = result.from[side] = side % 2 == 0 ? face.at + step : face.at - step;
-        if (on_lines_[axis][at] > 0) away[side] = distance_to_wall(solid, place_of(axis, at), h);
+        if (on_lines_[axis][at] > 0) away[side] = distance_to_wall(solid, position_of(axis, at), h);
         squares += away[side] * away[side];
     }
     for (std::size_t side = 0; side < 6 && squares > 0; ++side)
@@ -318,7 +320,7 @@ void Viscosity::find_cuts(const SolidShare& solid, std::size_t axis, std::size_t
                 Cells high = low;
                 ++high[across];
                 if (is_on_line(low) == is_on_line(high)) continue;
-                const vec3 first = place_of(axis, at(low)), second = place_of(axis, at(high));
+                const vec3 first = position_of(axis, at(low)), second = position_of(axis, at(high));
                 const double way = is_on_line(low) ? way_to_wall(solid, first, second - first, 2)
                                                    : way_to_wall(solid, second, first - second, 2);
                 cuts_[axis][across].push_back({low[outer], low[across] * pitch + low[beside],
@@ -365,7 +367,7 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
     const auto s = lattice_.stride[axis];
     const auto half = static_cast<float>(0.5 * step.dt / (step.passes * lattice_.h * lattice_.h));
     const float* nu = step.viscosity->data();
-    const bool holds = solids_ != nullptr && step.solid_holds;
+    const bool holds = solids_ != nullptr && step.no_slip_at_solids;
     const float* open = holds                ? on_lines_[axis].data()
                         : solids_ != nullptr ? solids_->open()[axis].data()
                                              : nullptr;
@@ -374,36 +376,37 @@ void Viscosity::component(const ViscousStep& step, std::size_t axis, Samples& u)
             const Floats8 both = half * (load(nu + i - s) + load(nu + i));
             const Floats8 closed = zero8 - 1.0F;
             const Floats8 share = open == nullptr ? closed + 2.0F : load(open + i);
-            const Floats8 nodal = share > zero8 ? both : closed;
-            store(nodal_.data() + i, nodal);
-            if (step.force != nullptr) add_force(step, axis, -1, nodal, i, u);
+            const Floats8 coefficients = share > zero8 ? both : closed;
+            store(face_coefficients_.data() + i, coefficients);
+            if (step.force != nullptr) add_force(step, axis, -1, coefficients, i, u);
         }
     });
-    if (holds) put_onto_lines(axis, u);
+    if (holds) scale_to_lines(axis, u);
     for (int pass = 0; pass < step.passes; ++pass)
         for (std::size_t across = 0; across < 3; ++across)
             along(step, axis, pass % 2 == 0 ? across : 2 - across, u);
-    if (holds) put_onto_faces(step, axis, u);
+    if (holds) scale_to_faces(step, axis, u);
     if (step.force == nullptr) return;
     each_row(rows_, [&](Row row) {
         for (std::ptrdiff_t i = row.at; i < row.at + row.count; i += 8)
-            add_force(step, axis, 1, load(nodal_.data() + i), i, u);
+            add_force(step, axis, 1, load(face_coefficients_.data() + i), i, u);
     });
 }
 
-/// Adds a force's contribution to eight places with coefficients `nodal`. It is the part that the
+/// Adds a force's contribution to eight places with the given coefficients. It is the part that the
 /// explicit half would have seen if the force had acted from the start.
-void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& nodal,
+void Viscosity::add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
                           std::ptrdiff_t at, Samples& u) {
     const auto half = 0.5F * sign * static_cast<float>(step.dt);
-    const Floats8 share = 2 * explicit_most < nodal ? 2 * explicit_most / nodal : zero8 + 1.0F;
+    const Floats8 share =
+        2 * explicit_link_most < coefficients ? 2 * explicit_link_most / coefficients : zero8 + 1.0F;
     const Floats8 more = half * share * load((*step.force)[axis].data() + at);
-    store(u.data() + at, load(u.data() + at) + (nodal < zero8 ? zero8 : more));
+    store(u.data() + at, load(u.data() + at) + (coefficients < zero8 ? zero8 : more));
 }
 
 /// Scales velocities from the centre of the open part to the centre of the face. Dragged faces are set
 /// aside.
-void Viscosity::put_onto_lines(std::size_t axis, Samples& u) {
+void Viscosity::scale_to_lines(std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
     for (std::size_t i = 0; i < dragged.size(); ++i) {
         dragged_speeds_[i] = u[dragged[i].at];
@@ -413,7 +416,7 @@ void Viscosity::put_onto_lines(std::size_t axis, Samples& u) {
 }
 
 /// Scales velocities back, and drags the remaining faces towards the result on the lines.
-void Viscosity::put_onto_faces(const ViscousStep& step, std::size_t axis, Samples& u) {
+void Viscosity::scale_to_faces(const ViscousStep& step, std::size_t axis, Samples& u) {
     const auto& dragged = dragged_[axis];
     const auto across = static_cast<std::size_t>(lattice_.stride[axis]);
     const Samples& nu = *step.viscosity;
@@ -440,7 +443,7 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
                 .pitch = w,
                 .edge = lattice_.edges[across],
                 .through = axis == across,
-                .solid_holds = step.solid_holds,
+                .no_slip_at_solids = step.no_slip_at_solids,
                 .lid = axis == 0 && across == 1 ? static_cast<float>(step.lid) : 0.0F,
                 .cuts = {},
                 .skipped = 0};
@@ -461,13 +464,13 @@ void Viscosity::along(const ViscousStep& step, std::size_t axis, std::size_t acr
         }
         const auto first = lattice_.first + o * lattice_.stride[outer] + lines.skipped * place;
         float* values = u.data() + first;
-        const float* nodal = nodal_.data() + first;
+        const float* coefficients = face_coefficients_.data() + first;
         lines.cuts = cuts_of(axis, across, o);
         lines.value = line == 1 ? values : value_.data();
-        lines.coefficient = line == 1 ? nodal : coefficient_.data();
+        lines.coefficient = line == 1 ? coefficients : coefficient_.data();
         if (line != 1) {
             transpose({values, line}, {value_.data(), w}, width, lines.count);
-            transpose({nodal, line}, {coefficient_.data(), w}, width, lines.count);
+            transpose({coefficients, line}, {coefficient_.data(), w}, width, lines.count);
         }
         ring ? solve<true>(lines, buffers, left) : solve<false>(lines, buffers, left);
         if (line != 1) transpose({value_.data(), w}, {values, line}, lines.count, width);

@@ -25,14 +25,15 @@
 
 namespace thaum::fluid {
 
+/// Arguments of one implicit viscous step.
 struct ViscousStep {
     const Samples* viscosity{};  ///< kinematic viscosity at cell centres, with filled ghosts (m^2/s)
     /// Constant force of this step, already included in the velocity (m/s^2); null for none.
     const std::array<Samples, 3>* force{};
-    bool solid_holds = true;  ///< true: no slip at solids; false: free slip
-    double lid{};             ///< speed along x of a no-slip wall at the top of y (m/s)
-    double dt{};              ///< time (s)
-    int passes = 1;           ///< number of passes into which the step is divided
+    bool no_slip_at_solids = true;  ///< true: no slip at solids; false: free slip
+    double lid{};                   ///< speed along x of a no-slip wall at the top of y (m/s)
+    double dt{};                    ///< time (s)
+    int passes = 1;                 ///< number of passes into which the step is divided
 };
 
 /// A link between a place that belongs to a line and a neighbour behind a wall.
@@ -59,6 +60,7 @@ struct DraggedFace {
     std::array<float, 6> share{};       ///< weights of their velocities; 0 for an unused neighbour
 };
 
+/// Solver for implicit viscosity on one lattice.
 class Viscosity {
 public:
     /// `solids` and `solid` are null or empty without solids; `solids` must outlive this object.
@@ -70,12 +72,12 @@ private:
     void component(const ViscousStep& step, std::size_t axis, Samples& u);
     void along(const ViscousStep& step, std::size_t axis, std::size_t across, Samples& u);
 
-    static void add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& nodal,
+    static void add_force(const ViscousStep& step, std::size_t axis, float sign, const Floats8& coefficients,
                           std::ptrdiff_t at, Samples& u);
-    void put_onto_lines(std::size_t axis, Samples& u);
-    void put_onto_faces(const ViscousStep& step, std::size_t axis, Samples& u);
+    void scale_to_lines(std::size_t axis, Samples& u);
+    void scale_to_faces(const ViscousStep& step, std::size_t axis, Samples& u);
 
-    vec3 place_of(std::size_t axis, std::size_t at) const;
+    vec3 position_of(std::size_t axis, std::size_t at) const;
     DraggedFace dragged_face(const SolidShare& solid, std::size_t axis, const CutFace& face) const;
     void find_faces(const SolidShare& solid, std::size_t axis);
     void find_cuts(const SolidShare& solid, std::size_t axis, std::size_t across);
@@ -92,7 +94,7 @@ private:
     std::array<std::array<std::vector<CutLink>, 3>, 3> cuts_;  ///< by component and direction, sorted by slab
     /// Range with open places, by component, direction and slab.
     std::array<std::array<std::vector<CellRange>, 3>, 3> open_ranges_;
-    Samples nodal_;  ///< dt nu / (passes h^2) at each face; below 0 on closed faces
+    Samples face_coefficients_;  ///< dt nu / (passes h^2) at each face; below 0 on closed faces
     // Arrays of parallel lines, [place along a line][line]. Lines along x alone need value_ and
     // coefficient_.
     std::vector<float> value_, coefficient_, upper_, corner_;

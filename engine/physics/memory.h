@@ -10,12 +10,14 @@
 
 namespace thaum::physics {
 
+/// Use of the pool since the start of the process.
 struct MemoryUse {
     std::uint64_t calls{};  ///< number of blocks that Bullet has requested
     std::uint64_t slabs{};  ///< number of allocations from the heap; constant after the first steps
     std::uint64_t bytes{};  ///< total size of all slabs (bytes)
 };
 
+/// Current statistics of the pool.
 MemoryUse memory_use();
 
 }  // namespace thaum::physics

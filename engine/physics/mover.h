@@ -18,6 +18,7 @@ namespace thaum::physics {
 inline constexpr BodyDesc mover_body{
     .shape = Shape::capsule, .size = {0.35, 0.55, 0}, .mass = 75, .friction = 0, .upright = 1};
 
+/// Input of a mover for one step.
 struct MoverInput {
     vec3 wish_velocity{};  ///< wished velocity; y is ignored, speed is limited to walk_speed (m/s)
     bool jump{};           ///< jumps whenever it stands on the ground; the caller sets it once for each press
@@ -26,6 +27,7 @@ struct MoverInput {
     double rope_lift{};
 };
 
+/// Abilities of a mover; the defaults are those of a person.
 struct MoverSettings {
     double walk_speed{4.5};          ///< speed along the ground (m/s)
     double ground_acceleration{40};  ///< largest acceleration on the ground (m/s^2)
@@ -49,6 +51,7 @@ struct MoverState {
 static_assert(std::is_trivially_copyable_v<MoverState>);
 static_assert(sizeof(MoverState) == 7 * sizeof(double) + 2 * sizeof(std::uint32_t));
 
+/// Result of one step of a mover.
 struct MoverResult {
     bool grounded{};
     bool jumped{};

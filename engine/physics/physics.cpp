@@ -35,7 +35,7 @@ using detail::to_bullet;
 constexpr double resting_gap = 0.02;
 /// Largest difference that is rounding and not a push: of velocities (m/s, relative above 1 m/s) and
 /// positions (m).
-constexpr double pushed = 1e-9;
+constexpr double push_tolerance = 1e-9;
 /// Bodies this close after a rebuild, which discards the pairs in contact, count as touching before
 /// (m).
 constexpr double touching_gap = 0.002;
@@ -84,7 +84,7 @@ bool collide(const BodyDesc& a, const BodyDesc& b) {
 }
 
 /// Whether a path may touch the body, judged by its bounding sphere.
-bool comes_near(const Body& body, const detail::Path& path) {
+bool may_touch(const Body& body, const detail::Path& path) {
     const vec3 offset = body.state.position - path.from;
     const double along = std::clamp(glm::dot(offset, path.direction), 0.0, path.length);
     const vec3 apart = offset - along * path.direction;
@@ -93,7 +93,7 @@ bool comes_near(const Body& body, const detail::Path& path) {
 }
 
 /// The state with zero velocities if the body is asleep.
-BodyState settled(BodyState state) {
+BodyState at_rest_if_asleep(BodyState state) {
     if (state.asleep) state.velocity = state.spin = vec3{};
     return state;
 }
@@ -104,7 +104,7 @@ Pair pair_of(const btPersistentManifold& manifold) {
 }
 
 /// Sum over the contact points of a pair in the last step. The caller sets `began`.
-Contact sum_of(const btPersistentManifold& manifold) {
+Contact contact_of(const btPersistentManifold& manifold) {
     const Pair pair = pair_of(manifold);
     Contact contact{pair.a, pair.b, {}, {}, 0, false};
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
@@ -134,7 +134,7 @@ bool active(const btPersistentManifold& manifold) {
     return manifold.getBody0()->isActive() || manifold.getBody1()->isActive();
 }
 
-std::vector<detail::Mesh> built(const std::vector<TriangleMesh>& meshes) {
+std::vector<detail::Mesh> build_meshes(const std::vector<TriangleMesh>& meshes) {
     require_our_maths();
     detail::use_pool();  // must precede the first Bullet object
     std::vector<detail::Mesh> out;
@@ -156,7 +156,7 @@ struct Physics::Impl {
     std::vector<Pair> touching_next;
     Counters counters;
     double damping_dt{};
-    bool quiet{};  ///< true: the last step changed nothing, and nothing was touched since
+    bool unchanged{};  ///< true: the last step changed nothing, and nothing was touched since
 
     Impl(const Settings& s, const std::vector<TriangleMesh>& m);
     ~Impl() { world.reset(); }  // the world must go before the bodies in it
@@ -168,12 +168,12 @@ struct Physics::Impl {
     void wake_near(const Box&);
     void prepare_damping(Body&) const;
     void before_step(double dt);
-    void fly_exactly(Body&, vec3 from) const;
+    void correct_flight(Body&, vec3 from) const;
     void stop_at_walls(Body&, const BodyState& from) const;
     double free_share(const Body&, vec3 start, vec3 end, double radius) const;
     bool after_step();
     void collect_contacts();
-    void remember_touching();
+    void find_touching();
     std::optional<detail::CastHit> cast_at(const Body&, const detail::Path&) const;
     /// Adds the body's surfaces within the radius of the point.
     void gather_from(const Body&, vec3 point, detail::NearestSurfaces&) const;
@@ -183,7 +183,8 @@ struct Physics::Impl {
     void each_near(vec3 point, double radius, const Each& each) const;
 };
 
-Physics::Impl::Impl(const Settings& s, const std::vector<TriangleMesh>& m) : settings(s), meshes(built(m)) {
+Physics::Impl::Impl(const Settings& s, const std::vector<TriangleMesh>& m)
+    : settings(s), meshes(build_meshes(m)) {
     THAUM_ASSERT(s.max_bodies > 0 && s.max_bodies <= 30000, "Settings.max_bodies is not in 1..30,000");
     THAUM_ASSERT(thaum::is_finite(s.gravity), "Settings.gravity is not finite");
     THAUM_ASSERT(s.max_speed > 0 && s.max_spin > 0 && s.world_half_extent > 0,
@@ -218,7 +219,7 @@ void Physics::Impl::wake(Body& body) {
     body.bt().activate(true);
     body.state.asleep = body.state.drowsy = 0;
     body.state.idle_s = 0;
-    quiet = false;
+    unchanged = false;
 }
 
 void Physics::Impl::wake_near(const Box& box) {
@@ -262,12 +263,12 @@ void Physics::Impl::before_step(double dt) {
 }
 
 /// Moves a body to the exact end of its flight if nothing pushed it since `from`.
-void Physics::Impl::fly_exactly(Body& body, vec3 from) const {
+void Physics::Impl::correct_flight(Body& body, vec3 from) const {
     const vec3 velocity = body.state.velocity;
     const vec3 free = body.start_velocity * body.kept_velocity + settings.gravity * body.drive_s;
-    if (glm::length(velocity - free) > pushed * (1 + glm::length(free))) return;
+    if (glm::length(velocity - free) > push_tolerance * (1 + glm::length(free))) return;
     // The solver removes penetration from the position alone.
-    if (glm::length(body.state.position - (from + velocity * damping_dt)) > pushed) return;
+    if (glm::length(body.state.position - (from + velocity * damping_dt)) > push_tolerance) return;
     body.state.position = from + body.start_velocity * body.drive_s + settings.gravity * body.fall_s2;
     body.bt().getWorldTransform().setOrigin(to_bullet(body.state.position));
 }
@@ -279,7 +280,7 @@ double Physics::Impl::free_share(const Body& moving, vec3 start, vec3 end, doubl
     if (length <= 0) return 1;
     detail::Path left{start, (end - start) / length, length, radius};
     for (const Body& body : bodies) {
-        if (body.dynamic() || !collide(moving.desc, body.desc) || !comes_near(body, left)) continue;
+        if (body.dynamic() || !collide(moving.desc, body.desc) || !may_touch(body, left)) continue;
         const auto touch = cast_at(body, left);
         if (touch && touch->travelled > 0) left.length = touch->travelled;
     }
@@ -323,7 +324,7 @@ bool Physics::Impl::after_step() {
         still = false;
         const BodyState from = body.state;
         body.state = detail::read_state(body.bt());
-        if (settings.exact_flight) fly_exactly(body, from.position);
+        if (settings.exact_flight) correct_flight(body, from.position);
         if (body.desc.swept) stop_at_walls(body, from);
         body.state.velocity = limited(body.state.velocity, settings.max_speed);
         body.state.spin = limited(body.state.spin, settings.max_spin);
@@ -340,7 +341,7 @@ void Physics::Impl::collect_contacts() {
         const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (manifold.getNumContacts() == 0) continue;
         const bool before = std::ranges::binary_search(touching, pair_of(manifold));
-        Contact contact = sum_of(manifold);
+        Contact contact = contact_of(manifold);
         if (!before && contact.impulse <= 0) continue;
         THAUM_ASSERT(touching_next.size() < settings.max_contacts,
                      "more touching pairs than Settings.max_contacts; raise it");
@@ -355,7 +356,7 @@ void Physics::Impl::collect_contacts() {
 
 /// Finds the pairs in contact in a new world. Sleeping bodies are included, which Bullet would leave
 /// out.
-void Physics::Impl::remember_touching() {
+void Physics::Impl::find_touching() {
     for (Body& body : bodies) {
         if (body.dynamic()) body.bt().forceActivationState(ACTIVE_TAG);
     }
@@ -404,12 +405,12 @@ void Physics::add(Key key, const BodyDesc& desc, const BodyState& state) {
     Body& body = *in.bodies.emplace(place);
     body.key = key;
     body.desc = desc;
-    body.state = settled(state);
+    body.state = at_rest_if_asleep(state);
     body.reach = detail::reach_of(desc);
     in.prepare_damping(body);
     in.enter_world(body);
     body.leaf = in.tree.add(key, box_around(body));
-    in.quiet = false;
+    in.unchanged = false;
 }
 
 void Physics::remove(Key key) {
@@ -420,7 +421,7 @@ void Physics::remove(Key key) {
     in.tree.remove(body.leaf);
     in.bodies.erase(in.bodies.begin() + (&body - in.bodies.data()));
     std::erase_if(in.touching, [&](const Pair& pair) { return pair.a == key || pair.b == key; });
-    in.quiet = false;
+    in.unchanged = false;
     in.wake_near(place);
 }
 
@@ -435,11 +436,11 @@ void Physics::set_state(Key key, const BodyState& state) {
     Body& body = in.at(key);
     detail::check_state(key, state);
     in.wake_near(box_around(body));
-    body.state = settled(state);
+    body.state = at_rest_if_asleep(state);
     detail::write_motion(body.bt(), body.state);
     detail::write_sleep(body.bt(), body.state);
     in.tree.move(body.leaf, box_around(body));
-    in.quiet = false;
+    in.unchanged = false;
     if (!body.dynamic()) in.wake_near(box_around(body));
 }
 
@@ -490,14 +491,14 @@ void Physics::step(double dt) {
     Impl& in = *impl_;
     THAUM_ASSERT(std::isfinite(dt) && dt > 0, "the time of a step must be > 0");
     ++in.counters.steps;
-    if (in.quiet && in.settings.skip_asleep) {
+    if (in.unchanged && in.settings.skip_asleep) {
         // The contacts are empty already, because no body was awake in the last step either.
         ++in.counters.skipped;
         return;
     }
     in.before_step(dt);
     (*in.world)->stepSimulation(dt, 0);
-    in.quiet = in.after_step();
+    in.unchanged = in.after_step();
     in.collect_contacts();
 }
 
@@ -519,7 +520,7 @@ std::optional<RayHit> Physics::sweep_sphere(vec3 from, vec3 to, double radius, L
     detail::CastHit touch{};
     for (const Body& body : in.bodies) {
         if ((body.desc.layer & mask) == 0 || body.key == ignore_key) continue;
-        if (!comes_near(body, path)) continue;
+        if (!may_touch(body, path)) continue;
         const auto here = in.cast_at(body, path);
         if (!here || (nearest && here->travelled >= touch.travelled)) continue;
         nearest = &body;
@@ -588,9 +589,9 @@ void Physics::rebuild() {
     for (Body& body : in.bodies) body.bullet = {};
     in.world = std::make_unique<detail::BulletWorld>(in.settings);
     for (Body& body : in.bodies) in.enter_world(body);
-    in.remember_touching();
+    in.find_touching();
     in.contacts.clear();
-    in.quiet = false;
+    in.unchanged = false;
 }
 
 Counters Physics::counters() const {

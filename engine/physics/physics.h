@@ -32,6 +32,7 @@
 
 namespace thaum::physics {
 
+/// Identifies a body; chosen by the caller.
 using Key = std::uint32_t;
 
 /// Value of ignore_key if a ray ignores no body; never the key of a body.
@@ -105,6 +106,7 @@ struct Contact {
     bool began;      ///< true: the bodies did not touch before
 };
 
+/// First hit of a ray or swept sphere, world frame.
 struct RayHit {
     Key key{};
     vec3 point;       ///< on the body's surface; the start, if the start lies inside (m, world)
@@ -124,6 +126,7 @@ struct Nearby {
     vec3 velocity{};  ///< velocity of the body at the point (m/s)
 };
 
+/// Result of Physics::nearby().
 struct NearbyResult {
     std::size_t count{};  ///< number of surfaces written to the caller's array
     /// All surfaces nearer than this were found (m). It is less than the requested radius if the array was
@@ -131,6 +134,7 @@ struct NearbyResult {
     double reach{};
 };
 
+/// Settings of a world of bodies; the defaults work.
 struct Settings {
     vec3 gravity{0, -9.81, 0};         ///< gravity (m/s^2)
     std::uint32_t max_bodies{1024};    ///< largest number of bodies, <= 30,000
@@ -146,6 +150,7 @@ struct Settings {
     bool exact_flight{true};   ///< exact end of free flights, see step(); false only to measure its effect
 };
 
+/// Statistics of a world of bodies.
 struct Counters {
     std::uint64_t steps{};    ///< steps requested
     std::uint64_t skipped{};  ///< steps that were skipped because nothing could change
@@ -153,6 +158,7 @@ struct Counters {
     std::uint32_t awake{};  ///< dynamic bodies that were awake after the last step
 };
 
+/// A world of rigid bodies.
 class Physics {
 public:
     /// May throw std::bad_alloc. Wrong settings or an empty mesh are assertions.
@@ -167,6 +173,7 @@ public:
     void add(Key, const BodyDesc&, const BodyState&);
     /// Removes a body. Wakes bodies that may have rested on it.
     void remove(Key);
+    /// Whether a body with this key exists.
     bool has(Key) const;
 
     const BodyDesc& desc(Key) const;

@@ -43,7 +43,7 @@ Expected<Brew> brew_of(CauldronRules rules, const LabSettings& settings) {
     const auto walls = settings.no_slip ? fluid::Edge::no_slip : fluid::Edge::free_slip;
     wanted.edges = {walls, fluid::Edge::free_slip, walls};
     wanted.order = settings.order;
-    wanted.solid_holds = settings.no_slip;
+    wanted.no_slip_at_solids = settings.no_slip;
     if (!settings.bowl || settings.solver == fluid::Solver::classic) wanted.solid = nullptr;
     put_numbers(settings, wanted);
     auto made = fluid::make_fluid(wanted);

@@ -127,8 +127,8 @@ Expected<LabState> get_kept(ByteReader& in, const fluid::Settings& fluid, const 
 bool belongs(const fluid::SavedFluid& saved, const LabState& lab, const Brew& made) {
     const auto &a = saved.fluid.settings, &b = made.fluid.settings;
     return saved.shape == shape_of(lab.settings) && a.cells == b.cells && a.h == b.h && a.edges == b.edges &&
-           a.gravity == b.gravity && a.lid == b.lid && a.solid_holds == b.solid_holds &&
-           saved.sheet.settings.side == made.surface.settings.side;
+           a.gravity == b.gravity && a.lid == b.lid && a.no_slip_at_solids == b.no_slip_at_solids &&
+           saved.surface.settings.side == made.surface.settings.side;
 }
 
 tl::unexpected<Error> wrong(const Error& error) { return fail(text("saved lab: ", error.message)); }

@@ -51,7 +51,7 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
                          context.physics, e.index,
                          {.wish_velocity = wish_of(controls, gaze, pace * rules.walk.walk_speed),
                           .jump = (controls.pressed & jump) != 0,
-                          .hung = stance.rope_lift},
+                          .rope_lift = stance.rope_lift},
                          rules.walk, stance, physics_dt);
                      if (result.jumped) controls.pressed &= ~jump;
                      const double excess = result.landing_speed - rules.fall_safe;

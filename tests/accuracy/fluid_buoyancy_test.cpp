@@ -16,12 +16,12 @@ void fall(flows::Weighing weighing, bool in_bowl, double viscosity) {
         text(name_of(weighing), in_bowl ? " in the bowl" : " in the box", ", viscosity ", viscosity));
     auto fluid = flows::weighing_fluid(weighing, in_bowl, 16, viscosity);
     ASSERT_TRUE(fluid.has_value());
-    flows::PassivityObserver book = flows::open_book(*fluid);
+    flows::EnergyBalance balance = flows::start_balance(*fluid);
     for (int i = 0; i < 250; ++i) {
-        enter(*fluid, advance(*fluid, flows::step), book);
-        ASSERT_LE(book.excess, excess_most * book.released) << "step " << i;
+        enter(*fluid, advance(*fluid, flows::step), balance);
+        ASSERT_LE(balance.excess, excess_most * balance.released) << "step " << i;
     }
-    EXPECT_GT(book.released, 1e-5);
+    EXPECT_GT(balance.released, 1e-5);
 }
 
 TEST(FluidBuoyancy, NoFlowGainsMoreEnergyThanFallingReleases) {
@@ -34,9 +34,9 @@ TEST(FluidBuoyancy, FallingSubstancesKeepMostOfTheReleasedEnergy) {
     for (const bool in_bowl : {false, true}) {
         auto fluid = flows::weighing_fluid(flows::Weighing::settling, in_bowl, 16, 0);
         ASSERT_TRUE(fluid.has_value());
-        flows::PassivityObserver book = flows::open_book(*fluid);
-        for (int i = 0; i < 60; ++i) enter(*fluid, advance(*fluid, flows::step), book);
-        EXPECT_GT(flows::kinetic_energy(*fluid), 0.95 * book.released) << in_bowl;
+        flows::EnergyBalance balance = flows::start_balance(*fluid);
+        for (int i = 0; i < 60; ++i) enter(*fluid, advance(*fluid, flows::step), balance);
+        EXPECT_GT(flows::kinetic_energy(*fluid), 0.95 * balance.released) << in_bowl;
     }
 }
 
@@ -45,12 +45,12 @@ TEST(FluidBuoyancy, FallingSubstancesKeepMostOfTheReleasedEnergy) {
 TEST(FluidBuoyancy, TheReportAccountsForRemovedEnergy) {
     auto fluid = flows::weighing_fluid(flows::Weighing::sloshing, true, 16, 0);
     ASSERT_TRUE(fluid.has_value());
-    flows::PassivityObserver book = flows::open_book(*fluid);
+    flows::EnergyBalance balance = flows::start_balance(*fluid);
     int told = 0;
     for (int i = 0; i < 250; ++i) {
         const double before = flows::kinetic_energy(*fluid) + flows::potential_energy(*fluid);
         const StepReport report = advance(*fluid, flows::step);
-        enter(*fluid, report, book);
+        enter(*fluid, report, balance);
         ASSERT_GE(report.rescaled, 0);
         if (report.rescaled == 0) continue;
         ++told;

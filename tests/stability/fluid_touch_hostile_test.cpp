@@ -23,9 +23,9 @@ vec3 vector_within(Random& random, double size) {
 
 // ---- the loop through the fluid ---------------------------------------------------------------------------
 
-/// A fluid that consists of one mass. It is pushed in the step after the one in which the hand moved it, and
-/// is read after that step.
-struct LateFluid {
+/// A fluid reduced to one mass. It is pushed in the step after the hand moved it, and is read at the
+/// end of that step.
+struct DelayedFluid {
     double mass{};  ///< mass of the fluid (kg)
     vec3 velocity{}, pushed{}, coming{};
 
@@ -48,7 +48,7 @@ double flow_after(int steps, double told, double mass, double hand_mass) {
     }
     rig.fluid().modes.resistance = 1;
     rig.fluid().drag = {.form = 1e9, .stirred_mass = told};
-    LateFluid fluid{.mass = mass, .velocity = {1, 0, 0}};
+    DelayedFluid fluid{.mass = mass, .velocity = {1, 0, 0}};
     for (int step = 0; step < steps; ++step) {
         fluid.step(rig.fluid());
         for (std::uint32_t tick = 0; tick < fluid_period; ++tick, ++rig.fluid().step_age) {

@@ -113,7 +113,7 @@ TEST(FluidTouch, ViscosityBrakesAFreeHandAtItsRate) {
     for (int tick = 0; tick < 200; ++tick) rig.tick();
     const double z = decay_per_tick(gain);
     EXPECT_LE(glm::length(rig.tip.velocity - before * std::pow(z, 200)), 1e-9 * glm::length(before));
-    EXPECT_NEAR(-std::log(z) / tick_seconds, 5, 0.15) << "the window's lag makes it but 2 % quicker";
+    EXPECT_NEAR(-std::log(z) / tick_seconds, 5, 0.15) << "the lag of the window adds only 2 %";
 }
 
 TEST(FluidTouch, NoBrewIsTooThickForTheDevice) {
@@ -127,7 +127,8 @@ TEST(FluidTouch, NoBrewIsTooThickForTheDevice) {
         }
         const double slope = std::min(felt_share * 2 * viscosity, 30.0);
         EXPECT_LE(glm::length(across.feel_moving({}, v) + slope * (v - u)), 1e-9) << viscosity;
-        EXPECT_LE(glm::length(along.feel_moving({}, u)), 1e-9) << "what goes with the flow still does";
+        EXPECT_LE(glm::length(along.feel_moving({}, u)), 1e-9)
+            << "a hand that moves with the flow feels no force";
     }
 }
 
@@ -150,8 +151,8 @@ TEST(FluidTouch, TheFluidLosesTheMomentumThatTheHandGains) {
         fluid_got += on_fluid;
         size += glm::abs(on_fluid);
     }
-    ASSERT_LT(rig.state.energy.active_work, active_budget) << "nothing was kept from the hand";
-    ASSERT_EQ(rig.state.energy.most_created, 0) << "and the controller asked for nothing";
+    ASSERT_LT(rig.state.energy.active_work, active_budget) << "the budget withheld nothing";
+    ASSERT_EQ(rig.state.energy.most_created, 0) << "the passivity controller did not act";
     const vec3 hand_got = rig.fluid().frame.turn * (0.1 * (rig.tip.velocity - start)) * 256.0;
     EXPECT_LE(glm::length(fluid_got + hand_got), 1e-6 * glm::length(size));
     EXPECT_GT(glm::length(size), 1);
@@ -296,7 +297,7 @@ TEST(FluidTouch, TheWallNeverPulls) {
     EXPECT_NEAR(rig.feel_moving({0, -1.1, 0}, {0, -0.5, 0}).y, 10 + 10, 1e-9);
     EXPECT_NEAR(rig.feel_moving({0, -1.1, 0}, {0, 0.25, 0}).y, 10 - 5, 1e-9);
     EXPECT_EQ(rig.feel_moving({0, -1.1, 0}, {0, 0.75, 0}).y, 0);
-    EXPECT_NEAR(rig.feel_moving({2, 0.5, 0}, {}).x, -100, 1e-9) << "above the rim it goes on upright";
+    EXPECT_NEAR(rig.feel_moving({2, 0.5, 0}, {}).x, -100, 1e-9) << "above the rim the wall is vertical";
 }
 
 // ---- surface ----------------------------------------------------------------------------------------------

@@ -47,7 +47,8 @@ TEST(PhysicsMaths, DampingInsideBulletsLibraryIsOurs) {
         ASSERT_EQ(body.getLinearVelocity().x(), ours) << damping << ' ' << dt;
         format += machine_pow(1 - damping, dt) != ours;
     }
-    EXPECT_GT(format, 10) << "arguments at which the machine's function differs, so that this can fail";
+    EXPECT_GT(format, 10)
+        << "too few arguments at which the system's function differs; the test could not fail";
 }
 
 /// btRigidBody::predictIntegratedTransform turns a body by sin and cos of half the angle. The same

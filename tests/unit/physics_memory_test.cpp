@@ -37,7 +37,7 @@ void kick(Physics& physics, int tick) {
 }
 
 TEST(PhysicsMemory, AWarmStepDoesNotAllocate) {
-    if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "under a sanitizer the heap is not ours to count";
+    if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "sanitizers replace the heap, so it cannot be counted";
     Physics physics;
     add_pile(physics);
     for (int tick = 0; tick < 6000; ++tick) {
@@ -56,7 +56,7 @@ TEST(PhysicsMemory, AWarmStepDoesNotAllocate) {
 }
 
 TEST(PhysicsMemory, NearbyDoesNotAllocate) {
-    if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "under a sanitizer the heap is not ours to count";
+    if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "sanitizers replace the heap, so it cannot be counted";
     Physics physics({}, {hills(16, 1)});
     add_pile(physics);
     physics.add(99, {.shape = Shape::mesh}, at({}));
@@ -68,7 +68,7 @@ TEST(PhysicsMemory, NearbyDoesNotAllocate) {
 }
 
 TEST(PhysicsMemory, RebuildsReuseThePool) {
-    if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "under a sanitizer the heap is not ours to count";
+    if (!THAUM_COUNTS_HEAP) GTEST_SKIP() << "sanitizers replace the heap, so it cannot be counted";
     Physics physics;
     add_pile(physics);
     const auto keyframe = [&] {

@@ -343,23 +343,23 @@ void add_weighing(flows::Weighing weighing, bool in_bowl, int n, double viscosit
     auto fluid = flows::weighing_fluid(weighing, in_bowl, n, viscosity);
     if (!fluid) return report.faults.push_back(text("fluid: ", fluid.error().message));
     FluidRun run{.scheme = {Solver::thaum, in_bowl ? 2 : 4}, .n = n, .fluid = std::move(*fluid)};
-    flows::PassivityObserver book = flows::open_book(run.fluid);
+    flows::EnergyBalance balance = flows::start_balance(run.fluid);
     for (const double dt : flows::steps_until(4)) {
         advance_timed(run, dt);
-        enter(run.fluid, run.last, book);
+        enter(run.fluid, run.last, balance);
     }
     Row row = row_of("plume_energy", run);
     row.setting.emplace_back("flow", std::string(name_of(weighing)));
     row.setting.emplace_back("in", std::string(in_bowl ? "bowl" : "box"));
     row.setting.emplace_back("viscosity", viscosity);
-    row.error = ErrorMeasure{"excess_energy_per_released", book.excess / book.released};
-    row.metrics = {{"released_m5_s2", book.released},
-                   {"kinetic_per_released", flows::kinetic_energy(run.fluid) / book.released},
-                   {"rescaled_per_released", book.rescaled / book.released}};
-    if (!(book.excess <= excess_most * book.released))
+    row.error = ErrorMeasure{"excess_energy_per_released", balance.excess / balance.released};
+    row.metrics = {{"released_m5_s2", balance.released},
+                   {"kinetic_per_released", flows::kinetic_energy(run.fluid) / balance.released},
+                   {"rescaled_per_released", balance.rescaled / balance.released}};
+    if (!(balance.excess <= excess_most * balance.released))
         report.faults.push_back(text("fluid plume_energy: ", name_of(weighing), in_bowl ? " in the bowl" : "",
                                      ", n = ", n, ", viscosity ", viscosity, ": energy above the start by ",
-                                     book.excess / book.released, " of what was released"));
+                                     balance.excess / balance.released, " of what was released"));
     report.rows.push_back(std::move(row));
 }
 
@@ -477,16 +477,16 @@ constexpr std::array stress_cases{
 
 /// Bounds of an attack. The paper's method guarantees neither zero divergence nor conserved energy and
 /// amounts, so it must only stay finite.
-fluid::AttackBounds bounds_of(const StressCase& stressed) {
-    if (stressed.bowl) return {.divergence = fluid::bowl_divergence};
-    if (stressed.scheme.solver == Solver::thaum) return {};
+fluid::AttackBounds bounds_of(const StressCase& stress_case) {
+    if (stress_case.bowl) return {.divergence = fluid::bowl_divergence};
+    if (stress_case.scheme.solver == Solver::thaum) return {};
     constexpr double any = std::numeric_limits<double>::infinity();
     return {.divergence = any, .energy_growth = any, .amount_drift = any};
 }
 
 /// Time of a step that took `first` (us): the minimum over a few repetitions. In a long attack other
 /// programs interrupt some steps, but a repeated step always does the same work.
-double least_us(const fluid::Fluid& before, double first) {
+double minimum_us(fluid::Fluid& fluid, const fluid::State& before, double first) {
     constexpr int runs = 5;
     const fluid::State after = fluid.now;
     for (int i = 1; i < runs; ++i) {
@@ -509,8 +509,8 @@ double calm_step_us(fluid::Fluid calm) {
     return median(us);
 }
 
-void stress_one(const StressCase& stressed, std::uint64_t steps, Report& report) {
-    const auto& [scheme, n, bowl] = stressed;
+void stress_one(const StressCase& stress_case, std::uint64_t steps, Report& report) {
+    const auto& [scheme, n, bowl] = stress_case;
     auto made = fluid::make_attack(scheme, n, 1, {.bowl = bowl});
     auto calm_one = fluid::make_attack(scheme, n, 1, {.bowl = bowl});
     if (!made || !calm_one)
@@ -523,8 +523,8 @@ void stress_one(const StressCase& stressed, std::uint64_t steps, Report& report)
         strike(attack);
         const fluid::State before = attack.fluid.now;
         run.us.push_back(us_of([&] { run.last = advance(attack.fluid, flows::step); }));
-        if (run.us.back() > worst) worst = std::max(worst, least_us(attack.fluid, before, run.us.back()));
-        judge(attack, run.last, bounds_of(stressed));
+        if (run.us.back() > worst) worst = std::max(worst, minimum_us(attack.fluid, before, run.us.back()));
+        judge(attack, run.last, bounds_of(stress_case));
         if (!attack.fault.empty())
             report.faults.push_back(text("fluid: ", solver_name(scheme), " order ", scheme.order,
                                          bowl ? " in a bowl" : "", ", n = ", n, ", step ", i, ": ",
@@ -546,8 +546,8 @@ void stress_one(const StressCase& stressed, std::uint64_t steps, Report& report)
 }  // namespace
 
 void fluid_stress(const Options& options, Report& report) {
-    for (const StressCase& stressed : stress_cases)
-        stress_one(stressed, options.ticks.value_or(usual_strikes), report);
+    for (const StressCase& stress_case : stress_cases)
+        stress_one(stress_case, options.ticks.value_or(usual_strikes), report);
 }
 
 void fluid(const Options& options, Report& report) {

@@ -66,20 +66,20 @@ inline double potential_energy(const Fluid& fluid) {
 }
 
 /// Energy balance of a fluid that starts at rest and moves by weight alone.
-struct PassivityObserver {
+struct EnergyBalance {
     double start{};     ///< initial potential energy (m^5/s^2)
     double released{};  ///< largest potential energy released so far (m^5/s^2)
     double excess{};    ///< largest excess of kinetic plus potential energy over the start (m^5/s^2)
     double rescaled{};  ///< kinetic energy removed by the solver in total (m^5/s^2)
 };
 
-inline PassivityObserver open_book(const Fluid& fluid) { return {.start = potential_energy(fluid)}; }
+inline EnergyBalance start_balance(const Fluid& fluid) { return {.start = potential_energy(fluid)}; }
 
-inline void enter(const Fluid& fluid, const StepReport& report, PassivityObserver& book) {
+inline void enter(const Fluid& fluid, const StepReport& report, EnergyBalance& balance) {
     const double potential = potential_energy(fluid);
-    book.released = bench::worse(book.released, book.start - potential);
-    book.excess = bench::worse(book.excess, kinetic_energy(fluid) + potential - book.start);
-    book.rescaled += report.rescaled;
+    balance.released = bench::worse(balance.released, balance.start - potential);
+    balance.excess = bench::worse(balance.excess, kinetic_energy(fluid) + potential - balance.start);
+    balance.rescaled += report.rescaled;
 }
 
 // ---- reversed deformation ---------------------------------------------------------------------------------------

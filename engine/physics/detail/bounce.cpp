@@ -9,7 +9,7 @@ namespace thaum::physics::detail {
 namespace {
 
 /// Closing speed of two surfaces in contact; negative if they separate (m/s).
-struct Closing {
+struct ClosingSpeeds {
     btScalar now;  ///< before the forces of this step; the solver applies restitution to it
     btScalar end;  ///< after the forces of this step; decides whether the surfaces meet
 };
@@ -23,7 +23,8 @@ btVector3 velocity_by_forces(const btRigidBody* body, btScalar dt) {
     return body == nullptr ? btVector3(0, 0, 0) : body->getTotalForce() * (body->getInvMass() * dt);
 }
 
-Closing closing_at(const btManifoldPoint& point, const btRigidBody* a, const btRigidBody* b, btScalar dt) {
+ClosingSpeeds closing_at(const btManifoldPoint& point, const btRigidBody* a, const btRigidBody* b,
+                         btScalar dt) {
     const btVector3 apart =
         velocity_at(a, point.getPositionWorldOnA()) - velocity_at(b, point.getPositionWorldOnB());
     const btVector3 gained = velocity_by_forces(a, dt) - velocity_by_forces(b, dt);
@@ -35,7 +36,7 @@ Closing closing_at(const btManifoldPoint& point, const btRigidBody* a, const btR
 /// with their speed at the time of contact. At the start of the step they are `gap` apart, or -gap
 /// inside each other. On the way apart their acceleration acts as in a free flight. Penetration adds no
 /// speed, because it is removed from the positions alone.
-btScalar rebound(const Closing& closing, btScalar gap, btScalar e, btScalar dt, btScalar taken_out) {
+btScalar rebound(const ClosingSpeeds& closing, btScalar gap, btScalar e, btScalar dt, btScalar taken_out) {
     const btScalar gained = closing.end - closing.now, acceleration = gained / dt;
     const btScalar at_contact = closing.now * closing.now + 2 * acceleration * gap;  // squared
     const btScalar speed = e * std::sqrt(std::max(btScalar(0), at_contact));
@@ -48,7 +49,7 @@ btScalar rebound(const Closing& closing, btScalar gap, btScalar e, btScalar dt, 
 
 }  // namespace
 
-void BouncingWorld::time_contact(btPersistentManifold& manifold, btScalar dt, btScalar least_speed) {
+void BouncingWorld::adjust_contact(btPersistentManifold& manifold, btScalar dt, btScalar least_speed) {
     const btRigidBody* const a = btRigidBody::upcast(manifold.getBody0());
     const btRigidBody* const b = btRigidBody::upcast(manifold.getBody1());
     const btScalar e = manifold.getBody0()->getRestitution() * manifold.getBody1()->getRestitution();
@@ -58,7 +59,7 @@ void BouncingWorld::time_contact(btPersistentManifold& manifold, btScalar dt, bt
         btManifoldPoint& point = manifold.getContactPoint(i);
         const btScalar gap = point.getDistance();
         point.m_combinedRestitution = e;
-        const Closing closing = closing_at(point, a, b, dt);
+        const ClosingSpeeds closing = closing_at(point, a, b, dt);
         if (closing.now < least_speed) continue;  // the solver lets this contact come to rest
         if (exact_flight && gap < closing.end * dt)
             point.m_combinedRestitution = rebound(closing, gap, e, dt, getSolverInfo().m_erp2) / closing.now;
@@ -72,24 +73,24 @@ void BouncingWorld::time_contact(btPersistentManifold& manifold, btScalar dt, bt
     }
     if (most <= 0) return;
     const btScalar give_a = a ? a->getInvMass() : 0, give_b = b ? b->getInvMass() : 0;
-    put_back(*manifold.getBody0(), normal * (-most * give_a / (give_a + give_b)));
-    put_back(*manifold.getBody1(), normal * (most * give_b / (give_a + give_b)));
+    store_unused_path(*manifold.getBody0(), normal * (-most * give_a / (give_a + give_b)));
+    store_unused_path(*manifold.getBody1(), normal * (most * give_b / (give_a + give_b)));
 }
 
 /// Stores a path to move back. Two adjacent floors may request the same path once each, so it is stored
 /// only once.
-void BouncingWorld::put_back(const btCollisionObject& object, const btVector3& way) {
-    const btScalar length = way.length();
+void BouncingWorld::store_unused_path(const btCollisionObject& object, const btVector3& path) {
+    const btScalar length = path.length();
     if (length <= 0) return;
     auto* const body = const_cast<btRigidBody*>(btRigidBody::upcast(&object));
-    const btVector3 direction = way / length;
+    const btVector3 direction = path / length;
     for (int i = 0; i < unused_paths_.size(); ++i) {
         UnusedPath& known = unused_paths_[i];
         if (known.body != body) continue;
-        known.way += direction * std::max(btScalar(0), length - known.way.dot(direction));
+        known.path += direction * std::max(btScalar(0), length - known.path.dot(direction));
         return;
     }
-    unused_paths_.push_back({body, way});
+    unused_paths_.push_back({body, path});
 }
 
 void BouncingWorld::solveConstraints(btContactSolverInfo& info) {
@@ -100,7 +101,7 @@ void BouncingWorld::solveConstraints(btContactSolverInfo& info) {
         if (manifold.getNumContacts() == 0 ||
             manifold.getBody0()->getRestitution() * manifold.getBody1()->getRestitution() <= 0)
             continue;
-        time_contact(manifold, info.m_timeStep, info.m_restitutionVelocityThreshold);
+        adjust_contact(manifold, info.m_timeStep, info.m_restitutionVelocityThreshold);
     }
     btDiscreteDynamicsWorld::solveConstraints(info);
 }
@@ -109,7 +110,7 @@ void BouncingWorld::integrateTransforms(btScalar dt) {
     btDiscreteDynamicsWorld::integrateTransforms(dt);
     for (int i = 0; i < unused_paths_.size(); ++i) {
         btTransform& place = unused_paths_[i].body->getWorldTransform();
-        place.setOrigin(place.getOrigin() + unused_paths_[i].way);
+        place.setOrigin(place.getOrigin() + unused_paths_[i].path);
     }
 }
 

@@ -18,6 +18,7 @@
 
 namespace thaum::physics::detail {
 
+/// Bullet's world with corrected bounces.
 class BouncingWorld : public btDiscreteDynamicsWorld {
 public:
     using btDiscreteDynamicsWorld::btDiscreteDynamicsWorld;
@@ -33,10 +34,10 @@ private:
     /// Part of a body's path for which there was no time in the step (m, world).
     struct UnusedPath {
         btRigidBody* body;
-        btVector3 way;
+        btVector3 path;
     };
-    void time_contact(btPersistentManifold&, btScalar dt, btScalar least_speed);
-    void put_back(const btCollisionObject&, const btVector3& way);
+    void adjust_contact(btPersistentManifold&, btScalar dt, btScalar least_speed);
+    void store_unused_path(const btCollisionObject&, const btVector3& path);
 
     btAlignedObjectArray<UnusedPath> unused_paths_;
 };

@@ -21,6 +21,7 @@ struct Box {
 /// bodies.
 using NearKeys = std::array<Key, 128>;
 
+/// Search tree of bounding boxes.
 class BoundTree {
 public:
     using Leaf = btDbvtNode*;

@@ -34,6 +34,7 @@ struct Path {
     double radius;   ///< radius of the sphere; 0: a ray (m)
 };
 
+/// Hit of a cast.
 struct CastHit {
     double travelled;  ///< distance travelled before the hit (m)
     vec3 normal;       ///< unit, outward from the shape

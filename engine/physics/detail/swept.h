@@ -11,6 +11,7 @@
 
 namespace thaum::physics::detail {
 
+/// Spheres inside one body, and limits for casting them.
 struct InnerSpheres {
     std::array<vec3, 24> centres{};  ///< (m, body frame)
     std::size_t count{};
