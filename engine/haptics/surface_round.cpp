@@ -404,7 +404,7 @@ bool alone(const Scene& scene, const Walls& walls) {
 /// doubled after each free part. From the second part on, only surfaces that are near enough are swept. The
 /// move ends when no sweeps are left.
 Obstacle travel(const Track& track, double end, int& sweeps_left) {
-    constexpr double shortest = 1e-9;  // m; on a radius of 1 mm the tangents are then nowhere 1e-15 m outside
+    constexpr double shortest = 1e-9;  // m; on a radius of 1 mm, the tangents then stay within 1e-15 m
     constexpr int most_parts = 200;
     constexpr int per_part = 2;  // sweeps that cost as much as the places of a part
     const Scene& scene = *track.scene;
