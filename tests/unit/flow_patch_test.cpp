@@ -88,7 +88,7 @@ TEST(FlowPatch, ReadsALinearFlowExactlyAndOneAtRestAlikeFromEachPatch) {
     }
 }
 
-TEST(FlowPatch, GoesOnBeyondItsNodesAndIsEmptyOfNothing) {
+TEST(FlowPatch, ContinuesBeyondItsNodesAndIsZeroWithoutSamples) {
     const auto fluid = wild_fluid();
     const FlowPatch patch = patch_of(source_of(fluid), {0.6, 0.6, 0.6});
     for (const double far : {0.0, 1.0, 1e9, 1e300}) {
