@@ -1,4 +1,4 @@
-// Tests of the patch of flow that a haptic model carries: how it is taken from fields, and how it is read.
+// The piece of a flow that a haptic model carries: what is taken of fields, and how it is read.
 #include "haptics/flow_patch.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ vec3 place_in(Random& random, double low, double high) {
     return {random.uniform(low, high), random.uniform(low, high), random.uniform(low, high)};
 }
 
-TEST(FlowPatch, NodesHoldTheFluidsFields) {
+TEST(FlowPatch, ItsNodesAreTheFluidsFieldsThere) {
     const auto fluid = wild_fluid();
     const auto source = source_of(fluid);
     auto velocity = source.velocity;
@@ -45,7 +45,7 @@ TEST(FlowPatch, NodesHoldTheFluidsFields) {
     for (auto& grid : velocity.component) grid.kernel = field::Kernel::linear;
     Random random{1};
     for (int run = 0; run < 200; ++run) {
-        const vec3 middle = place_in(random, -0.5, 2.5);  // places outside the box too
+        const vec3 middle = place_in(random, -0.5, 2.5);  // beyond the box too
         const FlowPatch patch = patch_of(source, middle);
         ASSERT_EQ(patch.spacing, 0.125);
         for (int n = 0; n < 64; ++n) {
@@ -64,7 +64,7 @@ TEST(FlowPatch, NodesHoldTheFluidsFields) {
 }
 
 TEST(FlowPatch, ReadsALinearFlowExactlyAndOneAtRestAlikeFromEachPatch) {
-    // A function that is linear in space stays linear through the samples of the fluid and of the patch.
+    // What is linear over the place keeps being it through the fluid's samples and the patch's.
     auto fluid = wild_fluid();
     const auto flow = [](vec3 p) { return vec3(1 + p.y, 2 * p.x - p.z, 0.5 - 3 * p.y); };
     fluid::set_velocity(fluid, flow);
@@ -88,7 +88,7 @@ TEST(FlowPatch, ReadsALinearFlowExactlyAndOneAtRestAlikeFromEachPatch) {
     }
 }
 
-TEST(FlowPatch, ContinuesBeyondItsNodesAndIsZeroWithoutSamples) {
+TEST(FlowPatch, GoesOnBeyondItsNodesAndIsEmptyOfNothing) {
     const auto fluid = wild_fluid();
     const FlowPatch patch = patch_of(source_of(fluid), {0.6, 0.6, 0.6});
     for (const double far : {0.0, 1.0, 1e9, 1e300}) {
@@ -104,7 +104,7 @@ TEST(FlowPatch, ContinuesBeyondItsNodesAndIsZeroWithoutSamples) {
     EXPECT_EQ(flow_at({}, {}).density, 0);
     EXPECT_EQ(patch_of({}, {}).spacing, 0);
     EXPECT_EQ(patch_of(source_of(fluid), vec3(1e300)).spacing, 0.125);
-    // A substance whose effect on density would make the density negative.
+    // A substance that makes lighter by more than there is.
     auto source = source_of(fluid);
     source.substances[2].density = -1e9;
     for (const FlowNode& node : patch_of(source, vec3(0.6)).nodes) EXPECT_GE(node.density, 0);

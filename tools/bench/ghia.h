@@ -1,19 +1,17 @@
-// The lid-driven cavity: velocities on the lines through its middle, for Reynolds numbers 100, 400 and
-// 1000. From Ghia, Ghia and Shin, "High-Re solutions for incompressible flow using the Navier-Stokes
-// equations and a multigrid method", J. Comput. Phys. 48 (1982), tables I and II. The ends of the lines,
-// which lie on the walls, are left out.
+// The lid-driven cavity: velocities on the lines through its middle from Ghia, Ghia and Shin, "High-Re solutions for incompressible
+// flow using the Navier-Stokes equations and a multigrid method", J. Comput. Phys. 48 (1982), tables I and II, for Reynolds
+// numbers 100, 400 and 1000. The ends, which are the walls, are left out.
 #pragma once
 #include <array>
 
 namespace thaum::fluid::flows {
 
 struct GhiaPoint {
-    double coordinate;  ///< position along the line, 0 to 1
-    /// Velocity at Re 100, 400 and 1000; the lid at y = 1 moves with speed 1 along x.
-    std::array<double, 3> velocity;
+    double coordinate;               ///< along the line, 0 to 1
+    std::array<double, 3> velocity;  ///< at Re 100, 400, 1000; lid's speed 1 along x at y = 1
 };
 
-/// u on the line x = 0.5, by y.
+/// u on x = 0.5 over y.
 inline constexpr std::array ghia_u{
     GhiaPoint{0.9766, {0.84123, 0.75837, 0.65928}},    GhiaPoint{0.9688, {0.78871, 0.68439, 0.57492}},
     GhiaPoint{0.9609, {0.73722, 0.61756, 0.51117}},    GhiaPoint{0.9531, {0.68717, 0.55892, 0.46604}},
@@ -25,7 +23,7 @@ inline constexpr std::array ghia_u{
     GhiaPoint{0.0547, {-0.03717, -0.08186, -0.18109}},
 };
 
-/// v on the line y = 0.5, by x. The paper has a misprint at x = 0.9063 and Re 400 (ghia_misprint).
+/// v on y = 0.5 over x. At 0.9063 and Re 400 the print is wrong (ghia_misprint).
 inline constexpr std::array ghia_v{
     GhiaPoint{0.9688, {-0.05906, -0.12146, -0.21388}}, GhiaPoint{0.9609, {-0.07391, -0.15663, -0.27669}},
     GhiaPoint{0.9531, {-0.08864, -0.19254, -0.33714}}, GhiaPoint{0.9453, {-0.10313, -0.22847, -0.39188}},

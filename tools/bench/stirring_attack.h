@@ -1,6 +1,6 @@
-// tools/bench/stirring_attack.h: stress test of a stirring hand: the flow changes in every fluid step, the
-// surface is simulated, the bowl is narrow, and models arrive late. The energy that the hand gets is
-// computed independently, without the servo's own energy observer. Used by benchmark and test.
+// tools/bench/stirring_attack.h: a hand that stirs as no hand would, in a fluid that turns in each of its steps, on a surface that is
+// real, in a narrow bowl, by models that come late; and the energy that it gets, counted by itself: of the servo's own books it
+// reads nothing. Used by benchmark and test.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,15 +13,14 @@
 
 namespace thaum::bench {
 
-/// A patch of uniform flow.
+/// The same everywhere.
 inline haptics::FlowPatch uniform_flow(vec3 velocity, double viscosity, double density) {
     haptics::FlowPatch patch{.origin = vec3(-1), .spacing = 0.5};
     patch.nodes.fill({fvec3(velocity), static_cast<float>(viscosity), static_cast<float>(density)});
     return patch;
 }
 
-/// A bowl in the form of half an ellipsoid with as many wall points as allowed. Its rim is at the height of
-/// the origin.
+/// Half an ellipsoid in as many pieces as there are, its rim at the origin's height.
 inline haptics::BowlWall round_bowl(double radius, double depth) {
     haptics::BowlWall wall{.points = haptics::wall_points};
     for (std::size_t i = 0; i < haptics::wall_points; ++i) {
@@ -32,28 +31,24 @@ inline haptics::BowlWall round_bowl(double radius, double depth) {
 }
 
 struct StirredWorld {
-    haptics::FluidModes modes{};  ///< passive modes; viscosity may be among them only if the flow is at rest
-    double flow{};  ///< largest speed of the flow along each axis (m/s); the flow is new in each fluid step
-    bool waves{};   ///< true: the surface is simulated and pushed
-    std::uint32_t delay{};  ///< delay of each model (ticks)
+    haptics::FluidModes modes{};  ///< passive ones; viscosity only where the flow rests
+    double flow{};                ///< m/s, as much at most along each axis, another one in each step
+    bool waves{};                 ///< of a sheet that is pushed
+    std::uint32_t delay{};        ///< ticks by which each model comes late
 };
 
 struct StirredEnergy {
-    /// Energy created (J): sum of force times displacement, less the energy that the world gave and springs
-    /// hold.
-    double created{};
-    double most_created{};  ///< largest value of `created` (J)
-    /// Energy that went through the hand in either direction (J); a small value would prove nothing.
-    double moved{};
+    double created{};  ///< J, by the sum of force times way less what the world gave and what springs hold
+    double most_created{};  ///< J, the most it was
+    double moved{};         ///< J, that went through the hand either way: nothing proves nothing
 };
 
 class StirringAttack {
 public:
-    /// The device must not meet its limits, because a capped force would hide part of the energy given by
-    /// the world.
+    /// The device must have no limits that it meets: no cap takes from the hand what the world gave.
     StirringAttack(const StirredWorld& world, const haptics::DeviceSpec& spec)
         : world_(world),
-          stiffness_(std::min(spec.max_stiffness, 1000.0)),  // the largest stiffness in matches
+          stiffness_(std::min(spec.max_stiffness, 1000.0)),  // as matches have it at most
           device_(simulated_device(spec, haptics::Hand{})),
           servo_(servo_of(spec, 1)) {
         servo_.limits.fastest = 1e9;
@@ -81,7 +76,7 @@ public:
 
 private:
     static constexpr double metres_per_metre = 20, newtons_per_newton = 0.00375;
-    static constexpr double ladle_mass = 0.1;  // mass of the ladle as felt at the hand (kg)
+    static constexpr double ladle_mass = 0.1;  // kg, as it is felt
 
     vec3 any(double size) {
         return {random_.uniform(-size, size), random_.uniform(-size, size), random_.uniform(-size, size)};
@@ -100,13 +95,13 @@ private:
         tip_ = haptics::step(device_, tip_, goal_, force);
         const double out = glm::dot(tip_.force, tip_.position - from);
         energy_.moved += std::abs(out);
-        // The flow carries the ladle, so it gives energy through drag, the only force of the flow.
+        // The ladle is carried by the newest flow: it gives by the resistance, which is all that there is in a flow.
         const vec3 flow = flow_at(touch.newer, state_.fluid.place).velocity;
         last_ =
             out - glm::dot(touch.frame.turn * state_.fluid.force, flow) * (tick_seconds / metres_per_metre);
     }
 
-    /// Adds the energy of the last tick, after the surface has moved its end of the spring.
+    /// What the last tick did, now that the surface has moved its end of the spring.
     void count(const haptics::FluidTouch& touch, double height) {
         energy_.created += last_ - surface_force_ * (height - height_) / metres_per_metre;
         energy_.created = std::max(energy_.created, -held(touch, height));
@@ -115,8 +110,7 @@ private:
         height_ = height;
     }
 
-    /// Energy in the springs to wall and surface and in the ladle (J). Only this much can come back,
-    /// because damping has taken the rest.
+    /// J, in the springs to wall and surface and in the ladle: what damping took is gone, only so much may come back.
     double held(const haptics::FluidTouch& touch, double height) const {
         const auto& fluid = state_.fluid;
         const vec3 place = to_bowl(touch.frame, tip_.position);
@@ -164,7 +158,7 @@ private:
     double last_{}, surface_force_{}, height_{};
 };
 
-/// One case for each passive mode alone, and one for all that can act together.
+/// Each passive mode by itself, and all that go together.
 struct StirredCase {
     const char* name{};
     StirredWorld world{};

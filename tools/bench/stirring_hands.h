@@ -1,4 +1,4 @@
-// tools/bench/stirring_hands.h: two players who stir the cauldron, for benchmarks and tests of matches.
+// bench/stirring_hands.h: two who stir the cauldron, for what measures a match and what tests it.
 #pragma once
 #include <cmath>
 
@@ -7,7 +7,7 @@
 
 namespace thaum::bench {
 
-/// Places the players at opposite sides of the rim.
+/// The players on opposite sides of the rim.
 inline void place_at_the_rim(game::Simulation& match) {
     auto& world = match.world_to_change();
     for (std::uint32_t player = 0; player < game::players; ++player) {
@@ -18,7 +18,7 @@ inline void place_at_the_rim(game::Simulation& match) {
     }
 }
 
-/// Input in which both players hold Stir and circle, one faster than the other.
+/// Both hold Stir and go round, one faster than the other.
 inline input::InputFrame stirring(Tick tick) {
     input::InputFrame frame;
     for (std::size_t player = 0; player < game::players; ++player) {
