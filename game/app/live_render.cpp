@@ -126,7 +126,7 @@ bool same_scenery(const game::MatchData& a, const game::MatchData& b) {
 }
 
 /// Makes the arena scene of the newest data. Meshes cannot be freed, so another arena needs another renderer.
-/// That takes a moment, but happens only when somebody edits an arena on the range.
+/// That takes a moment, but happens only when an arena is edited while the range runs.
 void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& renderer, RenderState& state) {
     if (!shared.scene.take()) return;
     const auto scene = shared.scene.newest();
