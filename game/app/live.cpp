@@ -266,7 +266,7 @@ Expected<void> play_match(LiveSession& session, MatchStart start) {
     return {};
 }
 
-/// Plays match after match until nobody wants another.
+/// Plays one match after another until the players leave.
 Expected<void> play_matches(LiveSession& session) {
     auto& shared = session.shared;
     auto seed = session.plan.seed;

@@ -21,7 +21,7 @@ constexpr std::int64_t focus_flicker_ns = 150'000'000;
 constexpr std::int64_t leave_not_before_ns = 800'000'000;
 constexpr double pad_poll_s = 0.004, menu_poll_s = 0.016, focus_poll_s = 0.05, idle_poll_s = 0.25;
 
-/// Views that are shown: those of all persons, and of the bots if nobody plays.
+/// Views that are shown: those of all persons, and of the bots if no person plays.
 Watch watched(const LiveShared& shared) {
     const bool first = shared.seats[0].hands != nullptr, second = shared.seats[1].hands != nullptr;
     if (first == second) return Watch::both;
@@ -145,7 +145,7 @@ void turn_split(LiveSession& session) {
 }
 
 /// Tests whether a player's own binding of the key pauses as well.
-bool somebody_pauses_with(const LiveSession& session, int key) {
+bool a_player_pauses_with(const LiveSession& session, int key) {
     for (std::uint32_t p = 0; p < game::players; ++p) {
         if (!session.shared.seats[p].hands) continue;
         if (is_bound(session.menu.settings.bindings_of(kind_in_hand(session, p)).of(Action::pause), key))
@@ -184,7 +184,7 @@ void match_key(LiveSession& session, int key) {
     }
     const auto going = shared.going.load();
     if (going == PlayState::over) key_after_round(session, settings, key);
-    if (going == PlayState::playing && pause && !somebody_pauses_with(session, key))
+    if (going == PlayState::playing && pause && !a_player_pauses_with(session, key))
         shared.wants_pause = first_person(shared).value_or(0);
 }
 
@@ -467,8 +467,8 @@ namespace {
 void show_arena(LiveSession& session) {
     session.shared.scene.to_fill() = session.data;
     session.shared.scene.publish();
-    input::DeviceSpec nobody;
-    std::vector<input::DeviceSpec> devices(game::players, nobody);
+    input::DeviceSpec no_device;
+    std::vector<input::DeviceSpec> devices(game::players, no_device);
     for (std::uint32_t p = 0; p < game::players; ++p) devices[p].player = p;
     const game::Simulation match(session.data, {1, std::move(devices)});
     game::take_picture(match, session.shared.pictures.to_fill());

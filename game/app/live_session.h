@@ -46,7 +46,7 @@ struct LiveSession {
 /// Rules file in assets/rules that gives the length of a match.
 inline std::string& length_of(game::DataChoice& choice) { return choice.match; }
 
-/// Shows the start screen until somebody starts a match (returns true) or leaves the program (returns false).
+/// Shows the start screen until a player starts a match (returns true) or leaves the program (returns false).
 bool run_start_screen(LiveSession& session);
 
 /// Makes the next match practice on the range. The error names file, line and key.

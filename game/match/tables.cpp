@@ -28,7 +28,7 @@ struct EventFormat {
     With with;
     std::string_view unit;  ///< unit of `amount`; empty: the event has no amount
     bool placed;            ///< the event has a position
-    bool to_somebody;       ///< the event happens to `subject`, who is shown in the column `whom`
+    bool has_subject;       ///< the event happens to `subject`, who is shown in the column `whom`
 };
 
 constexpr EventFormat formats[] = {
@@ -137,7 +137,7 @@ void append_event(const Event& event, const Simulation& match, std::string& out)
             .played = event.tick,
             .kind = event_names[static_cast<std::size_t>(event.kind)],
             .who = event.by,
-            .whom = format.to_somebody ? event.subject : no_player,
+            .whom = format.has_subject ? event.subject : no_player,
             .with = with_what(format.with, event, match),
             .amount = event.amount,
             .unit = format.unit,

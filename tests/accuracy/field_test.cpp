@@ -164,7 +164,7 @@ TEST(FieldAccuracy, NothingJumpsBetweenCellsButTheLinearGradient) {
     }
 }
 
-TEST(Field, BeyondTheSamplesItIsAsAtTheNearestPlace) {
+TEST(Field, PlacesOutsideTakeTheNearestValue) {
     const Stored s =
         stored({5, 5, 5}, {1, 1, 1}, 0.5, Kernel::catmull_rom, [](vec3 p) { return wave(p).value; });
     const auto same = [&](vec3 outside, vec3 nearest) {
@@ -176,7 +176,7 @@ TEST(Field, BeyondTheSamplesItIsAsAtTheNearestPlace) {
     same({1.3, 1.4, -7}, {1.3, 1.4, 1});
 }
 
-TEST(Field, NoNumberAndNoSamplesGiveZeros) {
+TEST(Field, NaNAndMissingSamplesGiveZeros) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     constexpr double endless = std::numeric_limits<double>::infinity();
     const Stored s = stored({5, 5, 5}, {}, 0.5, Kernel::linear, [](vec3) { return 3; });

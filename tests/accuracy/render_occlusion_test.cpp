@@ -20,7 +20,7 @@ TEST(FormFactor, ARightAngleTakesExactlyHalf) {
     EXPECT_NEAR(form_factor(floor, {0, close_by, 0}, {1, 0, 0}), 0.5, 1e-9);
 }
 
-TEST(FormFactor, InTheCornerOfTwoWallsTheProductIsTheQuarterThatIsLeft) {
+TEST(FormFactor, TwoWallsLeaveAQuarterInTheirCorner) {
     const Block west{{-endless, 0, -endless}, {0, endless, endless}};
     const Block north{{-endless, 0, -endless}, {endless, endless, 0}};
     const vec3 corner(close_by, 0, close_by);

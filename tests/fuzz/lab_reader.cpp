@@ -1,4 +1,4 @@
-// Reader of the lab's saved states. An accepted state must make a brew that can be simulated further.
+// Saved states of the lab: what is accepted must be a brew that goes on.
 #include "core/hash.h"
 #include "fuzz/fuzz.h"
 #include "game/data/match_data.h"
@@ -7,7 +7,7 @@
 namespace thaum::fuzz {
 namespace {
 
-constexpr std::size_t head = 20, hash_size = 8;  // as in engine/fluid/saved.cpp
+constexpr std::size_t head = 20, hash_size = 8;  // as engine/fluid/saved.cpp has them
 
 std::string text_of(std::span<const std::byte> bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -36,13 +36,12 @@ std::vector<std::string> saved_labs(const Places&) {
     return seeds;
 }
 
-/// Mutates a saved state. Half of the results get a correct length and checksum, so that the reader goes on
-/// to the contents.
+/// Half of them with length and checksum right again, so that what is behind these is reached.
 std::string mutate_lab(const std::vector<std::string>& seeds, Random& random) {
     const auto& seed = seeds[random.below(seeds.size())];
     if (random.below(2) == 0 || seed.size() <= head + hash_size) return mutate_bytes(seeds, random);
     auto body = seed.substr(head, seed.size() - head - hash_size);
-    // The settings are small beside the samples, so most mutations go there.
+    // Settings are few beside samples: mostly they.
     const auto settings = std::min<std::size_t>(body.size(), 500);
     const auto from = random.below(3) == 0 ? body.size() - settings : 0;
     body = body.substr(0, from) + mutate_bytes({body.substr(from, settings)}, random) +

@@ -401,7 +401,7 @@ TEST(LiftStress, AThingSlammedAgainstWallsStaysInside) {
     EXPECT_GT(rig.held_ticks, 5000U) << "the thing was lost";
 }
 
-TEST(LiftStress, AThingHeldByBothIsTornAtByBoth) {
+TEST(LiftStress, AThingHeldByBothIsPulledByBoth) {
     HandsRig rig({}, 2);
     Tick t = 0;
     bool tear = false;

@@ -99,7 +99,7 @@ TEST(GameReplay, WorldsSideBySideOnThreadsDoNotDisturbEachOther) {
     for (const auto result : results) EXPECT_EQ(result, length);
 }
 
-TEST(GameReplay, OneSpoiltValueIsSeen) {
+TEST(GameReplay, OneCorruptedValueIsDetected) {
     const auto match = fresh();
     ASSERT_EQ(first_difference(*match, 0, 1000), length);
     // The gaze would not do: as the hand turns, rounding may remove a changed last bit before the next

@@ -40,7 +40,7 @@ private:
     fs::path root_;
 };
 
-TEST_F(Rules, ArrowsMayPointDown) {
+TEST_F(Rules, IncludesMayPointDown) {
     EXPECT_EQ(arrow("engine/ecs/a.h", "\"core/a.h\""), Faults{});
     EXPECT_EQ(arrow("engine/fluid/a.h", "\"field/a.h\""), Faults{});
     EXPECT_EQ(arrow("engine/render/a.cpp", "\"ecs/a.h\""), Faults{});
@@ -57,7 +57,7 @@ TEST_F(Rules, ArrowsMayPointDown) {
     EXPECT_EQ(arrow("engine/examples/a.cpp", "\"input/log.h\""), Faults{});
 }
 
-TEST_F(Rules, ArrowsMustNotPointUp) {
+TEST_F(Rules, IncludesMustNotPointUp) {
     EXPECT_EQ(arrow("engine/core/a.cpp", "\"ecs/world.h\""),
               Faults{"engine/core/a.cpp:2: core -> engine/ecs/world.h: only lower floors may be included"});
     EXPECT_EQ(arrow("engine/ecs/a.h", "\"game/match/match.h\""),
@@ -79,7 +79,7 @@ TEST_F(Rules, RoomsOfTheGameHaveFloors) {
     EXPECT_EQ(arrow("game/attic/a.cpp", "\"game/data/a.h\"").size(), 1);
 }
 
-TEST_F(Rules, NumericalPartsKnowNoEntities) {
+TEST_F(Rules, NumericalPartsMustNotIncludeTheEcs) {
     for (const auto* part : {"field", "fluid", "haptics", "tactile", "gesture"}) {
         EXPECT_EQ(arrow(fs::path("engine") / part / "a.h", "\"ecs/world.h\"").size(), 1) << part;
     }
@@ -93,7 +93,7 @@ TEST_F(Rules, DetailAndComponentsAreClosed) {
     EXPECT_EQ(arrow("engine/core/a.h", "\"nowhere/a.h\"").size(), 1);
 }
 
-TEST_F(Rules, NoWayRoundTheArrows) {
+TEST_F(Rules, NoSpellingOfAnIncludeEscapesTheRules) {
     add("engine/render/mesh.h", "// render/mesh.h: meshes\n");
     EXPECT_EQ(arrow("engine/core/a.h", "\"../render/mesh.h\"").size(), 1);
     EXPECT_EQ(arrow("engine/core/a.h", "\"engine/render/mesh.h\"").size(), 1);
@@ -124,7 +124,7 @@ TEST_F(Rules, ForgottenTestsAreFound) {
     EXPECT_TRUE(faults[0].starts_with("tests/unit/forgotten.cpp:1: "));
 }
 
-TEST_F(Rules, HeadersWithoutTheirIdeaAreFound) {
+TEST_F(Rules, HeadersWithoutATitleAreFound) {
     add("engine/core/good.h", "// core/good.h: says what it is\n");
     add("engine/core/bare.h", "#pragma once\n");
     add("engine/core/moved.h", "// ecs/moved.h: an old place\n");

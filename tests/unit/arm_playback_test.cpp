@@ -82,7 +82,7 @@ TEST(ArmPlayback, BeginsAndEndsSlowly) {
     EXPECT_EQ(hand.playback.report().starved, 0U);
 }
 
-TEST(ArmPlayback, WhereForcesFailToComeTheyFade) {
+TEST(ArmPlayback, ForcesFadeWhenNoneArrive) {
     Hand hand;
     for (int t = 0; t < 100; ++t) hand.play({1, 0, 0});
     for (int t = 0; t < 20; ++t) EXPECT_EQ(hand.tick(), vec3(1, 0, 0));

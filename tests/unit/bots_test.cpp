@@ -155,7 +155,7 @@ std::array<std::uint32_t, causes.size()> shots_of(int level) {
     return shots;
 }
 
-TEST(Bot, WithItsLevelComeTheWandsThatItUses) {
+TEST(Bot, HigherLevelsUseMoreWands) {
     for (int level = 1; level <= bot_levels; ++level) {
         const auto shots = shots_of(level);
         EXPECT_GT(shots[cause_of(EventKind::bolt_hit)], 5U) << level;
@@ -360,7 +360,7 @@ Trip errand_over_the_pit(double swing_gain) {
     return errand;
 }
 
-TEST(Bot, SwingsOverAPitWhereThatIsSooner) {
+TEST(Bot, SwingsOverAPitIfThatIsFaster) {
     const auto walks = errand_over_the_pit(0), swings = errand_over_the_pit(3);
     EXPECT_LT(walks.seconds, 15);
     EXPECT_LT(swings.seconds, walks.seconds - 0.5);
@@ -384,7 +384,7 @@ TEST(Bot, SavedAndRestoredItGoesOnAsItWould) {
 
 // ---- the league -------------------------------------------------------------------------------------------
 
-TEST(League, AMatchIsToldAsItWas) {
+TEST(League, TheResultOfAMatchIsReported) {
     const auto data = duel_data({"quick.seconds=20"});
     const auto first = play_league_match(assets(), data, {1, 3}, 5);
     const auto second = play_league_match(assets(), data, {1, 3}, 5);

@@ -158,7 +158,7 @@ TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
     }
 }
 
-TEST_F(BrewLookTest, TheSkinFollowsTheSheetAndFoamsWhereItIsSteep) {
+TEST_F(BrewLookTest, TheSkinFollowsTheSurfaceAndFoamsWhereItIsSteep) {
     std::vector<render::SkinVertex> skin;
     make_skin(taken().surface, place, skin);
     for (const auto& v : skin) {

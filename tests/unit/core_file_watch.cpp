@@ -31,7 +31,7 @@ private:
     fs::path folder_ = fs::temp_directory_path() / text("thaum_file_watch_", ::getpid());
 };
 
-TEST_F(FileWatchTest, TellsAChangeOnceAfterItStoodStill) {
+TEST_F(FileWatchTest, ReportsAChangeOnceAfterTheFileStayedTheSame) {
     write("a", "one");
     write("b", "one");
     FileWatch watch({file("a"), file("b")});

@@ -173,7 +173,7 @@ TEST(Wands, NothingIsLeftOfARoundInTheNext) {
     EXPECT_EQ(w.shots(), 0U);
 }
 
-TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheCourt) {
+TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheArena) {
     WandRig w({"lob.energy.cost=0", "lob.shot.fuse_s=6", "lob.burst.damage=0", "lob.burst.impulse_n_s=0",
                "quick.seconds=600"});
     w.take(Button::wand_3);

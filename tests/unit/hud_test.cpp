@@ -204,7 +204,7 @@ TEST(Interpolate, ThingsAreFoundByTheirEntity) {
     EXPECT_NEAR(two.at(0.5).things[0].position.x, 0.1, 1e-12);
 }
 
-TEST(Interpolate, AResurrectionIsNoJourney) {
+TEST(Interpolate, AReturnToLifeIsNotInterpolated) {
     Two two;
     two.to.wizards[0].centre = two.to.wizards[0].eye = {-15, 1, 15};
     EXPECT_EQ(two.at(0.25).wizards[0].eye, vec3(-15, 1, 15));
@@ -280,7 +280,7 @@ protected:
 
 constexpr auto both_splits = {render::Split::top_bottom, render::Split::side_by_side};
 
-TEST_F(Drawn, BothViewsShowTheCourt) {
+TEST_F(Drawn, BothViewsShowTheArena) {
     for (const auto s : both_splits) {
         const auto image = draw(split(s));
         for (const auto& view : views_of(split(s), size)) EXPECT_GE(shades(image, view), 3);
@@ -449,7 +449,7 @@ double first_entry(std::span<const render::Block> blocks, vec3 eye, vec3 way) {
     return first;
 }
 
-TEST_F(Drawn, WhereABlockHidesThingsThereIsStoneBeforeThem) {
+TEST_F(Drawn, HidingBlocksLieInsideStone) {
     Random random = random_stream(11, 4);
     const double half = arena_scene.shade.high.x, top = arena_scene.shade.wall_top;
     int hidden = 0;

@@ -55,7 +55,7 @@ std::vector<LabSettings> kinds() {
     return {bowl, box, classic, slippery};
 }
 
-TEST(Lab, ALadleMakesItMoveAndTheSameInputsAreTheSameBits) {
+TEST(Lab, ALadleMovesTheFluidAndEqualInputsGiveEqualBits) {
     for (const LabSettings& settings : kinds()) {
         LabState one = lab_of(settings), other = lab_of(settings);
         std::string rows, rows_of_other;
@@ -221,7 +221,7 @@ TEST(LabControls, EveryKeyIsListedOnceAndChangesTheShownValue) {
     EXPECT_FALSE(turn_control("", hands, data().rules));
 }
 
-TEST(LabControls, NoKeyLeadsWhereTheFluidCannotGo) {
+TEST(LabControls, NoKeyGivesSettingsThatTheFluidRejects) {
     for (const LabControl& control : lab_controls()) {
         for (const auto key : {control.less, control.more}) {
             LabHands hands{.settings = small()};

@@ -220,7 +220,7 @@ TEST(Range, TheWandFollowsItsRules) {
     EXPECT_LT(of<WandBelt>(range, practising).energy[0], 1.5);
 }
 
-TEST(Range, TheScoreCountsFromTheFirstShotAfterItWasWiped) {
+TEST(Range, TheScoreCountsFromTheFirstShotAfterAReset) {
     auto range = range_with(DummyKind::still);
     RangeScorer scorer;
     EXPECT_EQ(words_of(scorer.score(*range.match)), "0 of 0 hit, 0 HP, 0 kills, 0 HP a minute");
@@ -463,7 +463,7 @@ TEST_F(RangeFilesTest, SeveralChangesAtOnceAreOneReading) {
     EXPECT_NEAR(watch_strafing(*range_, 5).east, 1, 0.4);
 }
 
-TEST_F(RangeFilesTest, ThePlayerStaysWhereHeIsWithHisAim) {
+TEST_F(RangeFilesTest, ThePlayerKeepsPositionAndAim) {
     input::DeviceSample walking;
     walking.counts[hand::forward] = 127;
     run(*range_, 0.7, walking);

@@ -196,7 +196,7 @@ TEST_F(VolumeTest, FadesIntoTheFog) {
     EXPECT_GT(foggy.g, 0.3F);
 }
 
-TEST_F(VolumeTest, StandsWhereItDoesInEveryViewAndSize) {
+TEST_F(VolumeTest, HasTheSamePlaceInEveryViewAndSize) {
     fill({255, 0, 0, 255});
     const auto views = split_window(size, size, Split::side_by_side);
     for (const auto quality : {Quality::low, Quality::high}) {

@@ -98,7 +98,7 @@ TEST(Settings, ChangedValuesAndBindingsAreRead) {
     EXPECT_EQ(fire[0].code, *render::key_code("x"));
 }
 
-TEST(Settings, FadersOfTheCauldronAreEachPlayersAndOffKeepsTheirPlaces) {
+TEST(Settings, EachPlayerHasFadersAndSwitchingOffKeepsTheirValues) {
     const auto s = parse_settings(
         "version = 1\n[cauldron_1]\nflow = 0.4\nwall = 0\noff = \" flow ,recoil\"\n[cauldron_2]\nviscosity = "
         "1\n",
@@ -311,7 +311,7 @@ TEST(SettingsScreen, StepsStayInRangeAndRound) {
     }
 }
 
-TEST(SettingsScreen, AFaderGoesByFivesAndIsSwitchedWhereItIs) {
+TEST(SettingsScreen, AFaderMovesByFivesAndKeepsItsValueWhenSwitched) {
     Fader fader{.share = 0.5};
     change(fader, -1);
     EXPECT_EQ(text(fader.share), "0.45");
