@@ -19,7 +19,9 @@ struct ParserLost {};
 #define TOML_MAX_NESTED_VALUES 16
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
+#if !defined(__clang__)  // which does not have this warning
 #pragma GCC diagnostic ignored "-Wterminate"
+#endif
 // The white-space and letter tables of toml++ mark a letter such as U+00E9 in place of white space as
 // unreachable, which is undefined behaviour. The correct answer there is false.
 #include <toml++/impl/preprocessor.h>

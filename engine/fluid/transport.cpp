@@ -271,7 +271,8 @@ void close_rings(const Crossing& c, int k) {
     const auto [nx, ny, nz] = c.lattice.cells;
     auto& flux = c.scratch.flux;
     if (c.lattice.edges[0] == Edge::periodic)
-        each_row(c.lattice, k, [&, nx = nx](std::ptrdiff_t at) { flux[0][at + nx] = flux[0][at]; });
+        each_row(c.lattice, k,
+                 [begin = flux[0].data(), nx = nx](std::ptrdiff_t at) { begin[at + nx] = begin[at]; });
     const auto first = [&](std::size_t axis, int j, int layer) {
         return flux[axis].data() + c.lattice.at(0, j, layer);
     };

@@ -54,7 +54,7 @@ inline Eight larger(const Eight& a, const Eight& b) { return a > b ? a : b; }
 inline Eight link(bool holds, const Eight& a, const Eight& b) {
     const Eight both = 0.5F * (a + b);
     const Eight one = holds ? larger(larger(a, b), none) : none;
-    return (a < none) | (b < none) ? one : both;
+    return ((a < none) | (b < none)) ? one : both;
 }
 
 /// The part of a link that is taken by the velocity before the step: half of it, which makes the step of second order in time.
@@ -65,7 +65,7 @@ inline Eight explicit_part(const Eight& whole, const Eight& most) {
 
 /// Of the link between two places.
 inline Eight explicit_part(const Eight& whole, const Eight& a, const Eight& b) {
-    const Eight most = (a < none) | (b < none) ? none + explicit_most_to_wall : none + explicit_most;
+    const Eight most = ((a < none) | (b < none)) ? none + explicit_most_to_wall : none + explicit_most;
     return explicit_part(whole, most);
 }
 

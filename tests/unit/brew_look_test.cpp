@@ -291,8 +291,8 @@ TEST_F(BrewLookTest, IsMadeAnewOnlyForAnotherStateOrOverlay) {
     EXPECT_GT(look.volume.version, version);
     EXPECT_TRUE(show_brew(taken(), {}, look));
     EXPECT_TRUE(look.flow.empty());
-    EXPECT_EQ(look.volume.texels.size(), brew.fluid.lattice.cells[0] * brew.fluid.lattice.cells[1] *
-                                             static_cast<std::size_t>(brew.fluid.lattice.cells[2]));
+    const auto& cells = brew.fluid.lattice.cells;
+    EXPECT_EQ(look.volume.texels.size(), static_cast<std::size_t>(cells[0] * cells[1] * cells[2]));
     // What the brew stands in holds all of it.
     EXPECT_NEAR(look.volume.origin.y + look.volume.size.y, place.middle.y, 1e-5);
     EXPECT_LT(look.volume.origin.y, place.middle.y - place.basin.depth + 1e-5);

@@ -112,7 +112,7 @@ void pool_return(void* address) {
     p.free[size_class] = new (address) FreeBlock{p.free[size_class]};
 }
 
-void* heap_take(std::size_t bytes, int wanted_alignment) {
+[[maybe_unused]] void* heap_take(std::size_t bytes, int wanted_alignment) {
     Pool& p = pool();
     const std::scoped_lock held(p.lock);
     ++p.use.calls;
@@ -120,7 +120,7 @@ void* heap_take(std::size_t bytes, int wanted_alignment) {
     return std::aligned_alloc(aligned, (bytes + aligned - 1) / aligned * aligned);
 }
 
-void heap_return(void* address) { std::free(address); }
+[[maybe_unused]] void heap_return(void* address) { std::free(address); }
 
 }  // namespace
 
