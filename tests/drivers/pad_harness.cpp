@@ -79,7 +79,7 @@ std::vector<guint8> answer(unsigned number, std::size_t size) {
         constexpr char name[] = "Microsoft X-Box 360 pad";
         copy(name, sizeof name);
     } else if (number == 0x20) {
-        for (const unsigned type : {EV_SYN, EV_KEY, EV_ABS}) set_bit(out, type);
+        for (const unsigned type : std::array<unsigned, 3>{EV_SYN, EV_KEY, EV_ABS}) set_bit(out, type);
     } else if (number == 0x20 + EV_KEY || number == 0x20 + EV_ABS) {
         for (const auto& [name, part] : parts) {
             if (part.type == number - 0x20) set_bit(out, part.code);

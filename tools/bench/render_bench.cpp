@@ -133,7 +133,7 @@ void paced_ticks(RenderScene& scene, Drawer& drawer, int count, std::vector<doub
         const auto start = Clock::now();
         scene.drawn->duel.match->tick(scene.drawn->duel.next_frame());
         samples.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
-        if (i % between_pictures != 0) continue;
+        if (static_cast<Tick>(i) % between_pictures != 0) continue;
         game::take_picture(*scene.drawn->duel.match, scene.picture);
         drawer.hand_over(scene.picture);
     }
