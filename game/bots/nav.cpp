@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "game/components/body.h"
 
@@ -105,6 +106,27 @@ int WalkGrid::next(int cell, const Ways& ways) const {
     neighbours(cell, [&](int n) {
         if (ways.steps[static_cast<std::size_t>(n)] < ways.steps[static_cast<std::size_t>(best)]) best = n;
     });
+    return best;
+}
+
+bool WalkGrid::leads_on(int cell) const {
+    bool any = false;
+    neighbours(cell, [&](int) { any = true; });
+    return any;
+}
+
+int WalkGrid::nearest_way(int cell, vec3 feet) const {
+    int best = cell;
+    double nearest = std::numeric_limits<double>::max();
+    for (int dz = -1; dz <= 1; ++dz) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            const vec3 place = centre_of(cell) + vec3(dx, 0, dz);
+            const int there = cell_at(place);
+            if (!covers(place) || !leads_on(there) || height(there) > feet.y + highest_step) continue;
+            const double distance = glm::distance(vec2(place.x, place.z), vec2(feet.x, feet.z));
+            if (distance < nearest) nearest = distance, best = there;
+        }
+    }
     return best;
 }
 

@@ -76,19 +76,20 @@ TEST(ArenaFile, FaultsNameTheLineAndTheRemedy) {
         EXPECT_NE(fault.find(words), std::string::npos) << fault;
     };
     faulty("[[anchor]]\nposition = [1, 3, 1]\nmirror = true\nturned = true\n",
-           "least.toml:18: 'mirror' and 'turned' exclude each other");
+           "least.toml:17: 'mirror' and 'turned' exclude each other");
     faulty("[[anchor]]\nposition = [1, 3, 4.5]\n",
-           "least.toml:16: 'position' lies outside of the arena's ground, x from -5 to 5, z from -4 to 4");
+           "least.toml:15: 'position' lies outside of the arena's ground, x from -5 to 5, z from -4 to 4");
     faulty("[[pad]]\nposition = [6, 0, 0]\nfacing = [0, 0, 0]\n", "'position' lies outside");
     faulty("[[niche]]\nposition = [6, 0, 0]\ningredient = \"salt\"\n", "'position' lies outside");
     faulty("[[power_up]]\nkind = \"vial\"\nposition = [0, 0, -4.1]\n", "'position' lies outside");
     faulty("[range.player]\nplace = [0, 0, 9]\nyaw_deg = 0\n", "'place' lies outside");
-    faulty("[range.player]\nplace = [0, 0, 1]\nyaw_deg = 0\n", "dummy");
+    EXPECT_EQ(fault_with("[range.player]\nplace = [0, 0, 1]\nyaw_deg = 0\n"),
+              "least.toml: key 'place' is missing");
     faulty(
         "[[solid]]\nshape = \"ramp\"\nsurface = \"floor\"\ncentre = [0, 1, 0]\nsize = [2, 2, 2]\nrises = "
         "\"up\"\n",
         "rises");
-    faulty("[look.sun]\ntowards = [1, 0, 0]\n", "least.toml:16: 'towards': the height (y)");
+    faulty("[look.sun]\ntowards = [1, 0, 0]\n", "least.toml:15: 'towards': the height (y)");
     faulty("[[look.banner]]\nwall = \"west side\"\nalong = 0\nheight = 3\nteam = 0\n", "wall");
     faulty("[look.sky]\nmoon = 3\n", "moon");
     faulty("[[pad]]\nposition = [0, 0, 0]\nfacing = [0, 0, 0]\nmirrored_player = 1\nturned = true\n",
@@ -97,7 +98,7 @@ TEST(ArenaFile, FaultsNameTheLineAndTheRemedy) {
     ASSERT_TRUE(bare);
     read_arena(*bare);
     EXPECT_EQ(bare->check().error().message,
-              "bare.toml: an arena needs at least one solid with the surface 'floor'");
+              "bare.toml:1: an arena needs at least one solid with the surface 'floor'");
 }
 
 TEST(ArenaFile, ATwinIsTheMirrorImageOrTurned) {
