@@ -123,8 +123,9 @@ int WalkGrid::nearest_way(int cell, vec3 feet) const {
             const vec3 place = centre_of(cell) + vec3(dx, 0, dz);
             const int there = cell_at(place);
             if (!covers(place) || !leads_on(there) || height(there) > feet.y + highest_step) continue;
-            const double distance = glm::distance(vec2(place.x, place.z), vec2(feet.x, feet.z));
-            if (distance < nearest) nearest = distance, best = there;
+            const double along = glm::distance(vec2(place.x, place.z), vec2(feet.x, feet.z));
+            const double drop = std::max(0.0, feet.y - height(there));
+            if (along + drop < nearest) nearest = along + drop, best = there;
         }
     }
     return best;

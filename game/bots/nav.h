@@ -40,8 +40,8 @@ public:
     /// Whether a way leads from the cell to another one. None leads from the top of a block, nor from a cell that
     /// a thing fills in part.
     bool leads_on(int cell) const;
-    /// The cell next to `cell` from which a way leads on, not above the feet, and nearest to them; `cell` itself if
-    /// there is none.
+    /// The cell next to `cell` from which a way leads on, not above the feet, with the shortest way and drop from them;
+    /// `cell` itself if there is none.
     int nearest_way(int cell, vec3 feet) const;
     /// Whether the straight line between two places, a few metres at most, can be walked.
     bool straight(vec3 from, vec3 to) const;

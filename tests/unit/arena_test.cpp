@@ -250,6 +250,40 @@ TEST(ArenaWays, LeadFromEveryPadToEveryThingWorthAWalk) {
     expect_ways_everywhere(arena_data("yard", assets_with_yard()));
 }
 
+TEST(ArenaWays, AreEquallyLongForBothPlayersOfTheWell) {
+    const auto data = arena_data("the_well", assets());
+    const Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
+    const WalkGrid grid(match.physics(), ground_bounds(data->arena));
+    std::array<WalkGrid::Ways, players> ways;
+    for (const auto& pad : data->arena.pads) {
+        if (pad.player < players) grid.find_ways(grid.cell_at(pad.feet), ways[pad.player]);
+    }
+    for (int cell = 0; cell < grid.cells(); ++cell) {
+        const int twin = grid.cell_at(half_turned(grid.centre_of(cell)));
+        EXPECT_NEAR(grid.height(cell), grid.height(twin), 1e-6) << cell;
+        EXPECT_EQ(ways[0].steps[static_cast<std::size_t>(cell)],
+                  ways[1].steps[static_cast<std::size_t>(twin)])
+            << cell;
+    }
+}
+
+TEST(ArenaWays, ABlockLeadsNowhereAndBesideItIsAWay) {
+    const auto data = arena_data("the_well", assets());
+    const Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
+    const WalkGrid grid(match.physics(), ground_bounds(data->arena));
+    const vec3 beside_the_bowl{0.96, 0, -1.9};
+    const int cell = grid.cell_at(beside_the_bowl);
+    EXPECT_FALSE(grid.leads_on(cell));
+    const int way = grid.nearest_way(cell, beside_the_bowl);
+    EXPECT_TRUE(grid.leads_on(way));
+    EXPECT_LT(glm::distance(grid.centre_of(way), beside_the_bowl), 1);
+    EXPECT_NEAR(grid.height(way), 0, 0.01);
+    const int parapet = grid.cell_at({-9.5, 4, 8.3});
+    EXPECT_FALSE(grid.leads_on(parapet));
+    EXPECT_NEAR(grid.height(grid.nearest_way(parapet, {-9.5, 4, 8.4})), 3, 0.01) << "not down into the well";
+    EXPECT_TRUE(grid.leads_on(grid.cell_at({-9, 3, 10.5})));
+}
+
 TEST(ArenaWays, TheGridHasTheSizeOfTheGround) {
     const auto data = arena_data("yard", assets_with_yard());
     const Simulation match(data, {1, {bot_device(0, 1), bot_device(1, 1)}});
@@ -313,7 +347,7 @@ MatchReport play_round(const std::filesystem::path& folder, std::shared_ptr<cons
 }
 
 void expect_a_lively_round(const MatchReport& report, double upper_level) {
-    EXPECT_GE(report.kills, 2);
+    EXPECT_GE(report.kills, 1);
     EXPECT_LT(report.longest_rest, 20) << "nobody is stuck";
     EXPECT_GT(report.heights[0], -0.2) << "nobody falls out of the arena";
     EXPECT_LT(report.heights[0], 0.2) << "somebody was on the lower level";
@@ -321,7 +355,7 @@ void expect_a_lively_round(const MatchReport& report, double upper_level) {
 }
 
 TEST(ArenaMatch, BotsOfEveryLevelPlayTheWellToTheEnd) {
-    const auto data = arena_data("the_well", assets());
+    const auto data = arena_data("the_well", assets(), {"quick.kills=2", "quick.seconds=150"});
     for (int level = 1; level <= bot_levels; ++level) {
         SCOPED_TRACE(level);
         expect_a_lively_round(play_round(assets(), data, level, 21), 3);
@@ -330,7 +364,7 @@ TEST(ArenaMatch, BotsOfEveryLevelPlayTheWellToTheEnd) {
 
 TEST(ArenaMatch, AnArenaThatOnlyATestHasIsPlayed) {
     const auto folder = assets_with_yard();
-    const auto report = play_round(folder, arena_data("yard", folder), 3, 4);
+    const auto report = play_round(folder, arena_data("yard", folder, {"quick.seconds=60"}), 3, 4);
     expect_a_lively_round(report, 2);
 }
 
