@@ -27,7 +27,7 @@ namespace hand = input::hand;
 constexpr double reached = 1.2;      ///< distance at which a goal counts as reached (m)
 constexpr double stuck_speed = 0.4;  ///< speed below which a walking bot is stuck (m/s)
 constexpr Range distances{0, 100};   ///< distances in a level's file (m)
-/// Time in a cell without ways after which a bot walks out of it. Passing through such a cell takes less.
+/// Time in a cell that leads nowhere after which a bot walks out of it. Passing through such a cell takes less.
 constexpr Tick stranded_after = ticks(2.0);
 constexpr Tick forget_after = ticks(4.0);
 
@@ -145,7 +145,7 @@ vec3 choose_way(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& 
     return way_to_goal(self, grid, mind, ways, tick);
 }
 
-/// Direction out of a cell from which no way leads, once the bot has stood there for a while; zero before.
+/// Direction out of a cell that leads nowhere, once the bot has stood there for a while; zero before.
 vec3 way_out(const Simulation& match, const Self& self, const WalkGrid& grid, Mind& mind, Tick tick) {
     const int cell = grid.cell_at(self.centre);
     if (grid.leads_on(cell)) mind.stranded_since = tick;

@@ -68,7 +68,7 @@ struct Mind {
     Tick fire_from{}, fire_until{};    ///< beginning and end of the latest burst of fire (ticks)
     Tick strafe_until{};               ///< tick until which the bot keeps its sideways step
     Tick slow_since{};                 ///< tick since which the bot has been slower than intended
-    Tick stranded_since{};             ///< tick since which the bot has stood in a cell without ways
+    Tick stranded_since{};             ///< tick since which the bot has stood in a cell that leads nowhere
     Tick dodge_until{};                ///< tick until which the bot walks sideways to get free
     Tick wand_until{};                 ///< tick until which the bot keeps its choice of wand
     double readiness{};                ///< readiness to which the bot readies the chosen wand
