@@ -126,7 +126,7 @@ void WalkGrid::find_large_regions() {
     }
     leads_on_.assign(height_.size(), 0);
     for (const auto& region : regions) {
-        if (region.size() < large_share * static_cast<double>(largest)) continue;
+        if (static_cast<double>(region.size()) < large_share * static_cast<double>(largest)) continue;
         for (const int cell : region) leads_on_[static_cast<std::size_t>(cell)] = 1;
     }
 }
