@@ -24,7 +24,7 @@ std::string shown(vec3 v) { return text(v.x, " ", v.y, " ", v.z); }
 /// A copy of the data folder with the test's own arena in it.
 std::filesystem::path assets_with_yard() {
     static const auto folder = [] {
-        const auto copy = std::filesystem::path(testing::TempDir()) / text("thaum_arena_", ::getpid());
+        auto copy = std::filesystem::path(testing::TempDir()) / text("thaum_arena_", ::getpid());
         std::filesystem::remove_all(copy);
         std::filesystem::copy(assets(), copy, std::filesystem::copy_options::recursive);
         std::filesystem::copy_file(THAUM_SOURCE_DIR "/tests/arenas/yard.toml", copy / "arenas/yard.toml");
