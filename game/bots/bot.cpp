@@ -27,6 +27,8 @@ namespace hand = input::hand;
 constexpr double reached = 1.2;      ///< distance at which a goal counts as reached (m)
 constexpr double stuck_speed = 0.4;  ///< speed below which a walking bot is stuck (m/s)
 constexpr Range distances{0, 100};   ///< distances in a level's file (m)
+/// Time in a cell that leads nowhere after which a bot walks out of it. Passing through such a cell takes less.
+constexpr Tick stranded_after = ticks(2.0);
 constexpr Tick forget_after = ticks(4.0);
 
 /// A random walkable place in the arena.
@@ -143,6 +145,16 @@ vec3 choose_way(const Self& self, const Seat& seat, const WalkGrid& grid, Mind& 
     return way_to_goal(self, grid, mind, ways, tick);
 }
 
+/// Direction out of a cell that leads nowhere, once the bot has stood there for a while; zero before.
+vec3 way_out(const Simulation& match, const Self& self, const WalkGrid& grid, Mind& mind, Tick tick) {
+    const int cell = grid.cell_at(self.centre);
+    if (grid.leads_on(cell)) mind.stranded_since = tick;
+    if (tick - mind.stranded_since < stranded_after) return {0, 0, 0};
+    const vec3 feet = self.centre - vec3(0, match.data().wizard.height / 2, 0);
+    const int to = grid.nearest_way(cell, feet);
+    return to == cell ? vec3(0) : grid.centre_of(to) - vec3(self.centre.x, 0, self.centre.z);
+}
+
 /// Ways kept for a bot: to its goal, and from its position.
 struct BotWays {
     WalkGrid::Ways to_goal, from_here;
@@ -168,19 +180,20 @@ void begin_anew(const Match& match, const Thoughts& own) {
     own.eyes.looks = 0;
     own.eyes.back_at = {};
     own.eyes.things = {};
-    own.mind = {.random = own.mind.random, .round = match.round};
+    own.mind = {.random = own.mind.random, .stranded_since = match.played, .round = match.round};
     own.lift_plan = {};
     own.swing_plan = {};
     own.stir_plan = {};
 }
 
 /// Releases all buttons and ends all plans while the wizard is dead.
-void rest(const Thoughts& own) {
+void rest(const Match& match, const Thoughts& own) {
     auto& mind = own.mind;
     own.eyes.looks = 0;
     mind.right_left = mind.up_left = mind.move_strafe = mind.move_forward = 0;
     mind.buttons = 0;
     mind.foe_seen_at = 0;
+    mind.stranded_since = match.played;
     mind.errand = Errand::none;
     own.lift_plan = {};
     own.swing_plan = {};
@@ -214,7 +227,7 @@ void think(const Simulation& match, const Seat& seat, const Thoughts& own,
     const Tick tick = match.match().played;
     if (mind.round != match.match().round) begin_anew(match.match(), own);
     const auto self = self_of(match, seat.player, mind.readiness);
-    if (!self.alive) return rest(own);
+    if (!self.alive) return rest(match.match(), own);
     see_foe(match, self, seat, own.eyes, mind, tick);
     see_power_ups(match, self, seat, own.eyes);
     if (seat.skill.lift.share > 0) see_things(match, self, seat, own.eyes);
@@ -226,6 +239,7 @@ void think(const Simulation& match, const Seat& seat, const Thoughts& own,
         plan_to_stir(match, self, seat, mind, own.stir_plan, tick);
     choose_step(match, self, seat, mind, tick);
     vec3 way = choose_way(self, seat, surroundings.grid, mind, ways.to_goal, tick);
+    if (const vec3 out = way_out(match, self, surroundings.grid, mind, tick); glm::length(out) > 0) way = out;
     if (own.lift_plan.stage == LiftStage::none)
         plan_to_swing(match, self, seat, surroundings.grid, surroundings.crossings, ways.to_goal, mind,
                       own.swing_plan, tick);

@@ -68,6 +68,7 @@ struct Mind {
     Tick fire_from{}, fire_until{};    ///< beginning and end of the latest burst of fire (ticks)
     Tick strafe_until{};               ///< tick until which the bot keeps its sideways step
     Tick slow_since{};                 ///< tick since which the bot has been slower than intended
+    Tick stranded_since{};             ///< tick since which the bot has stood in a cell that leads nowhere
     Tick dodge_until{};                ///< tick until which the bot walks sideways to get free
     Tick wand_until{};                 ///< tick until which the bot keeps its choice of wand
     double readiness{};                ///< readiness to which the bot readies the chosen wand
@@ -91,14 +92,14 @@ struct Mind {
             ecs::field("goal", &M::goal), ecs::field("goal_until", &M::goal_until),
             ecs::field("errand_until", &M::errand_until), ecs::field("fire_from", &M::fire_from),
             ecs::field("fire_until", &M::fire_until), ecs::field("strafe_until", &M::strafe_until),
-            ecs::field("slow_since", &M::slow_since), ecs::field("dodge_until", &M::dodge_until),
-            ecs::field("wand_until", &M::wand_until), ecs::field("readiness", &M::readiness),
-            ecs::field("errand", &M::errand), ecs::field("strafe", &M::strafe),
-            ecs::field("wishes_to_move", &M::wishes_to_move), ecs::field("right_left", &M::right_left),
-            ecs::field("up_left", &M::up_left), ecs::field("move_strafe", &M::move_strafe),
-            ecs::field("move_forward", &M::move_forward), ecs::field("buttons", &M::buttons),
-            ecs::field("round", &M::round), ecs::field("wand", &M::wand), ecs::field("trigger", &M::trigger),
-            ecs::field("spare", &M::spare));
+            ecs::field("slow_since", &M::slow_since), ecs::field("stranded_since", &M::stranded_since),
+            ecs::field("dodge_until", &M::dodge_until), ecs::field("wand_until", &M::wand_until),
+            ecs::field("readiness", &M::readiness), ecs::field("errand", &M::errand),
+            ecs::field("strafe", &M::strafe), ecs::field("wishes_to_move", &M::wishes_to_move),
+            ecs::field("right_left", &M::right_left), ecs::field("up_left", &M::up_left),
+            ecs::field("move_strafe", &M::move_strafe), ecs::field("move_forward", &M::move_forward),
+            ecs::field("buttons", &M::buttons), ecs::field("round", &M::round), ecs::field("wand", &M::wand),
+            ecs::field("trigger", &M::trigger), ecs::field("spare", &M::spare));
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "game/components/body.h"
 
@@ -15,6 +16,8 @@ constexpr double headroom = 2.5;
 constexpr double depth = 15;
 /// Largest height difference between neighbouring cells (m): ramps are walkable, ledges are not.
 constexpr double highest_step = 0.75;
+/// Least size of a large region, as a share of the largest one.
+constexpr double large_share = 0.25;
 
 }  // namespace
 
@@ -34,6 +37,7 @@ WalkGrid::WalkGrid(const physics::Physics& physics, const GroundBounds& ground)
             height_[static_cast<std::size_t>(cell)] = above + (below - above) * hit->fraction - body_radius;
         }
     }
+    find_large_regions();
 }
 
 int WalkGrid::cell_at(vec3 place) const {
@@ -105,6 +109,41 @@ int WalkGrid::next(int cell, const Ways& ways) const {
     neighbours(cell, [&](int n) {
         if (ways.steps[static_cast<std::size_t>(n)] < ways.steps[static_cast<std::size_t>(best)]) best = n;
     });
+    return best;
+}
+
+void WalkGrid::find_large_regions() {
+    std::vector<std::vector<int>> regions;
+    std::vector<bool> known(height_.size(), false);
+    std::size_t largest = 0;
+    Ways ways;
+    for (int cell = 0; cell < cells(); ++cell) {
+        if (known[static_cast<std::size_t>(cell)] || !walkable(cell)) continue;
+        find_ways(cell, ways);
+        for (const int found : ways.queue) known[static_cast<std::size_t>(found)] = true;
+        largest = std::max(largest, ways.queue.size());
+        regions.push_back(ways.queue);
+    }
+    leads_on_.assign(height_.size(), 0);
+    for (const auto& region : regions) {
+        if (static_cast<double>(region.size()) < large_share * static_cast<double>(largest)) continue;
+        for (const int cell : region) leads_on_[static_cast<std::size_t>(cell)] = 1;
+    }
+}
+
+int WalkGrid::nearest_way(int cell, vec3 feet) const {
+    int best = cell;
+    double nearest = std::numeric_limits<double>::max();
+    for (int dz = -1; dz <= 1; ++dz) {
+        for (int dx = -1; dx <= 1; ++dx) {
+            const vec3 place = centre_of(cell) + vec3(dx, 0, dz);
+            const int there = cell_at(place);
+            if (!covers(place) || !leads_on(there) || height(there) > feet.y + highest_step) continue;
+            const double along = glm::distance(vec2(place.x, place.z), vec2(feet.x, feet.z));
+            const double drop = std::max(0.0, feet.y - height(there));
+            if (along + drop < nearest) nearest = along + drop, best = there;
+        }
+    }
     return best;
 }
 

@@ -37,6 +37,12 @@ public:
     void find_ways(int goal, Ways& ways) const;
     /// The neighbour of `cell` nearest to the goal; `cell` itself at the goal, or if there is no way.
     int next(int cell, const Ways& ways) const;
+    /// Whether ways lead from the cell over much of the arena. They do not from the top of a block, nor from a cell
+    /// that a thing fills in part.
+    bool leads_on(int cell) const { return leads_on_[static_cast<std::size_t>(cell)] != 0; }
+    /// The cell next to `cell` that leads on, not above the feet, with the shortest way and drop from them; `cell`
+    /// itself if there is none.
+    int nearest_way(int cell, vec3 feet) const;
     /// Whether the straight line between two places, a few metres at most, can be walked.
     bool straight(vec3 from, vec3 to) const;
 
@@ -50,7 +56,10 @@ private:
 
     double west_{}, north_{};  ///< the least x and z of the grid (m, world)
     int columns_{}, rows_{};
+    void find_large_regions();
+
     std::vector<double> height_;
+    std::vector<std::uint8_t> leads_on_;  ///< 1: the cell is in one of the large connected regions
 };
 
 }  // namespace thaum::game

@@ -71,7 +71,12 @@ protected:
         auto created = render::Renderer::create(source / "assets");
         ASSERT_TRUE(created) << created.error().message;
         renderer.emplace(std::move(*created));
-        auto loaded = load_match_data(source / "assets", {});
+        show("boiling_court");
+    }
+
+    /// Makes the scene of an arena.
+    void show(const std::string& arena) {
+        auto loaded = load_match_data(source / "assets", {.arena = arena});
         ASSERT_TRUE(loaded) << loaded.error().message;
         data = std::make_shared<const MatchData>(std::move(*loaded));
         arena_scene = make_arena_scene(*renderer, *data);
@@ -185,6 +190,16 @@ TEST_F(StoredPictures, TheCauldronIsTheBrightestThing) {
         EXPECT_NEAR(best_x, 0.5 * image.width, 80);
         EXPECT_NEAR(best_y, 0.5 * image.height, 40);
     }
+}
+
+TEST_F(StoredPictures, TheWellFromItsGalleryAndFromItsBottom) {
+    show("the_well");
+    Scene scene{start, {.watch = Watch::first}};
+    stand(scene.picture, 0, {-7.4, 3, 9.6}, {1, 0.5, -1});
+    stand(scene.picture, 1, {5.5, 1, -4}, {0, 1.6, 0});
+    expect_stored("well_gallery", scene, {Quality::high});
+    stand(scene.picture, 0, {9.5, 0, -6.5}, {2, 1.5, -3});
+    expect_stored("well_bottom", scene, {Quality::medium});
 }
 
 TEST_F(StoredPictures, ABoltLightsTheDark) {

@@ -467,6 +467,28 @@ TEST_F(Drawn, HidingBlocksLieInsideStone) {
     EXPECT_TRUE(blocks_seen_from(arena_scene, vec3(half + 2, 1, 0)).empty());
 }
 
+TEST_F(Drawn, InTheWellNothingIsSeenThroughStone) {
+    const auto data = load_match_data(assets, {.arena = "the_well"});
+    ASSERT_TRUE(data) << data.error().message;
+    const auto well = make_arena_scene(*renderer, *data);
+    EXPECT_EQ(well.shade.low, vec2(-12, -12));
+    EXPECT_EQ(well.shade.high, vec2(12, 12));
+    EXPECT_EQ(well.shade.wall_top, 10);
+    EXPECT_EQ(well.shade.depth, 0);
+    Random random = random_stream(12, 4);
+    int hidden = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const vec3 eye(random.uniform(-12, 12), random.uniform(0, 10), random.uniform(-12, 12));
+        const vec3 way(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+        if (first_entry(well.shade.blocks, eye, way) == 0) continue;  // the eye is in stone
+        const double there = first_entry(blocks_seen_from(well, eye), eye, way);
+        if (there == std::numeric_limits<double>::infinity()) continue;
+        ++hidden;
+        EXPECT_LE(first_entry(well.shade.blocks, eye, way), there);
+    }
+    EXPECT_GT(hidden, 5000);
+}
+
 TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
     picture.things.clear();
     picture.wizards[1].dead = true;

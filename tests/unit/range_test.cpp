@@ -485,16 +485,30 @@ TEST_F(RangeFilesTest, ThePlayerKeepsPositionAndAim) {
 }
 
 TEST_F(RangeFilesTest, EveryNumberOfTheRangeIsChecked) {
-    for (const auto& [from, to, said] :
-         {std::array<const char*, 3>{"stride_m = 2.2", "stride_m = -1", "range.toml:14: 'stride_m'"},
-          {"burst_s = 0.4", "burst_m = 0.4", "range.toml:16: key 'burst_s' is missing"},
-          {"yaw_deg = 0", "yaw_deg = 900", "range.toml:8: 'yaw_deg' is 900"}}) {
-        const auto whole = text_of("range.toml");
-        replace("range.toml", from, to);
+    const std::string range = "range.toml", arena = "arenas/boiling_court.toml";
+    for (const auto& [file, from, to, said] :
+         {std::array<std::string, 4>{range, "stride_m = 2.2", "stride_m = -1", "range.toml:6: 'stride_m'"},
+          {range, "burst_s = 0.4", "burst_m = 0.4", "range.toml:8: key 'burst_s' is missing"},
+          {arena, "yaw_deg = 0", "yaw_deg = 900", "'yaw_deg' is 900"}}) {
+        const auto whole = text_of(file);
+        replace(file, from, to);
         const auto data = load_range(folder_, {});
         ASSERT_FALSE(data) << to;
         EXPECT_NE(data.error().message.find(said), std::string::npos) << data.error().message;
-        write("range.toml", whole);
+        write(file, whole);
+    }
+}
+
+TEST_F(RangeFilesTest, EveryArenaHasItsPlaces) {
+    for (const std::string arena : {"boiling_court", "the_well"}) {
+        const auto data = load_range(folder_, {.arena = arena});
+        ASSERT_TRUE(data) << data.error().message;
+        const auto range = make_range(*data, bot_device(practising, 1), DummyKind::still, 3);
+        const auto& places = data->match->arena.practice;
+        for (std::uint32_t player = 0; player < players; ++player)
+            EXPECT_LT(glm::distance(place(range, player), places[player].feet + vec3(0, 0.9, 0)), 1e-9);
+        const vec3 way = places[dummys].feet - places[practising].feet;
+        EXPECT_NEAR(places[practising].yaw, det::atan2(-way.x, -way.z), 1e-9) << "the player faces the dummy";
     }
 }
 
