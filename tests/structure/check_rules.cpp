@@ -54,6 +54,7 @@ TEST_F(Rules, ArrowsMayPointDown) {
     EXPECT_EQ(arrow("game/match/a.cpp", "\"render/a.h\""), Faults{});
     EXPECT_EQ(arrow("game/components/a.h", "\"game/components/b.h\""), Faults{});
     EXPECT_EQ(arrow("game/components/a.h", "\"physics/b.h\""), Faults{});
+    EXPECT_EQ(arrow("engine/examples/a.cpp", "\"input/log.h\""), Faults{});
 }
 
 TEST_F(Rules, ArrowsMustNotPointUp) {

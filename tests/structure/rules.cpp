@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 /// A part may include parts of lower floors and itself.
 const std::map<std::string, int, std::less<>> floors = {
-    {"core", 0},  {"ecs", 1},     {"field", 1},   {"physics", 2}, {"fluid", 2},  {"haptics", 2},
-    {"audio", 2}, {"tactile", 2}, {"gesture", 2}, {"input", 2},   {"render", 2}, {"game", 3},
+    {"core", 0},    {"ecs", 1},     {"field", 1}, {"physics", 2}, {"fluid", 2}, {"haptics", 2},  {"audio", 2},
+    {"tactile", 2}, {"gesture", 2}, {"input", 2}, {"render", 2},  {"game", 3},  {"examples", 3},
 };
 
 /// Rooms of the game, game/ROOM. A room may include rooms of lower floors and itself.

@@ -1,4 +1,5 @@
-# Compiler flags of the whole project (design: architecture.md, "Packages and build").
+# Compiler flags of the whole project (design: architecture.md, "Packages and build"). Optimisation and debug
+# symbols are the build type's; CMakePresets.json sets them for our own builds.
 #
 # -ffp-contract=off: a fused multiply-add rounds once instead of twice, so results would depend on the
 # compiler's choice of what to fuse. No fast-math for the same reason. With these flags all builds agree to
@@ -25,34 +26,54 @@ if(THAUM_SANITIZE OR CMAKE_BUILD_TYPE STREQUAL "Debug")
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 endif()
 
-add_library(thaum_flags INTERFACE)
-target_compile_options(thaum_flags INTERFACE
-    -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion -Werror)
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    # Keeps the compiler from collecting garbage below this many kB; collecting takes a tenth of its time.
-    target_compile_options(thaum_flags INTERFACE --param=ggc-min-heapsize=1000000)
-endif()
-if(CMAKE_UNITY_BUILD)
-    # GCC takes an anonymous namespace in an included source for one in a header.
-    target_compile_options(thaum_flags INTERFACE -Wno-subobject-linkage)
-endif()
-# Flags for sources that run before the processor check, and before the sanitizers have set up their memory.
-set(THAUM_ANY_PROCESSOR -march=x86-64 -fno-sanitize=all)
+option(THAUM_WARNINGS_AS_ERRORS "Stop a build at its first warning" OFF)
+
+# Flags on which the bits of results depend. Programs that use the installed engine are compiled with them too,
+# because much of the engine's arithmetic stands in its headers.
+add_library(thaum_arithmetic INTERFACE)
+add_library(Thaum::arithmetic ALIAS thaum_arithmetic)
+set(THAUM_ARITHMETIC -ffp-contract=off)
 if(THAUM_PORTABLE)
     # Vectors of eight floats are passed differently with and without AVX. All code that passes them is
     # compiled here, in one way.
-    target_compile_options(thaum_flags INTERFACE -Wno-psabi)
+    list(APPEND THAUM_ARITHMETIC -Wno-psabi)
 else()
     # No FMA: GCC 12 joins neighbouring additions and subtractions into vfmaddsub whatever -ffp-contract says,
     # and then two builds differ in the last bit.
-    target_compile_options(thaum_flags INTERFACE -march=x86-64-v3 -mno-fma)
+    list(APPEND THAUM_ARITHMETIC -march=x86-64-v3 -mno-fma)
 endif()
+target_compile_options(thaum_arithmetic INTERFACE "$<$<COMPILE_LANGUAGE:C,CXX>:${THAUM_ARITHMETIC}>")
+target_compile_features(thaum_arithmetic INTERFACE cxx_std_20)
+set_target_properties(thaum_arithmetic PROPERTIES EXPORT_NAME arithmetic)
+
+# Flags of our own builds alone.
+add_library(thaum_flags INTERFACE)
+target_link_libraries(thaum_flags INTERFACE thaum_arithmetic)
+target_compile_options(thaum_flags INTERFACE -Wall -Wextra -Wpedantic -Wconversion)
+if(THAUM_WARNINGS_AS_ERRORS)
+    target_compile_options(thaum_flags INTERFACE -Werror)
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # Keeps the compiler from collecting garbage below this many kB; collecting takes a tenth of its time.
+    target_compile_options(thaum_flags INTERFACE --param=ggc-min-heapsize=1000000)
+    if(CMAKE_UNITY_BUILD)
+        # GCC takes an anonymous namespace in an included source for one in a header.
+        target_compile_options(thaum_flags INTERFACE -Wno-subobject-linkage)
+    endif()
+elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    # Loops carry a hint for GCC (ivdep) that clang does not know.
+    target_compile_options(thaum_flags INTERFACE -Wno-unknown-pragmas)
+endif()
+# Flags for sources that run before the processor check, and before the sanitizers have set up their memory.
+set(THAUM_ANY_PROCESSOR -march=x86-64 -fno-sanitize=all)
 if(THAUM_SANITIZE)
     target_compile_options(thaum_flags INTERFACE -fsanitize=${THAUM_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(thaum_flags INTERFACE -fsanitize=${THAUM_SANITIZE})
-    # The sanitizers' code confuses this warning of GCC, even in std::regex. The release build has the
-    # warning.
-    target_compile_options(thaum_flags INTERFACE -Wno-maybe-uninitialized)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+        # The sanitizers' code confuses this warning of GCC, even in std::regex. The release build has the
+        # warning.
+        target_compile_options(thaum_flags INTERFACE -Wno-maybe-uninitialized)
+    endif()
     if(THAUM_SANITIZE MATCHES "undefined")
         # No check for null: dereferencing a null pointer ends the program anyway, with the same trace. A
         # check before each access costs build and run time. Without it two faults go unseen: a null that is
@@ -61,11 +82,7 @@ if(THAUM_SANITIZE)
     endif()
 endif()
 
-set(CMAKE_CXX_FLAGS_RELEASE "-O3 -g1")
-set(CMAKE_CXX_FLAGS_DEBUG "-O0 -g1")
-set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O1 -g1")
-
 find_program(CCACHE ccache)
-if(CCACHE)
+if(CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()

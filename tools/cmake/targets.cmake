@@ -1,10 +1,16 @@
-# thaum_engine(core SOURCES ... LINK ...): one engine folder as one static library. Includes are written from
-# engine/ ("core/error.h") and, for the game, from the top ("game/match/simulation.h").
+# thaum_engine(core SOURCES ... LINK ...): one engine folder as one static library, thaum_core here and
+# Thaum::core for its users. Includes are written from engine/ ("core/error.h") and, for the game, from the top
+# ("game/match/simulation.h").
 function(thaum_engine name)
     cmake_parse_arguments(ARG "" "" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
     add_library(thaum_${name} STATIC ${ARG_SOURCES})
-    target_include_directories(thaum_${name} PUBLIC ${PROJECT_SOURCE_DIR}/engine)
-    target_link_libraries(thaum_${name} PUBLIC ${ARG_LINK} PRIVATE thaum_flags ${ARG_PRIVATE_LINK})
+    add_library(Thaum::${name} ALIAS thaum_${name})
+    set_target_properties(thaum_${name} PROPERTIES EXPORT_NAME ${name})
+    target_include_directories(thaum_${name} PUBLIC
+        $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/engine> $<INSTALL_INTERFACE:${THAUM_HEADERS}>)
+    target_link_libraries(thaum_${name}
+        PUBLIC thaum_arithmetic ${ARG_LINK}
+        PRIVATE $<BUILD_INTERFACE:thaum_flags> ${ARG_PRIVATE_LINK})
 endfunction()
 
 # thaum_quick_to_build(TARGETS...): targets that compute little themselves are compiled without optimisation

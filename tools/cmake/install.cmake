@@ -1,0 +1,52 @@
+# What `cmake --install` puts where. Component "engine": headers, static libraries and the files by which CMake
+# and pkg-config find them. Component "program": thaum, thaum-bench and their data.
+include(CMakePackageConfigHelpers)
+set(THAUM_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/Thaum)
+
+# ---- the engine ------------------------------------------------------------------------------------------------
+
+# render needs a window system's libraries, so it is a package component of its own.
+set(libraries core ecs field physics fluid haptics input)
+list(TRANSFORM libraries PREPEND thaum_ OUTPUT_VARIABLE targets)
+install(TARGETS thaum_arithmetic ${targets} EXPORT ThaumTargets COMPONENT engine)
+install(TARGETS thaum_render EXPORT ThaumRenderTargets COMPONENT engine)
+foreach(exported ThaumTargets ThaumRenderTargets)
+    install(EXPORT ${exported} NAMESPACE Thaum:: DESTINATION ${THAUM_PACKAGE_DIR} COMPONENT engine)
+endforeach()
+
+# Headers in detail/ belong to their folder alone.
+foreach(library ${libraries} render)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/engine/${library} DESTINATION ${THAUM_HEADERS} COMPONENT engine
+        FILES_MATCHING PATTERN "*.h" PATTERN detail EXCLUDE)
+endforeach()
+
+configure_package_config_file(
+    ${CMAKE_CURRENT_LIST_DIR}/ThaumConfig.cmake.in ${PROJECT_BINARY_DIR}/ThaumConfig.cmake
+    INSTALL_DESTINATION ${THAUM_PACKAGE_DIR} NO_SET_AND_CHECK_MACRO)
+# Before 1.0 every minor version may change what users call.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/ThaumConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/ThaumConfig.cmake ${PROJECT_BINARY_DIR}/ThaumConfigVersion.cmake
+    DESTINATION ${THAUM_PACKAGE_DIR} COMPONENT engine)
+
+# pkg-config's flags are those that the exported targets carry. A library stands before those it needs.
+list(REVERSE targets)
+list(TRANSFORM targets PREPEND -l)
+list(JOIN targets " " THAUM_PKG_LIBRARIES)
+list(JOIN THAUM_ARITHMETIC " " THAUM_PKG_FLAGS)
+# The prefix is where the file is found, so an installation may be moved.
+file(RELATIVE_PATH THAUM_PKG_TO_PREFIX
+    ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+foreach(package thaum thaum-render)
+    configure_file(${CMAKE_CURRENT_LIST_DIR}/${package}.pc.in ${PROJECT_BINARY_DIR}/${package}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/${package}.pc
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT engine)
+endforeach()
+
+# ---- the program -----------------------------------------------------------------------------------------------
+
+# Folders as game::find_assets and game::scenarios_beside look for them.
+set(THAUM_DATA ${CMAKE_INSTALL_DATADIR}/thaum)
+install(TARGETS thaum thaum-bench COMPONENT program)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets DESTINATION ${THAUM_DATA} COMPONENT program
+    PATTERN pictures EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tests/scenarios DESTINATION ${THAUM_DATA}/assets COMPONENT program)
