@@ -15,12 +15,13 @@ stop() {
     exit 1
 }
 
-# run FOLDER_OF_PROGRAMS RESULTS: starts every example, and keeps what each prints and writes.
+# run_examples PROGRAMS RESULTS: starts every example, and keeps what each prints and writes.
 run_examples() {
     local programs=$1 results=$2 name
     mkdir -p "$results"
     for name in entities felt_sphere balanced_forces; do
-        "$programs/example_$name" >"$results/$name" 2>&1 || stop "$name ends with an error: $(tail -n 1 "$results/$name")"
+        "$programs/example_$name" >"$results/$name" 2>&1 ||
+            stop "$name ends with an error: $(tail -n 1 "$results/$name")"
     done
     "$programs/example_stirred_bowl" "$results/bowl.nrrd" >"$results/stirred_bowl" || stop "the bowl was not written"
     "$programs/example_log_to_csv" "$log" >"$results/log.csv" 2>"$results/log_to_csv" || stop "$log was not read"
@@ -64,7 +65,8 @@ expect_same "$place/in_tree.png" "$place/by_cmake.png" "find_package: the pictur
 
 # ---- pkg-config ------------------------------------------------------------------------------------------------
 
-export PKG_CONFIG_PATH=$prefix/lib/pkgconfig:$prefix/lib64/pkgconfig:$(echo "$prefix"/lib/*/pkgconfig)
+PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name thaum.pc)")
+export PKG_CONFIG_PATH
 mkdir "$place/by_pkg_config"
 # shellcheck disable=SC2046  # pkg-config prints several words
 "$compiler" -O2 "$source/engine/examples/stirred_bowl.cpp" $(pkg-config --cflags --libs thaum) -o "$place/bowl"
