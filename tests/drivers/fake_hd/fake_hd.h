@@ -1,6 +1,8 @@
-// tests/drivers/fake_hd/fake_hd.h: what the make-believe libHD.so tells tests beyond what a real one tells programs. Found by name:
+// tests/drivers/fake_hd/fake_hd.h: functions that the make-believe libHD.so has for tests, beyond those of a real one. They
+// are found by name:
 //
 //     auto report = reinterpret_cast<FakeHdReport (*)()>(dlsym(library, "fakeHdReport"));
+//     auto of_arm = reinterpret_cast<FakeHdReport (*)(int)>(dlsym(library, "fakeHdReportOf"));  // 0 or 1
 #pragma once
 #include <array>
 #include <cstdint>
@@ -22,8 +24,10 @@ struct FakeHdReport {
     std::array<double, 3> force;                      ///< N, that the arm exerts now
     double greatest_force;                            ///< N, of any tick
     std::array<double, 3> position;                   ///< m, where the tip is
-    std::uint64_t calls_after_end;  ///< of tasks, after the device was disabled (callback=after_end)
-    std::array<double, 3> left;     ///< force at hdDisableDevice (N): a real arm may go on exerting it
+    std::uint64_t calls_after_end;   ///< of tasks, after the device was disabled (callback=after_end)
+    std::array<double, 3> left;      ///< force at hdDisableDevice (N): a real arm may go on exerting it
+    std::uint64_t stops_with_force;  ///< calls of hdStopScheduler that left an arm with a force
+    std::uint64_t stops;             ///< calls of hdStopScheduler
 };
 
 /// The file of the word `live`, which stays behind when the program dies.

@@ -1,4 +1,4 @@
-// The make-believe library itself: a simulated arm in a simulated hand, the rules that it holds programs to, and its clock.
+// The make-believe library itself: two simulated arms in simulated hands, the rules that it enforces, and its clock.
 #pragma once
 #include <atomic>
 #include <map>
@@ -15,7 +15,7 @@ namespace thaum::fake_hd {
 
 using Callback = unsigned int (*)(void*);
 
-constexpr unsigned int only_handle = 7, no_handle = 0xffffffff;
+constexpr unsigned int first_handle = 7, second_handle = 8, no_handle = 0xffffffff;
 constexpr double max_force = 3.3;     // N
 constexpr double absurd_force = 100;  // N: a force in mN or a stiffness for N/m was meant
 
@@ -43,26 +43,36 @@ struct Task {
     bool synchronous;
 };
 
-struct Library {
-    std::mutex mutex{};  // of all below, but while a task runs
-    Script script = read_script();
+/// One arm that is plugged in.
+struct Device {
+    unsigned int handle{};
+    Script script{};
     haptics::SimulatedDevice device{};
     haptics::SimulatedState arm{};
     bool initiated = false, frame = false, force_output = false, clamping = false, updated = false;
-    vec3 told{};  // N, by the last frame that ended
-    vec3 setting{};
+    vec3 told{};     ///< force of the last frame that ended (N)
+    vec3 setting{};  ///< force set in the open frame (N)
+    std::uint64_t ticks = 0;
+    FakeHdReport report{};       ///< force, greatest force, position and force at the end
+    FakeHdLive* live = nullptr;  ///< mapped file, which is never unmapped
+    std::vector<std::array<double, 6>> recorded{};
+    int buttons = 0;
+    bool went_wrong = false, came_back = false;
+    std::uint64_t refused = 0;
+    std::uint64_t felt_at = 0;  ///< tick of the first force; 0: none yet
+};
+
+struct Library {
+    std::mutex mutex{};               // guards the members below, except while a task runs
+    Script script = read_script();    // of the first arm and of the library
+    std::array<Device, 2> devices{};  // the second is there if $FAKE_HD_SECOND is set
+    std::size_t current = 0;          // index of the current device
     std::vector<unsigned int> errors{};
     std::vector<Task> tasks{};
     Task newest_ticks{};  // the asynchronous task scheduled last
     unsigned long next_task = 1;
-    FakeHdReport report{};
-    FakeHdLive* live = nullptr;  // the file's, for ever
-    std::vector<std::array<double, 6>> recorded{};
+    FakeHdReport report{};                         // ticks, broken rules, calls after the end, stops
     std::map<std::string, std::uint64_t> calls{};  // of functions that misbehave
-    int buttons = 0;
-    bool went_wrong = false, came_back = false;
-    std::uint64_t refused = 0;
-    std::uint64_t felt_at = 0;  // tick of the first force; 0: none yet
 
     std::thread thread{}, second_thread{};
     std::atomic<bool> running{false};
@@ -80,22 +90,23 @@ void push(Library& l, unsigned int code);
 /// A rule was broken: counted, and an error.
 void broken(Library& l, FakeHdRule rule, unsigned int code);
 bool on_own_thread(const Library& l);
-/// Whether state may be asked for or set now.
+/// Whether state of the current device may be asked for or set now.
 bool may(Library& l);
 
+Device& current(Library& l);
 /// A program takes the device.
-void take_device(Library& l);
-/// It lets go of it.
-void let_go(Library& l);
-/// N: what the arm exerts now.
-vec3 exerted(const Library& l);
-/// One ms of the arm.
-void move_arm(Library& l);
-void update_live(Library& l);
+void take_device(Library& l, Device& d);
+/// The program frees the device.
+void let_go(Device& d);
+/// Force that the arm exerts now (N).
+vec3 exerted(const Device& d);
+/// Moves every arm that a program has by 1 ms.
+void move_arms(Library& l);
+void update_live(Device& d);
 /// Whether it is time to go wrong in that way. Once is enough for an arm that comes back.
-bool goes_wrong(Library& l, const char* word);
-/// An arm that went wrong: true while it is not there.
-bool is_missing(Library& l);
+bool goes_wrong(Device& d, const char* word);
+/// Whether an arm that went wrong is not there.
+bool is_missing(Device& d);
 
 // Without the mutex.
 

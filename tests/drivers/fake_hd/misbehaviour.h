@@ -10,9 +10,9 @@ unsigned int misbehave(Library& l, const char* call);
 // While the mutex is held.
 
 /// mm: where the tip is measured.
-vec3 measured_mm(Library& l);
+vec3 measured_mm(const Device& d);
 /// 16 numbers, column by column. The stylus leans with the place, 10 rad/m, as an arm's does.
-void put_transform(Library& l, double* to);
+void put_transform(const Device& d, double* to);
 /// A limit, told in any place; false where the name is none's.
 bool put_limit(const Library& l, unsigned int name, double* to);
 int degrees_of_freedom(const Library& l, int well);

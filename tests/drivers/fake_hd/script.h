@@ -6,6 +6,7 @@
 //     mute              hdGetString says nothing and no limits are told
 //     felt              ticks of what follows are counted from the first tick with a force
 //     vanish=N          at tick N the arm no longer answers;  warm=N: its motors are too warm
+//     name=NAME         of the second arm, whose script is $FAKE_HD_SECOND: the device name that opens it (Right)
 //     back=K            after a vanish, a stop or a warm hdInitDevice fails K times, and then all is well
 //     nan=N             tick N and the nine after it measure no number
 //     late=N            every Nth tick comes 5 ms late;  burst: and what was missed follows at once
@@ -61,8 +62,9 @@ struct Script {
 
 /// Parses words with commas between them.
 Script script_of(const std::string& text);
-/// Script in $FAKE_HD.
+/// Script in $FAKE_HD, and that of the second arm in $FAKE_HD_SECOND.
 Script read_script();
+Script read_second_script();
 Place place_at(const std::vector<Place>& path, double ms);
 
 }  // namespace thaum::fake_hd
