@@ -1,10 +1,10 @@
-// A program that holds a force of 1 N with an arm for 300 ticks, and says in one line how that went: "played", "lost: ..." or
-// "refused: ...". It waits half a second for calls of the library.
+// A program that holds a force of 1 N with an arm for 300 ticks, and says in one line how that went: "played",
+// "lost: ..." or "refused: ...". It waits half a second for calls of the library.
 //     arm_probe LIBRARY [END]
-// END: how it ends instead, after 100 ticks: fault, abort, assertion, exception, exit, overrun (of the stack), divide, pipe
-// (nobody reads), raise=SIGNAL; the same after "tick_": in the arm's own thread, after "beside_": at once in two threads beside
-// the main one. wait: until it is killed; ending: the same, once it has told the arm to be silent. impatient: somebody has
-// asked for the end before the arm is opened.
+// END: how it ends instead, after 100 ticks: fault, abort, assertion, exception, exit, overrun (of the stack),
+// divide, pipe (nobody reads), raise=SIGNAL; the same after "tick_": in the arm's own thread, after "beside_":
+// at once in two threads beside the main one. wait: until it is killed; ending: the same, once it has told the
+// arm to be silent. impatient: somebody has asked for the end before the arm is opened.
 #include <dlfcn.h>
 #include <unistd.h>
 

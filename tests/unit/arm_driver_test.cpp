@@ -1,5 +1,5 @@
-// Opening arms by any driver: what the engine does for a driver that only reads and writes (tests/drivers/fake_arm), and for
-// drivers that hang, fail or lie.
+// Opening arms by any driver: what the engine does for a driver that only reads and writes
+// (tests/drivers/fake_arm), and for drivers that hang, fail or lie.
 #include "input/arm_driver.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ struct Pusher {
     }
 };
 
-// ---- a driver of the test, whose calls go wrong on demand ------------------------------------------------------------------
+// ---- a driver of the test, whose calls go wrong on demand -------------------------------------------------
 
 std::atomic<bool> open_hangs{false}, close_hangs{false}, start_fails{false};
 std::atomic<double> told_peak{1};
@@ -134,7 +134,7 @@ std::unique_ptr<ArmDriver> make_hanging(const std::string&) { return std::make_u
 const ArmDriverRegistration last_driver({.name = "zz", .about = "", .find = find_one, .make = make_hanging});
 const ArmDriverRegistration first_driver({.name = "aa", .about = "", .find = find_one, .make = make_fickle});
 
-// ---- the list ----------------------------------------------------------------------------------------------------------------
+// ---- the list ---------------------------------------------------------------------------------------------
 
 TEST(ArmDrivers, AreSortedByNameWhateverTheLinkerDid) {
     std::vector<std::string_view> names;
@@ -150,7 +150,7 @@ TEST(ArmDrivers, PlacesListTheArmsOfEachInItsOrder) {
                                                 "zz one"}));
 }
 
-// ---- a driver that reads and writes ------------------------------------------------------------------------------------------
+// ---- a driver that reads and writes -----------------------------------------------------------------------
 
 TEST(ArmDrivers, TheEngineTicksAnArmWithoutAThread) {
     const Live live;
@@ -273,7 +273,7 @@ TEST(ArmDrivers, AnAbsentArmIsSaidToBe) {
     EXPECT_TRUE(says(arm.error().message, "plug it in again"));
 }
 
-// ---- drivers that hang, fail or lie ------------------------------------------------------------------------------------------
+// ---- drivers that hang, fail or lie -----------------------------------------------------------------------
 
 TEST(ArmDrivers, FactsAreChecked) {
     told_peak = 1;
@@ -342,8 +342,8 @@ TEST(ArmDrivers, ACloseThatHangsIsGivenUpWithoutForce) {
     EXPECT_TRUE(eventually([&] { return !arms_hang(); }));
 }
 
-/// A read that never returns: the arm is lost after 0.5 s, and closing it waits no longer than it must. The process cannot use
-/// the driver again, so it is another one.
+/// A read that never returns: the arm is lost after 0.5 s, and closing it waits no longer than it must. The
+/// process cannot use the driver again, so it is another one.
 TEST(ArmDrivers, AReadThatHangsIsALostArm) {
     ::testing::FLAGS_gtest_death_test_style = "fast";
     plug_in("hang=50");
@@ -361,7 +361,7 @@ TEST(ArmDrivers, AReadThatHangsIsALostArm) {
     EXPECT_EXIT(lose(), ::testing::ExitedWithCode(0), "");
 }
 
-// ---- ends --------------------------------------------------------------------------------------------------------------------
+// ---- ends -------------------------------------------------------------------------------------------------
 
 /// Two arms are pushed while the program ends.
 struct TwoPushed {

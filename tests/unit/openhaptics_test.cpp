@@ -103,7 +103,7 @@ struct Way {
     Way& operator=(const Way&) = delete;
 };
 
-// ---- opening -------------------------------------------------------------------------------------------------------------
+// ---- opening ----------------------------------------------------------------------------------------------
 
 TEST(OpenHaptics, NoLibrary) {
     const auto arm = open_by("/nowhere/libHD.so");
@@ -171,7 +171,7 @@ TEST(OpenHaptics, TellsWhatTheArmIs) {
     EXPECT_EQ(facts.spec.update_rate, 1000);
 }
 
-// ---- ticks ---------------------------------------------------------------------------------------------------------------
+// ---- ticks ------------------------------------------------------------------------------------------------
 
 TEST(OpenHaptics, TicksByTheRules) {
     Hand hand;
@@ -188,8 +188,8 @@ TEST(OpenHaptics, TicksByTheRules) {
     expect_no_rule_broken();
 }
 
-/// The hand holds 10 mm to the right against a spring: where forces are in N, metres in metres and the frames agree, both
-/// springs balance, but for the dry friction.
+/// The hand holds 10 mm to the right against a spring: where forces are in N, metres in metres and the frames
+/// agree, both springs balance, but for the dry friction.
 TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     const Way right("0 10 0 0 0\n");
     Hand hand;
@@ -268,7 +268,7 @@ TEST(OpenHaptics, LeavesTheArmWithoutForceWhateverTheNumberOfItsTask) {
     expect_no_rule_broken();
 }
 
-// ---- things that go wrong --------------------------------------------------------------------------------------------------
+// ---- things that go wrong ---------------------------------------------------------------------------------
 
 TEST(OpenHaptics, AnArmThatVanishesIsLost) {
     Hand hand;
@@ -336,7 +336,7 @@ TEST(OpenHaptics, LateTicksAreCounted) {
     EXPECT_GE(times.jitter_worst, 4000);
 }
 
-// ---- two arms ---------------------------------------------------------------------------------------------------------------
+// ---- two arms ---------------------------------------------------------------------------------------------
 
 FakeHdReport report_of(int arm) { return function<FakeHdReport (*)(int)>("fakeHdReportOf")(arm); }
 
@@ -463,7 +463,7 @@ TEST(ArmEnds, AFaultInTheLibrarysThreadLeavesNoArmWithAForce) {
     }
 }
 
-// ---- the judge -------------------------------------------------------------------------------------------------------------
+// ---- the judge --------------------------------------------------------------------------------------------
 
 /// The make-believe library sees what it is there to see.
 TEST(FakeHd, SeesWhereRulesAreBroken) {

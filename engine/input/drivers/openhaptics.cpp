@@ -1,12 +1,14 @@
-// Driver for arms of the Phantom class (Touch, Omni, Premium), through the vendor's libHD.so. The library is loaded when an arm
-// is opened, and is never linked. Its declarations are our own, made from the documented constants and signatures of its C
-// functions. tests/drivers/fake_hd enforces the rules that we believe it has.
+// Driver for arms of the Phantom class (Touch, Omni, Premium), through the vendor's libHD.so. The library is
+// loaded when an arm is opened, and is never linked. Its declarations are our own, made from the documented
+// constants and signatures of its C functions. tests/drivers/fake_hd enforces the rules that we believe it has.
 //
-// The library has one servo thread, which calls us for every arm. It is never unloaded, because it cannot be loaded twice.
+// The library has one servo thread, which calls us for every arm. It is never unloaded, because it cannot be
+// loaded twice.
 //
-// Several arms: $THAUM_HD_ARMS lists their names in the vendor's setup, with commas between them. The library has one current
-// device for all threads, so only its own thread may choose among several. Its devices are therefore opened and closed
-// while the scheduler stands still, as documented: the other arms are first told to exert nothing.
+// Several arms: $THAUM_HD_ARMS lists their names in the vendor's setup, with commas between them. The library
+// has one current device for all threads, so only its own thread may choose among several. Its devices are
+// therefore opened and closed while the scheduler stands still, as documented: the other arms are first told to
+// exert nothing.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -26,7 +28,7 @@ using namespace hd;
 
 namespace {
 
-// ---- calibration -------------------------------------------------------------------------------------------------------
+// ---- calibration ------------------------------------------------------------------------------------------
 
 /// A task in the library's thread. It is never destroyed, because the library may run it late.
 struct Calibration {
@@ -113,7 +115,7 @@ unsigned int on_servo_tick(void* number) {
     return run_arm_tick(ticks) ? callback_continue : callback_done;
 }
 
-// ---- the driver --------------------------------------------------------------------------------------------------------
+// ---- the driver -------------------------------------------------------------------------------------------
 
 class OpenHaptics;
 
@@ -203,7 +205,8 @@ private:
     std::array<char, 96> words_{};                 ///< the library's words for the fault that ended the ticks
 };
 
-/// The frame may have failed, so another one is tried. After a fault of the library's thread another arm may be current.
+/// The frame may have failed, so another one is tried. After a fault of the library's thread another arm may be
+/// current.
 bool OpenHaptics::write_zero() noexcept {
     if (in_frame_)
         api_->hdMakeCurrentDevice(handle_);
@@ -307,7 +310,7 @@ void OpenHaptics::leave() {
     take_error(*api_);
 }
 
-// ---- registration ------------------------------------------------------------------------------------------------------
+// ---- registration -----------------------------------------------------------------------------------------
 
 std::vector<std::string> find_arms() {
     const char* named = std::getenv("THAUM_HD_ARMS");

@@ -1,6 +1,6 @@
-// A make-believe libHD.so: the functions of OpenHaptics that drivers call, with two simulated arms in simulated hands. It
-// enforces the documented rules, counts broken ones, and goes wrong when told to (script.h). It shares no code with the
-// driver that it tests.
+// A make-believe libHD.so: the functions of OpenHaptics that drivers call, with two simulated arms in simulated
+// hands. It enforces the documented rules, counts broken ones, and goes wrong when told to (script.h). It
+// shares no code with the driver that it tests.
 #include <algorithm>
 #include <chrono>
 #include <cstring>
@@ -42,7 +42,8 @@ Device* device_of(Library& l, unsigned int handle) {
     return nullptr;
 }
 
-/// An exported function must not call another one: two of these libraries may be loaded, and the first one's would answer.
+/// An exported function must not call another one: two of these libraries may be loaded, and the first one's
+/// would answer.
 FakeHdReport report_of(std::size_t arm) {
     auto& l = library();
     const Lock lock(l.mutex);

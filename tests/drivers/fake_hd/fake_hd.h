@@ -1,5 +1,5 @@
-// tests/drivers/fake_hd/fake_hd.h: functions that the make-believe libHD.so has for tests, beyond those of a real one. They
-// are found by name:
+// tests/drivers/fake_hd/fake_hd.h: functions that the make-believe libHD.so has for tests, beyond those of a
+// real one. They are found by name:
 //
 //     auto report = reinterpret_cast<FakeHdReport (*)()>(dlsym(library, "fakeHdReport"));
 //     auto of_arm = reinterpret_cast<FakeHdReport (*)(int)>(dlsym(library, "fakeHdReportOf"));  // 0 or 1

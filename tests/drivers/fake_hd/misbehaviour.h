@@ -4,7 +4,8 @@
 
 namespace thaum::fake_hd {
 
-/// What the script makes of a call of this function: it may not return. Without the mutex. An error code: the call fails; 0: it goes on.
+/// What the script makes of a call of this function: it may not return. Without the mutex. An error code: the
+/// call fails; 0: it goes on.
 unsigned int misbehave(Library& l, const char* call);
 
 // While the mutex is held.

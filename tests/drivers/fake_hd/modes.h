@@ -1,5 +1,5 @@
-// Every way in which the make-believe library goes wrong that tests run through, and what must become of a program that holds a force
-// of 1 N meanwhile. The words are script.h's.
+// Every way in which the make-believe library goes wrong that tests run through, and what must become of a
+// program that holds a force of 1 N meanwhile. The words are script.h's.
 #pragma once
 #include <string>
 #include <vector>

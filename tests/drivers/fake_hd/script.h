@@ -1,4 +1,5 @@
-// What $FAKE_HD tells the make-believe library to do: a list of words with commas between them, read at hdInitDevice.
+// What $FAKE_HD tells the make-believe library to do: a list of words with commas between them, read at
+// hdInitDevice.
 //
 //     absent, busy, no_permission, no_licence   hdInitDevice fails
 //     no_null_name      the arm has a name and only that opens it
