@@ -1,7 +1,9 @@
-// input/arm.h: measurements, forces and facts that pass between a force feedback arm and its user. The user gives a
-// function, which the arm's servo thread calls once a tick with a measurement, and which returns the force.
+// input/arm.h: measurements, forces and facts that pass between a force feedback arm and its user. The user
+// gives a function, which the arm's servo thread calls once a tick with a measurement, and which returns the
+// force.
 //
-// A driver quantises its measurements before anything else sees them (1 um, 1 urad), so the integers of a log are exact.
+// A driver quantises its measurements before anything else sees them (1 um, 1 urad), so the integers of a log
+// are exact.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -29,8 +31,8 @@ struct ArmTick {
     void* context{};
 };
 
-/// Facts about an open arm. An arm that pushes in three degrees of freedom gets forces and no torques, however many degrees
-/// it measures.
+/// Facts about an open arm. An arm that pushes in three degrees of freedom gets forces and no torques, however
+/// many degrees it measures.
 struct ArmFacts {
     haptics::DeviceSpec spec{};  ///< unknown numbers are zero, such as mass, friction and quantum
     std::string serial{};
@@ -57,7 +59,8 @@ struct ArmStatus {
     std::int64_t newest_ns{};  ///< time of the newest measurement (ns, monotonic clock); 0: none yet
 };
 
-/// First sentence of the text, for the player's view: "The arm's motors are too warm: let them rest". Empty while present.
+/// First sentence of the text, for the player's view: "The arm's motors are too warm: let them rest". Empty
+/// while present.
 std::string caption_of(const ArmStatus& status);
 
 /// A finite value in whole units, limited to 1e9 of them.

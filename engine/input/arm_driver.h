@@ -1,12 +1,13 @@
-// input/arm_driver.h: the interface of drivers for real force feedback arms. A driver is one .cpp in input/drivers that
-// derives from ArmDriver and registers an ArmDriverKind. Adding a driver changes no other file.
+// input/arm_driver.h: the interface of drivers for real force feedback arms. A driver is one .cpp in
+// input/drivers that derives from ArmDriver and registers an ArmDriverKind. Adding a driver changes no other
+// file.
 //
 //     class Mine : public ArmDriver { open, spec, read, write, status, close };
 //     const ArmDriverRegistration mine({.name = "mine", .about = "...", .find = find_mine, .make = make_mine});
 //
-// The engine (input/open_arm.h) does the rest for every driver. It runs the servo thread, unless the vendor's library has
-// one. It gives up calls that hang, limits the force, and makes it zero at every end of the program. It reports an arm
-// without ticks as lost, and it cleans the vendor's texts.
+// The engine (input/open_arm.h) does the rest for every driver. It runs the servo thread, unless the vendor's
+// library has one. It gives up calls that hang, limits the force, and makes it zero at every end of the
+// program. It reports an arm without ticks as lost, and it cleans the vendor's texts.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -62,8 +63,9 @@ public:
     virtual ArmStatus status(ArmFault fault) const = 0;
 };
 
-/// Runs one tick of the arm that was started with this number: read, servo step, write. Returns false if the arm takes no
-/// more ticks. A call for an arm that was closed does nothing, so a vendor's library may call at any time.
+/// Runs one tick of the arm that was started with this number: read, servo step, write. Returns false if the
+/// arm takes no more ticks. A call for an arm that was closed does nothing, so a vendor's library may call at
+/// any time.
 bool run_arm_tick(std::uint64_t ticks) noexcept;
 
 /// A driver, as its .cpp registers it.

@@ -14,7 +14,8 @@
 namespace thaum::input {
 namespace {
 
-/// The signal that ends the process; for the alarm that ends a handler which hangs in the vendor's library.
+/// Signal that ends the process. The alarm's handler needs it when another handler hangs in the vendor's
+/// library.
 volatile std::sig_atomic_t ends_by = 0;
 /// Whether this thread is in on_end.
 thread_local volatile std::sig_atomic_t ends_here = 0;

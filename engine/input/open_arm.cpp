@@ -36,7 +36,7 @@ struct OpenArm::State {
 
 namespace {
 
-// ---- arms in use ------------------------------------------------------------------------------------------------------
+// ---- arms in use ------------------------------------------------------------------------------------------
 
 /// Arms that are open, and calls of drivers that hang. Never destroyed, because a thread that hangs may use it late.
 struct Usage {
@@ -88,7 +88,7 @@ Watched run_counted(std::string_view driver, std::int64_t limit_ns, const std::a
     return watched;
 }
 
-// ---- checks -----------------------------------------------------------------------------------------------------------
+// ---- checks -----------------------------------------------------------------------------------------------
 
 /// A number from 0 to `most`; 0 if it is anything else.
 double believable(double value, double most) { return value >= 0 && value <= most ? value : 0; }
@@ -117,7 +117,7 @@ tl::unexpected<Error> cleaned(const Error& error) {
     return tl::unexpected(Error{printable(error.message, most_line)});
 }
 
-// ---- opening and closing, on a thread that may hang -----------------------------------------------------------------------
+// ---- opening and closing, on a thread that may hang -------------------------------------------------------
 
 template <class State>
 Expected<void> take_arm(State& s) {
@@ -174,7 +174,7 @@ void keep_for_ever(const std::shared_ptr<State>& state) {
     kept->push_back(state);
 }
 
-// ---- the engine's servo thread ----------------------------------------------------------------------------------------------
+// ---- the engine's servo thread ----------------------------------------------------------------------------
 
 /// Ticks at 1 kHz until the ticks end. A thread that was given up while the driver hung is no longer counted.
 template <class State>
@@ -225,7 +225,7 @@ Expected<void> start_ticks(const std::shared_ptr<State>& state) {
 
 }  // namespace
 
-// ---- the arm ----------------------------------------------------------------------------------------------------------------
+// ---- the arm ----------------------------------------------------------------------------------------------
 
 OpenArm::OpenArm(std::shared_ptr<State> state) : state_(std::move(state)) {}
 
@@ -281,7 +281,7 @@ ArmStatus OpenArm::status() const {
 TickReport OpenArm::times() const { return state_->ticks->times.report(); }
 bool OpenArm::preferred() const { return state_->ticks->preferred; }
 
-// ---- the list of arms -------------------------------------------------------------------------------------------------------
+// ---- the list of arms -------------------------------------------------------------------------------------
 
 std::vector<ArmPlace> arm_places() {
     constexpr std::int64_t patience_ns = 3'000'000'000;

@@ -5,8 +5,9 @@
 //     (*arm)->start({step, &context});               // step is called at 1 kHz in the arm's servo thread
 //     (*arm)->status();                              // present, lost or fault
 //
-// Drivers and vendors' libraries are not trusted (input/arm_driver.h). A call that never returns is given up after a limit.
-// An arm whose ticks fail to come is lost. A tick that comes too late does nothing. Texts and numbers are checked.
+// Drivers and vendors' libraries are not trusted (input/arm_driver.h). A call that never returns is given up
+// after a limit. An arm whose ticks fail to come is lost. A tick that comes too late does nothing. Texts and
+// numbers are checked.
 #pragma once
 #include <atomic>
 #include <memory>

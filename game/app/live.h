@@ -47,8 +47,8 @@ struct Seat {
 
 /// Seat for a word of --hands: mouse, half, pad, arm or arm:NUMBER.
 Expected<Seat> hand_named(std::string_view word);
-/// Seats for the words of --hands, with commas between them: at most one a player. One player has the mouse. An arm whose
-/// player does not comes with a pad or half a keyboard.
+/// Seats for the words of --hands, with commas between them: at most one a player. Only one player has the
+/// mouse. A player with an arm but without the mouse also has a pad or half of the keyboard.
 Expected<std::vector<Seat>> hands_named(std::string_view words);
 
 /// Delays one thread on purpose, for tests: `ms` of sleep every `every_ms`.

@@ -59,7 +59,21 @@ awk -F, 'NR > 1 { force = $6 ^ 2 + $7 ^ 2 + $8 ^ 2
 play stopped_and_back 6 "path=$folder/calm,felt,stop=1000,back=0"
 grep -q 'the arm is back' "$folder/stopped_and_back.txt" || failed "nobody says that it is back"
 
-# The range and the start screen must work with an arm.
+# Two arms of the library, which has one thread for both, play one match: each player feels shots.
+THAUM_LIBHD=$fake FAKE_HD="path=$folder/way" FAKE_HD_SECOND="path=$folder/calm" THAUM_HD_ARMS="Default Device,Right" "$thaum" --vs --hands arm,arm \
+    --seed 1 --seconds 5 --set haptics.share=1 --set bolt.shot.damage=1 --record "$folder/two.thaumlog" 2>"$folder/two.txt" || { cat "$folder/two.txt"; failed "two arms do not play"; }
+cat "$folder/two.txt"
+[ "$(grep -c '^arm Touch F000000[12]: .*; 0 forces differ' "$folder/two.txt")" -eq 2 ] || failed "two arms: the match computes other forces"
+"$thaum" replay "$folder/two.thaumlog" --verify --forces "$folder/two.csv" || failed "two arms: the replay differs"
+for player in 1 2; do
+    awk -F, -v name="p${player}_fz_n" -v player=$player '
+        NR == 1 { for (i = 1; i <= NF; i++) if ($i == name) column = i; next }
+        { if ($column > most) most = $column; if ($column > 1 && before <= 1) shots++; before = $column }
+        END { print "player", player, "feels", shots + 0, "shots of", most, "N"; exit !(shots >= 3 && most > 1.1 && most < 1.3) }' \
+        "$folder/two.csv" || failed "two arms: player $player feels no shots"
+done
+
+# The range and the start screen know an arm.
 THAUM_LIBHD=$fake FAKE_HD="path=$folder/way" "$thaum" range --hands arm --seconds 3 >"$folder/range.txt" 2>&1 || failed "no range by arm"
 cat "$folder/range.txt"
 grep -Eq 'range: [0-9]+ of [1-9]' "$folder/range.txt" || failed "its button does not shoot on the range"

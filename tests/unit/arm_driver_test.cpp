@@ -1,5 +1,5 @@
-// Opening arms by any driver: what the engine does for a driver that only reads and writes (tests/drivers/fake_arm), and for
-// drivers that hang, fail or lie.
+// Opening arms by any driver: what the engine does for a driver that only reads and writes
+// (tests/drivers/fake_arm), and for drivers that hang, fail or lie.
 #include "input/arm_driver.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ struct Pusher {
     }
 };
 
-// ---- a driver of the test, whose calls go wrong on demand ------------------------------------------------------------------
+// ---- a driver of the test, whose calls go wrong on demand -------------------------------------------------
 
 std::atomic<bool> open_hangs{false}, close_hangs{false}, start_fails{false};
 std::atomic<double> told_peak{1};
@@ -134,7 +134,7 @@ std::unique_ptr<ArmDriver> make_hanging(const std::string&) { return std::make_u
 const ArmDriverRegistration last_driver({.name = "zz", .about = "", .find = find_one, .make = make_hanging});
 const ArmDriverRegistration first_driver({.name = "aa", .about = "", .find = find_one, .make = make_fickle});
 
-// ---- the list ----------------------------------------------------------------------------------------------------------------
+// ---- the list ---------------------------------------------------------------------------------------------
 
 TEST(ArmDrivers, AreSortedByNameWhateverTheLinkerDid) {
     std::vector<std::string_view> names;
@@ -150,7 +150,7 @@ TEST(ArmDrivers, PlacesListTheArmsOfEachInItsOrder) {
                                                 "zz one"}));
 }
 
-// ---- a driver that reads and writes ------------------------------------------------------------------------------------------
+// ---- a driver that reads and writes -----------------------------------------------------------------------
 
 TEST(ArmDrivers, TheEngineTicksAnArmWithoutAThread) {
     const Live live;
@@ -273,7 +273,7 @@ TEST(ArmDrivers, AnAbsentArmIsSaidToBe) {
     EXPECT_TRUE(says(arm.error().message, "plug it in again"));
 }
 
-// ---- drivers that hang, fail or lie ------------------------------------------------------------------------------------------
+// ---- drivers that hang, fail or lie -----------------------------------------------------------------------
 
 TEST(ArmDrivers, FactsAreChecked) {
     told_peak = 1;
@@ -342,8 +342,8 @@ TEST(ArmDrivers, ACloseThatHangsIsGivenUpWithoutForce) {
     EXPECT_TRUE(eventually([&] { return !arms_hang(); }));
 }
 
-/// A read that never returns: the arm is lost after 0.5 s, and closing it waits no longer than it must. The process cannot use
-/// the driver again, so it is another one.
+/// A read that never returns: the arm is lost after 0.5 s, and closing it waits no longer than it must. The
+/// process cannot use the driver again, so it is another one.
 TEST(ArmDrivers, AReadThatHangsIsALostArm) {
     ::testing::FLAGS_gtest_death_test_style = "fast";
     plug_in("hang=50");
@@ -361,7 +361,7 @@ TEST(ArmDrivers, AReadThatHangsIsALostArm) {
     EXPECT_EXIT(lose(), ::testing::ExitedWithCode(0), "");
 }
 
-// ---- ends --------------------------------------------------------------------------------------------------------------------
+// ---- ends -------------------------------------------------------------------------------------------------
 
 /// Two arms are pushed while the program ends.
 struct TwoPushed {
@@ -376,56 +376,52 @@ struct TwoPushed {
     }
 };
 
-void expect_end(const std::function<void()>& end, int signal) {
+/// Runs a program that pushes with two arms and is ended by a signal. Neither arm may keep its force.
+void expect_end(const std::function<void(const Live&, const Live&)>& program, int signal) {
     ::testing::FLAGS_gtest_death_test_style = "fast";
     const Live one, two;
     plug_in(one.word() + ";" + two.word());
-    EXPECT_EXIT(
-        {
-            static TwoPushed arms;
-            arms.start(one, two);
-            end();
-            for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
-        },
-        ::testing::KilledBySignal(signal), "");
+    EXPECT_EXIT(program(one, two), ::testing::KilledBySignal(signal), "");
     EXPECT_EQ(one.now().greatest_force, 1);
     EXPECT_EQ(two.now().greatest_force, 1);
     EXPECT_EQ(one.push(), 0);
     EXPECT_EQ(two.push(), 0);
 }
 
+[[noreturn]] void wait_for_the_end() {
+    for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
+}
+
+void push_and_get(int signal, const Live& one, const Live& two) {
+    static TwoPushed arms;
+    arms.start(one, two);
+    ::kill(::getpid(), signal);
+    wait_for_the_end();
+}
+
 TEST(ArmEnds, EveryArmIsWithoutForceAfterASignal) {
-    expect_end([] { ::kill(::getpid(), SIGTERM); }, SIGTERM);
+    expect_end([](auto& one, auto& two) { push_and_get(SIGTERM, one, two); }, SIGTERM);
 }
 
 TEST(ArmEnds, EveryArmIsWithoutForceAfterAFaultOfTheMainThread) {
-    expect_end([] { std::raise(SIGSEGV); }, SIGSEGV);
+    expect_end([](auto& one, auto& two) { push_and_get(SIGSEGV, one, two); }, SIGSEGV);
 }
 
 /// The servo thread of one arm fails. The other arm's thread still has to end its force.
 TEST(ArmEnds, EveryArmIsWithoutForceAfterAFaultOfOneArmsThread) {
-    ::testing::FLAGS_gtest_death_test_style = "fast";
-    const Live one, two;
-    plug_in(one.word() + ";" + two.word());
-    const auto faulty = [](void* context, const ArmReading&) {
-        auto& ticks = *static_cast<std::atomic<int>*>(context);
-        if (++ticks == 200) std::raise(SIGSEGV);
-        return vec3(0, 0, 1);
+    const auto fail_in_a_tick = [](const Live&, const Live&) {
+        static Pusher pusher;
+        static std::atomic<int> ticks{0};
+        const auto faulty = [](void*, const ArmReading&) {
+            if (++ticks == 200) std::raise(SIGSEGV);
+            return vec3(0, 0, 1);
+        };
+        const auto first = std::move(*open_of("fake", 0));
+        const auto second = std::move(*open_of("fake", 1));
+        if (!first->start(pusher.tick()) || !second->start({faulty, nullptr})) std::_Exit(9);
+        wait_for_the_end();
     };
-    EXPECT_EXIT(
-        {
-            static Pusher pusher;
-            static std::atomic<int> ticks{0};
-            const auto first = std::move(*open_of("fake", 0));
-            const auto second = std::move(*open_of("fake", 1));
-            if (!first->start(pusher.tick()) || !second->start(ArmTick(faulty, &ticks))) std::_Exit(9);
-            for (;;) std::this_thread::sleep_for(std::chrono::seconds(1));
-        },
-        ::testing::KilledBySignal(SIGSEGV), "");
-    EXPECT_EQ(one.now().greatest_force, 1);
-    EXPECT_EQ(two.now().greatest_force, 1);
-    EXPECT_EQ(one.push(), 0);
-    EXPECT_EQ(two.push(), 0);
+    expect_end(fail_in_a_tick, SIGSEGV);
 }
 
 }  // namespace

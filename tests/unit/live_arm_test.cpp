@@ -54,7 +54,7 @@ TEST(Hands, WordsThatAreWrongAreRefused) {
         EXPECT_FALSE(hands_named(words)) << words;
 }
 
-// ---- opening -----------------------------------------------------------------------------------------------------------
+// ---- opening ----------------------------------------------------------------------------------------------
 
 const haptics::DeviceSpec wanted{.name = "Touch", .peak_force = 3.3};
 

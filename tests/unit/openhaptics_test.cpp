@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -102,7 +103,7 @@ struct Way {
     Way& operator=(const Way&) = delete;
 };
 
-// ---- opening -------------------------------------------------------------------------------------------------------------
+// ---- opening ----------------------------------------------------------------------------------------------
 
 TEST(OpenHaptics, NoLibrary) {
     const auto arm = open_by("/nowhere/libHD.so");
@@ -170,7 +171,7 @@ TEST(OpenHaptics, TellsWhatTheArmIs) {
     EXPECT_EQ(facts.spec.update_rate, 1000);
 }
 
-// ---- ticks ---------------------------------------------------------------------------------------------------------------
+// ---- ticks ------------------------------------------------------------------------------------------------
 
 TEST(OpenHaptics, TicksByTheRules) {
     Hand hand;
@@ -187,8 +188,8 @@ TEST(OpenHaptics, TicksByTheRules) {
     expect_no_rule_broken();
 }
 
-/// The hand holds 10 mm to the right against a spring: where forces are in N, metres in metres and the frames agree, both
-/// springs balance, but for the dry friction.
+/// The hand holds 10 mm to the right against a spring: where forces are in N, metres in metres and the frames
+/// agree, both springs balance, but for the dry friction.
 TEST(OpenHaptics, AWallHoldsTheHandAsItsStiffnessSays) {
     const Way right("0 10 0 0 0\n");
     Hand hand;
@@ -267,7 +268,7 @@ TEST(OpenHaptics, LeavesTheArmWithoutForceWhateverTheNumberOfItsTask) {
     expect_no_rule_broken();
 }
 
-// ---- things that go wrong --------------------------------------------------------------------------------------------------
+// ---- things that go wrong ---------------------------------------------------------------------------------
 
 TEST(OpenHaptics, AnArmThatVanishesIsLost) {
     Hand hand;
@@ -335,7 +336,134 @@ TEST(OpenHaptics, LateTicksAreCounted) {
     EXPECT_GE(times.jitter_worst, 4000);
 }
 
-// ---- the judge -------------------------------------------------------------------------------------------------------------
+// ---- two arms ---------------------------------------------------------------------------------------------
+
+FakeHdReport report_of(int arm) { return function<FakeHdReport (*)(int)>("fakeHdReportOf")(arm); }
+
+/// The arms of the default device and of the one named Right, with a script each.
+struct TwoArms {
+    std::unique_ptr<OpenArm> first{}, second{};
+    Hand left{}, right{};
+
+    TwoArms(const std::string& words, const std::string& second_words) {
+        tell(words);
+        ::setenv("FAKE_HD_SECOND", second_words.c_str(), 1);
+        ::setenv("THAUM_HD_ARMS", "Default Device,Right", 1);
+        first = opened(0);
+        second = opened(1);
+    }
+    ~TwoArms() {
+        ::unsetenv("FAKE_HD_SECOND");
+        ::unsetenv("THAUM_HD_ARMS");
+    }
+    TwoArms(const TwoArms&) = delete;
+    TwoArms& operator=(const TwoArms&) = delete;
+
+    static Expected<std::unique_ptr<OpenArm>> try_to_open(std::size_t number) {
+        ::setenv("THAUM_LIBHD", FAKE_HD, 1);
+        for (const auto& place : arm_places())
+            if (place.kind->name == "openhaptics" && number-- == 0) return open_arm(place);
+        return fail("no such arm");
+    }
+    static std::unique_ptr<OpenArm> opened(std::size_t number) {
+        auto arm = try_to_open(number);
+        EXPECT_TRUE(arm) << arm.error().message;
+        return arm ? std::move(*arm) : nullptr;
+    }
+    bool start() { return first && second && first->start(left.tick()) && second->start(right.tick()); }
+    bool pushes(double left_n, double right_n) const {
+        return report_of(0).force[2] == left_n && report_of(1).force[2] == right_n;
+    }
+};
+
+/// Each hand holds another place, and each arm gets another force: nothing of one arm reaches the other.
+TEST(OpenHaptics, TwoArmsHaveTheirOwnPlacesAndForces) {
+    const Way right("0 10 0 0 0\n"), left("0 -10 0 0 1\n");
+    TwoArms arms("path=" + left.file, "path=" + right.file);
+    arms.left.push = 1;
+    arms.right.push = 2;
+    ASSERT_TRUE(arms.start());
+    EXPECT_EQ(arms.first->facts().serial, "F0000001");
+    EXPECT_EQ(arms.second->facts().serial, "F0000002");
+    ASSERT_TRUE(soon([&] { return arms.left.ticks > 300 && arms.right.ticks > 300; }));
+    EXPECT_NEAR(arms.left.x_um, -10'000, 700);
+    EXPECT_NEAR(arms.right.x_um, 10'000, 700);
+    EXPECT_EQ(arms.left.buttons, 1U);
+    EXPECT_EQ(arms.right.buttons, 0U);
+    EXPECT_TRUE(arms.pushes(1, 2));
+    EXPECT_EQ(arms.first->status().state, ArmPresence::present);
+    EXPECT_EQ(arms.second->status().state, ArmPresence::present);
+    expect_no_rule_broken();
+}
+
+/// The library's thread must stand still while an arm is opened or closed: the other arm then has no force.
+TEST(OpenHaptics, OpeningAndClosingOneLeavesTheOther) {
+    TwoArms arms("", "");
+    arms.left.push = 1;
+    arms.right.push = 2;
+    arms.second.reset();
+    ASSERT_TRUE(arms.first->start(arms.left.tick()));
+    ASSERT_TRUE(soon([&] { return report_of(0).force[2] == 1; }));
+    const auto stops = report_of(0).stops;
+    arms.second = TwoArms::opened(1);
+    ASSERT_TRUE(arms.second && arms.second->start(arms.right.tick()));
+    EXPECT_GT(report_of(0).stops, stops);
+    EXPECT_TRUE(soon([&] { return arms.pushes(1, 2); }));
+    arms.first.reset();
+    EXPECT_EQ(report_of(0).left[2], 0);
+    const auto then = arms.right.ticks.load();
+    EXPECT_TRUE(soon([&] { return arms.right.ticks > then + 50 && report_of(1).force[2] == 2; }));
+    EXPECT_EQ(arms.second->status().state, ArmPresence::present);
+    EXPECT_EQ(report_of(1).stops_with_force, 0U);
+    expect_no_rule_broken();
+    arms.second.reset();
+    EXPECT_EQ(report_of(1).left[2], 0);
+}
+
+/// A lost arm is looked for again and again. That must not stop the other one each time.
+TEST(OpenHaptics, AnArmThatIsGoneDoesNotDisturbTheOther) {
+    TwoArms arms("", "vanish=100,back=1000000");
+    arms.left.push = arms.right.push = 1;
+    ASSERT_TRUE(arms.start());
+    ASSERT_TRUE(soon([&] { return arms.second->status().state == ArmPresence::lost; }));
+    EXPECT_TRUE(soon([&] { return report_of(1).force[2] == 0; }));
+    arms.second.reset();
+    EXPECT_TRUE(has(TwoArms::try_to_open(1).error().message, "plug it in"));
+    const auto stops = report_of(0).stops;
+    for (int i = 0; i < 20; ++i) EXPECT_TRUE(has(TwoArms::try_to_open(1).error().message, "plug it in"));
+    EXPECT_EQ(report_of(0).stops, stops);
+    const auto then = arms.left.ticks.load();
+    EXPECT_TRUE(soon([&] { return arms.left.ticks > then + 50 && report_of(0).force[2] == 1; }));
+    EXPECT_EQ(arms.first->status().state, ArmPresence::present);
+    EXPECT_EQ(report_of(0).stops_with_force, 0U);
+    expect_no_rule_broken();
+}
+
+/// One thread of the library serves both arms: where one arm's step fails, neither keeps its force.
+TEST(ArmEnds, AFaultInTheLibrarysThreadLeavesNoArmWithAForce) {
+    ::testing::FLAGS_gtest_death_test_style = "fast";
+    const Way one(""), two("");
+    const auto faulty = [](void* context, const ArmReading&) {
+        if (++*static_cast<std::atomic<int>*>(context) == 200) std::raise(SIGSEGV);
+        return vec3(0, 0, 1);
+    };
+    const auto fail_in_a_tick = [&] {
+        static std::atomic<int> ticks{0};
+        TwoArms arms("live=" + one.file, "live=" + two.file);
+        arms.left.push = 1;
+        if (!arms.first->start(arms.left.tick()) || !arms.second->start({faulty, &ticks})) std::_Exit(9);
+        for (;;) std::this_thread::sleep_for(milliseconds(100));
+    };
+    EXPECT_EXIT(fail_in_a_tick(), ::testing::KilledBySignal(SIGSEGV), "");
+    for (const auto* way : {&one, &two}) {
+        FakeHdLive arm{};
+        std::ifstream(way->file, std::ios::binary).read(reinterpret_cast<char*>(&arm), sizeof arm);
+        EXPECT_EQ(arm.greatest_force, 1);
+        EXPECT_EQ(arm.force[2], 0);
+    }
+}
+
+// ---- the judge --------------------------------------------------------------------------------------------
 
 /// The make-believe library sees what it is there to see.
 TEST(FakeHd, SeesWhereRulesAreBroken) {

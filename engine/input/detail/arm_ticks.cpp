@@ -41,7 +41,7 @@ bool change(std::uint64_t number, Phase from, Phase to) {
     return slot_of(number).gate.compare_exchange_strong(expected, word(number, to));
 }
 
-// ---- the servo thread ------------------------------------------------------------------------------------------------
+// ---- the servo thread -------------------------------------------------------------------------------------
 
 /// A stack for the faults of a vendor's thread, which start_thread has not given one. It ends with the thread.
 struct ThreadsFaultStack {
@@ -78,7 +78,8 @@ bool end_ticks(ArmTicks& ticks, ArmFault fault) {
     return false;
 }
 
-/// Force that answers the measurement (N). std::nullopt if the ticks were closed while the driver kept this call waiting.
+/// Force that answers the measurement (N). std::nullopt if the ticks were closed while the driver kept this
+/// call waiting.
 std::optional<vec3> answer(ArmTicks& ticks, const ArmReading& reading) {
     if (!change(ticks.number, in_driver, in_step)) return {};
     const vec3 force = ticks.tick.step(ticks.tick.context, reading);
@@ -144,7 +145,7 @@ bool close_ticks(ArmTicks& ticks) {
     }
 }
 
-// ---- silence -----------------------------------------------------------------------------------------------------------
+// ---- silence ----------------------------------------------------------------------------------------------
 
 namespace ticks {
 namespace {

@@ -1,6 +1,7 @@
-// input/detail/arm_ticks.h: the servo ticks of open arms, one call per tick of a servo thread. The thread may be a vendor's, and
-// a vendor's library may call at any time: twice at once, from within one of its own functions, or after it was told to
-// stop. So it holds a number and no address, and a call whose number belongs to no open arm does nothing.
+// input/detail/arm_ticks.h: the servo ticks of open arms, one call per tick of a servo thread. The thread may
+// be a vendor's, and a vendor's library may call at any time: twice at once, from within one of its own
+// functions, or after it was told to stop. So it holds a number and no address, and a call whose number belongs
+// to no open arm does nothing.
 #pragma once
 #include <atomic>
 
@@ -31,8 +32,8 @@ bool open_ticks(ArmTicks& ticks);
 /// Runs one tick. Returns false if no more ticks may come.
 bool run_tick(std::uint64_t number) noexcept;
 
-/// After this call the step of the ticks is never called again. Returns false if a tick hangs in the driver: then the ticks
-/// must live for ever.
+/// After this call the step of the ticks is never called again. Returns false if a tick hangs in the driver:
+/// then the ticks must live for ever.
 bool close_ticks(ArmTicks& ticks);
 
 }  // namespace thaum::input

@@ -15,9 +15,9 @@
 namespace thaum::input::hd {
 namespace {
 
-constexpr std::size_t most_said = 80;  // bytes of a name, a number or an error that the library says
+constexpr std::size_t most_said = 80;  ///< length of a text from the library (bytes)
 
-/// A string of the library, which may be no text, very long or without an end.
+/// Printable part of a string from the library. The string may be no text, very long or without an end.
 std::string said(const char* by_library) {
     if (by_library == nullptr) return {};
     return printable({by_library, ::strnlen(by_library, most_said + 4)}, most_said);
@@ -57,7 +57,7 @@ std::string string_of(const Api& api, Name name) {
     return text;
 }
 
-/// 0 for what is no number or not from 0 to `most`.
+/// Answer from 0 to `most`; 0 if it is anything else.
 double number_of(const Api& api, Name name, double most) {
     double value = 0;
     api.hdGetDoublev(name, &value);
@@ -83,7 +83,7 @@ vec3 workspace_of(const Api& api) {
 
 }  // namespace
 
-// ---- loading -----------------------------------------------------------------------------------------------------------
+// ---- loading ----------------------------------------------------------------------------------------------
 
 template <class R, class... Arguments>
 bool Function<R(Arguments...)>::find(void* library, const char* name) {
@@ -105,7 +105,7 @@ struct Loaded {
     Api api{};
 };
 
-/// All that were loaded. Never destroyed.
+/// All loaded libraries. Never destroyed.
 struct LoadedLibraries {
     std::mutex mutex;
     std::list<Loaded> all;
@@ -116,7 +116,7 @@ LoadedLibraries& loaded_libraries() {
     return *libraries;
 }
 
-/// The functions found at the first loading; with another call of the same library they are the same.
+/// Functions found when the library was loaded first. Loading it again finds the same ones.
 const Api* keep(void* library, const Api& api) {
     auto& libraries = loaded_libraries();
     const std::lock_guard lock(libraries.mutex);
@@ -127,7 +127,7 @@ const Api* keep(void* library, const Api& api) {
 
 }  // namespace
 
-/// libHD takes symbols of libraries that it brings along, hence RTLD_GLOBAL.
+// RTLD_GLOBAL: libHD uses symbols of libraries that come with it.
 Expected<const Api*> load(const std::string& name) {
     void* library = ::dlopen(name.c_str(), RTLD_LAZY | RTLD_GLOBAL);
     if (library == nullptr) {
@@ -143,7 +143,7 @@ Expected<const Api*> load(const std::string& name) {
         text(printable(name, 400), " is too old: it lacks ", missing, "; install OpenHaptics 3.4 or newer"));
 }
 
-// ---- errors ------------------------------------------------------------------------------------------------------------
+// ---- errors -----------------------------------------------------------------------------------------------
 
 unsigned int take_error(const Api& api) {
     constexpr int more_than_a_stack = 64;
@@ -190,10 +190,10 @@ std::string advice(const Api& api, unsigned int code) {
     return advice(code, words.data());
 }
 
-// ---- facts and measurements ------------------------------------------------------------------------------------------
+// ---- facts and measurements -------------------------------------------------------------------------------
 
 ArmFacts facts_of(const Api& api) {
-    // No arm of this class is stronger or stiffer; a larger number is another unit or no number at all.
+    // No arm of this class is stronger or stiffer. A larger number is in another unit, or is no number.
     constexpr double most_force = 100, most_stiffness_n_per_mm = 100, most_damping_n_s_per_mm = 1;
     constexpr int most_freedom = 16, most_rate = 100'000;
     ArmFacts facts;

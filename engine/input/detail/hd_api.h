@@ -1,5 +1,5 @@
-// input/detail/hd_api.h: the vendor's libHD.so as the driver sees it: constants and functions, by documented values and signatures, and
-// what the library says of itself, checked before anything else sees it.
+// input/detail/hd_api.h: the vendor's libHD.so: its constants and functions by their documented values and
+// signatures, and its answers, which are checked before anything else sees them.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -58,7 +58,7 @@ struct ErrorInfo {
     Handle device;
 };
 
-/// A function of the library. A call of it is noted for the thread's watchdog.
+/// A function of the library. Each call is noted for the thread's watchdog.
 template <class F>
 class Function;
 
@@ -69,7 +69,7 @@ public:
         const NotedCall note(name_);
         return call_(arguments...);
     }
-    /// Takes the function from the library; false where it has none of that name.
+    /// Looks the function up in the library. Returns false if the library has none of that name.
     bool find(void* library, const char* name);
 
 private:
@@ -77,7 +77,7 @@ private:
     const char* name_{};
 };
 
-/// The functions that the driver calls. All are needed: a library without one of them is too old.
+/// Functions that the driver calls. A library that lacks one of them is too old.
 struct Api {
     Function<Handle(const char*)> hdInitDevice;
     Function<void(Handle)> hdDisableDevice;
@@ -102,28 +102,30 @@ struct Api {
     Function<void(unsigned int)> hdUpdateCalibration;
 };
 
-/// The functions of the library with this file name or path. They live as long as the process: the library is never unloaded.
+/// Loads the library with this file name or path. It is never unloaded, so its functions live as long as the
+/// process.
 Expected<const Api*> load(const std::string& name);
 /// File name or path of the library: $THAUM_LIBHD, else libHD.so.
 std::string library_name();
 
-/// Takes all that went wrong since the last call from the library's stack; returns the oldest, since the others follow from it. 0: nothing.
+/// Empties the library's stack of errors. Returns the oldest code, because the others follow from it; 0: no
+/// error.
 unsigned int take_error(const Api& api);
-/// The library's words for a code, as they are, cut to `size` with a zero at the end. Any thread.
+/// Copies the library's words for a code, cut to `size` bytes with a zero at the end. Any thread.
 void copy_error_string(const Api& api, unsigned int code, char* to, std::size_t size);
-/// What to do about the error: one line. said: the library's words for it.
-std::string advice(unsigned int code, std::string_view said);
-/// The same, asking the library for its words.
+/// One line for an error: what is wrong, then what to do. `by_library`: the library's words for it.
+std::string advice(unsigned int code, std::string_view by_library);
+/// One line for an error, with words asked from the library.
 std::string advice(const Api& api, unsigned int code);
 
-/// What the library says of the current arm. What it does not say, or says beyond belief, is zero or empty.
+/// Facts about the current device. Answers that are missing or beyond belief are zero or empty.
 ArmFacts facts_of(const Api& api);
 
-/// One tick's measurement, in a frame.
+/// Measures the current device, in a frame.
 ArmReading read(const Api& api, std::int64_t now_ns);
-/// N, device frame; in a frame.
+/// Sets the force of the current device (N, device frame), in a frame.
 void write(const Api& api, vec3 force);
-/// A frame that tells the arm to exert nothing. False where the library refuses it.
+/// Tells the current device to exert nothing, in a frame of its own. Returns whether the library took it.
 bool write_zero_frame(const Api& api, Handle handle);
 
 }  // namespace thaum::input::hd

@@ -1,4 +1,5 @@
-// input/detail/silence.h: how arm_silence.h ends the forces of all arms. Every function may be called in a signal handler.
+// input/detail/silence.h: how arm_silence.h ends the forces of all arms. Every function may be called in a
+// signal handler.
 #pragma once
 
 namespace thaum::input::ticks {

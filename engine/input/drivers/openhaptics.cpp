@@ -1,12 +1,23 @@
-// Driver for arms of the Phantom class (Touch, Omni, Premium), through the vendor's libHD.so. The library is loaded when an arm
-// is opened, and is never linked. Its declarations are our own, made from the documented constants and signatures of its C
-// functions. tests/drivers/fake_hd enforces the rules that we believe it has.
+// Driver for arms of the Phantom class (Touch, Omni, Premium), through the vendor's libHD.so. The library is
+// loaded when an arm is opened, and is never linked. Its declarations are our own, made from the documented
+// constants and signatures of its C functions. tests/drivers/fake_hd enforces the rules that we believe it has.
 //
-// The library has one servo thread, which calls us. It is never unloaded, because it cannot be loaded twice.
+// The library has one servo thread, which calls us for every arm. It is never unloaded, because it cannot be
+// loaded twice.
+//
+// Several arms: $THAUM_HD_ARMS lists their names in the vendor's setup, with commas between them. The library
+// has one current device for all threads, so only its own thread may choose among several. Its devices are
+// therefore opened and closed while the scheduler stands still, as documented: the other arms are first told to
+// exert nothing.
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdlib>
+#include <map>
+#include <mutex>
+#include <sstream>
 
+#include "core/clock.h"
 #include "core/text.h"
 #include "input/arm_driver.h"
 #include "input/detail/hd_api.h"
@@ -17,7 +28,7 @@ using namespace hd;
 
 namespace {
 
-// ---- calibration -------------------------------------------------------------------------------------------------------
+// ---- calibration ------------------------------------------------------------------------------------------
 
 /// A task in the library's thread. It is never destroyed, because the library may run it late.
 struct Calibration {
@@ -38,6 +49,7 @@ unsigned int do_calibration(void*) {
     auto& c = calibration();
     if (!c.asked.exchange(false)) return callback_done;
     const auto& api = *c.api;
+    api.hdMakeCurrentDevice(c.handle);
     api.hdBeginFrame(c.handle);
     if (c.update)
         api.hdUpdateCalibration(api.hdCheckCalibrationStyle());
@@ -79,11 +91,16 @@ Expected<void> calibrate(const Api& api, Handle handle) {
         "light is steady, and start again");
 }
 
-/// Takes the default arm. On some systems only one of its names works.
-Expected<Handle> init_device(const Api& api) {
+constexpr const char* default_arm = "Default Device";
+
+/// Takes the arm of this name. On some systems only one of the default arm's names works.
+Expected<Handle> init_device(const Api& api, const std::string& arm) {
     unsigned int gravest = 0;
     take_error(api);  // an earlier error is not this arm's fault
-    for (const char* name : {static_cast<const char*>(nullptr), "Default Device", "Default PHANToM"}) {
+    const std::vector<const char*> names =
+        arm == default_arm ? std::vector<const char*>{nullptr, default_arm, "Default PHANToM"}
+                           : std::vector<const char*>{arm.c_str()};
+    for (const char* name : names) {
         const auto handle = api.hdInitDevice(name);
         const auto code = take_error(api);
         if (code == 0 && handle != invalid_handle) return handle;
@@ -98,66 +115,53 @@ unsigned int on_servo_tick(void* number) {
     return run_arm_tick(ticks) ? callback_continue : callback_done;
 }
 
-// ---- the driver --------------------------------------------------------------------------------------------------------
+// ---- the driver -------------------------------------------------------------------------------------------
+
+class OpenHaptics;
+
+/// The arms that the library holds. Never destroyed, because a call that hangs may use it late.
+struct Session {
+    std::mutex mutex{};                ///< one thread opens or closes an arm at a time
+    std::vector<OpenHaptics*> arms{};  ///< open arms
+    bool running = false;              ///< the library's scheduler runs
+    /// Last refusal of each arm while others were open: trying again stops their ticks for a moment.
+    struct Refusal {
+        std::int64_t at_ns{};
+        std::string line{};
+    };
+    std::map<std::string, Refusal> refusals{};
+};
+
+Session& session() {
+    static auto* the = new Session();
+    return *the;
+}
 
 class OpenHaptics final : public ArmDriver {
 public:
-    Expected<void> open() override {
-        auto opened = start_library();
-        if (!opened) close();
-        return opened;
-    }
+    explicit OpenHaptics(std::string arm) : arm_(std::move(arm)) {}
+
+    Expected<void> open() override;
     ArmFacts spec() const override { return facts_; }
-
-    Expected<bool> start(std::uint64_t ticks) override {
-        auto* argument = reinterpret_cast<void*>(static_cast<std::uintptr_t>(ticks));
-        ticks_asked_ = true;
-        const auto task = api_->hdScheduleAsynchronous(on_servo_tick, argument, first_priority);
-        if (const auto code = take_error(*api_); code != 0) return fail(advice(*api_, code));
-        task_ = task;
-        accepted_ = true;
-        return true;
-    }
-
-    void close() override {
-        if (running_) {
-            api_->hdStopScheduler();
-            if (ticks_asked_ && !left_without_force_) write_zero_frame(*api_, handle_);
-            if (accepted_ && !ended_) api_->hdUnschedule(task_);
-        }
-        if (handle_ != invalid_handle) api_->hdDisableDevice(handle_);
-        if (api_ != nullptr) take_error(*api_);
-    }
-
+    Expected<bool> start(std::uint64_t ticks) override;
+    void close() override;
     void give_up() override {
         if (handle_ != invalid_handle) api_->hdDisableDevice(handle_);
     }
 
     ArmFault read(ArmReading& reading) noexcept override {
-        in_frame_ = true;
-        api_->hdBeginFrame(handle_);
+        begin_frame();
         reading = hd::read(*api_, reading.time_ns);
         return take_error(*api_);
     }
-
     ArmFault write(vec3 force) noexcept override {
-        hd::write(*api_, force);
-        api_->hdEndFrame(handle_);
-        in_frame_ = false;
-        return take_error(*api_);
+        const bool paused = paused_;
+        end_frame(paused ? vec3(0) : force);
+        const auto fault = take_error(*api_);
+        rests_ = paused && fault == 0;
+        return fault;
     }
-
-    /// The frame may have failed, so another one is tried.
-    bool write_zero() noexcept override {
-        if (!in_frame_) api_->hdBeginFrame(handle_);
-        hd::write(*api_, vec3(0));
-        api_->hdEndFrame(handle_);
-        in_frame_ = false;
-        ended_ = true;
-        left_without_force_ = take_error(*api_) == 0 || write_zero_frame(*api_, handle_);
-        return left_without_force_;
-    }
-
+    bool write_zero() noexcept override;
     void note(ArmFault fault) noexcept override {
         copy_error_string(*api_, fault, words_.data(), words_.size());
     }
@@ -169,50 +173,161 @@ public:
 
 private:
     Expected<void> start_library();
+    void leave();
+    void stop_scheduler() const;
+    void go_on() const;
+    /// Whether the arm was told to exert nothing, or never had a force.
+    bool is_without_force() const { return !ticks_asked_ || ended_ || rests_; }
 
+    void begin_frame() noexcept {
+        in_frame_ = true;
+        api_->hdMakeCurrentDevice(handle_);
+        api_->hdBeginFrame(handle_);
+    }
+    void end_frame(vec3 force) noexcept {
+        hd::write(*api_, force);
+        api_->hdEndFrame(handle_);
+        in_frame_ = false;
+    }
+
+    std::string arm_;  ///< name in the vendor's setup
     const Api* api_{};
     Handle handle_ = invalid_handle;
     ArmFacts facts_{};
-    bool running_ = false;                         ///< the library's scheduler runs
     std::atomic<bool> ticks_asked_{false};         ///< the library may have called our ticks
     std::atomic<unsigned long> task_{0};           ///< the scheduler's number of our ticks, once accepted
     std::atomic<bool> accepted_{false};            ///< the scheduler has taken our ticks
     std::atomic<bool> in_frame_{false};            ///< the servo thread has begun a frame
+    std::atomic<bool> paused_{false};              ///< ticks give no force, because the scheduler will stop
+    std::atomic<bool> rests_{false};               ///< the newest tick gave no force because of `paused_`
     std::atomic<bool> ended_{false};               ///< the ticks have ended by themselves
     std::atomic<bool> left_without_force_{false};  ///< the library took the last zero of the ticks
     std::array<char, 96> words_{};                 ///< the library's words for the fault that ended the ticks
 };
 
+/// The frame may have failed, so another one is tried. After a fault of the library's thread another arm may be
+/// current.
+bool OpenHaptics::write_zero() noexcept {
+    if (in_frame_)
+        api_->hdMakeCurrentDevice(handle_);
+    else
+        begin_frame();
+    end_frame(vec3(0));
+    ended_ = true;
+    left_without_force_ = take_error(*api_) == 0 || write_zero_frame(*api_, handle_);
+    return left_without_force_;
+}
+
+/// Stops the ticks of all arms, with zero as the last force of the others.
+void OpenHaptics::stop_scheduler() const {
+    constexpr std::int64_t patience_ns = 200'000'000, look_ns = 200'000;
+    auto& s = session();
+    if (!s.running) return;
+    for (auto* other : s.arms) other->paused_ = other != this;
+    const auto until = monotonic_ns() + patience_ns;
+    const auto rest = [&](const OpenHaptics* other) { return other == this || other->is_without_force(); };
+    while (!std::all_of(s.arms.begin(), s.arms.end(), rest) && monotonic_ns() < until)
+        sleep_until_ns(monotonic_ns() + look_ns);
+    api_->hdStopScheduler();
+    s.running = false;
+}
+
+/// Starts the ticks of the open arms again.
+void OpenHaptics::go_on() const {
+    auto& s = session();
+    if (!s.arms.empty() && !s.running) {
+        api_->hdStartScheduler();
+        s.running = true;
+    }
+    for (auto* other : s.arms) other->paused_ = other->rests_ = false;
+}
+
+Expected<void> OpenHaptics::open() {
+    constexpr std::int64_t try_again_ns = 5'000'000'000;
+    auto& s = session();
+    const std::lock_guard lock(s.mutex);
+    auto& refusal = s.refusals[arm_];
+    if (!s.arms.empty() && refusal.at_ns != 0 && monotonic_ns() < refusal.at_ns + try_again_ns)
+        return fail(refusal.line);
+    auto opened = start_library();
+    if (!opened) leave();
+    refusal = opened ? Session::Refusal{} : Session::Refusal{monotonic_ns(), opened.error().message};
+    return opened;
+}
+
 Expected<void> OpenHaptics::start_library() {
+    auto& s = session();
     const auto loaded = load(library_name());
     if (!loaded) return tl::unexpected(loaded.error());
     api_ = *loaded;
     const auto& api = *api_;
-    const auto handle = init_device(api);
+    stop_scheduler();
+    const auto handle = init_device(api, arm_);
     if (!handle) return tl::unexpected(handle.error());
     handle_ = *handle;
+    s.arms.push_back(this);
     api.hdMakeCurrentDevice(handle_);
     if (const auto code = take_error(api); code != 0) return fail(advice(api, code));
     facts_ = facts_of(api);
     for (const auto capability : {force_output, max_force_clamping, force_ramping}) api.hdEnable(capability);
     api.hdSetSchedulerRate(servo_hz);
-    api.hdStartScheduler();
-    running_ = true;
+    go_on();
     if (const auto code = take_error(api); code != 0) return fail(advice(api, code));
     return calibrate(api, handle_);
 }
 
-// ---- registration ------------------------------------------------------------------------------------------------------
+Expected<bool> OpenHaptics::start(std::uint64_t ticks) {
+    auto* argument = reinterpret_cast<void*>(static_cast<std::uintptr_t>(ticks));
+    ticks_asked_ = true;
+    const auto task = api_->hdScheduleAsynchronous(on_servo_tick, argument, first_priority);
+    if (const auto code = take_error(*api_); code != 0) return fail(advice(*api_, code));
+    task_ = task;
+    accepted_ = true;
+    return true;
+}
 
-std::vector<std::string> find_arms() { return {"Default Device"}; }
+void OpenHaptics::close() {
+    const std::lock_guard lock(session().mutex);
+    leave();
+}
 
-std::unique_ptr<ArmDriver> make_arm(const std::string&) { return std::make_unique<OpenHaptics>(); }
+/// Frees the arm. The other arms go on.
+void OpenHaptics::leave() {
+    auto& s = session();
+    if (api_ == nullptr) return;
+    const bool was_running = s.running;
+    stop_scheduler();
+    if (handle_ != invalid_handle) {
+        if (was_running && ticks_asked_ && !left_without_force_) {
+            api_->hdMakeCurrentDevice(handle_);
+            write_zero_frame(*api_, handle_);
+        }
+        if (accepted_ && !ended_) api_->hdUnschedule(task_);
+        api_->hdDisableDevice(handle_);
+    }
+    std::erase(s.arms, this);
+    go_on();
+    take_error(*api_);
+}
 
-const ArmDriverRegistration registration(
-    {.name = "openhaptics",
-     .about = "Touch, Omni or Premium, by OpenHaptics (THAUM_LIBHD is the path of libHD.so)",
-     .find = find_arms,
-     .make = make_arm});
+// ---- registration -----------------------------------------------------------------------------------------
+
+std::vector<std::string> find_arms() {
+    const char* named = std::getenv("THAUM_HD_ARMS");
+    std::istringstream words(named != nullptr ? named : "");
+    std::vector<std::string> arms;
+    for (std::string arm; std::getline(words, arm, ',');)
+        if (!arm.empty() && std::find(arms.begin(), arms.end(), arm) == arms.end()) arms.push_back(arm);
+    return arms.empty() ? std::vector<std::string>{default_arm} : arms;
+}
+
+std::unique_ptr<ArmDriver> make_arm(const std::string& arm) { return std::make_unique<OpenHaptics>(arm); }
+
+const ArmDriverRegistration registration({.name = "openhaptics",
+                                          .about = "Touch, Omni or Premium, by OpenHaptics (THAUM_LIBHD: "
+                                                   "path of libHD.so; THAUM_HD_ARMS: names of several arms)",
+                                          .find = find_arms,
+                                          .make = make_arm});
 
 }  // namespace
 }  // namespace thaum::input

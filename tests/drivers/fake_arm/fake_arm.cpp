@@ -1,6 +1,8 @@
-// A driver of simulated arms, for tests. It stands outside the product: a test program that contains this file has the driver.
+// A driver of simulated arms, for tests. It stands outside the product: a test program that contains this file
+// has the driver.
 //
-// $FAKE_ARMS holds a script for each arm, with semicolons between them. A script is a list of words with commas between them:
+// $FAKE_ARMS holds a script for each arm, with semicolons between them. A script is a list of words with commas
+// between them:
 //
 //     name=MODEL        model of the arm (Fake);  its serial number is A0, A1, ...
 //     peak=N            peak force of 3.3 N, or that many N
@@ -45,7 +47,7 @@ std::vector<std::string> scripts() {
     return all;
 }
 
-/// What an arm remembers while no program has it.
+/// State of an arm that outlives the program's use of it.
 struct Plugged {
     bool went_wrong = false, came_back = false;
     std::uint64_t refused = 0;

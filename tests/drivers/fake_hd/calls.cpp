@@ -1,6 +1,7 @@
-// A fake libHD.so for tests: the OpenHaptics functions that a driver calls, with a simulated arm in a
-// simulated hand behind them. It checks that programs keep the documented rules and counts violations. A
-// script can make it misbehave (script.h). It shares no code with the tested driver.
+// A make-believe libHD.so: the functions of OpenHaptics that drivers call, with two simulated arms in simulated
+// hands. It enforces the documented rules, counts broken ones, and goes wrong when told to (script.h). It
+// shares no code with the driver that it tests.
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 
@@ -21,13 +22,39 @@ unsigned int refusal(const Script& script, const char* name) {
     return script.has("busy") ? already_initiated : 0U;
 }
 
-/// Handle that hdInitDevice returns.
+/// The handle that hdInitDevice gives for the first arm.
 unsigned int handle_of(const Library& l) {
     const auto how = l.script.of("handle");
-    return how == "zero" ? 0U : how == "other" ? 12345U : only_handle;
+    return how == "zero" ? 0U : how == "other" ? 12345U : first_handle;
 }
 
-bool is_handle(const Library& l, unsigned int handle) { return handle == handle_of(l); }
+/// Index of the arm that a name opens. Every name but that of the second arm opens the first.
+std::size_t arm_named(const char* name) {
+    const auto second = read_second_script();
+    const auto called = second.has("name") ? second.of("name") : "Right";
+    return name != nullptr && !second.has("absent") && called == name ? 1 : 0;
+}
+
+/// The device of a handle; null if there is none.
+Device* device_of(Library& l, unsigned int handle) {
+    for (auto& d : l.devices)
+        if (d.initiated && d.handle == handle) return &d;
+    return nullptr;
+}
+
+/// An exported function must not call another one: two of these libraries may be loaded, and the first one's
+/// would answer.
+FakeHdReport report_of(std::size_t arm) {
+    auto& l = library();
+    const Lock lock(l.mutex);
+    auto report = l.devices[arm].report;
+    report.ticks = l.report.ticks;
+    report.broken = l.report.broken;
+    report.calls_after_end = l.report.calls_after_end;
+    report.stops = l.report.stops;
+    report.stops_with_force = l.report.stops_with_force;
+    return report;
+}
 
 /// Runs or drops a synchronous task as the script's word `sync` says. Returns true if the caller must not
 /// run the task itself. The old library has no synchronous tasks.
@@ -54,31 +81,35 @@ struct HDErrorInfo {
 
 #define FAKE_HD_CALL __attribute__((visibility("default")))
 
-FAKE_HD_CALL FakeHdReport fakeHdReport() {
-    auto& l = library();
-    const Lock lock(l.mutex);
-    return l.report;
-}
+FAKE_HD_CALL FakeHdReport fakeHdReport() { return report_of(0); }
+FAKE_HD_CALL FakeHdReport fakeHdReportOf(int arm) { return report_of(arm == 1 ? 1 : 0); }
 
 FAKE_HD_CALL unsigned int hdInitDevice(const char* name) {
     if (misbehave(library(), "hdInitDevice") != 0) return no_handle;
     auto& l = library();
     const Lock lock(l.mutex);
-    l.script = read_script();
-    if (is_missing(l)) return push(l, comm_error), no_handle;
-    if (const auto code = l.initiated ? already_initiated : refusal(l.script, name); code != 0)
-        return push(l, code), no_handle;
-    take_device(l);
-    return handle_of(l);
+    if (l.running) return broken(l, fake_hd_wrong_order, invalid_operation), no_handle;
+    const auto arm = arm_named(name);
+    auto& d = l.devices[arm];
+    if (arm == 0) l.script = read_script();
+    d.script = arm == 0 ? l.script : read_second_script();
+    if (is_missing(d)) return push(l, comm_error), no_handle;
+    const auto code = d.initiated ? already_initiated : arm == 0 ? refusal(l.script, name) : 0U;
+    if (code != 0) return push(l, code), no_handle;
+    take_device(l, d);
+    l.current = arm;
+    d.handle = arm == 0 ? handle_of(l) : second_handle;
+    return d.handle;
 }
 
 FAKE_HD_CALL void hdDisableDevice(unsigned int handle) {
     if (misbehave(library(), "hdDisableDevice") != 0) return;
     auto& l = library();
     const Lock lock(l.mutex);
-    if (!is_handle(l, handle) || !l.initiated) return broken(l, fake_hd_wrong_value, bad_handle);
+    auto* d = device_of(l, handle);
+    if (d == nullptr) return broken(l, fake_hd_wrong_value, bad_handle);
     if (l.running) broken(l, fake_hd_wrong_order, invalid_operation);
-    let_go(l);
+    let_go(*d);
     if (l.script.is("callback", "after_end")) call_after_end(l);
 }
 
@@ -86,32 +117,38 @@ FAKE_HD_CALL void hdMakeCurrentDevice(unsigned int handle) {
     if (misbehave(library(), "hdMakeCurrentDevice") != 0) return;
     auto& l = library();
     const Lock lock(l.mutex);
-    if (!is_handle(l, handle)) broken(l, fake_hd_wrong_value, bad_handle);
+    const auto* d = device_of(l, handle);
+    if (d == nullptr) return broken(l, fake_hd_wrong_value, bad_handle);
+    // The current device is one for all threads. Changing it beside the library's own thread misleads that one.
+    if (l.running && !on_own_thread(l)) broken(l, fake_hd_wrong_thread, invalid_operation);
+    l.current = static_cast<std::size_t>(d - l.devices.data());
 }
 
 FAKE_HD_CALL void hdBeginFrame(unsigned int handle) {
     if (misbehave(library(), "hdBeginFrame") != 0) return;
     auto& l = library();
     const Lock lock(l.mutex);
-    if (!is_handle(l, handle)) return broken(l, fake_hd_wrong_value, bad_handle);
+    auto* d = device_of(l, handle);
+    if (d == nullptr) return broken(l, fake_hd_wrong_value, bad_handle);
     if (l.running && !on_own_thread(l)) return broken(l, fake_hd_wrong_thread, illegal_begin);
-    if (l.frame) return broken(l, fake_hd_unpaired, illegal_begin);
-    l.frame = true;
-    l.setting = l.told;
-    if (goes_wrong(l, "vanish")) push(l, comm_error);
-    if (goes_wrong(l, "warm")) push(l, warm_motors);
+    if (d->frame) return broken(l, fake_hd_unpaired, illegal_begin);
+    d->frame = true;
+    d->setting = d->told;
+    if (goes_wrong(*d, "vanish")) push(l, comm_error);
+    if (goes_wrong(*d, "warm")) push(l, warm_motors);
 }
 
 FAKE_HD_CALL void hdEndFrame(unsigned int handle) {
     if (misbehave(library(), "hdEndFrame") != 0) return;
     auto& l = library();
     const Lock lock(l.mutex);
-    if (!is_handle(l, handle)) return broken(l, fake_hd_wrong_value, bad_handle);
+    auto* d = device_of(l, handle);
+    if (d == nullptr) return broken(l, fake_hd_wrong_value, bad_handle);
     if (l.running && !on_own_thread(l)) return broken(l, fake_hd_wrong_thread, illegal_end);
-    if (!l.frame) return broken(l, fake_hd_unpaired, illegal_end);
-    l.frame = false;
-    l.told = l.setting;
-    update_live(l);
+    if (!d->frame) return broken(l, fake_hd_unpaired, illegal_end);
+    d->frame = false;
+    d->told = d->setting;
+    update_live(*d);
 }
 
 FAKE_HD_CALL void hdGetIntegerv(unsigned int name, int* to) {
@@ -122,7 +159,7 @@ FAKE_HD_CALL void hdGetIntegerv(unsigned int name, int* to) {
     if (name == 0x2554) return void(*to = degrees_of_freedom(l, 3));
     if (name == 0x2600) return void(*to = 1000);
     if (name != 0x2000) return broken(l, fake_hd_wrong_value, invalid_enum);
-    if (may(l)) *to = l.script.is("buttons", "all") ? -1 : l.buttons;
+    if (may(l)) *to = l.script.is("buttons", "all") ? -1 : current(l).buttons;
 }
 
 FAKE_HD_CALL void hdGetDoublev(unsigned int name, double* to) {
@@ -132,8 +169,8 @@ FAKE_HD_CALL void hdGetDoublev(unsigned int name, double* to) {
     if (put_limit(l, name, to)) return;
     if (name != 0x2050 && name != 0x2052) return broken(l, fake_hd_wrong_value, invalid_enum);
     if (!may(l)) return;
-    const auto at = measured_mm(l);
-    if (name == 0x2052) return put_transform(l, to);
+    const auto at = measured_mm(current(l));
+    if (name == 0x2052) return put_transform(current(l), to);
     for (int i = 0; i < 3; ++i) to[i] = at[i];
 }
 
@@ -146,8 +183,9 @@ FAKE_HD_CALL void hdSetDoublev(unsigned int name, const double* from) {
     const vec3 force(from[0], from[1], from[2]);
     const double size = glm::length(force);
     if (!(size < absurd_force)) return broken(l, fake_hd_wrong_units, invalid_value);
-    if (size > max_force * (1 + 1e-9) && !l.clamping) return push(l, exceeded_max_force);
-    l.setting = limited(force, max_force);
+    auto& d = current(l);
+    if (size > max_force * (1 + 1e-9) && !d.clamping) return push(l, exceeded_max_force);
+    d.setting = limited(force, max_force);
 }
 
 FAKE_HD_CALL const char* hdGetString(unsigned int name) {
@@ -155,8 +193,11 @@ FAKE_HD_CALL const char* hdGetString(unsigned int name) {
     auto& l = library();
     const Lock lock(l.mutex);
     if (l.script.has("mute")) return nullptr;
-    const std::map<unsigned int, const char*> known{
-        {0x2500, "3.50.0"}, {0x2501, "Touch"}, {0x2502, "2024.1"}, {0x2503, "nobody"}, {0x2504, "F0000001"}};
+    const std::map<unsigned int, const char*> known{{0x2500, "3.50.0"},
+                                                    {0x2501, "Touch"},
+                                                    {0x2502, "2024.1"},
+                                                    {0x2503, "nobody"},
+                                                    {0x2504, l.current == 0 ? "F0000001" : "F0000002"}};
     const auto found = known.find(name);
     if (found != known.end()) return said(l, "strings", found->second);
     broken(l, fake_hd_wrong_value, invalid_enum);
@@ -168,19 +209,19 @@ FAKE_HD_CALL void hdEnable(unsigned int name) {
     auto& l = library();
     const Lock lock(l.mutex);
     if (name < 0x4000 || name > 0x4004) return broken(l, fake_hd_wrong_value, invalid_enum);
-    if (name == 0x4000) l.force_output = true;
-    if (name == 0x4001) l.clamping = true;
+    if (name == 0x4000) current(l).force_output = true;
+    if (name == 0x4001) current(l).clamping = true;
 }
 
 FAKE_HD_CALL HDErrorInfo hdGetError() {
     if (misbehave(library(), "hdGetError") != 0) return {0, 0, no_handle};
     auto& l = library();
     const Lock lock(l.mutex);
-    if (l.script.is("errors", "endless")) return {comm_error, 0, only_handle};
-    if (l.errors.empty()) return {0, 0, l.initiated ? only_handle : no_handle};
+    if (l.script.is("errors", "endless")) return {comm_error, 0, first_handle};
+    if (l.errors.empty()) return {0, 0, current(l).initiated ? current(l).handle : no_handle};
     const auto code = l.errors.back();
     l.errors.pop_back();
-    return {code, 0, only_handle};
+    return {code, 0, current(l).handle};
 }
 
 FAKE_HD_CALL const char* hdGetErrorString(unsigned int code) {
@@ -213,7 +254,8 @@ FAKE_HD_CALL void hdStartScheduler() {
     auto& l = library();
     {
         const Lock lock(l.mutex);
-        if (!l.initiated || l.running) return broken(l, fake_hd_wrong_order, invalid_operation);
+        const bool any = std::any_of(l.devices.begin(), l.devices.end(), [](auto& d) { return d.initiated; });
+        if (!any || l.running) return broken(l, fake_hd_wrong_order, invalid_operation);
         l.running = true;
     }
     start_threads(l);
@@ -224,6 +266,11 @@ FAKE_HD_CALL void hdStopScheduler() {
     auto& l = library();
     if (!l.running.exchange(false)) return;
     stop_threads(l);
+    const Lock lock(l.mutex);
+    ++l.report.stops;
+    const bool pushes =
+        std::any_of(l.devices.begin(), l.devices.end(), [](auto& d) { return exerted(d) != vec3(0); });
+    l.report.stops_with_force += pushes ? 1 : 0;
 }
 
 FAKE_HD_CALL unsigned long hdScheduleAsynchronous(Callback run, void* context, unsigned short priority) {
@@ -267,7 +314,7 @@ FAKE_HD_CALL unsigned int hdCheckCalibration() {
     if (!may(l)) return 0;
     if (l.script.has("manual")) return 0x5002;
     if (l.script.is("calibration", "garbage")) return 0xdeadbeef;
-    return l.script.has("needs_update") && !l.updated ? 0x5001 : 0x5000;
+    return l.script.has("needs_update") && !current(l).updated ? 0x5001 : 0x5000;
 }
 
 FAKE_HD_CALL unsigned int hdCheckCalibrationStyle() {
@@ -282,7 +329,7 @@ FAKE_HD_CALL void hdUpdateCalibration(unsigned int style) {
     auto& l = library();
     const Lock lock(l.mutex);
     if (style != 2) return broken(l, fake_hd_wrong_value, invalid_value);
-    if (may(l)) l.updated = true;
+    if (may(l)) current(l).updated = true;
 }
 
 }  // extern "C"

@@ -1,7 +1,8 @@
-// tests/drivers/fake_hd/fake_hd.h: reports of the fake libHD.so to tests, beyond the functions of a real
-// one. Tests find the function by name:
+// tests/drivers/fake_hd/fake_hd.h: functions that the make-believe libHD.so has for tests, beyond those of a
+// real one. They are found by name:
 //
 //     auto report = reinterpret_cast<FakeHdReport (*)()>(dlsym(library, "fakeHdReport"));
+//     auto of_arm = reinterpret_cast<FakeHdReport (*)(int)>(dlsym(library, "fakeHdReportOf"));  // 0 or 1
 #pragma once
 #include <array>
 #include <cstdint>
@@ -18,13 +19,15 @@ enum FakeHdRule {
 };
 
 struct FakeHdReport {
-    std::uint64_t ticks;  ///< ticks of the library's thread since the last hdInitDevice
-    std::array<std::uint32_t, fake_hd_rules> broken;  ///< violations of each rule since the last hdInitDevice
-    std::array<double, 3> force;                      ///< force that the arm exerts now (N)
-    double greatest_force;                            ///< largest force of any tick (N)
-    std::array<double, 3> position;                   ///< position of the arm's tip (m)
-    std::uint64_t calls_after_end;  ///< calls of tasks after the device was disabled (callback=after_end)
-    std::array<double, 3> left;     ///< force at hdDisableDevice (N): a real arm may go on exerting it
+    std::uint64_t ticks;                              ///< of the library's thread since the last hdInitDevice
+    std::array<std::uint32_t, fake_hd_rules> broken;  ///< times, since the last hdInitDevice
+    std::array<double, 3> force;                      ///< N, that the arm exerts now
+    double greatest_force;                            ///< N, of any tick
+    std::array<double, 3> position;                   ///< m, where the tip is
+    std::uint64_t calls_after_end;   ///< of tasks, after the device was disabled (callback=after_end)
+    std::array<double, 3> left;      ///< force at hdDisableDevice (N): a real arm may go on exerting it
+    std::uint64_t stops_with_force;  ///< calls of hdStopScheduler that left an arm with a force
+    std::uint64_t stops;             ///< calls of hdStopScheduler
 };
 
 /// Layout of the file named by the script's word `live`. The file remains when the program dies.

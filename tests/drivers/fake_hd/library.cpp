@@ -29,16 +29,16 @@ haptics::DeviceSpec touch_spec() {
     return spec;
 }
 
-void record(Library& l, vec3 force) {
-    const vec3 at = l.arm.position;
-    if (l.script.has("record")) l.recorded.push_back({force.x, force.y, force.z, at.x, at.y, at.z});
+void record(Device& d, vec3 force) {
+    const vec3 at = d.arm.position;
+    if (d.script.has("record")) d.recorded.push_back({force.x, force.y, force.z, at.x, at.y, at.z});
 }
 
-void write_record(const Library& l) {
-    if (!l.script.has("record")) return;
-    std::ofstream out(l.script.words.at("record"));
+void write_record(const Device& d) {
+    if (!d.script.has("record")) return;
+    std::ofstream out(d.script.words.at("record"));
     out.precision(17);
-    for (const auto& tick : l.recorded) {
+    for (const auto& tick : d.recorded) {
         for (const double number : tick) out << number << ' ';
         out << '\n';
     }
@@ -54,10 +54,10 @@ FakeHdLive* map_live(const std::string& file) {
 
 std::array<double, 3> numbers_of(vec3 v) { return {v.x, v.y, v.z}; }
 
-/// Tick number by which the script's words count: since hdInitDevice, or since the first force.
-std::uint64_t script_ticks(const Library& l) {
-    if (!l.script.has("felt")) return l.report.ticks;
-    return l.felt_at == 0 ? 0 : l.report.ticks - l.felt_at;
+/// Ticks by which the script is timed.
+std::uint64_t script_ticks(const Device& d) {
+    if (!d.script.has("felt")) return d.ticks;
+    return d.felt_at == 0 ? 0 : d.ticks - d.felt_at;
 }
 
 }  // namespace
@@ -80,69 +80,85 @@ bool on_own_thread(const Library& l) {
 
 bool may(Library& l) {
     if (l.running && !on_own_thread(l)) return broken(l, fake_hd_wrong_thread, invalid_operation), false;
-    if (!l.frame) return broken(l, fake_hd_outside_frame, frame_error), false;
+    if (!current(l).frame) return broken(l, fake_hd_outside_frame, frame_error), false;
     return true;
 }
 
-void take_device(Library& l) {
-    l.device = haptics::simulated_device(touch_spec(), haptics::Hand{});
-    l.arm = haptics::resting_at(place_at(l.script.path, 0).target);
-    l.initiated = true;
-    l.frame = l.force_output = l.clamping = l.updated = false;
-    l.told = l.setting = vec3(0);
-    l.tasks.clear();
-    l.recorded.clear();
-    l.report = {};
-    l.felt_at = 0;
-    if (l.live == nullptr && l.script.has("live")) l.live = map_live(l.script.of("live"));
-    update_live(l);
+Device& current(Library& l) { return l.devices[l.current]; }
+
+void take_device(Library& l, Device& d) {
+    d.device = haptics::simulated_device(touch_spec(), haptics::Hand{});
+    d.arm = haptics::resting_at(place_at(d.script.path, 0).target);
+    const bool alone = std::none_of(l.devices.begin(), l.devices.end(), [](auto& o) { return o.initiated; });
+    if (alone) {
+        l.tasks.clear();
+        l.report = {};
+    }
+    d.initiated = true;
+    d.frame = d.force_output = d.clamping = d.updated = false;
+    d.told = d.setting = vec3(0);
+    d.recorded.clear();
+    d.report = {};
+    d.ticks = d.felt_at = 0;
+    if (d.live == nullptr && d.script.has("live")) d.live = map_live(d.script.of("live"));
+    update_live(d);
 }
 
-void let_go(Library& l) {
-    // A force set after the last tick has not been recorded yet.
-    record(l, exerted(l));
-    write_record(l);
-    l.report.left = numbers_of(exerted(l));
-    l.initiated = false;
-    update_live(l);
+void let_go(Device& d) {
+    // The last force may have been told after the last tick.
+    record(d, exerted(d));
+    write_record(d);
+    d.report.left = numbers_of(exerted(d));
+    d.initiated = false;
+    update_live(d);
 }
 
-vec3 exerted(const Library& l) { return l.initiated && l.force_output ? l.told : vec3(0); }
+vec3 exerted(const Device& d) { return d.initiated && d.force_output ? d.told : vec3(0); }
 
-void move_arm(Library& l) {
-    const auto& place = place_at(l.script.path, static_cast<double>(l.report.ticks));
-    const vec3 force = exerted(l);
-    l.arm = haptics::step(l.device, l.arm, place.target, force);
-    l.buttons = place.buttons;
+namespace {
+
+void move_arm(Device& d) {
+    const auto& place = place_at(d.script.path, static_cast<double>(d.ticks));
+    const vec3 force = exerted(d);
+    d.arm = haptics::step(d.device, d.arm, place.target, force);
+    d.buttons = place.buttons;
+    ++d.ticks;
+    d.report.force = numbers_of(force);
+    d.report.position = numbers_of(d.arm.position);
+    d.report.greatest_force = std::max(d.report.greatest_force, glm::length(force));
+    if (d.felt_at == 0 && force != vec3(0)) d.felt_at = d.ticks;
+    record(d, force);
+    update_live(d);
+}
+
+}  // namespace
+
+void move_arms(Library& l) {
     ++l.report.ticks;
-    l.report.force = numbers_of(force);
-    l.report.position = numbers_of(l.arm.position);
-    l.report.greatest_force = std::max(l.report.greatest_force, glm::length(force));
-    if (l.felt_at == 0 && force != vec3(0)) l.felt_at = l.report.ticks;
-    record(l, force);
-    update_live(l);
+    for (auto& d : l.devices)
+        if (d.initiated) move_arm(d);
 }
 
-void update_live(Library& l) {
-    if (l.live == nullptr) return;
-    l.live->force = numbers_of(exerted(l));
-    l.live->left = l.report.left;
-    l.live->greatest_force = std::max(l.live->greatest_force, l.report.greatest_force);
-    l.live->ticks = l.report.ticks;
-    l.live->initiated = l.initiated ? 1 : 0;
+void update_live(Device& d) {
+    if (d.live == nullptr) return;
+    d.live->force = numbers_of(exerted(d));
+    d.live->left = d.report.left;
+    d.live->greatest_force = std::max(d.live->greatest_force, d.report.greatest_force);
+    d.live->ticks = d.ticks;
+    d.live->initiated = d.initiated ? 1 : 0;
 }
 
-bool goes_wrong(Library& l, const char* word) {
-    const auto at = l.script.number(word);
-    if (at == 0 || script_ticks(l) < at || l.came_back) return false;
-    l.went_wrong = true;
+bool goes_wrong(Device& d, const char* word) {
+    const auto at = d.script.number(word);
+    if (at == 0 || script_ticks(d) < at || d.came_back) return false;
+    d.went_wrong = true;
     return true;
 }
 
-bool is_missing(Library& l) {
-    if (!l.went_wrong || !l.script.has("back") || l.came_back) return false;
-    if (l.refused++ < l.script.number("back")) return true;
-    l.came_back = true;
+bool is_missing(Device& d) {
+    if (!d.went_wrong || !d.script.has("back") || d.came_back) return false;
+    if (d.refused++ < d.script.number("back")) return true;
+    d.came_back = true;
     return false;
 }
 

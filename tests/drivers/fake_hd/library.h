@@ -1,5 +1,4 @@
-// tests/drivers/fake_hd/library.h: state of the fake library: a simulated arm in a simulated hand, the
-// checked rules, and the library's clock.
+// The make-believe library itself: two simulated arms in simulated hands, the rules that it enforces, and its clock.
 #pragma once
 #include <atomic>
 #include <map>
@@ -16,10 +15,9 @@ namespace thaum::fake_hd {
 
 using Callback = unsigned int (*)(void*);
 
-constexpr unsigned int only_handle = 7, no_handle = 0xffffffff;
-constexpr double max_force = 3.3;  // largest force of the arm (N)
-// Force that only a wrong unit explains, such as mN, or a stiffness in N/m (N).
-constexpr double absurd_force = 100;
+constexpr unsigned int first_handle = 7, second_handle = 8, no_handle = 0xffffffff;
+constexpr double max_force = 3.3;     // N
+constexpr double absurd_force = 100;  // N: a force in mN or a stiffness for N/m was meant
 
 enum Error : unsigned int {
     invalid_enum = 0x0100,
@@ -45,26 +43,36 @@ struct Task {
     bool synchronous;
 };
 
-struct Library {
-    std::mutex mutex{};  // guards all members below, except while a task runs
-    Script script = read_script();
+/// One arm that is plugged in.
+struct Device {
+    unsigned int handle{};
+    Script script{};
     haptics::SimulatedDevice device{};
     haptics::SimulatedState arm{};
     bool initiated = false, frame = false, force_output = false, clamping = false, updated = false;
-    vec3 told{};  // force set by the last frame that ended (N)
-    vec3 setting{};
+    vec3 told{};     ///< force of the last frame that ended (N)
+    vec3 setting{};  ///< force set in the open frame (N)
+    std::uint64_t ticks = 0;
+    FakeHdReport report{};       ///< force, greatest force, position and force at the end
+    FakeHdLive* live = nullptr;  ///< mapped file, which is never unmapped
+    std::vector<std::array<double, 6>> recorded{};
+    int buttons = 0;
+    bool went_wrong = false, came_back = false;
+    std::uint64_t refused = 0;
+    std::uint64_t felt_at = 0;  ///< tick of the first force; 0: none yet
+};
+
+struct Library {
+    std::mutex mutex{};               // guards the members below, except while a task runs
+    Script script = read_script();    // of the first arm and of the library
+    std::array<Device, 2> devices{};  // the second is there if $FAKE_HD_SECOND is set
+    std::size_t current = 0;          // index of the current device
     std::vector<unsigned int> errors{};
     std::vector<Task> tasks{};
     Task newest_ticks{};  // asynchronous task that was scheduled last
     unsigned long next_task = 1;
-    FakeHdReport report{};
-    FakeHdLive* live = nullptr;  // mapped file of the word `live`; never unmapped
-    std::vector<std::array<double, 6>> recorded{};
-    std::map<std::string, std::uint64_t> calls{};  // number of calls of each misbehaving function
-    int buttons = 0;
-    bool went_wrong = false, came_back = false;
-    std::uint64_t refused = 0;
-    std::uint64_t felt_at = 0;  // tick of the first force; 0: none yet
+    FakeHdReport report{};                         // ticks, broken rules, calls after the end, stops
+    std::map<std::string, std::uint64_t> calls{};  // of functions that misbehave
 
     std::jthread thread{}, second_thread{};
     std::atomic<bool> running{false};
@@ -83,22 +91,23 @@ void push(Library& l, unsigned int code);
 /// Counts a broken rule and adds an error with this code to the error stack.
 void broken(Library& l, FakeHdRule rule, unsigned int code);
 bool on_own_thread(const Library& l);
-/// Returns true if state may be read or set now.
+/// Whether state of the current device may be asked for or set now.
 bool may(Library& l);
 
-/// Gives the device to a program.
-void take_device(Library& l);
-/// Takes the device back from the program.
-void let_go(Library& l);
+Device& current(Library& l);
+/// A program takes the device.
+void take_device(Library& l, Device& d);
+/// The program frees the device.
+void let_go(Device& d);
 /// Force that the arm exerts now (N).
-vec3 exerted(const Library& l);
-/// Simulates one tick of the arm (1 ms).
-void move_arm(Library& l);
-void update_live(Library& l);
-/// Returns true if the fault named by `word` is due. An arm that has come back has no further fault.
-bool goes_wrong(Library& l, const char* word);
-/// Returns true while an arm that went wrong is absent.
-bool is_missing(Library& l);
+vec3 exerted(const Device& d);
+/// Moves every arm that a program has by 1 ms.
+void move_arms(Library& l);
+void update_live(Device& d);
+/// Whether it is time to go wrong in that way. Once is enough for an arm that comes back.
+bool goes_wrong(Device& d, const char* word);
+/// Whether an arm that went wrong is not there.
+bool is_missing(Device& d);
 
 // Call these with the mutex unlocked.
 

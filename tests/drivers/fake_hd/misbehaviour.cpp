@@ -56,21 +56,20 @@ unsigned int misbehave(Library& l, const char* call) {
     return code;
 }
 
-vec3 measured_mm(Library& l) {
-    const auto nan = l.script.number("nan"), tick = l.report.ticks;
+vec3 measured_mm(const Device& d) {
+    const auto nan = d.script.number("nan"), tick = d.ticks;
     if (nan != 0 && tick >= nan && tick < nan + 10) return vec3(std::nan(""));
-    const auto how = l.script.of("pose");
-    const vec3 well = haptics::measured_position(l.device, l.arm) * 1e3;
+    const auto how = d.script.of("pose");
+    const vec3 well = haptics::measured_position(d.device, d.arm) * 1e3;
     if (how == "stuck") return {1, 2, 3};
     if (how == "jumps") return tick % 2 == 0 ? well : vec3(80, -60, 35);
     return {spoilt(how, well.x), spoilt(how, well.y), well.z};
 }
 
-void put_transform(Library& l, double* to) {
-    const auto how = l.script.of("turn");
-    const auto at = measured_mm(l);
-    const auto q =
-        rotation({0, 1, 0}, how == "jumps" ? (l.report.ticks % 2 == 0 ? 3.0 : -3.0) : at.x * 1e-3 * 10);
+void put_transform(const Device& d, double* to) {
+    const auto how = d.script.of("turn");
+    const auto at = measured_mm(d);
+    const auto q = rotation({0, 1, 0}, how == "jumps" ? (d.ticks % 2 == 0 ? 3.0 : -3.0) : at.x * 1e-3 * 10);
     const auto turned = glm::mat3_cast(q);
     std::fill_n(to, 16, 0.0);
     for (int column = 0; column < 3; ++column) {

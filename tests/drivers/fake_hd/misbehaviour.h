@@ -5,18 +5,17 @@
 
 namespace thaum::fake_hd {
 
-/// Applies the script's fault, if any, to a call of this function. Returns an error code if the call must
-/// fail, else 0. May not return at all. Call it with the mutex unlocked.
+/// What the script makes of a call of this function: it may not return. Without the mutex. An error code: the
+/// call fails; 0: it goes on.
 unsigned int misbehave(Library& l, const char* call);
 
 // Call these with the mutex locked.
 
-/// Measured position of the tip (mm).
-vec3 measured_mm(Library& l);
-/// Writes the tip's transform, 16 numbers by columns. The stylus rotates about y by 10 rad per metre of x,
-/// so that its rotation changes with position.
-void put_transform(Library& l, double* to);
-/// Writes a limit of the device. Returns false if no limit has this name.
+/// mm: where the tip is measured.
+vec3 measured_mm(const Device& d);
+/// 16 numbers, column by column. The stylus leans with the place, 10 rad/m, as an arm's does.
+void put_transform(const Device& d, double* to);
+/// A limit, told in any place; false where the name is none's.
 bool put_limit(const Library& l, unsigned int name, double* to);
 int degrees_of_freedom(const Library& l, int well);
 /// Text for the script's word `strings` or `error_strings`; `well` if the script has no such fault.

@@ -14,9 +14,12 @@ constexpr auto ms = std::chrono::milliseconds(1);
 
 /// Closes a frame that a task has left open, and counts the broken rule.
 void close_frame(Library& l) {
-    if (!l.frame || l.script.is("callback", "two_threads")) return;
-    broken(l, fake_hd_unpaired, frame_error);
-    l.frame = false;
+    if (l.script.is("callback", "two_threads")) return;
+    for (auto& d : l.devices) {
+        if (!d.frame) continue;
+        broken(l, fake_hd_unpaired, frame_error);
+        d.frame = false;
+    }
 }
 
 /// Returns true if an asynchronous task is due in this tick, as the script's word `callback` says.
@@ -45,12 +48,13 @@ void run_thread(Library& l) {
         int signal = 0;
         {
             const Lock lock(l.mutex);
-            move_arm(l);
+            move_arms(l);
             tick = l.report.ticks;
             const bool scheduled =
                 std::any_of(l.tasks.begin(), l.tasks.end(), [](auto& t) { return !t.synchronous; });
-            asynchronous = scheduled && comes(l) && !goes_wrong(l, "stop");
-            signal = goes_wrong(l, "crash") ? SIGSEGV : goes_wrong(l, "interrupt") ? SIGTERM : 0;
+            auto& first = l.devices[0];
+            asynchronous = scheduled && comes(l) && !goes_wrong(first, "stop");
+            signal = goes_wrong(first, "crash") ? SIGSEGV : goes_wrong(first, "interrupt") ? SIGTERM : 0;
         }
         if (signal != 0) std::raise(signal);
         wait_for_next(l, tick, due);
@@ -120,7 +124,8 @@ void stop_threads(Library& l) {
 
 unsigned long schedule(Library& l, Callback run, void* context, unsigned short priority, bool synchronous) {
     const Lock lock(l.mutex);
-    if (!l.initiated) broken(l, fake_hd_wrong_order, invalid_operation);
+    const bool any = std::any_of(l.devices.begin(), l.devices.end(), [](auto& d) { return d.initiated; });
+    if (!any) broken(l, fake_hd_wrong_order, invalid_operation);
     const auto number = !synchronous && l.script.is("task", "zero") ? 0 : l.next_task++;
     l.tasks.push_back({number, priority, run, context, synchronous});
     if (!synchronous) l.newest_ticks = l.tasks.back();

@@ -55,6 +55,11 @@ Script read_script() {
     return script_of(told != nullptr ? told : "");
 }
 
+Script read_second_script() {
+    const char* told = std::getenv("FAKE_HD_SECOND");
+    return script_of(told != nullptr ? told : "absent");
+}
+
 Place place_at(const std::vector<Place>& path, double ms) {
     if (path.empty()) return {};
     const auto next = std::find_if(path.begin(), path.end(), [&](const Place& p) { return p.ms > ms; });

@@ -7,6 +7,7 @@
 //     mute              hdGetString returns nothing, and all limits are 0
 //     felt              the numbers of ticks below count from the first tick with a force
 //     vanish=N          from tick N on the arm does not answer;  warm=N: its motors are too warm
+//     name=NAME         name that opens the second arm (default Right), whose script is $FAKE_HD_SECOND
 //     back=K            after vanish, stop or warm, hdInitDevice fails K times, then all is well
 //     nan=N             ten ticks from N on measure no number
 //     late=N            every Nth tick comes 5 ms late;  burst: the missed ticks follow at once
@@ -67,8 +68,9 @@ struct Script {
 
 /// Parses words with commas between them.
 Script script_of(const std::string& text);
-/// Script in $FAKE_HD.
+/// Script in $FAKE_HD, and that of the second arm in $FAKE_HD_SECOND.
 Script read_script();
+Script read_second_script();
 Place place_at(const std::vector<Place>& path, double ms);
 
 }  // namespace thaum::fake_hd
