@@ -508,7 +508,7 @@ Expected<void> load_chosen(LiveSession& session) {
 
 /// Loads and shows the arena that the menu has chosen. If its file is faulty, the menu returns to the shown arena.
 void follow_arena(LiveSession& session) {
-    const auto& arenas = session.facts.arenas;
+    const auto& arenas = session.menu_context.arenas;
     if (arenas[session.menu.arena].name == session.data->choice.arena) return;
     if (note_fault(session, load_chosen(session))) return show_arena(session);
     session.menu.arena = index_of(arenas, session.data->choice.arena);

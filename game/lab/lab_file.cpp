@@ -158,7 +158,7 @@ Expected<LabState> restore_lab(std::span<const std::byte> bytes, const CauldronR
     lab->basin = std::move(made->basin);
     lab->brew = std::move(made->brew);
     lab->brew.fluid = std::move(saved->fluid);
-    lab->brew.surface = std::move(saved->sheet);
+    lab->brew.surface = std::move(saved->surface);
     return std::move(*lab);
 }
 

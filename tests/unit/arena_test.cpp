@@ -6,7 +6,7 @@
 #include "core/file.h"
 #include "core/text.h"
 #include "game/bots/nav.h"
-#include "game/bots/roping.h"
+#include "game/bots/swinging.h"
 #include "unit/game_duel.h"
 
 namespace thaum::game::test {

@@ -141,7 +141,7 @@ TEST_F(BrewLookTest, LayersFollowTheSurfaceLessTheDeeperTheyAre) {
     const auto level = texels();
     const double lift = 0.12;
     for (auto& height : brew.surface.height) height = lift;
-    fluid::altered(brew.surface);
+    fluid::refresh_after_edit(brew.surface);
     const auto lifted = texels();
     // Cover is linear in density, so it gives the density of each layer.
     const auto density = [&](const std::vector<render::Texel>& all, double y) {

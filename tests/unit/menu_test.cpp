@@ -134,7 +134,7 @@ TEST(StartScreen, ShowsSeatsLevelsAndRules) {
 
 /// The first arm goes to the player with the mouse, and the second one to the other player.
 TEST(StartScreen, NamesTheRealArmsOfBothPlayers) {
-    auto with_arms = facts();
+    auto with_arms = context();
     with_arms.arms = {"Touch 1", "Touch 2 (gone)"};
     const auto joined = with(with(start_page(), Kind::confirm, first_pad), Kind::confirm, second_pad);
     EXPECT_EQ(picture_of(joined, with_arms).seats[0].device, "Pad 1 (Make-believe pad)");
@@ -164,9 +164,9 @@ TEST(StartScreen, OneSetOfRulesIsNoChoice) {
 }
 
 TEST(StartScreen, ChoosesTheArenaOfTheNextMatch) {
-    for (const auto& row : picture_of(start_page(), facts()).rows)
+    for (const auto& row : picture_of(start_page(), context()).rows)
         EXPECT_NE(row.label, "Arena") << "one: no choice";
-    auto two = facts();
+    auto two = context();
     two.arenas.push_back({"the_well", "The Well"});
     const auto shown = [&](const MenuState& s) {
         const auto rows = picture_of(s, two).rows;
@@ -182,7 +182,7 @@ TEST(StartScreen, ChoosesTheArenaOfTheNextMatch) {
     EXPECT_EQ(shown(s).second, "The Well");
     s = step(s, {.kind = Kind::confirm, .device = keyboard, .row = shown(s).first}, two);
     EXPECT_EQ(s.arena, 0U) << "and round again";
-    EXPECT_EQ(s.wish, MenuRequest::none);
+    EXPECT_EQ(s.request, MenuRequest::none);
 }
 
 TEST(StartScreen, OffersTheLevelsMatchesAndArenasThatTheDataFolderHas) {
