@@ -51,7 +51,11 @@ enum Count : std::size_t {
 };
 }  // namespace arm
 
-/// Bits of DeviceSample::buttons. Their order is part of the log's format, so new ones go to the end.
+/// Largest number in DeviceSample::wand.
+inline constexpr std::uint32_t most_wands = 9;
+
+/// Bits of DeviceSample::buttons. Their order is part of the log's format, so new ones go to the end. Bits 11 to 15
+/// and 19 to 22 are never set here: in a log they hold DeviceSample::wand.
 enum class Button : std::uint32_t {
     fire = 1U << 0U,
     jump = 1U << 1U,
@@ -64,11 +68,6 @@ enum class Button : std::uint32_t {
     panic = 1U << 8U,
     pause = 1U << 9U,
     rejoin = 1U << 10U,
-    wand_1 = 1U << 11U,
-    wand_2 = 1U << 12U,
-    wand_3 = 1U << 13U,
-    wand_4 = 1U << 14U,
-    wand_5 = 1U << 15U,
     mark = 1U << 16U,
     confirm = 1U << 17U,
     quit = 1U << 18U,
@@ -81,6 +80,8 @@ struct DeviceSample {
     std::array<std::int32_t, max_counts> counts{};
     /// Button bits that were down at the end of the tick or were pressed during it.
     std::uint32_t buttons{};
+    /// Wand whose key was pressed last and is still down, 1 to most_wands; 0: none.
+    std::uint32_t wand{};
     /// Age of the haptic model that the servo used (ticks), at least 1. It is 0 for hands, and for an arm in
     /// a tick without a sample; then the counts are meaningless.
     std::uint16_t model_age{};

@@ -51,10 +51,10 @@ struct LeagueSummary {
     /// Matches won by each seat (player number). A fair arena gives both equal shares, since every seed is played
     /// with the levels in both seats.
     std::array<std::uint32_t, players> seat_wins{};
-    std::vector<double> round_s;                       ///< lengths of all rounds, sorted (s)
-    std::uint32_t timed_out{};                         ///< number of rounds that ended on time
-    std::array<std::uint32_t, causes.size()> kills{};  ///< kills by cause
-    std::uint32_t own_deaths{};                        ///< deaths that are a kill of no player
+    std::vector<double> round_s;                     ///< lengths of all rounds, sorted (s)
+    std::uint32_t timed_out{};                       ///< number of rounds that ended on time
+    std::array<std::uint32_t, most_causes> kills{};  ///< kills by cause
+    std::uint32_t own_deaths{};                      ///< deaths that are a kill of no player
     double median_round_s() const;
 };
 

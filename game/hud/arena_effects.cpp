@@ -42,12 +42,10 @@ float size_of(const Picture& picture, const MissilePicture& missile, std::uint32
 void add_missile(const ArenaScene& arena_scene, const Picture& picture, const MissilePicture& missile,
                  std::uint32_t viewer, std::vector<Instance>& out) {
     const auto& team = arena_scene.teams[missile.player % players];
-    const bool round = missile.look != MissileLook::needle;
-    const float size = size_of(picture, missile, viewer) * (round ? static_cast<float>(missile.size) : 1.0F);
-    const auto mesh = missile.look == MissileLook::fireball ? team.fireball
-                      : missile.look == MissileLook::stone  ? team.stone
-                                                            : team.bolt;
-    out.push_back({.mesh = mesh, .model = glm::scale(flying(missile), fvec3(size)), .glow = 1});
+    const float scale = missile.size > 0 ? static_cast<float>(missile.size) : 1.0F;
+    const float size = size_of(picture, missile, viewer) * scale;
+    out.push_back(
+        {.mesh = team.missiles[missile.wand], .model = glm::scale(flying(missile), fvec3(size)), .glow = 1});
 }
 
 /// Adds a small core that fades and a shell that flies as far as the burst reaches. Neither ever fills a

@@ -43,7 +43,7 @@ void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const Playe
                          looking(0, p.pitch);
         out.push_back({.mesh = team.arm, .model = arm});
         if (!p.wand.empty() && !p.stirs)
-            out.push_back({.mesh = arena_scene.wands[static_cast<std::size_t>(p.silhouette)],
+            out.push_back({.mesh = arena_scene.wands[p.wand_number],
                            .model = arm * render::translated(-shoulder) * stylus_turned(p) * wand_in_hand()});
     }
     set_sun(arena_scene, p.centre, std::span(out).subspan(first));
@@ -85,8 +85,7 @@ void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const Play
     if (p.stirs) return;  // the view of a player who stirs shows only the ladle
     out.push_back({.mesh = arena_scene.teams[number].own_arm, .model = eye});
     if (!p.wand.empty()) {
-        out.push_back({.mesh = arena_scene.wands[static_cast<std::size_t>(p.silhouette)],
-                       .model = eye * wand_in_own_hand()});
+        out.push_back({.mesh = arena_scene.wands[p.wand_number], .model = eye * wand_in_own_hand()});
         out.push_back(spark_at(arena_scene, number, p, eye * render::translated(fvec3(wand_tip))));
     }
     set_sun(arena_scene, p.eye, std::span(out).subspan(first));

@@ -56,17 +56,18 @@ void add_kind(render::Renderer& renderer, const ShapeKey& key, ArenaScene& arena
         arena_scene.kinds.push_back({key, upload(renderer, furniture(key))});
 }
 
-ArenaScene::Team make_team(render::Renderer& renderer, std::uint32_t team) {
+ArenaScene::Team make_team(render::Renderer& renderer, const Presentation& shown, std::uint32_t team) {
+    std::vector<render::MeshId> missiles;
+    for (const auto& wand : shown.wands)
+        missiles.push_back(renderer.upload_with_copies(missile_mesh(wand.look, team)));
     return {.figure = renderer.upload_with_copies(wizard_figure(team)),
             .fallen = renderer.upload_with_copies(fallen_wizard(team)),
             .arm = renderer.upload_with_copies(wizard_arm(team)),
             .own_arm = renderer.upload_with_copies(own_arm(team)),
             .spark = renderer.upload_with_copies(wand_spark(team)),
-            .bolt = renderer.upload_with_copies(bolt_needle(team)),
-            .fireball = renderer.upload_with_copies(fireball(team)),
-            .stone = renderer.upload_with_copies(lob_stone(team)),
             .burst = renderer.upload_with_copies(burst_shell(team)),
             .shield = renderer.upload_with_copies(shield_rings(team)),
+            .missiles = std::move(missiles),
             .plate = upload(renderer, start_plate(team))};
 }
 
@@ -169,7 +170,8 @@ ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data) {
         if (thing.surface == Surface::floor || thing.surface == Surface::pit)
             arena_scene.grounds.push_back(ground_of(thing, arena));
     }
-    for (std::uint32_t team = 0; team < players; ++team) arena_scene.teams[team] = make_team(renderer, team);
+    for (std::uint32_t team = 0; team < players; ++team)
+        arena_scene.teams[team] = make_team(renderer, *data.presentation, team);
     arena_scene.power_ups = make_power_up_meshes(renderer);
     arena_scene.anchor = upload(renderer, anchor());
     arena_scene.neutral_plate = upload(renderer, start_plate(no_player));
@@ -177,8 +179,8 @@ ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data) {
     arena_scene.stone = renderer.upload(stone);
     arena_scene.lamps = renderer.upload(lamps(shade, data.look));
     arena_scene.skyline = renderer.upload(skyline(data.look));
-    for (std::size_t i = 0; i < arena_scene.wands.size(); ++i)
-        arena_scene.wands[i] = renderer.upload_with_copies(wand_mesh(static_cast<Silhouette>(i)));
+    for (const auto& wand : data.presentation->wands)
+        arena_scene.wands.push_back(renderer.upload_with_copies(wand_mesh(wand.look)));
     arena_scene.runes = renderer.upload_with_copies(rune_circle(2.1F));
     arena_scene.bubble = renderer.upload_with_copies(render::sphere(1, 8, colour(0xFFB048)));
     arena_scene.beam = renderer.upload_with_copies(beam_of_light());
