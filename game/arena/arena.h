@@ -64,9 +64,6 @@ struct GroundBounds {
 /// Bounds of the arena's ground. All zero for an arena without ground, which read_arena refuses.
 GroundBounds ground_bounds(const Arena& arena);
 
-/// Top-level tables of an arena's file that no recorded match reads. The log's header does not hash them.
-inline constexpr std::array<std::string_view, 2> tables_of_no_match{"look", "range"};
-
 /// Reads all tables of an arena's file but `[look]` (look.h). Errors are kept in the Config (core/config.h).
 Arena read_arena(const Config& file);
 
