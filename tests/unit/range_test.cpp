@@ -344,7 +344,7 @@ protected:
         fs::create_directories(folder_);
         for (const auto* part : {"arenas", "rules", "wands", "wizards", "bots", "devices"})
             fs::copy(assets() / part, folder_ / part, fs::copy_options::recursive);
-        for (const auto* file : {"range.toml", "haptics.toml", "cauldron.toml"})
+        for (const auto* file : {"range.toml", "haptics.toml", "cauldron.toml", "events.toml"})
             fs::copy(assets() / file, folder_);
         auto files = RangeFiles::open(folder_, {});
         EXPECT_TRUE(files) << (files ? "" : files.error().message);
