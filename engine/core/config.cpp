@@ -292,9 +292,11 @@ Expected<void> Config::check() const {
     return {};
 }
 
-std::uint64_t Config::value_hash() const {
+std::uint64_t Config::value_hash(std::span<const std::string_view> left_out) const {
     CanonicalForm form;
-    form.add(state_->root);
+    auto root = state_->root;
+    for (const auto key : left_out) root.erase(key);
+    form.add(root);
     return form.hash();
 }
 

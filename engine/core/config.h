@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,7 +41,8 @@ public:
     Expected<void> check() const;
     /// Hash of all keys and values. It ignores comments, spaces, the order of keys and the spelling of a
     /// number (1 or 1.0).
-    std::uint64_t value_hash() const;
+    /// Leaves out the given keys of the root, for tables that change no result.
+    std::uint64_t value_hash(std::span<const std::string_view> left_out = {}) const;
 
     struct State;
 

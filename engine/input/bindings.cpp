@@ -10,11 +10,12 @@ namespace thaum::input {
 namespace {
 
 constexpr std::array<std::string_view, actions> action_names{
-    "fire",         "jump",      "next_wand", "previous_wand", "trace",   "stir",      "throw",
-    "clutch",       "panic",     "pause",     "rejoin",        "wand_1",  "wand_2",    "wand_3",
-    "wand_4",       "wand_5",    "mark",      "confirm",       "quit",    "move_left", "move_right",
-    "move_forward", "move_back", "turn_left", "turn_right",    "turn_up", "turn_down"};
-static_assert(static_cast<std::size_t>(Action::quit) + 1 == button_actions);
+    "fire",       "jump",    "next_wand", "previous_wand", "trace",        "stir",      "throw",
+    "clutch",     "panic",   "pause",     "rejoin",        "wand_1",       "wand_2",    "wand_3",
+    "wand_4",     "wand_5",  "mark",      "confirm",       "quit",         "wand_6",    "wand_7",
+    "wand_8",     "wand_9",  "move_left", "move_right",    "move_forward", "move_back", "turn_left",
+    "turn_right", "turn_up", "turn_down"};
+static_assert(static_cast<std::size_t>(Action::wand_9) + 1 == button_actions);
 static_assert(static_cast<std::size_t>(Action::turn_down) + 1 == actions);
 
 constexpr std::array<std::string_view, 5> mouse_names{"left", "right", "middle", "fourth", "fifth"};
@@ -30,16 +31,14 @@ struct Default {
 };
 
 constexpr Default keyboard_mouse_defaults[] = {
-    {Action::move_left, "key a"},      {Action::move_right, "key d"},
-    {Action::move_forward, "key w"},   {Action::move_back, "key s"},
-    {Action::fire, "mouse left"},      {Action::trace, "mouse right"},
-    {Action::next_wand, "wheel down"}, {Action::previous_wand, "wheel up"},
-    {Action::wand_1, "key 1"},         {Action::wand_2, "key 2"},
-    {Action::wand_3, "key 3"},         {Action::wand_4, "key 4"},
-    {Action::wand_5, "key 5"},         {Action::stir, "key e"},
-    {Action::jump, "key space"},       {Action::throw_, "key f"},
-    {Action::clutch, "key left_alt"},  {Action::panic, "key end"},
-    {Action::pause, "key escape"},     {Action::confirm, "key enter"},
+    {Action::move_left, "key a"},      {Action::move_right, "key d"},       {Action::move_forward, "key w"},
+    {Action::move_back, "key s"},      {Action::fire, "mouse left"},        {Action::trace, "mouse right"},
+    {Action::next_wand, "wheel down"}, {Action::previous_wand, "wheel up"}, {Action::wand_1, "key 1"},
+    {Action::wand_2, "key 2"},         {Action::wand_3, "key 3"},           {Action::wand_4, "key 4"},
+    {Action::wand_5, "key 5"},         {Action::wand_6, "key 6"},           {Action::wand_7, "key 7"},
+    {Action::wand_8, "key 8"},         {Action::wand_9, "key 9"},           {Action::stir, "key e"},
+    {Action::jump, "key space"},       {Action::throw_, "key f"},           {Action::clutch, "key left_alt"},
+    {Action::panic, "key end"},        {Action::pause, "key escape"},       {Action::confirm, "key enter"},
 };
 
 constexpr Default keyboard_half_defaults[] = {

@@ -15,7 +15,8 @@
 
 namespace thaum::input {
 
-/// What a control can do. The first ones are Button's bits, in their order; the others are directions.
+/// Things that a control can do. The first ones are Button's bits in their order, or select a wand. The others are
+/// directions.
 enum class Action : std::uint8_t {
     fire,
     jump,
@@ -36,6 +37,10 @@ enum class Action : std::uint8_t {
     mark,
     confirm,
     quit,
+    wand_6,
+    wand_7,
+    wand_8,
+    wand_9,
     move_left,
     move_right,
     move_forward,
@@ -45,8 +50,14 @@ enum class Action : std::uint8_t {
     turn_up,
     turn_down,
 };
-inline constexpr std::size_t button_actions = 19;
-inline constexpr std::size_t actions = 27;
+inline constexpr std::size_t button_actions = 23;
+inline constexpr std::size_t actions = 31;
+
+/// Action that selects a wand, 1 to most_wands.
+constexpr Action wand_action(std::size_t wand) {
+    const auto first = static_cast<std::size_t>(wand <= 5 ? Action::wand_1 : Action::wand_6);
+    return static_cast<Action>(first + wand - (wand <= 5 ? 1 : 6));
+}
 
 /// "fire", "next_wand", "throw", "move_left", ...: the keys of a settings table.
 std::string_view name_of(Action action);

@@ -59,6 +59,15 @@ bool is_button(Action action) { return static_cast<std::size_t>(action) < button
 
 std::uint32_t bit_of(Action action) { return 1U << static_cast<unsigned>(action); }
 
+/// Bit of the action that selects a wand, 1 to most_wands.
+std::uint32_t wand_bit(std::uint32_t wand) { return bit_of(wand_action(wand)); }
+
+std::uint32_t all_wand_bits() {
+    std::uint32_t bits = 0;
+    for (std::uint32_t wand = 1; wand <= most_wands; ++wand) bits |= wand_bit(wand);
+    return bits;
+}
+
 }  // namespace
 
 HandsCollector::HandsCollector(Bindings bindings) { rebind(std::move(bindings)); }
@@ -205,6 +214,16 @@ void HandsCollector::publish() {
 
 // Simulation thread --------------------------------------------------------------------------------
 
+/// The wand whose key was pressed last. If that key is up, no other key that is still down takes its place.
+std::uint32_t HandsCollector::newest_wand(std::uint32_t down) {
+    for (std::uint32_t wand = 1; wand <= most_wands; ++wand) {
+        if ((down & ~wands_before_ & wand_bit(wand)) != 0) wand_ = wand;
+    }
+    if (wand_ != 0 && (down & wand_bit(wand_)) == 0) wand_ = 0;
+    wands_before_ = down;
+    return wand_;
+}
+
 DeviceSample HandsCollector::take() {
     DeviceSample sample;
     sample.counts[hand::look_right] = take_new(right_, right_taken_);
@@ -217,7 +236,9 @@ DeviceSample HandsCollector::take() {
     sample.counts[hand::turn_up] = signed_level(levels, 3);
     sample.counts[hand::trigger] = static_cast<std::int32_t>(levels >> 32U & 0xffU);
     const auto buttons = buttons_.fetch_and(0xffffffffU, std::memory_order_relaxed);
-    sample.buttons = static_cast<std::uint32_t>(buttons | buttons >> latch_shift);
+    const auto down = static_cast<std::uint32_t>(buttons | buttons >> latch_shift);
+    sample.buttons = down & ~all_wand_bits();
+    sample.wand = newest_wand(down & all_wand_bits());
     return sample;
 }
 

@@ -42,6 +42,8 @@ public:
     DeviceSample take();
 
 private:
+    std::uint32_t newest_wand(std::uint32_t down);
+
     struct Bound {
         Action action;
         Control control;
@@ -63,6 +65,8 @@ private:
     double gain_ = 1, up_sign_ = 1;
     std::uint32_t controls_before_ = 0;  ///< buttons whose controls were held, whatever toggles make of it
     std::uint32_t on_ = 0;               ///< buttons that a toggle holds
+    std::uint32_t wands_before_ = 0;     ///< bits of the wands whose keys were down at the last take
+    std::uint32_t wand_ = 0;             ///< wand of the last sample
     std::uint32_t held_before_ = 0;
 
     // Shared. Motion is a sum since the start, so that taking needs no reset that an event could fall into.

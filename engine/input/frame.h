@@ -51,7 +51,11 @@ enum Count : std::size_t {
 };
 }  // namespace arm
 
-/// Bits of DeviceSample::buttons. The order is part of the log's format: new ones go to the end.
+/// Largest number in DeviceSample::wand.
+inline constexpr std::uint32_t most_wands = 9;
+
+/// Bits of DeviceSample::buttons. The order is part of the log's format: new ones go to the end. Bits 11 to 15 and
+/// 19 to 22 are never set here: in a log they hold DeviceSample::wand.
 enum class Button : std::uint32_t {
     fire = 1U << 0U,
     jump = 1U << 1U,
@@ -64,11 +68,6 @@ enum class Button : std::uint32_t {
     panic = 1U << 8U,
     pause = 1U << 9U,
     rejoin = 1U << 10U,
-    wand_1 = 1U << 11U,
-    wand_2 = 1U << 12U,
-    wand_3 = 1U << 13U,
-    wand_4 = 1U << 14U,
-    wand_5 = 1U << 15U,
     mark = 1U << 16U,
     confirm = 1U << 17U,
     quit = 1U << 18U,
@@ -80,6 +79,8 @@ constexpr std::uint32_t bit(Button button) { return static_cast<std::uint32_t>(b
 struct DeviceSample {
     std::array<std::int32_t, max_counts> counts{};
     std::uint32_t buttons{};  ///< Button bits that were down at the tick's end or were pressed during it
+    /// Wand whose key was pressed last and is still down, 1 to most_wands; 0: none.
+    std::uint32_t wand{};
     /// Ticks since the haptic model was made that the servo used, at least 1; 0 for hands, and for an arm in a tick that
     /// found no sample of it: then no count means anything.
     std::uint16_t model_age{};

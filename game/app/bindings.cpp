@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "game/data/wand.h"
 
 namespace thaum::app {
 
@@ -76,6 +77,9 @@ bool is_pad_sheet(std::size_t sheet) {
 }
 
 bool is_listed(Slot slot) {
+    for (auto wand = game::wand_kinds().size() + 1; wand <= input::most_wands; ++wand) {
+        if (is(slot, input::wand_action(wand))) return false;
+    }
     return !is(slot, Action::rejoin) && !is(slot, Action::quit) && !is(slot, Action::mark);
 }
 

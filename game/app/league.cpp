@@ -228,8 +228,8 @@ std::string table(const Plan& plan, const game::LeagueSummary& s) {
                   percent(time_out_share(s)), " ended by time\nkills    ");
     double all = s.own_deaths;
     for (const auto kills : s.kills) all += kills;
-    for (std::size_t cause = 0; cause < game::causes.size(); ++cause)
-        lines += text(game::causes[cause].name, " ", percent(ratio(s.kills[cause], all)), ", ");
+    for (std::size_t cause = 0; cause < game::causes().size(); ++cause)
+        lines += text(game::causes()[cause], " ", percent(ratio(s.kills[cause], all)), ", ");
     return lines + text("own ", percent(ratio(s.own_deaths, all)), "\n");
 }
 
@@ -260,8 +260,8 @@ nlohmann::ordered_json json_of(const Plan& plan, const game::LeagueSummary& s) {
                       {"p10_s", at_share(s.round_s, 0.1)},
                       {"p90_s", at_share(s.round_s, 0.9)},
                       {"time_out_share", time_out_share(s)}};
-    for (std::size_t cause = 0; cause < game::causes.size(); ++cause)
-        json["kills"][std::string(game::causes[cause].name)] = s.kills[cause];
+    for (std::size_t cause = 0; cause < game::causes().size(); ++cause)
+        json["kills"][std::string(game::causes()[cause])] = s.kills[cause];
     json["kills"]["own"] = s.own_deaths;
     return json;
 }

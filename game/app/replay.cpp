@@ -193,15 +193,16 @@ int dump(game::Playback& playback, const std::vector<std::string>& values) {
 
 Expected<void> read_kinds(const std::vector<std::string>& words, ShotPlan& plan) {
     for (const auto& word : words) {
-        const auto found = std::find(game::event_names.begin() + 1, game::event_names.end(), word);
+        const auto kind = word == "none" ? std::nullopt : game::event_kind(word);
         if (word == "mark") {
             plan.on_marks = true;
-        } else if (found != game::event_names.end()) {
-            plan.on[static_cast<std::size_t>(found - game::event_names.begin())] = true;
+        } else if (kind) {
+            plan.on[static_cast<std::size_t>(*kind)] = true;
         } else {
             auto names = std::string("mark");
-            for (std::size_t i = 1; i < game::event_names.size(); ++i)
-                names += text(", ", game::event_names[i]);
+            for (const auto& info : game::event_kinds().kinds) {
+                if (!info.name.empty() && info.name != "none") names += text(", ", info.name);
+            }
             return fail(text("--shot-on '", word, "': there are ", names));
         }
     }

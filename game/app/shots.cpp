@@ -44,9 +44,9 @@ std::optional<std::string> Shots::due(const game::Playback& playback) {
     std::optional<std::string> what;
     if (plan_.every != 0 && now % plan_.every == 0) what = "";
     for (; next_at_ < plan_.at.size() && plan_.at[next_at_] <= now; ++next_at_) what = "";
-    game::each_new_event(match.world().single<game::EventLog>(), seen_, [&](const game::Event& event) {
+    match.events().each_new(seen_, [&](const game::Event& event) {
         const auto kind = static_cast<std::size_t>(event.kind);
-        if (plan_.on[kind]) what = text("_", game::event_names[kind]);
+        if (plan_.on[kind]) what = text("_", game::name_of(event.kind));
     });
     const auto& marks = playback.log().marks();
     for (; next_mark_ < marks.size() && marks[next_mark_].tick <= now; ++next_mark_) {

@@ -13,9 +13,10 @@ namespace thaum::app {
 /// Chosen moments of a replay, and the folder for their pictures.
 struct ShotPlan {
     std::filesystem::path folder{};
-    Tick every = 0;                                   ///< ticks between two pictures; 0: no regular pictures
-    std::vector<Tick> at{};                           ///< single ticks with a picture, sorted
-    std::array<bool, game::event_names.size()> on{};  ///< true for each game::EventKind that gets a picture
+    Tick every = 0;          ///< ticks between two pictures; 0: no regular pictures
+    std::vector<Tick> at{};  ///< single ticks with a picture, sorted
+    /// True for each game::EventKind that gets a picture.
+    std::vector<bool> on = std::vector<bool>(game::event_kinds().kinds.size());
     bool on_marks = false;
     render::Size size{1280, 720};
 
@@ -44,7 +45,7 @@ private:
     ShotPlan plan_;
     Still still_;
     std::size_t next_at_ = 0, next_mark_ = 0, taken_ = 0;
-    std::uint64_t seen_ = 0;  ///< value of EventLog::count at the last look
+    std::uint64_t seen_ = 0;  ///< value of EventJournal::count at the last look
     std::vector<std::filesystem::path> unconfirmed_{};
 };
 

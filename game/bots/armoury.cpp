@@ -13,8 +13,6 @@ using input::Button;
 constexpr double clear_of_burst = 1.4;
 /// Largest distance of a throw (m); farther away the stone bursts before it arrives.
 constexpr double throw_within = 14;
-constexpr auto wand_keys = bit(Button::wand_1) | bit(Button::wand_2) | bit(Button::wand_3) |
-                           bit(Button::wand_4) | bit(Button::wand_5);
 
 /// How a wand's shots fly and how fire is used.
 enum class Way : std::uint8_t { rapid, charged, arc };
@@ -66,18 +64,22 @@ double readiness_for(const LoadedWand& wand, const WandBelt& belt, const Prospec
     return std::max(share, 0.0);
 }
 
-/// Chooses the first useful wand of that kind and writes its slot and readiness to `mind`.
+/// Chooses one of the useful wands of that kind and writes its slot and readiness to `mind`. Several useful wands
+/// are chosen as often as bots like them.
 bool take(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Way way, Mind& mind) {
+    double liking = 0;
     for (const auto& wand : data.wands) {
         const auto shot = wand.rules->shot(0);
         if (!shot || way_of(*shot) != way) continue;
         const double readiness = readiness_for(wand, belt, prospect, mind.random);
         if (readiness < 0) continue;
+        const bool first = liking == 0;
+        liking += shot->liking;
+        if (!first && mind.random.uniform() * liking >= shot->liking) continue;
         mind.wand = wand.stats.slot;
         mind.readiness = readiness;
-        return true;
     }
-    return false;
+    return liking > 0;
 }
 
 void choose_anew(const MatchData& data, const WandBelt& belt, const Prospect& prospect, Mind& mind,
@@ -101,10 +103,10 @@ void choose_anew(const MatchData& data, const WandBelt& belt, const Prospect& pr
 }  // namespace
 
 bool in_hand(const Self& self, Mind& mind) {
-    mind.buttons &= ~wand_keys;
+    mind.wand_key = 0;
     if (mind.wand == self.wand) return true;
     mind.buttons &= ~(bit(Button::fire) | bit(Button::throw_));
-    mind.buttons |= bit(Button::wand_1) << mind.wand;
+    mind.wand_key = mind.wand + 1;
     return false;
 }
 

@@ -176,7 +176,7 @@ void rest(const Thoughts& own) {
     auto& mind = own.mind;
     own.eyes.looks = 0;
     mind.right_left = mind.up_left = mind.move_strafe = mind.move_forward = 0;
-    mind.buttons = 0;
+    mind.buttons = mind.wand_key = 0;
     mind.foe_seen_at = 0;
     mind.errand = Errand::none;
     own.lift_plan = {};
@@ -376,6 +376,7 @@ void Bots::sample(const Simulation& match, input::InputFrame& frame) {
             sample.counts[hand::strafe] = mind.move_strafe;
             sample.counts[hand::forward] = mind.move_forward;
             sample.buttons = mind.buttons;
+            sample.wand = mind.wand_key;
             if (sample.down(Button::fire)) sample.counts[hand::trigger] = mind.trigger;
         });
 }

@@ -57,7 +57,7 @@ void Dummy::shoot(const Simulation& match, const Self& self, Tick tick) {
     wander_aim(seat_, mind_);
     const bool watches = mind_.foe_seen_at != 0 && tick - mind_.foe_seen_at < ticks(1.5);
     if (!watches) {
-        mind_.buttons = 0;
+        mind_.buttons = mind_.wand_key = 0;
         return;
     }
     const auto wanted = aim_of_shot(self, aim_point(self, seat_, mind_, seat_.skill.lead));
@@ -95,6 +95,7 @@ input::DeviceSample Dummy::sample(const Simulation& match) {
     turn_hand(mind_, gameplay_period - phase, sample);
     sample.counts[input::hand::strafe] = mind_.move_strafe;
     sample.buttons = mind_.buttons;
+    sample.wand = mind_.wand_key;
     if (sample.down(input::Button::fire)) sample.counts[input::hand::trigger] = mind_.trigger;
     return sample;
 }

@@ -48,7 +48,7 @@ void add_to_level(const LeagueMatch& match, std::uint32_t player, LeagueSummary&
                        [&](const LeagueLevel& l) { return l.level == level; });
     row.alive += match.alive[player];
     row.dry += match.dry[player];
-    for (std::size_t cause = 0; cause < causes.size(); ++cause) {
+    for (std::size_t cause = 0; cause < causes().size(); ++cause) {
         const auto& own = match.match_stats[player][cause];
         row.shots += own.shots;
         row.hits += own.shots > 0 ? own.hits : 0;

@@ -48,10 +48,10 @@ struct LeagueLevel {
 struct LeagueSummary {
     std::vector<LeaguePair> pairs;
     std::vector<LeagueLevel> levels;
-    std::vector<double> round_s;                       ///< lengths of all rounds, sorted (s)
-    std::uint32_t timed_out{};                         ///< number of rounds that ended on time
-    std::array<std::uint32_t, causes.size()> kills{};  ///< kills by cause
-    std::uint32_t own_deaths{};                        ///< deaths that are a kill of no player
+    std::vector<double> round_s;                     ///< lengths of all rounds, sorted (s)
+    std::uint32_t timed_out{};                       ///< number of rounds that ended on time
+    std::array<std::uint32_t, most_causes> kills{};  ///< kills by cause
+    std::uint32_t own_deaths{};                      ///< deaths that are a kill of no player
     double median_round_s() const;
 };
 

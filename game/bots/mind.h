@@ -80,7 +80,7 @@ struct Mind {
     std::uint32_t round{};                       ///< round of the bot's latest gameplay tick
     std::uint32_t wand{};                        ///< slot of the chosen wand
     std::int32_t trigger{255};                   ///< control of the trigger while fire is down, 0 to 255
-    std::uint32_t spare{};
+    std::uint32_t wand_key{};                    ///< wand whose key is down, 1 to wand_slots; 0: none
     static constexpr std::string_view name = "Mind";
     static constexpr auto fields() {
         using M = Mind;
@@ -98,7 +98,7 @@ struct Mind {
             ecs::field("up_left", &M::up_left), ecs::field("move_strafe", &M::move_strafe),
             ecs::field("move_forward", &M::move_forward), ecs::field("buttons", &M::buttons),
             ecs::field("round", &M::round), ecs::field("wand", &M::wand), ecs::field("trigger", &M::trigger),
-            ecs::field("spare", &M::spare));
+            ecs::field("wand_key", &M::wand_key));
     }
 };
 

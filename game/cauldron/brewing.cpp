@@ -38,12 +38,12 @@ void pick_up(MatchContext& context, Niche& niche, vec3 place, Tick tick, Takers&
     takers[who] = true;
     world.commands().add(taker, Pouch{.ingredient = niche.ingredient});
     niche.back_at = tick + rules.niche_again;
-    record(world, {.tick = tick,
-                   .kind = EventKind::ingredient,
-                   .subject = who,
-                   .by = who,
-                   .detail = niche.ingredient,
-                   .place = place});
+    record(context, {.tick = tick,
+                     .kind = EventKind::ingredient,
+                     .subject = who,
+                     .by = who,
+                     .detail = niche.ingredient,
+                     .place = place});
 }
 
 /// Contents after the next fluid step.
@@ -78,13 +78,13 @@ void drop_in(MatchContext& context, Cauldron& cauldron, ecs::Entity e, std::uint
     const auto length = static_cast<std::uint32_t>(rules.recoil_length);
     kick(context, e, haptics::recoil_peak(context.models[player].fluid, {0, rules.recoil, 0}, length),
          length);
-    record(context.world, {.tick = tick,
-                           .kind = EventKind::dropped,
-                           .subject = player,
-                           .by = player,
-                           .detail = pouch.ingredient,
-                           .amount = rules.drop_amount,
-                           .place = cauldron.middle + place});
+    record(context, {.tick = tick,
+                     .kind = EventKind::dropped,
+                     .subject = player,
+                     .by = player,
+                     .detail = pouch.ingredient,
+                     .amount = rules.drop_amount,
+                     .place = cauldron.middle + place});
 }
 
 // ---- ownership -------------------------------------------------------------------------------------------
@@ -100,12 +100,12 @@ void wrest(MatchContext& context, Cauldron& cauldron, Tick tick) {
     const std::uint32_t stronger = work[0] > work[1] ? 0 : 1;
     if (stronger == cauldron.owner || work[stronger] < context.data.cauldron->wrest_least) return;
     cauldron.owner = stronger;
-    record(context.world, {.tick = tick,
-                           .kind = EventKind::wrested,
-                           .subject = stronger,
-                           .by = stronger,
-                           .amount = work[stronger],
-                           .place = cauldron.middle});
+    record(context, {.tick = tick,
+                     .kind = EventKind::wrested,
+                     .subject = stronger,
+                     .by = stronger,
+                     .amount = work[stronger],
+                     .place = cauldron.middle});
 }
 
 /// Refills every wand of a wizard who stirs with the flow.
@@ -140,14 +140,14 @@ void spoil(MatchContext& context, Cauldron& cauldron, Tick tick) {
         const vec3 out = motion.position - cauldron.middle;
         const vec3 away = vec3(out.x, off_axis(out) / 2, out.z) / std::max(1e-9, off_axis(out));
         context.physics.apply_central_impulse(e.index, body.mass * rules.spoil_push * glm::normalize(away));
-        hurt(world, e, tick,
+        hurt(context, e, tick,
              {.points = rules.spoil_harm, .by = owner, .how = EventKind::spoilt, .place = motion.position});
     });
-    record(world, {.tick = tick,
-                   .kind = EventKind::boiled_over,
-                   .subject = owner,
-                   .by = owner,
-                   .place = cauldron.middle});
+    record(context, {.tick = tick,
+                     .kind = EventKind::boiled_over,
+                     .subject = owner,
+                     .by = owner,
+                     .place = cauldron.middle});
     cauldron.begun = 0;
     cauldron.owner = no_player;
     cauldron.spoilt = 1;

@@ -156,7 +156,7 @@ void spawn_cauldron(MatchContext& context) {
     const auto& bowl = *context.data.arena.bowl;
     Cauldron cauldron{.middle = bowl.centre};
     cauldron.middle.y += level_of(bowl.size, context.data.cauldron->filled);
-    cauldron.events_seen = std::as_const(context.world).single<EventLog>().count;
+    context.bursts_seen = context.journal.count();
     context.world.create(cauldron);
 }
 

@@ -83,42 +83,63 @@ void splash(MatchContext& context, Cauldron& cauldron, const Dips& dips, Tick ti
 /// Greatest height above the level at which a burst still hits the brew (m).
 constexpr double burst_reach = 0.6;
 
-/// Pushes the brew down below each burst at it.
-void note_bursts(MatchContext& context, Cauldron& cauldron, const Basin& basin) {
-    const auto& rules = *context.data.cauldron;
-    const auto& event_log = std::as_const(context.world).single<EventLog>();
-    each_new_event(event_log, cauldron.events_seen, [&](const Event& event) {
+/// Queues the bursts at the brew in this tick. If the queue is full, the last entry counts once more.
+void note_bursts(MatchContext& context, const Basin& basin) {
+    if (context.bursts_seen == context.journal.count()) return;
+    auto& cauldron = context.world.single<Cauldron>();
+    auto& bursts = cauldron.bursts;
+    context.journal.each_new(context.bursts_seen, [&](const Event& event) {
         const vec3 at = event.place - cauldron.middle;
         if (event.kind != EventKind::burst || off_axis(at) > basin.radius || at.y > burst_reach) return;
-        touched_brew(context);
-        add_stroke(cauldron, {.place = {at.x, -rules.ladle.radius, at.z},
-                              .impulse = {0, -rules.burst, 0},
-                              .radius = 2 * rules.ladle.radius});
+        if (bursts.count < BrewBursts::most) {
+            bursts.place[bursts.count] = at;
+            bursts.times[bursts.count++] = 1;
+        } else {
+            ++bursts.times[bursts.count - 1];
+        }
     });
+}
+
+/// Pushes the brew down below each queued burst.
+void push_by_bursts(MatchContext& context, Cauldron& cauldron) {
+    const auto& rules = *context.data.cauldron;
+    const auto& bursts = cauldron.bursts;
+    if (bursts.count == 0) return;
+    touched_brew(context);
+    for (std::uint32_t i = 0; i < bursts.count; ++i) {
+        add_stroke(cauldron, {.place = {bursts.place[i].x, -rules.ladle.radius, bursts.place[i].z},
+                              .impulse = {0, -rules.burst * bursts.times[i], 0},
+                              .radius = 2 * rules.ladle.radius});
+    }
+    cauldron.bursts = {};
 }
 
 }  // namespace
 
 void add_splash_system(MatchContext& context, ecs::Schedule& schedule) {
     auto& world = context.world;
-    schedule.add(
-        {.name = "splashes",
-         .period = surface_period,
-         .reads = world.mask<Prop, Body, Motion, EventLog>(),
-         .writes = world.mask<Cauldron, BrewPage, SurfacePage>(),
-         .needs = world.mask<Cauldron>(),
-         .run = [&context, basin = basin_of(context.data.arena.bowl->size, context.data.cauldron->filled)](
-                    ecs::World& w, Tick tick) {
-             auto& cauldron = w.single<Cauldron>();
-             note_bursts(context, cauldron, basin);
-             const Dips dips = find_dips(std::as_const(w), cauldron, basin);
-             const bool all_rest =
-                 std::all_of(dips.list.begin(), dips.list.begin() + static_cast<std::ptrdiff_t>(dips.count),
-                             [](const Dip& dip) { return dip.rests; });
-             if (all_rest) return;
-             touched_brew(context);
-             splash(context, cauldron, dips, tick);
-         }});
+    const auto basin = basin_of(context.data.arena.bowl->size, context.data.cauldron->filled);
+    schedule.add({.name = "bursts at the brew",
+                  .reads = world.mask<EventLog>(),
+                  .writes = world.mask<Cauldron>(),
+                  .needs = world.mask<Cauldron>(),
+                  .run = [&context, basin](ecs::World&, Tick) { note_bursts(context, basin); }});
+    schedule.add({.name = "splashes",
+                  .period = surface_period,
+                  .reads = world.mask<Prop, Body, Motion>(),
+                  .writes = world.mask<Cauldron, BrewPage, SurfacePage>(),
+                  .needs = world.mask<Cauldron>(),
+                  .run = [&context, basin](ecs::World& w, Tick tick) {
+                      auto& cauldron = w.single<Cauldron>();
+                      push_by_bursts(context, cauldron);
+                      const Dips dips = find_dips(std::as_const(w), cauldron, basin);
+                      const bool all_rest = std::all_of(
+                          dips.list.begin(), dips.list.begin() + static_cast<std::ptrdiff_t>(dips.count),
+                          [](const Dip& dip) { return dip.rests; });
+                      if (all_rest) return;
+                      touched_brew(context);
+                      splash(context, cauldron, dips, tick);
+                  }});
 }
 
 }  // namespace thaum::game

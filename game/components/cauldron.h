@@ -43,6 +43,20 @@ struct Strokes {
     }
 };
 
+/// Bursts at the brew that wait for the next step of the surface.
+struct BrewBursts {
+    static constexpr std::size_t most = 8;
+
+    std::array<vec3, most> place{};    ///< position (m, brew frame)
+    std::array<double, most> times{};  ///< number of bursts at that position
+    std::uint32_t count{};
+    std::uint32_t spare{};
+    static constexpr auto fields() {
+        return std::tuple(field("place", &BrewBursts::place), field("times", &BrewBursts::times),
+                          field("count", &BrewBursts::count), field("spare", &BrewBursts::spare));
+    }
+};
+
 /// State of the cauldron. The brew frame has its origin at `middle` and the axes of the world
 /// (game/brew/brew.h).
 struct Cauldron {
@@ -61,7 +75,7 @@ struct Cauldron {
     std::uint32_t owner{no_player};  ///< player who owns the brew
     std::uint32_t spoilt{};          ///< 1: the next fluid step first removes all ingredients
     Tick stepped{};                  ///< when the newest fluid state was stored (ticks of play)
-    std::uint64_t events_seen{};     ///< value of EventLog::count up to which events were handled
+    BrewBursts bursts{};
     /// When the first ingredient was dropped in (ticks of play); 0: pure brew.
     Tick begun{};
     /// How evenly the newest ingredient is spread: 1 - coefficient of variation, at least 0.
@@ -77,7 +91,7 @@ struct Cauldron {
             field("what", &C::what), field("inside", &C::inside), field("height", &C::height),
             field("rise", &C::rise), field("surface_asleep", &C::surface_asleep), field("newest", &C::newest),
             field("under_way", &C::under_way), field("owner", &C::owner), field("spoilt", &C::spoilt),
-            field("stepped", &C::stepped), field("events_seen", &C::events_seen), field("begun", &C::begun),
+            field("stepped", &C::stepped), field("bursts", &C::bursts), field("begun", &C::begun),
             field("mixing", &C::mixing), field("viscosity", &C::viscosity), field("density", &C::density),
             field("speed", &C::speed));
     }

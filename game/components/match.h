@@ -1,7 +1,5 @@
 // game/components/match.h: the state of the match, its random numbers and its event log, all on one entity.
 #pragma once
-#include <algorithm>
-
 #include "core/random.h"
 #include "core/units.h"
 #include "ecs/component.h"
@@ -52,52 +50,30 @@ struct Dice {
     static constexpr auto fields() { return std::tuple(field("spread", &Dice::spread)); }
 };
 
-/// Kinds of event. Renderer, sound, scenarios and reports read them.
+/// Kinds of event of the rules. The hits of wands have the numbers that are missing here and those above the
+/// last (game/data/event_kinds.h, which also names all kinds).
 enum class EventKind : std::uint32_t {
-    none,
-    shot,  ///< detail: EventKind of a hit by this shot
-    bolt_hit,
-    object_hit,
-    fall,
-    death,  ///< detail: EventKind that caused the death
-    spawn,  ///< detail: number of the pad
+    none = 0,
+    shot = 1,  ///< detail: EventKind of a hit by this shot
+    object_hit = 3,
+    fall = 4,
+    death = 5,  ///< detail: EventKind that caused the death
+    spawn = 6,  ///< detail: number of the pad
     /// Fire was pressed without enough energy for a shot.
-    dry,
-    round_end,    ///< detail: Ending
-    power_up,     ///< detail: PowerUpKind; amount: health (HP) or energy given
-    round_begin,  ///< detail: Match::round
-    blast_hit,
-    lob_hit,
-    burst,        ///< detail: EventKind of its hits; amount: reach (m)
-    ingredient,   ///< an ingredient was picked up; detail: its number
-    dropped,      ///< an ingredient was dropped into the brew; detail: its number; amount: volume (m^3)
-    wrested,      ///< a player took the brew over; amount: that player's work in the last 1.5 s (J)
-    boiled_over,  ///< the brew boiled over and lost its ingredients; subject: the owner
-    spoilt        ///< a wizard was hurt by a brew that boiled over
+    dry = 7,
+    round_end = 8,     ///< detail: Ending
+    power_up = 9,      ///< detail: PowerUpKind; amount: health (HP) or energy given
+    round_begin = 10,  ///< detail: Match::round
+    burst = 13,        ///< detail: EventKind of its hits; amount: reach (m)
+    ingredient = 14,   ///< an ingredient was picked up; detail: its number
+    dropped = 15,      ///< an ingredient was dropped into the brew; detail: its number; amount: volume (m^3)
+    wrested = 16,      ///< a player took the brew over; amount: that player's work in the last 1.5 s (J)
+    boiled_over = 17,  ///< the brew boiled over and lost its ingredients; subject: the owner
+    spoilt = 18        ///< a wizard was hurt by a brew that boiled over
 };
-inline constexpr std::array<std::string_view, 19> event_names{
-    "none",       "shot",      "bolt_hit", "object_hit",  "fall",      "death",   "spawn",
-    "dry",        "round_end", "power_up", "round_begin", "blast_hit", "lob_hit", "burst",
-    "ingredient", "dropped",   "wrested",  "boiled_over", "spoilt"};
 
-/// Kind of event that takes health, with the name shown to people.
-struct Cause {
-    EventKind kind{};
-    std::string_view name;
-};
-inline constexpr std::array<Cause, 6> causes{{{EventKind::bolt_hit, "bolt"},
-                                              {EventKind::blast_hit, "blast"},
-                                              {EventKind::lob_hit, "lob"},
-                                              {EventKind::object_hit, "blow"},
-                                              {EventKind::fall, "fall"},
-                                              {EventKind::spoilt, "brew"}}};
-/// Index in `causes`; causes.size() if the kind takes no health.
-constexpr std::size_t cause_of(EventKind kind) {
-    for (std::size_t i = 0; i < causes.size(); ++i) {
-        if (causes[i].kind == kind) return i;
-    }
-    return causes.size();
-}
+/// Largest number of causes of harm, over the rules and all wands.
+inline constexpr std::size_t most_causes = 16;
 
 struct Event {
     Tick tick{};
@@ -129,27 +105,17 @@ struct MatchStats {
     }
 };
 
-/// Ring buffer of the last events, newest at (count - 1) % size. match_stats[player][cause] sums over all
-/// events of the match.
+/// Ring buffer of the last events, newest at (count - 1) % size. A tick may record more than it holds, so
+/// readers take events from EventJournal. match_stats[player][cause] sums over all events of the match.
 struct EventLog {
     std::uint64_t count{};
     std::array<Event, 64> events{};
-    std::array<std::array<MatchStats, causes.size()>, 2> match_stats{};
+    std::array<std::array<MatchStats, most_causes>, 2> match_stats{};
     static constexpr std::string_view name = "EventLog";
     static constexpr auto fields() {
         return std::tuple(field("count", &EventLog::count), field("events", &EventLog::events),
                           field("match_stats", &EventLog::match_stats));
     }
 };
-
-/// Calls f(event) for each event since `seen`, an earlier value of EventLog::count, and advances `seen`.
-/// Returns the number of events lost because newer ones had already overwritten them.
-template <class F>
-std::uint64_t each_new_event(const EventLog& event_log, std::uint64_t& seen, F f) {
-    const auto held = std::min<std::uint64_t>(event_log.count, event_log.events.size());
-    const auto lost = std::max(seen, event_log.count - held) - seen;
-    for (seen += lost; seen < event_log.count; ++seen) f(event_log.events[seen % event_log.events.size()]);
-    return lost;
-}
 
 }  // namespace thaum::game

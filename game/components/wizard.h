@@ -3,6 +3,7 @@
 #pragma once
 #include "core/units.h"
 #include "ecs/component.h"
+#include "input/frame.h"
 #include "physics/mover.h"
 
 namespace thaum::game {
@@ -10,7 +11,7 @@ namespace thaum::game {
 using ecs::field;
 
 inline constexpr std::size_t players = 2;
-inline constexpr std::size_t wand_slots = 5;
+inline constexpr std::size_t wand_slots = input::most_wands;
 
 struct Wizard {
     std::uint32_t player{};  ///< 0 or 1
@@ -20,21 +21,24 @@ struct Wizard {
 
 /// The player's input in this tick, decoded from the device sample.
 struct Controls {
-    std::uint32_t held{};     ///< buttons that are down (bits of input::Button)
-    std::uint32_t pressed{};  ///< buttons pressed since the last gameplay tick (bits of input::Button)
-    std::int32_t strafe{};    ///< sideways, -127 to 127; positive: right
-    std::int32_t forward{};   ///< -127 to 127
-    std::int32_t trigger{};   ///< 0 to 255
-    std::int32_t wheel{};     ///< wheel steps since the last gameplay tick
+    std::uint32_t held{};          ///< buttons that are down (bits of input::Button)
+    std::uint32_t pressed{};       ///< buttons pressed since the last gameplay tick (bits of input::Button)
+    std::uint32_t wand_held{};     ///< wand whose key is down, 1 to wand_slots; 0: none
+    std::uint32_t wand_pressed{};  ///< wand whose key was pressed last since the last gameplay tick; 0: none
+    std::int32_t strafe{};         ///< sideways, -127 to 127; positive: right
+    std::int32_t forward{};        ///< -127 to 127
+    std::int32_t trigger{};        ///< 0 to 255
+    std::int32_t wheel{};          ///< wheel steps since the last gameplay tick
     /// Displacement of the hand in this tick while the clutch or the ladle is in use (um, device frame).
     std::int32_t hand_right{}, hand_up{}, hand_back{};
     static constexpr std::string_view name = "Controls";
     static constexpr auto fields() {
         return std::tuple(field("held", &Controls::held), field("pressed", &Controls::pressed),
-                          field("strafe", &Controls::strafe), field("forward", &Controls::forward),
-                          field("trigger", &Controls::trigger), field("wheel", &Controls::wheel),
-                          field("hand_right", &Controls::hand_right), field("hand_up", &Controls::hand_up),
-                          field("hand_back", &Controls::hand_back));
+                          field("wand_held", &Controls::wand_held),
+                          field("wand_pressed", &Controls::wand_pressed), field("strafe", &Controls::strafe),
+                          field("forward", &Controls::forward), field("trigger", &Controls::trigger),
+                          field("wheel", &Controls::wheel), field("hand_right", &Controls::hand_right),
+                          field("hand_up", &Controls::hand_up), field("hand_back", &Controls::hand_back));
     }
 };
 

@@ -4,14 +4,15 @@
 
 #include "game/components/arm.h"
 #include "game/components/cauldron.h"
+#include "game/data/event_kinds.h"
 
 namespace thaum::game {
 namespace {
 
-void add_up(const Event& event, std::array<std::array<MatchStats, causes.size()>, players>& match_stats) {
+void add_up(const Event& event, std::array<std::array<MatchStats, most_causes>, players>& match_stats) {
     const bool about_cause = event.kind == EventKind::shot || event.kind == EventKind::death;
     const auto cause = cause_of(about_cause ? static_cast<EventKind>(event.detail) : event.kind);
-    if (cause == causes.size() || event.subject >= players) return;
+    if (cause == most_causes || event.subject >= players) return;
     if (event.kind == EventKind::shot) {
         ++match_stats[event.subject][cause].shots;
         return;
@@ -81,14 +82,16 @@ std::optional<double> way_on_floor(const WizardRules& rules, vec3 body_centre, v
     return distance;
 }
 
-void record(ecs::World& world, const Event& event) {
-    auto& event_log = world.single<EventLog>();
+void record(MatchContext& context, const Event& event) {
+    context.journal.add(event);
+    auto& event_log = context.world.single<EventLog>();
     event_log.events[event_log.count % event_log.events.size()] = event;
     ++event_log.count;
     add_up(event, event_log.match_stats);
 }
 
-void hurt(ecs::World& world, ecs::Entity wizard, Tick tick, const Hurt& hurt) {
+void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt) {
+    auto& world = context.world;
     auto& health = world.get<Health>(wizard);
     const auto player = std::as_const(world).get<Wizard>(wizard).player;
     if (hurt.points <= 0 || tick < health.shielded_until || world.has<Dead>(wizard)) return;
@@ -97,12 +100,12 @@ void hurt(ecs::World& world, ecs::Entity wizard, Tick tick, const Hurt& hurt) {
     health.hurt_by = hurt.by;
     health.hurt_how = static_cast<std::uint32_t>(hurt.how);
     if (hurt.by < players && hurt.by != player) health.foe_did_at = tick;
-    record(world, {.tick = tick,
-                   .kind = hurt.how,
-                   .subject = player,
-                   .by = hurt.by,
-                   .amount = hurt.points,
-                   .place = hurt.place});
+    record(context, {.tick = tick,
+                     .kind = hurt.how,
+                     .subject = player,
+                     .by = hurt.by,
+                     .amount = hurt.points,
+                     .place = hurt.place});
 }
 
 }  // namespace thaum::game

@@ -8,6 +8,7 @@
 #include "ecs/world.h"
 #include "game/components/match.h"
 #include "game/components/power_up.h"
+#include "game/context/event_journal.h"
 #include "game/data/match_data.h"
 #include "haptics/servo.h"
 #include "haptics/simulated.h"
@@ -59,6 +60,9 @@ struct MatchContext {
     /// Worker threads for large work, whose results are taken at a fixed tick.
     Jobs* jobs{};
     std::unique_ptr<BrewWork> brew{};  ///< computes the cauldron's brew; null until a player touches the brew
+    /// Every event of the last seconds. It is not part of the state; restoring a state restarts it.
+    EventJournal journal{};
+    std::uint64_t bursts_seen{};  ///< number of the next event that may be a burst at the brew
     /// Force traces for display. They are not part of the state, so snapshots do not contain them.
     std::array<ForceTrace, players> felt{};
 };
@@ -76,9 +80,9 @@ vec3 eye_of(const WizardRules& rules, vec3 body_centre);
 /// `most` or on another floor.
 std::optional<double> way_on_floor(const WizardRules& rules, vec3 body_centre, vec3 place, double most);
 
-/// Appends an event to EventLog and adds it to the match statistics. The calling system must have declared
-/// that it writes EventLog.
-void record(ecs::World& world, const Event& event);
+/// Appends an event to the journal and to EventLog, and adds it to the match statistics. The calling system
+/// must have declared that it writes EventLog.
+void record(MatchContext& context, const Event& event);
 
 /// Harm to a wizard.
 struct Hurt {
@@ -90,6 +94,6 @@ struct Hurt {
 
 /// Takes health and records the event, unless the wizard is shielded or dead. Writes Health and EventLog,
 /// reads Wizard and Dead.
-void hurt(ecs::World& world, ecs::Entity wizard, Tick tick, const Hurt& hurt);
+void hurt(MatchContext& context, ecs::Entity wizard, Tick tick, const Hurt& hurt);
 
 }  // namespace thaum::game

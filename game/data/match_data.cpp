@@ -10,6 +10,8 @@ namespace thaum::game {
 namespace {
 
 constexpr std::size_t max_data_file = 1U << 20U;
+/// Tables of data files that only show things, so that they change no match.
+constexpr std::array<std::string_view, 2> shown_only{"event", "look"};
 
 /// Reads data files, stores the hash of each file's values, and applies overrides.
 class Loader {
@@ -17,12 +19,14 @@ public:
     Loader(const std::filesystem::path& assets, MatchData& data)
         : assets_(assets), data_(data), used_(data.choice.overrides.size(), false) {}
 
-    /// Reads a file with read(Config) and returns its value. The first error is kept in `error`.
+    /// Reads a file with read(Config) and returns its value. The first error is kept in `error`. `decides`:
+    /// the file can change a match, so the hash of its values is stored.
     template <class Read>
-    auto load(const std::string& name, Read read) -> decltype(read(std::declval<const Config&>())) {
+    auto load(const std::string& name, Read read, bool decides = true)
+        -> decltype(read(std::declval<const Config&>())) {
         using Value = decltype(read(std::declval<const Config&>()));
         if (error) return Value{};
-        auto config = open(name);
+        auto config = open(name, decides);
         if (!config) return keep(std::move(config.error())), Value{};
         auto value = read(*config);
         if (auto checked = config->check(); !checked) keep(std::move(checked.error()));
@@ -56,12 +60,12 @@ private:
         if (!error) error = std::move(e);
     }
 
-    Expected<Config> open(const std::string& name) {
+    Expected<Config> open(const std::string& name, bool decides) {
         const auto source = read_text_file(assets_ / name, max_data_file);
         if (!source) return tl::unexpected(source.error());
         auto config = Config::parse(*source, name, 1);
         if (!config) return config;
-        data_.files.push_back({name, config->value_hash()});
+        if (decides) data_.files.push_back({name, config->value_hash(shown_only)});
         const auto stem = std::filesystem::path(name).stem().string() + ".";
         for (std::size_t i = 0; i < data_.choice.overrides.size(); ++i) {
             const std::string_view entry = data_.choice.overrides[i];
@@ -160,6 +164,27 @@ auto noting(std::optional<Config>& kept, Read read) {
     };
 }
 
+/// Loads all wands of this program, and how they and all events are shown.
+void load_wands(MatchData& data, Loader& loader) {
+    std::vector<std::optional<Config>> files;
+    auto shown = std::make_shared<Presentation>();
+    shown->events = loader.load("events.toml", read_event_rows, false);
+    shown->events.resize(event_kinds().kinds.size());  // empty after an error
+    for (const auto& kind : wand_kinds()) {
+        const auto read = [&](const Config& file) {
+            auto wand = read_wand(kind, file);
+            read_hit_rows(file.root(), kind.hits, shown->events);
+            refuse_taken_slot(data.wands, wand, file);
+            return wand;
+        };
+        auto wand = loader.load(text("wands/", kind.name, ".toml"), noting(files.emplace_back(), read));
+        shown->wands.push_back({std::string(kind.name), wand.stats.slot, wand.look});
+        data.wands.push_back(std::move(wand));
+    }
+    data.presentation = std::move(shown);
+    if (!loader.error) share_energies(data, files, loader);
+}
+
 /// Removes from the data what the rule set switches off, so that no system reads the rule set's name.
 void apply_rule_set(MatchData& data) {
     if (!data.rules.spawn_shield) data.round.spawn_shield = 0;
@@ -176,6 +201,7 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
         return tl::unexpected(known.error());
     if (auto known = check_name(match_lengths, choice.match, "match"); !known)
         return tl::unexpected(known.error());
+    if (const auto& fault = event_kinds().fault; !fault.empty()) return fail(fault);
     MatchData data;
     data.choice = choice;
     Loader loader(assets, data);
@@ -191,18 +217,8 @@ Expected<MatchData> load_match_data(const std::filesystem::path& assets, const D
         loader.check_across(arena_file,
                             [&](const ConfigTable& root) { check_niches(root, data.cauldron->ingredients); });
     }
-    std::vector<std::optional<Config>> wand_files;
-    for (const auto& kind : wand_kinds()) {
-        const auto read = [&](const Config& file) {
-            auto wand = read_wand(kind, file);
-            refuse_taken_slot(data.wands, wand, file);
-            return wand;
-        };
-        data.wands.push_back(
-            loader.load(text("wands/", kind.name, ".toml"), noting(wand_files.emplace_back(), read)));
-    }
+    load_wands(data, loader);
     loader.check_overrides();
-    if (!loader.error) share_energies(data, wand_files, loader);
     if (loader.error) return tl::unexpected(*loader.error);
     apply_rule_set(data);
     return data;

@@ -6,6 +6,7 @@
 
 #include "game/arena/arena.h"
 #include "game/brew/brew.h"
+#include "game/data/presentation.h"
 #include "game/data/rules.h"
 #include "game/data/wand.h"
 #include "haptics/device.h"
@@ -33,7 +34,8 @@ struct MatchData {
     /// std::nullopt if the rule set has no cauldron or the arena no bowl
     std::optional<CauldronRules> cauldron;
     std::vector<LoadedWand> wands;  ///< sorted by name of kind; includes the changes that the rule set makes
-    /// All files read, each with the hash of its values before overrides.
+    std::shared_ptr<const Presentation> presentation;  ///< never null after loading
+    /// All files that decide a match, each with the hash of its values before overrides.
     std::vector<input::DataFile> files;
 };
 

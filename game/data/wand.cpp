@@ -25,16 +25,15 @@ const std::vector<WandKind>& wand_kinds() { return kinds(); }
 LoadedWand read_wand(const WandKind& kind, const Config& file) {
     const auto root = file.root();
     const auto energy = root.table("energy");
-    LoadedWand wand{.kind = &kind, .stats = {}, .rules = nullptr};
+    LoadedWand wand{.kind = &kind, .stats = {}, .rules = nullptr, .look = {}};
     wand.stats.slot = static_cast<std::uint32_t>(root.integer("slot", {1, wand_slots}) - 1);
     wand.stats.energy_slot =
         static_cast<std::uint32_t>(energy.integer("of_slot", {1, wand_slots}, wand.stats.slot + 1) - 1);
-    wand.stats.silhouette = static_cast<Silhouette>(
-        root.choice("silhouette", {silhouette_names.begin(), silhouette_names.end()}));
     wand.stats.energy_cap = energy.number("cap", {0, 1e6});
     wand.stats.energy_cost = energy.number("cost", {0, 1e6});
     wand.stats.energy_regain = energy.number("regain_per_s", {0, 1e6});
     wand.rules = kind.read(root);
+    wand.look = read_wand_look(root.table("look"));
     return wand;
 }
 

@@ -1,5 +1,5 @@
 // game/data/wand.h: the interface of wands. A wand is one data file (assets/wands/NAME.toml) and one .cpp in
-// this folder that registers a WandKind. The rest of the game uses wands only through this interface, so a
+// game/wands that registers a WandKind. The rest of the game uses wands only through this interface, so a
 // new wand changes no other file.
 #pragma once
 #include <array>
@@ -12,21 +12,17 @@
 #include "core/config.h"
 #include "ecs/schedule.h"
 #include "game/components/wizard.h"
+#include "game/data/event_kinds.h"
+#include "game/data/wand_look.h"
 
 namespace thaum::game {
 
 struct MatchContext;
 
-/// Shape of a wand, by which the other player recognises it from afar.
-enum class Silhouette : std::uint8_t { needle, forked, hooked, stubby, sling };
-inline constexpr std::array<std::string_view, 5> silhouette_names{"needle", "forked", "hooked", "stubby",
-                                                                  "sling"};
-
 /// Numbers that every wand has.
 struct WandStats {
-    std::uint32_t slot{};         ///< slot and key, 0 to 4
+    std::uint32_t slot{};         ///< slot and key, 0 to wand_slots - 1
     std::uint32_t energy_slot{};  ///< slot whose energy the wand uses: its own, or that of another wand
-    Silhouette silhouette{};
     double energy_cap{};
     double energy_cost{};    ///< least energy of one use
     double energy_regain{};  ///< energy per second
@@ -46,26 +42,23 @@ struct WandSystems {
     ecs::Schedule& schedule;
 };
 
-/// Appearance of a missile.
-enum class MissileLook : std::uint32_t { needle, fireball, stone };
-
 /// A missile in flight, as the renderer and bots see it.
 struct Missile {
     ecs::Entity entity;
     vec3 position{};  ///< position (m, world)
     vec3 velocity{};  ///< velocity (m/s, world)
     std::uint32_t player{};
-    MissileLook look{};
-    double size{};  ///< radius of a round missile (m)
+    double size{};  ///< scale of the missile's look; 0: the look has its own size
 };
 
 /// Flight of a wand's shots, for bots that aim.
 struct ShotKind {
-    double speed{};   ///< speed at the muzzle (m/s)
-    double fall{};    ///< downward acceleration (m/s^2)
-    double radius{};  ///< radius of harm around the point of impact (m)
-    double energy{};  ///< energy of the shot
-    bool held{};      ///< the wand is readied while fire is held and shoots on release
+    double speed{};    ///< speed at the muzzle (m/s)
+    double fall{};     ///< downward acceleration (m/s^2)
+    double radius{};   ///< radius of harm around the point of impact (m)
+    double energy{};   ///< energy of the shot
+    bool held{};       ///< the wand is readied while fire is held and shoots on release
+    double liking{1};  ///< how often bots take this wand rather than others that shoot alike, relative to 1
 };
 
 /// How a wand takes up and throws loose things, for bots.
@@ -126,7 +119,8 @@ public:
 
 /// One kind of wand, as its .cpp registers it.
 struct WandKind {
-    std::string_view name;  ///< assets/wands/NAME.toml
+    std::string_view name;        ///< assets/wands/NAME.toml
+    std::vector<HitKind> hits{};  ///< kinds of event by which the wand takes health
     /// Declares the wand's components.
     void (*declare)(ecs::World&);
     /// Reads the wand's own numbers.
@@ -146,6 +140,7 @@ struct LoadedWand {
     const WandKind* kind{};
     WandStats stats;
     std::shared_ptr<const WandRules> rules;
+    WandLook look;
 };
 
 LoadedWand read_wand(const WandKind& kind, const Config& file);

@@ -69,17 +69,18 @@ void add_kind(render::Renderer& renderer, const ShapeKey& key, ArenaScene& arena
         arena_scene.kinds.push_back({key, upload(renderer, furniture(key))});
 }
 
-ArenaScene::Team make_team(render::Renderer& renderer, std::uint32_t team) {
+ArenaScene::Team make_team(render::Renderer& renderer, const Presentation& shown, std::uint32_t team) {
+    std::vector<render::MeshId> missiles;
+    for (const auto& wand : shown.wands)
+        missiles.push_back(renderer.upload_with_copies(missile_mesh(wand.look, team)));
     return {.figure = renderer.upload_with_copies(wizard_figure(team)),
             .fallen = renderer.upload_with_copies(fallen_wizard(team)),
             .arm = renderer.upload_with_copies(wizard_arm(team)),
             .own_arm = renderer.upload_with_copies(own_arm(team)),
             .spark = renderer.upload_with_copies(wand_spark(team)),
-            .bolt = renderer.upload_with_copies(bolt_needle(team)),
-            .fireball = renderer.upload_with_copies(fireball(team)),
-            .stone = renderer.upload_with_copies(lob_stone(team)),
             .burst = renderer.upload_with_copies(burst_shell(team)),
             .shield = renderer.upload_with_copies(shield_rings(team)),
+            .missiles = std::move(missiles),
             .plate = upload(renderer, start_plate(team))};
 }
 
@@ -179,7 +180,8 @@ ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data) {
         if (thing.surface == Surface::floor || thing.surface == Surface::pit)
             arena_scene.grounds.push_back(ground_of(thing, arena));
     }
-    for (std::uint32_t team = 0; team < players; ++team) arena_scene.teams[team] = make_team(renderer, team);
+    for (std::uint32_t team = 0; team < players; ++team)
+        arena_scene.teams[team] = make_team(renderer, *data.presentation, team);
     arena_scene.power_ups = make_power_up_meshes(renderer);
     arena_scene.anchor = upload(renderer, anchor());
     arena_scene.neutral_plate = upload(renderer, start_plate(no_player));
@@ -187,8 +189,8 @@ ArenaScene make_arena_scene(render::Renderer& renderer, const MatchData& data) {
     arena_scene.stone = renderer.upload(stone);
     arena_scene.lamps = renderer.upload(lamps(shade));
     arena_scene.skyline = renderer.upload(skyline());
-    for (std::size_t i = 0; i < arena_scene.wands.size(); ++i)
-        arena_scene.wands[i] = renderer.upload_with_copies(wand_mesh(static_cast<Silhouette>(i)));
+    for (const auto& wand : data.presentation->wands)
+        arena_scene.wands.push_back(renderer.upload_with_copies(wand_mesh(wand.look)));
     arena_scene.runes = renderer.upload_with_copies(rune_circle(2.1F));
     arena_scene.bubble = renderer.upload_with_copies(render::sphere(1, 8, colour(0xFFB048)));
     arena_scene.beam = renderer.upload_with_copies(beam_of_light());
@@ -338,7 +340,7 @@ void add_figure(const ArenaScene& arena_scene, std::uint32_t number, const Playe
                          turned(0, p.pitch);
         out.push_back({.mesh = team.arm, .model = arm});
         if (!p.wand.empty() && !p.stirs)
-            out.push_back({.mesh = arena_scene.wands[static_cast<std::size_t>(p.silhouette)],
+            out.push_back({.mesh = arena_scene.wands[p.wand_number],
                            .model = arm * render::translated(-shoulder) * stylus_turned(p) * wand_in_hand()});
     }
     set_sun(arena_scene, p.centre, std::span(out).subspan(first));
@@ -377,8 +379,7 @@ void add_own_arm(const ArenaScene& arena_scene, std::uint32_t number, const Play
     if (p.stirs) return;  // the view of a player who stirs shows only the ladle
     out.push_back({.mesh = arena_scene.teams[number].own_arm, .model = eye});
     if (!p.wand.empty()) {
-        out.push_back({.mesh = arena_scene.wands[static_cast<std::size_t>(p.silhouette)],
-                       .model = eye * wand_in_own_hand()});
+        out.push_back({.mesh = arena_scene.wands[p.wand_number], .model = eye * wand_in_own_hand()});
         out.push_back(spark_at(arena_scene, number, p, eye * render::translated(fvec3(wand_tip))));
     }
     set_sun(arena_scene, p.eye, std::span(out).subspan(first));
@@ -434,12 +435,10 @@ float size_of(const Picture& picture, const MissilePicture& missile, std::uint32
 void add_missile(const ArenaScene& arena_scene, const Picture& picture, const MissilePicture& missile,
                  std::uint32_t viewer, std::vector<Instance>& out) {
     const auto& team = arena_scene.teams[missile.player % players];
-    const bool round = missile.look != MissileLook::needle;
-    const float size = size_of(picture, missile, viewer) * (round ? static_cast<float>(missile.size) : 1.0F);
-    const auto mesh = missile.look == MissileLook::fireball ? team.fireball
-                      : missile.look == MissileLook::stone  ? team.stone
-                                                            : team.bolt;
-    out.push_back({.mesh = mesh, .model = glm::scale(flying(missile), fvec3(size)), .glow = 1});
+    const float scale = missile.size > 0 ? static_cast<float>(missile.size) : 1.0F;
+    const float size = size_of(picture, missile, viewer) * scale;
+    out.push_back(
+        {.mesh = team.missiles[missile.wand], .model = glm::scale(flying(missile), fvec3(size)), .glow = 1});
 }
 
 /// Adds a small core that fades and a shell that flies as far as the burst reaches. Neither ever fills a

@@ -32,8 +32,8 @@ struct ArenaScene {
         Meshes meshes;
     };
     struct Team {
-        render::MeshId figure{}, fallen{}, arm{}, own_arm{}, spark{}, bolt{}, fireball{}, stone{}, burst{},
-            shield{};
+        render::MeshId figure{}, fallen{}, arm{}, own_arm{}, spark{}, burst{}, shield{};
+        std::vector<render::MeshId> missiles;  ///< by number of the wand
         Meshes plate;
     };
 
@@ -49,9 +49,9 @@ struct ArenaScene {
     std::vector<Kind> kinds;
     std::array<Team, players> teams{};
     Meshes neutral_plate;
-    Meshes anchor;                    ///< mesh of radius 1 m
-    render::MeshId stone{}, lamps{};  ///< masonry with decoration, and lamps (world frame)
-    std::array<render::MeshId, silhouette_names.size()> wands{};  ///< wand meshes, by Silhouette
+    Meshes anchor;                      ///< mesh of radius 1 m
+    render::MeshId stone{}, lamps{};    ///< masonry with decoration, and lamps (world frame)
+    std::vector<render::MeshId> wands;  ///< by number of the wand, as in Presentation::wands
     render::MeshId skyline{}, runes{}, ember{}, bubble{};
     render::MeshId beam{}, bead{};  ///< white meshes: 1 m along -z with radius 1 m; a ball of radius 1 m
     render::MeshId contact{};       ///< contact shade below things and wizards

@@ -129,75 +129,94 @@ fmat4 held(fvec3 hand) {
     return turned * render::scaled(fvec3(glm::length(along) / wand_length));
 }
 
-// Wands, along -z. `z` is the distance from the handle towards the tip.
+/// Position in the mesh of a point of a look, whose z is ahead.
+fvec3 mesh_place(vec3 p) {
+    return {static_cast<float>(p.x), static_cast<float>(p.y), -static_cast<float>(p.z)};
+}
 
-const fvec3 pale_wood = colour(0x8A5E3A), dark_iron = colour(0x5A5868), leather = colour(0x6A3E28);
-
-fvec3 ahead(float z, float x = 0, float y = 0) { return {x, y, -z}; }
+fvec3 ahead(float z) { return {0, 0, -z}; }
 
 void add_hand_state(MeshData& mesh) {
     append(mesh, limb(ahead(-0.09F), ahead(0.08F), 0.024F, 0.026F, 8, wood));
     append(mesh, limb(ahead(0.08F), ahead(0.115F), 0.037F, 0.029F, 8, gold));
 }
 
-/// A bent rod through points.
-void add_rod(MeshData& mesh, std::span<const fvec3> points, float thick, float thin, fvec3 paint) {
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const auto share = [&](std::size_t at) {
-            return glm::mix(thick, thin, static_cast<float>(at) / static_cast<float>(points.size() - 1));
-        };
-        append(mesh, limb(points[i], points[i + 1], share(i), share(i + 1), 7, paint));
-        append(mesh, render::sphere(share(i + 1), 7, paint), translated(points[i + 1]));
+fvec3 paint_of(const LookPart& part, std::uint32_t team) {
+    switch (part.paint) {
+        case LookPaint::fixed: return colour(part.colour);
+        case LookPaint::glow: return team_colours(team).glow;
+        case LookPaint::core: return glm::mix(team_colours(team).glow, fvec3(1), 0.6F);
+    }
+    return fvec3(1);
+}
+
+void add_rod(MeshData& mesh, const LookPart& part, fvec3 paint) {
+    const auto thick = static_cast<float>(part.radius), thin = static_cast<float>(part.radius_end);
+    append(mesh, limb(mesh_place(part.from), mesh_place(part.to), thick, thin, part.sides, paint));
+    if (part.capped) append(mesh, render::sphere(thin, part.sides, paint), translated(mesh_place(part.to)));
+}
+
+void add_ball(MeshData& mesh, const LookPart& part, fvec3 paint) {
+    const auto ball = render::sphere(static_cast<float>(part.radius), part.sides, paint);
+    append(mesh, render::transformed(ball, render::scaled(fvec3(part.stretch))),
+           translated(mesh_place(part.from)));
+}
+
+void add_ring(MeshData& mesh, const LookPart& part, std::uint32_t team, fvec3 paint) {
+    constexpr float quarter = 1.5707963F;
+    const int sides = part.sides > 0 ? part.sides : (team == 0 ? 12 : 3);
+    const auto ring =
+        render::frame(sides, static_cast<float>(part.radius), static_cast<float>(part.radius_end),
+                      static_cast<float>(part.thickness), paint);
+    const fmat4 turned = part.axis == 0   ? rotated(up, quarter)
+                         : part.axis == 1 ? rotated(to_the_right, quarter)
+                                          : fmat4(1);
+    append(mesh, ring,
+           translated(mesh_place(part.from)) * turned * rotated({0, 0, 1}, static_cast<float>(part.turn)));
+}
+
+/// Adds a rod that is bent in an arc, as short straight rods.
+void add_crook(MeshData& mesh, const LookPart& part, fvec3 paint) {
+    constexpr int steps = 7;
+    const auto point = [&](int i) {
+        const double angle = part.turn * i / steps;
+        return part.from + part.bend * vec3(0, 1 - std::cos(angle), std::sin(angle));
+    };
+    for (int i = 0; i < steps; ++i) {
+        auto rod = part;
+        rod.from = point(i), rod.to = point(i + 1);
+        rod.radius = glm::mix(part.radius, part.radius_end, static_cast<double>(i) / steps);
+        rod.radius_end = glm::mix(part.radius, part.radius_end, static_cast<double>(i + 1) / steps);
+        rod.capped = true;
+        add_rod(mesh, rod, paint);
     }
 }
 
-/// A long, thin wand.
-void add_needle(MeshData& mesh) {
-    append(mesh, limb(ahead(0.11F), ahead(wand_length), 0.019F, 0.004F, 8, pale_wood));
+/// Adds the team's mark across each axis: rings, or triangles of the same width.
+void add_cage(MeshData& mesh, std::uint32_t number, float radius, float thick, fvec3 paint) {
+    constexpr float quarter = 1.5707963F;
+    const int sides = number == 0 ? 16 : 3;
+    const float size = number == 0 ? radius : 1.4F * radius;
+    for (const fmat4& way : {fmat4(1), rotated(to_the_right, quarter), rotated(up, quarter)})
+        append(mesh, render::frame(sides, size, size - thick, thick, paint), way);
 }
 
-/// A wand with two prongs.
-void add_fork(MeshData& mesh) {
-    append(mesh, limb(ahead(0.11F), ahead(0.28F), 0.02F, 0.02F, 8, pale_wood));
-    for (const float side : {-1.0F, 1.0F}) {
-        const std::array prong{ahead(0.27F), ahead(0.33F, 0.075F * side), ahead(0.42F, 0.085F * side),
-                               ahead(wand_length, 0.055F * side)};
-        add_rod(mesh, prong, 0.019F, 0.009F, pale_wood);
-        append(mesh, render::sphere(0.017F, 7, gold), translated(prong.back()));
+void add_part(MeshData& mesh, LookPart part, std::uint32_t team) {
+    const fvec3 paint = paint_of(part, team);
+    for (int side = 0; side < (part.mirrored ? 2 : 1); ++side) {
+        switch (part.shape) {
+            case LookShape::rod: add_rod(mesh, part, paint); break;
+            case LookShape::ball: add_ball(mesh, part, paint); break;
+            case LookShape::ring: add_ring(mesh, part, team, paint); break;
+            case LookShape::crook: add_crook(mesh, part, paint); break;
+            case LookShape::cage:
+                add_cage(mesh, team, static_cast<float>(part.radius), static_cast<float>(part.thickness),
+                         paint);
+                break;
+        }
+        part.from.x = -part.from.x;
+        part.to.x = -part.to.x;
     }
-}
-
-/// A wand with a shepherd's crook.
-void add_hook(MeshData& mesh) {
-    append(mesh, limb(ahead(0.11F), ahead(0.36F), 0.02F, 0.018F, 8, pale_wood));
-    std::vector<fvec3> bend;
-    constexpr float radius = 0.085F;
-    for (int i = 0; i <= 7; ++i) {
-        const float angle = 0.62F * static_cast<float>(i);
-        bend.push_back(ahead(0.36F + radius * std::sin(angle), 0, radius * (1 - std::cos(angle))));
-    }
-    add_rod(mesh, bend, 0.018F, 0.009F, pale_wood);
-}
-
-/// A short, thick barrel with a flared mouth.
-void add_stub(MeshData& mesh) {
-    append(mesh, limb(ahead(0.11F), ahead(0.36F), 0.05F, 0.055F, 10, dark_iron));
-    append(mesh, limb(ahead(0.36F), ahead(0.46F), 0.055F, 0.1F, 10, dark_iron));
-    for (const float z : {0.16F, 0.34F})
-        append(mesh, limb(ahead(z), ahead(z + 0.03F), 0.063F, 0.063F, 10, gold));
-    append(mesh, limb(ahead(0.455F), ahead(0.475F), 0.108F, 0.108F, 10, gold));
-}
-
-/// A closed loop with a pouch that hangs from it.
-void add_sling(MeshData& mesh) {
-    append(mesh, limb(ahead(0.11F), ahead(0.28F), 0.02F, 0.018F, 8, pale_wood));
-    append(mesh, render::frame(12, 0.115F, 0.09F, 0.025F, pale_wood),
-           translated(ahead(0.385F)) * rotated(to_the_right, 1.5707963F) * rotated({0, 0, 1}, 0.26F));
-    for (const float side : {-1.0F, 1.0F})
-        append(mesh, limb(ahead(0.385F, 0.1F * side), ahead(0.385F, 0.03F * side, -0.13F), 0.006F, 0.006F, 5,
-                          leather));
-    append(mesh, render::transformed(render::sphere(0.05F, 8, leather), render::scaled({1, 0.75F, 1.1F})),
-           translated(ahead(0.385F, 0, -0.15F)));
 }
 
 }  // namespace
@@ -251,23 +270,18 @@ MeshData own_arm(std::uint32_t number) {
     return mesh;
 }
 
-MeshData wand_mesh(Silhouette silhouette) {
-    // Flat wands are turned, so that neither view shows them as a mere line.
-    const fmat4 aslant = rotated({0, 0, 1}, 0.7F);
-    const auto made = [](void (*add_part)(MeshData&)) {
-        MeshData part;
-        add_part(part);
-        return part;
-    };
-    MeshData mesh;
+MeshData wand_mesh(const WandLook& look) {
+    MeshData mesh, parts;
     add_hand_state(mesh);
-    switch (silhouette) {
-        case Silhouette::needle: add_needle(mesh); break;
-        case Silhouette::forked: append(mesh, made(add_fork), aslant); break;
-        case Silhouette::hooked: add_hook(mesh); break;
-        case Silhouette::stubby: add_stub(mesh); break;
-        case Silhouette::sling: append(mesh, made(add_sling), aslant); break;
-    }
+    for (const auto& part : look.wand) add_part(parts, part, 0);
+    append(mesh, parts, look.flat ? rotated({0, 0, 1}, 0.7F) : fmat4(1));
+    return mesh;
+}
+
+MeshData missile_mesh(const WandLook& look, std::uint32_t team) {
+    MeshData mesh;
+    for (const auto& part : look.missile) add_part(mesh, part, team);
+    if (look.missile.empty()) mesh = wand_spark(team);
     return mesh;
 }
 
@@ -276,22 +290,6 @@ fmat4 wand_in_own_hand() { return held(own_hand); }
 
 MeshData wand_spark(std::uint32_t number) {
     return render::sphere(0.014F, 8, glm::mix(team_colours(number).glow, fvec3(1), 0.35F));
-}
-
-MeshData bolt_needle(std::uint32_t number) {
-    const auto& team = team_colours(number);
-    const fvec3 core = glm::mix(team.glow, fvec3(1), 0.6F);
-    MeshData mesh = render::transformed(render::sphere(1, 8, core), render::scaled({0.035F, 0.035F, 0.4F}));
-    append(mesh,
-           render::transformed(render::cone(0.06F, 0, 0.9F, 8, team.glow), rotated(to_the_right, 1.5707963F)),
-           translated({0, 0, 0.45F}));
-    const int sides = number == 0 ? 12 : 3;
-    for (int i = 0; i < 3; ++i) {
-        const float size = 0.12F - 0.028F * static_cast<float>(i);
-        append(mesh, render::frame(sides, size, 0.72F * size, 0.02F, team.glow),
-               translated({0, 0, 0.25F + 0.26F * static_cast<float>(i)}));
-    }
-    return mesh;
 }
 
 fvec3 force_colour(double share) {
@@ -303,36 +301,6 @@ fvec3 force_colour(double share) {
 MeshData beam_of_light() {
     return render::transformed(render::cylinder(1, 1, 6, fvec3(1)),
                                translated({0, 0, -0.5F}) * rotated(to_the_right, 1.5707963F));
-}
-
-namespace {
-
-/// Adds the team's mark across each axis: rings, or triangles of the same width.
-void add_cage(MeshData& mesh, std::uint32_t number, float radius, float thick, fvec3 paint) {
-    constexpr float quarter = 1.5707963F;
-    const int sides = number == 0 ? 16 : 3;
-    const float size = number == 0 ? radius : 1.4F * radius;
-    for (const fmat4& way : {fmat4(1), rotated(to_the_right, quarter), rotated(up, quarter)})
-        append(mesh, render::frame(sides, size, size - thick, thick, paint), way);
-}
-
-}  // namespace
-
-MeshData fireball(std::uint32_t number) {
-    const auto& team = team_colours(number);
-    MeshData mesh = render::sphere(1, 12, glm::mix(team.glow, fvec3(1), 0.6F));
-    append(
-        mesh,
-        render::transformed(render::cone(0.95F, 0, 3.5F, 10, team.glow), rotated(to_the_right, 1.5707963F)),
-        translated({0, 0, 1.75F}));
-    add_cage(mesh, number, 1.5F, 0.2F, team.glow);
-    return mesh;
-}
-
-MeshData lob_stone(std::uint32_t number) {
-    MeshData mesh = render::sphere(0.92F, 10, colour(0x2A2030));
-    add_cage(mesh, number, 1.2F, 0.28F, team_colours(number).glow);
-    return mesh;
 }
 
 MeshData burst_shell(std::uint32_t number) {

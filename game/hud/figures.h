@@ -5,6 +5,7 @@
 
 #include "core/maths.h"
 #include "game/data/wand.h"
+#include "game/data/wand_look.h"
 #include "render/mesh.h"
 
 namespace thaum::game {
@@ -31,8 +32,10 @@ inline constexpr fvec3 shoulder{0.24F, -0.27F, 0.0F};
 /// Sleeve and hand in the wizard's own view (eye frame).
 render::MeshData own_arm(std::uint32_t team);
 
-/// A wand with its handle at the origin and its tip `wand_length` along -z. All five have distinct outlines.
-render::MeshData wand_mesh(Silhouette silhouette);
+/// A wand with its handle at the origin and its tip `wand_length` along -z.
+render::MeshData wand_mesh(const WandLook& look);
+/// A missile of that wand, flying along -z. A look without missiles gives a small ball of light.
+render::MeshData missile_mesh(const WandLook& look, std::uint32_t team);
 inline constexpr float wand_length = 0.5F;
 /// Places a wand from the hand to wand_tip (eye frame), in the other player's view and in the player's own.
 fmat4 wand_in_hand();
@@ -40,12 +43,6 @@ fmat4 wand_in_own_hand();
 
 /// The glowing tip of a wand, centred at the origin.
 render::MeshData wand_spark(std::uint32_t team);
-/// A bolt: a needle of light along -z with the team's mark around its tail.
-render::MeshData bolt_needle(std::uint32_t team);
-/// A ball of light of radius 1 m, with a tail along +z and the team's mark around it.
-render::MeshData fireball(std::uint32_t team);
-/// A dark ball of radius 1 m in a cage of the team's marks.
-render::MeshData lob_stone(std::uint32_t team);
 /// The shell of a burst: the team's mark three times about one middle, radius 1 m.
 render::MeshData burst_shell(std::uint32_t team);
 /// A white beam for tinting, from the origin 1 m along -z, radius 1 m.

@@ -4,9 +4,11 @@
 #include <string>
 
 #include "core/text.h"
+#include "game/hud/event_words.h"
 #include "game/hud/figures.h"
 #include "game/hud/hud.h"
 #include "game/hud/overlay.h"
+#include "game/hud/wand_icon.h"
 
 namespace thaum::game {
 namespace {
@@ -21,7 +23,7 @@ constexpr float arc_start = -2.3561945F;  // start angle of the arc, which is op
 constexpr float arc_sweep = 4.712389F;
 constexpr double low_health = 25;    // HP
 constexpr double hit_seconds = 0.3;  // time for which the hit mark is shown (s)
-constexpr double dry_seconds = 0.9;
+constexpr double warning_seconds = 0.9;
 constexpr double gift_seconds = 2;
 constexpr float result_row = 23;  // line spacing of the result table (units)
 
@@ -86,26 +88,25 @@ void add_needle(Overlay& out, fvec2 tail, float length, float width, double shar
                                             full, 0.2F * width});
 }
 
-std::string capitalised(std::string_view name) {
-    std::string out(name);
-    if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
-    return out;
-}
-
-void add_wand(Overlay& out, const PlayerPicture& p, std::uint32_t team, const Corner& c) {
+void add_wand(Overlay& out, const Picture& picture, std::uint32_t team, const Corner& c) {
+    const auto& p = picture.wizards[team];
     if (p.wand.empty()) return;
     const float u = c.unit;
     const fvec2 right = at(c.view, 1, 1) + u * fvec2(-12, -12);
     out.items.emplace_back(render::RectItem{right - u * fvec2(154, 50), right, panel, 10 * u});
     const double share = p.energy_cap > 0 ? p.energy / p.energy_cap : 0;
     add_needle(out, right + u * fvec2(-130, -14), 120 * u, 13 * u, share, opaque(team_colours(team).glow));
+    // A flat view with large text has no room between the panel and the feed.
+    if (static_cast<float>(c.view.height) >= 200 * u)
+        add_wand_strip(out, picture.shown->wands, p.wand_number, right - u * fvec2(0, 54), u);
     add_text(out, capitalised(p.wand), right + u * fvec2(-144, -47), 16 * u, soft, Align::left);
-    const auto paint = p.since_dry_s < dry_seconds ? red : white;
+    const bool dry = p.warning == EventKind::dry && p.since_warning_s < warning_seconds;
+    const auto paint = dry ? red : white;
     add_text(out, text(static_cast<int>(std::floor(p.energy))), right + u * fvec2(-10, -48), 20 * u, paint,
              Align::right);
 }
 
-void add_crosshair(Overlay& out, const PlayerPicture& p, const Corner& c) {
+void add_crosshair(Overlay& out, const Picture& picture, const PlayerPicture& p, const Corner& c) {
     const fvec2 centre = at(c.view, 0.5F, 0.5F);
     const float u = c.unit;
     const auto line = [&](fvec2 way, float from, float to, fvec4 paint, float width) {
@@ -127,8 +128,9 @@ void add_crosshair(Overlay& out, const PlayerPicture& p, const Corner& c) {
              {fvec2(0.707F), fvec2(-0.707F), fvec2(0.707F, -0.707F), fvec2(-0.707F, 0.707F)})
             line(way, 9, 18, colour(0xFFE08A, 1.0F), width + 0.5F);
     }
-    if (p.since_dry_s < dry_seconds)
-        add_text(out, "no energy", centre + fvec2(0, 22 * u), 14 * u, light_red, Align::centre);
+    if (p.since_warning_s < warning_seconds)
+        add_text(out, row_of(picture.shown->events, p.warning).caption, centre + fvec2(0, 22 * u), 14 * u,
+                 light_red, Align::centre);
 }
 
 /// Direction of a vector in the player's view, clockwise from straight ahead (rad).
@@ -151,11 +153,6 @@ void add_hurt_marks(Overlay& out, const PlayerPicture& p, const Corner& c) {
     }
 }
 
-std::string_view cause(EventKind how) {
-    const auto index = cause_of(how);
-    return index < causes.size() ? causes[index].name : "magic";
-}
-
 /// True if large text fills a small view. The corners then reach the score, and other things must make room.
 bool crowded(const Corner& c) { return static_cast<float>(c.view.width) < 530 * c.unit; }
 
@@ -175,11 +172,10 @@ void add_feed(Overlay& out, const Picture& picture, const Corner& c) {
     for (std::uint32_t i = picture.feed_lines - std::min(most, picture.feed_lines); i < picture.feed_lines;
          ++i) {
         const auto& line = picture.feed[i];
-        const bool own = line.by >= players || line.by == line.victim;
-        const auto words =
-            own ? text(team_name(line.victim), " fell (", cause(line.how), ")")
-                : text(team_name(line.by), "  \u25B8 ", cause(line.how), " \u25B8  ", team_name(line.victim));
-        const auto who = own ? line.victim : line.by;
+        const auto& row = row_of(picture.shown->events, line.event.kind);
+        const bool alone = line.event.by >= players || line.event.by == line.event.subject;
+        const auto words = event_words(alone ? row.feed_alone : row.feed, line.event);
+        const auto who = alone ? line.event.subject : line.event.by;
         add_text(out, words, right, 15 * u, opaque(team_colours(who).light), Align::right);
         right.y += 20 * u;
     }
@@ -192,11 +188,9 @@ void add_name(Overlay& out, std::uint32_t player, const Corner& c) {
 }
 
 /// Shows what the player has just picked up, for players who do not hear it.
-void add_gift(Overlay& out, const PlayerPicture& p, const Corner& c) {
+void add_gift(Overlay& out, const Picture& picture, const PlayerPicture& p, const Corner& c) {
     if (p.since_gift_s > gift_seconds) return;
-    const bool energy = p.gift == PowerUpKind::spark;
-    const auto name = capitalised(power_up_names[static_cast<std::size_t>(p.gift)]);
-    add_text(out, text(name, "  +", std::lround(p.gift_amount), energy ? " energy" : " health"),
+    add_text(out, event_words(row_of(picture.shown->events, p.gift.kind).caption, p.gift),
              at(c.view, 0.5F, 0.76F) - fvec2(0, 25 * c.unit), 18 * c.unit, white, Align::centre);
 }
 
@@ -332,14 +326,14 @@ void add_player(Overlay& out, const Picture& picture, std::uint32_t player, cons
     const auto& p = picture.wizards[player];
     if (p.dead && picture.phase == Phase::playing) add_death(out, p, c);
     if (!p.dead) {
-        add_crosshair(out, p, c);
+        add_crosshair(out, picture, p, c);
         add_hurt_marks(out, p, c);
-        add_gift(out, p, c);
+        add_gift(out, picture, p, c);
         add_brew_words(out, picture, player, c);
     }
     add_caption(out, p, device_says, c);
     add_health(out, p, player, c);
-    add_wand(out, p, player, c);
+    add_wand(out, picture, player, c);
     add_feed(out, picture, c);
     add_name(out, player, c);
 }

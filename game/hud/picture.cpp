@@ -43,9 +43,10 @@ void take_things(const ecs::World& world, Picture& out) {
 
 void take_missiles(const Simulation& match, Picture& out) {
     out.missiles.clear();
-    for (const auto& wand : match.data().wands) {
-        wand.rules->show(match.world(), [&](const Missile& m) {
-            out.missiles.push_back({m.entity, m.player, m.position, m.velocity, m.look, m.size});
+    const auto& wands = match.data().wands;
+    for (std::uint32_t wand = 0; wand < wands.size(); ++wand) {
+        wands[wand].rules->show(match.world(), [&](const Missile& m) {
+            out.missiles.push_back({m.entity, m.player, m.position, m.velocity, wand, m.size});
         });
     }
 }
@@ -63,7 +64,7 @@ void take_power_ups(const Simulation& match, Picture& out) {
 void take_belt(const Simulation& match, ecs::Entity wizard, const WandBelt& belt, PlayerPicture& out) {
     const auto* wand = wand_in_hand(match.data(), belt);
     out.wand = wand == nullptr ? std::string_view{} : wand->kind->name;
-    out.silhouette = wand == nullptr ? Silhouette{} : wand->stats.silhouette;
+    out.wand_number = wand == nullptr ? 0 : static_cast<std::uint32_t>(wand - match.data().wands.data());
     out.energy = energy_in_hand(match.data(), belt);
     out.energy_cap = wand == nullptr ? 0 : wand->stats.energy_cap;
     out.readiness = wand != nullptr ? wand->rules->readiness(match.world(), wizard).value_or(0) : 0;
@@ -132,7 +133,7 @@ void take_wizards(const Simulation& match, Picture& out) {
             p.health_cap = rules.health_cap;
             p.kills = score.kills;
             p.deaths = score.deaths;
-            p.since_hit_s = p.since_dry_s = p.since_gift_s = long_ago;
+            p.since_hit_s = p.since_warning_s = p.since_gift_s = long_ago;
             if (dead != nullptr && dead->returns_at > state.played)
                 p.returns_in_s = seconds(dead->returns_at - state.played);
             take_belt(match, e, belt, p);
@@ -144,8 +145,6 @@ void take_wizards(const Simulation& match, Picture& out) {
         });
 }
 
-bool hurts(EventKind kind) { return cause_of(kind) < causes.size(); }
-
 vec3 direction(vec3 from, vec3 to) {
     const vec3 d = to - from;
     const double length = glm::length(d);
@@ -153,51 +152,65 @@ vec3 direction(vec3 from, vec3 to) {
 }
 
 /// Direction of a hurt: towards the player who caused it, or else towards the place of the event.
-HurtMark mark_of(const Picture& picture, const Event& event, double age_s) {
+HurtMark mark_of(const Picture& picture, const Event& event, HudMark how, double age_s) {
     const auto& victim = picture.wizards[event.subject];
-    HurtMark mark{.age_s = age_s, .how = event.kind};
+    HurtMark mark{.age_s = age_s};
     if (event.by < players && event.by != event.subject)
         mark.towards = direction(victim.eye, picture.wizards[event.by].eye);
-    else if (event.kind != EventKind::fall)
+    else if (how != HudMark::fall)
         mark.towards = direction(victim.centre, event.place);
     return mark;
 }
 
-void note_hurt(const Event& event, double age_s, Picture& out) {
+void note_hurt(const Event& event, HudMark how, double age_s, Picture& out) {
     if (event.by < players && event.by != event.subject)
         out.wizards[event.by].since_hit_s = std::min(out.wizards[event.by].since_hit_s, age_s);
     auto& victim = out.wizards[event.subject];
     if (age_s < mark_seconds && victim.hurts < victim.marks.size())
-        victim.marks[victim.hurts++] = mark_of(out, event, age_s);
+        victim.marks[victim.hurts++] = mark_of(out, event, how, age_s);
 }
 
 void note_gift(const Event& event, double age_s, PlayerPicture& out) {
     if (age_s >= out.since_gift_s) return;
     out.since_gift_s = age_s;
-    out.gift = static_cast<PowerUpKind>(event.detail);
-    out.gift_amount = event.amount;
+    out.gift = event;
+}
+
+void note_warning(const Event& event, double age_s, PlayerPicture& out) {
+    if (age_s >= out.since_warning_s) return;
+    out.since_warning_s = age_s;
+    out.warning = event.kind;
+}
+
+void note_mark(const Event& event, HudMark mark, double age_s, Picture& out) {
+    switch (mark) {
+        case HudMark::none: break;
+        case HudMark::hit:
+        case HudMark::fall: note_hurt(event, mark, age_s, out); break;
+        case HudMark::warning: note_warning(event, age_s, out.wizards[event.subject]); break;
+        case HudMark::gift: note_gift(event, age_s, out.wizards[event.subject]); break;
+    }
 }
 
 void note(const Event& event, double age_s, Picture& out) {
     if (event.subject >= players) return;
-    if (hurts(event.kind)) note_hurt(event, age_s, out);
-    if (event.kind == EventKind::dry)
-        out.wizards[event.subject].since_dry_s = std::min(out.wizards[event.subject].since_dry_s, age_s);
+    const auto& row = row_of(out.shown->events, event.kind);
+    note_mark(event, row.mark, age_s, out);
     if (event.kind == EventKind::burst && age_s < burst_seconds && out.burst_count < out.bursts.size())
         out.bursts[out.burst_count++] = {age_s, event.subject, event.place, event.amount};
-    if (event.kind == EventKind::power_up) note_gift(event, age_s, out.wizards[event.subject]);
-    if (event.kind == EventKind::death && age_s < feed_seconds && out.feed_lines < out.feed.size())
-        out.feed[out.feed_lines++] = {age_s, event.subject, event.by, static_cast<EventKind>(event.detail)};
+    if (!row.feed.empty() && age_s < feed_seconds && out.feed_lines < out.feed.size())
+        out.feed[out.feed_lines++] = {age_s, event};
 }
 
-/// Takes the newest events first, so that a full list leaves out the oldest.
+/// Takes the newest events first, so that a full list leaves out the oldest. Events older than anything shown
+/// are left out.
 void take_events(const Simulation& match, Picture& out) {
-    const auto& event_log = match.world().single<EventLog>();
-    const auto size = event_log.events.size();
+    const auto& events = match.events();
     out.feed_lines = out.burst_count = 0;
-    for (std::uint64_t i = 0; i < std::min<std::uint64_t>(event_log.count, size); ++i) {
-        const auto& event = event_log.events[(event_log.count - 1 - i) % size];
-        note(event, age(match.match(), event.tick), out);
+    for (auto i = events.count(); i > events.first(); --i) {
+        const auto age_s = age(match.match(), events[i - 1].tick);
+        if (age_s > feed_seconds) break;
+        note(events[i - 1], age_s, out);
     }
     std::reverse(out.feed.begin(), out.feed.begin() + out.feed_lines);
 }
@@ -263,6 +276,7 @@ Picture make_picture() {
 
 void take_picture(const Simulation& match, Picture& out) {
     out.overloaded = false;
+    out.shown = match.data().presentation;
     take_round(match, out);
     take_things(match.world(), out);
     take_missiles(match, out);

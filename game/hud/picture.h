@@ -3,12 +3,14 @@
 // nothing.
 #pragma once
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "game/context/arms.h"
+#include "game/data/presentation.h"
 #include "game/hud/brew_picture.h"
 #include "game/match/result.h"
 #include "haptics/safety.h"
@@ -38,8 +40,8 @@ struct MissilePicture {
     std::uint32_t player{};
     vec3 position{};
     vec3 velocity{};
-    MissileLook look{};
-    double size{};  ///< radius of a round missile (m)
+    std::uint32_t wand{};  ///< index of its wand in Presentation::wands
+    double size{};         ///< scale of the look; 0: the look has its own size
 };
 
 /// Time for which a burst is shown.
@@ -71,7 +73,6 @@ inline constexpr double mark_seconds = 1.2;
 /// A recent hurt of a player.
 struct HurtMark {
     double age_s{};
-    EventKind how{};
     vec3 towards{};  ///< unit vector from the victim to the source (world); zero if unknown
 };
 
@@ -98,16 +99,16 @@ struct PlayerPicture {
 
     double health{}, health_full{}, health_cap{};  ///< HP
     std::string_view wand;                         ///< kind of the wand in hand; empty: none
-    Silhouette silhouette{};                       ///< silhouette of the wand in hand
+    std::uint32_t wand_number{};                   ///< its index in Presentation::wands
     double energy{}, energy_cap{};
     double readiness{};  ///< charge or draw of the wand, 0 to 1
     std::int32_t kills{}, deaths{};
-    double returns_in_s{};  ///< time until the wizard returns, if dead
-    double since_hit_s{};   ///< time since this player last hurt the other
-    double since_dry_s{};   ///< time since the wand last had too little energy
-    double since_gift_s{};  ///< time since this player last picked up a power-up
-    PowerUpKind gift{};
-    double gift_amount{};        ///< HP or energy gained
+    double returns_in_s{};       ///< time until the wizard returns, if dead
+    double since_hit_s{};        ///< time since this player last hurt the other
+    double since_warning_s{};    ///< time since the last event of this player with HudMark::warning
+    EventKind warning{};         ///< kind of that event
+    double since_gift_s{};       ///< time since the last event of this player with HudMark::gift
+    Event gift{};                ///< that event
     std::string_view carries{};  ///< name of the carried ingredient; empty: none
     bool stirs{};                ///< true if the player holds a ladle
     bool at_rim{};               ///< true if the player can start to stir
@@ -120,11 +121,10 @@ struct PlayerPicture {
     std::array<HurtMark, 6> marks{};
 };
 
-/// A death, for the kill feed.
+/// An event whose row has words for the feed, such as a death.
 struct FeedLine {
     double age_s{};
-    std::uint32_t victim{}, by{no_player};
-    EventKind how{};
+    Event event{};
 };
 
 /// The display of the practice range, in place of score and clock. The session fills it in.
@@ -148,6 +148,8 @@ struct Picture {
     std::vector<NichePicture> niches;
     CauldronPicture cauldron;
     std::array<PlayerPicture, players> wizards{};
+    std::shared_ptr<const Presentation>
+        shown;  ///< rows of events and looks of wands; never null after taking
 
     double played_s{}, left_s{};
     Phase phase{};

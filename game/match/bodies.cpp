@@ -62,7 +62,7 @@ void count_blows(MatchContext& context, Tick tick) {
                 if (!blow.by || blow.impulse < 0 || tick < blow.began + blow_length) continue;
                 const double points = harm_of_blow(rules, blow.impulse);
                 blow.impulse = -1;
-                hurt(context.world, wizard, tick,
+                hurt(context, wizard, tick,
                      {.points = points,
                       .by = mover_of(context.world, blow.by, blow.began, rules.blame),
                       .how = EventKind::object_hit,

@@ -93,6 +93,8 @@ void copy_world(const MatchContext& from, MatchContext& to) {
 }  // namespace
 
 void carry_over(const MatchContext& from, MatchContext& to) {
+    to.journal = from.journal;
+    to.bursts_seen = from.bursts_seen;
     if (to.data.arena == from.data.arena) {
         copy_world(from, to);
     } else {

@@ -34,12 +34,12 @@ void die(MatchContext& context, ecs::Entity e, const Wizard& wizard, const Healt
     auto& world = context.world;
     const auto killer = killer_of(wizard, health, context.data.wizard.blame, tick);
     count_kill(world, wizard.player, killer);
-    record(world, {.tick = tick,
-                   .kind = EventKind::death,
-                   .subject = wizard.player,
-                   .by = killer,
-                   .detail = health.hurt_how,
-                   .place = motion.position});
+    record(context, {.tick = tick,
+                     .kind = EventKind::death,
+                     .subject = wizard.player,
+                     .by = killer,
+                     .detail = health.hurt_how,
+                     .place = motion.position});
     world.commands().add(e, Dead{tick + context.data.round.respawn});
     world.commands().remove<Body>(e);
 }
@@ -59,11 +59,11 @@ void return_to_life(MatchContext& context, ecs::Entity e, const Wizard& wizard, 
     world.get<WandBelt>(e).energy = full_belt(context.data).energy;
     world.commands().remove<Dead>(e);
     world.commands().add(e, wizard_body(context.data.wizard));
-    record(world, {.tick = tick,
-                   .kind = EventKind::spawn,
-                   .subject = wizard.player,
-                   .detail = pad.number,
-                   .place = pad.feet});
+    record(context, {.tick = tick,
+                     .kind = EventKind::spawn,
+                     .subject = wizard.player,
+                     .detail = pad.number,
+                     .place = pad.feet});
 }
 
 }  // namespace

@@ -45,13 +45,13 @@ void take(MatchContext& context, const Taker& taker, PowerUp& power_up, vec3 pla
     world.get<WandBelt>(taker.wizard).energy[taker.gift.slot] += taker.gift.energy;
     power_up.back_at = tick + context.data.rules.power_ups[static_cast<std::size_t>(power_up.kind)].again;
     const auto player = std::as_const(world).get<Wizard>(taker.wizard).player;
-    record(world, {.tick = tick,
-                   .kind = EventKind::power_up,
-                   .subject = player,
-                   .by = player,
-                   .detail = static_cast<std::uint32_t>(power_up.kind),
-                   .amount = taker.gift.amount(),
-                   .place = place});
+    record(context, {.tick = tick,
+                     .kind = EventKind::power_up,
+                     .subject = player,
+                     .by = player,
+                     .detail = static_cast<std::uint32_t>(power_up.kind),
+                     .amount = taker.gift.amount(),
+                     .place = place});
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ std::string words_of(const MatchStats& d) {
 
 std::vector<ResultRow> result_rows(const AllMatchStats& match_stats) {
     std::vector<ResultRow> rows;
-    for (std::size_t cause = 0; cause < causes.size(); ++cause) {
-        ResultRow row{causes[cause].name, {words_of(match_stats[0][cause]), words_of(match_stats[1][cause])}};
+    for (std::size_t cause = 0; cause < causes().size(); ++cause) {
+        ResultRow row{causes()[cause], {words_of(match_stats[0][cause]), words_of(match_stats[1][cause])}};
         if (!row.words[0].empty() || !row.words[1].empty()) rows.push_back(std::move(row));
     }
     return rows;

@@ -53,10 +53,10 @@ void end_round(MatchContext& context, Ending ending, std::uint32_t winner, Tick 
     if (winner < players) ++match.rounds_won[winner];
     match.phase = decided(match, context.data.round.rounds) ? Phase::over : Phase::between;
     match.waited = 0;
-    record(world, {.tick = tick,
-                   .kind = EventKind::round_end,
-                   .subject = winner,
-                   .detail = static_cast<std::uint32_t>(ending)});
+    record(context, {.tick = tick,
+                     .kind = EventKind::round_end,
+                     .subject = winner,
+                     .detail = static_cast<std::uint32_t>(ending)});
 }
 
 std::uint32_t leader(const std::array<std::int32_t, players>& kills) {
@@ -130,7 +130,7 @@ void begin_next_round(MatchContext& context) {
     match.phase = Phase::playing;
     match.round_began = match.played;
     ++match.round;
-    record(context.world, {.tick = match.played, .kind = EventKind::round_begin, .detail = match.round});
+    record(context, {.tick = match.played, .kind = EventKind::round_begin, .detail = match.round});
     context.physics.rebuild();
 }
 

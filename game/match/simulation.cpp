@@ -149,6 +149,8 @@ void Simulation::keyframe() {
 Expected<void> Simulation::restore(std::span<const std::byte> snapshot, Tick at) {
     THAUM_ASSERT(at % keyframe_interval == 0, text("restored at tick ", at, ", which is no keyframe"));
     if (auto restored = ecs::restore(context_->world, snapshot); !restored) return restored;
+    context_->journal.restart(std::as_const(context_->world).single<EventLog>());
+    context_->bursts_seen = context_->journal.count();
     rebuild_physics(*context_);
     rebuild_brew(*context_);
     now_ = at;
@@ -172,6 +174,8 @@ void Simulation::save(Bytes& out) const { ecs::save(context_->world, out); }
 std::uint64_t Simulation::state_hash() const { return ecs::state_hash(context_->world); }
 const ecs::World& Simulation::world() const { return context_->world; }
 ecs::World& Simulation::world_to_change() { return context_->world; }
+MatchContext& Simulation::context_to_change() { return *context_; }
+const EventJournal& Simulation::events() const { return context_->journal; }
 physics::Physics& Simulation::physics() { return context_->physics; }
 const physics::Physics& Simulation::physics() const { return context_->physics; }
 

@@ -18,7 +18,7 @@ namespace thaum::game {
 
 /// Version of the rules. It changes whenever the same input would lead to another state. The history of this
 /// file in version control gives the reasons.
-inline constexpr std::uint32_t rules_version = 16;
+inline constexpr std::uint32_t rules_version = 17;
 
 struct MatchSetup {
     std::uint64_t seed = 1;
@@ -44,11 +44,14 @@ public:
     /// Write access for scenarios that set a scene and for tests that corrupt a value. Not for a match that
     /// is logged.
     ecs::World& world_to_change();
+    MatchContext& context_to_change();
     physics::Physics& physics();
     const physics::Physics& physics() const;
     const MatchData& data() const { return *data_; }
     const MatchSetup& setup() const { return setup_; }
     const Match& match() const { return world().single<Match>(); }
+    /// Every event of the last seconds.
+    const EventJournal& events() const;
 
     std::uint64_t state_hash() const;
     /// Hash of the forces commanded to devices since the last multiple of hash_interval.

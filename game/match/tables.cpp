@@ -9,59 +9,6 @@
 namespace thaum::game {
 namespace {
 
-/// Content of the column `with` for a kind of event.
-enum class With : std::uint8_t {
-    nothing,
-    wand_in_hand,
-    own_name,
-    cause,
-    pad,
-    ending,
-    power_up,
-    round,
-    ingredient
-};
-
-/// How the table shows one kind of event.
-struct EventFormat {
-    EventKind kind;
-    With with;
-    std::string_view unit;  ///< unit of `amount`; empty: the event has no amount
-    bool placed;            ///< the event has a position
-    bool to_somebody;       ///< the event happens to `subject`, who is shown in the column `whom`
-};
-
-constexpr EventFormat formats[] = {
-    {EventKind::none, With::nothing, "", false, false},
-    {EventKind::shot, With::wand_in_hand, "", true, false},
-    {EventKind::bolt_hit, With::own_name, "hp", true, true},
-    {EventKind::object_hit, With::own_name, "hp", true, true},
-    {EventKind::fall, With::own_name, "hp", true, true},
-    {EventKind::death, With::cause, "", true, true},
-    {EventKind::spawn, With::pad, "", true, true},
-    {EventKind::dry, With::wand_in_hand, "", false, false},
-    {EventKind::round_end, With::ending, "", false, true},
-    {EventKind::power_up, With::power_up, "points", true, true},  // health (HP) or a spark's energy
-    {EventKind::round_begin, With::round, "", false, false},
-    {EventKind::blast_hit, With::own_name, "hp", true, true},
-    {EventKind::lob_hit, With::own_name, "hp", true, true},
-    {EventKind::burst, With::cause, "m", true, false},
-    {EventKind::ingredient, With::ingredient, "", true, true},
-    {EventKind::dropped, With::ingredient, "m3", true, false},
-    {EventKind::wrested, With::nothing, "J", true, false},
-    {EventKind::boiled_over, With::nothing, "", true, false},
-    {EventKind::spoilt, With::own_name, "hp", true, true},
-};
-
-constexpr bool all_kinds_are_told() {
-    if (std::size(formats) != event_names.size()) return false;
-    for (std::size_t i = 0; i < std::size(formats); ++i) {
-        if (static_cast<std::size_t>(formats[i].kind) != i) return false;
-    }
-    return true;
-}
-static_assert(all_kinds_are_told(), "a new EventKind needs its row in `tellings`, in the order of the enum");
-
 /// Time in seconds. One division rounds once, so 9 ticks are 0.009 and not 0.009000000000000001.
 double in_seconds(Tick tick) { return static_cast<double>(tick) / static_cast<double>(ticks_per_second); }
 
@@ -102,8 +49,9 @@ std::string wand_of(const Simulation& match, std::uint32_t player) {
     return wand != nullptr ? std::string(wand->kind->name) : std::string();
 }
 
-std::string name_of_kind(std::size_t kind) {
-    return kind < event_names.size() ? std::string(event_names[kind]) : text("kind ", kind);
+std::string name_of_kind(std::uint32_t kind) {
+    const auto name = name_of(static_cast<EventKind>(kind));
+    return name.empty() ? text("kind ", kind) : std::string(name);
 }
 
 std::string_view name_of_ending(std::uint32_t ending) {
@@ -115,33 +63,33 @@ std::string_view name_of_ending(std::uint32_t ending) {
     return "";
 }
 
-std::string with_what(With with, const Event& event, const Simulation& match) {
+std::string with_what(EventWith with, const Event& event, const Simulation& match) {
     switch (with) {
-        case With::nothing: break;
-        case With::wand_in_hand: return wand_of(match, event.by);
-        case With::own_name: return name_of_kind(static_cast<std::size_t>(event.kind));
-        case With::cause: return name_of_kind(event.detail);
-        case With::pad: return text("pad ", event.detail);
-        case With::ending: return std::string(name_of_ending(event.detail));
-        case With::power_up:
+        case EventWith::nothing: break;
+        case EventWith::wand_in_hand: return wand_of(match, event.by);
+        case EventWith::own_name: return std::string(name_of(event.kind));
+        case EventWith::cause: return name_of_kind(event.detail);
+        case EventWith::pad: return text("pad ", event.detail);
+        case EventWith::ending: return std::string(name_of_ending(event.detail));
+        case EventWith::power_up:
             return event.detail < power_up_names.size() ? std::string(power_up_names[event.detail]) : "";
-        case With::ingredient: return name_of_ingredient(match.data(), event.detail);
-        case With::round: return text("round ", event.detail);
+        case EventWith::ingredient: return name_of_ingredient(match.data(), event.detail);
+        case EventWith::round: return text("round ", event.detail);
     }
     return {};
 }
 
 void append_event(const Event& event, const Simulation& match, std::string& out) {
-    const auto& format = formats[static_cast<std::size_t>(event.kind)];
+    const auto& info = info_of(event.kind);
     append({.tick = match.now(),
             .played = event.tick,
-            .kind = event_names[static_cast<std::size_t>(event.kind)],
+            .kind = info.name,
             .who = event.by,
-            .whom = format.to_somebody ? event.subject : no_player,
-            .with = with_what(format.with, event, match),
+            .whom = info.to_somebody ? event.subject : no_player,
+            .with = with_what(info.with, event, match),
             .amount = event.amount,
-            .unit = format.unit,
-            .place = format.placed ? &event.place : nullptr},
+            .unit = info.unit,
+            .place = info.placed ? &event.place : nullptr},
            out);
 }
 
@@ -215,8 +163,8 @@ void EventTable::follow(const Playback& playback, std::string& out) {
                 .unit = "ticks"},
                out);
     }
-    const auto lost = each_new_event(match.world().single<EventLog>(), seen_,
-                                     [&](const Event& event) { append_event(event, match, out); });
+    const auto lost =
+        match.events().each_new(seen_, [&](const Event& event) { append_event(event, match, out); });
     if (lost > 0) {
         append({.tick = now,
                 .played = state.played,

@@ -22,13 +22,13 @@ void append_csv(std::string& row, std::string_view field);
 ///
 ///     tick     number of ticks played, pauses included (the log's clock)
 ///     time_s   the same in s; played_s: ticks of play in s
-///     kind     an event name of game/components/match.h, or pause, resume, skip, mark, lost, end
+///     kind     an event name of game/data/event_kinds.h, or pause, resume, skip, mark, lost, end
 ///     who      player who caused the event: 1, 2 or empty; whom: player to whom it happened
 ///              (round_end: the winner)
 ///     with     wand, cause of a death or of a burst's harm, pad, power-up, ingredient, round,
 ///              ending of the round or of the log, or number of the mark
 ///     amount   in `unit`: hp, points, m (reach of a burst), m3, J, ticks (skip),
-///              events (lost: more came in one tick than a match keeps)
+///              events (lost: gone before they could be written)
 ///     x_m ...  position (world); empty if the event has none
 ///     note     kind end: the result of the replay in one line
 class EventTable {
@@ -42,7 +42,7 @@ public:
 private:
     void marks_up_to(Tick tick, const Playback& playback, std::string& out);
 
-    std::uint64_t seen_ = 0;  ///< value of EventLog::count up to which events were written
+    std::uint64_t seen_ = 0;  ///< value of EventJournal::count up to which events were written
     std::size_t marks_ = 0;
     bool paused_ = false;
 };

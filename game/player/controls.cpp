@@ -78,6 +78,9 @@ std::uint32_t arm_buttons(const MatchContext& context, std::uint32_t player) {
 void take(const input::DeviceSample& sample, Controls& controls) {
     controls.pressed |= sample.buttons & ~controls.held;
     controls.held = sample.buttons;
+    if (sample.wand != controls.wand_held && sample.wand <= wand_slots && sample.wand != 0)
+        controls.wand_pressed = sample.wand;
+    controls.wand_held = sample.wand;
     const auto& counts = sample.counts;
     controls.strafe = std::clamp(counts[hand::strafe], -127, 127);
     controls.forward = std::clamp(counts[hand::forward], -127, 127);
@@ -142,7 +145,8 @@ void add_pause_system(MatchContext& context, ecs::Schedule& schedule) {
                       });
                       // Buttons pressed during a pause have no effect after it.
                       if (match.paused != 0 || match.phase != Phase::playing) {
-                          w.view<Controls>().each([](Controls& c) { c.pressed = 0, c.wheel = 0; });
+                          w.view<Controls>().each(
+                              [](Controls& c) { c.pressed = 0, c.wand_pressed = 0, c.wheel = 0; });
                       }
                   }});
 }
@@ -154,7 +158,8 @@ void add_controls_used_system(MatchContext& context, ecs::Schedule& schedule) {
                   .writes = world.mask<Controls>(),
                   .needs = world.mask<Controls>(),
                   .run = [](ecs::World& w, Tick) {
-                      w.view<Controls>().each([](Controls& c) { c.pressed = 0, c.wheel = 0; });
+                      w.view<Controls>().each(
+                          [](Controls& c) { c.pressed = 0, c.wand_pressed = 0, c.wheel = 0; });
                   }});
 }
 

@@ -56,7 +56,7 @@ void add_walk_system(MatchContext& context, ecs::Schedule& schedule) {
                      if (result.jumped) controls.pressed &= ~jump;
                      const double excess = result.landing_speed - rules.fall_safe;
                      if (excess > 0) {
-                         hurt(w, e, tick,
+                         hurt(context, e, tick,
                               {.points = excess * rules.fall_damage,
                                .how = EventKind::fall,
                                .place = motion.position});

@@ -60,21 +60,16 @@ input::InputFrame frame_of(Play& play) {
         sample.counts[hand::trigger] =
             (from.buttons & static_cast<std::uint32_t>(input::Button::fire)) != 0 ? from.trigger : 0;
         sample.buttons = from.buttons;
+        sample.wand = from.wand;
     }
     if (!play.bots.empty()) play.bots.sample(*play.match, frame);
     take_samples(play.arms, frame);
     return frame;
 }
 
-/// Collects new events, since the EventLog keeps only the last ones.
+/// Collects new events, since the journal keeps only the last seconds.
 void collect_events(Play& play) {
-    const auto& event_log = play.match->world().single<EventLog>();
-    const auto size = event_log.events.size();
-    const auto oldest = event_log.count - std::min<std::uint64_t>(event_log.count, size);
-    for (auto i = std::max(play.events_seen, oldest); i < event_log.count; ++i) {
-        play.events.push_back(event_log.events[i % size]);
-    }
-    play.events_seen = event_log.count;
+    play.match->events().each_new(play.events_seen, [&](const Event& e) { play.events.push_back(e); });
 }
 
 void keep_keyframe(Play& play) {

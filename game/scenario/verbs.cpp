@@ -34,11 +34,6 @@ constexpr ButtonName button_names[] = {
     {"clutch", Button::clutch},
     {"panic", Button::panic},
     {"rejoin", Button::rejoin},
-    {"wand_1", Button::wand_1},
-    {"wand_2", Button::wand_2},
-    {"wand_3", Button::wand_3},
-    {"wand_4", Button::wand_4},
-    {"wand_5", Button::wand_5},
     {"mark", Button::mark},
     {"confirm", Button::confirm},
 };
@@ -190,9 +185,22 @@ Hand& hand_of(Play& play, lua_State* lua) {
     return play.hands[player];
 }
 
+/// Number of the wand that a button "wand_1" to "wand_9" selects; 0 for other buttons.
+std::uint32_t wand_of_button(std::string_view name) {
+    constexpr std::string_view start = "wand_";
+    if (!name.starts_with(start) || name.size() != start.size() + 1) return 0;
+    const auto number = static_cast<std::uint32_t>(name.back() - '0');
+    return number <= input::most_wands ? number : 0;
+}
+
 int verb_button(lua_State* lua, void* context) {
     auto& hand = hand_of(began(context), lua);
     const auto name = arg::string(lua, 2, "a button");
+    if (const auto wand = wand_of_button(name); wand != 0) {
+        const bool down = lua_toboolean(lua, 3) != 0;
+        if (down || hand.wand == wand) hand.wand = down ? wand : 0;
+        return 0;
+    }
     const auto found = std::find_if(std::begin(button_names), std::end(button_names),
                                     [&](const auto& b) { return b.name == name; });
     if (found == std::end(button_names)) fault("there is no button '", name, "'");

@@ -31,9 +31,9 @@ struct EventWish {
 
 EventKind read_kind(lua_State* lua, int index) {
     const auto name = arg::string(lua, index, "kind");
-    const auto found = std::find(event_names.begin(), event_names.end(), name);
-    if (found == event_names.end()) fault("there is no event '", name, "'");
-    return static_cast<EventKind>(found - event_names.begin());
+    const auto kind = event_kind(name);
+    if (!kind) fault("there is no event '", name, "'");
+    return *kind;
 }
 
 EventWish read_event_wish(lua_State* lua) {
@@ -60,7 +60,7 @@ void push_event(lua_State* lua, const Event& event) {
     lua_createtable(lua, 0, 7);
     lua_pushnumber(lua, seconds(event.tick));
     lua_setfield(lua, -2, "time");
-    const auto name = event_names[static_cast<std::size_t>(event.kind)];
+    const auto name = name_of(event.kind);
     lua_pushlstring(lua, name.data(), name.size());
     lua_setfield(lua, -2, "kind");
     lua_pushnumber(lua, event.amount);
@@ -142,12 +142,11 @@ int verb_deeds(lua_State* lua, void* context) {
     const auto& play = began(context);
     const auto player = arg::player(lua, 1);
     const auto name = arg::string(lua, 2, "cause");
-    const auto found =
-        std::find_if(causes.begin(), causes.end(), [&](const Cause& c) { return c.name == name; });
-    if (found == causes.end()) fault("nothing hurts by '", name, "'");
-    const auto& match_stats = world_of(play)
-                                  .single<EventLog>()
-                                  .match_stats[player][static_cast<std::size_t>(found - causes.begin())];
+    const auto all = causes();
+    const auto found = std::find(all.begin(), all.end(), name);
+    if (found == all.end()) fault("nothing hurts by '", name, "'");
+    const auto& match_stats =
+        world_of(play).single<EventLog>().match_stats[player][static_cast<std::size_t>(found - all.begin())];
     lua_createtable(lua, 0, 5);
     const auto set = [&](const char* key, double value) {
         lua_pushnumber(lua, value);

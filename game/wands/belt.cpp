@@ -33,10 +33,8 @@ void choose(const MatchData& data, const Controls& controls, bool wheel_is_taken
     constexpr auto forward = std::uint32_t{1};
     constexpr auto backward = static_cast<std::uint32_t>(wand_slots - 1);
     const auto pressed = [&](Button b) { return (controls.pressed & input::bit(b)) != 0; };
-    for (std::uint32_t slot = 0; slot < wand_slots; ++slot) {
-        const auto key = static_cast<Button>(input::bit(Button::wand_1) << slot);
-        if (pressed(key) && wand_in_slot(data, slot) != nullptr) belt.selected = slot;
-    }
+    const auto wand = controls.wand_pressed;
+    if (wand != 0 && wand_in_slot(data, wand - 1) != nullptr) belt.selected = wand - 1;
     if (wheel_is_taken) return;
     if (pressed(Button::next_wand)) belt.selected = next_slot(data, belt.selected, forward);
     if (pressed(Button::previous_wand)) belt.selected = next_slot(data, belt.selected, backward);

@@ -29,6 +29,7 @@ struct BlastData {
     double fastest{};
     double recoil{};  ///< peak of the recoil at full charge (N)
     Tick recoil_length{};
+    EventKind hit{};  ///< kind of event of its hits
 };
 
 /// A ball of fire in flight.
@@ -67,6 +68,7 @@ struct BlastHand {
 
 BlastData read(const ConfigTable& root) {
     BlastData data;
+    data.hit = hit_kind("blast_hit");
     data.energy = read_growing(root.table("energy"), "cost", "cost_full", {0, 1e6});
     const auto charge = root.table("charge");
     const double from = charge.number("from_s", {0, 60}), full = charge.number("full_s", {0.001, 60});
@@ -112,7 +114,7 @@ void shoot(const WandUse& use, const BlastData& data, double charge) {
                                   .dies_at = use.tick + data.life,
                                   .player = std::as_const(world).get<Wizard>(use.wizard).player,
                                   .shooter = use.wizard.index});
-    note_shot(use, EventKind::blast_hit, muzzle.tip);
+    note_shot(use, data.hit, muzzle.tip);
     kick(use.context, use.wizard, recoil_of(data, charge), data.recoil_length);
 }
 
@@ -189,7 +191,7 @@ void hit(MatchContext& context, const Blast& blast, const BlastData& data, vec3 
            .fastest = data.fastest,
            .player = blast.player,
            .shooter = blast.shooter,
-           .how = EventKind::blast_hit,
+           .how = data.hit,
            .struck = struck,
            .struck_damage = damage},
           tick);
@@ -236,7 +238,6 @@ public:
                   .position = b.position,
                   .velocity = b.velocity,
                   .player = b.player,
-                  .look = MissileLook::fireball,
                   .size = 0.12 + 0.1 * b.charge});
         });
     }
@@ -256,6 +257,7 @@ private:
 
 const WandRegistration registration({
     .name = "blast",
+    .hits = {{.name = "blast_hit", .cause = "blast", .fixed = FixedNumbers{11, 1}}},
     .declare =
         [](ecs::World& world) {
             world.declare<Blast>();

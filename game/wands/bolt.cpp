@@ -23,6 +23,7 @@ struct BoltData {
     double impulse{};  ///< impulse of a hit (N s)
     double recoil{};   ///< peak of the recoil (N)
     Tick recoil_length{};
+    EventKind hit{};  ///< kind of event of its hits
 };
 
 /// A bolt in flight.
@@ -50,6 +51,7 @@ struct BoltHand {
 BoltData read(const ConfigTable& root) {
     const auto shot = root.table("shot");
     BoltData data;
+    data.hit = hit_kind("bolt_hit");
     data.interval = std::max<Tick>(1, ticks(1 / shot.number("per_s", {0.01, 1000})));
     data.damage = shot.number("damage", {0, 1e6});
     data.speed = shot.number("speed_m_s", {0.1, 1000});
@@ -81,7 +83,7 @@ void shoot(const WandUse& use, const BoltData& data) {
                                  .dies_at = use.tick + data.life,
                                  .player = std::as_const(world).get<Wizard>(use.wizard).player,
                                  .ignores = use.wizard.index});
-    note_shot(use, EventKind::bolt_hit, muzzle.tip);
+    note_shot(use, data.hit, muzzle.tip);
     kick(use.context, use.wizard, data.recoil, data.recoil_length);
 }
 
@@ -104,8 +106,8 @@ void hit(MatchContext& context, const Bolt& bolt, const BoltData& data, const ph
     const auto victim = context.world.entity(at.key);
     context.physics.apply_impulse(at.key, glm::normalize(bolt.velocity) * data.impulse, at.point);
     if (victim && context.world.has<Wizard>(victim)) {
-        hurt(context.world, victim, tick,
-             {.points = data.damage, .by = bolt.player, .how = EventKind::bolt_hit, .place = at.point});
+        hurt(context, victim, tick,
+             {.points = data.damage, .by = bolt.player, .how = data.hit, .place = at.point});
     } else if (victim && context.world.has<Prop>(victim)) {
         context.world.get<Prop>(victim) = {.moved_at = tick, .moved_by = bolt.player};
     }
@@ -156,6 +158,7 @@ private:
 
 const WandRegistration registration({
     .name = "bolt",
+    .hits = {{.name = "bolt_hit", .cause = "bolt", .fixed = FixedNumbers{2, 0}}},
     .declare =
         [](ecs::World& world) {
             world.declare<Bolt>();

@@ -38,6 +38,7 @@ struct LobData {
     Tick fuse{};
     double bounce{}, drag{};
     double damage{}, reach{}, impulse{}, fastest{};
+    EventKind hit{};  ///< kind of event of its hits
 };
 
 /// A stone in flight, or at rest until the end of its fuse.
@@ -92,6 +93,7 @@ haptics::Tether read_spring(const ConfigTable& spring, vec3 axis, double full) {
 
 LobData read(const ConfigTable& root) {
     LobData data;
+    data.hit = hit_kind("lob_hit");
     data.energy = root.table("energy").number("cost", {0, 1e6});
     const auto draw = root.table("draw");
     data.axis = read_axis(draw);
@@ -132,7 +134,7 @@ void shoot(const WandUse& use, const LobData& data, double share) {
                                 .bursts_at = use.tick + data.fuse,
                                 .player = std::as_const(world).get<Wizard>(use.wizard).player,
                                 .shooter = use.wizard.index});
-    note_shot(use, EventKind::lob_hit, muzzle.tip);
+    note_shot(use, data.hit, muzzle.tip);
 }
 
 void stop_drawing(const WandUse& use) {
@@ -203,7 +205,7 @@ void go_off(MatchContext& context, const Lob& lob, const LobData& data, vec3 pla
            .fastest = data.fastest,
            .player = lob.player,
            .shooter = lob.shooter,
-           .how = EventKind::lob_hit},
+           .how = data.hit},
           tick);
 }
 
@@ -269,7 +271,6 @@ public:
                   .position = b.position,
                   .velocity = b.velocity,
                   .player = b.player,
-                  .look = MissileLook::stone,
                   .size = 0.1});
         });
     }
@@ -290,6 +291,7 @@ private:
 
 const WandRegistration registration({
     .name = "lob",
+    .hits = {{.name = "lob_hit", .cause = "lob", .fixed = FixedNumbers{12, 2}}},
     .declare =
         [](ecs::World& world) {
             world.declare<Lob>();

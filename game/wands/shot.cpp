@@ -59,8 +59,7 @@ void push(MatchContext& context, const Burst& burst, ecs::Entity e, double mass,
 
 void hurt_by_burst(MatchContext& context, const Burst& burst, ecs::Entity e, double points, Tick tick) {
     if (!context.world.has<Wizard>(e)) return;
-    hurt(context.world, e, tick,
-         {.points = points, .by = burst.player, .how = burst.how, .place = burst.place});
+    hurt(context, e, tick, {.points = points, .by = burst.player, .how = burst.how, .place = burst.place});
 }
 
 }  // namespace
@@ -99,7 +98,7 @@ Muzzle muzzle_of(const WandUse& use, double radius) {
 
 void note_dry(const WandUse& use) {
     const auto player = std::as_const(use.context.world).get<Wizard>(use.wizard).player;
-    record(use.context.world, {.tick = use.tick, .kind = EventKind::dry, .subject = player, .by = player});
+    record(use.context, {.tick = use.tick, .kind = EventKind::dry, .subject = player, .by = player});
 }
 
 void note_shot(const WandUse& use, EventKind hit, vec3 tip) {
@@ -107,22 +106,22 @@ void note_shot(const WandUse& use, EventKind hit, vec3 tip) {
     ++world.get<WandBelt>(use.wizard).fired;
     world.get<Health>(use.wizard).shielded_until = use.tick;
     const auto player = std::as_const(world).get<Wizard>(use.wizard).player;
-    record(world, {.tick = use.tick,
-                   .kind = EventKind::shot,
-                   .subject = player,
-                   .by = player,
-                   .detail = static_cast<std::uint32_t>(hit),
-                   .place = tip});
+    record(use.context, {.tick = use.tick,
+                         .kind = EventKind::shot,
+                         .subject = player,
+                         .by = player,
+                         .detail = static_cast<std::uint32_t>(hit),
+                         .place = tip});
 }
 
 void burst(MatchContext& context, const Burst& burst, Tick tick) {
-    record(context.world, {.tick = tick,
-                           .kind = EventKind::burst,
-                           .subject = burst.player,
-                           .by = burst.player,
-                           .detail = static_cast<std::uint32_t>(burst.how),
-                           .amount = burst.radius,
-                           .place = burst.place});
+    record(context, {.tick = tick,
+                     .kind = EventKind::burst,
+                     .subject = burst.player,
+                     .by = burst.player,
+                     .detail = static_cast<std::uint32_t>(burst.how),
+                     .amount = burst.radius,
+                     .place = burst.place});
     context.world.view<const Body, const Motion>().each(
         [&](ecs::Entity e, const Body& body, const Motion& motion) {
             if (body.mass <= 0) return;

@@ -27,7 +27,7 @@ sleep 2
 xdotool mouseup 1
 import -window root "${SHOTS:-$folder}/range.png"
 sed -i 's/^damage = 50/damage = -50/' "$bolt"
-eventually "the wrong file was not named" said "bolt.toml:11: 'damage' is -50"
+eventually "the wrong file was not named" said "bolt.toml:10: 'damage' is -50"
 xdotool key Escape
 sleep 0.5
 xdotool key q

@@ -145,6 +145,12 @@ struct Court {
         release(p, button);
         run(8);
     }
+    void choose(std::uint32_t p, std::uint32_t wand) {
+        frame.devices[p].wand = wand;
+        run(20);
+        frame.devices[p].wand = 0;
+        run(8);
+    }
     bool busy(std::uint32_t p) const {
         const auto* wand = wand_in_hand(match.data(), match.world().get<WandBelt>(wizard(p)));
         return wand != nullptr && wand->rules->held_at(match.world(), wizard(p)).has_value();
@@ -159,7 +165,7 @@ struct Court {
         }
     }
     void take(std::uint32_t p, vec3 target) {
-        press(p, Button::wand_4);
+        choose(p, 4);
         look_at(p, target);
         hold(p, Button::fire);
         run(40);
@@ -169,7 +175,7 @@ struct Court {
     void hang(std::uint32_t p) {
         place(p, {4, 0, 5}, {0, 0, 1});
         run(50);
-        press(p, Button::wand_5);
+        choose(p, 5);
         look_at(p, {4, 7, 9});
         hold(p, Button::fire);
         run(40);

@@ -23,6 +23,7 @@ input::InputFrame wild_frame(Random& random) {
         auto& sample = frame.devices[d];
         for (auto& count : sample.counts) count = wild(random);
         sample.buttons = static_cast<std::uint32_t>(random.next());
+        sample.wand = static_cast<std::uint32_t>(random.next());
         // Pausing all the time would leave little to test.
         if (random.below(50) != 0) sample.buttons &= ~input::bit(input::Button::pause);
     }

@@ -45,7 +45,7 @@ struct Scene {
     }
 
     const MatchStats& bolts_of(std::uint32_t player) const {
-        return match.world().single<EventLog>().match_stats[player][cause_of(EventKind::bolt_hit)];
+        return match.world().single<EventLog>().match_stats[player][cause_of(hit_kind("bolt_hit"))];
     }
 
     /// From any wand.
@@ -137,7 +137,7 @@ TEST(Bot, WhoAllowsForTheFoesMotionHitsMore) {
 }
 
 /// Shots of 45 s by each cause of a bot at 9 m from a foe who stands still.
-std::array<std::uint32_t, causes.size()> shots_of(int level) {
+std::array<std::uint32_t, most_causes> shots_of(int level) {
     auto skill = skill_of(level);
     skill.variety = 0.9;
     skill.throws = 0.3;
@@ -149,8 +149,8 @@ std::array<std::uint32_t, causes.size()> shots_of(int level) {
     scene.put(0, {-14, 0, 8}, 0);
     scene.put(1, {-14, 0, -1}, 180);
     scene.run(45, stands_still);
-    std::array<std::uint32_t, causes.size()> shots{};
-    for (std::size_t cause = 0; cause < causes.size(); ++cause)
+    std::array<std::uint32_t, most_causes> shots{};
+    for (std::size_t cause = 0; cause < causes().size(); ++cause)
         shots[cause] = scene.match.world().single<EventLog>().match_stats[0][cause].shots;
     return shots;
 }
@@ -158,9 +158,9 @@ std::array<std::uint32_t, causes.size()> shots_of(int level) {
 TEST(Bot, WithItsLevelComeTheWandsThatItUses) {
     for (int level = 1; level <= bot_levels; ++level) {
         const auto shots = shots_of(level);
-        EXPECT_GT(shots[cause_of(EventKind::bolt_hit)], 5U) << level;
-        EXPECT_GT(shots[cause_of(EventKind::blast_hit)], 2U) << level;
-        EXPECT_EQ(shots[cause_of(EventKind::lob_hit)] > 0, level > 1) << level;
+        EXPECT_GT(shots[cause_of(hit_kind("bolt_hit"))], 5U) << level;
+        EXPECT_GT(shots[cause_of(hit_kind("blast_hit"))], 2U) << level;
+        EXPECT_EQ(shots[cause_of(hit_kind("lob_hit"))] > 0, level > 1) << level;
     }
 }
 

@@ -36,7 +36,7 @@ struct ArmMatch {
     std::int32_t arm_ticks = 0;
     std::int64_t now_ns = 0;
     int ahead = 0;
-    std::uint32_t arm_buttons = 0, hand_buttons = 0;
+    std::uint32_t arm_buttons = 0, hand_buttons = 0, wand_key = 0;
     std::uint32_t epoch = 0, samples = 0;
     bool still = false;        ///< the arm's ticks have stopped
     bool resting = false;      ///< it is not moved
@@ -64,6 +64,7 @@ struct ArmMatch {
     void run_match(std::uint16_t skips = 0) {
         input::InputFrame frame;
         frame.devices[0].buttons = hand_buttons;
+        frame.devices[0].wand = wand_key;
         frame.devices[0].skips = skips;
         frame.devices[2] = servo.take();
         match.tick(frame);
@@ -321,10 +322,10 @@ void take_wand(ArmMatch& m, std::string_view name) {
     m.resting = true;
     m.run(100);
     for (const auto& wand : m.data->wands) {
-        if (wand.kind->name == name) m.hand_buttons = bit(Button::wand_1) << wand.stats.slot;
+        if (wand.kind->name == name) m.wand_key = wand.stats.slot + 1;
     }
     m.run(20);
-    m.hand_buttons = 0;
+    m.hand_buttons = m.wand_key = 0;
     m.run(20);
 }
 

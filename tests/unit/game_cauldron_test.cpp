@@ -220,9 +220,9 @@ TEST(GameCauldron, AFourthIngredientStaysInTheHand) {
 TEST(GameCauldron, AnotherRoundBeginsWithAStillBrew) {
     // What burst at the brew in the last round is not told again.
     const auto match = at_the_rim(0, {"quick.seconds=1", "quick.rounds=3", "quick.interval_s=0.1"});
-    auto& world = match->world_to_change();
     const auto middle = match->world().single<Cauldron>().middle;
-    record(world, {.tick = 1, .kind = EventKind::burst, .subject = 0, .by = 0, .amount = 1, .place = middle});
+    record(match->context_to_change(),
+           {.tick = 1, .kind = EventKind::burst, .subject = 0, .by = 0, .amount = 1, .place = middle});
     for (Tick t = 0; t < 40; ++t) match->tick({});
     EXPECT_NE(match->brew(), nullptr) << "the burst was felt";
     for (Tick t = 0; t < 1200; ++t) match->tick({});

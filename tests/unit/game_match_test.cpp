@@ -113,12 +113,12 @@ TEST(GameRules, AGiftIsWhatThereIsRoomFor) {
 TEST(GameRules, TheResultSaysWhoDidWhatByWhichCause) {
     Simulation match(duel_data(), {1, {bot_device(0, 1), bot_device(1, 1)}});
     auto& world = match.world_to_change();
-    const auto shot = static_cast<std::uint32_t>(EventKind::bolt_hit);
+    const auto shot = static_cast<std::uint32_t>(hit_kind("bolt_hit"));
     for (int i = 0; i < 8; ++i)
-        record(world, {.kind = EventKind::shot, .subject = 0, .by = 0, .detail = shot});
+        record(match.context_to_change(), {.kind = EventKind::shot, .subject = 0, .by = 0, .detail = shot});
     const auto victim = wizard_of(world, 1);
-    hurt(world, victim, 0, {.points = 6, .by = 0, .how = EventKind::bolt_hit});
-    hurt(world, victim, 0, {.points = 200, .by = 0, .how = EventKind::object_hit});
+    hurt(match.context_to_change(), victim, 0, {.points = 6, .by = 0, .how = hit_kind("bolt_hit")});
+    hurt(match.context_to_change(), victim, 0, {.points = 200, .by = 0, .how = EventKind::object_hit});
     for (int i = 0; i < 16; ++i) match.tick({});
     const auto rows = result_rows(match.world().single<EventLog>().match_stats);
     ASSERT_EQ(rows.size(), 2U);

@@ -36,6 +36,7 @@ struct Wandsman {
         for (Tick t = 0; t < count; ++t) {
             input::InputFrame frame;
             frame.devices[0].buttons = buttons;
+            frame.devices[0].wand = wand_key;
             frame.devices[0].counts[input::hand::trigger] = (buttons & bit(Button::fire)) != 0 ? 255 : 0;
             match.tick(frame);
             each();
@@ -47,8 +48,10 @@ struct Wandsman {
     void wait(Tick count) {
         hold(count, 0, [] {});
     }
-    void take(Button wand) {
-        hold(2 * gameplay_period, wand);
+    void take(std::uint32_t wand) {
+        wand_key = wand;
+        wait(2 * gameplay_period);
+        wand_key = 0;
         wait(gameplay_period);
     }
     void look_up(double pitch) { match.world_to_change().get<Gaze>(me()).pitch = pitch; }
@@ -72,6 +75,7 @@ struct Wandsman {
     }
 
     Simulation match;
+    std::uint32_t wand_key = 0;  ///< wand whose key is down
 };
 
 TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
@@ -79,7 +83,7 @@ TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
          {std::pair{"touch", 3.3}, {"premium", 8.5}, {"falcon", 8.0}, {"omega3", 12.0}}) {
         for (const double share : {0.1, 0.3}) {  // stronger, and a premium grows warm
             Wandsman w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
-            w.take(Button::wand_2);
+            w.take(2);
             w.hold(blast_full, Button::fire);
             const double cap = peak * share;
             EXPECT_NEAR(w.hand_state().servo.safety.output.z, 2.6 / 3.3 * cap, 1e-9)
@@ -94,7 +98,7 @@ TEST(Blast, LeansByTheDevicesPeakAndThePlayersCap) {
 TEST(Blast, KicksByThePlayersCap) {
     for (const double share : {0.1, 0.45, 1.0}) {
         Wandsman w({text("haptics.share=", share)});
-        w.take(Button::wand_2);
+        w.take(2);
         w.hold(blast_full, Button::fire);
         double greatest = 0;
         w.hold(gameplay_period, 0, [] {});  // until the wand looks, the charge leans on
@@ -112,7 +116,7 @@ TEST(Blast, ItsRecoilIsWholeOnEveryDevice) {
             if (share == 1 && device == std::string("premium"))
                 continue;  // whose motors the charge alone has warmed
             Wandsman w({text("haptics.device=\"", device, "\""), text("haptics.share=", share)});
-            w.take(Button::wand_2);
+            w.take(2);
             w.hold(blast_full, Button::fire);
             const double felt = share * peak / 3.3, leaning = 2.6 * felt;
             while (w.shots() == 0) w.wait(1);
@@ -132,7 +136,7 @@ TEST(Blast, ItsRecoilIsWholeOnEveryDevice) {
 }
 
 TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
-    for (const auto wand : {Button::wand_2, Button::wand_3}) {
+    for (const std::uint32_t wand : {2U, 3U}) {
         for (const bool dies : {false, true}) {
             Wandsman w;
             w.take(wand);
@@ -143,7 +147,7 @@ TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
                 w.match.world_to_change().get<Health>(w.me()).points = 0;
                 w.hold(2 * gameplay_period, Button::fire);  // who lets go as they die has shot before
             } else {
-                w.take(Button::wand_1);
+                w.take(1);
             }
             w.wait(500);
             EXPECT_EQ(w.shots(), 0U) << dies;
@@ -157,7 +161,7 @@ TEST(Wands, WhoDiesOrChangesTheWandLetsGoAndShootsNothing) {
 
 TEST(Wands, NothingIsLeftOfARoundInTheNext) {
     Wandsman w({"standard.seconds=3", "standard.interval_s=1"}, "standard");
-    w.take(Button::wand_3);
+    w.take(3);
     w.hold(1500, Button::fire);
     w.wait(gameplay_period);
     w.hold(3000 - static_cast<Tick>(w.match.match().played) - 100, Button::fire);
@@ -173,7 +177,7 @@ TEST(Wands, NothingIsLeftOfARoundInTheNext) {
 TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheCourt) {
     Wandsman w({"lob.energy.cost=0", "lob.shot.fuse_s=6", "lob.burst.damage=0", "lob.burst.impulse_n_s=0",
                 "quick.seconds=600"});
-    w.take(Button::wand_3);
+    w.take(3);
     Random random{11};
     std::size_t followed = 0, bounces = 0;
     std::map<std::uint32_t, double> energies;
@@ -206,15 +210,15 @@ TEST(Lob, AStoneNeverGainsEnergyAndNeverLeavesTheCourt) {
 }
 
 TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
-    for (const auto wand : {Button::wand_2, Button::wand_3}) {
+    for (const std::uint32_t wand : {2U, 3U}) {
         const auto buttons_at = [&](Tick t) {
-            if (t < 16) return bit(wand);
-            return t < 1800 || (t > 1850 && t < 2900) ? bit(Button::fire) : 0;
+            return (t >= 16 && t < 1800) || (t > 1850 && t < 2900) ? bit(Button::fire) : 0;
         };
         const auto play = [&](Simulation& match, Tick from, Tick to) {
             for (Tick t = from; t < to; ++t) {
                 input::InputFrame frame;
                 frame.devices[0].buttons = buttons_at(t);
+                frame.devices[0].wand = t < 16 ? wand : 0;
                 frame.devices[0].counts[input::hand::trigger] =
                     (buttons_at(t) & bit(Button::fire)) != 0 ? 200 : 0;
                 frame.devices[0].counts[input::hand::look_up] = t < 300 ? 1 : 0;
@@ -225,7 +229,7 @@ TEST(Wands, RestoredInTheMiddleOfAChargeADrawAndAFlight) {
         play(w.match, 0, keyframe_interval);
         EXPECT_EQ(w.shots(), 1U);
         EXPECT_FALSE(w.missiles().empty());
-        if (wand == Button::wand_3) {
+        if (wand == 3) {
             EXPECT_GT(w.readiness(), 0);
         }
         Bytes state;
@@ -244,13 +248,13 @@ TEST(Wands, AnyInputLeavesForcesEnergiesAndPlacesInRange) {
     Wandsman w({"quick.seconds=600", "quick.kills=1000", "blast.energy.regain_per_s=20",
                 "lob.energy.regain_per_s=20"});
     const double cap = w.match.touch().servos[0].limits.cap;
-    constexpr std::array buttons{Button::fire,   Button::fire,   Button::wand_2, Button::wand_3,
-                                 Button::wand_1, Button::clutch, Button::jump};
+    constexpr std::array buttons{Button::fire, Button::fire, Button::clutch, Button::jump};
     input::InputFrame frame;
     std::size_t flown = 0;
     for (Tick t = 0; t < 60'000; ++t) {
         for (auto& device : frame.devices) {
-            if (random.below(150) == 0) device.buttons ^= bit(buttons[random.below(buttons.size())]);
+            if (random.below(350) == 0) device.wand = static_cast<std::uint32_t>(random.below(4));
+            if (random.below(260) == 0) device.buttons ^= bit(buttons[random.below(buttons.size())]);
             if (random.below(50) == 0)
                 device.counts[input::hand::trigger] = static_cast<std::int32_t>(random.below(1000)) - 300;
             device.counts[input::hand::look_right] = static_cast<std::int32_t>(random.below(21)) - 10;

@@ -54,6 +54,9 @@ std::optional<Image> stored(const std::string& name) {
     return render::read_png(source / "tests/pictures" / (name + ".png"));
 }
 
+// Numbers of wands: MatchData::wands is sorted by name.
+constexpr std::uint32_t blast = 0, bolt = 1, lob = 3;
+
 struct Scene {
     Picture picture;
     HudSettings settings;
@@ -139,8 +142,11 @@ protected:
         Scene scene{start, {.watch = Watch::first}};
         stand(scene.picture, 0, {13.5, 0, -12.5}, {20, 1.2, -19});
         stand(scene.picture, 1, {18, 0, -16.5}, {13, 1.6, -12});
-        scene.picture.missiles.push_back(
-            {.entity = {}, .player = 1, .position = {17, 1.3, -17.6}, .velocity = {-20, 0, 20}});
+        scene.picture.missiles.push_back({.entity = {},
+                                          .player = 1,
+                                          .position = {17, 1.3, -17.6},
+                                          .velocity = {-20, 0, 20},
+                                          .wand = bolt});
         return scene;
     }
 
@@ -198,11 +204,16 @@ TEST_F(StoredPictures, AllFiveWandsAsShadowsAndInTheLight) {
     std::vector<render::Instance> instances, fixed, moving;
     add_instances(arena_scene, start, no_player, instances);
     add_casters(arena_scene, start, fixed, moving);
-    for (std::size_t i = 0; i < arena_scene.wands.size(); ++i) {
+    int placed = 0;
+    const auto& wands = start.shown->wands;
+    for (const auto* name : {"bolt", "lift", "swing", "blast", "lob"}) {
+        const auto number = static_cast<std::size_t>(
+            std::find_if(wands.begin(), wands.end(), [&](const auto& w) { return w.name == name; }) -
+            wands.begin());
         // One above the other before a wall in the sun, the tips to the left.
-        const auto place = render::translated({-19.4F, 2.95F - 0.44F * static_cast<float>(i), 9.7F}) *
+        const auto place = render::translated({-19.4F, 2.95F - 0.44F * static_cast<float>(placed++), 9.7F}) *
                            render::rotated({0, 1, 0}, 3.1415926F);
-        moving.push_back({.mesh = arena_scene.wands[i], .model = place});
+        moving.push_back({.mesh = arena_scene.wands[number], .model = place});
         instances.push_back(moving.back());
     }
     render::ViewScene view;
@@ -328,9 +339,14 @@ TEST_F(StoredBrews, StirredWithItsFlow) {
 TEST_F(StoredPictures, TheLargestTextInBothSplits) {
     auto scene = duel();
     scene.settings.text_scale = 2.5;
-    scene.picture.wizards[0].since_dry_s = 0;
+    scene.picture.wizards[0].since_warning_s = 0;
+    scene.picture.wizards[0].warning = EventKind::dry;
     scene.picture.feed_lines = 1;
-    scene.picture.feed[0] = {.age_s = 1, .victim = 0, .by = 1, .how = EventKind::bolt_hit};
+    scene.picture.feed[0] = {.age_s = 1,
+                             .event = {.kind = EventKind::death,
+                                       .subject = 0,
+                                       .by = 1,
+                                       .detail = static_cast<std::uint32_t>(hit_kind("bolt_hit"))}};
     expect_stored("text_beside", scene, {Quality::medium});
     scene.settings.split = render::Split::top_bottom;
     expect_stored("text_stacked", scene, {Quality::medium});
@@ -353,12 +369,12 @@ protected:
         stand(crowd, 1, {3.1, 0, 2.9}, above_bowl);
         for (auto& wizard : crowd.wizards) wizard.held = vec3(0.4, 2, -2);
         crowd.missiles.push_back(
-            {.entity = {}, .player = 0, .position = {0.6, 1.6, -1}, .velocity = {3, 0, 1}});
+            {.entity = {}, .player = 0, .position = {0.6, 1.6, -1}, .velocity = {3, 0, 1}, .wand = bolt});
         crowd.missiles.push_back({.entity = {},
                                   .player = 1,
                                   .position = {-0.7, 1.9, -1},
                                   .velocity = {1, 0, 1},
-                                  .look = MissileLook::stone,
+                                  .wand = lob,
                                   .size = 0.2});
         crowd.burst_count = 1;
         crowd.bursts[0] = {.age_s = 0.1, .player = 1, .place = {0, 1.7, -3}, .radius = 1};
@@ -436,7 +452,7 @@ TEST_F(StoredPictures, AChangedSceneIsRefused) {
         removed.picture.wizards[1].pitch = whole.picture.wizards[1].pitch;
         EXPECT_TRUE(differs(whole, removed)) << "a wizard is missing";
         auto other_wand = whole;
-        for (auto& w : other_wand.picture.wizards) w.silhouette = Silhouette::stubby;
+        for (auto& w : other_wand.picture.wizards) w.wand_number = blast;
         EXPECT_TRUE(differs(whole, other_wand)) << "another wand in the hand";
     }
 }

@@ -103,15 +103,15 @@ TEST(TakePicture, HurtsAndDeathsShowForAWhile) {
     const auto match = new_match();
     auto& world = match->world_to_change();
     const auto victim = wizard_of(world, 1);
-    hurt(world, victim, 0, {.points = 1000, .by = 0, .how = EventKind::bolt_hit});
+    hurt(match->context_to_change(), victim, 0, {.points = 1000, .by = 0, .how = hit_kind("bolt_hit")});
     for (int i = 0; i < 16; ++i) match->tick({});
     auto p = picture_of(*match);
     EXPECT_TRUE(p.wizards[1].dead);
     EXPECT_NEAR(p.wizards[1].returns_in_s, seconds(match_data()->round.respawn), 0.03);
     EXPECT_EQ(p.wizards[0].kills, 1);
     ASSERT_EQ(p.feed_lines, 1U);
-    EXPECT_EQ(p.feed[0].victim, 1U);
-    EXPECT_EQ(p.feed[0].by, 0U);
+    EXPECT_EQ(p.feed[0].event.subject, 1U);
+    EXPECT_EQ(p.feed[0].event.by, 0U);
     ASSERT_EQ(p.wizards[1].hurts, 1U);
     const vec3 to_foe = glm::normalize(p.wizards[0].eye - p.wizards[1].eye);
     EXPECT_GT(glm::dot(p.wizards[1].marks[0].towards, to_foe), 0.99);
@@ -158,8 +158,8 @@ TEST(TakePicture, WhatWasPickedUpIsToldForAWhile) {
     for (int i = 0; i < 16; ++i) match->tick({});
     const auto p = picture_of(*match);
     EXPECT_LT(p.wizards[0].since_gift_s, 0.02);
-    EXPECT_EQ(p.wizards[0].gift, PowerUpKind::heart);
-    EXPECT_EQ(p.wizards[0].gift_amount, 50);
+    EXPECT_EQ(p.wizards[0].gift.detail, static_cast<std::uint32_t>(PowerUpKind::heart));
+    EXPECT_EQ(p.wizards[0].gift.amount, 50);
     EXPECT_GT(p.wizards[1].since_gift_s, 1000);
     EXPECT_NEAR(p.wizards[0].health, 150, 0.1);
     render::Overlay overlay;
@@ -491,27 +491,26 @@ TEST_F(Drawn, ContactShadeFollowsRampsAndHangsOverNoEdge) {
     EXPECT_TRUE(shades_at({-15, 3, 15}).empty());
 }
 
-TEST(Silhouettes, AWandsFileNamesOneOfFive) {
-    const auto read = [](const std::string& name) {
-        const auto source =
-            text("version = 1\nslot = 1\nsilhouette = \"", name,
-                 "\"\n[energy]\ncap = 1\ncost = 1\nregain_per_s = 1\n[shot]\nper_s = 8\ndamage = "
-                 "6\nspeed_m_s = 40\nspread_deg = 0.6\nlife_s = 2\nimpulse_n_s = 3\n[recoil]\nforce_n = "
-                 "1\nlength_s = 0.01\n");
-        const auto file = Config::parse(source, "bolt.toml", 1);
+TEST(WandLook, AFaultyPartIsRefusedWithItsLine) {
+    const auto read = [](const std::string& part) {
+        const auto file = Config::parse(text("version = 1\n[look]\n[[look.wand]]\n", part), "wand.toml", 1);
         EXPECT_TRUE(file);
-        const auto bolt = std::find_if(wand_kinds().begin(), wand_kinds().end(),
-                                       [](const WandKind& kind) { return kind.name == "bolt"; });
-        const auto wand = read_wand(*bolt, *file);
+        const auto look = read_wand_look(file->root().table("look"));
         const auto checked = file->check();
-        return std::pair(wand.stats.silhouette, checked ? std::string() : checked.error().message);
+        return std::pair(look, checked ? std::string() : checked.error().message);
     };
-    for (std::size_t i = 0; i < silhouette_names.size(); ++i) {
-        const auto [shape, fault] = read(std::string(silhouette_names[i]));
-        EXPECT_EQ(fault, "");
-        EXPECT_EQ(shape, static_cast<Silhouette>(i));
-    }
-    EXPECT_NE(read("banana").second.find("bolt.toml:3"), std::string::npos);
+    const auto [look, fault] = read("shape = \"ball\"\nradius = 0.1\ncolour = \"#102030\"\n");
+    EXPECT_EQ(fault, "");
+    ASSERT_EQ(look.wand.size(), 1U);
+    EXPECT_EQ(look.wand[0].colour, 0x102030U);
+    const auto says = [&](const std::string& part, std::string_view line) {
+        EXPECT_NE(read(part).second.find(line), std::string::npos) << read(part).second;
+    };
+    says("shape = \"banana\"\nradius = 0.1\ncolour = \"glow\"\n", "wand.toml:4");
+    says("shape = \"ball\"\nradius = 0.1\ncolour = \"green\"\n", "wand.toml:6");
+    says("shape = \"rod\"\nradius = 0.1\ncolour = \"glow\"\nfrom = [0, 0, 1]\nto = [0, 0, 1]\n",
+         "wand.toml:8");
+    says("shape = \"cage\"\nradius = 0.1\ncolour = \"glow\"\nthickness = 0.1\nbend = 1\n", "wand.toml:8");
 }
 
 TEST_F(Drawn, TrianglesStayWithinTheBudget) {

@@ -23,7 +23,7 @@ TEST(InputBindings, ActionsAreButtonsInTheirOrder) {
     const auto bit = [](Action a) { return static_cast<Button>(1U << static_cast<unsigned>(a)); };
     EXPECT_EQ(bit(Action::fire), Button::fire);
     EXPECT_EQ(bit(Action::clutch), Button::clutch);
-    EXPECT_EQ(bit(Action::wand_5), Button::wand_5);
+    EXPECT_EQ(bit(Action::mark), Button::mark);
     EXPECT_EQ(bit(Action::quit), Button::quit);
     EXPECT_EQ(name_of(Action::throw_), "throw");
     EXPECT_EQ(name_of(Action::turn_down), "turn_down");

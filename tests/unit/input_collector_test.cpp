@@ -65,6 +65,28 @@ TEST(InputCollector, ShortPressShowsForOneTick) {
     EXPECT_FALSE(hands.take().down(Button::fire));
 }
 
+TEST(InputCollector, TheWandIsTheKeyPressedLast) {
+    auto hands = mouse();
+    const auto wand = [&] {
+        const auto sample = hands.take();
+        EXPECT_EQ(sample.buttons, 0U) << "a wand's key is no button";
+        return sample.wand;
+    };
+    EXPECT_EQ(wand(), 0U);
+    hands.key('1', true);
+    EXPECT_EQ(wand(), 1U);
+    hands.key('9', true);
+    EXPECT_EQ(wand(), 9U);
+    EXPECT_EQ(wand(), 9U);
+    hands.key('9', false);
+    EXPECT_EQ(wand(), 0U) << "the key that was held before selects nothing again";
+    hands.key('1', false);
+    hands.key('6', true);
+    hands.key('6', false);
+    EXPECT_EQ(wand(), 6U) << "a short press shows for one tick";
+    EXPECT_EQ(wand(), 0U);
+}
+
 TEST(InputCollector, TwoControlsOfOneAction) {
     auto bindings = default_bindings(DeviceKind::keyboard_mouse, length_code_of);
     bindings.controls[static_cast<std::size_t>(Action::fire)].push_back({Control::Source::key, 'x', 0});

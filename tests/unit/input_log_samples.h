@@ -94,7 +94,8 @@ inline InputFrame random_frame(Tick tick, std::size_t devices, std::uint64_t see
             if (r % 4 == 1) count = static_cast<std::int32_t>(r >> 32U);
             if (r % 4 == 2) count = static_cast<std::int32_t>(r / 4 % 21) - 10;
         }
-        s.buttons = static_cast<std::uint32_t>(random());
+        s.buttons = static_cast<std::uint32_t>(random()) & ~(0x1fU << 11U | 0xfU << 19U);
+        s.wand = static_cast<std::uint32_t>(random() % (most_wands + 1));
         s.model_age = static_cast<std::uint16_t>(random());
         s.skips = static_cast<std::uint16_t>(random());
     }

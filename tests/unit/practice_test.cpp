@@ -123,7 +123,7 @@ TEST_F(PracticeTest, SaysWhatWasReadForAWhileAndWhatIsWrongUntilItIsRight) {
     EXPECT_EQ(caption(practice).words, "");
     set_damage("-9");
     ASSERT_TRUE(caption_changes(practice));
-    EXPECT_NE(caption(practice).words.find("wands/bolt.toml:11: 'damage' is -9"), std::string::npos);
+    EXPECT_NE(caption(practice).words.find("wands/bolt.toml:10: 'damage' is -9"), std::string::npos);
     EXPECT_TRUE(caption(practice).fault);
     play(practice, 30);
     EXPECT_TRUE(caption(practice).fault) << "still wrong";

@@ -201,10 +201,10 @@ void tick_duel_haptic(const Options& options, Report& report) {
     match.live().timing = false;
     place_before_crates(match);
     scene->run(500);
-    for (const auto button : {input::Button::wand_4, input::Button::fire}) {
-        scene->frame = pressing(button);
-        scene->run(100);
-    }
+    for (auto& device : scene->frame.devices) device.wand = 4;
+    scene->run(100);
+    scene->frame = pressing(input::Button::fire);
+    scene->run(100);
     std::vector<double> samples(options.quick ? 20'000 : 120'000);
     double felt = 0, created = 0;
     const auto allocations = allocation_count();

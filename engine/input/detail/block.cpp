@@ -27,9 +27,17 @@ static_assert(most_raw(BlockKind::ticks, block_ticks) <= raw_limit);
 
 using Column = std::array<std::uint32_t, block_ticks>;
 
+// Format 1 has a bit for each wand among the buttons: bits 11 to 15 for the first five, 19 to 22 for the others.
+constexpr std::uint32_t wand_bits = 0x1fU << 11U | 0xfU << 19U;
+
+std::uint32_t wand_bit(std::uint32_t wand) {
+    if (wand == 0 || wand > most_wands) return 0;
+    return 1U << (wand <= 5 ? 10 + wand : 13 + wand);
+}
+
 std::uint32_t field(const DeviceSample& s, std::size_t column) {
     if (column < max_counts) return static_cast<std::uint32_t>(s.counts[column]);
-    if (column == max_counts) return s.buttons;
+    if (column == max_counts) return s.buttons | wand_bit(s.wand);
     return column == max_counts + 1 ? s.model_age : s.skips;
 }
 
@@ -38,7 +46,11 @@ bool set_field(DeviceSample& s, std::size_t column, std::uint32_t value) {
     if (column < max_counts) {
         s.counts[column] = static_cast<std::int32_t>(value);
     } else if (column == max_counts) {
-        s.buttons = value;
+        s.wand = 0;
+        for (std::uint32_t wand = 1; wand <= most_wands; ++wand) {
+            if ((value & wand_bit(wand)) != 0) s.wand = wand;
+        }
+        s.buttons = value & ~wand_bits;
     } else {
         (column == max_counts + 1 ? s.model_age : s.skips) = static_cast<std::uint16_t>(value);
         return value <= 0xffffU;

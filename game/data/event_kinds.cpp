@@ -1,0 +1,155 @@
+#include "game/data/event_kinds.h"
+
+#include <algorithm>
+
+#include "core/assert.h"
+#include "core/text.h"
+#include "game/data/wand.h"
+
+namespace thaum::game {
+namespace {
+
+/// One kind of event of the rules.
+struct RuleKind {
+    EventKind kind;
+    EventKindInfo info;
+};
+
+constexpr EventKindInfo hit_info(std::string_view name, std::string_view cause, std::size_t number) {
+    return {name, cause, EventWith::own_name, "hp", true, true, number};
+}
+
+const RuleKind rule_kinds[] = {
+    {EventKind::none, {.name = "none", .cause = {}}},
+    {EventKind::shot, {.name = "shot", .cause = {}, .with = EventWith::wand_in_hand, .placed = true}},
+    {EventKind::object_hit, hit_info("object_hit", "blow", 3)},
+    {EventKind::fall, hit_info("fall", "fall", 4)},
+    {EventKind::death,
+     {.name = "death", .cause = {}, .with = EventWith::cause, .placed = true, .to_somebody = true}},
+    {EventKind::spawn,
+     {.name = "spawn", .cause = {}, .with = EventWith::pad, .placed = true, .to_somebody = true}},
+    {EventKind::dry, {.name = "dry", .cause = {}, .with = EventWith::wand_in_hand}},
+    {EventKind::round_end,
+     {.name = "round_end", .cause = {}, .with = EventWith::ending, .to_somebody = true}},
+    {EventKind::power_up,
+     {.name = "power_up",
+      .cause = {},
+      .with = EventWith::power_up,
+      .unit = "points",
+      .placed = true,
+      .to_somebody = true}},
+    {EventKind::round_begin, {.name = "round_begin", .cause = {}, .with = EventWith::round}},
+    {EventKind::burst, {.name = "burst", .cause = {}, .with = EventWith::cause, .unit = "m", .placed = true}},
+    {EventKind::ingredient,
+     {.name = "ingredient", .cause = {}, .with = EventWith::ingredient, .placed = true, .to_somebody = true}},
+    {EventKind::dropped,
+     {.name = "dropped", .cause = {}, .with = EventWith::ingredient, .unit = "m3", .placed = true}},
+    {EventKind::wrested, {.name = "wrested", .cause = {}, .unit = "J", .placed = true}},
+    {EventKind::boiled_over, {.name = "boiled_over", .cause = {}, .placed = true}},
+    {EventKind::spoilt, hit_info("spoilt", "brew", 5)},
+};
+
+constexpr std::uint32_t most_kinds = 256;
+
+/// Writes a row at its number, or a fault if the number or the name is taken.
+void place(EventKinds& all, std::uint32_t number, const EventKindInfo& info) {
+    const auto same = [&](const EventKindInfo& other) { return other.name == info.name; };
+    if (info.name.empty() || number >= most_kinds) {
+        all.fault = text("event '", info.name, "': it needs a name and a number below ", most_kinds);
+    } else if (std::any_of(all.kinds.begin(), all.kinds.end(), same)) {
+        all.fault = text("event '", info.name, "' is registered twice: give one of them another name");
+    } else {
+        if (number >= all.kinds.size()) all.kinds.resize(number + 1, EventKindInfo{.name = {}, .cause = {}});
+        auto& row = all.kinds[number];
+        if (!row.name.empty())
+            all.fault = text("events '", row.name, "' and '", info.name, "' both have the number ", number);
+        row = info;
+    }
+}
+
+/// Gives a cause its number: a fixed one, the one that it already has, or the next one.
+std::size_t cause_number(EventKinds& all, const HitKind& hit) {
+    const auto known = std::find(all.causes.begin(), all.causes.end(), hit.cause);
+    const auto number = hit.fixed                   ? hit.fixed->cause
+                        : known != all.causes.end() ? static_cast<std::size_t>(known - all.causes.begin())
+                                                    : all.causes.size();
+    if (hit.cause.empty() || number >= most_causes) {
+        all.fault = text("event '", hit.name, "': its cause needs a name, and there are at most ",
+                         most_causes, " causes");
+        return most_causes;
+    }
+    if (number >= all.causes.size()) all.causes.resize(number + 1);
+    if (!all.causes[number].empty() && all.causes[number] != hit.cause)
+        all.fault =
+            text("causes '", all.causes[number], "' and '", hit.cause, "' both have the number ", number);
+    all.causes[number] = hit.cause;
+    return number;
+}
+
+EventKinds kinds_of_this_program() {
+    std::vector<HitKind> hits;
+    for (const auto& wand : wand_kinds()) hits.insert(hits.end(), wand.hits.begin(), wand.hits.end());
+    return number_event_kinds(hits);
+}
+
+}  // namespace
+
+EventKinds number_event_kinds(std::span<const HitKind> hits) {
+    EventKinds all;
+    for (const auto& [kind, info] : rule_kinds) {
+        place(all, static_cast<std::uint32_t>(kind), info);
+        if (info.cause.empty()) continue;
+        if (info.cause_number >= all.causes.size()) all.causes.resize(info.cause_number + 1);
+        all.causes[info.cause_number] = info.cause;
+    }
+    auto& sorted = all.hits;
+    sorted.assign(hits.begin(), hits.end());
+    std::sort(sorted.begin(), sorted.end(), [](const HitKind& a, const HitKind& b) {
+        if (a.fixed.has_value() != b.fixed.has_value()) return a.fixed.has_value();
+        return a.name < b.name;
+    });
+    for (const auto& hit : sorted) {
+        const auto cause = cause_number(all, hit);
+        const auto next = static_cast<std::uint32_t>(all.kinds.size());
+        place(all, hit.fixed ? hit.fixed->kind : next, hit_info(hit.name, hit.cause, cause));
+    }
+    return all;
+}
+
+const EventKinds& event_kinds() {
+    // Wands register before `main`, so the first call finds all of them.
+    static const EventKinds all = kinds_of_this_program();
+    return all;
+}
+
+const EventKindInfo& info_of(EventKind kind) {
+    const auto& kinds = event_kinds().kinds;
+    const auto number = static_cast<std::size_t>(kind);
+    return kinds[number < kinds.size() ? number : 0];
+}
+
+std::string_view name_of(EventKind kind) {
+    const auto& kinds = event_kinds().kinds;
+    const auto number = static_cast<std::size_t>(kind);
+    return number < kinds.size() ? kinds[number].name : std::string_view();
+}
+
+std::optional<EventKind> event_kind(std::string_view name) {
+    const auto& kinds = event_kinds().kinds;
+    for (std::size_t i = 0; i < kinds.size() && !name.empty(); ++i) {
+        if (kinds[i].name == name) return static_cast<EventKind>(i);
+    }
+    return {};
+}
+
+EventKind hit_kind(std::string_view name) {
+    const auto kind = event_kind(name);
+    THAUM_ASSERT(kind, text("hit '", name, "' must be among WandKind::hits of its wand"));
+    return *kind;
+}
+
+std::span<const std::string_view> causes() { return event_kinds().causes; }
+
+std::size_t cause_of(EventKind kind) { return info_of(kind).cause_number; }
+
+}  // namespace thaum::game

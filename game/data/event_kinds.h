@@ -1,0 +1,83 @@
+// game/data/event_kinds.h: all kinds of event of this program: those of the rules, and the hits that wands
+// bring (WandKind::hits). Each kind has one row, which says what its fields mean.
+//
+// Numbers of kinds are part of saved states, so they do not depend on the order in which the linker registers
+// wands. A kind with fixed numbers keeps them. All others are numbered after the largest fixed number, in the
+// order of their names.
+#pragma once
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/error.h"
+#include "game/components/match.h"
+
+namespace thaum::game {
+
+/// Content of the column `with` in a table of events.
+enum class EventWith : std::uint8_t {
+    nothing,
+    wand_in_hand,
+    own_name,  ///< name of the event
+    cause,     ///< Event::detail is the EventKind of a hit
+    pad,
+    ending,
+    power_up,
+    round,
+    ingredient
+};
+
+/// Meaning of the fields of one kind of event.
+struct EventKindInfo {
+    std::string_view name;   ///< as in tables, scenarios and data files; empty: no event has this number
+    std::string_view cause;  ///< cause of harm, such as "bolt"; empty: the event takes no health
+    EventWith with{};
+    std::string_view unit{};  ///< unit of `amount`; empty: the event has no amount
+    bool placed{};            ///< the event has a position
+    bool to_somebody{};       ///< the event happens to `subject`, who is shown in the column `whom`
+    std::size_t cause_number{most_causes};  ///< index in causes(); most_causes: none
+};
+
+/// Numbers that older states already contain.
+struct FixedNumbers {
+    std::uint32_t kind{};   ///< EventKind
+    std::uint32_t cause{};  ///< index in causes()
+};
+
+/// A kind of hit that a wand brings. Its events take health.
+struct HitKind {
+    std::string_view name;   ///< name of the event, such as "bolt_hit"
+    std::string_view cause;  ///< cause of harm as people read it, such as "bolt"; several hits may share one
+    std::optional<FixedNumbers> fixed{};  ///< std::nullopt for a wand that no saved state knows
+};
+
+/// All kinds of event and causes of harm, with their numbers.
+struct EventKinds {
+    std::vector<EventKindInfo> kinds;      ///< indexed by EventKind
+    std::vector<std::string_view> causes;  ///< indexed by cause number; an unused number has an empty name
+    std::vector<HitKind> hits;  ///< hits of all wands, those with fixed numbers first, then by name
+    std::string fault;          ///< why the hits cannot be numbered; empty: they can
+};
+
+/// Numbers the kinds of the rules together with these hits.
+EventKinds number_event_kinds(std::span<const HitKind> hits);
+
+/// The kinds of this program: those of the rules and of all registered wands.
+const EventKinds& event_kinds();
+
+/// Row of a kind; the row of EventKind::none for a number without a kind.
+const EventKindInfo& info_of(EventKind kind);
+/// Name of a kind; empty for a number without a kind.
+std::string_view name_of(EventKind kind);
+/// Kind of this name.
+std::optional<EventKind> event_kind(std::string_view name);
+/// Kind of a hit that a wand has registered.
+EventKind hit_kind(std::string_view name);
+
+/// Names of the causes of harm, by number.
+std::span<const std::string_view> causes();
+/// Number of the cause; most_causes if the kind takes no health.
+std::size_t cause_of(EventKind kind);
+
+}  // namespace thaum::game

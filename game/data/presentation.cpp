@@ -1,0 +1,106 @@
+#include "game/data/presentation.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/text.h"
+
+namespace thaum::game {
+namespace {
+
+/// Names that a file may describe, and the words with which to refuse any other.
+struct Known {
+    std::vector<std::string_view> names;
+    std::string_view whose;
+};
+
+constexpr std::array<std::string_view, 6> word_names{"by", "whom", "cause", "power_up", "amount", "gain"};
+
+/// Reads words, and reports braces without a known name.
+std::string read_words(const ConfigTable& table, std::string_view key, std::string fallback) {
+    auto words = table.string(key, std::move(fallback));
+    for (const auto& piece : pieces_of(words)) {
+        if (piece.plain.find_first_of("{}") != std::string::npos)
+            table.report(key,
+                         text("'", key, "' may contain {by}, {whom}, {cause}, {power_up}, {amount}, {gain}"));
+    }
+    return words;
+}
+
+EventRow read_row(const ConfigTable& table) {
+    EventRow row;
+    row.mark = static_cast<HudMark>(table.choice("mark", {"none", "hit", "fall", "warning", "gift"}, 0));
+    row.caption = read_words(table, "caption", "");
+    row.feed = read_words(table, "feed", "");
+    row.feed_alone = read_words(table, "feed_alone", row.feed);
+    row.sound = table.string("sound", "");
+    row.tactile = table.string("tactile", "");
+    return row;
+}
+
+void read_rows(const ConfigTable& table, const Known& known, EventRows& rows) {
+    std::string all;
+    for (const auto name : known.names) all += text(all.empty() ? "" : ", ", name);
+    for (const auto& key : table.keys()) {
+        if (key == "version") continue;
+        if (std::find(known.names.begin(), known.names.end(), key) != known.names.end())
+            rows[static_cast<std::size_t>(*event_kind(key))] = read_row(table.table(key));
+        else
+            table.report(key, text("'", key, "' is no event of ", known.whose, "; there are ", all));
+    }
+    for (const auto name : known.names) {
+        if (!table.has(name))
+            table.report("", text("event '", name, "' has no row: add a table of that name"));
+    }
+}
+
+bool is_hit_of_wand(const EventKindInfo& info) {
+    const auto registered = [&](const HitKind& hit) { return hit.name == info.name; };
+    const auto& hits = event_kinds().hits;
+    return std::any_of(hits.begin(), hits.end(), registered);
+}
+
+}  // namespace
+
+std::vector<WordsPiece> pieces_of(std::string_view pattern) {
+    std::vector<WordsPiece> pieces(1);
+    while (!pattern.empty()) {
+        const auto close = pattern.front() == '{' ? pattern.find('}') : std::string_view::npos;
+        const auto name = close == std::string_view::npos ? std::string_view() : pattern.substr(1, close - 1);
+        const auto found = std::find(word_names.begin(), word_names.end(), name);
+        if (found != word_names.end()) {
+            pieces.back().word = static_cast<EventWord>(found - word_names.begin());
+            pieces.emplace_back();
+            pattern.remove_prefix(close + 1);
+        } else {
+            pieces.back().plain += pattern.front();
+            pattern.remove_prefix(1);
+        }
+    }
+    return pieces;
+}
+
+EventRows read_event_rows(const Config& file) {
+    EventRows rows(event_kinds().kinds.size());
+    Known known{.names = {}, .whose = "the rules"};
+    for (const auto& info : event_kinds().kinds) {
+        const bool event = !info.name.empty() && info.name != name_of(EventKind::none);
+        if (event && !is_hit_of_wand(info)) known.names.push_back(info.name);
+    }
+    read_rows(file.root(), known, rows);
+    return rows;
+}
+
+void read_hit_rows(const ConfigTable& wand, const std::vector<HitKind>& hits, EventRows& rows) {
+    Known known{.names = {}, .whose = "this wand"};
+    for (const auto& hit : hits) known.names.push_back(hit.name);
+    if (!hits.empty() || wand.has("event")) read_rows(wand.table("event"), known, rows);
+}
+
+const EventRow& row_of(const EventRows& rows, EventKind kind) {
+    static const EventRow none;
+    const auto number = static_cast<std::size_t>(kind);
+    return number < rows.size() ? rows[number] : none;
+}
+
+}  // namespace thaum::game

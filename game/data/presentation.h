@@ -1,0 +1,81 @@
+// game/data/presentation.h: how a match is shown to people. It never changes the match, so its data is not among
+// the hashed files of a log.
+//
+// Each kind of event has one row. The rows of the rules' events are in assets/events.toml. A wand's own file has
+// the rows of its hits:
+//
+//     [event.bolt_hit]
+//     mark = "hit"      # what the HUD shows: none, hit, fall, warning, gift
+//     caption = ""      # words of the mark
+//     feed = ""         # line in the feed of all players
+//     feed_alone = ""   # that line if nobody else caused the event
+//     sound = ""        # name of a sound; not used yet
+//     tactile = ""      # name of an effect on the hand; not used yet
+//
+// Words may contain {by}, {whom}, {cause}, {power_up}, {amount} and {gain}.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/config.h"
+#include "game/data/event_kinds.h"
+#include "game/data/wand_look.h"
+
+namespace thaum::game {
+
+/// Mark of an event on the HUD of the players concerned.
+enum class HudMark : std::uint8_t {
+    none,
+    hit,      ///< arc towards the source for the victim, cross at the crosshair for the player who hit
+    fall,     ///< arc below for the victim
+    warning,  ///< caption below the crosshair for a moment
+    gift      ///< caption low in the view for two seconds
+};
+
+/// Names in braces that the words of a row may contain.
+enum class EventWord : std::uint8_t { by, whom, cause, power_up, amount, gain };
+
+/// Plain words, and the name in braces that follows them.
+struct WordsPiece {
+    std::string plain;
+    std::optional<EventWord> word{};
+};
+/// Splits the words of a row at its names in braces. A brace without a known name stays plain.
+std::vector<WordsPiece> pieces_of(std::string_view pattern);
+
+/// How one kind of event is shown.
+struct EventRow {
+    HudMark mark{};
+    std::string caption, feed, feed_alone;
+    std::string sound, tactile;
+};
+
+/// Rows of all kinds of event, indexed by EventKind.
+using EventRows = std::vector<EventRow>;
+
+/// How one wand is shown.
+struct WandPresentation {
+    std::string name;
+    std::uint32_t slot{};
+    WandLook look;
+};
+
+/// How a match is shown.
+struct Presentation {
+    EventRows events;
+    std::vector<WandPresentation> wands;  ///< in the order of MatchData::wands
+};
+
+/// Reads the rows of the rules' events from assets/events.toml. Reports unknown names and missing rows.
+EventRows read_event_rows(const Config& file);
+
+/// Reads the rows of a wand's hits from the table `event` of its data file. Reports unknown names and missing
+/// rows.
+void read_hit_rows(const ConfigTable& wand, const std::vector<HitKind>& hits, EventRows& rows);
+
+/// Row of a kind; an empty row for a number without a kind.
+const EventRow& row_of(const EventRows& rows, EventKind kind);
+
+}  // namespace thaum::game

@@ -1,0 +1,53 @@
+#include "game/hud/event_words.h"
+
+#include <cmath>
+
+#include "core/text.h"
+#include "game/components/power_up.h"
+#include "game/data/presentation.h"
+#include "game/hud/figures.h"
+
+namespace thaum::game {
+namespace {
+
+std::string_view cause_words(const Event& event) {
+    const bool about_cause = info_of(event.kind).with == EventWith::cause;
+    const auto index = cause_of(about_cause ? static_cast<EventKind>(event.detail) : event.kind);
+    return index < causes().size() ? causes()[index] : std::string_view("magic");
+}
+
+std::string power_up_words(const Event& event) {
+    return event.detail < power_up_names.size() ? capitalised(power_up_names[event.detail]) : std::string();
+}
+
+std::string word_of(EventWord word, const Event& event) {
+    switch (word) {
+        case EventWord::by: return std::string(event.by < players ? team_name(event.by) : "");
+        case EventWord::whom: return std::string(event.subject < players ? team_name(event.subject) : "");
+        case EventWord::cause: return std::string(cause_words(event));
+        case EventWord::power_up: return power_up_words(event);
+        case EventWord::amount: return text(std::lround(event.amount));
+        case EventWord::gain:
+            return event.detail == static_cast<std::uint32_t>(PowerUpKind::spark) ? "energy" : "health";
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string event_words(const std::string& pattern, const Event& event) {
+    std::string out;
+    for (const auto& piece : pieces_of(pattern)) {
+        out += piece.plain;
+        if (piece.word) out += word_of(*piece.word, event);
+    }
+    return out;
+}
+
+std::string capitalised(std::string_view name) {
+    std::string out(name);
+    if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
+    return out;
+}
+
+}  // namespace thaum::game

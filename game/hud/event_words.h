@@ -1,0 +1,15 @@
+// game/hud/event_words.h: words of events for players, made from the patterns of their rows.
+#pragma once
+#include <string>
+
+#include "game/components/match.h"
+
+namespace thaum::game {
+
+/// Fills the names in braces of a row's words (game/data/presentation.h), such as {by} and {cause}.
+std::string event_words(const std::string& pattern, const Event& event);
+
+/// A name with its first letter large.
+std::string capitalised(std::string_view name);
+
+}  // namespace thaum::game
