@@ -87,7 +87,7 @@ void feel_mass(const FluidTouch& touch, FluidTouchState& state, const FluidTip& 
 
 // ---- surface ----------------------------------------------------------------------------------------------
 
-/// Upward force (N, bowl frame) and energy (J) of the sheet's spring, stretched by `gap` metres
+/// Upward force (N, bowl frame) and energy (J) of the surface's spring, stretched by `gap` metres
 /// (fluid/spring_surface.h).
 struct SurfacePull {
     double force{}, stored{};

@@ -48,14 +48,14 @@
 //      place in the bowl, moved on by its velocity for some 16 ms, because the patch is read for 32 ms. In
 //      every other tick: ++touch.step_age. `older`, `newer` and `step_age` decide future forces and do not
 //      follow from the fluid. They are state and belong in a component.
-//   2. surface = the sheet under the probe (ProbeReaction, SpringSurfaceSettings), with the velocity by difference.
-//      Without a sheet, `present` = 0.
+//   2. surface = the fluid's surface under the probe (ProbeReaction, SpringSurfaceSettings), with the velocity by difference.
+//      Without a surface, `present` = 0.
 //   3. Frame, drag, wall, ladle and modes from the game's data. The device must be able to render the felt
 //      stiffnesses s_f s_x k. `number` counts from 1 and changes when the probe appears, or when frame, modes
 //      or data jump.
 //   4. After the servo step: -force_on_ladle(touch, state) is the force on the fluid at state.place in this
 //      tick (N, bowl frame). fluid::push gets the sum over 16 ticks, times tick_seconds, per density. Cap and
-//      heat do not limit it: the world gets all of it. The sheet gets the probe's place and has its own
+//      heat do not limit it: the world gets all of it. The surface gets the probe's place and has its own
 //      reaction. The ladle is drawn at state.place. A missing sample leaves the state unchanged, so the last
 //      force continues, as on the arm.
 //   5. When a substance is poured in: kick with recoil_peak().

@@ -109,8 +109,7 @@ struct RememberedModel {
 };
 
 /// State of an arm in the simulation; no padding. In each tick: take_sample; the rest of the tick; then a new
-/// RememberedModel with the next `number` and the present `samples`. The RememberedModel is also the order for the arm's
-/// thread.
+/// RememberedModel with the next `number` and the present `samples`. It is also the order for the arm's thread.
 struct ArmState {
     haptics::ServoState servo{};
     /// Position of the hand in the servo step: the tip plus the displacement by the clutch (m, device frame).

@@ -36,8 +36,8 @@ bool hidden(const Mind& mind, Tick tick) {
            tick < mind.foe_seen_at + ticks(1.2);
 }
 
-/// Draw of a throw, 0 to 1, with a wand that shoots. The throw is half as fast again as the slowest one that reaches the foe, so that
-/// it is flat. A throw over cover is hardly faster than the slowest one.
+/// Draw of a throw, 0 to 1, with a wand that shoots. The throw is half as fast again as the slowest one that
+/// reaches the foe, so that it is flat. A throw over cover is hardly faster than the slowest one.
 double draw_for(const LoadedWand& wand, const Prospect& prospect) {
     const double reach =
         prospect.up + std::sqrt(prospect.up * prospect.up + prospect.distance * prospect.distance);

@@ -79,8 +79,8 @@ struct RopeKind {
 /// Position of the wand's tip for a hand at rest (m, eye frame).
 inline constexpr vec3 wand_tip{0.22, -0.2, -0.75};
 
-/// Rules of one wand with the numbers of its data file: what it does, and what bots and the picture know of it. Its state in a
-/// match is in the World. All matches with the same data share it. A wand overrides only what it can do.
+/// Rules of one wand with the numbers of its data file: what it does, and what bots and the picture know of it.
+/// Its state in a match is in the World. All matches with the same data share it. A wand overrides only what it can do.
 class WandRules {
 public:
     WandRules() = default;
