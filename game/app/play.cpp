@@ -16,7 +16,8 @@ namespace {
 constexpr std::string_view play_help =
     R"(usage: thaum [play] [--vs | --solo LEVEL | --demo] [OPTIONS]
 
-A duel in a window. Every match is recorded; `thaum replay` plays it again.
+A duel in a window; without a display two bots play as with --headless.
+Every match is recorded; `thaum replay` plays it again.
 Without --vs, --solo or --demo it begins with the start screen: press to join.
 
   --vs             two players: mouse and keyboard against a pad, or against the
@@ -39,8 +40,6 @@ Without --vs, --solo or --demo it begins with the start screen: press to join.
   --seconds S      ends after S seconds of match time; headless: 60
   --out DIR        folder for the files of --headless: duel.png, duel.thaumlog, duel.txt;
                    older ones are replaced (out)
-
-Without a display two bots play as with --headless, and a line says so.
 )";
 
 constexpr Option play_options[] = {{"--vs"},           {"--solo", 1},  {"--demo"},      {"--hands", 1},

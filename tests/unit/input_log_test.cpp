@@ -201,7 +201,7 @@ TEST(InputLog, WhatIsFeltOfAFluidStandsInTheHeaderOnlyWhereItIsLess) {
         percent = std::byte{101};
         const auto refused = decoded(signed_header(with, spoilt));
         ASSERT_FALSE(refused);
-        EXPECT_TRUE(contains(refused.error().message, "more than 100 % of a fluid"))
+        EXPECT_TRUE(contains(refused.error().message, "reduction of a fluid's force is above 100 %"))
             << refused.error().message;
     }
     for (std::size_t size = 0; size < body.size(); ++size)
