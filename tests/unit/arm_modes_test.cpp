@@ -45,6 +45,7 @@ struct Folder {
 /// A process that runs arm_probe.
 struct Probe {
     std::string words{}, end{};
+    bool opens = true;  ///< false: opening the arm must fail, so a call that hangs gets little time
     pid_t pid = -1;
     std::optional<int> status{};  ///< status of waitpid; std::nullopt: the process hangs
     std::string line{};           ///< line that the process printed
@@ -67,6 +68,12 @@ void start(Probe& p, const std::filesystem::path& file) {
     // The process that runs the tests may ignore some signals.
     for (int signal = 1; signal < SIGRTMIN; ++signal) std::signal(signal, SIG_DFL);
     ::setenv("FAKE_HD", script.c_str(), 1);
+    constexpr const char* little_ms = "500";
+    constexpr std::array<std::string_view, 3> long_calls{"blocks", "slow", "returns_late"};
+    const bool hangs = std::ranges::any_of(
+        long_calls, [&](std::string_view word) { return script.find(word) != std::string::npos; });
+    if (hangs && !p.opens) ::setenv("ARM_PROBE_OPEN_MS", little_ms, 1);
+    if (hangs) ::setenv("ARM_PROBE_CLOSE_MS", little_ms, 1);
     ::dup2(::open(file.c_str(), O_WRONLY | O_APPEND), STDOUT_FILENO);
     ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
     ::execl(ARM_PROBE, ARM_PROBE, FAKE_HD, p.end.empty() ? nullptr : p.end.c_str(), nullptr);
@@ -121,7 +128,8 @@ void expect_ending(const Probe& p, Ending wanted) {
 
 void expect_modes(const std::vector<Mode>& modes) {
     std::vector<Probe> probes;
-    for (const auto& mode : modes) probes.push_back({.words = mode.words});
+    for (const auto& mode : modes)
+        probes.push_back({.words = mode.words, .opens = mode.wanted != Ending::refused});
     run_all(probes);
     for (std::size_t i = 0; i < probes.size(); ++i) {
         SCOPED_TRACE(modes[i].words + ": " + probes[i].line);
@@ -139,7 +147,7 @@ TEST(ArmModes, MeasurementsWordsAndTicksThatAreWrong) { expect_modes(fake_hd::mo
 
 /// The ticks arrive before hdScheduleAsynchronous returns, so it may still fail.
 TEST(ArmModes, NoForceBeforeTheLibraryHasTakenTheTicksUp) {
-    std::vector<Probe> probes{{.words = "hdScheduleAsynchronous=returns_late"}};
+    std::vector<Probe> probes{{.words = "hdScheduleAsynchronous=returns_late", .opens = false}};
     run_all(probes);
     EXPECT_TRUE(probes[0].line.starts_with("refused: ")) << probes[0].line;
     EXPECT_GT(probes[0].arm.ticks, 0U);
