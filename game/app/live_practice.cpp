@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "core/text.h"
@@ -42,12 +41,10 @@ void DataWatcher::watch() {
 
 const game::Reload* DataWatcher::take() { return reloads_.take() ? &reloads_.newest() : nullptr; }
 
-Practice::Practice(game::RangeFiles files, const std::vector<input::DeviceSpec>& devices,
+Practice::Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices,
                    game::DummyKind kind, std::uint64_t seed)
-    : range_(
-          game::make_range(files.data(), devices.front(), kind, seed, {devices.begin() + 1, devices.end()})) {
+    : range_(game::make_range(data, devices.front(), kind, seed, {devices.begin() + 1, devices.end()})) {
     say("The range: nothing is recorded, and data files that change are read at once", welcome_shown);
-    watcher_ = std::make_unique<DataWatcher>(std::move(files));
 }
 
 void Practice::say(std::string words, Tick how_long) {
@@ -61,16 +58,11 @@ void Practice::set_dummy(game::DummyKind kind) {
     scorer_.reset(match());
 }
 
-std::shared_ptr<const game::RangeData> Practice::adopt_reload() {
-    const auto* reload = watcher_->take();
-    if (reload == nullptr) return nullptr;
-    std::fprintf(reload->data ? stdout : stderr, "%s\n", reload->line.c_str());
-    std::fflush(stdout);
-    say(reload->line, reload->data ? reading_shown : until_next_reading);
-    if (!reload->data) return nullptr;
-    range_.adopt(*reload->data);
+void Practice::adopt(const game::Reload& reload) {
+    say(reload.line, reload.data ? reading_shown : until_next_reading);
+    if (!reload.data) return;
+    range_.adopt(*reload.data);
     scorer_.reset(match());
-    return reload->data;
 }
 
 void Practice::show(game::Picture& picture) {

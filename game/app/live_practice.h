@@ -34,19 +34,20 @@ private:
     std::jthread thread_;  ///< last, so that it ends while the other members still live
 };
 
+/// The match of a range with its dummy and scores. The caller passes the data of changed files.
 class Practice {
 public:
     /// `devices` are those of the practising player: the hands first, then the real arm if the player holds
     /// one.
-    Practice(game::RangeFiles files, const std::vector<input::DeviceSpec>& devices, game::DummyKind kind,
+    Practice(const game::RangeData& data, const std::vector<input::DeviceSpec>& devices, game::DummyKind kind,
              std::uint64_t seed);
 
     game::Simulation& match() { return *range_.match; }
     input::DeviceSample dummy_sample() { return range_.dummy.sample(*range_.match); }
     void set_dummy(game::DummyKind kind);
-    /// Continues with data read since the last call and returns them; match() is then a new match. Returns
-    /// null if no new data were read, or if a file was faulty; a caption then names the fault.
-    std::shared_ptr<const game::RangeData> adopt_reload();
+    /// Continues with the data of changed files; match() may then be another object. If a file is faulty, the
+    /// old data stays, and a caption names the fault until the next reload.
+    void adopt(const game::Reload& reload);
     void show(game::Picture& picture);
     std::string score() { return words_of(scorer_.score(*range_.match)); }
 
@@ -57,7 +58,6 @@ private:
     game::RangeScorer scorer_{};
     game::Caption caption_{};
     Tick caption_until_{};  ///< end of the caption in ticks of play, so that a pause does not use up its time
-    std::unique_ptr<DataWatcher> watcher_;  ///< last member: its thread starts when all other members exist
 };
 
 }  // namespace thaum::app

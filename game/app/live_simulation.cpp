@@ -39,6 +39,7 @@ struct Round {
     Simulation* match = nullptr;  ///< `own`, or the match of the practice or the replay
     game::Bots bots;
     std::variant<std::monostate, input::LogWriter, Practice> kept;  ///< record of the match, as in Recording
+    std::unique_ptr<DataWatcher> watcher;  ///< the range's files; null outside of practice
     std::optional<Tick> over_at;
     std::uint32_t buttons_before = 0;
     std::uint32_t marks = 0;
@@ -72,8 +73,9 @@ void start_practice(SimulationThread& s, game::RangeFiles files, std::uint64_t s
     show_scene(s.shared, files.data().match);
     auto devices = arms_of(s.shared);
     devices.insert(devices.begin(), s.shared.seats[game::practising].spec);
-    auto& practice = s.round.kept.emplace<Practice>(std::move(files), devices, s.shared.dummy, seed);
+    auto& practice = s.round.kept.emplace<Practice>(files.data(), devices, s.shared.dummy, seed);
     s.round.match = &practice.match();
+    s.round.watcher = std::make_unique<DataWatcher>(std::move(files));
 }
 
 bool add_bots(SimulationThread& s, std::uint64_t seed) {
@@ -129,10 +131,14 @@ void follow_practice(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
     practice->set_dummy(s.shared.dummy);
-    const auto reloaded = practice->adopt_reload();
-    if (!reloaded) return;
+    const auto* reload = s.round.watcher->take();
+    if (reload == nullptr) return;
+    std::fprintf(reload->data ? stdout : stderr, "%s\n", reload->line.c_str());
+    std::fflush(stdout);
+    practice->adopt(*reload);
+    if (!reload->data) return;
     s.round.match = &practice->match();
-    show_scene(s.shared, reloaded->match);
+    show_scene(s.shared, reload->data->match);
 }
 
 PlayState play_state_of(const game::Match& match) {

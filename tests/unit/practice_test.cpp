@@ -1,5 +1,5 @@
-// Tests of the range in a live session: the thread that watches its files, the messages on the screen, and
-// that a recorded match has neither.
+// Tests of the range in a live session: its files, which are read again when they change, the thread that
+// watches them, the messages on the screen, and that a recorded match has neither.
 #include "game/app/live_practice.h"
 
 #include <gtest/gtest.h>
@@ -41,16 +41,23 @@ protected:
         std::ofstream(folder_ / "wands" / "bolt.toml")
             << bolt_.substr(0, at_) << value << bolt_.substr(at_ + 1);
     }
-    /// Waits for another caption. Returns false after a time that only a hang takes.
-    static bool caption_changes(Practice& practice) {
-        const auto before = caption(practice).words;
-        const auto end = monotonic_ns() + 60'000'000'000;
-        while (monotonic_ns() < end) {
-            sleep_until_ns(monotonic_ns() + 10'000'000);
-            practice.adopt_reload();
-            if (caption(practice).words != before) return true;
+    /// Looks at the files as the watching thread does. A change is read at the second look after it.
+    static void look(game::RangeFiles& files, Practice& practice) {
+        for (int i = 0; i < 2; ++i) {
+            if (const auto reload = files.look()) practice.adopt(*reload);
         }
-        return false;
+    }
+    static Practice practice_of(const game::RangeFiles& files,
+                                game::DummyKind dummy = game::DummyKind::still) {
+        return {files.data(), {input::DeviceSpec{}}, dummy, 1};
+    }
+    /// Hash of the bolt's numbers in the match.
+    static std::uint64_t bolt_hash(Practice& practice) {
+        for (const auto& file : practice.match().data().files) {
+            if (file.name == "wands/bolt.toml") return file.hash;
+        }
+        ADD_FAILURE() << "the match has no bolt";
+        return 0;
     }
     static game::Picture picture(Practice& practice) {
         auto picture = game::make_picture();
@@ -110,29 +117,55 @@ TEST_F(PracticeTest, ThreadReadsChangedFilesWithinASecondAndEndsAtOnce) {
 }
 
 TEST_F(PracticeTest, ShowsAReloadForAWhileAndAFaultUntilItIsCorrected) {
-    Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::still, 1);
+    auto watched = files();
+    auto practice = practice_of(watched);
     EXPECT_NE(caption(practice).words.find("nothing is recorded"), std::string::npos);
     play(practice, 9);
     EXPECT_EQ(caption(practice).words, "");
-    set_damage("9");
-    ASSERT_TRUE(caption_changes(practice));
+    look(watched, practice);
+    EXPECT_EQ(caption(practice).words, "") << "no file has changed";
+    set_damage("9.5");
+    look(watched, practice);
     EXPECT_EQ(caption(practice).words, "read wands/bolt.toml");
     EXPECT_FALSE(caption(practice).fault);
     play(practice, 5);
     EXPECT_EQ(caption(practice).words, "");
     set_damage("-9");
-    ASSERT_TRUE(caption_changes(practice));
+    look(watched, practice);
     EXPECT_NE(caption(practice).words.find("wands/bolt.toml:10: 'damage' is -9"), std::string::npos);
     EXPECT_TRUE(caption(practice).fault);
     play(practice, 30);
     EXPECT_TRUE(caption(practice).fault) << "the file is still faulty";
     set_damage("8");
-    ASSERT_TRUE(caption_changes(practice));
+    look(watched, practice);
+    EXPECT_EQ(caption(practice).words, "read wands/bolt.toml");
     EXPECT_FALSE(caption(practice).fault);
 }
 
+TEST_F(PracticeTest, TheMatchGoesOnWithTheNewNumbersAndAFaultKeepsTheOldOnes) {
+    auto watched = files();
+    auto practice = practice_of(watched);
+    play(practice, 1);
+    const auto at_first = bolt_hash(practice);
+    set_damage("9.5");
+    EXPECT_FALSE(watched.look()) << "the file may still be changing";
+    EXPECT_EQ(bolt_hash(practice), at_first);
+    look(watched, practice);
+    const auto changed = bolt_hash(practice);
+    EXPECT_NE(changed, at_first);
+    EXPECT_EQ(practice.match().now(), ticks(1.0)) << "the match goes on";
+    set_damage("-9");
+    look(watched, practice);
+    EXPECT_EQ(bolt_hash(practice), changed);
+    play(practice, 1);
+    EXPECT_EQ(practice.match().now(), ticks(2.0));
+    set_damage("6");
+    look(watched, practice);
+    EXPECT_EQ(bolt_hash(practice), at_first);
+}
+
 TEST_F(PracticeTest, AnotherDummyResetsTheScore) {
-    Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::still, 1);
+    auto practice = practice_of(files());
     input::InputFrame firing;
     firing.devices[game::practising].press(input::Button::fire);
     for (int t = 0; t < 1500; ++t) practice.match().tick(firing);
@@ -152,7 +185,7 @@ bool shows(const render::Overlay& overlay, std::string_view words) {
 }
 
 TEST_F(PracticeTest, ScoreStandsInThePlaceOfAMatchsAndCaptionInTheWindow) {
-    Practice practice(files(), {input::DeviceSpec{}}, game::DummyKind::shooting, 1);
+    auto practice = practice_of(files(), game::DummyKind::shooting);
     auto shown = picture(practice);
     const game::HudSettings settings{.watch = game::Watch::first};
     render::Overlay overlay;
