@@ -83,6 +83,11 @@ bool is_listed(Slot slot) {
     return !is(slot, Action::rejoin) && !is(slot, Action::quit) && !is(slot, Action::mark);
 }
 
+bool is_bound(const std::vector<Control>& controls, int key) {
+    return std::any_of(controls.begin(), controls.end(),
+                       [&](const Control& c) { return c.source == Control::Source::key && c.code == key; });
+}
+
 bool pauses(Slot slot) { return is(slot, Action::pause) || is(slot, SessionKey::pause); }
 
 bool fits(std::size_t sheet, const Control& control) {

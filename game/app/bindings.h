@@ -22,6 +22,8 @@ bool is_pad_sheet(std::size_t sheet);
 /// Tests whether the controls page lists the action. The other actions have no control by default, and
 /// nothing listens to them.
 bool is_listed(Slot slot);
+/// Tests whether a key is one of the controls.
+bool is_bound(const std::vector<input::Control>& controls, int key);
 /// Tests whether the action opens the pause.
 bool pauses(Slot slot);
 /// Tests whether a hand of this sheet can reach the control.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
 
 #include "core/text.h"
 #include "core/threads.h"
@@ -160,6 +161,57 @@ Expected<LiveArms> open_arms(std::span<const Seat> seats, const haptics::DeviceS
         arms.push_back(std::move(arm));
     }
     return arms;
+}
+
+void bind_arms(LiveArms& arms, const TakenSeats& seats, bool start_screen) {
+    auto with_mouse = game::no_player, other = game::no_player;
+    for (std::uint32_t p = 0; p < game::players; ++p) {
+        if (seats[p].hands) (seats[p].seat.kind == SeatKind::keyboard_mouse ? with_mouse : other) = p;
+    }
+    if (with_mouse == game::no_player) other = game::no_player;
+    for (std::size_t i = 0; i < arms.size(); ++i)
+        arms[i]->player = start_screen ? (i == 0 ? with_mouse : other) : arms[i]->seat;
+}
+
+std::vector<input::DeviceSpec> arms_of(const LiveArms& arms) {
+    std::vector<input::DeviceSpec> specs;
+    each_held_arm(arms, [&](const LiveArm& held, std::size_t) {
+        input::DeviceSpec arm;
+        arm.player = held.player;
+        arm.kind = input::DeviceKind::arm;
+        arm.name = input::name_of(held.keeper->facts());
+        arm.box_um = input::box_um(held.keeper->facts());
+        specs.push_back(std::move(arm));
+    });
+    return specs;
+}
+
+std::vector<input::DeviceSpec> devices_of(const TakenSeats& seats, const LiveArms& arms) {
+    std::vector<input::DeviceSpec> devices;
+    for (const auto& seat : seats) devices.push_back(seat.spec);
+    for (auto& arm : arms_of(arms)) devices.push_back(std::move(arm));
+    return devices;
+}
+
+// Notices ---------------------------------------------------------------------------------------------------
+
+std::optional<std::string> update(ArmNotice& notice, const std::string& name,
+                                  const input::ArmStatus& status) {
+    const bool lost = status.state != input::ArmPresence::present, first = notice.label.empty();
+    const auto label = text(name, lost ? " (gone)" : "");
+    const bool changes = label != notice.label;
+    notice = {label, input::caption_of(status)};
+    if (!changes || (first && !lost)) return {};
+    return lost ? status.text : "the arm is back";
+}
+
+void follow_arms(LiveArms& arms) {
+    for (auto& arm : arms) {
+        const auto name = input::name_of(arm->keeper->facts());
+        const auto line = update(arm->notice, name, arm->keeper->status());
+        const auto head = arms.size() > 1 ? text(name, ": ") : std::string();
+        if (line) std::fprintf(stderr, "%s%s\n", head.c_str(), line->c_str());
+    }
 }
 
 }  // namespace thaum::app

@@ -138,7 +138,8 @@ void follow_scene(const LivePlan& plan, LiveShared& shared, render::Renderer& re
     state.scene = scene;
 }
 
-void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Renderer& renderer) {
+void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Window& window,
+                        render::Renderer& renderer) {
     RenderState state{.scene = plan.data, .arena_scene = arena_scene_of(renderer, *plan.data)};
     double frames_per_second = plan.settings.frames_per_second;
     render::Pacer pacer(frames_per_second);
@@ -155,8 +156,8 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Render
         const auto& screen = shared.screen.newest();
         if (screen.frames_per_second != frames_per_second)
             pacer = render::Pacer(frames_per_second = screen.frames_per_second);
-        const auto size = shared.window.size();
-        if (!state.buffer.any || shared.window.minimised() || size.width <= 0 || size.height <= 0) {
+        const auto size = window.size();
+        if (!state.buffer.any || window.minimised() || size.width <= 0 || size.height <= 0) {
             // the events of these ticks were never shown
             take_due(shared.stamps, monotonic_ns(), [](const InputStamp&) {});
             continue;
@@ -164,7 +165,7 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Render
         if (!due(state, screen, changed)) continue;
         const auto before = monotonic_ns();
         renderer.draw(frame_of(state, screen, plan.speed, size));
-        shared.window.present();
+        window.present();
         const auto after = monotonic_ns();
         const double frame_ms = static_cast<double>(after - before) * 1e-6;
         auto& quality = state.quality;
@@ -185,17 +186,17 @@ void draw_until_stopped(const LivePlan& plan, LiveShared& shared, render::Render
 
 }  // namespace
 
-void run_render(const LivePlan& plan, LiveShared& shared) {
-    shared.window.make_current();
+void run_render(const LivePlan& plan, LiveShared& shared, render::Window& window) {
+    window.make_current();
     if (auto renderer = render::Renderer::create(plan.assets)) {
         if (render::is_software(renderer->device())) render::draw_behind_others();
-        draw_until_stopped(plan, shared, *renderer);
+        draw_until_stopped(plan, shared, window, *renderer);
     } else {
         shared.render_error = renderer.error();
         shared.stop = true;
-        shared.window.wake();
+        window.wake();
     }
-    shared.window.release_current();
+    window.release_current();
 }
 
 }  // namespace thaum::app

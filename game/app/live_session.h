@@ -1,86 +1,99 @@
-// game/app/live_session.h: the main thread of a live session. Input from the window and the pads goes to the
-// players' hands during play, and to the menu while a menu is open (live_menu.cpp). Some keys act on the
-// session at any time.
+// game/app/live_session.h: the main thread of a live session, without its window and its clock. The session is
+// made of parts, which own their state:
+//
+//     PlayerHands  input of the players, and which device each of them uses
+//     LiveMenu     the menu, the settings in force and the choices for the next match
+//     FocusLoss    the window's focus, whose loss pauses
+//     RoundEnd     the time since the round's end
+//     NextMatch    data of the next match
+//
+// Events and times (ns, monotonic clock) are arguments (live_window.cpp passes those of the window), so that a
+// test can drive a whole session. Requests to the match and its state pass through LiveShared.
 #pragma once
+#include "game/app/live_hands.h"
+#include "game/app/live_menu.h"
 #include "game/app/live_shared.h"
-#include "game/app/menu.h"
+#include "game/app/next_match.h"
 
 namespace thaum::app {
 
-/// State of the pad that one player uses.
-struct PadHold {
-    bool seen = false;          ///< the pad was plugged in at the last look
-    bool let_go_first = false;  ///< true: buttons held now are ignored until all have been released
-    bool half = false;          ///< the player continues with half of the keyboard
+class LiveSession {
+public:
+    LiveSession(LiveShared& shared, const LivePlan& plan);
+
+    const LivePlan& plan() const { return plan_; }
+    const LiveMenu& menu() const { return menu_; }
+    NextMatch& next() { return next_; }
+
+    // Events of the window. They go to the players' hands during play, and to the menu while a menu is open.
+    // Some keys act on the session at any time.
+    void key(int key, bool pressed, std::int64_t now_ns);
+    void mouse_button(int button, bool pressed, render::Size window, std::int64_t now_ns);
+    void mouse_move(double right, double down, std::int64_t now_ns);
+    void cursor(fvec2 position, render::Size window);
+    void wheel(double steps, std::int64_t now_ns);
+    void focus(bool focused, std::int64_t now_ns);
+
+    // The start screen.
+    void open_start_screen(std::int64_t now_ns);
+    /// Runs after the events of one poll. Returns whether a match must start.
+    bool step_start_screen(const Pads& pads, std::int64_t now_ns);
+
+    // A match.
+    /// Gives the players of the next match their seats and arms.
+    void take_seats(const Pads& pads);
+    /// Begins a match, whose simulation thread may run already.
+    void begin_match(const Pads& pads);
+    /// Runs after the events of one poll. `pads`: std::nullopt if needs_pads() is false.
+    void step_match(const std::optional<Pads>& pads, std::int64_t now_ns);
+
+    /// Publishes shared.screen if something on it has changed.
+    void publish_screen();
+
+    /// Whether pads act at present.
+    bool needs_pads() const { return menu_.is_open() || hands_.any_pad(); }
+    /// Whether the cursor is hidden and its motion turns a player.
+    bool captures_cursor() const;
+    /// Time that the window may wait for events (s).
+    double patience_s() const;
+
+private:
+    // Keys of the session.
+    bool session_key(int key);
+    void match_key(int key, std::int64_t now_ns);
+    void key_after_round(int key, std::int64_t now_ns);
+    void leave_match();
+
+    template <class F>
+    void give_hands(std::int64_t now_ns, F&& f);
+    void report(const HandNews& news);
+    void look_at_pads(const Pads& pads, std::int64_t now_ns);
+    bool leaves_by_pad(const Pads& before, const Pads& pads) const;
+    void pause_without_focus(std::int64_t now_ns);
+    void name_arms();
+    void follow_match(std::int64_t now_ns);
+    void carry_out_request();
+    void apply_settings();
+    Screen screen() const;
+
+    // The start screen.
+    bool succeeds(const Expected<void>& result);
+    Expected<void> load_chosen();
+    void follow_arena();
+    void show_arena();
+    bool out_of_time(std::int64_t now_ns) const;
+
+    LiveShared& shared_;
+    const LivePlan& plan_;
+    NextMatch next_;
+    LiveMenu menu_;
+    PlayerHands hands_;
+    FocusLoss focus_{};
+    RoundEnd round_end_{};
+    Pads pads_{};                             ///< states of the pads at the last look
+    bool forces_ = false;                     ///< true: the views show the forces that hands feel
+    std::optional<Screen> published_{};       ///< the newest published screen
+    std::optional<std::int64_t> began_ns_{};  ///< time when the start screen first opened (ns)
 };
-
-/// Repetition of a direction that is held in a menu.
-struct Repeat {
-    std::optional<MenuEvent> event{};
-    int key = -1, pad = -1;  ///< key code or pad index of the held direction; -1: none
-    std::int64_t next_ns = 0;
-};
-
-struct LiveSession {
-    LiveSession(LiveShared& s, const LivePlan& p);
-
-    LiveShared& shared;
-    const LivePlan& plan;
-    std::shared_ptr<const game::MatchData> data;  ///< data of the next match
-    std::optional<game::RangeFiles> range;        ///< files of the range if the next match is practice
-    MenuState menu;                               ///< menu state; its settings are the ones in force
-    MenuContext menu_context;
-    Settings seated;      ///< settings that the seats' DeviceSpecs were made from
-    bool stale = true;    ///< true: shared.screen must be published again
-    bool forces = false;  ///< true: the views show the forces that hands feel
-
-    std::array<render::PadState, 4> pads{};
-    std::array<PadHold, game::players> pad_holds{};
-    Repeat repeat{};
-    std::optional<fvec2> mouse{};  ///< last position of the mouse while a menu was open (px)
-    /// time when the focus was lost; 0: the window has the focus, or the loss has been handled
-    std::int64_t unfocused_since_ns = 0;
-    std::int64_t over_since_ns = 0;  ///< time when the round ended; 0: the round goes on
-};
-
-/// Rules file in assets/rules that gives the length of a match.
-inline std::string& length_of(game::DataChoice& choice) { return choice.match; }
-
-/// Shows the start screen until a player starts a match (returns true) or leaves the program (returns false).
-bool run_start_screen(LiveSession& session);
-
-/// Makes the next match practice on the range. The error names file, line and key.
-Expected<void> open_range(LiveSession& session);
-
-/// Handles input until the match has ended.
-void run_session(LiveSession& session);
-
-// Functions shared by live_session.cpp and live_menu.cpp.
-
-bool is_bound(const std::vector<input::Control>& controls, int key);
-std::optional<std::uint32_t> first_person(const LiveShared& shared);
-/// Leaves the match: to the start screen, or out of the program if the session began without one.
-void leave_match(LiveSession& session);
-/// Publishes shared.screen if something on it changed.
-void publish_screen(LiveSession& session);
-/// Gives all players' hands the bindings of the current settings.
-void rebind_hands(LiveSession& session);
-
-// Functions of the menu (live_menu.cpp). All but the last two are called only while a menu is open.
-
-void menu_key(LiveSession& session, int key, bool pressed);
-void menu_mouse_button(LiveSession& session, int button, bool pressed);
-void menu_cursor(LiveSession& session, double x, double y);
-void menu_wheel(LiveSession& session, double steps);
-/// Handles the state of pad `place`; `before` is its state at the last call.
-void menu_pad(LiveSession& session, int place, const render::PadState& before);
-/// Repeats a direction that is held.
-void repeat_menu(LiveSession& session);
-void menu_event(LiveSession& session, const MenuEvent& event);
-void open_pause(LiveSession& session);
-/// Updates the pause's lines: who paused, and why.
-void tell_pause(LiveSession& session);
-/// Choices of the menu, read from the data folder.
-MenuContext find_menu_context(const LivePlan& plan);
 
 }  // namespace thaum::app

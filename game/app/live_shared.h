@@ -1,33 +1,20 @@
 // game/app/live_shared.h: data that the three threads of a live session share without locks.
 #pragma once
 #include <atomic>
-#include <string_view>
-#include <variant>
+#include <functional>
 
 #include "core/clock.h"
 #include "core/spsc_queue.h"
 #include "core/triple_buffer.h"
 #include "game/app/live.h"
 #include "game/app/live_arm.h"
-#include "game/bots/range_files.h"
+#include "game/app/live_pause.h"
+#include "game/app/live_recording.h"
+#include "game/app/live_seats.h"
 #include "game/hud/menu.h"
-#include "input/collector.h"
-#include "input/log.h"
 #include "render/context.h"
 
 namespace thaum::app {
-
-enum class PlayState : std::uint8_t { playing, paused, over };
-
-/// Words that tell a player how to bring a lost pad back.
-inline constexpr std::string_view how_to_rejoin = "press a button on it to rejoin";
-
-/// One player's seat with its devices. The DeviceSpec goes into the log's header.
-struct TakenSeat {
-    Seat seat;
-    input::DeviceSpec spec;
-    std::unique_ptr<input::HandsCollector> hands;  ///< collector of the player's input; null for a bot
-};
 
 /// Times of one event that a tick has taken (ns, monotonic clock).
 struct InputStamp {
@@ -42,6 +29,7 @@ struct Screen {
     game::MenuPicture menu{};
     bool arena_scene = false;  ///< true: there is no match, and the arena is shown alone, from above
     double frames_per_second = 60;
+    bool operator==(const Screen&) const = default;
 };
 
 /// Collected times for the report; keeps the newest values.
@@ -64,12 +52,30 @@ private:
     std::size_t count_ = 0;
 };
 
-struct LiveShared {
-    explicit LiveShared(render::Window& w) : window(w), pictures(game::make_picture()), screen(Screen{}) {}
+/// Requests of the main thread to the simulation thread about the present match.
+struct MatchRequests {
+    std::atomic<bool> end{false};  ///< true: the match must end
+    /// Set on the result screen, by either thread. Then the match ends by itself and another follows.
+    std::atomic<bool> rematch{false};
+    /// Player for whom the session presses the pause button: to pause, or to go on. Ignored if the match is in
+    /// that state already. game::no_player: none.
+    std::atomic<std::uint32_t> pause{game::no_player}, go_on{game::no_player};
+    std::atomic<std::uint32_t> marks{0};  ///< number of presses of the session's mark key
+    std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< wanted kind of the range's dummy
+};
 
-    render::Window& window;
-    std::array<TakenSeat, game::players> seats;  ///< changed only while no simulation thread runs
-    LiveArms arms;  ///< real arms; the list and their players change only while no simulation thread runs
+/// State of the present match, from the simulation thread.
+struct MatchProgress {
+    std::atomic<PlayState> state{PlayState::playing};
+    std::atomic<std::uint32_t> paused_by{game::no_player};
+    std::atomic<bool> ended{false};  ///< true: the simulation thread has ended its match
+};
+
+struct LiveShared {
+    LiveShared() : pictures(game::make_picture()), screen(Screen{}) {}
+
+    TakenSeats seats;  ///< changed only while no simulation thread runs
+    LiveArms arms;     ///< real arms; the list and their players change only while no simulation thread runs
     /// filled by the simulation thread, and by the main thread while no simulation runs
     TripleBuffer<game::Picture> pictures;
     TripleBuffer<Screen> screen;  ///< filled by the main thread
@@ -79,24 +85,15 @@ struct LiveShared {
     std::atomic<std::int64_t> input_came_ns{0};
     SpscQueue<InputStamp, 256> stamps;  ///< from the simulation thread to the render thread
 
-    std::atomic<bool> ready{false};      ///< true: pictures can be drawn, and the match may begin
-    std::atomic<bool> stop{false};       ///< true: all threads must end
-    std::atomic<bool> end_match{false};  ///< true: the simulation thread must end
-    std::atomic<bool> ended{false};      ///< true: the simulation thread has ended its match
-    /// set on the result screen; then the match ends by itself and another follows
-    std::atomic<bool> rematch{false};
-    std::atomic<PlayState> going{PlayState::playing};
-    std::atomic<std::uint32_t> paused_by{game::no_player};
-    std::atomic<std::uint32_t> marks{0};  ///< number of presses of the session's mark key
-    std::atomic<game::DummyKind> dummy{game::DummyKind::still};  ///< wanted kind of the range's dummy
-    /// Player for whom the session presses the pause button: to pause (wants_pause), or to go on. Ignored if
-    /// the match is in that state already. game::no_player: none.
-    std::atomic<std::uint32_t> wants_pause{game::no_player}, wants_to_go_on{game::no_player};
+    std::atomic<bool> ready{false};  ///< true: pictures can be drawn, and the match may begin
+    std::atomic<bool> stop{false};   ///< true: all threads must end
+    MatchRequests requests{};
+    MatchProgress progress{};
+    /// true: the player's pad is unplugged and the player has no other device; set by the main thread
     std::array<std::atomic<bool>, game::players> pad_lost{};
 
     // Each of the following is written by one thread, and read after that thread has ended.
     std::optional<Error> simulation_error, render_error;
-    std::int64_t began_ns = 0;  ///< time when the start screen opened (ns, monotonic clock); 0: not yet
     LiveReport report;
     Timings late, ticks;  ///< delays and durations of the simulation thread's ticks (us)
 };
@@ -108,23 +105,6 @@ struct Staller {
     void pass(Stall::Thread thread);
 };
 
-std::vector<input::DeviceSpec> devices_of(const LiveShared& shared);
-/// Devices beyond the hands of both players: the real arms that players hold.
-std::vector<input::DeviceSpec> arms_of(const LiveShared& shared);
-/// Calls f(arm, device) for each real arm that a player holds. `device` is its index among the match's
-/// devices, which begin with the hands of both players.
-template <class F>
-void each_held_arm(const LiveShared& shared, F&& f) {
-    std::size_t device = game::players;
-    for (const auto& arm : shared.arms) {
-        if (arm->player < game::players) f(*arm, device++);
-    }
-}
-
-/// Record of the session's match: none, a log, or the data files of the range. The range's data may change
-/// during the match, so a range is never logged: a log's header must stay true.
-using Recording = std::variant<std::monostate, input::LogWriter, game::RangeFiles>;
-
 /// Everything the simulation thread takes over to play one match.
 struct MatchStart {
     /// data of the match; practice uses the data of `recording` instead
@@ -133,11 +113,13 @@ struct MatchStart {
     Recording recording;
 };
 
-/// Body of the simulation thread: plays one match until shared.stop, shared.end_match or a rematch, then sets
-/// shared.ended. Sets shared.stop as well when the plan's time is up or its replay has ended.
-void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start);
+/// Body of the simulation thread: plays one match until the session stops, or until the match's end or a
+/// rematch is requested. Then it sets shared.progress.ended. It also sets shared.stop when the plan's time is
+/// up or its replay has ended. Calls `wake` whenever shared.progress has changed, so that the main thread looks.
+void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
+                    const std::function<void()>& wake);
 
 /// Body of the render thread: draws until shared.stop.
-void run_render(const LivePlan& plan, LiveShared& shared);
+void run_render(const LivePlan& plan, LiveShared& shared, render::Window& window);
 
 }  // namespace thaum::app

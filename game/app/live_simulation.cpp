@@ -49,19 +49,20 @@ struct Round {
 struct SimulationThread {
     const LivePlan& plan;
     LiveShared& shared;
+    const std::function<void()>& wake;  ///< called when shared.progress has changed
     Round round{};
     std::int64_t start_ns = 0;  ///< deadline of the match's tick 0 (ns)
     std::int64_t tick_ns = ns_per_tick;
     Tick publish_every = publish_period, patience = most_behind;
     Tick skips_to_log = 0;
     std::int64_t skipped_at_ns = 0;
-    std::uint32_t marks_seen = 0;  ///< value of shared.marks at the last look
+    std::uint32_t marks_seen = 0;  ///< value of MatchRequests::marks at the last look
 };
 
 /// Log of the match; null if the match is not recorded.
 input::LogWriter* log_of(Round& round) { return std::get_if<input::LogWriter>(&round.kept); }
 /// Tests whether the match is paused or over.
-bool is_idle(const SimulationThread& s) { return s.shared.going.load() != PlayState::playing; }
+bool is_idle(const SimulationThread& s) { return s.shared.progress.state.load() != PlayState::playing; }
 Practice* practice_of(Round& round) { return std::get_if<Practice>(&round.kept); }
 
 void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data) {
@@ -71,9 +72,9 @@ void show_scene(LiveShared& shared, std::shared_ptr<const game::MatchData> data)
 
 void start_practice(SimulationThread& s, game::RangeFiles files, std::uint64_t seed) {
     show_scene(s.shared, files.data().match);
-    auto devices = arms_of(s.shared);
+    auto devices = arms_of(s.shared.arms);
     devices.insert(devices.begin(), s.shared.seats[game::practising].spec);
-    auto& practice = s.round.kept.emplace<Practice>(files.data(), devices, s.shared.dummy, seed);
+    auto& practice = s.round.kept.emplace<Practice>(files.data(), devices, s.shared.requests.dummy, seed);
     s.round.match = &practice.match();
     s.round.watcher = std::make_unique<DataWatcher>(std::move(files));
 }
@@ -93,7 +94,7 @@ bool add_bots(SimulationThread& s, std::uint64_t seed) {
 }
 
 bool start_round(SimulationThread& s, MatchStart start) {
-    s.marks_seen = s.shared.marks;
+    s.marks_seen = s.shared.requests.marks;
     for (auto& arm : s.shared.arms) arm->servo.begin_match();
     if (s.plan.replay != nullptr) {
         s.round.match = &s.plan.replay->match();
@@ -106,7 +107,8 @@ bool start_round(SimulationThread& s, MatchStart start) {
         show_scene(s.shared, start.data);
         s.round.own = std::make_unique<Simulation>(
             std::move(start.data),
-            game::MatchSetup{.seed = start.seed, .devices = devices_of(s.shared), .workers = 1});
+            game::MatchSetup{
+                .seed = start.seed, .devices = devices_of(s.shared.seats, s.shared.arms), .workers = 1});
         s.round.match = s.round.own.get();
     }
     if (auto* log = std::get_if<input::LogWriter>(&start.recording)) s.round.kept = std::move(*log);
@@ -130,7 +132,7 @@ void tell_score(Round& round) {
 void follow_practice(SimulationThread& s) {
     auto* practice = practice_of(s.round);
     if (practice == nullptr) return;
-    practice->set_dummy(s.shared.dummy);
+    practice->set_dummy(s.shared.requests.dummy);
     const auto* reload = s.round.watcher->take();
     if (reload == nullptr) return;
     std::fprintf(reload->data ? stdout : stderr, "%s\n", reload->line.c_str());
@@ -148,17 +150,17 @@ PlayState play_state_of(const game::Match& match) {
 
 /// Presses the pause button for the main thread, which asked for a pause or for its end. The button is
 /// pressed in every input frame until the pause has begun or ended.
-void press_for_main(LiveShared& shared, PlayState going, input::InputFrame& frame) {
+void press_for_main(MatchRequests& requests, PlayState state, input::InputFrame& frame) {
     const auto press = [&](std::atomic<std::uint32_t>& request, PlayState unless) {
         const auto player = request.load();
         if (player >= game::players) return;
-        if (going == PlayState::over || going == unless)
+        if (state == PlayState::over || state == unless)
             request = game::no_player;
         else
             frame.devices[player].press(Button::pause);
     };
-    press(shared.wants_pause, PlayState::paused);
-    press(shared.wants_to_go_on, PlayState::playing);
+    press(requests.pause, PlayState::paused);
+    press(requests.go_on, PlayState::playing);
 }
 
 /// Stamps the newest input with the tick that takes it. Must run before the hands are sampled: then the tick
@@ -178,15 +180,15 @@ input::InputFrame take_frame(SimulationThread& s) {
     for (std::size_t i = 0; i < s.shared.seats.size(); ++i) {
         if (auto& hands = s.shared.seats[i].hands) frame.devices[i] = hands->take();
     }
-    each_held_arm(s.shared,
+    each_held_arm(s.shared.arms,
                   [&](LiveArm& arm, std::size_t device) { frame.devices[device] = arm.servo.take(); });
-    press_for_main(s.shared, play_state_of(s.round.match->match()), frame);
-    if (const auto marks = s.shared.marks.load(); marks != s.marks_seen) {
+    press_for_main(s.shared.requests, play_state_of(s.round.match->match()), frame);
+    if (const auto marks = s.shared.requests.marks.load(); marks != s.marks_seen) {
         frame.devices[0].press(Button::mark);
         s.marks_seen = marks;
     }
     // Between two rounds of a match the rematch key starts the next round.
-    if (s.shared.rematch && s.round.match->match().phase == game::Phase::between)
+    if (s.shared.requests.rematch && s.round.match->match().phase == game::Phase::between)
         frame.devices[0].press(Button::confirm);
     // All devices lose the same samples. Only the first device's column records the number.
     const auto skips = std::min<Tick>(s.skips_to_log, 0xffff);
@@ -200,7 +202,7 @@ input::InputFrame take_frame(SimulationThread& s) {
 void keep_pace_with_arms(SimulationThread& s, Tick behind) {
     if (play_state_of(s.round.match->match()) != PlayState::playing) return;
     std::size_t waiting = 0;
-    each_held_arm(s.shared,
+    each_held_arm(s.shared.arms,
                   [&](const LiveArm& arm, std::size_t) { waiting = std::max(waiting, arm.servo.waiting()); });
     s.start_ns += arm_pace_correction(static_cast<std::int64_t>(waiting), behind);
 }
@@ -208,7 +210,7 @@ void keep_pace_with_arms(SimulationThread& s, Tick behind) {
 /// Hands the newest haptic models to the arms.
 void give_orders(SimulationThread& s) {
     const auto& match = *s.round.match;
-    each_held_arm(s.shared, [&](LiveArm& arm, std::size_t) {
+    each_held_arm(s.shared.arms, [&](LiveArm& arm, std::size_t) {
         if (game::fill_order(match.world(), match.haptic_setup(), arm.player, arm.servo.order()))
             arm.servo.publish();
     });
@@ -227,15 +229,16 @@ void watch_buttons(SimulationThread& s, const input::InputFrame& frame) {
         round.marked_at = round.match->now();
     }
     const bool may = round.over_at && round.match->now() >= *round.over_at + rematch_not_before;
-    if (may && pressed(Button::confirm)) s.shared.rematch = true;
-    if (!round.over_at) s.shared.rematch = false;
+    if (may && pressed(Button::confirm)) s.shared.requests.rematch = true;
+    if (!round.over_at) s.shared.requests.rematch = false;
     round.buttons_before = buttons;
 }
 
-void tell_going(LiveShared& shared, const game::Match& match) {
-    const auto going = play_state_of(match);
-    shared.paused_by = match.paused_by;
-    if (shared.going.exchange(going) != going) shared.window.wake();
+void tell_progress(SimulationThread& s) {
+    const auto& match = s.round.match->match();
+    const auto state = play_state_of(match);
+    s.shared.progress.paused_by = match.paused_by;
+    if (s.shared.progress.state.exchange(state) != state) s.wake();
 }
 
 /// Number of a mark that was made within the last mark_shown ticks, in this match or in the replayed log; 0:
@@ -276,7 +279,7 @@ void play_at(SimulationThread& s, double speed) {
 /// Computes one tick of a replay. Returns false at the replay's end.
 bool replay_tick(SimulationThread& s) {
     if (!s.plan.replay->step()) return false;
-    tell_going(s.shared, s.round.match->match());
+    tell_progress(s);
     if (s.round.match->now() % s.publish_every == 0) publish(s);
     return true;
 }
@@ -291,7 +294,7 @@ void run_tick(SimulationThread& s) {
     if (round.match->match().phase == game::Phase::over && !round.over_at) round.over_at = now;
     if (round.over_at && now == *round.over_at + log_after_end) close_log(round);
     watch_buttons(s, frame);
-    tell_going(s.shared, round.match->match());
+    tell_progress(s);
     if (now % (is_idle(s) ? std::max(s.publish_every, idle_publish_period) : s.publish_every) == 0)
         publish(s);
 }
@@ -330,7 +333,7 @@ bool is_time_up(const SimulationThread& s) {
 void run_session(SimulationThread& s) {
     Staller staller{s.plan.stall};
     publish(s);
-    while (!s.shared.stop && !s.shared.end_match && !is_time_up(s)) {
+    while (!s.shared.stop && !s.shared.requests.end && !is_time_up(s)) {
         staller.pass(Stall::Thread::simulation);
         const auto behind = backlog(s);
         if (behind == 0) {
@@ -349,7 +352,7 @@ void run_session(SimulationThread& s) {
         }
         s.shared.ticks.add(static_cast<double>(monotonic_ns() - before) * 1e-3);
         ++s.shared.report.ticks;
-        if (s.shared.rematch && s.round.over_at) break;
+        if (s.shared.requests.rematch && s.round.over_at) break;
     }
     if (is_time_up(s)) s.shared.stop = true;
     close_log(s.round);
@@ -358,17 +361,18 @@ void run_session(SimulationThread& s) {
 
 }  // namespace
 
-void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start) {
+void run_simulation(const LivePlan& plan, LiveShared& shared, MatchStart start,
+                    const std::function<void()>& wake) {
     while (!shared.ready && !shared.stop) sleep_until_ns(monotonic_ns() + ns_per_tick);
-    SimulationThread session{.plan = plan, .shared = shared};
+    SimulationThread session{.plan = plan, .shared = shared, .wake = wake};
     if (plan.replay != nullptr) play_at(session, plan.speed);
     if (start_round(session, std::move(start)))
         run_session(session);
     else
         shared.stop = true;
     ++shared.report.matches;
-    shared.ended = true;
-    shared.window.wake();
+    shared.progress.ended = true;
+    wake();
 }
 
 }  // namespace thaum::app

@@ -1,6 +1,6 @@
 // game/app/menu.h: the start screen, the pause and the pages below them, as plain data and one pure function:
-// (state, event) -> state. The menu depends on neither the window nor the match. Its caller (live_menu.cpp)
-// acts on MenuState::request and on changed settings.
+// (state, event) -> state. The menu depends on neither the window nor the match. Its caller (live_menu.h)
+// passes on MenuState::request and changed settings.
 #pragma once
 #include <optional>
 #include <string>

@@ -152,7 +152,7 @@ std::filesystem::path matches_folder();
 /// Path for the log of a match that starts now: a counter, date and time, in a folder that is made if
 /// missing. Deletes the oldest logs with such names, rematches included, until `kept` - 1 are left. Never
 /// deletes a log that is being recorded. Another program may take the name before its use: see create_beside
-/// in live.cpp.
+/// in live_recording.cpp.
 Expected<std::filesystem::path> new_match_log(const std::filesystem::path& folder, int kept);
 
 }  // namespace thaum::app

@@ -22,6 +22,7 @@ struct HudSettings {
     bool menu = false;           ///< a menu will cover the views; the HUD is left out
     /// Fault of each player's device in its driver's words. The session fills this in.
     std::array<std::string, players> device_messages{};
+    bool operator==(const HudSettings&) const = default;
 };
 
 /// Memory for building frames. The spans of a Frame point into it.

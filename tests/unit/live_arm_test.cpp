@@ -1,9 +1,12 @@
-// Words of --hands, and the list of real arms that a live session opens for them.
+// Words of --hands, the list of real arms that a live session opens for them, their players, and what is said
+// about arms that are lost.
 #include "game/app/live_arm.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+
+#include "unit/live_rig.h"
 
 namespace thaum::app {
 namespace {
@@ -126,6 +129,83 @@ TEST(LiveArms, AreWatchedEachForItself) {
     EXPECT_EQ(left.losses(), 1);
     EXPECT_EQ(right.losses(), 0);
     EXPECT_EQ(right.status().state, input::ArmPresence::present);
+}
+
+// ---- players ----------------------------------------------------------------------------------------------
+
+/// Players of `count` arms for the seats of the start screen, or of a plan in which arm i is for seat i.
+std::vector<std::uint32_t> players_of(const TakenSeats& seats, std::uint32_t count, bool start_screen) {
+    LiveArms arms;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        arms.push_back(std::make_unique<LiveArm>());
+        arms.back()->seat = i;
+    }
+    bind_arms(arms, seats, start_screen);
+    std::vector<std::uint32_t> players;
+    for (const auto& arm : arms) players.push_back(arm->player);
+    return players;
+}
+
+TEST(LiveArms, GoToTheirSeatsOrToThePlayerWithTheMouse) {
+    using Players = std::vector<std::uint32_t>;
+    const auto mouse_second = rig::seats_for(rig::first_pad_seat, rig::mouse_seat);
+    EXPECT_EQ(players_of(mouse_second, 2, false), (Players{0, 1}));
+    EXPECT_EQ(players_of(mouse_second, 2, true), (Players{1, 0}));
+    const auto no_mouse = rig::seats_for(rig::first_pad_seat, rig::second_pad_seat);
+    EXPECT_EQ(players_of(no_mouse, 2, true), (Players{game::no_player, game::no_player}));
+    const auto alone = rig::seats_for(rig::mouse_seat, rig::bot_seat);
+    EXPECT_EQ(players_of(alone, 2, true), (Players{0, game::no_player}));
+}
+
+TEST(LiveArms, StandAfterTheHandsOfBothPlayersInTheMatch) {
+    plug_in_arms("name=Left;name=Right");
+    auto arms = open_arms(hands("arm,arm"), wanted);
+    ASSERT_TRUE(arms);
+    const auto seats = rig::seats_for(rig::bot_seat, rig::mouse_seat);
+    bind_arms(*arms, seats, true);
+    const auto devices = devices_of(seats, *arms);
+    ASSERT_EQ(devices.size(), 3U) << "nobody holds the second arm";
+    EXPECT_EQ(devices[0].kind, input::DeviceKind::bot);
+    EXPECT_EQ(devices[1].kind, input::DeviceKind::keyboard_mouse);
+    EXPECT_EQ(devices[2].kind, input::DeviceKind::arm);
+    EXPECT_EQ(devices[2].player, 1U);
+    EXPECT_EQ(devices[2].name, "Left A0");
+}
+
+// ---- notices ----------------------------------------------------------------------------------------------
+
+TEST(ArmNotices, ALossAndAReturnAreSaidOnce) {
+    ArmNotice notice;
+    const input::ArmStatus present{},
+        lost{.state = input::ArmPresence::lost, .text = "It is gone. Plug it in."};
+    EXPECT_FALSE(update(notice, "Touch", present)) << "an arm that is there from the start";
+    EXPECT_EQ(notice.label, "Touch");
+    EXPECT_EQ(notice.fault, "");
+    EXPECT_EQ(update(notice, "Touch", lost), "It is gone. Plug it in.");
+    EXPECT_EQ(notice.label, "Touch (gone)");
+    EXPECT_EQ(notice.fault, input::caption_of(lost));
+    EXPECT_NE(notice.fault, "");
+    EXPECT_FALSE(update(notice, "Touch", lost));
+    EXPECT_EQ(update(notice, "Touch", present), "the arm is back");
+    EXPECT_EQ(notice.label, "Touch");
+    EXPECT_EQ(notice.fault, "");
+    EXPECT_FALSE(update(notice, "Touch", present));
+}
+
+TEST(ArmNotices, AnArmThatIsLostFromTheStartIsSaid) {
+    ArmNotice notice;
+    const input::ArmStatus lost{.state = input::ArmPresence::fault, .text = "The arm is too warm"};
+    EXPECT_EQ(update(notice, "Touch", lost), "The arm is too warm");
+}
+
+/// The fault's words may change while the arm stays away.
+TEST(ArmNotices, ShowTheNewestFault) {
+    ArmNotice notice;
+    input::ArmStatus lost{.state = input::ArmPresence::lost, .text = "It is gone"};
+    update(notice, "Touch", lost);
+    lost.text = "It cannot be opened";
+    EXPECT_FALSE(update(notice, "Touch", lost));
+    EXPECT_EQ(notice.fault, input::caption_of(lost));
 }
 
 }  // namespace

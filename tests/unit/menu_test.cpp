@@ -7,7 +7,8 @@
 
 #include "core/file.h"
 #include "core/random.h"
-#include "game/app/live_session.h"
+#include "game/app/menu_choices.h"
+#include "game/data/match_data.h"
 #include "render/font.h"
 
 namespace thaum::app {

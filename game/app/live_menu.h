@@ -1,0 +1,87 @@
+// game/app/live_menu.h: the menu of a live session. It turns keys, mouse and pads into menu events, repeats a
+// direction that is held, keeps the settings in force and saves changes of them. It knows neither the window
+// nor the match: the session passes events and times (ns, monotonic clock), and carries out requests.
+#pragma once
+#include <utility>
+
+#include "game/app/live_pause.h"
+#include "game/app/live_seats.h"
+
+namespace thaum::app {
+
+class LiveMenu {
+public:
+    static constexpr std::int64_t repeat_after_ns = 400'000'000, repeat_every_ns = 110'000'000;
+
+    /// `state` has the settings and choices to begin with. `settings_file` receives changed settings; empty:
+    /// changes last for this run only.
+    LiveMenu(MenuState state, MenuContext context, std::filesystem::path settings_file);
+
+    const MenuState& state() const { return state_; }
+    const MenuContext& context() const { return context_; }
+    const Settings& settings() const { return state_.settings; }
+    game::MenuPicture picture() const { return picture_of(state_, context_); }
+    bool is_open() const { return !state_.pages.empty(); }
+    /// Whether the start screen or a page below it is open.
+    bool on_start_screen() const { return is_open() && state_.pages.front().page == Page::start; }
+    /// Whether the next key or button becomes a binding.
+    bool waits_for_control() const { return state_.waiting.has_value(); }
+
+    void open(Page page);
+    void close();
+
+    // Events while a menu is open.
+    void key(int key, bool pressed, std::int64_t now_ns);
+    void mouse_button(int button, bool pressed, render::Size window);
+    /// `position` is in pixels from the window's top left.
+    void cursor(fvec2 position, render::Size window);
+    void wheel(double steps);
+    /// The pad with number `place` was in state `before` at the last look.
+    void pad(int place, const render::PadState& before, const render::PadState& now, std::int64_t now_ns);
+    /// Repeats a direction that is held, if the repetition is due.
+    void repeat(std::int64_t now_ns);
+    /// Ends the repetition, because a release will not be reported without the focus.
+    void release() { held_ = {}; }
+
+    /// Returns the request of the last event and forgets it.
+    MenuRequest take_request() { return std::exchange(request_, MenuRequest::none); }
+    /// Whether settings have changed since the last call.
+    bool take_settings_change() { return std::exchange(settings_changed_, false); }
+
+    // News for the menu.
+    /// Updates the pads' names. A pad that was unplugged gives up its seat.
+    void name_pads(const Pads& pads);
+    /// Name and state of the arm at an index of MenuContext::arms.
+    void name_arm(std::size_t index, const std::string& name) { context_.arms.at(index) = name; }
+    void set_practice(bool practice) { context_.practice = practice; }
+    void set_pause(PauseWords words);
+    void set_note(std::string note) { state_.note = std::move(note); }
+    void choose_arena(std::size_t arena) { state_.arena = arena; }
+    // Changes by the session's keys, for this run only.
+    void toggle_fullscreen() { state_.settings.fullscreen = !state_.settings.fullscreen; }
+    void turn_split();
+
+private:
+    /// A direction that is held.
+    struct Held {
+        std::optional<MenuEvent> event{};
+        int key = -1, pad = -1;  ///< key code or pad number of the direction; -1: none
+        std::int64_t next_ns = 0;
+    };
+
+    void step(const MenuEvent& event);
+    void give_control(const Device& device, const input::Control& control);
+    void point_by_pad(const Device& device, const render::PadState& before, const render::PadState& now,
+                      std::int64_t now_ns);
+    std::optional<game::MenuPlace> place_of_mouse(render::Size window) const;
+
+    MenuState state_;
+    MenuContext context_;
+    std::filesystem::path settings_file_;
+    Held held_{};
+    std::optional<fvec2> mouse_{};  ///< last position of the mouse while a menu was open (px)
+    MenuRequest request_{};
+    bool settings_changed_ = false;
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,73 @@
+#include "game/app/live_window.h"
+
+#include "core/clock.h"
+#include "game/app/end_watch.h"
+
+namespace thaum::app {
+namespace {
+
+render::WindowEvents events_of(LiveSession& session, const render::Window& window) {
+    render::WindowEvents events;
+    events.key = [&](int key, int, bool pressed) { session.key(key, pressed, monotonic_ns()); };
+    events.mouse_button = [&](int button, bool pressed) {
+        session.mouse_button(button, pressed, window.size(), monotonic_ns());
+    };
+    events.mouse_move = [&](double dx, double dy) { session.mouse_move(dx, dy, monotonic_ns()); };
+    events.cursor = [&](double x, double y) { session.cursor({x, y}, window.size()); };
+    events.wheel = [&](double steps) { session.wheel(steps, monotonic_ns()); };
+    events.focus = [&](bool focused) { session.focus(focused, monotonic_ns()); };
+    return events;
+}
+
+void follow_fullscreen(const LiveSession& session, LiveWindow& window) {
+    const bool wanted = session.menu().settings().fullscreen;
+    if (wanted != window.fullscreen) window.window.set_fullscreen(window.fullscreen = wanted);
+}
+
+bool closes(const render::Window& window) { return window.should_close() || EndWatch::asked(); }
+
+/// Moves the mouse now and then, with a period that is no multiple of the pictures'.
+void probe(LiveSession& session, std::int64_t& next_ns) {
+    constexpr std::int64_t period_ns = 23'700'000;
+    const auto now = monotonic_ns();
+    if (now < next_ns) return;
+    next_ns = now + period_ns;
+    session.mouse_move(1, 0, now);
+}
+
+}  // namespace
+
+bool run_start_screen(LiveSession& session, LiveShared& shared, LiveWindow& window) {
+    session.open_start_screen(monotonic_ns());
+    const auto events = events_of(session, window.window);
+    while (!shared.stop) {
+        session.publish_screen();
+        window.window.poll(events, session.patience_s());
+        const bool starts = session.step_start_screen(window.window.pads(), monotonic_ns());
+        follow_fullscreen(session, window);
+        if (starts) return true;
+        if (closes(window.window)) shared.stop = true;
+    }
+    return false;
+}
+
+void run_match(LiveSession& session, LiveShared& shared, LiveWindow& window) {
+    auto& view = window.window;
+    session.begin_match(view.pads());
+    const auto events = events_of(session, view);
+    Staller staller{session.plan().stall};
+    std::int64_t next_probe_ns = 0;
+    while (!shared.stop && !shared.progress.ended) {
+        staller.pass(Stall::Thread::main);
+        session.publish_screen();
+        view.poll(events, session.patience_s());
+        if (session.plan().probe) probe(session, next_probe_ns);
+        if (closes(view)) shared.stop = true;
+        session.step_match(session.needs_pads() ? std::optional(view.pads()) : std::nullopt, monotonic_ns());
+        follow_fullscreen(session, window);
+        view.capture_cursor(session.captures_cursor());
+    }
+    view.capture_cursor(false);
+}
+
+}  // namespace thaum::app

@@ -1,0 +1,35 @@
+// game/app/next_match.h: data of the next match of a live session: a duel of the menu's choice, or the range.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "game/bots/range_files.h"
+
+namespace thaum::app {
+
+class NextMatch {
+public:
+    NextMatch(std::filesystem::path assets, std::shared_ptr<const game::MatchData> data)
+        : assets_(std::move(assets)), data_(std::move(data)) {}
+
+    const std::shared_ptr<const game::MatchData>& data() const { return data_; }
+    /// Whether the next match is practice on the range.
+    bool is_practice() const { return range_.has_value(); }
+
+    /// Reads the data of a match with these files of assets/rules and assets/arenas. The files may have changed
+    /// on the range. After an error, which names file, line and key, the old data stays.
+    Expected<void> choose(const std::string& match, const std::string& arena);
+    /// Makes the next match practice on the range. The error names file, line and key.
+    Expected<void> open_range();
+    /// Hands over the range's files, for one match; std::nullopt: the next match is no practice.
+    std::optional<game::RangeFiles> take_range() { return std::exchange(range_, std::nullopt); }
+
+private:
+    std::filesystem::path assets_;
+    std::shared_ptr<const game::MatchData> data_;
+    std::optional<game::RangeFiles> range_{};
+};
+
+}  // namespace thaum::app

@@ -1,0 +1,207 @@
+// Tests of the players' hands: pads that are unplugged and come back, half of the keyboard, and new bindings.
+#include "game/app/live_hands.h"
+
+#include <gtest/gtest.h>
+
+#include "unit/live_rig.h"
+
+namespace thaum::app {
+namespace {
+
+using input::Button;
+using input::PadAxis;
+using input::PadButton;
+
+/// Player 1 with mouse and keyboard, player 2 with the first pad.
+class PlayerHandsTest : public testing::Test {
+protected:
+    PlayerHandsTest() { hands_.begin_match(settings_, {rig::pad_with()}); }
+
+    HandNews look(const render::PadState& first, const render::PadState& second = {},
+                  bool menu_open = false) {
+        return hands_.look({first, second}, settings_, menu_open);
+    }
+    input::DeviceSample sample(std::uint32_t player = 1) { return rig::taken(seats_, player); }
+
+    const Settings settings_{};
+    TakenSeats seats_ = rig::seats_for(rig::mouse_seat, rig::first_pad_seat);
+    PlayerHands hands_{seats_};
+    const render::PadState unplugged_{}, idle_ = rig::pad_with(), pressed_ = rig::pad_with({PadButton::a}),
+                                         full_trigger_ = rig::pad_at(PadAxis::right_trigger, 1);
+    const int kp_0_ = rig::key("kp_0"), kp_8_ = rig::key("kp_8");
+};
+
+TEST_F(PlayerHandsTest, ALostPadIsReportedOnceAndReleasesWhatItHeld) {
+    const auto playing = look(full_trigger_);
+    EXPECT_FALSE(playing.lost);
+    EXPECT_EQ(sample().counts[input::hand::trigger], 255);
+    const auto news = look(unplugged_);
+    EXPECT_EQ(news.lost, 1U);
+    EXPECT_FALSE(news.all_back);
+    EXPECT_TRUE(hands_.is_lost(1));
+    EXPECT_FALSE(hands_.is_lost(0));
+    EXPECT_EQ(sample().counts[input::hand::trigger], 0);
+    EXPECT_FALSE(look(unplugged_).lost);
+    EXPECT_TRUE(hands_.is_lost(1));
+}
+
+TEST_F(PlayerHandsTest, AButtonOfThePadBringsItsPlayerBack) {
+    look(unplugged_);
+    const auto plugged = look(idle_);
+    EXPECT_TRUE(hands_.is_lost(1)) << "plugging in is no press";
+    EXPECT_FALSE(plugged.all_back);
+    EXPECT_FALSE(look(full_trigger_).all_back);
+    EXPECT_EQ(sample().counts[input::hand::trigger], 0) << "before the player is back";
+    const auto news = look(pressed_);
+    EXPECT_EQ(news.all_back, 1U);
+    EXPECT_TRUE(news.used[0]);
+    EXPECT_FALSE(hands_.is_lost(1));
+}
+
+TEST_F(PlayerHandsTest, ButtonsHeldOverARejoinAreIgnoredUntilReleased) {
+    look(unplugged_);
+    look(pressed_);
+    EXPECT_FALSE(look(pressed_).used[0]) << "only the press that brings the player back";
+    EXPECT_FALSE(rig::is_down(sample(), Button::jump));
+    look(idle_);
+    EXPECT_FALSE(rig::is_down(sample(), Button::jump));
+    look(pressed_);
+    EXPECT_TRUE(rig::is_down(sample(), Button::jump));
+}
+
+TEST_F(PlayerHandsTest, ButtonsHeldAtTheStartAreIgnoredUntilReleased) {
+    hands_.begin_match(settings_, {pressed_});
+    look(pressed_);
+    EXPECT_FALSE(rig::is_down(sample(), Button::jump));
+    look(idle_);
+    look(pressed_);
+    EXPECT_TRUE(rig::is_down(sample(), Button::jump));
+}
+
+TEST_F(PlayerHandsTest, PadsDoNotActWhileAMenuIsOpenNorBeforeARelease) {
+    look(pressed_, {}, true);
+    EXPECT_FALSE(rig::is_down(sample(), Button::jump));
+    look(pressed_);
+    EXPECT_FALSE(rig::is_down(sample(), Button::jump)) << "the button that closed the menu";
+    look(idle_);
+    look(pressed_);
+    EXPECT_TRUE(rig::is_down(sample(), Button::jump));
+}
+
+TEST_F(PlayerHandsTest, SticksPointUpwardsInTheMatch) {
+    look(rig::pad_at(PadAxis::left_y, -1));
+    EXPECT_EQ(sample().counts[input::hand::forward], 127);
+}
+
+TEST_F(PlayerHandsTest, HalfOfTheKeyboardTakesOverForALostPad) {
+    EXPECT_FALSE(hands_.take_half(kp_0_, settings_)) << "the pad is there";
+    look(unplugged_);
+    EXPECT_FALSE(hands_.take_half(kp_8_, settings_)) << "only the key for the wand asks";
+    const auto news = hands_.take_half(kp_0_, settings_);
+    ASSERT_TRUE(news);
+    EXPECT_EQ(news->all_back, 1U);
+    EXPECT_FALSE(hands_.is_lost(1));
+    hands_.each([&](auto& hands) { hands.key(kp_8_, true); });
+    EXPECT_EQ(sample().counts[input::hand::forward], 127);
+    EXPECT_EQ(sample(0).counts[input::hand::forward], 0) << "the mouse's player does not have that half";
+    EXPECT_FALSE(look(unplugged_).lost) << "the player has a device";
+}
+
+TEST_F(PlayerHandsTest, ThePadTakesItsPlayerBackFromTheHalf) {
+    look(unplugged_);
+    hands_.take_half(kp_0_, settings_);
+    EXPECT_FALSE(look(idle_).all_back);
+    EXPECT_EQ(look(pressed_).all_back, 1U);
+    hands_.each([&](auto& hands) { hands.key(kp_8_, true); });
+    EXPECT_EQ(sample().counts[input::hand::forward], 0);
+    look(idle_);
+    look(pressed_);
+    EXPECT_TRUE(rig::is_down(sample(), Button::jump));
+}
+
+TEST_F(PlayerHandsTest, ARematchKeepsTheHalfAndTheStartScreenForgetsIt) {
+    look(unplugged_);
+    hands_.take_half(kp_0_, settings_);
+    hands_.begin_match(settings_, {});
+    hands_.each([&](auto& hands) { hands.key(kp_8_, true); });
+    EXPECT_EQ(sample().counts[input::hand::forward], 127);
+    hands_.leave_seats();
+    EXPECT_FALSE(seats_[1].hands);
+    seats_ = rig::seats_for(rig::mouse_seat, rig::first_pad_seat);
+    hands_.begin_match(settings_, {});
+    hands_.each([&](auto& hands) { hands.key(kp_8_, true); });
+    EXPECT_EQ(sample().counts[input::hand::forward], 0);
+}
+
+TEST_F(PlayerHandsTest, TheHalfBelongsToOnePlayer) {
+    seats_ = rig::seats_for(rig::half_seat, rig::first_pad_seat);
+    hands_.begin_match(settings_, {idle_});
+    look(unplugged_);
+    EXPECT_FALSE(hands_.take_half(kp_0_, settings_)) << "player 1 has it";
+    EXPECT_TRUE(hands_.is_lost(1));
+}
+
+TEST_F(PlayerHandsTest, TheMatchGoesOnWhenBothPlayersAreBack) {
+    seats_ = rig::seats_for(rig::first_pad_seat, rig::second_pad_seat);
+    hands_.begin_match(settings_, {idle_, idle_});
+    look(unplugged_, unplugged_);
+    EXPECT_TRUE(hands_.is_lost(0) && hands_.is_lost(1));
+    const auto one = look(unplugged_, pressed_);
+    EXPECT_FALSE(one.all_back);
+    EXPECT_TRUE(one.used[1]);
+    EXPECT_FALSE(one.used[0]);
+    EXPECT_EQ(look(pressed_, pressed_).all_back, 0U);
+}
+
+TEST_F(PlayerHandsTest, NewSettingsReachTheHands) {
+    auto settings = settings_;
+    settings.bindings_of(input::DeviceKind::keyboard_mouse).of(input::Action::move_forward) = {
+        {input::Control::Source::key, rig::key("i"), 0}};
+    settings.sensitivity = 2 * settings_.sensitivity;
+    settings.invert_y = !settings_.invert_y;
+    hands_.each([&](auto& hands) { hands.key(rig::key("w"), true); });
+    EXPECT_EQ(sample(0).counts[input::hand::forward], 127);
+    hands_.rebind(settings);
+    EXPECT_EQ(sample(0).counts[input::hand::forward], 0) << "a key without its binding is released";
+    hands_.each([&](auto& hands) {
+        hands.key(rig::key("i"), true);
+        hands.mouse_move(10, 10);
+    });
+    const auto now = sample(0);
+    EXPECT_EQ(now.counts[input::hand::forward], 127);
+    EXPECT_EQ(now.counts[input::hand::look_right], 20);
+    EXPECT_EQ(now.counts[input::hand::look_up], 20);
+    // The seats of the next match are taken with the new settings, so nothing is left to multiply.
+    hands_.begin_match(settings, {});
+    hands_.each([&](auto& hands) { hands.mouse_move(10, 10); });
+    EXPECT_EQ(sample(0).counts[input::hand::look_right], 10);
+    EXPECT_EQ(sample(0).counts[input::hand::look_up], 0);
+}
+
+TEST_F(PlayerHandsTest, KnowsWhichKeysOfItsPlayersPause) {
+    auto settings = settings_;
+    settings.bindings_of(input::DeviceKind::keyboard_mouse).of(input::Action::pause) = {
+        {input::Control::Source::key, rig::key("p"), 0}};
+    settings.bindings_of(input::DeviceKind::keyboard_half).of(input::Action::pause) = {
+        {input::Control::Source::key, rig::key("kp_7"), 0}};
+    EXPECT_TRUE(hands_.pauses(rig::key("p"), settings));
+    EXPECT_FALSE(hands_.pauses(rig::key("kp_7"), settings)) << "nobody has that half";
+    look(unplugged_);
+    hands_.take_half(kp_0_, settings);
+    EXPECT_TRUE(hands_.pauses(rig::key("kp_7"), settings));
+}
+
+TEST_F(PlayerHandsTest, BotsHaveNoHands) {
+    EXPECT_TRUE(hands_.any_mouse());
+    EXPECT_TRUE(hands_.any_pad());
+    seats_ = rig::seats_for(rig::bot_seat, rig::bot_seat);
+    hands_.begin_match(settings_, {idle_});
+    EXPECT_FALSE(hands_.any_mouse());
+    EXPECT_FALSE(hands_.any_pad());
+    hands_.each([](auto&) { FAIL(); });
+    EXPECT_FALSE(look(unplugged_).lost);
+    EXPECT_FALSE(hands_.take_half(kp_0_, settings_));
+}
+
+}  // namespace
+}  // namespace thaum::app

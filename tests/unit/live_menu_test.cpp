@@ -1,0 +1,328 @@
+// Tests of the menu in a live session: held directions, the mouse, bindings, saved settings and requests.
+#include "game/app/live_menu.h"
+
+#include <gtest/gtest.h>
+
+#include "core/file.h"
+#include "unit/live_rig.h"
+
+namespace thaum::app {
+namespace {
+
+using input::DeviceKind;
+using input::PadAxis;
+using input::PadButton;
+
+class LiveMenuTest : public testing::Test {
+protected:
+    /// Opens the pause with its title. A menu without a title is not drawn.
+    void open_pause() {
+        menu_.open(Page::pause);
+        menu_.set_pause({"Paused", ""});
+    }
+    void press(std::string_view name, std::int64_t now_ns = 0) {
+        menu_.key(rig::key(name), true, now_ns);
+        menu_.key(rig::key(name), false, now_ns);
+    }
+    void press_all(std::initializer_list<const char*> names) {
+        for (const auto* name : names) press(name);
+    }
+    std::size_t cursor() const { return menu_.state().pages.back().cursor; }
+    Page page() const { return menu_.state().pages.back().page; }
+    std::size_t row_of(std::string_view label) const {
+        const auto rows = menu_.picture().rows;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (rows[i].label == label) return i;
+        }
+        ADD_FAILURE() << "no row " << label;
+        return 0;
+    }
+    std::string value_of(std::string_view label) const { return menu_.picture().rows[row_of(label)].value; }
+    void choose(std::string_view label) {
+        while (cursor() != row_of(label)) press("down");
+    }
+    /// A point in a part of a row (px).
+    fvec2 point_of(std::string_view label, game::MenuPart part = game::MenuPart::row) const {
+        const auto row = row_of(label);
+        for (float y = 0; y < 720; y += 4) {
+            for (float x = 0; x < 1280; x += 4) {
+                const auto place = game::place_at(menu_.picture(), rig::window, 1, {x, y});
+                if (place && place->row == row && place->part == part) return {x, y};
+            }
+        }
+        ADD_FAILURE() << label << " is not in the window";
+        return {};
+    }
+    void click(fvec2 point, int button = 0) {
+        menu_.cursor(point, rig::window);
+        menu_.mouse_button(button, true, rig::window);
+        menu_.mouse_button(button, false, rig::window);
+    }
+
+    LiveMenu menu_{{},
+                   {.levels = {1, 2, 3},
+                    .rules = {{"quick", "quick"}, {"standard", "standard"}},
+                    .arenas = {{"boiling_court", "Boiling Court"}},
+                    .ends_match = true},
+                   {}};
+    static constexpr auto first = LiveMenu::repeat_after_ns, next = LiveMenu::repeat_every_ns;
+};
+
+// ---- held directions --------------------------------------------------------------------------------------
+
+TEST_F(LiveMenuTest, AHeldKeyRepeatsAtTheStatedTimes) {
+    menu_.open(Page::start);
+    menu_.key(rig::key("down"), true, 0);
+    EXPECT_EQ(cursor(), 1U);
+    menu_.repeat(first - 1);
+    EXPECT_EQ(cursor(), 1U);
+    menu_.repeat(first);
+    EXPECT_EQ(cursor(), 2U);
+    menu_.repeat(first + next - 1);
+    EXPECT_EQ(cursor(), 2U);
+    menu_.repeat(first + next);
+    EXPECT_EQ(cursor(), 3U);
+    menu_.key(rig::key("down"), false, first + next);
+    menu_.repeat(10 * first);
+    EXPECT_EQ(cursor(), 3U);
+    press("space", 20 * first);
+    menu_.key(rig::key("space"), true, 20 * first);
+    const auto before = cursor();
+    menu_.repeat(30 * first);
+    EXPECT_EQ(cursor(), before) << "only directions repeat";
+}
+
+TEST_F(LiveMenuTest, AnotherKeysReleaseDoesNotEndTheRepetition) {
+    menu_.open(Page::start);
+    menu_.key(rig::key("up"), true, 0);
+    menu_.key(rig::key("down"), true, 0);
+    menu_.key(rig::key("up"), false, 0);
+    menu_.repeat(first);
+    EXPECT_EQ(cursor(), 1U);
+    menu_.release();
+    menu_.repeat(9 * first);
+    EXPECT_EQ(cursor(), 1U) << "the focus was lost";
+}
+
+TEST_F(LiveMenuTest, AHeldStickRepeatsUntilItIsLetGoOrUnplugged) {
+    menu_.open(Page::start);
+    const auto idle = rig::pad_with(), down = rig::pad_at(PadAxis::left_y, 1);
+    menu_.pad(0, idle, down, 0);
+    EXPECT_EQ(cursor(), 1U);
+    menu_.pad(0, down, down, first / 2);
+    EXPECT_EQ(cursor(), 1U);
+    menu_.repeat(first);
+    EXPECT_EQ(cursor(), 2U);
+    menu_.pad(1, idle, idle, first);
+    menu_.repeat(first + next);
+    EXPECT_EQ(cursor(), 3U) << "another pad changes nothing";
+    menu_.pad(0, down, idle, first + next);
+    menu_.repeat(9 * first);
+    EXPECT_EQ(cursor(), 3U);
+    menu_.pad(0, idle, down, 10 * first);
+    menu_.pad(0, down, {}, 10 * first);
+    menu_.repeat(19 * first);
+    EXPECT_EQ(cursor(), 4U) << "one step of the new push, and no repetition without the pad";
+}
+
+TEST_F(LiveMenuTest, AClosedMenuForgetsAHeldDirection) {
+    menu_.open(Page::pause);
+    menu_.key(rig::key("down"), true, 0);
+    menu_.close();
+    menu_.repeat(first);
+    menu_.open(Page::pause);
+    menu_.repeat(2 * first);
+    EXPECT_EQ(cursor(), 0U);
+}
+
+// ---- the mouse --------------------------------------------------------------------------------------------
+
+TEST_F(LiveMenuTest, TheMouseChoosesTheRowUnderIt) {
+    open_pause();
+    menu_.cursor(point_of("Settings"), rig::window);
+    EXPECT_EQ(cursor(), row_of("Settings"));
+    menu_.cursor({2, 2}, rig::window);
+    EXPECT_EQ(cursor(), row_of("Settings")) << "beside the rows";
+    click(point_of("Settings"));
+    ASSERT_EQ(page(), Page::settings);
+    const auto before = value_of("Field of view");
+    click(point_of("Field of view", game::MenuPart::more));
+    EXPECT_NE(value_of("Field of view"), before);
+    click(point_of("Field of view", game::MenuPart::less));
+    EXPECT_EQ(value_of("Field of view"), before);
+    click(point_of("Field of view"), 1);
+    EXPECT_EQ(page(), Page::pause) << "the right button goes back";
+}
+
+TEST_F(LiveMenuTest, AClickBeforeTheMouseMovedChoosesNothing) {
+    menu_.open(Page::start);
+    menu_.cursor(point_of("Quit"), rig::window);
+    menu_.close();
+    open_pause();
+    menu_.mouse_button(0, true, rig::window);
+    EXPECT_EQ(menu_.take_request(), MenuRequest::none);
+    menu_.cursor(point_of("Go on"), rig::window);
+    menu_.mouse_button(0, true, rig::window);
+    EXPECT_EQ(menu_.take_request(), MenuRequest::go_on);
+}
+
+TEST_F(LiveMenuTest, TheWheelMovesTheChoice) {
+    menu_.open(Page::pause);
+    menu_.wheel(-1);
+    EXPECT_EQ(cursor(), 1U);
+    menu_.wheel(1);
+    menu_.wheel(0);
+    EXPECT_EQ(cursor(), 0U);
+}
+
+// ---- devices ----------------------------------------------------------------------------------------------
+
+TEST_F(LiveMenuTest, EachDeviceJoinsWithItsOwnPress) {
+    menu_.open(Page::start);
+    menu_.pad(2, rig::pad_with(), rig::pad_with({PadButton::start}), 0);
+    press("kp_0");
+    EXPECT_EQ(menu_.state().seats[0], (Device{DeviceKind::pad, 2}));
+    EXPECT_EQ(menu_.state().seats[1], (Device{DeviceKind::keyboard_half, 0}));
+    press("left_alt");
+    EXPECT_TRUE(menu_.state().note.empty()) << "a key to change windows does not ask for a seat";
+    press("x");
+    EXPECT_FALSE(menu_.state().note.empty()) << "both seats are taken";
+}
+
+TEST_F(LiveMenuTest, AButtonThatIsHeldIsNoPress) {
+    menu_.open(Page::start);
+    const auto held = rig::pad_with({PadButton::a});
+    menu_.pad(0, held, held, 0);
+    EXPECT_FALSE(menu_.state().seats[0]);
+}
+
+TEST_F(LiveMenuTest, PadsAreNamedAndAnUnpluggedOneGivesUpItsSeat) {
+    menu_.open(Page::start);
+    menu_.name_pads({rig::pad_with()});
+    menu_.pad(0, rig::pad_with(), rig::pad_with({PadButton::a}), 0);
+    EXPECT_EQ(menu_.picture().seats[0].device, "Pad 1 (Make-believe pad)");
+    menu_.name_pads({});
+    EXPECT_FALSE(menu_.state().seats[0]);
+    EXPECT_EQ(menu_.context().pads[0], "");
+}
+
+// ---- bindings and settings --------------------------------------------------------------------------------
+
+TEST_F(LiveMenuTest, TheNextControlOfItsDeviceIsBound) {
+    menu_.open(Page::pause);
+    press_all({"down", "enter", "enter"});
+    ASSERT_EQ(page(), Page::bindings);
+    choose("Jump");
+    press("enter");
+    ASSERT_TRUE(menu_.waits_for_control());
+    menu_.pad(0, rig::pad_with(), rig::pad_with({PadButton::a}), 0);
+    EXPECT_TRUE(menu_.waits_for_control()) << "a pad's button is not on this device";
+    menu_.key(rig::key("down"), true, 0);
+    EXPECT_FALSE(menu_.waits_for_control());
+    EXPECT_EQ(value_of("Jump"), "Down");
+    const auto row = cursor();
+    menu_.repeat(first);
+    EXPECT_EQ(cursor(), row) << "the key was no direction";
+    press("enter");
+    menu_.mouse_button(3, true, rig::window);
+    EXPECT_EQ(value_of("Jump"), "Mouse button 4");
+    press("enter");
+    menu_.wheel(1);
+    EXPECT_EQ(value_of("Jump"), "Wheel up");
+    press("enter");
+    press("escape");
+    EXPECT_FALSE(menu_.waits_for_control());
+    EXPECT_EQ(value_of("Jump"), "Wheel up");
+    EXPECT_EQ(page(), Page::bindings);
+}
+
+TEST_F(LiveMenuTest, AChangedSettingIsReportedOnce) {
+    menu_.open(Page::pause);
+    press_all({"down", "down", "enter"});
+    ASSERT_EQ(page(), Page::settings);
+    EXPECT_FALSE(menu_.take_settings_change());
+    choose("Mouse speed");
+    press("right");
+    EXPECT_GT(menu_.settings().sensitivity, Settings{}.sensitivity);
+    EXPECT_TRUE(menu_.take_settings_change());
+    EXPECT_FALSE(menu_.take_settings_change());
+    EXPECT_TRUE(menu_.state().note.empty());
+}
+
+class LiveMenuFileTest : public LiveMenuTest {
+protected:
+    LiveMenuFileTest() {
+        EXPECT_TRUE(load_settings(file_.path, THAUM_SOURCE_DIR "/assets"));
+        menu_ = LiveMenu({}, menu_.context(), file_.path);
+        menu_.open(Page::pause);
+        press_all({"down", "down", "enter"});
+        choose("Field of view");
+    }
+    std::string source() const { return read_text_file(file_.path, 1U << 20U).value(); }
+
+    const rig::TestPath file_{"settings.toml"};
+};
+
+TEST_F(LiveMenuFileTest, AChangedSettingReachesTheFile) {
+    press("right");
+    const auto read = parse_settings(source(), "settings.toml");
+    ASSERT_TRUE(read) << read.error().message;
+    EXPECT_EQ(read->fov, menu_.settings().fov);
+    EXPECT_NE(read->fov, Settings{}.fov);
+    EXPECT_NE(source().find("# 60 to 130"), std::string::npos) << "comments stay";
+}
+
+TEST_F(LiveMenuFileTest, TheSessionsKeysChangeThisRunOnly) {
+    const auto before = source();
+    menu_.toggle_fullscreen();
+    menu_.turn_split();
+    EXPECT_TRUE(menu_.settings().fullscreen);
+    EXPECT_EQ(menu_.settings().split, render::Split::side_by_side);
+    press("right");
+    const auto read = parse_settings(source(), "settings.toml");
+    ASSERT_TRUE(read);
+    EXPECT_FALSE(read->fullscreen);
+    EXPECT_EQ(read->split, render::Split::top_bottom);
+    EXPECT_NE(source(), before);
+}
+
+TEST_F(LiveMenuFileTest, AFaultyFileIsKeptAndTheChangeHoldsForThisRun) {
+    ASSERT_TRUE(write_text_file(file_.path, "version = 9\n"));
+    press("right");
+    EXPECT_EQ(source(), "version = 9\n");
+    EXPECT_NE(menu_.settings().fov, Settings{}.fov);
+    EXPECT_TRUE(menu_.take_settings_change());
+    EXPECT_EQ(menu_.picture().note.find("for this run only: "), 0U) << menu_.picture().note;
+}
+
+// ---- requests ---------------------------------------------------------------------------------------------
+
+TEST_F(LiveMenuTest, TheLeaveKeyLeavesFromThePauseItself) {
+    menu_.open(Page::pause);
+    press("q");
+    EXPECT_EQ(menu_.take_request(), MenuRequest::leave);
+    EXPECT_EQ(menu_.take_request(), MenuRequest::none);
+    press_all({"down", "enter", "q"});
+    EXPECT_EQ(menu_.take_request(), MenuRequest::none) << "on a page below the pause";
+}
+
+TEST_F(LiveMenuTest, AMenuThatOpensHasNoOldRequest) {
+    menu_.open(Page::start);
+    press_all({"x", "x"});
+    menu_.open(Page::pause);
+    EXPECT_EQ(menu_.take_request(), MenuRequest::none);
+}
+
+TEST_F(LiveMenuTest, ThePauseShowsItsReason) {
+    menu_.open(Page::pause);
+    menu_.set_pause({"Paused", "by player 2"});
+    EXPECT_EQ(menu_.picture().title, "Paused");
+    EXPECT_EQ(menu_.picture().line, "by player 2");
+    EXPECT_FALSE(menu_.on_start_screen());
+    menu_.close();
+    EXPECT_FALSE(menu_.is_open());
+    EXPECT_EQ(menu_.picture(), game::MenuPicture{});
+}
+
+}  // namespace
+}  // namespace thaum::app

@@ -1,0 +1,66 @@
+// unit/live_rig.h: keys, pads and seats for tests of a live session's parts.
+#pragma once
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <initializer_list>
+#include <string_view>
+
+#include "core/text.h"
+#include "game/app/live_seats.h"
+
+namespace thaum::app::rig {
+
+constexpr std::int64_t ms = 1'000'000;  ///< one millisecond (ns)
+constexpr render::Size window{1280, 720};
+
+/// A path for a file or folder of this process, at which nothing lies before and after the test.
+struct TestPath {
+    explicit TestPath(std::string_view name)
+        : path(std::filesystem::path(testing::TempDir()) / text("thaum_", ::getpid(), "_", name)) {
+        std::filesystem::remove_all(path);
+    }
+    ~TestPath() { std::filesystem::remove_all(path); }
+    TestPath(const TestPath&) = delete;
+    TestPath& operator=(const TestPath&) = delete;
+
+    const std::filesystem::path path;
+};
+
+inline int key(std::string_view name) { return *key_code_of(name); }
+
+/// Code of the first control of an action, which is a key, a button or an axis.
+inline int code_of(const Settings& settings, input::DeviceKind kind, input::Action action) {
+    return settings.bindings_of(kind).of(action).at(0).code;
+}
+inline int code_of(const Settings& settings, SessionKey key) { return settings.of(key).at(0).code; }
+
+/// A pad that is plugged in, with some buttons held.
+inline render::PadState pad_with(std::initializer_list<input::PadButton> held = {}) {
+    render::PadState pad{.present = true, .name = "Make-believe pad"};
+    for (const auto button : held) pad.buttons |= 1U << static_cast<unsigned>(button);
+    return pad;
+}
+/// A pad with an axis at `value`, in the window's direction: down is positive.
+inline render::PadState pad_at(input::PadAxis axis, float value) {
+    auto pad = pad_with();
+    pad.axes[static_cast<std::size_t>(axis)] = value;
+    return pad;
+}
+
+inline TakenSeats seats_for(Seat first, Seat second, const Settings& settings = {}) {
+    return take_seats(settings, {first, second});
+}
+constexpr Seat mouse_seat{.kind = SeatKind::keyboard_mouse}, half_seat{.kind = SeatKind::keyboard_half},
+    first_pad_seat{.kind = SeatKind::pad, .pad = 0}, second_pad_seat{.kind = SeatKind::pad, .pad = 1},
+    bot_seat{.kind = SeatKind::bot};
+
+inline input::DeviceSample taken(const TakenSeats& seats, std::uint32_t player) {
+    return seats[player].hands->take();
+}
+inline bool is_down(const input::DeviceSample& sample, input::Button button) {
+    return (sample.buttons & input::bit(button)) != 0;
+}
+
+}  // namespace thaum::app::rig

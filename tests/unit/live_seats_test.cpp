@@ -1,0 +1,71 @@
+// Tests of seats: which devices players get from the command line or the start screen, and what is taken.
+#include "game/app/live_seats.h"
+
+#include <gtest/gtest.h>
+
+#include "game/bots/range.h"
+#include "unit/live_rig.h"
+
+namespace thaum::app {
+namespace {
+
+using input::DeviceKind;
+
+TEST(PlannedSeats, EachPadGoesToTheFirstSeatThatWantsOne) {
+    const auto seats =
+        planned_seats({Seat{.kind = SeatKind::pad, .pad = 3}, Seat{.kind = SeatKind::pad}}, {});
+    EXPECT_EQ(seats[0].pad, 0);
+    EXPECT_EQ(seats[1].pad, 1);
+    const auto one = planned_seats({rig::mouse_seat, Seat{.kind = SeatKind::pad, .pad = 3}}, {});
+    EXPECT_EQ(one[0].kind, SeatKind::keyboard_mouse);
+    EXPECT_EQ(one[1].pad, 0);
+}
+
+TEST(PlannedSeats, HalfOfTheKeyboardStandsInForAMissingPad) {
+    const Seats wish{rig::mouse_seat, Seat{.kind = SeatKind::pad_or_half}};
+    EXPECT_EQ(planned_seats(wish, {})[1].kind, SeatKind::keyboard_half);
+    EXPECT_EQ(planned_seats(wish, {rig::pad_with()})[1].kind, SeatKind::pad);
+    const Seats both{Seat{.kind = SeatKind::pad}, Seat{.kind = SeatKind::pad_or_half}};
+    EXPECT_EQ(planned_seats(both, {rig::pad_with()})[1].kind, SeatKind::keyboard_half) << "one pad for two";
+    EXPECT_EQ(planned_seats(both, {rig::pad_with(), rig::pad_with()})[1].kind, SeatKind::pad);
+}
+
+TEST(JoinedSeats, ABotTakesAnEmptySeatAndADummyTheSecondOneOfPractice) {
+    const MenuContext context{.levels = {1, 2, 3}};
+    MenuState menu;
+    menu.seats[1] = Device{DeviceKind::pad, 2};
+    menu.level = 1;
+    auto seats = joined_seats(menu, context, false);
+    EXPECT_EQ(seats[0].kind, SeatKind::bot);
+    EXPECT_EQ(seats[0].level, 2);
+    EXPECT_EQ(seats[1].kind, SeatKind::pad);
+    EXPECT_EQ(seats[1].pad, 2);
+    menu.seats[0] = Device{DeviceKind::keyboard_half, 0};
+    seats = joined_seats(menu, context, true);
+    EXPECT_EQ(seats[0].kind, SeatKind::keyboard_half);
+    EXPECT_EQ(seats[game::dummys].kind, SeatKind::dummy);
+}
+
+TEST(TakenSeats, HaveTheirPlayersSettings) {
+    Settings settings;
+    settings.sensitivity = 3;
+    settings.turn_deg_per_s = 90;
+    const auto seats = rig::seats_for(rig::bot_seat, rig::mouse_seat, settings);
+    EXPECT_FALSE(seats[0].hands) << "a bot has no hands";
+    EXPECT_EQ(seats[0].spec.kind, DeviceKind::bot);
+    ASSERT_TRUE(seats[1].hands);
+    EXPECT_EQ(seats[1].spec.player, 1U);
+    EXPECT_EQ(seats[1].spec.kind, DeviceKind::keyboard_mouse);
+    EXPECT_EQ(seats[1].spec.name, "mouse and keyboard");
+    EXPECT_DOUBLE_EQ(seats[1].spec.look_rad_per_count, 3 * input::DeviceSpec{}.look_rad_per_count);
+    EXPECT_DOUBLE_EQ(seats[1].spec.turn_rad_per_s, pi / 2);
+    EXPECT_EQ(first_person(seats), 1U);
+    EXPECT_FALSE(has_pad(seats[0]) || has_pad(seats[1]));
+    const auto pads = rig::seats_for(rig::second_pad_seat, rig::bot_seat);
+    EXPECT_EQ(pads[0].spec.name, "pad 2");
+    EXPECT_TRUE(has_pad(pads[0]));
+    EXPECT_FALSE(first_person(rig::seats_for(rig::bot_seat, rig::bot_seat)));
+}
+
+}  // namespace
+}  // namespace thaum::app

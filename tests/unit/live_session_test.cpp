@@ -1,0 +1,490 @@
+// Tests of a whole session of the main thread, without window, threads and clock. The test acts as the
+// simulation thread: it sets the match's state and reads the requests to the match.
+#include "game/app/live_session.h"
+
+#include <gtest/gtest.h>
+
+#include "core/file.h"
+#include "game/bots/bot.h"
+#include "game/match/record.h"
+#include "unit/live_rig.h"
+
+namespace thaum::app {
+namespace {
+
+using input::Button;
+using input::PadButton;
+
+std::shared_ptr<const game::MatchData> shipped_data() {
+    static const auto data = [] {
+        auto loaded = game::load_match_data(THAUM_SOURCE_DIR "/assets", {});
+        EXPECT_TRUE(loaded) << (loaded ? "" : loaded.error().message);
+        return std::make_shared<const game::MatchData>(std::move(*loaded));
+    }();
+    return data;
+}
+
+/// Replay of a match of eight ticks.
+Expected<game::Playback> short_replay() {
+    const rig::TestPath file("replay.thaumlog");
+    const game::MatchSetup setup{.devices = {game::bot_device(0, 1), game::bot_device(1, 1)}};
+    game::Simulation match(shipped_data(), setup);
+    auto log =
+        input::LogWriter::create(file.path, game::log_header(*shipped_data(), setup, {"bot 1", "bot 1"}));
+    if (!log) return tl::unexpected(log.error());
+    for (int t = 0; t < 8; ++t) game::tick_and_record(match, {}, &*log);
+    if (const auto closed = game::close_log(*log, match); !closed) return tl::unexpected(closed.error());
+    return game::Playback::open(file.path, THAUM_SOURCE_DIR "/assets");
+}
+
+class LiveSessionTest : public testing::Test {
+protected:
+    LiveSessionTest() {
+        plan_.data = shipped_data();
+        plan_.assets = THAUM_SOURCE_DIR "/assets";
+        plan_.seats = {rig::mouse_seat, rig::first_pad_seat};
+        shared_.ready = true;
+    }
+
+    /// Begins a match of the plan's seats, or of the start screen's.
+    void begin(const Pads& pads = {}) {
+        session_.emplace(shared_, plan_);
+        session_->take_seats(pads);
+        session_->begin_match(pads);
+        pads_ = pads;
+    }
+    void step(std::int64_t after_ms = 4) {
+        now_ += after_ms * rig::ms;
+        session_->step_match(pads_, now_);
+        session_->publish_screen();
+    }
+    void press(int key) {
+        session_->key(key, true, now_);
+        session_->key(key, false, now_);
+    }
+    void press(std::string_view name) { press(rig::key(name)); }
+    void pause(std::uint32_t player) {
+        shared_.progress.paused_by = player;
+        shared_.progress.state = PlayState::paused;
+    }
+    const Screen& screen() {
+        shared_.screen.take();
+        return shared_.screen.newest();
+    }
+    auto& requests() { return shared_.requests; }
+    input::DeviceSample sample(std::uint32_t player) { return rig::taken(shared_.seats, player); }
+
+    LivePlan plan_;
+    LiveShared shared_;
+    std::optional<LiveSession> session_;
+    Pads pads_{};
+    std::int64_t now_ = 1000 * rig::ms;
+    const Settings defaults_{};
+};
+
+// ---- pads -------------------------------------------------------------------------------------------------
+
+TEST_F(LiveSessionTest, APadLostInPlayPausesAndIsNamedUntilItsPlayerIsBack) {
+    begin({rig::pad_with()});
+    step();
+    EXPECT_EQ(requests().pause, game::no_player);
+    pads_ = {};
+    step();
+    EXPECT_EQ(requests().pause, 1U);
+    EXPECT_TRUE(shared_.pad_lost[1]);
+    EXPECT_FALSE(shared_.pad_lost[0]);
+    EXPECT_EQ(screen().hud.device_messages[1], "pad lost: press a button on it to rejoin");
+    EXPECT_EQ(screen().menu, game::MenuPicture{}) << "the match has not paused yet";
+    pause(1);
+    step();
+    EXPECT_EQ(screen().menu.title, "Player 2: pad lost");
+    EXPECT_TRUE(screen().hud.menu);
+    pads_[0] = rig::pad_with();
+    step();
+    EXPECT_EQ(screen().menu.title, "Player 2: pad lost");
+    EXPECT_EQ(requests().go_on, game::no_player);
+    pads_[0] = rig::pad_with({PadButton::a});
+    step();
+    EXPECT_EQ(requests().go_on, 1U);
+    EXPECT_FALSE(shared_.pad_lost[1]);
+    EXPECT_EQ(screen().hud.device_messages[1], "");
+    EXPECT_EQ(session_->menu().state().pages.size(), 1U) << "the button does not act in the menu";
+    shared_.progress.state = PlayState::playing;
+    step();
+    EXPECT_FALSE(session_->menu().is_open());
+    step();
+    EXPECT_FALSE(rig::is_down(sample(1), Button::jump)) << "held over the rejoin";
+    pads_[0] = rig::pad_with();
+    step();
+    pads_[0] = rig::pad_with({PadButton::a});
+    step();
+    EXPECT_TRUE(rig::is_down(sample(1), Button::jump));
+}
+
+TEST_F(LiveSessionTest, TheKeypadStandsInForALostPad) {
+    begin({rig::pad_with()});
+    pads_ = {};
+    step();
+    pause(1);
+    step();
+    press("kp_0");
+    EXPECT_EQ(requests().go_on, 1U);
+    shared_.progress.state = PlayState::playing;
+    step();
+    session_->key(rig::key("kp_8"), true, now_);
+    EXPECT_EQ(sample(1).counts[input::hand::forward], 127);
+}
+
+TEST_F(LiveSessionTest, ButtonBLeavesOnceTheResultWasSeen) {
+    plan_.start_screen = true;
+    plan_.seats = {};
+    session_.emplace(shared_, plan_);
+    session_->open_start_screen(now_);
+    const Pads held{rig::pad_with({PadButton::a})}, idle{rig::pad_with()};
+    session_->step_start_screen(held, now_);
+    session_->step_start_screen(idle, now_);
+    ASSERT_TRUE(session_->step_start_screen(held, now_));
+    session_->take_seats(idle);
+    session_->begin_match(idle);
+    const auto press_b = [&](std::int64_t after_ms) {
+        pads_ = idle;
+        step(after_ms);
+        pads_[0] = rig::pad_with({PadButton::b});
+        step();
+        return requests().end.load();
+    };
+    EXPECT_FALSE(press_b(4)) << "during play";
+    shared_.progress.state = PlayState::over;
+    EXPECT_FALSE(press_b(4));
+    EXPECT_FALSE(press_b(700));
+    EXPECT_TRUE(press_b(200));
+    EXPECT_FALSE(shared_.stop) << "the start screen follows";
+}
+
+// ---- focus ------------------------------------------------------------------------------------------------
+
+TEST_F(LiveSessionTest, ALostFocusReleasesAllKeysAndThenPauses) {
+    begin();
+    session_->key(rig::key("w"), true, now_);
+    EXPECT_EQ(sample(0).counts[input::hand::forward], 127);
+    session_->focus(false, now_);
+    EXPECT_EQ(sample(0).counts[input::hand::forward], 0);
+    step(150);
+    EXPECT_EQ(requests().pause, game::no_player) << "it may be a flicker";
+    step(1);
+    EXPECT_EQ(requests().pause, 0U);
+    requests().pause = game::no_player;
+    step(1000);
+    EXPECT_EQ(requests().pause, game::no_player) << "once";
+}
+
+TEST_F(LiveSessionTest, ALostFocusWaitsForTheFirstPicture) {
+    begin();
+    shared_.ready = false;
+    session_->focus(false, now_);
+    step(500);
+    EXPECT_EQ(requests().pause, game::no_player);
+    shared_.ready = true;
+    step();
+    EXPECT_EQ(requests().pause, 0U);
+}
+
+TEST_F(LiveSessionTest, BotsAndAProbePlayOnWithoutTheFocus) {
+    plan_.probe = true;
+    begin();
+    session_->focus(false, now_);
+    step(500);
+    EXPECT_EQ(requests().pause, game::no_player);
+    plan_.probe = false;
+    plan_.seats = {rig::bot_seat, rig::bot_seat};
+    begin();
+    session_->focus(false, now_);
+    step(500);
+    EXPECT_EQ(requests().pause, game::no_player);
+}
+
+// ---- keys -------------------------------------------------------------------------------------------------
+
+TEST_F(LiveSessionTest, InputGoesToTheHandsInPlayAndToTheMenuInThePause) {
+    begin();
+    session_->key(rig::key("w"), true, now_);
+    session_->mouse_move(7, 0, now_ + 1);
+    EXPECT_EQ(shared_.input_came_ns, now_) << "arrival of the first event that no tick has taken";
+    const auto playing = sample(0);
+    EXPECT_EQ(playing.counts[input::hand::forward], 127);
+    EXPECT_EQ(playing.counts[input::hand::look_right], 7);
+    EXPECT_TRUE(session_->captures_cursor());
+    pause(0);
+    step();
+    EXPECT_FALSE(session_->captures_cursor());
+    EXPECT_EQ(sample(0).counts[input::hand::forward], 0) << "the pause releases all keys";
+    shared_.input_came_ns = 0;
+    session_->key(rig::key("w"), true, now_);
+    session_->mouse_move(7, 0, now_);
+    session_->wheel(1, now_);
+    EXPECT_EQ(sample(0).counts[input::hand::forward], 0);
+    EXPECT_EQ(sample(0).counts[input::hand::look_right], 0);
+    EXPECT_EQ(shared_.input_came_ns, 0);
+    press("escape");
+    step();
+    EXPECT_EQ(requests().go_on, 0U);
+}
+
+TEST_F(LiveSessionTest, TheSessionsPauseKeyAsksForAPauseUnlessAPlayersKeyDoes) {
+    plan_.settings.session[static_cast<std::size_t>(SessionKey::pause)] = {
+        {input::Control::Source::key, rig::key("f9"), 0}};
+    begin();
+    press("f9");
+    EXPECT_EQ(requests().pause, 0U);
+    requests().pause = game::no_player;
+    plan_.settings.bindings_of(input::DeviceKind::keyboard_mouse).of(input::Action::pause) = {
+        {input::Control::Source::key, rig::key("f9"), 0}};
+    begin();
+    press("f9");
+    EXPECT_EQ(requests().pause, game::no_player) << "the player's hands pause";
+}
+
+TEST_F(LiveSessionTest, KeysLeaveOrRepeatAFinishedMatch) {
+    begin();
+    const auto again = rig::code_of(defaults_, SessionKey::again),
+               leave = rig::code_of(defaults_, SessionKey::leave);
+    press(again);
+    press(leave);
+    EXPECT_FALSE(requests().rematch) << "during play";
+    EXPECT_FALSE(shared_.stop);
+    shared_.progress.state = PlayState::over;
+    step();
+    press(leave);
+    EXPECT_FALSE(shared_.stop) << "the result was not seen yet";
+    step(801);
+    press(again);
+    EXPECT_TRUE(requests().rematch);
+    press(leave);
+    EXPECT_TRUE(shared_.stop) << "without a start screen the program ends";
+    EXPECT_FALSE(requests().end);
+}
+
+TEST_F(LiveSessionTest, SomeKeysActAtAnyTime) {
+    begin();
+    press(rig::code_of(defaults_, SessionKey::mark));
+    press(rig::code_of(defaults_, SessionKey::forces));
+    press(rig::code_of(defaults_, SessionKey::fullscreen));
+    pause(0);
+    step();
+    press(rig::code_of(defaults_, SessionKey::mark));
+    press(rig::code_of(defaults_, SessionKey::split));
+    session_->publish_screen();
+    EXPECT_EQ(requests().marks, 2U);
+    EXPECT_TRUE(screen().hud.forces);
+    EXPECT_EQ(screen().hud.split, render::Split::side_by_side);
+    EXPECT_TRUE(session_->menu().settings().fullscreen);
+}
+
+TEST_F(LiveSessionTest, AReplayOnlyStops) {
+    auto replay = short_replay();
+    ASSERT_TRUE(replay) << replay.error().message;
+    plan_.replay = &*replay;
+    begin();
+    EXPECT_FALSE(shared_.seats[0].hands) << "a replay has no players at the devices";
+    pause(0);
+    step();
+    EXPECT_FALSE(session_->menu().is_open()) << "a pause in the log opens no menu";
+    EXPECT_FALSE(screen().hud.can_play_again);
+    press("escape");
+    EXPECT_TRUE(shared_.stop);
+}
+
+// ---- the pause's menu -------------------------------------------------------------------------------------
+
+TEST_F(LiveSessionTest, ASettingChangedInThePauseReachesFileScreenAndHands) {
+    const rig::TestPath file("settings.toml");
+    plan_.settings_file = file.path;
+    ASSERT_TRUE(load_settings(plan_.settings_file, plan_.assets));
+    begin();
+    pause(0);
+    step();
+    for (const auto* key : {"down", "down", "enter", "down", "down", "right"}) press(key);
+    step();
+    EXPECT_EQ(screen().hud.fov, 95);
+    for (const auto* key : {"down", "down", "right"}) press(key);
+    step();
+    const auto saved = parse_settings(read_text_file(plan_.settings_file, 1U << 20U).value(), "settings");
+    ASSERT_TRUE(saved);
+    EXPECT_EQ(saved->fov, 95);
+    EXPECT_DOUBLE_EQ(saved->sensitivity, 1.05);
+    shared_.progress.state = PlayState::playing;
+    step();
+    session_->mouse_move(100, 0, now_);
+    EXPECT_EQ(sample(0).counts[input::hand::look_right], 105);
+}
+
+TEST_F(LiveSessionTest, AnotherKeyActsAtOnce) {
+    begin();
+    pause(0);
+    step();
+    for (const auto* key : {"down", "enter", "enter"}) press(key);
+    const auto& menu = session_->menu();
+    while (menu.picture().rows.at(menu.picture().cursor).label != "Move forward") press("down");
+    for (const auto* key : {"enter", "i"}) press(key);
+    step();
+    shared_.progress.state = PlayState::playing;
+    step();
+    session_->key(rig::key("i"), true, now_);
+    EXPECT_EQ(sample(0).counts[input::hand::forward], 127);
+}
+
+TEST_F(LiveSessionTest, ThePauseOfTheRangeChangesTheDummy) {
+    plan_.practice = game::DummyKind::strafing;
+    plan_.seats = {rig::mouse_seat, Seat{.kind = SeatKind::dummy}};
+    session_.emplace(shared_, plan_);
+    EXPECT_EQ(requests().dummy, game::DummyKind::strafing);
+    ASSERT_TRUE(session_->next().open_range());
+    session_->take_seats({});
+    session_->begin_match({});
+    pause(0);
+    step();
+    press("down");
+    press("right");
+    step();
+    EXPECT_EQ(requests().dummy, game::DummyKind::shooting);
+}
+
+TEST_F(LiveSessionTest, EndingTheMatchInThePauseEndsItAndNotTheProgram) {
+    plan_.start_screen = true;
+    begin();
+    pause(game::no_player);
+    step();
+    press("q");
+    step();
+    EXPECT_TRUE(requests().end);
+    EXPECT_FALSE(shared_.stop);
+}
+
+// ---- arms -------------------------------------------------------------------------------------------------
+
+TEST_F(LiveSessionTest, AFaultOfAnArmIsShownToItsPlayer) {
+    begin();
+    auto arm = std::make_unique<LiveArm>();
+    arm->player = 0;
+    arm->notice = {"Touch (gone)", "The arm's motors are too warm: let them rest"};
+    shared_.arms.push_back(std::move(arm));
+    session_->publish_screen();
+    EXPECT_EQ(screen().hud.device_messages[0], "The arm's motors are too warm: let them rest");
+    EXPECT_EQ(screen().hud.device_messages[1], "");
+    shared_.arms.clear();
+}
+
+// ---- the screen -------------------------------------------------------------------------------------------
+
+TEST_F(LiveSessionTest, TheScreenIsPublishedOnlyWhenItChanges) {
+    begin();
+    session_->publish_screen();
+    shared_.screen.take();
+    step();
+    EXPECT_FALSE(shared_.screen.take());
+    pause(0);
+    step();
+    EXPECT_TRUE(shared_.screen.take());
+    step();
+    EXPECT_FALSE(shared_.screen.take());
+    press("down");
+    step();
+    EXPECT_TRUE(shared_.screen.take());
+}
+
+TEST_F(LiveSessionTest, WaitsForEventsAsLongAsNothingMustBePolled) {
+    begin();
+    EXPECT_DOUBLE_EQ(session_->patience_s(), 0.004) << "pads send no events";
+    EXPECT_TRUE(session_->needs_pads());
+    plan_.seats = {rig::mouse_seat, rig::bot_seat};
+    begin();
+    EXPECT_DOUBLE_EQ(session_->patience_s(), 0.25);
+    EXPECT_FALSE(session_->needs_pads());
+    EXPECT_EQ(session_->plan().seats[1].kind, SeatKind::bot);
+    session_->focus(false, now_);
+    EXPECT_DOUBLE_EQ(session_->patience_s(), 0.05);
+    pause(0);
+    session_->step_match(std::nullopt, now_);
+    EXPECT_DOUBLE_EQ(session_->patience_s(), 0.016);
+    EXPECT_TRUE(session_->needs_pads());
+}
+
+// ---- the start screen -------------------------------------------------------------------------------------
+
+class LiveStartScreenTest : public LiveSessionTest {
+protected:
+    LiveStartScreenTest() {
+        plan_.start_screen = true;
+        plan_.seconds = 10;
+        session_.emplace(shared_, plan_);
+        session_->open_start_screen(now_);
+    }
+    bool step_start(const Pads& pads = {}) {
+        const bool starts = session_->step_start_screen(pads, now_ += 16 * rig::ms);
+        session_->publish_screen();
+        return starts;
+    }
+};
+
+TEST_F(LiveStartScreenTest, TwoPressesStartAMatchOfThatDevice) {
+    EXPECT_FALSE(step_start());
+    EXPECT_TRUE(screen().arena_scene);
+    EXPECT_TRUE(shared_.scene.take()) << "the arena is shown";
+    press("x");
+    EXPECT_FALSE(step_start());
+    press("x");
+    EXPECT_TRUE(step_start());
+    session_->take_seats({});
+    EXPECT_EQ(shared_.seats[0].seat.kind, SeatKind::keyboard_mouse);
+    EXPECT_EQ(shared_.seats[1].seat.kind, SeatKind::bot);
+    session_->begin_match({});
+    EXPECT_FALSE(session_->menu().is_open());
+}
+
+TEST_F(LiveStartScreenTest, TheRangeStartsWithADummy) {
+    const auto& menu = session_->menu();
+    while (menu.picture().rows.at(menu.picture().cursor).label != "Range: practise on a dummy") press("down");
+    press("enter");
+    EXPECT_TRUE(step_start());
+    session_->take_seats({});
+    EXPECT_EQ(shared_.seats[1].seat.kind, SeatKind::dummy);
+    EXPECT_TRUE(menu.context().practice);
+    EXPECT_TRUE(session_->next().take_range());
+}
+
+TEST_F(LiveStartScreenTest, AnotherArenaIsShownAtOnce) {
+    shared_.scene.take();
+    const auto& menu = session_->menu();
+    while (menu.picture().rows.at(menu.picture().cursor).label != "Arena") press("down");
+    press("right");
+    step_start();
+    ASSERT_TRUE(shared_.scene.take());
+    EXPECT_EQ(shared_.scene.newest()->choice.arena, "the_well");
+    step_start();
+    EXPECT_FALSE(shared_.scene.take());
+}
+
+TEST_F(LiveStartScreenTest, AnUnpluggedPadGivesUpItsSeat) {
+    step_start({rig::pad_with()});
+    step_start({rig::pad_with({PadButton::a})});
+    EXPECT_TRUE(screen().menu.seats[0].taken);
+    step_start({});
+    EXPECT_FALSE(screen().menu.seats[0].taken);
+}
+
+TEST_F(LiveStartScreenTest, EndsByQuitOrWhenItsTimeIsUp) {
+    press("escape");
+    press("enter");
+    EXPECT_FALSE(step_start());
+    EXPECT_TRUE(shared_.stop) << "Quit";
+    shared_.stop = false;
+    now_ += 9'900 * rig::ms;
+    EXPECT_FALSE(step_start());
+    EXPECT_FALSE(shared_.stop);
+    now_ += 100 * rig::ms;
+    EXPECT_FALSE(step_start());
+    EXPECT_TRUE(shared_.stop);
+}
+
+}  // namespace
+}  // namespace thaum::app
