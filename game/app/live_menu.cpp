@@ -31,10 +31,13 @@ void LiveMenu::close() {
     state_.waiting.reset();
 }
 
+/// Applies an event. A request ends the menu or its match. Presses that come before the session carries it out
+/// are not meant for the menu.
 void LiveMenu::step(const MenuEvent& event) {
+    if (request_ != MenuRequest::none && event.kind != Kind::gone) return;
     const auto before = state_.settings;
     state_ = app::step(std::move(state_), event, context_);
-    request_ = state_.request;
+    if (state_.request != MenuRequest::none) request_ = state_.request;
     if (state_.settings == before) return;
     settings_changed_ = true;
     if (settings_file_.empty()) return;

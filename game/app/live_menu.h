@@ -43,7 +43,7 @@ public:
     /// Ends the repetition, because a release will not be reported without the focus.
     void release() { held_ = {}; }
 
-    /// Returns the request of the last event and forgets it.
+    /// Returns the last request and forgets it. Until then devices' further events have no effect.
     MenuRequest take_request() { return std::exchange(request_, MenuRequest::none); }
     /// Whether settings have changed since the last call.
     bool take_settings_change() { return std::exchange(settings_changed_, false); }

@@ -306,6 +306,16 @@ TEST_F(LiveMenuTest, TheLeaveKeyLeavesFromThePauseItself) {
     EXPECT_EQ(menu_.take_request(), MenuRequest::none) << "on a page below the pause";
 }
 
+/// A request waits until the session carries it out. Presses of the same moment are meant for what comes then.
+TEST_F(LiveMenuTest, ARequestIsNotLostByLaterEvents) {
+    menu_.open(Page::start);
+    press_all({"x", "x", "escape", "down"});
+    EXPECT_TRUE(menu_.state().seats[0]);
+    EXPECT_EQ(menu_.take_request(), MenuRequest::start);
+    press("escape");
+    EXPECT_FALSE(menu_.state().seats[0]);
+}
+
 TEST_F(LiveMenuTest, AMenuThatOpensHasNoOldRequest) {
     menu_.open(Page::start);
     press_all({"x", "x"});
