@@ -149,7 +149,8 @@ PlayState play_state_of(const game::Match& match) {
 }
 
 /// Presses the pause button for the main thread, which asked for a pause or for its end. The button is
-/// pressed in every input frame until the pause has begun or ended.
+/// pressed in every second input frame until the pause has begun or ended: only a press after a release counts,
+/// and a request may follow another one within a tick.
 void press_for_main(MatchRequests& requests, PlayState state, input::InputFrame& frame) {
     const auto press = [&](std::atomic<std::uint32_t>& request, PlayState unless) {
         const auto player = request.load();
@@ -182,7 +183,8 @@ input::InputFrame take_frame(SimulationThread& s) {
     }
     each_held_arm(s.shared.arms,
                   [&](LiveArm& arm, std::size_t device) { frame.devices[device] = arm.servo.take(); });
-    press_for_main(s.shared.requests, play_state_of(s.round.match->match()), frame);
+    if (s.round.match->now() % 2 == 0)
+        press_for_main(s.shared.requests, play_state_of(s.round.match->match()), frame);
     if (const auto marks = s.shared.requests.marks.load(); marks != s.marks_seen) {
         frame.devices[0].press(Button::mark);
         s.marks_seen = marks;

@@ -1,0 +1,98 @@
+// Tests of a session's main thread together with its simulation thread, without a window. The main thread
+// waits until the simulation thread wakes it.
+#include <gtest/gtest.h>
+
+#include <semaphore>
+#include <thread>
+
+#include "game/app/live_session.h"
+#include "game/match/playback.h"
+#include "game/match/record.h"
+#include "unit/live_rig.h"
+
+namespace thaum::app {
+namespace {
+
+class LiveThreadsTest : public testing::Test {
+protected:
+    LiveThreadsTest() {
+        auto data = game::load_match_data(THAUM_SOURCE_DIR "/assets", {});
+        EXPECT_TRUE(data) << (data ? "" : data.error().message);
+        plan_.data = std::make_shared<const game::MatchData>(std::move(*data));
+        plan_.assets = THAUM_SOURCE_DIR "/assets";
+        plan_.seats = {rig::mouse_seat, rig::first_pad_seat};
+        shared_.ready = true;
+        session_.emplace(shared_, plan_);
+    }
+
+    /// Ends the match also if a test has failed.
+    ~LiveThreadsTest() override { shared_.stop = true; }
+
+    void start_match(Recording recording) {
+        session_->take_seats(pads_);
+        simulating_ = std::jthread([this, start = MatchStart{plan_.data, 1, std::move(recording)}]() mutable {
+            run_simulation(plan_, shared_, std::move(start), [this] { woken_.release(); });
+        });
+        session_->begin_match(pads_);
+    }
+    void end_match() {
+        shared_.requests.end = true;
+        simulating_.join();
+    }
+    /// Waits for the match's next state. Returns false after a time that only a hang takes.
+    bool becomes(PlayState state) {
+        while (shared_.progress.state != state) {
+            if (!woken_.try_acquire_for(std::chrono::seconds(60))) return false;
+        }
+        session_->step_match(pads_, monotonic_ns());
+        return true;
+    }
+    void press(std::string_view name) {
+        session_->key(rig::key(name), true, monotonic_ns());
+        session_->key(rig::key(name), false, monotonic_ns());
+    }
+    void step(Pads pads) {
+        pads_ = std::move(pads);
+        session_->step_match(pads_, monotonic_ns());
+    }
+
+    LivePlan plan_;
+    LiveShared shared_;
+    std::optional<LiveSession> session_;
+    Pads pads_{rig::pad_with()};
+    std::counting_semaphore<> woken_{0};
+    std::jthread simulating_{};  ///< last, so that it ends while the other members still live
+};
+
+TEST_F(LiveThreadsTest, AMatchPausesGoesOnAndEndsAndItsLogReplays) {
+    const rig::TestPath file("match.thaumlog");
+    const auto seats = take_seats(plan_.settings, planned_seats(plan_.seats, pads_));
+    const game::MatchSetup setup{1, devices_of(seats, {})};
+    auto recording =
+        record_match({.named = file.path}, 1, game::log_header(*plan_.data, setup, {"human", "human"}));
+    ASSERT_TRUE(recording) << recording.error().message;
+    start_match(std::move(*recording));
+    press("escape");
+    ASSERT_TRUE(becomes(PlayState::paused));
+    EXPECT_EQ(session_->menu().picture().line, "by player 1");
+    press("escape");
+    step({rig::pad_with()});
+    ASSERT_TRUE(becomes(PlayState::playing)) << "a request that follows the pause at once";
+    EXPECT_FALSE(session_->menu().is_open());
+    step({});
+    ASSERT_TRUE(becomes(PlayState::paused));
+    EXPECT_EQ(session_->menu().picture().title, "Player 2: pad lost");
+    step({rig::pad_with({input::PadButton::a})});
+    ASSERT_TRUE(becomes(PlayState::playing));
+    end_match();
+    EXPECT_TRUE(shared_.progress.ended);
+    EXPECT_FALSE(shared_.stop) << "the session may go on";
+    auto replay = game::Playback::open(file.path, plan_.assets);
+    ASSERT_TRUE(replay) << replay.error().message;
+    while (replay->step()) EXPECT_FALSE(replay->divergence());
+    EXPECT_GT(replay->match().now(), 0U);
+    EXPECT_EQ(replay->missing_hashes(), "");
+}
+
+}  // namespace
+}  // namespace thaum::app
