@@ -58,14 +58,13 @@ ActiveSet against_three(const Walls& walls, std::size_t i, std::size_t j, std::s
     return {{i, j, k}, {glm::dot(way, bc) / det, glm::dot(way, ca) / det, glm::dot(way, ab) / det}, 3};
 }
 
-/// Keeps only the walls of the set, with their depths.
+/// Keeps only the walls of the set, with their depths. The set names them in the order of the list.
 void keep(Walls& walls, const ActiveSet& active) {
-    std::array<Wall, most_walls> kept{};
     for (std::size_t i = 0; i < active.count; ++i) {
-        kept[i] = walls.items[active.walls[i]];
-        kept[i].depth = active.depths[i];
+        const std::size_t from = active.walls[i];
+        if (from != i) walls.items[i] = walls.items[from];
+        walls.items[i].depth = active.depths[i];
     }
-    walls.items = kept;
     walls.count = active.count;
 }
 
